@@ -1,0 +1,98 @@
+using System.Numerics;
+
+namespace Football.Physics;
+
+/// <summary>A ball for a game: build it, kick it, step it every frame, read where it is and what happened.</summary>
+/// <remarks>Right-handed, y up, forward −z; SI units. Not for several threads at once; the <see cref="Simulator"/> behind it is.</remarks>
+public sealed class Ball
+{
+    private readonly StepLog _log = new();
+    private BallState _state;
+
+    /// <summary>A ball at rest on the ground at the origin.</summary>
+    /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
+    /// <param name="settings">How to integrate it; default <see cref="SolverSettings.Default"/>.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public Ball(Scene? scene = null, SolverSettings? settings = null)
+        : this(new Simulator(scene, settings))
+    {
+    }
+
+    /// <summary>A ball at rest on the ground at the origin, in a scene shared with other balls.</summary>
+    /// <param name="simulator">The compiled scene.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
+    public Ball(Simulator simulator)
+    {
+        Simulator = simulator ?? throw new ArgumentNullException(nameof(simulator));
+        Place(new Vector3d(0, simulator.ContactHeight, 0));
+    }
+
+    /// <summary>The compiled scene.</summary>
+    public Simulator Simulator { get; }
+
+    /// <summary>The whole state in double precision. Setting it restores a snapshot.</summary>
+    public BallState State
+    {
+        get => _state;
+        set => _state = value;
+    }
+
+    /// <summary>What happened in the last step, in order.</summary>
+    public EventBuffer Events => _log.Events;
+
+    /// <summary>Time since the ball was placed, s.</summary>
+    public double Time => _state.Time;
+
+    /// <summary>Position of the centre, m.</summary>
+    public Vector3 Position => _state.Position.ToVector3();
+
+    /// <summary>Velocity, m/s.</summary>
+    public Vector3 Velocity => _state.Velocity.ToVector3();
+
+    /// <summary>Angular velocity, rad/s, world frame.</summary>
+    public Vector3 Spin => _state.Spin.ToVector3();
+
+    /// <summary>Orientation.</summary>
+    public Quaternion Orientation => _state.Orientation.ToQuaternion();
+
+    /// <summary>What the ball is doing.</summary>
+    public MotionState Motion => _state.Motion;
+
+    /// <summary>Puts the ball down without motion, at time 0. Above the ground it will fall.</summary>
+    /// <param name="position">Position of the centre, m; components within ±1e6. Below contact height it is raised to it.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A component is out of range; nothing has changed.</exception>
+    public void Place(Vector3d position)
+    {
+        _state = Simulator.Launch(position, Vector3d.Zero, Vector3d.Zero);
+        _log.Clear();
+    }
+
+    /// <summary>Kicks the ball where it is.</summary>
+    /// <param name="velocity">Velocity, m/s; speed at most 1000. A <see cref="Vector3"/> will do.</param>
+    /// <param name="spin">Spin, rad/s, world frame; at most 10 000.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
+    public void Kick(Vector3d velocity, Vector3d spin) => Simulator.Kick(ref _state, velocity, spin);
+
+    /// <summary>Kicks the ball where it is: speed, direction, and spin relative to the direction.</summary>
+    /// <param name="speed">Speed, m/s; 0 … 1000.</param>
+    /// <param name="direction">Direction of the kick; any length but zero.</param>
+    /// <param name="topSpin">Spin about the horizontal axis across the kick, rad/s: positive dips, negative (backspin) lifts.</param>
+    /// <param name="sideSpin">Spin about the vertical, rad/s: positive is counter-clockwise seen from above, and bends to the left.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or <paramref name="topSpin"/> is given to a vertical kick; nothing has changed.</exception>
+    public void Kick(double speed, Vector3d direction, double topSpin = 0, double sideSpin = 0)
+    {
+        Check.Within(nameof(speed), speed, 0, Limits.Speed);
+        Vector3d unit = KickSpin.Direction(direction);
+        Simulator.Kick(ref _state, speed * unit, KickSpin.Vector(unit, topSpin, sideSpin));
+    }
+
+    /// <summary>Advances by a frame's time; <see cref="Events"/> then holds what happened in it. Allocates nothing.</summary>
+    /// <param name="dt">Frame time, s: finite, not negative.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is negative or not finite; nothing has changed.</exception>
+    public void Step(double dt)
+    {
+        Check.NotNegative(nameof(dt), dt);
+        _log.Clear();
+        Simulator.Step(ref _state, dt, _log);
+    }
+}

@@ -1,0 +1,17 @@
+namespace Football.Physics;
+
+/// <summary>What the ball is doing; it decides which forces act.</summary>
+public enum MotionState
+{
+    /// <summary>In the air, between bounces included.</summary>
+    Airborne = 0,
+
+    /// <summary>On the ground, its contact point slipping.</summary>
+    Sliding = 1,
+
+    /// <summary>On the ground without slip.</summary>
+    Rolling = 2,
+
+    /// <summary>At rest until the next kick; costs nothing.</summary>
+    Stopped = 3,
+}

@@ -1,0 +1,44 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>The constants of the ground's forces, per mass or per moment of inertia.</summary>
+internal struct GroundForces
+{
+    /// <summary>Normal force per mass, N/m = max(0, g − F_B/m), m/s².</summary>
+    public double Normal;
+
+    /// <summary>Sliding friction per mass, μ_s N/m, m/s².</summary>
+    public double Sliding;
+
+    /// <summary>Angular acceleration by sliding friction, r μ_s N / I, rad/s².</summary>
+    public double SlidingTorque;
+
+    /// <summary>Rolling friction per mass, μ_r N/m, m/s².</summary>
+    public double Rolling;
+
+    /// <summary>Damping of the spin about the vertical, c_ω / I, 1/s.</summary>
+    public double SpinDamping;
+
+    /// <summary>Ball radius, m.</summary>
+    public double Radius;
+
+    public static GroundForces Of(Scene scene)
+    {
+        BallProperties ball = scene.Ball;
+        double normal = NormalForce(scene);
+        return new GroundForces
+        {
+            Normal = normal,
+            Sliding = scene.Ground.SlidingFriction * normal,
+            SlidingTorque = scene.Ground.SlidingFriction * normal / (ball.InertiaFactor * ball.Radius),
+            Rolling = scene.Ground.RollingFriction * normal,
+            SpinDamping = scene.Ground.SpinDamping / ball.MomentOfInertia,
+            Radius = ball.Radius,
+        };
+    }
+
+    /// <summary>N = max(0, m g − |F_B|): gravity and buoyancy only.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static double NormalForce(Scene scene) => Math.Max(0, -(Gravity.Acceleration(scene) + Buoyancy.Acceleration(scene)));
+}

@@ -1,0 +1,36 @@
+namespace Football.Physics;
+
+/// <summary>A ball that slides: F = −μ_s N ŝ, T = r μ_s N (ŷ × ŝ) − c_ω ω_y ŷ + T_D, and the horizontal part of the air's forces.</summary>
+internal struct SlidingSystem<TAir> : IMotionSystem
+    where TAir : struct, IAerodynamics
+{
+    public TAir Air;
+    public CustomForces Custom;
+    public GroundForces Ground;
+    public Vector3d Wind;
+    public bool AirActs;
+    public DragBranch Branch;
+
+    /// <summary>Direction of the slip at the step's start: what friction keeps to where a stage passes zero.</summary>
+    public Vector3d SlipDirection;
+
+    public void Rates(double time, in Motion at, out MotionRates rates)
+    {
+        Vector3d slip = Slip.Of(at.Velocity, at.Spin, Ground.Radius);
+        double size = slip.Length;
+        Vector3d s = Vector3d.Dot(in slip, in SlipDirection) > 0 && size > 0 ? slip / size : SlipDirection;
+        var torqueAxis = new Vector3d(s.Z, 0, -s.X); // ŷ × ŝ
+        Vector3d u = at.Velocity - Wind;
+        MotionRates air = AirRates.Of(ref Air, in u, at.Spin, in torqueAxis, Branch);
+        Vector3d acceleration = AirActs ? air.Acceleration : Vector3d.Zero;
+        Vector3d spinAcceleration = air.SpinAcceleration + (Ground.SlidingTorque * torqueAxis) - new Vector3d(0, Ground.SpinDamping * at.Spin.Y, 0);
+        if (Custom.Act)
+        {
+            MotionRates custom = Custom.Rates(time, in at, in u, MotionState.Sliding);
+            acceleration += custom.Acceleration;
+            spinAcceleration += custom.SpinAcceleration;
+        }
+
+        rates = new MotionRates(acceleration.Horizontal - (Ground.Sliding * s), in spinAcceleration);
+    }
+}

@@ -1,0 +1,20 @@
+namespace Football.Physics;
+
+/// <summary>The flow past the ball at one instant: what the aerodynamic laws share, computed once an evaluation.</summary>
+internal struct AirFlow
+{
+    /// <summary>|u|², m²/s².</summary>
+    public double SpeedSquared;
+
+    /// <summary>|u|, m/s. Only where a law needs it.</summary>
+    public double Speed;
+
+    /// <summary>|ω|, rad/s, not negative.</summary>
+    public double SpinRate;
+
+    /// <summary>Spin parameter Sp = r|ω|/|u|. Only where a law needs it.</summary>
+    public double SpinParameter;
+
+    /// <summary>The fitted C_D. Only where a law needs it.</summary>
+    public double FittedDragCoefficient;
+}

@@ -1,0 +1,33 @@
+namespace Football.Physics;
+
+/// <summary>What a force may depend on: the ball at one instant.</summary>
+public readonly struct ForceInput
+{
+    internal ForceInput(double time, in Vector3d position, in Vector3d velocity, in Vector3d airVelocity, in Vector3d spin, MotionState motion)
+    {
+        Time = time;
+        Position = position;
+        Velocity = velocity;
+        AirVelocity = airVelocity;
+        Spin = spin;
+        Motion = motion;
+    }
+
+    /// <summary>Time since the launch, s.</summary>
+    public double Time { get; }
+
+    /// <summary>Position of the centre, m.</summary>
+    public Vector3d Position { get; }
+
+    /// <summary>Velocity, m/s.</summary>
+    public Vector3d Velocity { get; }
+
+    /// <summary>Velocity relative to the air, u = v − W, m/s: what aerodynamic laws see.</summary>
+    public Vector3d AirVelocity { get; }
+
+    /// <summary>Angular velocity, rad/s.</summary>
+    public Vector3d Spin { get; }
+
+    /// <summary>What the ball is doing.</summary>
+    public MotionState Motion { get; }
+}

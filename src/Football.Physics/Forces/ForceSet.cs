@@ -1,0 +1,59 @@
+namespace Football.Physics;
+
+/// <summary>The forces and torques of a scene. Each can be left out or replaced, and a game can add its own.</summary>
+public sealed record ForceSet
+{
+    /// <summary>Whether buoyancy acts. Default true.</summary>
+    public bool Buoyancy { get; init; } = true;
+
+    /// <summary>Law of the drag force. Default <see cref="ForceLaw.Empirical"/>.</summary>
+    public ForceLaw Drag { get; init; } = ForceLaw.Empirical;
+
+    /// <summary>Law of the Magnus force. Default <see cref="ForceLaw.Empirical"/>.</summary>
+    public ForceLaw Magnus { get; init; } = ForceLaw.Empirical;
+
+    /// <summary>Law of the spin decay in air. Default <see cref="ForceLaw.Empirical"/>.</summary>
+    public ForceLaw SpinDecay { get; init; } = ForceLaw.Empirical;
+
+    /// <summary>Form of the fitted drag coefficient. Default <see cref="CoefficientForm.Published"/>.</summary>
+    public CoefficientForm Coefficients { get; init; } = CoefficientForm.Published;
+
+    /// <summary>C_D of the constant drag law. Not negative; default 0.25.</summary>
+    public double DragCoefficient { get; init; } = 0.25;
+
+    /// <summary>C_M of the constant Magnus law. Any finite number; default 0.25.</summary>
+    public double MagnusCoefficient { get; init; } = 0.25;
+
+    /// <summary>k of the constant spin decay T = −k ω, N m s. Not negative; default 0.</summary>
+    public double SpinDecayCoefficient { get; init; }
+
+    /// <summary>Forces of the game's own, added to the others in this order. Default none.</summary>
+    public IReadOnlyList<IForce> Custom { get; init; } = [];
+
+    /// <summary>No air: gravity alone acts in flight.</summary>
+    public static ForceSet None { get; } = new() { Buoyancy = false, Drag = ForceLaw.None, Magnus = ForceLaw.None, SpinDecay = ForceLaw.None };
+
+    /// <summary>Constant coefficients: the cheapest air.</summary>
+    public static ForceSet Constant { get; } = new() { Drag = ForceLaw.Constant, Magnus = ForceLaw.Constant, SpinDecay = ForceLaw.Constant };
+
+    /// <summary>All forces by the regularised law.</summary>
+    public static ForceSet Regularised { get; } = new() { Coefficients = CoefficientForm.Regularised };
+
+    internal void Validate()
+    {
+        Check.Defined("forces.drag", Drag);
+        Check.Defined("forces.magnus", Magnus);
+        Check.Defined("forces.spinDecay", SpinDecay);
+        Check.Defined("forces.coefficients", Coefficients);
+        Check.NotNegative("forces.dragCoefficient", DragCoefficient);
+        Check.Finite("forces.magnusCoefficient", MagnusCoefficient);
+        Check.NotNegative("forces.spinDecayCoefficient", SpinDecayCoefficient);
+        foreach (IForce force in Custom)
+        {
+            if (force is null)
+            {
+                throw new ArgumentNullException("forces.custom", "forces.custom holds null; allowed: forces.");
+            }
+        }
+    }
+}

@@ -1,0 +1,32 @@
+namespace Football.Physics;
+
+/// <summary>The aerodynamic laws of a scene, composed: what the integrators ask.</summary>
+internal interface IAerodynamics
+{
+    /// <summary>Whether drag acts.</summary>
+    bool Drags { get; }
+
+    /// <summary>Whether the Magnus force acts.</summary>
+    bool Lifts { get; }
+
+    /// <summary>Whether the fitted drag coefficient is used and jumps.</summary>
+    bool Jumps { get; }
+
+    /// <summary>Whether spin decays in the air.</summary>
+    bool SpinDecays { get; }
+
+    /// <summary>How fast the air can change the motion.</summary>
+    RateBound Bound { get; }
+
+    /// <summary>Reads the constants of all laws from the scene.</summary>
+    void Prepare(Scene scene);
+
+    /// <summary>Evaluates all laws: a = −drag · u + lift · (ω̂ × u), angular deceleration decay (rad/s²; at zero spin its limit).</summary>
+    /// <param name="speedSquared">|u|².</param>
+    /// <param name="spinRate">|ω|; slightly negative in a stage that overshoots zero.</param>
+    /// <param name="branch">The branch of the drag law.</param>
+    /// <param name="drag">D.</param>
+    /// <param name="lift">L.</param>
+    /// <param name="decay">Angular deceleration.</param>
+    void Evaluate(double speedSquared, double spinRate, DragBranch branch, out double drag, out double lift, out double decay);
+}

@@ -1,0 +1,28 @@
+namespace Football.Physics;
+
+/// <summary>One aerodynamic force or torque: drag, Magnus force or spin decay. It knows nothing of the others.</summary>
+/// <remarks>
+/// <see cref="Factor"/> is, for drag, D in a = −D u; for the Magnus force, L in a = L (ω̂ × u); for spin decay, the angular
+/// deceleration along the spin (rad/s²). All three are in SI and not negative, but for a negative constant Magnus coefficient.
+/// The properties are constants of the type, so that the compiler removes what a law does not need.
+/// </remarks>
+internal interface IAirLaw
+{
+    /// <summary>False when the law is left out.</summary>
+    bool Acts { get; }
+
+    /// <summary>Whether the law reads the fitted drag coefficient (and with it the spin parameter).</summary>
+    bool NeedsFit { get; }
+
+    /// <summary>Whether the law reads |u|.</summary>
+    bool NeedsSpeed { get; }
+
+    /// <summary>Reads the law's constants from the scene.</summary>
+    void Prepare(Scene scene);
+
+    /// <summary>The law's factor in a flow.</summary>
+    double Factor(in AirFlow flow);
+
+    /// <summary>An upper bound for the factor, relative to the motion it changes, as a + b: a per m/s of speed, b per rad/s of spin, c at rest (all 1/s).</summary>
+    RateBound Bound { get; }
+}

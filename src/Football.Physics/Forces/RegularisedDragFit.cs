@@ -1,0 +1,26 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>The fitted C_D with its jumps smoothed over 0.25 m/s and 0.0025 of spin parameter.</summary>
+internal readonly struct RegularisedDragFit : IDragFit
+{
+    private const double SpeedWidth = 0.25;
+    private const double SpinWidth = 0.0025;
+
+    public bool Jumps
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
+
+    // w = σ((|u| − v_c)/0.25) · σ((Sp − 0.05)/0.0025),  C_D = w c Sp^d + (1 − w) C_D,no spin
+    public double Coefficient(in AirFlow flow, DragBranch branch)
+    {
+        double weight = Logistic((flow.Speed - FittedDrag.CriticalSpeed) / SpeedWidth)
+            * Logistic((flow.SpinParameter - FittedDrag.CriticalSpin) / SpinWidth);
+        return (weight * FittedDrag.WithSpin(flow.SpinParameter)) + ((1.0 - weight) * FittedDrag.WithoutSpin(flow.Speed));
+    }
+
+    private static double Logistic(double x) => 1.0 / (1.0 + Elementary.Exp(-x));
+}

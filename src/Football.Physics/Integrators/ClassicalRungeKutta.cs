@@ -1,0 +1,97 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>Classical Runge–Kutta (thesis 3.17, with the k₁ that its k₂ lacks). Order 4.</summary>
+internal readonly struct ClassicalRungeKutta : IIntegrator
+{
+    public int Stages => 4;
+
+    public int Order => 4;
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public void Fly<TAir>(ref TAir air, in FlightPoint from, double h, ref FlightStep step)
+        where TAir : struct, IAerodynamics
+    {
+        double ux = from.AirVelocity.X;
+        double uy = from.AirVelocity.Y;
+        double uz = from.AirVelocity.Z;
+        double w = from.SpinRate;
+
+        // k1 = f(y); the position's k are the stages' velocities
+        FlightRates.Of(ref air, in from, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
+        step.StartAcceleration = new Vector3d(ax, ay, az);
+        step.StartSpinAcceleration = b;
+        double sumX = ax;
+        double sumY = ay;
+        double sumZ = az;
+        double sumB = b;
+        double pathX = ux;
+        double pathY = uy;
+        double pathZ = uz;
+        double turn = w;
+
+        // k2 = f(y + h/2 k1), k3 = f(y + h/2 k2)
+        double half = 0.5 * h;
+        for (int stage = 0; stage < 2; stage++)
+        {
+            double vx = ux + (half * ax);
+            double vy = uy + (half * ay);
+            double vz = uz + (half * az);
+            double vw = w + (half * b);
+            FlightRates.Of(ref air, in from, vx, vy, vz, vw, out ax, out ay, out az, out b);
+            sumX += ax + ax;
+            sumY += ay + ay;
+            sumZ += az + az;
+            sumB += b + b;
+            pathX += vx + vx;
+            pathY += vy + vy;
+            pathZ += vz + vz;
+            turn += vw + vw;
+        }
+
+        // k4 = f(y + h k3)
+        double ex = ux + (h * ax);
+        double ey = uy + (h * ay);
+        double ez = uz + (h * az);
+        double ew = w + (h * b);
+        FlightRates.Of(ref air, in from, ex, ey, ez, ew, out ax, out ay, out az, out b);
+
+        // y' = y + h/6 (k1 + 2 k2 + 2 k3 + k4)
+        double sixth = h / 6.0;
+        step.Path = new Vector3d(sixth * (pathX + ex), sixth * (pathY + ey), sixth * (pathZ + ez));
+        step.AirVelocity = new Vector3d(ux + (sixth * (sumX + ax)), uy + (sixth * (sumY + ay)), uz + (sixth * (sumZ + az)));
+        step.SpinRate = w + (sixth * (sumB + b));
+        step.Turn = sixth * (turn + ew);
+    }
+
+    public void Advance<TSystem>(ref TSystem system, double time, in Motion from, double h, out MotionStep step)
+        where TSystem : struct, IMotionSystem
+    {
+        double half = 0.5 * h;
+        double sixth = h / 6.0;
+        system.Rates(time, in from, out MotionRates k1);
+        Motion second = from.After(half, in from.Velocity, in k1);
+        system.Rates(time + half, in second, out MotionRates k2);
+        Motion third = from.After(half, in second.Velocity, in k2);
+        system.Rates(time + half, in third, out MotionRates k3);
+        Motion fourth = from.After(h, in third.Velocity, in k3);
+        system.Rates(time + h, in fourth, out MotionRates k4);
+
+        Vector3d velocity = from.Velocity + (2.0 * (second.Velocity + third.Velocity)) + fourth.Velocity;
+        Vector3d acceleration = k1.Acceleration + (2.0 * (k2.Acceleration + k3.Acceleration)) + k4.Acceleration;
+        Vector3d spinAcceleration = k1.SpinAcceleration + (2.0 * (k2.SpinAcceleration + k3.SpinAcceleration)) + k4.SpinAcceleration;
+        Vector3d spin = from.Spin + (2.0 * (second.Spin + third.Spin)) + fourth.Spin;
+        step.End = new Motion(
+            from.Position + (sixth * velocity),
+            from.Velocity + (sixth * acceleration),
+            from.Spin + (sixth * spinAcceleration));
+
+        // Magnus expansion to order 4 of q̇ = ½ ω ⊗ q: mean spin, less h²/12 ω₀ × ω₁ where the axis turns.
+        step.Rotation = (sixth * spin) - (h * h / 12.0 * Vector3d.Cross(in from.Spin, in step.End.Spin));
+        step.StartRates = k1;
+    }
+
+    /// <remarks>The height is not a polynomial in τ: the root of its Hermite interpolant, which a re-step then corrects.</remarks>
+    public double ContactTime(in HeightArc arc) => arc.HermiteRoot();
+}

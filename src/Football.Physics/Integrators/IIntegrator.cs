@@ -1,0 +1,33 @@
+namespace Football.Physics;
+
+/// <summary>A one-step method. A new one is one new file that implements this, and a name in <see cref="Integrator"/>.</summary>
+internal interface IIntegrator
+{
+    /// <summary>Right-hand sides a step.</summary>
+    int Stages { get; }
+
+    /// <summary>Order of accuracy.</summary>
+    int Order { get; }
+
+    /// <summary>A step in flight, where the axis of the spin is constant and the rates depend on velocity and spin alone.</summary>
+    /// <param name="air">The aerodynamic laws.</param>
+    /// <param name="from">Where the step starts.</param>
+    /// <param name="h">Its length, s.</param>
+    /// <param name="step">Where it ends.</param>
+    void Fly<TAir>(ref TAir air, in FlightPoint from, double h, ref FlightStep step)
+        where TAir : struct, IAerodynamics;
+
+    /// <summary>A step of any motion: on the ground, and in flight with forces of the game's own.</summary>
+    /// <param name="system">Gives the rates.</param>
+    /// <param name="time">Time at the start, s.</param>
+    /// <param name="from">Where the step starts.</param>
+    /// <param name="h">Its length, s.</param>
+    /// <param name="step">Where it ends.</param>
+    void Advance<TSystem>(ref TSystem system, double time, in Motion from, double h, out MotionStep step)
+        where TSystem : struct, IMotionSystem;
+
+    /// <summary>When, inside a step that ends below contact, the re-integrated height reaches it.</summary>
+    /// <param name="arc">Height above contact over the step.</param>
+    /// <returns>Length of the part of the step up to contact, s: exact where the height is a polynomial in it, else a close estimate.</returns>
+    double ContactTime(in HeightArc arc);
+}

@@ -1,0 +1,54 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>Midpoint Runge–Kutta, y' = y + h f(y + h/2 f(y)) (thesis 3.15). Order 2.</summary>
+internal readonly struct MidpointRungeKutta : IIntegrator
+{
+    public int Stages => 2;
+
+    public int Order => 2;
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public void Fly<TAir>(ref TAir air, in FlightPoint from, double h, ref FlightStep step)
+        where TAir : struct, IAerodynamics
+    {
+        double half = 0.5 * h;
+        double ux = from.AirVelocity.X;
+        double uy = from.AirVelocity.Y;
+        double uz = from.AirVelocity.Z;
+        double w = from.SpinRate;
+
+        // k1 = f(y)
+        FlightRates.Of(ref air, in from, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
+        step.StartAcceleration = new Vector3d(ax, ay, az);
+        step.StartSpinAcceleration = b;
+
+        // k2 = f(y + h/2 k1)
+        double mx = ux + (half * ax);
+        double my = uy + (half * ay);
+        double mz = uz + (half * az);
+        double mw = w + (half * b);
+        FlightRates.Of(ref air, in from, mx, my, mz, mw, out ax, out ay, out az, out b);
+
+        // y' = y + h k2
+        step.Path = new Vector3d(h * mx, h * my, h * mz);
+        step.AirVelocity = new Vector3d(ux + (h * ax), uy + (h * ay), uz + (h * az));
+        step.SpinRate = w + (h * b);
+        step.Turn = h * mw;
+    }
+
+    public void Advance<TSystem>(ref TSystem system, double time, in Motion from, double h, out MotionStep step)
+        where TSystem : struct, IMotionSystem
+    {
+        double half = 0.5 * h;
+        system.Rates(time, in from, out step.StartRates);
+        Motion middle = from.After(half, in from.Velocity, in step.StartRates);
+        system.Rates(time + half, in middle, out MotionRates k2);
+        step.End = from.After(h, in middle.Velocity, in k2);
+        step.Rotation = h * middle.Spin;
+    }
+
+    /// <remarks>The re-integrated height y + v τ + a τ²/2 is quadratic in τ.</remarks>
+    public double ContactTime(in HeightArc arc) => arc.QuadraticRoot(0.5 * arc.StartAcceleration);
+}

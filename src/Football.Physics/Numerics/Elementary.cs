@@ -1,0 +1,124 @@
+namespace Football.Physics;
+
+/// <summary>Elementary functions from + − × ÷ and bit operations alone: the same bits on every IEEE machine.</summary>
+/// <remarks>The C runtime's functions differ by operating system; these do not. Errors are measured in the tests.</remarks>
+internal static class Elementary
+{
+    private const double Log2E = 1.4426950408889634;
+    private const double Ln2High = 6.93147180369123816490e-01; // ln 2 with the low 32 bits cleared: k · Ln2High is exact
+    private const double Ln2Low = 1.90821492927058770002e-10;
+    private const double TwoOverPi = 0.63661977236758134308;
+    private const double HalfPi1 = 1.57079632673412561417e+00; // π/2 in three parts of 33 bits
+    private const double HalfPi2 = 6.07710050630396597660e-11;
+    private const double HalfPi3 = 2.02226624879595063154e-21;
+    private const double TwoPi = 6.28318530717958647693;
+
+    /// <summary>e^x. Relative error below 4e-16; the argument is limited to ±708, so that the result is finite and normal.</summary>
+    public static double Exp(double x)
+    {
+        x = x < -708.0 ? -708.0 : x > 708.0 ? 708.0 : x;
+        double k = Math.Floor((x * Log2E) + 0.5);
+        double r = (x - (k * Ln2High)) - (k * Ln2Low);
+
+        // Taylor series on |r| ≤ ln2/2, remainder below 1e-17.
+        double p = 1.0 / 6227020800.0;
+        p = (p * r) + (1.0 / 479001600.0);
+        p = (p * r) + (1.0 / 39916800.0);
+        p = (p * r) + (1.0 / 3628800.0);
+        p = (p * r) + (1.0 / 362880.0);
+        p = (p * r) + (1.0 / 40320.0);
+        p = (p * r) + (1.0 / 5040.0);
+        p = (p * r) + (1.0 / 720.0);
+        p = (p * r) + (1.0 / 120.0);
+        p = (p * r) + (1.0 / 24.0);
+        p = (p * r) + (1.0 / 6.0);
+        p = (p * r) + 0.5;
+        p = 1.0 + (r + (r * r * p));
+        return p * BitConverter.Int64BitsToDouble(((long)k + 1023L) << 52);
+    }
+
+    /// <summary>The natural logarithm of a positive normal number. Absolute error below 1e-15 near 1, relative below 3e-16 elsewhere.</summary>
+    public static double Log(double x)
+    {
+        long bits = BitConverter.DoubleToInt64Bits(x);
+        double e = (bits >> 52) - 1023L;
+        double m = BitConverter.Int64BitsToDouble((bits & 0x000FFFFFFFFFFFFFL) | 0x3FF0000000000000L);
+        if (m > 1.4142135623730951)
+        {
+            m *= 0.5;
+            e += 1.0;
+        }
+
+        // ln m = 2 (s + s³/3 + s⁵/5 + …), s = (m − 1)/(m + 1), |s| ≤ 0.1716
+        double s = (m - 1.0) / (m + 1.0);
+        double z = s * s;
+        double p = 1.0 / 23.0;
+        p = (p * z) + (1.0 / 21.0);
+        p = (p * z) + (1.0 / 19.0);
+        p = (p * z) + (1.0 / 17.0);
+        p = (p * z) + (1.0 / 15.0);
+        p = (p * z) + (1.0 / 13.0);
+        p = (p * z) + (1.0 / 11.0);
+        p = (p * z) + (1.0 / 9.0);
+        p = (p * z) + (1.0 / 7.0);
+        p = (p * z) + (1.0 / 5.0);
+        p = (p * z) + (1.0 / 3.0);
+        double tail = 2.0 * s * z * p;
+        return (e * Ln2High) + ((2.0 * s) + (tail + (e * Ln2Low)));
+    }
+
+    /// <summary>x^q for positive normal x. Relative error below (1 + |q ln x|) · 4e-16.</summary>
+    public static double Pow(double x, double q) => Exp(q * Log(x));
+
+    /// <summary>Sine and cosine. Absolute error below 2e-16 for |x| ≤ 1e5; finite for every finite x.</summary>
+    public static void SinCos(double x, out double sin, out double cos)
+    {
+        if (!(x < 1e5 && x > -1e5))
+        {
+            x %= TwoPi;
+        }
+
+        double k = Math.Floor((x * TwoOverPi) + 0.5);
+        double r = ((x - (k * HalfPi1)) - (k * HalfPi2)) - (k * HalfPi3);
+        double z = r * r;
+
+        // Taylor series on |r| ≤ π/4, remainders below 1e-17.
+        double s = -1.0 / 1307674368000.0;
+        s = (s * z) + (1.0 / 6227020800.0);
+        s = (s * z) - (1.0 / 39916800.0);
+        s = (s * z) + (1.0 / 362880.0);
+        s = (s * z) - (1.0 / 5040.0);
+        s = (s * z) + (1.0 / 120.0);
+        s = (s * z) - (1.0 / 6.0);
+        s = r + (r * z * s);
+
+        double c = 1.0 / 20922789888000.0;
+        c = (c * z) - (1.0 / 87178291200.0);
+        c = (c * z) + (1.0 / 479001600.0);
+        c = (c * z) - (1.0 / 3628800.0);
+        c = (c * z) + (1.0 / 40320.0);
+        c = (c * z) - (1.0 / 720.0);
+        c = (c * z) + (1.0 / 24.0);
+        c = 1.0 - ((0.5 * z) - (z * z * c));
+
+        switch ((long)k & 3L)
+        {
+            case 0:
+                sin = s;
+                cos = c;
+                break;
+            case 1:
+                sin = c;
+                cos = -s;
+                break;
+            case 2:
+                sin = -s;
+                cos = -c;
+                break;
+            default:
+                sin = -c;
+                cos = s;
+                break;
+        }
+    }
+}

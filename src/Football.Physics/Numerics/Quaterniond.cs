@@ -1,0 +1,113 @@
+using System.Numerics;
+
+namespace Football.Physics;
+
+/// <summary>A rotation as a unit quaternion of doubles, (x, y, z, w), turning body coordinates into world coordinates.</summary>
+public readonly struct Quaterniond : IEquatable<Quaterniond>
+{
+    /// <summary>The x part of the vector.</summary>
+    public readonly double X;
+
+    /// <summary>The y part of the vector.</summary>
+    public readonly double Y;
+
+    /// <summary>The z part of the vector.</summary>
+    public readonly double Z;
+
+    /// <summary>The scalar part.</summary>
+    public readonly double W;
+
+    /// <summary>Makes a quaternion from its four parts; it is not normalised.</summary>
+    /// <param name="x">Vector part, x.</param>
+    /// <param name="y">Vector part, y.</param>
+    /// <param name="z">Vector part, z.</param>
+    /// <param name="w">Scalar part.</param>
+    public Quaterniond(double x, double y, double z, double w)
+    {
+        X = x;
+        Y = y;
+        Z = z;
+        W = w;
+    }
+
+    /// <summary>No rotation.</summary>
+    public static Quaterniond Identity => new(0, 0, 0, 1);
+
+    /// <summary>The square of the norm; 1 for a rotation.</summary>
+    public double LengthSquared => (X * X) + (Y * Y) + (Z * Z) + (W * W);
+
+    /// <summary>True when no part is infinite or NaN.</summary>
+    public bool IsFinite => double.IsFinite(X) && double.IsFinite(Y) && double.IsFinite(Z) && double.IsFinite(W);
+
+    /// <summary>The product a ⊗ b: first the rotation b, then a.</summary>
+    /// <param name="a">Left factor.</param>
+    /// <param name="b">Right factor.</param>
+    public static Quaterniond operator *(in Quaterniond a, in Quaterniond b) => new(
+        (a.W * b.X) + (a.X * b.W) + ((a.Y * b.Z) - (a.Z * b.Y)),
+        (a.W * b.Y) + (a.Y * b.W) + ((a.Z * b.X) - (a.X * b.Z)),
+        (a.W * b.Z) + (a.Z * b.W) + ((a.X * b.Y) - (a.Y * b.X)),
+        (a.W * b.W) - ((a.X * b.X) + (a.Y * b.Y) + (a.Z * b.Z)));
+
+    /// <summary>Compares by value.</summary>
+    /// <param name="a">One quaternion.</param>
+    /// <param name="b">The other quaternion.</param>
+    public static bool operator ==(in Quaterniond a, in Quaterniond b) => a.Equals(b);
+
+    /// <summary>Compares by value.</summary>
+    /// <param name="a">One quaternion.</param>
+    /// <param name="b">The other quaternion.</param>
+    public static bool operator !=(in Quaterniond a, in Quaterniond b) => !a.Equals(b);
+
+    /// <summary>Widens a <see cref="Quaternion"/>; exact.</summary>
+    /// <param name="q">The quaternion in single precision.</param>
+    public static implicit operator Quaterniond(Quaternion q) => new(q.X, q.Y, q.Z, q.W);
+
+    /// <summary>The rotation by <paramref name="angle"/> about a unit axis.</summary>
+    /// <param name="axis">Unit axis.</param>
+    /// <param name="angle">Angle in radians, counter-clockwise about the axis.</param>
+    public static Quaterniond FromAxisAngle(in Vector3d axis, double angle)
+    {
+        Elementary.SinCos(0.5 * angle, out double sin, out double cos);
+        return new(axis.X * sin, axis.Y * sin, axis.Z * sin, cos);
+    }
+
+    /// <summary>The rotation by a rotation vector: its length is the angle in radians, its direction the axis.</summary>
+    /// <param name="rotation">Rotation vector, radians.</param>
+    public static Quaterniond FromRotationVector(in Vector3d rotation)
+    {
+        double angle = rotation.Length;
+        return angle > 0 ? FromAxisAngle(rotation / angle, angle) : Identity;
+    }
+
+    /// <summary>The same rotation with norm 1.</summary>
+    public Quaterniond Normalised()
+    {
+        double scale = 1.0 / Math.Sqrt(LengthSquared);
+        return new(X * scale, Y * scale, Z * scale, W * scale);
+    }
+
+    /// <summary>Rotates a vector from body to world coordinates.</summary>
+    /// <param name="v">The vector.</param>
+    public Vector3d Rotate(in Vector3d v)
+    {
+        // v' = v + 2 w (q × v) + 2 q × (q × v)
+        var q = new Vector3d(X, Y, Z);
+        Vector3d t = 2.0 * Vector3d.Cross(q, v);
+        return v + (W * t) + Vector3d.Cross(q, t);
+    }
+
+    /// <summary>Rounds to single precision.</summary>
+    public Quaternion ToQuaternion() => new((float)X, (float)Y, (float)Z, (float)W);
+
+    /// <inheritdoc/>
+    public bool Equals(Quaterniond other) => X.Equals(other.X) && Y.Equals(other.Y) && Z.Equals(other.Z) && W.Equals(other.W);
+
+    /// <inheritdoc/>
+    public override bool Equals(object? obj) => obj is Quaterniond other && Equals(other);
+
+    /// <inheritdoc/>
+    public override int GetHashCode() => HashCode.Combine(X, Y, Z, W);
+
+    /// <inheritdoc/>
+    public override string ToString() => FormattableString.Invariant($"({X}, {Y}, {Z}, {W})");
+}

@@ -1,0 +1,87 @@
+using System.Globalization;
+
+namespace Football.Physics;
+
+/// <summary>Range checks whose message names the field, the value and what is allowed.</summary>
+internal static class Check
+{
+    public static void Positive(string field, double value)
+    {
+        if (!(value > 0 && double.IsFinite(value)))
+        {
+            throw Refusal(field, Text(value), "a finite number above 0");
+        }
+    }
+
+    public static void NotNegative(string field, double value)
+    {
+        if (!(value >= 0 && double.IsFinite(value)))
+        {
+            throw Refusal(field, Text(value), "a finite number, 0 or more");
+        }
+    }
+
+    public static void AtLeast(string field, double value, double low)
+    {
+        if (!(value >= low && double.IsFinite(value)))
+        {
+            throw Refusal(field, Text(value), $"a finite number, {Text(low)} or more");
+        }
+    }
+
+    public static void Finite(string field, double value)
+    {
+        if (!double.IsFinite(value))
+        {
+            throw Refusal(field, Text(value), "a finite number");
+        }
+    }
+
+    public static void Within(string field, double value, double low, double high, bool exclusiveLow = false)
+    {
+        if (!(value <= high && (exclusiveLow ? value > low : value >= low)))
+        {
+            string range = exclusiveLow ? $"above {Text(low)}, at most {Text(high)}" : $"{Text(low)} … {Text(high)}";
+            throw Refusal(field, Text(value), range);
+        }
+    }
+
+    public static void Size(string field, in Vector3d value, double high, string unit)
+    {
+        if (!(value.IsFinite && value.Length <= high))
+        {
+            throw Refusal(field, value.ToString(), $"finite components, size at most {Text(high)} {unit}");
+        }
+    }
+
+    public static void Place(string field, in Vector3d value)
+    {
+        if (!(Math.Abs(value.X) <= Limits.Length && Math.Abs(value.Y) <= Limits.Length && Math.Abs(value.Z) <= Limits.Length))
+        {
+            throw Refusal(field, value.ToString(), $"finite components within ±{Text(Limits.Length)} m");
+        }
+    }
+
+    public static void Rotation(string field, in Quaterniond value)
+    {
+        double size = value.LengthSquared;
+        if (!(size > 1e-200 && size < 1e200))
+        {
+            throw Refusal(field, value.ToString(), "a finite quaternion other than zero");
+        }
+    }
+
+    public static void Defined<T>(string field, T value)
+        where T : struct, Enum
+    {
+        if (!Enum.IsDefined(typeof(T), value))
+        {
+            throw Refusal(field, value.ToString(), string.Join(" | ", Enum.GetNames(typeof(T))));
+        }
+    }
+
+    public static ArgumentOutOfRangeException Refusal(string field, string value, string allowed) =>
+        new(field, $"{field} is {value}; allowed: {allowed}.");
+
+    private static string Text(double value) => value.ToString("R", CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,14 @@
+namespace Football.Physics;
+
+/// <summary>The largest sizes that a scene, a launch or a step may have.</summary>
+public static class Limits
+{
+    /// <summary>Largest speed, wind included, m/s.</summary>
+    public const double Speed = 1000;
+
+    /// <summary>Largest spin, rad/s.</summary>
+    public const double Spin = 10_000;
+
+    /// <summary>Largest length or coordinate, m.</summary>
+    public const double Length = 1e6;
+}

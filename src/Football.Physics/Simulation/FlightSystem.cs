@@ -1,0 +1,68 @@
+namespace Football.Physics;
+
+/// <summary>A ball in flight with its full spin vector: for the game's own forces, and for the sliding modes of the drag law's jump.</summary>
+internal struct FlightSystem<TAir> : IMotionSystem
+    where TAir : struct, IAerodynamics
+{
+    public TAir Air;
+    public CustomForces Custom;
+    public double Upward;
+    public double Radius;
+    public Vector3d Wind;
+    public DragBranch Branch;
+
+    public void Rates(double time, in Motion at, out MotionRates rates)
+    {
+        if (Branch is not (DragBranch.AlongCriticalSpeed or DragBranch.AlongCriticalSpin))
+        {
+            rates = On(Branch, time, in at);
+            return;
+        }
+
+        // Filippov: on the surface the motion is the mean of both branches that stays on it.
+        double share = SpinningShare(time, in at, out MotionRates spinning, out MotionRates noSpin);
+        share = share < 0 ? 0 : share > 1 ? 1 : share;
+        rates = new MotionRates(
+            noSpin.Acceleration + (share * (spinning.Acceleration - noSpin.Acceleration)),
+            noSpin.SpinAcceleration + (share * (spinning.SpinAcceleration - noSpin.SpinAcceleration)));
+    }
+
+    /// <summary>The rates on one branch of the drag law.</summary>
+    public MotionRates On(DragBranch branch, double time, in Motion at)
+    {
+        Vector3d u = at.Velocity - Wind;
+        MotionRates air = AirRates.Of(ref Air, in u, at.Spin, Vector3d.Zero, branch);
+        Vector3d acceleration = air.Acceleration + new Vector3d(0, Upward, 0);
+        Vector3d spinAcceleration = at.Spin.LengthSquared > 0 ? air.SpinAcceleration : Vector3d.Zero;
+        if (Custom.Act)
+        {
+            MotionRates custom = Custom.Rates(time, in at, in u, MotionState.Airborne);
+            acceleration += custom.Acceleration;
+            spinAcceleration += custom.SpinAcceleration;
+        }
+
+        return new MotionRates(in acceleration, in spinAcceleration);
+    }
+
+    /// <summary>The share of the branch with spin for which the surface that <see cref="Branch"/> names is not left: outside 0 … 1 it is.</summary>
+    public double SpinningShare(double time, in Motion at, out MotionRates spinning, out MotionRates noSpin)
+    {
+        spinning = On(DragBranch.Spinning, time, in at);
+        noSpin = On(DragBranch.NoSpin, time, in at);
+        DragJump inside = JumpRate(in at, in spinning);
+        DragJump outside = JumpRate(in at, in noSpin);
+        bool speed = Branch == DragBranch.AlongCriticalSpeed;
+        double a = speed ? inside.Speed : inside.Spin;
+        double b = speed ? outside.Speed : outside.Spin;
+        return b > a ? b / (b - a) : a > 0 ? 2.0 : -1.0;
+    }
+
+    /// <summary>The jump's functions at a state.</summary>
+    public readonly DragJump JumpAt(in Motion at) =>
+        DragJump.At((at.Velocity - Wind).LengthSquared, Radius * Radius * at.Spin.LengthSquared);
+
+    /// <summary>Their rates of change: d|u|²/dt = 2 u·a, d(r|ω|)²/dt = 2 r² ω·ω̇.</summary>
+    public readonly DragJump JumpRate(in Motion at, in MotionRates rates) => DragJump.Rate(
+        2.0 * Vector3d.Dot(at.Velocity - Wind, rates.Acceleration),
+        2.0 * Radius * Radius * Vector3d.Dot(at.Spin, rates.SpinAcceleration));
+}

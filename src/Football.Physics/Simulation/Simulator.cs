@@ -1,0 +1,163 @@
+namespace Football.Physics;
+
+/// <summary>A scene, checked and compiled for one integrator. Immutable: any number of balls and threads can share it.</summary>
+public sealed class Simulator
+{
+    private readonly Stepper _stepper;
+    private readonly double _contact;
+    private readonly bool _lighterThanAir;
+
+    /// <summary>Checks a scene and compiles it.</summary>
+    /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
+    /// <param name="settings">How to integrate it; default <see cref="SolverSettings.Default"/>.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public Simulator(Scene? scene = null, SolverSettings? settings = null)
+    {
+        Scene = scene ?? Scene.Default;
+        Settings = settings ?? SolverSettings.Default;
+        Scene.Validate();
+        Settings.Validate();
+        _stepper = StepperFactory.Create(Scene, Settings);
+        _contact = Scene.Ground.Height + Scene.Ball.Radius;
+        _lighterThanAir = Gravity.Acceleration(Scene) + Buoyancy.Acceleration(Scene) > 0;
+    }
+
+    /// <summary>The scene.</summary>
+    public Scene Scene { get; }
+
+    /// <summary>How it is integrated.</summary>
+    public SolverSettings Settings { get; }
+
+    /// <summary>Height of the centre of a ball on the ground, m.</summary>
+    public double ContactHeight => _contact;
+
+    /// <summary>A ball at the start of its way, without rotation.</summary>
+    /// <inheritdoc cref="Launch(Vector3d, Vector3d, Vector3d, Quaterniond)"/>
+    public BallState Launch(Vector3d position, Vector3d velocity, Vector3d spin) =>
+        Launch(position, velocity, spin, Quaterniond.Identity);
+
+    /// <summary>A ball at the start of its way.</summary>
+    /// <remarks>
+    /// A ball below contact height is raised to it. On the ground a vertical speed within ± <see cref="Ground.MinimumBounceSpeed"/>
+    /// (that bound excluded) starts a slide or a roll without an event; faster down is an impact in the first step, at time 0.
+    /// </remarks>
+    /// <param name="position">Position of the centre, m; components within ±1e6.</param>
+    /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
+    /// <param name="spin">Spin, rad/s; at most 10 000.</param>
+    /// <param name="orientation">Orientation; normalised.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public BallState Launch(Vector3d position, Vector3d velocity, Vector3d spin, Quaterniond orientation)
+    {
+        Check.Place("launch.position", position);
+        Check.Size("launch.velocity", velocity, Limits.Speed, "m/s");
+        Check.Size("launch.spin", spin, Limits.Spin, "rad/s");
+        Check.Rotation("launch.orientation", orientation);
+        BallState state = default;
+        state.Position = position;
+        state.Velocity = velocity;
+        state.BaseOrientation = orientation.Normalised();
+        state.SetFlightSpin(spin);
+        state.Motion = MotionState.Airborne;
+        if (position.Y <= _contact)
+        {
+            state.Position = new Vector3d(position.X, _contact, position.Z);
+            double threshold = Scene.Ground.MinimumBounceSpeed;
+            if (velocity.Y < threshold && velocity.Y > -threshold && !_lighterThanAir)
+            {
+                state.Velocity = velocity.Horizontal;
+                state.SetGroundSpin(spin);
+                state.Motion = Slip.Of(state.Velocity, spin, Scene.Ball.Radius).Length < Slip.Rolling ? MotionState.Rolling : MotionState.Sliding;
+            }
+        }
+
+        return state;
+    }
+
+    /// <summary>Kicks a ball where it is: new velocity and spin, same place, time and orientation.</summary>
+    /// <param name="state">The ball; unchanged when an exception is thrown.</param>
+    /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
+    /// <param name="spin">Spin, rad/s; at most 10 000.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public void Kick(ref BallState state, Vector3d velocity, Vector3d spin)
+    {
+        BallState kicked = Launch(state.Position, velocity, spin, state.Orientation);
+        kicked.Time = state.Time;
+        state = kicked;
+    }
+
+    /// <summary>Advances a ball. Events and counts are added to the log; nothing is allocated.</summary>
+    /// <param name="state">The ball.</param>
+    /// <param name="dt">Time to advance by, s: finite, not negative. All of it is one step of the integrator, split only at events.</param>
+    /// <param name="log">Where events and counts are added.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is negative or not finite; nothing has changed.</exception>
+    /// <exception cref="ArgumentNullException"><paramref name="log"/> is null.</exception>
+    public void Step(ref BallState state, double dt, StepLog log)
+    {
+        if (!(dt >= 0 && dt <= double.MaxValue))
+        {
+            Check.NotNegative("dt", dt);
+        }
+
+        if (log is null)
+        {
+            throw new ArgumentNullException(nameof(log));
+        }
+
+        log.Halted = false;
+        log.StopAt = StopAt.Time;
+        _stepper.Step(ref state, dt, log);
+    }
+
+    /// <summary>Advances a ball in equal steps until an event or a time.</summary>
+    /// <param name="state">The ball. After an early end it is as it was just after the event.</param>
+    /// <param name="timeStep">Length of a step, s; above 0. The last one is shortened.</param>
+    /// <param name="duration">How long to go on at most, s; above 0.</param>
+    /// <param name="stopAt">The event that ends the run.</param>
+    /// <param name="log">Where events and counts are added.</param>
+    /// <returns>True when the event ended the run, false when its time did.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentNullException"><paramref name="log"/> is null.</exception>
+    public bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt, StepLog log)
+    {
+        Check.Positive("timeStep", timeStep);
+        Check.Positive("duration", duration);
+        Check.Defined("stopAt", stopAt);
+        if (log is null)
+        {
+            throw new ArgumentNullException(nameof(log));
+        }
+
+        return Run(ref state, timeStep, duration, stopAt, log, null);
+    }
+
+    /// <summary>The same with a callback after every step.</summary>
+    internal bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt, StepLog log, StepCallback? onStep)
+    {
+        log.Halted = false;
+        log.StopAt = stopAt;
+        double start = state.Time;
+        double end = start + duration;
+        for (long step = 1; state.Time < end; step++)
+        {
+            // Steps end at multiples of the step, so that rounding does not add up; what is left over is the last step.
+            double next = start + (step * timeStep);
+            double dt = next < end - (1e-9 * timeStep) ? next - state.Time : end - state.Time;
+            _stepper.Step(ref state, dt, log);
+            if (!log.Halted && state.Time + dt == state.Time)
+            {
+                state.Time = end;
+            }
+
+            onStep?.Invoke(in state);
+            if (log.Halted)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>Sees the state after every step of a run.</summary>
+    internal delegate void StepCallback(in BallState state);
+}

@@ -1,0 +1,30 @@
+namespace Football.Physics;
+
+/// <summary>How a scene is integrated.</summary>
+public sealed record SolverSettings
+{
+    /// <summary>The one-step method. Default <see cref="Integrator.Rk4"/>.</summary>
+    public Integrator Integrator { get; init; } = Integrator.Rk4;
+
+    /// <summary>How the instant of an impact is found. Default <see cref="CollisionTiming.Exact"/>.</summary>
+    public CollisionTiming CollisionTiming { get; init; } = CollisionTiming.Exact;
+
+    /// <summary>Where the search of <see cref="CollisionTiming.Bisection"/> ends, s. Above 0; default 1e-6.</summary>
+    public double CollisionTolerance { get; init; } = 1e-6;
+
+    /// <summary>How the end of a slide is found. Default <see cref="RollingTransition.Exact"/>.</summary>
+    public RollingTransition RollingTransition { get; init; } = RollingTransition.Exact;
+
+    /// <summary>RK4, everything exact.</summary>
+    public static SolverSettings Default { get; } = new();
+
+    /// <summary>Checks every setting.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A setting is out of range; the message names field, value and range.</exception>
+    public void Validate()
+    {
+        Check.Defined("solver.integrator", Integrator);
+        Check.Defined("solver.collisionTiming", CollisionTiming);
+        Check.Positive("solver.collisionTolerance", CollisionTolerance);
+        Check.Defined("solver.rollingTransition", RollingTransition);
+    }
+}

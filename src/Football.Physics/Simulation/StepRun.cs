@@ -1,0 +1,17 @@
+namespace Football.Physics;
+
+/// <summary>What is left to do of a step.</summary>
+internal ref struct StepRun
+{
+    /// <summary>Splits at the drag law's jump that one step may have; a chattering step goes on without more.</summary>
+    public const int MaximumSplits = 16;
+
+    /// <summary>Time left, s.</summary>
+    public double Left;
+
+    /// <summary>Splits so far.</summary>
+    public int Splits;
+
+    /// <summary>Where events and counts go.</summary>
+    public StepLog Log;
+}

@@ -1,0 +1,8 @@
+namespace Football.Physics;
+
+/// <summary>Advances ball states in one scene with one method. Immutable, so many balls and threads can share it.</summary>
+internal abstract class Stepper
+{
+    /// <summary>Advances a state by dt, events and all.</summary>
+    public abstract void Step(ref BallState state, double dt, StepLog log);
+}

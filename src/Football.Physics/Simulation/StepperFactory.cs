@@ -1,0 +1,50 @@
+namespace Football.Physics;
+
+/// <summary>Chooses the compiled body for a scene: one per combination of laws and integrator.</summary>
+internal static class StepperFactory
+{
+    public static Stepper Create(Scene scene, SolverSettings settings)
+    {
+        ForceSet forces = scene.Forces;
+        bool fitted = forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical;
+        return !fitted ? WithDrag<NoDragFit>(scene, settings)
+            : forces.Coefficients == CoefficientForm.Regularised ? WithDrag<RegularisedDragFit>(scene, settings)
+            : WithDrag<PublishedDragFit>(scene, settings);
+    }
+
+    private static Stepper WithDrag<TFit>(Scene scene, SolverSettings settings)
+        where TFit : struct, IDragFit => scene.Forces.Drag switch
+        {
+            ForceLaw.None => WithMagnus<TFit, NoAirLaw>(scene, settings),
+            ForceLaw.Constant => WithMagnus<TFit, ConstantDrag>(scene, settings),
+            _ => WithMagnus<TFit, EmpiricalDrag>(scene, settings),
+        };
+
+    private static Stepper WithMagnus<TFit, TDrag>(Scene scene, SolverSettings settings)
+        where TFit : struct, IDragFit
+        where TDrag : struct, IAirLaw => scene.Forces.Magnus switch
+        {
+            ForceLaw.None => WithSpinDecay<TFit, TDrag, NoAirLaw>(scene, settings),
+            ForceLaw.Constant => WithSpinDecay<TFit, TDrag, ConstantMagnus>(scene, settings),
+            _ => WithSpinDecay<TFit, TDrag, EmpiricalMagnus>(scene, settings),
+        };
+
+    private static Stepper WithSpinDecay<TFit, TDrag, TMagnus>(Scene scene, SolverSettings settings)
+        where TFit : struct, IDragFit
+        where TDrag : struct, IAirLaw
+        where TMagnus : struct, IAirLaw => scene.Forces.SpinDecay switch
+        {
+            ForceLaw.None => WithIntegrator<Aerodynamics<TFit, TDrag, TMagnus, NoAirLaw>>(scene, settings),
+            ForceLaw.Constant => WithIntegrator<Aerodynamics<TFit, TDrag, TMagnus, ConstantSpinDecay>>(scene, settings),
+            _ => WithIntegrator<Aerodynamics<TFit, TDrag, TMagnus, EmpiricalSpinDecay>>(scene, settings),
+        };
+
+    private static Stepper WithIntegrator<TAir>(Scene scene, SolverSettings settings)
+        where TAir : struct, IAerodynamics => settings.Integrator switch
+        {
+            Integrator.Euler => new Stepper<TAir, ExplicitEuler>(scene, settings),
+            Integrator.SemiImplicitEuler => new Stepper<TAir, SemiImplicitEuler>(scene, settings),
+            Integrator.Rk2 => new Stepper<TAir, MidpointRungeKutta>(scene, settings),
+            _ => new Stepper<TAir, ClassicalRungeKutta>(scene, settings),
+        };
+}
