@@ -99,6 +99,17 @@ internal readonly struct HeightArc
         return s * Length;
     }
 
+    /// <summary>Whether a ball that falls at the start and rises at the end goes below contact in between.</summary>
+    public bool Dips
+    {
+        get
+        {
+            Hermite(out double c1, out double c2, out double c3);
+            double s = LowestPoint(c1, c2, c3);
+            return Start + (s * (c1 + (s * (c2 + (s * c3))))) < 0;
+        }
+    }
+
     /// <summary>Where in 0 … 1 the interpolant of a ball that falls and rises again is lowest.</summary>
     public static double LowestPoint(double c1, double c2, double c3)
     {

@@ -5,12 +5,139 @@ internal sealed partial class Stepper<TAir, TIntegrator> : Stepper
     where TAir : struct, IAerodynamics
     where TIntegrator : struct, IIntegrator
 {
+    /// <summary>A step is divided so that no force changes the motion by more than this share of itself, explicit Euler's limit of no overshoot.</summary>
+    private const double LargestChange = 1.0;
+
+    private readonly BallProperties _ball;
+    private readonly Ground _ground;
+    private readonly SolverSettings _settings;
+    private readonly Vector3d _wind;
+    private readonly double _upward;
+    private readonly double _contact;
+    private readonly double _radiusSquared;
+    private readonly RateBound _bound;
+    private readonly bool _custom;
+    private readonly bool _locatesJump;
+    private TAir _air;
+    private TIntegrator _integrator;
+    private FlightSystem<TAir> _flight;
+    private SlidingSystem<TAir> _sliding;
+    private RollingSystem<TAir> _rolling;
+
     public Stepper(Scene scene, SolverSettings settings)
     {
+        _ball = scene.Ball;
+        _ground = scene.Ground;
+        _settings = settings;
+        _wind = scene.Air.Wind;
+        _upward = Gravity.Acceleration(scene) + Buoyancy.Acceleration(scene);
+        _contact = scene.Ground.Height + scene.Ball.Radius;
+        _radiusSquared = scene.Ball.Radius * scene.Ball.Radius;
+        _air = default;
+        _air.Prepare(scene);
+        _integrator = default;
+        _bound = _air.Bound;
+        _locatesJump = _air.Jumps && _integrator.Order > 1;
+
+        var custom = new CustomForces(scene);
+        var ground = GroundForces.Of(scene);
+        bool groundAir = scene.Ground.Aerodynamics == GroundAerodynamics.Horizontal;
+        _custom = custom.Act;
+        _flight = new FlightSystem<TAir> { Air = _air, Custom = custom, Upward = _upward, Radius = _ball.Radius, Wind = _wind };
+        _sliding = new SlidingSystem<TAir> { Air = _air, Custom = custom, Ground = ground, Wind = _wind, AirActs = groundAir };
+        _rolling = new RollingSystem<TAir> { Air = _air, Custom = custom, Ground = ground, Wind = _wind, AirActs = groundAir };
     }
 
     public override void Step(ref BallState state, double dt, StepLog log)
     {
-        state.Time += dt;
+        double end = state.Time + dt;
+        var run = new StepRun { Left = dt, Log = log };
+        while (run.Left > 0 && state.Motion != MotionState.Stopped)
+        {
+            switch (state.Motion)
+            {
+                case MotionState.Airborne:
+                    if (_custom || state.Branch >= DragBranch.AlongCriticalSpeed)
+                    {
+                        FlyFreely(ref state, ref run);
+                    }
+                    else
+                    {
+                        Fly(ref state, ref run);
+                    }
+
+                    break;
+                case MotionState.Sliding:
+                    Slide(ref state, ref run);
+                    break;
+                default:
+                    Roll(ref state, ref run);
+                    break;
+            }
+
+            if (log.Halted)
+            {
+                return;
+            }
+        }
+
+        state.Time = end;
+    }
+
+    /// <summary>The longest of equal parts of a step for which no force overshoots.</summary>
+    private static double Divide(double left, double rate) => rate * left > LargestChange ? left / Math.Ceiling(rate * left / LargestChange) : left;
+
+    private static void Watch(StepLog log, in BallState from, in Vector3d startAcceleration, in BallState to)
+    {
+        if (log.Observer is { } observer)
+        {
+            observer.Add(new Piece(from.Time, to.Time - from.Time, from.Position, from.Velocity, in startAcceleration, to.Position, to.Velocity));
+        }
+    }
+
+    /// <summary>An impact where the ball is, and what becomes of the ball.</summary>
+    private void Impact(ref BallState s, ref StepRun run)
+    {
+        Vector3d v = s.Velocity;
+        Vector3d w = s.Spin;
+        ImpactResponse.Apply(_ball, _ground, in v, in w, out Vector3d velocity, out Vector3d spin);
+        run.Log.Events.Add(new BallEvent(BallEventKind.Impact, s.Time, s.Position, in v, in w, in velocity, in spin));
+        run.Log.Halted |= run.Log.StopAt == StopAt.Impact;
+        s.Branch = DragBranch.Unknown;
+        if (velocity.Y >= _ground.MinimumBounceSpeed || _upward > 0)
+        {
+            s.Velocity = velocity;
+            s.SetFlightSpin(in spin);
+            return;
+        }
+
+        s.Velocity = velocity.Horizontal;
+        s.SetGroundSpin(in spin);
+        if (Slip.Of(s.Velocity, in spin, _ball.Radius).Length < Slip.Rolling)
+        {
+            StartRolling(ref s, ref run);
+        }
+        else
+        {
+            s.Motion = MotionState.Sliding;
+            run.Log.Events.Add(new BallEvent(BallEventKind.Slide, s.Time, s.Position, s.Velocity, in spin, s.Velocity, in spin));
+        }
+    }
+
+    /// <summary>The slip is over: the spin becomes that of pure rolling.</summary>
+    private void StartRolling(ref BallState s, ref StepRun run)
+    {
+        Vector3d before = s.Spin;
+        Vector3d spin = Slip.RollingSpin(s.Velocity, before.Y, _ball.Radius);
+        s.SetGroundSpin(in spin);
+        s.Motion = MotionState.Rolling;
+        run.Log.Events.Add(new BallEvent(BallEventKind.Roll, s.Time, s.Position, s.Velocity, in before, s.Velocity, in spin));
+    }
+
+    /// <summary>The ball is lighter than the air, and leaves the ground.</summary>
+    private static void LeaveGround(ref BallState s)
+    {
+        s.SetFlightSpin(s.Spin);
+        s.Motion = MotionState.Airborne;
     }
 }

@@ -3,6 +3,9 @@ namespace Football.Physics;
 /// <summary>A scene, checked and compiled for one integrator. Immutable: any number of balls and threads can share it.</summary>
 public sealed class Simulator
 {
+    /// <summary>Steps that a run may have: with more of them the clock no longer tells one from the next.</summary>
+    private const double MostSteps = 1e12;
+
     private readonly Stepper _stepper;
     private readonly double _contact;
     private readonly bool _lighterThanAir;
@@ -110,7 +113,7 @@ public sealed class Simulator
 
     /// <summary>Advances a ball in equal steps until an event or a time.</summary>
     /// <param name="state">The ball. After an early end it is as it was just after the event.</param>
-    /// <param name="timeStep">Length of a step, s; above 0. The last one is shortened.</param>
+    /// <param name="timeStep">Length of a step, s; above 0, and at least 1e-12 of the duration. The last one is shortened.</param>
     /// <param name="duration">How long to go on at most, s; above 0.</param>
     /// <param name="stopAt">The event that ends the run.</param>
     /// <param name="log">Where events and counts are added.</param>
@@ -121,6 +124,7 @@ public sealed class Simulator
     {
         Check.Positive("timeStep", timeStep);
         Check.Positive("duration", duration);
+        Check.AtLeast("timeStep", timeStep, duration / MostSteps);
         Check.Defined("stopAt", stopAt);
         if (log is null)
         {
@@ -141,13 +145,7 @@ public sealed class Simulator
         {
             // Steps end at multiples of the step, so that rounding does not add up; what is left over is the last step.
             double next = start + (step * timeStep);
-            double dt = next < end - (1e-9 * timeStep) ? next - state.Time : end - state.Time;
-            _stepper.Step(ref state, dt, log);
-            if (!log.Halted && state.Time + dt == state.Time)
-            {
-                state.Time = end;
-            }
-
+            _stepper.Step(ref state, (next < end - (1e-9 * timeStep) ? next : end) - state.Time, log);
             onStep?.Invoke(in state);
             if (log.Halted)
             {

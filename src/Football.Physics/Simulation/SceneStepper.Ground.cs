@@ -1,0 +1,237 @@
+namespace Football.Physics;
+
+/// <content>The ball on the ground: sliding, rolling, coming to rest.</content>
+internal sealed partial class Stepper<TAir, TIntegrator>
+{
+    /// <summary>Towards the end of a slide or a roll a step goes this share of the way, for the direction turns ever faster.</summary>
+    private const double Approach = 0.25;
+
+    private void Slide(ref BallState s, ref StepRun run)
+    {
+        if (_upward > 0)
+        {
+            LeaveGround(ref s);
+            return;
+        }
+
+        var from = new Motion(s.Position, s.Velocity, s.Spin);
+        Vector3d slip = Slip.Of(from.Velocity, from.Spin, _ball.Radius);
+        double size = slip.Length;
+        bool exact = _settings.RollingTransition == RollingTransition.Exact;
+        if (size < Slip.Rolling)
+        {
+            StartRolling(ref s, ref run);
+            return;
+        }
+
+        SlidingSystem<TAir> system = _sliding;
+        system.SlipDirection = slip / size;
+        system.Branch = GroundBranch(ref s, in from);
+        double h = Divide(run.Left, GroundRate(in from));
+        if (exact)
+        {
+            system.Rates(s.Time, in from, out MotionRates rates);
+            run.Log.Evaluations++;
+
+            // ṡ = v̇ + r ŷ × ω̇
+            Vector3d slipRate = Slip.Of(rates.Acceleration, rates.SpinAcceleration, _ball.Radius);
+            h = Shorten(h, in system.SlipDirection, size, in slipRate);
+        }
+
+        var trial = new MotionTrial<SlidingSystem<TAir>, TIntegrator>(in system, s.Time, in from, in _wind, _ball.Radius);
+        trial.Step(h);
+        CrossJumpOnGround(ref trial, ref s, h, ref run);
+        run.Log.Evaluations += trial.Evaluations;
+        MoveOnGround(ref s, in trial.Step1, trial.Length, trial.Step1.End.Spin, ref run);
+        if (!exact)
+        {
+            // (2.27), (2.28): the slip grew, or is small.
+            double after = Slip.Of(s.Velocity, s.Spin, _ball.Radius).Length;
+            if (after > size || after < HeuristicSlip)
+            {
+                StartRolling(ref s, ref run);
+            }
+        }
+    }
+
+    /// <summary>ε of the heuristic, m/s.</summary>
+    private const double HeuristicSlip = 1e-3;
+
+    private void Roll(ref BallState s, ref StepRun run)
+    {
+        if (_upward > 0)
+        {
+            LeaveGround(ref s);
+            return;
+        }
+
+        double energy = KineticEnergy(s.Velocity, s.Spin);
+        if (energy < _ground.RestEnergy)
+        {
+            Rest(ref s, ref run);
+            return;
+        }
+
+        var from = new Motion(s.Position, s.Velocity, s.Spin);
+        double speed = from.Velocity.Length;
+        RollingSystem<TAir> system = _rolling;
+        system.Branch = GroundBranch(ref s, in from);
+        double h = Divide(run.Left, GroundRate(in from));
+        if (speed < Slip.Rolling)
+        {
+            from = new Motion(s.Position, Vector3d.Zero, new Vector3d(0, from.Spin.Y, 0));
+            Vector3d push = system.Pushed(s.Time, in from).Acceleration;
+            run.Log.Evaluations++;
+            double pushSize = push.Length;
+            system.Pinned = pushSize <= system.Ground.Rolling;
+            system.Direction = pushSize > 0 ? push / pushSize : Vector3d.Zero;
+        }
+        else
+        {
+            system.Direction = from.Velocity / speed;
+            system.Rates(s.Time, in from, out MotionRates rates);
+            run.Log.Evaluations++;
+            h = Shorten(h, in system.Direction, speed, rates.Acceleration);
+        }
+
+        var trial = new MotionTrial<RollingSystem<TAir>, TIntegrator>(in system, s.Time, in from, in _wind, _ball.Radius);
+        trial.Step(h);
+        CrossJumpOnGround(ref trial, ref s, h, ref run);
+        bool rests = KineticEnergy(trial.Step1.End.Velocity, trial.Step1.End.Spin) < _ground.RestEnergy;
+        if (rests)
+        {
+            LocateRest(ref trial, energy);
+        }
+
+        run.Log.Evaluations += trial.Evaluations;
+        Vector3d spin = Slip.RollingSpin(trial.Step1.End.Velocity, trial.Step1.End.Spin.Y, _ball.Radius);
+        MoveOnGround(ref s, in trial.Step1, trial.Length, in spin, ref run);
+        if (rests)
+        {
+            Rest(ref s, ref run);
+        }
+    }
+
+    /// <summary>Ends a rolling step where its kinetic energy falls to the rest energy.</summary>
+    private void LocateRest(ref MotionTrial<RollingSystem<TAir>, TIntegrator> trial, double energy)
+    {
+        double rest = _ground.RestEnergy;
+        double low = 0;
+        double high = trial.Length;
+
+        // Speeds fall about linearly, energies with their square.
+        double startRoot = Math.Sqrt(energy);
+        double endRoot = Math.Sqrt(KineticEnergy(trial.Step1.End.Velocity, trial.Step1.End.Spin));
+        double tau = high * (startRoot - Math.Sqrt(rest)) / (startRoot - endRoot);
+        for (int i = 0; i < 40; i++)
+        {
+            tau = tau > low && tau < high ? tau : 0.5 * (low + high);
+            trial.Step(tau);
+            double excess = KineticEnergy(trial.Step1.End.Velocity, trial.Step1.End.Spin) - rest;
+            MotionRates rates = trial.EndRates();
+
+            // dE/dt = m v·v̇ + I ω·ω̇
+            double power = (_ball.Mass * Vector3d.Dot(trial.Step1.End.Velocity, rates.Acceleration))
+                + (_ball.MomentOfInertia * Vector3d.Dot(trial.Step1.End.Spin, rates.SpinAcceleration));
+            double correction = -excess / power;
+            if (power < 0 && Math.Abs(correction) <= 1e-12)
+            {
+                return;
+            }
+
+            if (excess > 0)
+            {
+                low = tau;
+            }
+            else
+            {
+                high = tau;
+            }
+
+            if (high - low <= 1e-15 * high)
+            {
+                return;
+            }
+
+            tau = power < 0 ? tau + correction : 0;
+        }
+    }
+
+    private void Rest(ref BallState s, ref StepRun run)
+    {
+        run.Log.Events.Add(new BallEvent(BallEventKind.Rest, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
+        run.Log.Halted |= run.Log.StopAt == StopAt.Rest;
+        s.Velocity = Vector3d.Zero;
+        s.SetGroundSpin(Vector3d.Zero);
+        s.Motion = MotionState.Stopped;
+    }
+
+    private void MoveOnGround(ref BallState s, in MotionStep step, double h, in Vector3d spin, ref StepRun run)
+    {
+        BallState before = s;
+        s.BaseOrientation = (Quaterniond.FromRotationVector(in step.Rotation) * s.BaseOrientation).Normalised();
+        s.Position = new Vector3d(step.End.Position.X, _contact, step.End.Position.Z);
+        s.Velocity = step.End.Velocity.Horizontal;
+        s.SpinAxis = spin;
+        s.Time += h;
+        run.Left -= h;
+        run.Log.Steps++;
+        Watch(run.Log, in before, in step.StartRates.Acceleration, in s);
+    }
+
+    /// <summary>Splits a step on the ground at the drag law's jump, and takes the other branch from there.</summary>
+    private void CrossJumpOnGround<TSystem>(ref MotionTrial<TSystem, TIntegrator> trial, ref BallState s, double h, ref StepRun run)
+        where TSystem : struct, IMotionSystem
+    {
+        if (!(_air.Jumps && _locatesJump) || run.Splits >= StepRun.MaximumSplits)
+        {
+            return;
+        }
+
+        DragJump start = trial.StartJump;
+        DragJump startRate = trial.StartJumpRate;
+        DragJump end = trial.EndJump;
+        if (!DragJump.MayCross(s.Branch, in start, in startRate, in end, h))
+        {
+            return;
+        }
+
+        run.Splits++;
+        MotionTrial<TSystem, TIntegrator> whole = trial;
+        if (start.Branch == s.Branch && JumpLocator.Locate(ref trial, s.Branch, in start, in startRate, h))
+        {
+            s.Branch = s.Branch == DragBranch.Spinning ? DragBranch.NoSpin : DragBranch.Spinning;
+            return;
+        }
+
+        trial = whole;
+        s.Branch = end.Branch;
+    }
+
+    private DragBranch GroundBranch(ref BallState s, in Motion from)
+    {
+        if (_air.Jumps && (s.Branch is DragBranch.Unknown or >= DragBranch.AlongCriticalSpeed || !_locatesJump))
+        {
+            s.Branch = _flight.JumpAt(in from).Branch;
+        }
+
+        return s.Branch;
+    }
+
+    /// <summary>A bound, 1/s, for how fast the air and the damping change the motion.</summary>
+    private double GroundRate(in Motion from) =>
+        (_bound.PerSpeed * (from.Velocity - _wind).Length) + (_bound.PerSpin * from.Spin.Length) + _bound.Constant + _sliding.Ground.SpinDamping;
+
+    /// <summary>Shortens a step in which a vector loses, or turns by, more than a quarter of its size.</summary>
+    private static double Shorten(double h, in Vector3d direction, double size, in Vector3d rate)
+    {
+        double along = Vector3d.Dot(in rate, in direction);
+        double acrossSquared = Math.Max(0, rate.LengthSquared - (along * along));
+        double closing = Math.Sqrt(acrossSquared + (along < 0 ? along * along : 0));
+        return closing * h > Approach * size ? Approach * size / closing : h;
+    }
+
+    /// <summary>½ m v² + ½ I ω², J.</summary>
+    private double KineticEnergy(in Vector3d v, in Vector3d w) =>
+        0.5 * ((_ball.Mass * v.LengthSquared) + (_ball.MomentOfInertia * w.LengthSquared));
+}
