@@ -81,14 +81,12 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         Vector3d velocity = from.Velocity + (2.0 * (second.Velocity + third.Velocity)) + fourth.Velocity;
         Vector3d acceleration = k1.Acceleration + (2.0 * (k2.Acceleration + k3.Acceleration)) + k4.Acceleration;
         Vector3d spinAcceleration = k1.SpinAcceleration + (2.0 * (k2.SpinAcceleration + k3.SpinAcceleration)) + k4.SpinAcceleration;
-        Vector3d spin = from.Spin + (2.0 * (second.Spin + third.Spin)) + fourth.Spin;
         step.End = new Motion(
             from.Position + (sixth * velocity),
             from.Velocity + (sixth * acceleration),
             from.Spin + (sixth * spinAcceleration));
 
-        // Magnus expansion to order 4 of q̇ = ½ ω ⊗ q: mean spin, less h²/12 ω₀ × ω₁ where the axis turns.
-        step.Rotation = (sixth * spin) - (h * h / 12.0 * Vector3d.Cross(in from.Spin, in step.End.Spin));
+        step.Rotation = RotationVector.Of(in from.Spin, 0.5 * (second.Spin + third.Spin), in step.End.Spin, h);
         step.StartRates = k1;
     }
 

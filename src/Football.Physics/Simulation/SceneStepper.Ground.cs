@@ -3,8 +3,8 @@ namespace Football.Physics;
 /// <content>The ball on the ground: sliding, rolling, coming to rest.</content>
 internal sealed partial class Stepper<TAir, TIntegrator>
 {
-    /// <summary>Towards the end of a slide or a roll a step goes this share of the way, for the direction turns ever faster.</summary>
-    private const double Approach = 0.25;
+    /// <summary>Towards the end of a slide or a roll a step goes this share of the way, for the direction turns ever faster there.</summary>
+    private const double Approach = 0.125;
 
     private void Slide(ref BallState s, ref StepRun run)
     {
@@ -222,7 +222,7 @@ internal sealed partial class Stepper<TAir, TIntegrator>
     private double GroundRate(in Motion from) =>
         (_bound.PerSpeed * (from.Velocity - _wind).Length) + (_bound.PerSpin * from.Spin.Length) + _bound.Constant + _sliding.Ground.SpinDamping;
 
-    /// <summary>Shortens a step in which a vector loses, or turns by, more than a quarter of its size.</summary>
+    /// <summary>Shortens a step in which a vector loses, or turns by, more than an eighth of its size.</summary>
     private static double Shorten(double h, in Vector3d direction, double size, in Vector3d rate)
     {
         double along = Vector3d.Dot(in rate, in direction);
