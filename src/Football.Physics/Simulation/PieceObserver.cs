@@ -1,8 +1,12 @@
 namespace Football.Physics;
 
-/// <summary>Watches a simulation piece by piece: a piece is smooth motion between two instants without an event between them.</summary>
+/// <summary>Watches a simulation piece by piece.</summary>
 internal abstract class PieceObserver
 {
-    /// <summary>Called after every piece.</summary>
-    public abstract void Add(in Piece piece);
+    /// <summary>Whether pieces need the acceleration at their end, which costs an evaluation each; without it they are cubic.</summary>
+    public abstract bool WantsEndAcceleration { get; }
+
+    /// <summary>Called after every piece, before the event that may end it.</summary>
+    /// <returns>True when it has seen enough: the step ends here.</returns>
+    public abstract bool Add(in PathPiece piece);
 }

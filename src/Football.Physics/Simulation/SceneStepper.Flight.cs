@@ -77,8 +77,19 @@ internal sealed partial class Stepper<TAir, TIntegrator>
         s.Time += h;
         run.Left -= h;
         run.Log.Steps++;
-        Watch(run.Log, in before, in step.StartAcceleration, in s);
-        if (hit)
+        if (run.Log.Observer is { } observer)
+        {
+            Vector3d endAcceleration = default;
+            if (observer.WantsEndAcceleration)
+            {
+                FlightRates.Of(ref _air, in from, in step.AirVelocity, step.SpinRate, out endAcceleration, out _);
+                run.Log.Evaluations++;
+            }
+
+            Watch(observer, run.Log, in before, in step.StartAcceleration, in s, in endAcceleration);
+        }
+
+        if (hit && !run.Log.Halted)
         {
             Impact(ref s, ref run);
         }

@@ -48,8 +48,19 @@ internal sealed partial class Stepper<TAir, TIntegrator>
         s.Time += trial.Length;
         run.Left -= trial.Length;
         run.Log.Steps++;
-        Watch(run.Log, in before, in trial.Step1.StartRates.Acceleration, in s);
-        if (hit)
+        if (run.Log.Observer is { } observer)
+        {
+            MotionRates endRates = default;
+            if (observer.WantsEndAcceleration)
+            {
+                endRates = trial.EndRates();
+                run.Log.Evaluations++;
+            }
+
+            Watch(observer, run.Log, in before, in trial.Step1.StartRates.Acceleration, in s, in endRates.Acceleration);
+        }
+
+        if (hit && !run.Log.Halted)
         {
             Impact(ref s, ref run);
         }

@@ -42,8 +42,8 @@ internal sealed partial class Stepper<TAir, TIntegrator>
         trial.Step(h);
         CrossJumpOnGround(ref trial, ref s, h, ref run);
         run.Log.Evaluations += trial.Evaluations;
-        MoveOnGround(ref s, in trial.Step1, trial.Length, trial.Step1.End.Spin, ref run);
-        if (!exact)
+        MoveOnGround(ref s, ref trial, trial.Step1.End.Spin, ref run);
+        if (!exact && !run.Log.Halted)
         {
             // (2.27), (2.28): the slip grew, or is small.
             double after = Slip.Of(s.Velocity, s.Spin, _ball.Radius).Length;
@@ -105,8 +105,8 @@ internal sealed partial class Stepper<TAir, TIntegrator>
 
         run.Log.Evaluations += trial.Evaluations;
         Vector3d spin = Slip.RollingSpin(trial.Step1.End.Velocity, trial.Step1.End.Spin.Y, _ball.Radius);
-        MoveOnGround(ref s, in trial.Step1, trial.Length, in spin, ref run);
-        if (rests)
+        MoveOnGround(ref s, ref trial, in spin, ref run);
+        if (rests && !run.Log.Halted)
         {
             Rest(ref s, ref run);
         }
@@ -166,9 +166,12 @@ internal sealed partial class Stepper<TAir, TIntegrator>
         s.Motion = MotionState.Stopped;
     }
 
-    private void MoveOnGround(ref BallState s, in MotionStep step, double h, in Vector3d spin, ref StepRun run)
+    private void MoveOnGround<TSystem>(ref BallState s, ref MotionTrial<TSystem, TIntegrator> trial, in Vector3d spin, ref StepRun run)
+        where TSystem : struct, IMotionSystem
     {
         BallState before = s;
+        MotionStep step = trial.Step1;
+        double h = trial.Length;
         s.BaseOrientation = (Quaterniond.FromRotationVector(in step.Rotation) * s.BaseOrientation).Normalised();
         s.Position = new Vector3d(step.End.Position.X, _contact, step.End.Position.Z);
         s.Velocity = step.End.Velocity.Horizontal;
@@ -176,7 +179,17 @@ internal sealed partial class Stepper<TAir, TIntegrator>
         s.Time += h;
         run.Left -= h;
         run.Log.Steps++;
-        Watch(run.Log, in before, in step.StartRates.Acceleration, in s);
+        if (run.Log.Observer is { } observer)
+        {
+            MotionRates endRates = default;
+            if (observer.WantsEndAcceleration)
+            {
+                endRates = trial.EndRates();
+                run.Log.Evaluations++;
+            }
+
+            Watch(observer, run.Log, in before, in step.StartRates.Acceleration, in s, in endRates.Acceleration);
+        }
     }
 
     /// <summary>Splits a step on the ground at the drag law's jump, and takes the other branch from there.</summary>

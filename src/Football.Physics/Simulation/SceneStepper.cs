@@ -87,12 +87,14 @@ internal sealed partial class Stepper<TAir, TIntegrator> : Stepper
     /// <summary>The longest of equal parts of a step for which no force overshoots.</summary>
     private static double Divide(double left, double rate) => rate * left > LargestChange ? left / Math.Ceiling(rate * left / LargestChange) : left;
 
-    private static void Watch(StepLog log, in BallState from, in Vector3d startAcceleration, in BallState to)
+    /// <summary>Shows a piece to an observer; the acceleration at its end is used only if the observer wants it.</summary>
+    private void Watch(
+        PieceObserver observer, StepLog log, in BallState from, in Vector3d startAcceleration, in BallState to, in Vector3d endAcceleration)
     {
-        if (log.Observer is { } observer)
-        {
-            observer.Add(new Piece(from.Time, to.Time - from.Time, from.Position, from.Velocity, in startAcceleration, to.Position, to.Velocity));
-        }
+        int degree = _integrator.Order <= 2 ? 2 : observer.WantsEndAcceleration ? 5 : 3;
+        var piece = new PathPiece(
+            from.Time, to.Time - from.Time, from.Position, from.Velocity, in startAcceleration, to.Position, to.Velocity, in endAcceleration, from.Motion, degree);
+        log.Halted |= observer.Add(in piece);
     }
 
     /// <summary>An impact where the ball is, and what becomes of the ball.</summary>

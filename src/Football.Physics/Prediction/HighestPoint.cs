@@ -1,0 +1,19 @@
+namespace Football.Physics;
+
+/// <summary>Finds the greatest height of the centre, located inside the step.</summary>
+internal sealed class HighestPoint : PieceObserver
+{
+    /// <summary>The greatest height so far, m.</summary>
+    public double Apex { get; private set; } = double.NegativeInfinity;
+
+    public override bool WantsEndAcceleration => false;
+
+    /// <summary>Starts again from a launch.</summary>
+    public void Reset(in BallState launch) => Apex = launch.Position.Y;
+
+    public override bool Add(in PathPiece piece)
+    {
+        Apex = Math.Max(Apex, piece.Apex);
+        return false;
+    }
+}
