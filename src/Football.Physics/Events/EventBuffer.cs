@@ -47,6 +47,19 @@ public sealed class EventBuffer
     /// <summary>Enumerates the events without allocating.</summary>
     public ReadOnlySpan<BallEvent>.Enumerator GetEnumerator() => Span.GetEnumerator();
 
+    /// <summary>Drops the events before a time.</summary>
+    internal void Forget(double before)
+    {
+        int gone = 0;
+        while (gone < Count && _events[gone].Time < before)
+        {
+            gone++;
+        }
+
+        Array.Copy(_events, gone, _events, 0, Count - gone);
+        Count -= gone;
+    }
+
     internal void Add(in BallEvent item)
     {
         if (Count == _events.Length)

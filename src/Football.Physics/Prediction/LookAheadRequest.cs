@@ -1,0 +1,35 @@
+namespace Football.Physics;
+
+/// <summary>How far to look ahead, and in which steps. It ends at the first of the conditions that are set.</summary>
+public sealed record LookAheadRequest
+{
+    /// <summary>How long to look ahead at most, s. Above 0; default 10.</summary>
+    public double Duration { get; init; } = 10;
+
+    /// <summary>
+    /// Length of a step, s. Above 0, at least 1e-12 of the duration; default 0.08, which with RK4 is within a few micrometres of the
+    /// truth. With the game's own integrator and step the prediction is the future bit for bit.
+    /// </summary>
+    public double TimeStep { get; init; } = 0.08;
+
+    /// <summary>The event that ends it. Default <see cref="StopAt.Rest"/>.</summary>
+    public StopAt StopAt { get; init; } = StopAt.Rest;
+
+    /// <summary>A plane whose crossing ends it; default none.</summary>
+    public Plane3d? UntilPlane { get; init; }
+
+    /// <summary>A point that ends it once the ball has passed its closest approach; default none.</summary>
+    public Vector3d? UntilPassing { get; init; }
+
+    internal void Validate()
+    {
+        Check.Positive("lookAhead.duration", Duration);
+        Check.Positive("lookAhead.timeStep", TimeStep);
+        Check.AtLeast("lookAhead.timeStep", TimeStep, Duration * 1e-12);
+        Check.Defined("lookAhead.stopAt", StopAt);
+        if (UntilPassing is { } point)
+        {
+            Check.Place("lookAhead.untilPassing", point);
+        }
+    }
+}

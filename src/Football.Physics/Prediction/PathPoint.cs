@@ -1,0 +1,25 @@
+namespace Football.Physics;
+
+/// <summary>A point of a predicted path.</summary>
+public readonly struct PathPoint
+{
+    internal PathPoint(double time, in Vector3d position, in Vector3d velocity, double distance)
+    {
+        Time = time;
+        Position = position;
+        Velocity = velocity;
+        Distance = distance;
+    }
+
+    /// <summary>When, s since the launch.</summary>
+    public double Time { get; }
+
+    /// <summary>Position of the centre, m.</summary>
+    public Vector3d Position { get; }
+
+    /// <summary>Velocity, m/s.</summary>
+    public Vector3d Velocity { get; }
+
+    /// <summary>Distance from what was asked for, m: 0 on a plane, the closest approach for a point.</summary>
+    public double Distance { get; }
+}

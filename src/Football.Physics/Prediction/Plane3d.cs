@@ -1,0 +1,22 @@
+namespace Football.Physics;
+
+/// <summary>A plane through a point, such as a goal line's vertical plane.</summary>
+public readonly struct Plane3d
+{
+    /// <summary>Makes a plane.</summary>
+    /// <param name="point">A point of it, m; components within ±1e6.</param>
+    /// <param name="normal">Its normal; any length but zero.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range.</exception>
+    public Plane3d(Vector3d point, Vector3d normal)
+    {
+        Check.Place(nameof(point), point);
+        Point = point;
+        Normal = KickSpin.Direction(normal);
+    }
+
+    /// <summary>A point of the plane, m.</summary>
+    public Vector3d Point { get; }
+
+    /// <summary>Its unit normal.</summary>
+    public Vector3d Normal { get; }
+}

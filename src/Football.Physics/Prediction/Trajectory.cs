@@ -1,0 +1,251 @@
+namespace Football.Physics;
+
+/// <summary>A predicted way of the ball, dense in time. Its memory is made once and used again by every look-ahead.</summary>
+public sealed class Trajectory
+{
+    private readonly PathPiece[] _pieces;
+    private readonly Recorder _recorder;
+    private BallState _final;
+
+    /// <summary>A trajectory with memory of its own.</summary>
+    /// <param name="capacity">Pieces to make room for, at least 1; default 512, enough for 10 s in steps of 20 ms.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="capacity"/> is below 1.</exception>
+    public Trajectory(int capacity = 512)
+        : this(new PathPiece[capacity >= 1 ? capacity : throw Check.Refusal(nameof(capacity), capacity.ToString(System.Globalization.CultureInfo.InvariantCulture), "1 or more")])
+    {
+    }
+
+    /// <summary>A trajectory in the caller's memory.</summary>
+    /// <param name="memory">Room for pieces, at least 1; a look-ahead ends where it is full, and says so in <see cref="IsComplete"/>.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="memory"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="memory"/> is empty.</exception>
+    public Trajectory(PathPiece[] memory)
+    {
+        _pieces = memory ?? throw new ArgumentNullException(nameof(memory));
+        if (memory.Length == 0)
+        {
+            throw Check.Refusal("memory.Length", "0", "1 or more");
+        }
+
+        _recorder = new Recorder(this);
+        Log.Observer = _recorder;
+    }
+
+    /// <summary>The pieces, in order, without a gap.</summary>
+    public ReadOnlySpan<PathPiece> Pieces => _pieces.AsSpan(0, Count);
+
+    /// <summary>The events, in order.</summary>
+    public EventBuffer Events => Log.Events;
+
+    /// <summary>The state at the end.</summary>
+    public BallState Final => _final;
+
+    /// <summary>When it starts, s since the launch.</summary>
+    public double StartTime { get; private set; }
+
+    /// <summary>When it ends, s since the launch.</summary>
+    public double EndTime => Count > 0 ? Math.Max(_pieces[Count - 1].EndTime, _final.Time) : _final.Time;
+
+    /// <summary>False where the memory was full before the look-ahead was over.</summary>
+    public bool IsComplete { get; private set; }
+
+    /// <summary>Right-hand sides evaluated.</summary>
+    public long Evaluations => Log.Evaluations;
+
+    internal StepLog Log { get; } = new();
+
+    internal int Count { get; private set; }
+
+    /// <summary>The greatest height of the centre, m.</summary>
+    public double Apex
+    {
+        get
+        {
+            double apex = Count > 0 ? double.NegativeInfinity : _final.Position.Y;
+            for (int i = 0; i < Count; i++)
+            {
+                apex = Math.Max(apex, _pieces[i].Apex);
+            }
+
+            return apex;
+        }
+    }
+
+    /// <summary>Time from the start to the first touchdown, s; NaN-free: infinite where there is none.</summary>
+    public double HangTime => TryGetTouchdown(0, out BallEvent touchdown) ? touchdown.Time - StartTime : double.PositiveInfinity;
+
+    /// <summary>Horizontal distance from the start to the first touchdown, m; infinite where there is none.</summary>
+    public double Carry => TryGetTouchdown(0, out BallEvent touchdown) && Count > 0
+        ? (touchdown.Position - _pieces[0].StartPosition).Horizontal.Length
+        : double.PositiveInfinity;
+
+    /// <summary>One of the touchdowns: impacts with the ground.</summary>
+    /// <param name="index">Which, from 0.</param>
+    /// <param name="touchdown">The impact.</param>
+    /// <returns>False where there is no such touchdown.</returns>
+    public bool TryGetTouchdown(int index, out BallEvent touchdown)
+    {
+        foreach (ref readonly BallEvent e in Events)
+        {
+            if (e.Kind == BallEventKind.Impact && index-- == 0)
+            {
+                touchdown = e;
+                return true;
+            }
+        }
+
+        touchdown = default;
+        return false;
+    }
+
+    /// <summary>Where and when the ball comes to rest.</summary>
+    /// <param name="rest">The event.</param>
+    /// <returns>False where it does not within the look-ahead.</returns>
+    public bool TryGetRest(out BallEvent rest)
+    {
+        rest = Events.Count > 0 ? Events[Events.Count - 1] : default;
+        return Events.Count > 0 && rest.Kind == BallEventKind.Rest;
+    }
+
+    /// <summary>Where the ball is at a time, m. Before the start and after the end it is where it starts and ends.</summary>
+    /// <param name="time">Time since the launch, s.</param>
+    public Vector3d PositionAt(double time)
+    {
+        int i = Find(time);
+        return i < 0 ? _final.Position : _pieces[i].PositionAt(Clamp(time, in _pieces[i]));
+    }
+
+    /// <summary>The velocity at a time, m/s; after the end that of the end.</summary>
+    /// <param name="time">Time since the launch, s.</param>
+    public Vector3d VelocityAt(double time)
+    {
+        int i = Find(time);
+        return i < 0 || (i == Count - 1 && time > _pieces[i].EndTime) ? _final.Velocity : _pieces[i].VelocityAt(Clamp(time, in _pieces[i]));
+    }
+
+    /// <summary>The first crossing of a plane.</summary>
+    /// <param name="plane">The plane.</param>
+    /// <param name="crossing">Where and when.</param>
+    /// <returns>False where the ball does not cross it.</returns>
+    public bool TryGetCrossing(in Plane3d plane, out PathPoint crossing)
+    {
+        for (int i = 0; i < Count; i++)
+        {
+            ref readonly PathPiece piece = ref _pieces[i];
+            if (piece.Crosses(plane.Point, plane.Normal, out double time))
+            {
+                crossing = new PathPoint(time, piece.PositionAt(time), piece.VelocityAt(time), 0);
+                return true;
+            }
+        }
+
+        crossing = default;
+        return false;
+    }
+
+    /// <summary>The closest approach to a point.</summary>
+    /// <param name="point">The point, m.</param>
+    public PathPoint ClosestApproach(Vector3d point)
+    {
+        var best = new PathPoint(_final.Time, _final.Position, _final.Velocity, Vector3d.Distance(_final.Position, in point));
+        double bestSquared = best.Distance * best.Distance;
+        for (int i = 0; i < Count; i++)
+        {
+            ref readonly PathPiece piece = ref _pieces[i];
+            double squared = piece.ClosestApproach(in point, out double time);
+            if (squared < bestSquared || i == 0)
+            {
+                bestSquared = squared;
+                best = new PathPoint(time, piece.PositionAt(time), piece.VelocityAt(time), Math.Sqrt(squared));
+            }
+        }
+
+        return best;
+    }
+
+    internal void Begin(in BallState from, LookAheadRequest request)
+    {
+        Log.Clear();
+        Count = 0;
+        IsComplete = true;
+        StartTime = from.Time;
+        _recorder.Begin(request);
+        _final = from;
+    }
+
+    internal void End(in BallState final) => _final = final;
+
+    /// <summary>Forgets the pieces and events before a time.</summary>
+    internal void Forget(double before)
+    {
+        int gone = 0;
+        while (gone < Count - 1 && _pieces[gone].EndTime <= before)
+        {
+            gone++;
+        }
+
+        if (gone > 0)
+        {
+            Array.Copy(_pieces, gone, _pieces, 0, Count - gone);
+            Count -= gone;
+            StartTime = _pieces[0].Time;
+            Log.Events.Forget(StartTime);
+        }
+    }
+
+    private static double Clamp(double time, in PathPiece piece) => Math.Min(Math.Max(time, piece.Time), piece.EndTime);
+
+    /// <summary>The piece that a time falls into: the later one where two meet; −1 where there is none.</summary>
+    private int Find(double time)
+    {
+        int low = 0;
+        int high = Count - 1;
+        while (low < high)
+        {
+            int middle = (low + high + 1) / 2;
+            if (_pieces[middle].Time <= time)
+            {
+                low = middle;
+            }
+            else
+            {
+                high = middle - 1;
+            }
+        }
+
+        return high;
+    }
+
+    /// <summary>Keeps the pieces, and ends the look-ahead as soon as its question is answered.</summary>
+    private sealed class Recorder : PieceObserver
+    {
+        private readonly Trajectory _owner;
+        private bool _untilPlane;
+        private Plane3d _plane;
+        private bool _untilPassing;
+        private Vector3d _point;
+
+        public Recorder(Trajectory owner) => _owner = owner;
+
+        public override bool WantsEndAcceleration => true;
+
+        public void Begin(LookAheadRequest request)
+        {
+            _untilPlane = request.UntilPlane is not null;
+            _plane = request.UntilPlane.GetValueOrDefault();
+            _untilPassing = request.UntilPassing is not null;
+            _point = request.UntilPassing.GetValueOrDefault();
+        }
+
+        public override bool Add(in PathPiece piece)
+        {
+            PathPiece[] pieces = _owner._pieces;
+            pieces[_owner.Count++] = piece;
+            bool full = _owner.Count == pieces.Length;
+            _owner.IsComplete = !full;
+            return full
+                || (_untilPlane && piece.Crosses(_plane.Point, _plane.Normal, out _))
+                || (_untilPassing && Vector3d.Dot(piece.EndPosition - _point, piece.EndVelocity) > 0);
+        }
+    }
+}
