@@ -121,4 +121,39 @@ internal static class Elementary
                 break;
         }
     }
+
+    /// <summary>The angle of the point (x, y), −π … π; 0 for the origin. Absolute error below 1e-15.</summary>
+    public static double Atan2(double y, double x)
+    {
+        const double Pi = 3.14159265358979323846;
+        double ax = Math.Abs(x);
+        double ay = Math.Abs(y);
+        if (!(ax > 0 || ay > 0))
+        {
+            return 0;
+        }
+
+        double angle = ay <= ax ? AtanUnit(ay / ax) : (0.5 * Pi) - AtanUnit(ax / ay);
+        angle = x < 0 ? Pi - angle : angle;
+        return y < 0 ? -angle : angle;
+    }
+
+    /// <summary>atan x for 0 ≤ x ≤ 1.</summary>
+    private static double AtanUnit(double x)
+    {
+        // atan x = atan c + atan((x − c)/(1 + x c)) with c = 0, tan π/8 or 1, so that |z| ≤ tan π/16 = 0.199.
+        const double TanEighth = 0.41421356237309504880;
+        const double PiEighth = 0.39269908169872415481;
+        double c = x < 0.19891236737965800691 ? 0 : x < 0.66817863791929891999 ? TanEighth : 1;
+        double offset = c == 0 ? 0 : c == 1 ? 2 * PiEighth : PiEighth;
+        double z = (x - c) / (1.0 + (x * c));
+        double zz = z * z;
+        double p = 1.0 / 23.0;
+        for (int n = 21; n >= 3; n -= 2)
+        {
+            p = (1.0 / n) - (zz * p);
+        }
+
+        return offset + (z - (z * zz * p));
+    }
 }

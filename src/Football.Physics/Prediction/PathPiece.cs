@@ -131,6 +131,19 @@ public readonly struct PathPiece
         return StartVelocity + (t * StartAcceleration) + (s * s / Length * ((3.0 * c3) + (s * ((4.0 * c4) + (5.0 * s * c5)))));
     }
 
+    /// <summary>The piece as seen by something that moves steadily and was at the origin at time 0.</summary>
+    internal PathPiece SeenFrom(in Vector3d velocity) => new(
+        Time,
+        Length,
+        StartPosition - (Time * velocity),
+        StartVelocity - velocity,
+        StartAcceleration,
+        EndPosition - (EndTime * velocity),
+        EndVelocity - velocity,
+        EndAcceleration,
+        Motion,
+        _degree);
+
     /// <summary>When the piece passes a plane, if it does.</summary>
     /// <param name="point">A point of the plane.</param>
     /// <param name="normal">Its normal; any length.</param>

@@ -84,6 +84,13 @@ internal sealed partial class Stepper<TAir, TIntegrator> : Stepper
         state.Time = end;
     }
 
+    public override void AirFactors(double speed, double spinRate, out double drag, out double lift)
+    {
+        double speedSquared = speed * speed;
+        DragBranch branch = DragJump.At(speedSquared, _radiusSquared * spinRate * spinRate).Branch;
+        _air.Evaluate(speedSquared, spinRate, branch, out drag, out lift, out _);
+    }
+
     /// <summary>The longest of equal parts of a step for which no force overshoots.</summary>
     private static double Divide(double left, double rate) => rate * left > LargestChange ? left / Math.Ceiling(rate * left / LargestChange) : left;
 

@@ -134,6 +134,10 @@ public sealed class Simulator
         return Run(ref state, timeStep, duration, stopAt, log, null);
     }
 
+    /// <inheritdoc cref="Stepper.AirFactors"/>
+    internal void AirFactors(double speed, double spinRate, out double drag, out double lift) =>
+        _stepper.AirFactors(speed, spinRate, out drag, out lift);
+
     /// <summary>The same with a callback after every step.</summary>
     internal bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt, StepLog log, StepCallback? onStep)
     {

@@ -1,0 +1,129 @@
+namespace Football.Physics;
+
+/// <summary>What the aiming methods share: the scene compiled for each purpose, and memory for their flights.</summary>
+internal sealed class AimContext
+{
+    /// <summary>No flight is followed for longer, s.</summary>
+    public const double LongestFlight = 30;
+
+    /// <summary>Step of the library's own solver, s: with RK4 and the jump located within 1e-5 m.</summary>
+    private const double SolverStep = 0.1;
+
+    /// <summary>Step of the run that measures a miss, s: its own error is below 1e-6 m.</summary>
+    private const double JudgeStep = 0.005;
+
+    /// <summary>Ground of the scene without one, m.</summary>
+    private const double NoGround = -0.5 * Limits.Length;
+
+    private readonly StepLog _freeLog = new();
+    private readonly StepLog _closeLog = new();
+    private readonly StepLog _gameLog = new();
+    private readonly Simulator _free;
+    private readonly Simulator _judge;
+    private readonly ClosestPass _pass = new();
+
+    public AimContext(Scene scene, SolverSettings settings, double timeStep)
+    {
+        Scene = scene;
+        Game = new Simulator(scene, settings);
+        TimeStep = timeStep;
+        _judge = new Simulator(scene, SolverSettings.Default);
+        _free = new Simulator(scene with { Ground = scene.Ground with { Height = NoGround } }, SolverSettings.Default);
+        Flight = new KickFlight();
+        Frames = new FrameFlight();
+        _freeLog.Observer = Flight;
+        _closeLog.Observer = _pass;
+        _gameLog.Observer = Frames;
+        Upward = Gravity.Acceleration(scene) + Buoyancy.Acceleration(scene);
+    }
+
+    public Scene Scene { get; }
+
+    /// <summary>The scene with the game's own integrator.</summary>
+    public Simulator Game { get; }
+
+    /// <summary>The game's own step, s.</summary>
+    public double TimeStep { get; }
+
+    /// <summary>Upward acceleration by gravity and buoyancy, m/s².</summary>
+    public double Upward { get; }
+
+    /// <summary>The last flight without ground.</summary>
+    public KickFlight Flight { get; }
+
+    /// <summary>The last flight in the game's frames.</summary>
+    public FrameFlight Frames { get; }
+
+    /// <summary>Forward simulations so far.</summary>
+    public int Simulations { get; set; }
+
+    /// <summary>The horizontal unit vector from one point to another, and the distance; a fixed direction where they coincide.</summary>
+    public static Vector3d Forward(in Vector3d from, in Vector3d to, out double distance)
+    {
+        Vector3d flat = (to - from).Horizontal;
+        distance = flat.Length;
+        return distance > 0 ? flat / distance : new Vector3d(0, 0, -1);
+    }
+
+    /// <summary>Where the ball starts: raised to contact height.</summary>
+    public Vector3d Start(AimRequest request) => request.From.Y < Game.ContactHeight
+        ? new Vector3d(request.From.X, Game.ContactHeight, request.From.Z)
+        : request.From;
+
+    /// <summary>Flies a kick without ground, watched by <see cref="Flight"/>, until its planes are crossed.</summary>
+    public void Fly(in Vector3d from, in Vector3d velocity, in Vector3d spin)
+    {
+        Simulations++;
+        Flight.Reset();
+        BallState state = _free.Launch(from, velocity, spin);
+        _freeLog.Clear();
+        _free.Run(ref state, SolverStep, LongestFlight, StopAt.Impact, _freeLog, null);
+    }
+
+    /// <summary>Flies a kick with ground in the solver's steps, and returns its closest approach before the first impact.</summary>
+    public ClosestPass Approach(AimRequest request, in Vector3d velocity, in Vector3d spin)
+    {
+        Simulations++;
+        return Closest(request, in velocity, in spin, SolverStep);
+    }
+
+    /// <summary>Measures the true miss of a kick.</summary>
+    public ClosestPass Judge(AimRequest request, in Vector3d velocity, in Vector3d spin) => Closest(request, in velocity, in spin, JudgeStep);
+
+    /// <summary>Flies a kick in the game's own steps, watched by <see cref="Frames"/>.</summary>
+    public void FlyFrames(in Vector3d from, in Vector3d velocity, in Vector3d spin, in Vector3d point)
+    {
+        Simulations++;
+        Frames.Begin(in from, in point);
+        BallState state = Game.Launch(from, velocity, spin);
+        _gameLog.Clear();
+        Game.Run(ref state, TimeStep, LongestFlight, StopAt.Impact, _gameLog, null);
+    }
+
+    /// <summary>The closed-form flight of a kick, its coefficients averaged over a way.</summary>
+    public FlatFire Model(double speed, double spinRate, double way)
+    {
+        // Two points of the way, Gauss' for two, from a first drag at launch.
+        _judge.AirFactors(speed, spinRate, out double drag, out double lift);
+        double perLength = speed > 0 ? drag / speed : 0;
+        double early = speed * Elementary.Exp(-0.2113 * perLength * way);
+        double late = speed * Elementary.Exp(-0.7887 * perLength * way);
+        _judge.AirFactors(early, spinRate, out double drag1, out double lift1);
+        _judge.AirFactors(late, spinRate, out double drag2, out double lift2);
+        return new FlatFire
+        {
+            Drag = 0.5 * ((early > 0 ? drag1 / early : 0) + (late > 0 ? drag2 / late : 0)),
+            Lift = 0.5 * (lift1 + lift2),
+            Upward = Upward,
+        };
+    }
+
+    private ClosestPass Closest(AimRequest request, in Vector3d velocity, in Vector3d spin, double step)
+    {
+        BallState state = _judge.Launch(request.From, velocity, spin);
+        _pass.Begin(state.Position, request.Target, request.TargetVelocity, request.Through);
+        _closeLog.Clear();
+        _judge.Run(ref state, step, LongestFlight, StopAt.Impact, _closeLog, null);
+        return _pass;
+    }
+}

@@ -1,0 +1,74 @@
+namespace Football.Physics;
+
+/// <summary>What a kick is asked to do. Points are for the ball's centre.</summary>
+public sealed record AimRequest
+{
+    /// <summary>Where the ball is, m; components within ±1e6. Below contact height it is raised to it. Default the origin.</summary>
+    public Vector3d From { get; init; }
+
+    /// <summary>Where it is to go, m; components within ±1e6. Default the origin.</summary>
+    public Vector3d Target { get; init; }
+
+    /// <summary>Velocity of the target, m/s; at most 1000. Default at rest. Used by <see cref="AimMethod.Direct"/> without a point on the way.</summary>
+    public Vector3d TargetVelocity { get; init; }
+
+    /// <summary>A point to pass on the way, m; default none.</summary>
+    public Vector3d? Through { get; init; }
+
+    /// <summary>Speed of the kick, m/s. Above 0, at most 1000; default 25.</summary>
+    public double Speed { get; init; } = 25;
+
+    /// <summary>Topspin, rad/s; with a point on the way only a start value. Within ±10 000; default 0.</summary>
+    public double TopSpin { get; init; }
+
+    /// <summary>Sidespin, rad/s; with a point on the way only a start value. Within ±10 000; default 0.</summary>
+    public double SideSpin { get; init; }
+
+    /// <summary>Lowest elevation, degrees. −90 … 90; default 0.</summary>
+    public double MinimumElevation { get; init; }
+
+    /// <summary>Highest elevation, degrees. At least the lowest, at most 90; default 45.</summary>
+    public double MaximumElevation { get; init; } = 45;
+
+    /// <summary>Largest topspin or backspin of a two-point kick, rad/s. 0 … 10 000; default 40.</summary>
+    public double MaximumTopSpin { get; init; } = 40;
+
+    /// <summary>Largest sidespin of a two-point kick, rad/s. 0 … 10 000; default 40.</summary>
+    public double MaximumSideSpin { get; init; } = 40;
+
+    /// <summary>How close to the target is a hit, m. Above 0; default 0.01.</summary>
+    public double Tolerance { get; init; } = 0.01;
+
+    /// <summary>How close to the point on the way is good enough, m. Above 0; default 0.1.</summary>
+    public double ThroughTolerance { get; init; } = 0.1;
+
+    /// <summary>Iterations that a method may take. At least 1; default 60.</summary>
+    public int MaximumIterations { get; init; } = 60;
+
+    /// <summary>Which of the two kicks that reach a target. Default the low one. Used by <see cref="AimMethod.Direct"/>.</summary>
+    public AimArc Arc { get; init; } = AimArc.Low;
+
+    /// <summary>Checks every number.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public void Validate()
+    {
+        Check.Place("aim.from", From);
+        Check.Place("aim.target", Target);
+        Check.Size("aim.targetVelocity", TargetVelocity, Limits.Speed, "m/s");
+        if (Through is { } through)
+        {
+            Check.Place("aim.through", through);
+        }
+
+        Check.Within("aim.speed", Speed, 0, Limits.Speed, exclusiveLow: true);
+        Check.Within("aim.spin.top", TopSpin, -Limits.Spin, Limits.Spin);
+        Check.Within("aim.spin.side", SideSpin, -Limits.Spin, Limits.Spin);
+        Check.Within("aim.elevation.min", MinimumElevation, -90, 90);
+        Check.Within("aim.elevation.max", MaximumElevation, MinimumElevation, 90);
+        Check.Within("aim.maxSpin.top", MaximumTopSpin, 0, Limits.Spin);
+        Check.Within("aim.maxSpin.side", MaximumSideSpin, 0, Limits.Spin);
+        Check.Positive("aim.tolerance", Tolerance);
+        Check.Positive("aim.throughTolerance", ThroughTolerance);
+        Check.AtLeast("aim.maxIterations", MaximumIterations, 1);
+    }
+}

@@ -1,0 +1,17 @@
+namespace Football.Physics;
+
+/// <summary>What became of a search for a kick.</summary>
+public enum AimStatus
+{
+    /// <summary>The kick passes the target within the tolerance.</summary>
+    Hit = 0,
+
+    /// <summary>No kick within the bounds does; the one returned comes closest, as far as the method can tell.</summary>
+    OutOfReach = 1,
+
+    /// <summary>The method ended at its iteration cap; the kick returned is the best it found.</summary>
+    NotConverged = 2,
+
+    /// <summary>The request has no direction: the target is where the ball is, or straight above or below it.</summary>
+    Degenerate = 3,
+}

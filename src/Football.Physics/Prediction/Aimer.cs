@@ -1,0 +1,66 @@
+namespace Football.Physics;
+
+/// <summary>Finds kicks: which one, at this speed and spin, hits that point; which one passes a wall here and lands there.</summary>
+/// <remarks>Made once for a scene and used again; a search allocates nothing. Not for several threads at once.</remarks>
+public sealed class Aimer
+{
+    private readonly AimContext _context;
+    private readonly DirectAim _direct;
+
+    /// <summary>Compiles a scene for aiming.</summary>
+    /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
+    /// <param name="settings">The integrator of the thesis' methods; the library's own always uses RK4. Default <see cref="SolverSettings.Default"/>.</param>
+    /// <param name="timeStep">The step of the thesis' methods, s. Above 0; default 0.01.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public Aimer(Scene? scene = null, SolverSettings? settings = null, double timeStep = 0.01)
+    {
+        Check.Positive("solver.timeStep", timeStep);
+        Check.AtLeast("solver.timeStep", timeStep, AimContext.LongestFlight * 1e-6);
+        _context = new AimContext(scene ?? Scene.Default, settings ?? SolverSettings.Default, timeStep);
+        _direct = new DirectAim(_context);
+    }
+
+    /// <summary>Finds a kick.</summary>
+    /// <param name="request">What the kick is to do.</param>
+    /// <param name="method">By which method.</param>
+    /// <param name="measure">Whether to measure the miss of the kick that was found; without it the result has the method's own estimate.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the two-point method lacks its point.</exception>
+    public AimResult Find(AimRequest request, AimMethod method = AimMethod.Direct, bool measure = true)
+    {
+        if (request is null)
+        {
+            throw new ArgumentNullException(nameof(request));
+        }
+
+        request.Validate();
+        Check.Defined("aim.method", method);
+        if (method == AimMethod.TwoPoint && request.Through is null)
+        {
+            throw Check.Refusal("aim.through", "null", "a point, with method twoPoint");
+        }
+
+        _context.Simulations = 0;
+        AimAnswer answer = _direct.Find(request);
+        return Report(request, in answer, measure);
+    }
+
+    private AimResult Report(AimRequest request, in AimAnswer answer, bool measure)
+    {
+        answer.Vectors(out Vector3d velocity, out Vector3d spin);
+        int simulations = _context.Simulations;
+        if (!measure)
+        {
+            double? throughMiss = request.Through is null ? null : answer.ThroughMiss;
+            return new AimResult(answer.Status, in velocity, in spin, answer.Miss, throughMiss, answer.Time, request.Target, answer.Iterations, simulations);
+        }
+
+        ClosestPass pass = _context.Judge(request, in velocity, in spin);
+
+        // The measured miss decides; a method may only say why there is none.
+        AimStatus status = pass.Miss <= request.Tolerance ? AimStatus.Hit
+            : answer.Status == AimStatus.Hit ? AimStatus.NotConverged
+            : answer.Status;
+        return new AimResult(status, in velocity, in spin, pass.Miss, pass.ThroughMiss, pass.Time, pass.Position, answer.Iterations, simulations);
+    }
+}

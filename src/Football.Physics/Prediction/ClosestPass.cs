@@ -1,0 +1,56 @@
+namespace Football.Physics;
+
+/// <summary>Watches a flight for its closest approach to a target that may move, and to a point on the way.</summary>
+internal sealed class ClosestPass : PieceObserver
+{
+    private Vector3d _target;
+    private Vector3d _targetVelocity;
+    private Vector3d? _through;
+    private double _best;
+    private double _bestThrough;
+
+    /// <summary>Distance of closest approach to the target, m.</summary>
+    public double Miss => Math.Sqrt(_best);
+
+    /// <summary>The same for the point on the way; null without one.</summary>
+    public double? ThroughMiss => _through is null ? null : Math.Sqrt(_bestThrough);
+
+    /// <summary>When the ball is closest to the target, s.</summary>
+    public double Time { get; private set; }
+
+    /// <summary>Where it is then, m.</summary>
+    public Vector3d Position { get; private set; }
+
+    public override bool WantsEndAcceleration => true;
+
+    /// <summary>Starts from where the ball is.</summary>
+    public void Begin(in Vector3d from, in Vector3d target, in Vector3d targetVelocity, Vector3d? through)
+    {
+        _target = target;
+        _targetVelocity = targetVelocity;
+        _through = through;
+        _best = (from - target).LengthSquared;
+        _bestThrough = through is { } point ? (from - point).LengthSquared : 0;
+        Time = 0;
+        Position = from;
+    }
+
+    public override bool Add(in PathPiece piece)
+    {
+        PathPiece relative = _targetVelocity == Vector3d.Zero ? piece : piece.SeenFrom(in _targetVelocity);
+        double squared = relative.ClosestApproach(in _target, out double time);
+        if (squared < _best)
+        {
+            _best = squared;
+            Time = time;
+            Position = piece.PositionAt(time);
+        }
+
+        if (_through is { } point)
+        {
+            _bestThrough = Math.Min(_bestThrough, piece.ClosestApproach(in point, out _));
+        }
+
+        return false;
+    }
+}

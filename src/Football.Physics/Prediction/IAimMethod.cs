@@ -1,0 +1,8 @@
+namespace Football.Physics;
+
+/// <summary>A method of finding a kick. A new one is one new file, and a name in <see cref="AimMethod"/>.</summary>
+internal interface IAimMethod
+{
+    /// <summary>Finds a kick; the request has been checked.</summary>
+    AimAnswer Find(AimRequest request);
+}

@@ -1,0 +1,36 @@
+namespace Football.Physics;
+
+/// <summary>A kick as the predictors see it: two angles and two spins.</summary>
+internal struct Kick
+{
+    /// <summary>Angle above the horizontal, rad.</summary>
+    public double Elevation;
+
+    /// <summary>Angle from the direction of the target, counter-clockwise seen from above, rad.</summary>
+    public double Azimuth;
+
+    /// <summary>Topspin, rad/s.</summary>
+    public double Top;
+
+    /// <summary>Sidespin, rad/s.</summary>
+    public double Side;
+
+    /// <summary>Horizontal unit direction of the kick.</summary>
+    /// <param name="forward">Horizontal unit direction of the target.</param>
+    public readonly Vector3d Direction(in Vector3d forward)
+    {
+        Elementary.SinCos(Azimuth, out double sin, out double cos);
+
+        // d = f cos φ + (ŷ × f) sin φ
+        return new Vector3d((forward.X * cos) + (forward.Z * sin), 0, (forward.Z * cos) - (forward.X * sin));
+    }
+
+    /// <summary>Velocity and spin vectors.</summary>
+    public readonly void Vectors(double speed, in Vector3d forward, out Vector3d velocity, out Vector3d spin)
+    {
+        Vector3d d = Direction(in forward);
+        Elementary.SinCos(Elevation, out double sin, out double cos);
+        velocity = new Vector3d(speed * cos * d.X, speed * sin, speed * cos * d.Z);
+        spin = new Vector3d(Top * d.Z, Side, -(Top * d.X));
+    }
+}
