@@ -100,6 +100,17 @@ internal sealed class AimContext
         Game.Run(ref state, TimeStep, LongestFlight, StopAt.Impact, _gameLog, null);
     }
 
+    /// <summary>The same until a plane through the point is crossed.</summary>
+    public void FlyFramesToPlane(in Vector3d from, in Vector3d velocity, in Vector3d spin, in Vector3d point, in Vector3d normal)
+    {
+        Simulations++;
+        Frames.Begin(in from, in point);
+        Frames.WantCrossing(in normal);
+        BallState state = Game.Launch(from, velocity, spin);
+        _gameLog.Clear();
+        Game.Run(ref state, TimeStep, LongestFlight, StopAt.Impact, _gameLog, null);
+    }
+
     /// <summary>The closed-form flight of a kick, its coefficients averaged over a way.</summary>
     public FlatFire Model(double speed, double spinRate, double way)
     {

@@ -6,6 +6,10 @@ public sealed class Aimer
 {
     private readonly AimContext _context;
     private readonly DirectAim _direct;
+    private readonly DirectTwoPointAim _directTwoPoint;
+    private readonly AngleAim _angle;
+    private readonly BisectionAim _bisection;
+    private readonly TwoPointAim _twoPoint;
 
     /// <summary>Compiles a scene for aiming.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
@@ -18,6 +22,10 @@ public sealed class Aimer
         Check.AtLeast("solver.timeStep", timeStep, AimContext.LongestFlight * 1e-6);
         _context = new AimContext(scene ?? Scene.Default, settings ?? SolverSettings.Default, timeStep);
         _direct = new DirectAim(_context);
+        _directTwoPoint = new DirectTwoPointAim(_context, _direct);
+        _angle = new AngleAim(_context);
+        _bisection = new BisectionAim(_context);
+        _twoPoint = new TwoPointAim(_context, _angle, _bisection);
     }
 
     /// <summary>Finds a kick.</summary>
@@ -41,7 +49,14 @@ public sealed class Aimer
         }
 
         _context.Simulations = 0;
-        AimAnswer answer = _direct.Find(request);
+        IAimMethod finder = method switch
+        {
+            AimMethod.Angle => _angle,
+            AimMethod.Bisection => _bisection,
+            AimMethod.TwoPoint => _twoPoint,
+            _ => request.Through is null ? _direct : _directTwoPoint,
+        };
+        AimAnswer answer = finder.Find(request);
         return Report(request, in answer, measure);
     }
 

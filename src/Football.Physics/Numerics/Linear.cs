@@ -1,0 +1,55 @@
+namespace Football.Physics;
+
+/// <summary>Small linear systems.</summary>
+internal static class Linear
+{
+    /// <summary>Gaussian elimination with partial pivoting.</summary>
+    /// <param name="a">n rows of n coefficients and a right-hand side; destroyed.</param>
+    /// <param name="x">The solution.</param>
+    /// <param name="n">Size.</param>
+    /// <returns>False where the system is singular.</returns>
+    public static bool Solve(double[] a, double[] x, int n)
+    {
+        int width = n + 1;
+        for (int i = 0; i < n; i++)
+        {
+            int pivot = i;
+            for (int k = i + 1; k < n; k++)
+            {
+                pivot = Math.Abs(a[(k * width) + i]) > Math.Abs(a[(pivot * width) + i]) ? k : pivot;
+            }
+
+            if (!(Math.Abs(a[(pivot * width) + i]) > 1e-300))
+            {
+                return false;
+            }
+
+            for (int k = 0; k < width && pivot != i; k++)
+            {
+                (a[(i * width) + k], a[(pivot * width) + k]) = (a[(pivot * width) + k], a[(i * width) + k]);
+            }
+
+            for (int row = i + 1; row < n; row++)
+            {
+                double factor = a[(row * width) + i] / a[(i * width) + i];
+                for (int k = i; k < width; k++)
+                {
+                    a[(row * width) + k] -= factor * a[(i * width) + k];
+                }
+            }
+        }
+
+        for (int i = n - 1; i >= 0; i--)
+        {
+            double sum = a[(i * width) + n];
+            for (int k = i + 1; k < n; k++)
+            {
+                sum -= a[(i * width) + k] * x[k];
+            }
+
+            x[i] = sum / a[(i * width) + i];
+        }
+
+        return true;
+    }
+}

@@ -1,0 +1,43 @@
+namespace Football.Physics;
+
+/// <summary>The thesis' Method B (4.2): bisection over the elevation, the azimuth corrected by the horizontal angle each time.</summary>
+internal sealed class BisectionAim : IAimMethod
+{
+    private readonly AimContext _context;
+
+    public BisectionAim(AimContext context) => _context = context;
+
+    public AimAnswer Find(AimRequest request)
+    {
+        var search = new FrameSearch(_context, request);
+        if (!search.BetweenExtremes(out AimAnswer extreme))
+        {
+            return extreme;
+        }
+
+        double low = search.LowestElevation;
+        double high = search.HighestElevation;
+        int iterations = 0;
+        double azimuth = search.Kick.Azimuth + search.HorizontalAngle();
+        while (search.Miss > request.Tolerance && iterations < request.MaximumIterations)
+        {
+            iterations++;
+            Kick kick = search.Kick;
+            kick.Elevation = 0.5 * (low + high);
+            kick.Azimuth = azimuth;
+            search.Fly(in kick);
+            if (search.Closest.Y < request.Target.Y)
+            {
+                low = kick.Elevation;
+            }
+            else
+            {
+                high = kick.Elevation;
+            }
+
+            azimuth += search.HorizontalAngle();
+        }
+
+        return search.Best(iterations);
+    }
+}

@@ -1,0 +1,195 @@
+namespace Football.Physics;
+
+/// <summary>
+/// The thesis' two-point method (4.3): the velocity is turned towards the point on the way, then the side spin, then the top spin is
+/// scaled by how far the flight without and the flight with it pass the target's plane. Spins at their limit end it, and Method A
+/// then hits the target from there.
+/// </summary>
+internal sealed class TwoPointAim : IAimMethod
+{
+    /// <summary>The share of the limit that a spin starts with where none is given.</summary>
+    private const double FirstSpin = 0.25;
+
+    private readonly AimContext _context;
+    private readonly AngleAim _angle;
+    private readonly BisectionAim _bisection;
+    private AimRequest _request = new();
+    private Vector3d _from;
+    private Vector3d _forward;
+    private Vector3d _left;
+    private Vector3d _normal;
+    private Kick _kick;
+
+    public TwoPointAim(AimContext context, AngleAim angle, BisectionAim bisection)
+    {
+        _context = context;
+        _angle = angle;
+        _bisection = bisection;
+    }
+
+    public AimAnswer Find(AimRequest request)
+    {
+        Vector3d through = request.Through.GetValueOrDefault();
+        _request = request;
+        _from = _context.Start(request);
+        _forward = AimContext.Forward(in _from, request.Target, out double distance);
+        _left = new Vector3d(_forward.Z, 0, -_forward.X);
+
+        // Vertical plane through the target; its normal, towards the ball in the thesis, is turned forward here.
+        _normal = _forward;
+        double throughDistance = Vector3d.Dot(through - _from, in _forward);
+        if (!(distance > 1e-6 && throughDistance > 1e-6 && throughDistance < distance))
+        {
+            // No point between the ball and the target: the target alone.
+            AimAnswer alone = _bisection.Find(request);
+            alone.Status = alone.Status == AimStatus.Hit ? AimStatus.Hit : AimStatus.Degenerate;
+            return alone;
+        }
+
+        _kick = default;
+        PointAt(through - _from);
+        bool saturated = false;
+        int iterations = 0;
+        double targetMiss = double.PositiveInfinity;
+        double throughMiss = double.PositiveInfinity;
+        while (iterations < request.MaximumIterations)
+        {
+            iterations++;
+            TurnTowardsThrough(in through);
+            saturated |= !Scale(side: true, request.SideSpin, request.MaximumSideSpin);
+            TurnTowardsThrough(in through);
+            saturated |= !Scale(side: false, request.TopSpin, request.MaximumTopSpin);
+            throughMiss = TurnTowardsThrough(in through);
+            Fly(in _kick, request.Target);
+            targetMiss = _context.Frames.Miss;
+            if (saturated || (targetMiss <= request.Tolerance && throughMiss <= request.ThroughTolerance))
+            {
+                break;
+            }
+        }
+
+        var answer = new AimAnswer
+        {
+            Status = targetMiss <= request.Tolerance ? AimStatus.Hit : AimStatus.NotConverged,
+            Kick = _kick,
+            Forward = _forward,
+            Speed = request.Speed,
+            Miss = targetMiss,
+            ThroughMiss = throughMiss,
+            Iterations = iterations,
+        };
+        if (targetMiss <= request.Tolerance)
+        {
+            return answer;
+        }
+
+        // The target first: the single-target method with the spin as it is.
+        AimRequest single = Single(request);
+        AimAnswer fallback = _angle.Refine(single, in _kick);
+        if (fallback.Status != AimStatus.Hit)
+        {
+            AimAnswer other = _bisection.Find(single);
+            fallback = other.Status == AimStatus.Hit || other.Miss < fallback.Miss ? other : fallback;
+        }
+
+        fallback.ThroughMiss = throughMiss;
+        fallback.Iterations += iterations;
+        return fallback;
+    }
+
+    private AimRequest Single(AimRequest request) => request with { TopSpin = _kick.Top, SideSpin = _kick.Side };
+
+    private void Fly(in Kick kick, in Vector3d point)
+    {
+        kick.Vectors(_request.Speed, in _forward, out Vector3d velocity, out Vector3d spin);
+        _context.FlyFrames(in _from, in velocity, in spin, in point);
+    }
+
+    /// <summary>Where a kick crosses the target's plane; false where it does not get there.</summary>
+    private bool Crossing(in Kick kick, out Vector3d crossing)
+    {
+        kick.Vectors(_request.Speed, in _forward, out Vector3d velocity, out Vector3d spin);
+        _context.FlyFramesToPlane(in _from, in velocity, in spin, _request.Target, in _normal);
+        crossing = _context.Frames.Crossed ? _context.Frames.Crossing : _context.Frames.Closest;
+        return _context.Frames.Crossed;
+    }
+
+    /// <summary>Turns the velocity by the angle between where the ball went and the point on the way.</summary>
+    /// <returns>The miss at that point before the turn.</returns>
+    private double TurnTowardsThrough(in Vector3d through)
+    {
+        Fly(in _kick, in through);
+        double miss = _context.Frames.Miss;
+        Vector3d guess = _context.Frames.Closest - _from;
+        Vector3d target = through - _from;
+        Vector3d normal = Vector3d.Cross(in guess, in target);
+        double sine = normal.Length;
+        if (sine > 0 && miss > 0.01 * _request.ThroughTolerance)
+        {
+            _kick.Vectors(1.0, in _forward, out Vector3d velocity, out _);
+            PointAt(Quaterniond.FromAxisAngle(normal / sine, Elementary.Atan2(sine, Vector3d.Dot(in guess, in target))).Rotate(in velocity));
+        }
+
+        return miss;
+    }
+
+    /// <summary>The new spin is ω · d₂/d₁, signed: d₁ from the crossing without the spin to the one with it, d₂ from there to the target (4.16, the right way up).</summary>
+    /// <returns>False where the spin is at its limit.</returns>
+    private bool Scale(bool side, double given, double limit)
+    {
+        if (!(limit > 0))
+        {
+            return false;
+        }
+
+        Kick without = _kick;
+        double spin = side ? _kick.Side : _kick.Top;
+        if (side)
+        {
+            without.Side = 0;
+        }
+        else
+        {
+            without.Top = 0;
+        }
+
+        Crossing(in without, out Vector3d bare);
+        Vector3d direction = side ? _left : Vector3d.Up;
+        double wanted = Vector3d.Dot(_request.Target - bare, in direction);
+        if (spin == 0)
+        {
+            // Side spin bends to the left, top spin down.
+            double first = given != 0 ? Math.Abs(given) : FirstSpin * limit;
+            spin = Math.Min(first, limit) * (wanted < 0 != side ? 1 : -1);
+        }
+
+        Kick with = _kick;
+        Set(ref with, side, spin);
+        Crossing(in with, out Vector3d bent);
+        double moved = Vector3d.Dot(bent - bare, in direction);
+        double next = Math.Abs(moved) > 1e-9 ? spin * wanted / moved : 0;
+        bool within = Math.Abs(next) < limit;
+        Set(ref _kick, side, within ? next : next > 0 ? limit : -limit);
+        return within;
+    }
+
+    private static void Set(ref Kick kick, bool side, double spin)
+    {
+        if (side)
+        {
+            kick.Side = spin;
+        }
+        else
+        {
+            kick.Top = spin;
+        }
+    }
+
+    private void PointAt(in Vector3d direction)
+    {
+        const double Degree = Math.PI / 180.0;
+        double elevation = Elementary.Atan2(direction.Y, direction.Horizontal.Length);
+        _kick.Elevation = Math.Min(Math.Max(elevation, _request.MinimumElevation * Degree), _request.MaximumElevation * Degree);
+        _kick.Azimuth = Elementary.Atan2(Vector3d.Dot(in direction, in _left), Vector3d.Dot(in direction, in _forward));
+    }
+}
