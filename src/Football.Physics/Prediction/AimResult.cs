@@ -43,4 +43,6 @@ public readonly struct AimResult
 
     /// <summary>Forward simulations by the method, the measurement of the miss not counted.</summary>
     public int Simulations { get; }
+
+    internal AimResult With(AimStatus status) => new(status, Velocity, Spin, Miss, ThroughMiss, Time, Closest, Iterations, Simulations);
 }

@@ -10,6 +10,7 @@ public sealed class Aimer
     private readonly AngleAim _angle;
     private readonly BisectionAim _bisection;
     private readonly TwoPointAim _twoPoint;
+    private readonly SpeedSearch _speed;
 
     /// <summary>Compiles a scene for aiming.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
@@ -22,6 +23,7 @@ public sealed class Aimer
         Check.AtLeast("solver.timeStep", timeStep, AimContext.LongestFlight * 1e-6);
         _context = new AimContext(scene ?? Scene.Default, settings ?? SolverSettings.Default, timeStep);
         _direct = new DirectAim(_context);
+        _speed = new SpeedSearch(_direct);
         _directTwoPoint = new DirectTwoPointAim(_context, _direct);
         _angle = new AngleAim(_context);
         _bisection = new BisectionAim(_context);
@@ -36,6 +38,60 @@ public sealed class Aimer
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the two-point method lacks its point.</exception>
     public AimResult Find(AimRequest request, AimMethod method = AimMethod.Direct, bool measure = true)
     {
+        Begin(request, method);
+        IAimMethod finder = method switch
+        {
+            AimMethod.Angle => _angle,
+            AimMethod.Bisection => _bisection,
+            AimMethod.TwoPoint => _twoPoint,
+            _ => request.Through is null ? _direct : _directTwoPoint,
+        };
+        AimAnswer answer = finder.Find(request);
+        return Report(request, in answer, measure);
+    }
+
+    /// <summary>Finds the slowest kick that hits a target.</summary>
+    /// <param name="request">What the kick is to do; its speed is the fastest allowed. Without a point on the way.</param>
+    /// <returns>The kick, with its speed in its velocity; out of reach where even the fastest one does not get there.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or a point on the way is given.</exception>
+    public AimResult FindSlowest(AimRequest request)
+    {
+        Begin(request, AimMethod.Direct);
+        RefuseThrough(request);
+        AimAnswer answer = _speed.Slowest(request);
+        return Report(request, in answer, measure: true);
+    }
+
+    /// <summary>Finds the kick that is at a target at a given time.</summary>
+    /// <param name="request">What the kick is to do; its speed is the fastest allowed. Without a point on the way.</param>
+    /// <param name="time">When to be there, s after the kick; above 0, at most 30.</param>
+    /// <returns>The kick, with its speed in its velocity; out of reach where no speed up to the fastest gets there then.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or a point on the way is given.</exception>
+    public AimResult FindAtTime(AimRequest request, double time)
+    {
+        Begin(request, AimMethod.Direct);
+        RefuseThrough(request);
+        Check.Within(nameof(time), time, 0, AimContext.LongestFlight, exclusiveLow: true);
+        AimAnswer answer = _speed.AtTime(request, time);
+        AimResult result = Report(request, in answer, measure: true);
+
+        // A kick that passes the target at another time is no hit.
+        return answer.Status == AimStatus.OutOfReach ? result.With(AimStatus.OutOfReach) : result;
+    }
+
+    private static void RefuseThrough(AimRequest request)
+    {
+        if (request.Through is { } point)
+        {
+            throw Check.Refusal("aim.through", point.ToString(), "none, where the speed is to be found");
+        }
+    }
+
+    /// <summary>Checks a request before anything is done for it.</summary>
+    private void Begin(AimRequest request, AimMethod method)
+    {
         if (request is null)
         {
             throw new ArgumentNullException(nameof(request));
@@ -49,15 +105,6 @@ public sealed class Aimer
         }
 
         _context.Simulations = 0;
-        IAimMethod finder = method switch
-        {
-            AimMethod.Angle => _angle,
-            AimMethod.Bisection => _bisection,
-            AimMethod.TwoPoint => _twoPoint,
-            _ => request.Through is null ? _direct : _directTwoPoint,
-        };
-        AimAnswer answer = finder.Find(request);
-        return Report(request, in answer, measure);
     }
 
     private AimResult Report(AimRequest request, in AimAnswer answer, bool measure)

@@ -24,7 +24,7 @@ internal sealed class AngleAim : IAimMethod
     private static AimAnswer Iterate(ref FrameSearch search, AimRequest request)
     {
         int iterations = 0;
-        while (search.Miss > request.Tolerance && iterations < request.MaximumIterations)
+        while (search.Miss > FrameSearch.Margin * request.Tolerance && iterations < request.MaximumIterations)
         {
             iterations++;
             Kick turned = Turned(in search);

@@ -19,7 +19,7 @@ internal sealed class BisectionAim : IAimMethod
         double high = search.HighestElevation;
         int iterations = 0;
         double azimuth = search.Kick.Azimuth + search.HorizontalAngle();
-        while (search.Miss > request.Tolerance && iterations < request.MaximumIterations)
+        while (search.Miss > FrameSearch.Margin * request.Tolerance && iterations < request.MaximumIterations)
         {
             iterations++;
             Kick kick = search.Kick;

@@ -63,8 +63,8 @@ internal sealed class DirectAim : IAimMethod
         }
 
         _ = Guess();
-        Probe low = Fly(_lowest);
-        Probe high = Fly(_highest);
+        Probe low = Aligned(Fly(_lowest));
+        Probe high = Aligned(Fly(_highest));
         return Highest(in low, in high, stopAbove: double.PositiveInfinity).Up;
     }
 
@@ -211,7 +211,11 @@ internal sealed class DirectAim : IAimMethod
     }
 
     /// <summary>Whether a flight to the target stays above the ground, so that no impact comes first.</summary>
-    private bool Flies(in Probe probe) => probe.Lowest >= _context.Game.ContactHeight - 1e-9 || probe.Lowest >= _from.Y - 1e-9;
+    private bool Flies(in Probe probe)
+    {
+        double lowest = Math.Min(probe.Lowest, _request.Target.Y + (probe.Time * _request.TargetVelocity.Y) + probe.Up);
+        return lowest >= _context.Game.ContactHeight - 1e-9;
+    }
 
     private AimAnswer Bracketed(double tolerance)
     {
@@ -486,6 +490,16 @@ internal sealed class DirectAim : IAimMethod
             }
         }
 
+        // What is left is off the plane that the elevation moves in: the whole flight is turned onto the target.
+        for (int i = 0; i < 12 && bestMiss > 0.5 * Math.Min(_request.Tolerance, FineMiss); i++)
+        {
+            double before = bestMiss;
+            if (!TurnOnto(ref best, ref bestMiss, ref bestTime) || bestMiss > 0.9 * before)
+            {
+                break;
+            }
+        }
+
         return new AimAnswer
         {
             Status = bestMiss <= _request.Tolerance ? AimStatus.Hit : AimStatus.OutOfReach,
@@ -522,6 +536,38 @@ internal sealed class DirectAim : IAimMethod
         }
 
         return pass.Miss;
+    }
+
+    /// <summary>Turns the best kick as its closest point must be turned to point at the target, where that is within the bounds.</summary>
+    private bool TurnOnto(ref Kick best, ref double bestMiss, ref double bestTime)
+    {
+        best.Vectors(_speed, in _forward, out Vector3d velocity, out Vector3d spin);
+        ClosestPass pass = _context.Approach(_request, in velocity, in spin);
+        Vector3d went = pass.Position - _from;
+        Vector3d wanted = _request.Target + (pass.Time * _request.TargetVelocity) - _from;
+        Vector3d normal = Vector3d.Cross(in went, in wanted);
+        double sine = normal.Length;
+        if (!(sine > 0))
+        {
+            return false;
+        }
+
+        Vector3d turned = Quaterniond.FromAxisAngle(normal / sine, Elementary.Atan2(sine, Vector3d.Dot(in went, in wanted))).Rotate(in velocity);
+        Kick kick = best;
+        kick.Elevation = Math.Min(Math.Max(Elementary.Atan2(turned.Y, turned.Horizontal.Length), _lowest), _highest);
+        kick.Azimuth = Elementary.Atan2(Vector3d.Dot(in turned, in _left), Vector3d.Dot(in turned, in _forward));
+        kick.Vectors(_speed, in _forward, out velocity, out spin);
+        pass = _context.Approach(_request, in velocity, in spin);
+        _iterations += 2;
+        if (pass.Miss < bestMiss)
+        {
+            best = kick;
+            bestMiss = pass.Miss;
+            bestTime = pass.Time;
+            return true;
+        }
+
+        return false;
     }
 
     /// <summary>The target is straight above, below, or at the ball: only the elevation matters.</summary>

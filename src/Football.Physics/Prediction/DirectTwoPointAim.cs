@@ -11,6 +11,9 @@ internal sealed class DirectTwoPointAim : IAimMethod
     private const int N = 4;
     private const int MostIterations = 20;
 
+    /// <summary>Relative change of the spin by which its effect on the coefficients is found.</summary>
+    private const double SpinChange = 0.05;
+
     /// <summary>Misses well below any tolerance worth having, m.</summary>
     private const double FineMiss = 1e-3;
     private const double FineThrough = 1e-2;
@@ -114,7 +117,9 @@ internal sealed class DirectTwoPointAim : IAimMethod
                 return answer;
             }
 
-            bool stale = Size(_next) > 0.5 * Size(_r);
+            // Superlinear: the next step would shrink the residual by no less than this one did. Where that is plenty, no flight is needed.
+            double contraction = Size(_next) / Size(_r);
+            bool stale = contraction > 0.9;
             Update();
             for (int i = 0; i < N; i++)
             {
@@ -258,27 +263,37 @@ internal sealed class DirectTwoPointAim : IAimMethod
         kick.Vectors(1.0, in _forward, out Vector3d launch, out _);
         KickFlight flight = _context.Flight;
         double distance = Vector3d.Dot(_request.Target - _from, in _forward);
-        FlatFire model = _context.Model(_request.Speed, spinRate, distance);
+        double way = distance / Math.Max(0.3, launch.Horizontal.Length);
+        FlatFire model = _context.Model(_request.Speed, spinRate, way);
+        FlatFire more = _context.Model(_request.Speed, spinRate * (1.0 + SpinChange), way);
+        double perRate = 1.0 / (SpinChange * spinRate);
+        Vector3d omega = (kick.Top * axisTop) + (kick.Side * Vector3d.Up);
+        Vector3d unit = omega / spinRate;
         for (int plane = 0; plane < 2; plane++)
         {
             double t = plane == 0 ? flight.ThroughTime : flight.Time;
             Vector3d p = plane == 0 ? flight.ThroughOffset + through - _from : flight.Offset + _request.Target - _from;
             Vector3d v = plane == 0 ? flight.ThroughVelocity : flight.Velocity;
-            model.Ways(_request.Speed, t, out _, out _, out double fall, out double bend);
+            model.Ways(_request.Speed, t, out double along, out _, out double fall, out double bend);
+            more.Ways(_request.Speed, t, out double moreAlong, out _, out double moreFall, out double moreBend);
             Vector3d turning = p - new Vector3d(0, _context.Upward * fall, 0);
             double forward = Math.Max(1e-3, Vector3d.Dot(in v, in _forward));
             Vector3d slope = v / forward;
 
-            // A spin bends the way by (L/|ω|) bend (e − 0.17 ω̂ ω̂·e) × û; the mean direction is half-way between launch and end.
+            // The mean direction is half-way between launch and end.
             Vector3d middle = launch + (v / v.Length);
             middle /= middle.Length;
-            double perSpin = model.Lift / spinRate * bend;
-            Vector3d omega = (kick.Top * axisTop) + (kick.Side * Vector3d.Up);
-            Vector3d unit = omega / spinRate;
+
+            // More spin of the same axis: more lift, and more drag. Another axis: the bend turns with it.
+            Vector3d byRate = perRate * (((moreAlong - along) * launch)
+                + new Vector3d(0, _context.Upward * (moreFall - fall), 0)
+                + (((more.Lift * moreBend) - (model.Lift * bend)) * Vector3d.Cross(in unit, in middle)));
+            double byAxis = model.Lift / spinRate * bend;
             Column(plane, 0, Vector3d.Cross(in raise, in turning), in slope);
             Column(plane, 1, Vector3d.Cross(Vector3d.Up, in turning), in slope);
-            Column(plane, 2, perSpin * Vector3d.Cross(axisTop - (0.17 * Vector3d.Dot(in unit, in axisTop) * unit), in middle), in slope);
-            Column(plane, 3, perSpin * Vector3d.Cross(Vector3d.Up - (0.17 * unit.Y * unit), in middle), in slope);
+            double top = Vector3d.Dot(in unit, in axisTop);
+            Column(plane, 2, (top * byRate) + (byAxis * Vector3d.Cross(axisTop - (top * unit), in middle)), in slope);
+            Column(plane, 3, (unit.Y * byRate) + (byAxis * Vector3d.Cross(Vector3d.Up - (unit.Y * unit), in middle)), in slope);
         }
     }
 

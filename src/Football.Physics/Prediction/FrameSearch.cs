@@ -3,6 +3,9 @@ namespace Football.Physics;
 /// <summary>What the thesis' methods share: flights in the game's own frames, judged by the closest point between frames.</summary>
 internal ref struct FrameSearch
 {
+    /// <summary>The closest point between frames is a little off the true one: methods end this far inside the tolerance.</summary>
+    public const double Margin = 0.9;
+
     private const double Degree = Math.PI / 180.0;
 
     private readonly AimContext _context;

@@ -52,19 +52,22 @@ internal sealed class TwoPointAim : IAimMethod
         int iterations = 0;
         double targetMiss = double.PositiveInfinity;
         double throughMiss = double.PositiveInfinity;
+        TurnTowardsThrough(in through);
         while (iterations < request.MaximumIterations)
         {
             iterations++;
-            TurnTowardsThrough(in through);
             saturated |= !Scale(side: true, request.SideSpin, request.MaximumSideSpin);
             TurnTowardsThrough(in through);
             saturated |= !Scale(side: false, request.TopSpin, request.MaximumTopSpin);
             throughMiss = TurnTowardsThrough(in through);
-            Fly(in _kick, request.Target);
-            targetMiss = _context.Frames.Miss;
-            if (saturated || (targetMiss <= request.Tolerance && throughMiss <= request.ThroughTolerance))
+            if (saturated || throughMiss <= request.ThroughTolerance)
             {
-                break;
+                Fly(in _kick, request.Target);
+                targetMiss = _context.Frames.Miss;
+                if (saturated || targetMiss <= FrameSearch.Margin * request.Tolerance)
+                {
+                    break;
+                }
             }
         }
 
