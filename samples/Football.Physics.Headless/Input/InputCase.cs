@@ -108,11 +108,11 @@ internal sealed class InputCase
     {
         string path = fault.Path.StartsWith(ScenarioMember + ".", StringComparison.Ordinal) ? fault.Path[(ScenarioMember.Length + 1)..] : fault.Path;
         string field = path.Length > 0 ? path : "the input";
-        string allowed = fields.Allowed(path) ?? "JSON";
+        string allowed = path.Length > 0 ? fields.Allowed(path) ?? "JSON" : $"a JSON object {fields.Allowed(path)}";
         string at = fault.Position.ToString(CultureInfo.InvariantCulture);
         return fault.Fault switch
         {
-            JsonFault.CutOff when fault.Position <= 1 => new RefusedException("the input", "empty", "a JSON object"),
+            JsonFault.Empty => new RefusedException("the input", "empty", "a JSON object"),
             JsonFault.CutOff => new RefusedException(field, $"cut off: the JSON ends too early, after byte {fault.Position - 1}", allowed),
             JsonFault.NotFinite => new RefusedException(field, fault.Token, allowed),
             JsonFault.MoreFollows => new RefusedException("the input", $"more than one value ({fault.Token} at byte {at})", "one JSON object; one a line with --batch"),

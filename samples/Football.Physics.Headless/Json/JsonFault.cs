@@ -3,6 +3,9 @@ namespace Football.Physics.Headless.Json;
 /// <summary>What is wrong with a text that is not JSON.</summary>
 internal enum JsonFault
 {
+    /// <summary>There is none.</summary>
+    Empty,
+
     /// <summary>It ends too early.</summary>
     CutOff,
 

@@ -15,6 +15,7 @@ internal ref struct JsonLoader
     private readonly List<string> _path;
     private Utf8JsonReader _reader;
     private JsonValue? _root;
+    private bool _complete;
 
     private JsonLoader(ReadOnlySpan<byte> text)
     {
@@ -37,12 +38,8 @@ internal ref struct JsonLoader
         {
             loader.Next();
             JsonValue value = loader.Value();
-            loader._path.Clear();
-            if (loader.Advance())
-            {
-                throw loader.FaultHere(JsonFault.MoreFollows);
-            }
-
+            loader._complete = true;
+            loader.Next();
             return value;
         }
         catch (JsonException)
@@ -83,15 +80,8 @@ internal ref struct JsonLoader
         return text.ToString();
     }
 
-    private bool Advance() => _reader.Read();
-
-    private void Next()
-    {
-        if (!Advance())
-        {
-            throw Fault(JsonFault.CutOff, Join(_path), "", _text.Length);
-        }
-    }
+    /// <summary>The next token; the reader throws where there should be one and is none.</summary>
+    private void Next() => _reader.Read();
 
     private JsonValue Value()
     {
@@ -147,9 +137,10 @@ internal ref struct JsonLoader
             at++;
         }
 
-        if (at >= _text.Length || OnlyEndsEarly())
+        if (!_complete && (at >= _text.Length || OnlyEndsEarly()))
         {
-            return Fault(JsonFault.CutOff, Join(_path), "", _text.Length);
+            bool blank = _text.IndexOfAnyExcept(" \t\r\n"u8) < 0;
+            return Fault(blank ? JsonFault.Empty : JsonFault.CutOff, Join(_path), "", _text.Length);
         }
 
         int end = at + 1;
@@ -162,7 +153,7 @@ internal ref struct JsonLoader
         string bare = token.TrimStart('-', '+');
         bool notFinite = bare.StartsWith("nan", StringComparison.OrdinalIgnoreCase) || bare.StartsWith("inf", StringComparison.OrdinalIgnoreCase)
             || bare.StartsWith("1.#", StringComparison.Ordinal);
-        return Fault(notFinite ? JsonFault.NotFinite : JsonFault.NotJson, Join(_path), token, at);
+        return Fault(_complete ? JsonFault.MoreFollows : notFinite ? JsonFault.NotFinite : JsonFault.NotJson, Join(_path), token, at);
     }
 
     /// <summary>Whether the text is the beginning of JSON.</summary>

@@ -87,7 +87,7 @@ internal sealed class FieldSet
     {
         string? meant = Spelling.Closest(name, _memberNames[parent]);
         string? meantPath = meant is null ? ElsewhereNamed(name) : parent.Length > 0 ? parent + "." + meant : meant;
-        string hint = meantPath is null ? "" : $"; did you mean {meantPath}?";
+        string hint = meantPath is null ? "." : $"; did you mean {meantPath}?";
         string place = parent.Length > 0 ? "in " + parent : "at the top";
         return new RefusedException($"{Quote.Short(path)} is unknown (given {value}); allowed {place}: {string.Join(" | ", _memberNames[parent])}{hint}");
     }

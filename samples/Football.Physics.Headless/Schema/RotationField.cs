@@ -3,7 +3,7 @@ using Football.Physics.Headless.Json;
 namespace Football.Physics.Headless.Schema;
 
 /// <summary>A quaternion [x, y, z, w] of any size but zero.</summary>
-internal sealed class RotationField(string path) : Field<Quaterniond>(path, "[x, y, z, w], not all zero", Quaterniond.Identity)
+internal sealed class RotationField(string path) : Field<Quaterniond>(path, "four finite numbers [x, y, z, w], not all zero", Quaterniond.Identity)
 {
     protected override Quaterniond Parse(JsonValue value)
     {

@@ -12,14 +12,14 @@ internal sealed class VectorBound
     }
 
     /// <summary>A velocity.</summary>
-    public static VectorBound Velocity { get; } = new("[x, y, z], speed at most 1000 m/s", v => v.Length <= Limits.Speed);
+    public static VectorBound Velocity { get; } = new("three finite numbers [x, y, z], speed at most 1000 m/s", v => v.Length <= Limits.Speed);
 
     /// <summary>A spin.</summary>
-    public static VectorBound Spin { get; } = new("[x, y, z], size at most 10000 rad/s", v => v.Length <= Limits.Spin);
+    public static VectorBound Spin { get; } = new("three finite numbers [x, y, z], size at most 10000 rad/s", v => v.Length <= Limits.Spin);
 
     /// <summary>A point.</summary>
     public static VectorBound Position { get; } = new(
-        "[x, y, z], each within ±1000000 m",
+        "three finite numbers [x, y, z], each within ±1000000 m",
         v => Math.Abs(v.X) <= Limits.Length && Math.Abs(v.Y) <= Limits.Length && Math.Abs(v.Z) <= Limits.Length);
 
     /// <summary>What is allowed, for a message.</summary>

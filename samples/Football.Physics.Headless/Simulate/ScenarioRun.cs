@@ -36,7 +36,7 @@ internal static class ScenarioRun
         return IsFinite(outcome)
             ? outcome
             : throw new RefusedException(FormattableString.Invariant(
-                $"launch is beyond what doubles can follow: the ball has no finite place or speed at {scenario.Duration} s; allowed: numbers whose motion stays finite."));
+                $"the motion is not finite up to {scenario.Duration} s; allowed: a scenario whose places and speeds stay within what a double can hold."));
     }
 
     /// <summary>
