@@ -25,8 +25,10 @@ internal sealed class Progress(Terminal terminal) : IDisposable
         _shown = line.Length;
     }
 
-    /// <summary>Takes the line away.</summary>
-    public void Dispose()
+    public void Dispose() => Clear();
+
+    /// <summary>Takes the line away, to make room for another.</summary>
+    public void Clear()
     {
         if (_shown > 0)
         {

@@ -10,7 +10,10 @@ internal sealed class RectangleItem(Bounds area) : ChartItem
     /// <summary>Its name, written beside its upper edge.</summary>
     public string Caption { get; init; } = "";
 
-    public override Bounds Bounds => area;
+    /// <summary>Whether the chart is to make room for all of it; otherwise what does not fit is cut off.</summary>
+    public bool NeedsRoom { get; init; } = true;
+
+    public override Bounds Bounds => NeedsRoom ? area : Bounds.Empty;
 
     public override IEnumerable<XElement> Draw(PlotFrame frame)
     {
