@@ -56,7 +56,7 @@ internal sealed class Chart(Axis x, Axis y)
 
     private static double AboutX(PlotFrame frame) => frame.Width / 70;
 
-    private static double AboutY(PlotFrame frame) => Math.Max(2, frame.Height / 38);
+    private static double AboutY(PlotFrame frame) => Math.Max(3, frame.Height / 38);
 
     private static IEnumerable<XElement> Grid(PlotFrame frame)
     {

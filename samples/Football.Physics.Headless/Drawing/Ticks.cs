@@ -55,8 +55,10 @@ internal static class Ticks
     public static string Label(double value)
     {
         double size = Math.Abs(value);
+
+        // −0 + 0 is 0, without a sign.
         return size is > 0 and (< 1e-3 or >= 1e6)
             ? value.ToString("0.##e0", CultureInfo.InvariantCulture)
-            : Math.Round(value, 6).ToString("0.######", CultureInfo.InvariantCulture);
+            : (Math.Round(value, 6) + 0.0).ToString("0.######", CultureInfo.InvariantCulture);
     }
 }

@@ -56,5 +56,5 @@ internal static class ContactSheet
         "article",
         new XAttribute("id", shown.Shot.Id),
         new XElement(shown.Drawing),
-        new XElement("p", $"{shown.Shot.About} {shown.Remark}".TrimEnd()));
+        new XElement("p", $"{shown.Shot.About} {shown.Remark.Trim()}".TrimEnd()));
 }

@@ -21,6 +21,17 @@ internal sealed class Flight
 
     public IReadOnlyList<(MotionState Motion, IReadOnlyList<Vector3d> Points)> Legs { get; }
 
+    /// <summary>The way up to the first impact, or to the end where there is none.</summary>
+    public IEnumerable<Vector3d> ToFirstTouchdown
+    {
+        get
+        {
+            BallEvent? first = Events.Count > 0 && Outcome.Bounces > 0 ? Events[0] : null;
+            IEnumerable<Vector3d> before = Outcome.Samples!.TakeWhile(sample => first is null || sample.Time < first.Value.Time).Select(sample => sample.Position);
+            return first is null ? before : before.Append(first.Value.Position);
+        }
+    }
+
     private static IEnumerable<(MotionState Motion, IReadOnlyList<Vector3d> Points)> Split(Outcome outcome)
     {
         // Steps end between the events, so the events' own places make the corners sharp.

@@ -23,6 +23,9 @@ internal sealed record GalleryShot
 
     public IReadOnlyList<Landmark> Landmarks { get; init; } = [];
 
+    /// <summary>Where the drawings end, along the view, m; null draws all of the way.</summary>
+    public double? DrawnTo { get; init; }
+
     /// <summary>Along the view to a vertical plane where the ball is looked at, m; null for none.</summary>
     public double? GoalLine { get; init; }
 }

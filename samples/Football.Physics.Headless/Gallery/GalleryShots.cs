@@ -15,24 +15,25 @@ internal static class GalleryShots
 
     private static GalleryShot FreeKick()
     {
-        Scenario kick = Kick(25.5, left: -13.5, up: 17.2, top: 12, side: 58);
+        Scenario kick = Kick(25.5, left: -16, up: 19, top: 12, side: 60);
         return new GalleryShot
         {
             Id = "free-kick",
             Name = "Free kick over the wall",
-            About = "From 22 m, over the right end of the wall, bent to the left by sidespin and back inside the right post. Without spin it misses.",
+            About = "From 22 m, over the wall, bent to the left by sidespin and back inside the right post. Without spin it misses.",
             Scenario = kick,
             Comparison = kick with { Spin = Vector3d.Zero },
             ComparisonName = "without spin",
             Landmarks = [Landmark.PenaltyArea(22), new("wall", 9.15, 9.55, -3.1, 0.1, 1.85), Landmark.Goal(22)],
             GoalLine = 22,
+            DrawnTo = 32,
         };
     }
 
     private static GalleryShot Corner()
     {
         // Looking along the goal line from the corner to the right of the goal; the pitch is on the left.
-        Scenario kick = Kick(24.5, left: 14, up: 24, top: -10, side: -62);
+        Scenario kick = Kick(25, left: 19, up: 25, top: -10, side: -52);
         return new GalleryShot
         {
             Id = "corner",
@@ -46,6 +47,7 @@ internal static class GalleryShots
                 new("penalty area", 34 - 20.16, 34 + 20.16, 0, 16.5, 0),
                 new("goal", 34 - Landmark.GoalHalfWidth, 34 + Landmark.GoalHalfWidth, -2, 0, Landmark.GoalHeight),
             ],
+            DrawnTo = 56,
         };
     }
 
@@ -53,7 +55,7 @@ internal static class GalleryShots
     {
         Id = "goal-kick",
         Name = "Goal kick",
-        About = "Long and high with some backspin. Drag takes more than a third of the range that it would have in a vacuum.",
+        About = "Long and high with some backspin. The air takes nearly a third of the range that it would have in a vacuum.",
         Scenario = Kick(30, left: 0, up: 36, top: -25, side: 0),
         Landmarks = [new("halfway line", 47, 47.12, -30, 30, 0)],
     };
@@ -69,6 +71,7 @@ internal static class GalleryShots
             Scenario = kick with { Scene = Scene.Vacuum },
             Comparison = kick,
             ComparisonName = "in air",
+            DrawnTo = 160,
             Landmarks = [new("halfway line", 47, 47.12, -30, 30, 0)],
         };
     }
@@ -85,7 +88,7 @@ internal static class GalleryShots
     {
         Id = "chip",
         Name = "Chip that checks",
-        About = "A steep chip with strong backspin: it hangs, and hardly runs on after the bounce.",
+        About = "A steep chip with strong backspin: it hangs, and the spin throws it back at the first bounce.",
         Scenario = Kick(15, left: 0, up: 52, top: -75, side: 0),
     };
 

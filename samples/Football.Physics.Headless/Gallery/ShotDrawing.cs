@@ -14,9 +14,11 @@ internal static class ShotDrawing
         FromTheSide(shot, flight, comparison).Draw(),
         FromAbove(shot, flight, comparison).Draw());
 
+    private static Axis AlongAxis(GalleryShot shot) => new("along, m") { Min = shot.DrawnTo is null ? null : -1, Max = shot.DrawnTo };
+
     private static Chart FromTheSide(GalleryShot shot, Flight flight, Flight? comparison)
     {
-        var chart = new Chart(new Axis("along, m"), new Axis("height, m") { Min = 0, Margin = 0.08 })
+        var chart = new Chart(AlongAxis(shot), new Axis("height, m") { Min = 0, Margin = 0.08 })
         {
             Title = "From the side",
             EqualScales = true,
@@ -27,21 +29,20 @@ internal static class ShotDrawing
             chart.Items.Add(new RectangleItem(new Bounds(mark.AlongFrom, mark.AlongTo, 0, mark.Height)) { Colour = Palette.Frame, Caption = mark.Name });
         }
 
-        AddFlight(chart, shot, flight, comparison, place => new PlotPoint(ViewFrame.Along(place), place.Y));
+        AddFlight(chart, shot, flight, comparison, place => new PlotPoint(ViewFrame.Along(place), place.Y), legend: true);
         return chart;
     }
 
     private static Chart FromAbove(GalleryShot shot, Flight flight, Flight? comparison)
     {
-        var chart = new Chart(new Axis("along, m"), new Axis("to the left, m") { Margin = 0.15 })
+        var chart = new Chart(AlongAxis(shot), new Axis("to the left, m") { Margin = 0.15 })
         {
             Title = "From above",
             EqualScales = true,
             PlotHeight = 110,
-            MaximumPlotHeight = 230,
+            MaximumPlotHeight = 280,
             Background = Palette.Grass,
         };
-        double far = flight.Legs.SelectMany(leg => leg.Points).Max(ViewFrame.Along);
         foreach (Landmark mark in shot.Landmarks)
         {
             bool flat = mark.Height == 0;
@@ -58,7 +59,7 @@ internal static class ShotDrawing
         double along = ViewFrame.Along(direction);
         if (along > 0 && flight.Outcome.Bounces > 0)
         {
-            double end = far - ViewFrame.Along(flight.Start);
+            double end = ViewFrame.Along(flight.Events[0].Position);
             chart.Items.Add(new PolylineItem([new(0, 0), new(end, end * ViewFrame.Left(direction) / along)])
             {
                 Colour = Palette.Faint,
@@ -68,20 +69,26 @@ internal static class ShotDrawing
             });
         }
 
-        AddFlight(chart, shot, flight, comparison, place => new PlotPoint(ViewFrame.Along(place), ViewFrame.Left(place)));
+        Vector3d wind = shot.Scenario.Scene.Air.Wind;
+        if (wind.Length > 0)
+        {
+            chart.Items.Add(new ArrowItem(ViewFrame.Along(wind), ViewFrame.Left(wind), FormattableString.Invariant($"wind {wind.Length:0.#} m/s")) { Colour = Palette.Purple });
+        }
+
+        AddFlight(chart, shot, flight, comparison, place => new PlotPoint(ViewFrame.Along(place), ViewFrame.Left(place)), legend: false);
         return chart;
     }
 
-    private static void AddFlight(Chart chart, GalleryShot shot, Flight flight, Flight? comparison, Func<Vector3d, PlotPoint> project)
+    private static void AddFlight(Chart chart, GalleryShot shot, Flight flight, Flight? comparison, Func<Vector3d, PlotPoint> project, bool legend)
     {
         if (comparison is not null)
         {
-            chart.Items.Add(new PolylineItem([.. comparison.Legs.SelectMany(leg => leg.Points).Select(project)])
+            chart.Items.Add(new PolylineItem([.. comparison.ToFirstTouchdown.Select(project)])
             {
                 Colour = Palette.Faint,
                 Width = 1.1,
                 Dash = "5 3",
-                Label = shot.ComparisonName,
+                Label = legend ? shot.ComparisonName : null,
             });
         }
 
@@ -96,7 +103,7 @@ internal static class ShotDrawing
                     MotionState.Sliding => Palette.Orange,
                     _ => Palette.Green,
                 },
-                Label = motion switch
+                Label = !legend ? null : motion switch
                 {
                     MotionState.Airborne => "flies",
                     MotionState.Sliding => "slides",
@@ -105,13 +112,13 @@ internal static class ShotDrawing
             });
         }
 
-        AddMarks(chart, flight, project, BallEventKind.Impact, Mark.Ring, Palette.Blue, "touches down");
-        AddMarks(chart, flight, project, BallEventKind.Slide, Mark.Triangle, Palette.Orange, "stays down, slides");
-        AddMarks(chart, flight, project, BallEventKind.Roll, Mark.Square, Palette.Green, "begins to roll");
-        AddMarks(chart, flight, project, BallEventKind.Rest, Mark.Cross, Palette.Red, "rests");
+        AddMarks(chart, flight, project, BallEventKind.Impact, Mark.Ring, Palette.Blue, legend ? "touchdown" : null);
+        AddMarks(chart, flight, project, BallEventKind.Slide, Mark.Triangle, Palette.Orange, legend ? "slide begins" : null);
+        AddMarks(chart, flight, project, BallEventKind.Roll, Mark.Square, Palette.Green, legend ? "roll begins" : null);
+        AddMarks(chart, flight, project, BallEventKind.Rest, Mark.Cross, Palette.Red, legend ? "rest" : null);
     }
 
-    private static void AddMarks(Chart chart, Flight flight, Func<Vector3d, PlotPoint> project, BallEventKind kind, Mark mark, string colour, string label)
+    private static void AddMarks(Chart chart, Flight flight, Func<Vector3d, PlotPoint> project, BallEventKind kind, Mark mark, string colour, string? label)
     {
         List<PlotPoint> points = [.. flight.Events.Where(item => item.Kind == kind).Select(item => project(item.Position))];
         if (points.Count > 0)

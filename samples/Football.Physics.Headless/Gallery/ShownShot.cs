@@ -11,6 +11,11 @@ internal sealed record ShownShot(GalleryShot Shot, ShotFigures Figures, string R
         var flight = new Flight(shot.Scenario);
         Flight? comparison = shot.Comparison is null ? null : new Flight(shot.Comparison);
         string remark = shot.GoalLine is { } line ? GoalCrossing.Describe(flight, line) : "";
+        if (shot.DrawnTo is not null && ViewFrame.Along(flight.Outcome.Final.Position) is var end && end > shot.DrawnTo)
+        {
+            remark += FormattableString.Invariant($" It rests beyond the drawing, {end:0} m along.");
+        }
+
         return new ShownShot(shot, ShotFigures.Of(flight), remark, ShotDrawing.Draw(shot, flight, comparison));
     }
 }
