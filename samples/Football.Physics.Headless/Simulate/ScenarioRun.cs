@@ -11,8 +11,9 @@ internal static class ScenarioRun
     {
         var simulator = new Simulator(scenario.Scene, scenario.Settings);
         BallState state = simulator.Launch(scenario.Position, scenario.Velocity, scenario.Spin, scenario.Orientation);
-        var apex = new ApexObserver(state.Position.Y);
-        var log = new StepLog { Observer = apex };
+        var highest = new HighestPoint();
+        highest.Reset(in state);
+        var log = new StepLog { Observer = highest };
         List<Moment>? samples = scenario.Samples ? [Moment.Of(in state)] : null;
         Simulator.StepCallback? onStep = samples is null ? null : (in BallState at) => samples.Add(Moment.Of(in at));
 
@@ -28,7 +29,7 @@ internal static class ScenarioRun
         {
             Final = final,
             Events = log.Events.Span.ToArray(),
-            Apex = apex.Apex,
+            Apex = highest.Apex,
             Steps = log.Steps,
             Evaluations = log.Evaluations,
             Samples = samples,
