@@ -1,1 +1,3 @@
-return 0;
+using Football.Physics.Headless.Commands;
+
+return CommandLineEntry.Run(args, Terminal.OfProcess());

@@ -1,0 +1,13 @@
+namespace Football.Physics.Headless.Commands;
+
+/// <summary>What the process reports at its end.</summary>
+internal static class ExitCode
+{
+    public const int Done = 0;
+
+    /// <summary>The input was refused, or a case failed.</summary>
+    public const int Refused = 1;
+
+    /// <summary>Wrong usage.</summary>
+    public const int Usage = 2;
+}

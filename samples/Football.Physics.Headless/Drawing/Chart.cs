@@ -1,0 +1,146 @@
+using System.Xml.Linq;
+
+namespace Football.Physics.Headless.Drawing;
+
+/// <summary>A chart: axes with units and ticks, what is drawn between them, and a legend.</summary>
+internal sealed class Chart(Axis x, Axis y)
+{
+    private const double Left = 56;
+    private const double Right = 12;
+    private const double Top = 26;
+    private const double Bottom = 40;
+    private const double Row = 16;
+
+    public string Title { get; init; } = "";
+
+    /// <summary>Width of the whole, in pixels.</summary>
+    public double Width { get; init; } = 640;
+
+    /// <summary>Height of the plot, in pixels; with <see cref="EqualScales"/> the least.</summary>
+    public double PlotHeight { get; init; } = 300;
+
+    /// <summary>With <see cref="EqualScales"/>: the greatest height of the plot, in pixels.</summary>
+    public double MaximumPlotHeight { get; init; } = 320;
+
+    /// <summary>Whether a unit is as long along one axis as along the other. The axes are then made longer, never the data distorted.</summary>
+    public bool EqualScales { get; init; }
+
+    public string Background { get; init; } = "#ffffff";
+
+    /// <summary>What to draw, the first at the back.</summary>
+    public List<ChartItem> Items { get; } = [];
+
+    /// <summary>The chart as an SVG element.</summary>
+    public XElement Draw()
+    {
+        PlotFrame frame = Fit();
+        List<XElement> legend = Legend(out double legendHeight);
+        double top = Top + legendHeight;
+        XElement inside = Svg.Element(
+            "svg",
+            [("x", Left), ("y", top), ("width", frame.Width), ("height", frame.Height), ("overflow", "hidden")],
+            Svg.Element("rect", [("width", frame.Width), ("height", frame.Height), ("fill", Background)]),
+            Grid(frame),
+            Items.SelectMany(item => item.Draw(frame)));
+        return Svg.Root(
+            Width,
+            top + frame.Height + Bottom,
+            Svg.Text(Left, 16, Title, size: 13, bold: true),
+            legend,
+            inside,
+            Svg.Element("rect", [("x", Left), ("y", top), ("width", frame.Width), ("height", frame.Height), ("fill", "none"), ("stroke", Palette.Frame)]),
+            TickLabels(frame, top),
+            Svg.Text(Left + (frame.Width / 2), top + frame.Height + 32, x.Title, "middle"),
+            Svg.Element("g", [("transform", $"translate(14 {Svg.Number(top + (frame.Height / 2))}) rotate(-90)")], Svg.Text(0, 0, y.Title, "middle")));
+    }
+
+    private static double AboutX(PlotFrame frame) => frame.Width / 70;
+
+    private static double AboutY(PlotFrame frame) => Math.Max(3, frame.Height / 38);
+
+    private static IEnumerable<XElement> Grid(PlotFrame frame)
+    {
+        foreach (double tick in frame.XAxis.Ticks(AboutX(frame)))
+        {
+            yield return Svg.Line(frame.X(tick), 0, frame.X(tick), frame.Height, Palette.Grid);
+        }
+
+        foreach (double tick in frame.YAxis.Ticks(AboutY(frame)))
+        {
+            yield return Svg.Line(0, frame.Y(tick), frame.Width, frame.Y(tick), Palette.Grid);
+        }
+    }
+
+    private static IEnumerable<XElement> TickLabels(PlotFrame frame, double top)
+    {
+        double bottom = top + frame.Height;
+        foreach (double tick in frame.XAxis.Ticks(AboutX(frame)))
+        {
+            double at = Left + frame.X(tick);
+            yield return Svg.Line(at, bottom, at, bottom + 4, Palette.Frame);
+            yield return Svg.Text(at, bottom + 16, Ticks.Label(tick), "middle", 10);
+        }
+
+        foreach (double tick in frame.YAxis.Ticks(AboutY(frame)))
+        {
+            double at = top + frame.Y(tick);
+            yield return Svg.Line(Left - 4, at, Left, at, Palette.Frame);
+            yield return Svg.Text(Left - 7, at + 3.5, Ticks.Label(tick), "end", 10);
+        }
+    }
+
+    private PlotFrame Fit()
+    {
+        Bounds data = Items.Aggregate(Bounds.Empty, static (bounds, item) => bounds.With(item.Bounds));
+        var fitX = PlotAxis.Fit(x, data.MinX, data.MaxX);
+        var fitY = PlotAxis.Fit(y, data.MinY, data.MaxY);
+        double width = Width - Left - Right;
+        if (!EqualScales)
+        {
+            return new PlotFrame(fitX, fitY, width, PlotHeight);
+        }
+
+        double rangeX = fitX.Max - fitX.Min;
+        double rangeY = fitY.Max - fitY.Min;
+        double height = Math.Clamp(width * rangeY / rangeX, PlotHeight, MaximumPlotHeight);
+        double unit = Math.Max(rangeX / width, rangeY / height);
+        return new PlotFrame(Widen(fitX, unit * width), Widen(fitY, unit * height), width, height);
+    }
+
+    /// <summary>Makes an axis longer; an end that was asked for stays where it is.</summary>
+    private static PlotAxis Widen(PlotAxis axis, double range)
+    {
+        double more = range - (axis.Max - axis.Min);
+        double below = axis.Axis.Min is not null ? 0 : axis.Axis.Max is not null ? more : more / 2;
+        return axis.Between(axis.Min - below, axis.Max + (more - below));
+    }
+
+    /// <summary>Entries from the right end of the title's row to the left of it, in further rows where they need them.</summary>
+    private List<XElement> Legend(out double height)
+    {
+        List<ChartItem> entries = [.. Items.Where(item => item.Label is not null).DistinctBy(item => item.Label)];
+        var drawn = new List<XElement>();
+        double begin = Left + Svg.WidthOf(Title, 13) + 24;
+        double total = entries.Sum(entry => 30 + Svg.WidthOf(entry.Label!, 10));
+        bool besideTitle = begin + total <= Width - Right;
+        double at = besideTitle ? Width - Right - total : Left;
+        double row = besideTitle ? 0 : 1;
+        foreach (ChartItem entry in entries)
+        {
+            double width = 30 + Svg.WidthOf(entry.Label!, 10);
+            if (at + width > Width - Right + 1)
+            {
+                at = Left;
+                row++;
+            }
+
+            double middle = 12 + (row * Row);
+            drawn.Add(entry.LegendKey(at + 8, middle));
+            drawn.Add(Svg.Text(at + 20, middle + 3.5, entry.Label!, size: 10));
+            at += width;
+        }
+
+        height = row * Row;
+        return drawn;
+    }
+}

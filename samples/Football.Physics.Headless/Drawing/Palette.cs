@@ -1,0 +1,20 @@
+namespace Football.Physics.Headless.Drawing;
+
+/// <summary>The colours of all drawings; the series can be told apart by the colour-blind too.</summary>
+internal static class Palette
+{
+    public const string Ink = "#1f2933";
+    public const string Faint = "#7b8794";
+    public const string Grid = "#e4e7eb";
+    public const string Frame = "#9aa5b1";
+    public const string Blue = "#0072b2";
+    public const string Orange = "#e07b00";
+    public const string Green = "#009e73";
+    public const string Red = "#c8382b";
+    public const string Purple = "#9b5fa8";
+    public const string Grass = "#eef5ea";
+    public const string Object = "#cbd2d9";
+
+    /// <summary>Colours for series, in this order.</summary>
+    public static IReadOnlyList<string> Series { get; } = [Blue, Orange, Green, Red, Purple, "#56b4e9", "#8d6e00"];
+}

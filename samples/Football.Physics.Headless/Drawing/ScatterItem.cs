@@ -1,0 +1,40 @@
+using System.Xml.Linq;
+
+namespace Football.Physics.Headless.Drawing;
+
+/// <summary>Marked points.</summary>
+internal sealed class ScatterItem(IReadOnlyList<PlotPoint> points) : ChartItem
+{
+    public Mark Mark { get; init; } = Mark.Dot;
+
+    /// <summary>Half the width of a mark, in pixels.</summary>
+    public double Size { get; init; } = 3.5;
+
+    public override Bounds Bounds => Bounds.Of(points);
+
+    public override IEnumerable<XElement> Draw(PlotFrame frame) =>
+        points.Where(frame.Shows).Select(point => Shape(frame.X(point.X), frame.Y(point.Y)));
+
+    public override XElement LegendKey(double x, double y) => Shape(x, y);
+
+    private XElement Shape(double x, double y)
+    {
+        double r = Size;
+        return Mark switch
+        {
+            Mark.Ring => Svg.Element("circle", [("cx", x), ("cy", y), ("r", r), ("fill", "#ffffff"), ("stroke", Colour), ("stroke-width", 1.5)]),
+            Mark.Square => Polygon((x - r, y - r), (x + r, y - r), (x + r, y + r), (x - r, y + r)),
+            Mark.Triangle => Polygon((x, y - r), (x + r, y + r), (x - r, y + r)),
+            Mark.Diamond => Polygon((x, y - (1.3 * r)), (x + (1.3 * r), y), (x, y + (1.3 * r)), (x - (1.3 * r), y)),
+            Mark.Cross => Svg.Element(
+                "path",
+                [("d", $"M{Svg.Number(x - r)},{Svg.Number(y - r)} L{Svg.Number(x + r)},{Svg.Number(y + r)} M{Svg.Number(x - r)},{Svg.Number(y + r)} L{Svg.Number(x + r)},{Svg.Number(y - r)}"),
+                    ("stroke", Colour), ("stroke-width", 2.0), ("fill", "none")]),
+            _ => Svg.Element("circle", [("cx", x), ("cy", y), ("r", r), ("fill", Colour)]),
+        };
+    }
+
+    private XElement Polygon(params (double X, double Y)[] corners) => Svg.Element(
+        "polygon",
+        [("points", string.Join(' ', corners.Select(corner => $"{Svg.Number(corner.X)},{Svg.Number(corner.Y)}"))), ("fill", Colour)]);
+}

@@ -1,0 +1,48 @@
+using System.Globalization;
+using System.Xml.Linq;
+
+namespace Football.Physics.Headless.Drawing;
+
+/// <summary>Makes SVG elements.</summary>
+internal static class Svg
+{
+    /// <summary>Pixels that a letter of the drawings' font takes on average, per pixel of its size.</summary>
+    private const double LetterWidth = 0.56;
+
+    private static readonly XNamespace Namespace = "http://www.w3.org/2000/svg";
+
+    /// <summary>An element with attributes given as name and value, and with children.</summary>
+    public static XElement Element(string name, (string Name, object Value)[] attributes, params object?[] content)
+    {
+        var element = new XElement(Namespace + name);
+        foreach ((string attribute, object value) in attributes)
+        {
+            element.SetAttributeValue(attribute, value is double number ? Number(number) : value);
+        }
+
+        element.Add(content);
+        return element;
+    }
+
+    /// <summary>The outermost element of a drawing.</summary>
+    public static XElement Root(double width, double height, params object?[] content) => Element(
+        "svg",
+        [
+            ("viewBox", $"0 0 {Number(width)} {Number(height)}"), ("width", width), ("height", height),
+            ("font-family", "system-ui, 'Segoe UI', Helvetica, Arial, sans-serif"), ("font-size", 11.0), ("fill", Palette.Ink),
+        ],
+        content);
+
+    public static XElement Line(double x1, double y1, double x2, double y2, string colour, double width = 1, string dash = "none") =>
+        Element("line", [("x1", x1), ("y1", y1), ("x2", x2), ("y2", y2), ("stroke", colour), ("stroke-width", width), ("stroke-dasharray", dash)]);
+
+    public static XElement Text(double x, double y, string text, string anchor = "start", double size = 11, string? colour = null, bool bold = false) => Element(
+        "text",
+        [("x", x), ("y", y), ("text-anchor", anchor), ("font-size", size), ("fill", colour ?? Palette.Ink), ("font-weight", bold ? "600" : "400")],
+        text);
+
+    /// <summary>About how wide a text is.</summary>
+    public static double WidthOf(string text, double size = 11) => text.Length * size * LetterWidth;
+
+    public static string Number(double value) => Math.Round(value, 2).ToString(CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,71 @@
+using Football.Physics.Headless.Simulate;
+
+namespace Football.Physics.Headless.Gallery;
+
+/// <summary>The way of a ball in legs, from event to event: in each it is in one motion.</summary>
+internal sealed class Flight
+{
+    public Flight(Scenario scenario)
+    {
+        Outcome = ScenarioRun.Play(scenario with { Samples = true });
+        Start = Outcome.Samples![0].Position;
+        Events = Outcome.Events;
+        Legs = [.. Split(Outcome)];
+    }
+
+    public Outcome Outcome { get; }
+
+    public Vector3d Start { get; }
+
+    public IReadOnlyList<BallEvent> Events { get; }
+
+    public IReadOnlyList<(MotionState Motion, IReadOnlyList<Vector3d> Points)> Legs { get; }
+
+    /// <summary>The way up to the first impact, or to the end where there is none.</summary>
+    public IEnumerable<Vector3d> ToFirstTouchdown
+    {
+        get
+        {
+            BallEvent? first = Events.Count > 0 && Outcome.Bounces > 0 ? Events[0] : null;
+            IEnumerable<Vector3d> before = Outcome.Samples!.TakeWhile(sample => first is null || sample.Time < first.Value.Time).Select(sample => sample.Position);
+            return first is null ? before : before.Append(first.Value.Position);
+        }
+    }
+
+    private static IEnumerable<(MotionState Motion, IReadOnlyList<Vector3d> Points)> Split(Outcome outcome)
+    {
+        // Steps end between the events, so the events' own places make the corners sharp.
+        IReadOnlyList<Moment> samples = outcome.Samples!;
+        MotionState motion = samples[0].State;
+        var points = new List<Vector3d>();
+        int next = 0;
+        foreach (BallEvent item in outcome.Events)
+        {
+            for (; next < samples.Count && samples[next].Time < item.Time; next++)
+            {
+                points.Add(samples[next].Position);
+            }
+
+            points.Add(item.Position);
+            MotionState after = item.Kind switch
+            {
+                BallEventKind.Impact => MotionState.Airborne,
+                BallEventKind.Slide => MotionState.Sliding,
+                BallEventKind.Roll => MotionState.Rolling,
+                _ => MotionState.Stopped,
+            };
+            if (after != motion)
+            {
+                yield return (motion, points);
+                points = [item.Position];
+                motion = after;
+            }
+        }
+
+        points.AddRange(samples.Skip(next).Select(sample => sample.Position));
+        if (motion != MotionState.Stopped)
+        {
+            yield return (motion, points);
+        }
+    }
+}

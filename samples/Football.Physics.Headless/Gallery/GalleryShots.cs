@@ -1,0 +1,183 @@
+using Football.Physics.Headless.Simulate;
+
+namespace Football.Physics.Headless.Gallery;
+
+/// <summary>The shots of the gallery.</summary>
+internal static class GalleryShots
+{
+    private const double Radius = 0.11;
+
+    public static IReadOnlyList<GalleryShot> All { get; } =
+    [
+        FreeKick(), Corner(), GoalKick(), GoalKickInVacuum(), DrivenPass(), Chip(),
+        NoSpinDrive(), DroppedWithTopspin(), GroundPass(), LongRoll(), InTheWind(), Beach(),
+    ];
+
+    private static GalleryShot FreeKick()
+    {
+        Scenario kick = Kick(25.5, left: -16, up: 19, top: 12, side: 60);
+        return new GalleryShot
+        {
+            Id = "free-kick",
+            Name = "Free kick over the wall",
+            About = "From 22 m, over the wall, bent to the left by sidespin and back inside the right post. Without spin it misses.",
+            Scenario = kick,
+            Comparison = kick with { Spin = Vector3d.Zero },
+            ComparisonName = "without spin",
+            Landmarks = [Landmark.PenaltyArea(22), new("wall", 9.15, 9.55, -3.1, 0.1, 1.85), Landmark.Goal(22)],
+            GoalLine = 22,
+            DrawnTo = 32,
+        };
+    }
+
+    private static GalleryShot Corner()
+    {
+        // Looking along the goal line from the corner to the right of the goal; the pitch is on the left.
+        Scenario kick = Kick(25, left: 19, up: 25, top: -10, side: -52);
+        return new GalleryShot
+        {
+            Id = "corner",
+            Name = "Inswinging corner",
+            About = "Kicked out over the six-yard box, the sidespin swings it back towards the goal, seen here along the goal line.",
+            Scenario = kick,
+            Comparison = kick with { Spin = Vector3d.Zero },
+            ComparisonName = "without spin",
+            Landmarks =
+            [
+                new("penalty area", 34 - 20.16, 34 + 20.16, 0, 16.5, 0),
+                new("goal", 34 - Landmark.GoalHalfWidth, 34 + Landmark.GoalHalfWidth, -2, 0, Landmark.GoalHeight),
+            ],
+            DrawnTo = 56,
+        };
+    }
+
+    private static GalleryShot GoalKick() => new()
+    {
+        Id = "goal-kick",
+        Name = "Goal kick",
+        About = "Long and high with some backspin. The air takes nearly a third of the range that it would have in a vacuum.",
+        Scenario = Kick(30, left: 0, up: 36, top: -25, side: 0),
+        Landmarks = [new("halfway line", 47, 47.12, -30, 30, 0)],
+    };
+
+    private static GalleryShot GoalKickInVacuum()
+    {
+        Scenario kick = Kick(30, left: 0, up: 36, top: -25, side: 0);
+        return new GalleryShot
+        {
+            Id = "goal-kick-in-vacuum",
+            Name = "The same in a vacuum",
+            About = "The goal kick without air: a parabola. The dashed line is the kick in air.",
+            Scenario = kick with { Scene = Scene.Vacuum },
+            Comparison = kick,
+            ComparisonName = "in air",
+            DrawnTo = 160,
+            Landmarks = [new("halfway line", 47, 47.12, -30, 30, 0)],
+        };
+    }
+
+    private static GalleryShot DrivenPass() => new()
+    {
+        Id = "driven-pass",
+        Name = "Driven pass",
+        About = "Low and fast with backspin, which holds it up; it skips on wet turf.",
+        Scenario = Kick(26, left: 0, up: 8, top: -35, side: 0) with { Scene = new Scene { Ground = Ground.WetTurf } },
+    };
+
+    private static GalleryShot Chip() => new()
+    {
+        Id = "chip",
+        Name = "Chip that checks",
+        About = "A steep chip with strong backspin: it hangs, and the spin throws it back at the first bounce.",
+        Scenario = Kick(15, left: 0, up: 52, top: -75, side: 0),
+    };
+
+    private static GalleryShot NoSpinDrive()
+    {
+        Scenario kick = Kick(31, left: 0, up: 11, top: 0, side: 0);
+        return new GalleryShot
+        {
+            Id = "no-spin-drive",
+            Name = "Drive without spin",
+            About = "Struck through the middle: no Magnus force, and the low drag of a fast ball until it falls below 12 m/s. The dashed line has backspin.",
+            Scenario = kick,
+            Comparison = Kick(31, left: 0, up: 11, top: -40, side: 0),
+            ComparisonName = "with backspin 40 rad/s",
+        };
+    }
+
+    private static GalleryShot DroppedWithTopspin() => new()
+    {
+        Id = "dropped-with-topspin",
+        Name = "Dropped with topspin",
+        About = "Let go at 3 m with 70 rad/s of topspin: each bounce turns spin into speed forwards.",
+        Scenario = Shot(new Vector3d(0, 3, 0), Vector3d.Zero, KickSpin.Vector(ViewFrame.Direction(1, 0, 0), 70, 0)),
+    };
+
+    private static GalleryShot GroundPass() => new()
+    {
+        Id = "ground-pass",
+        Name = "Ground pass",
+        About = "Pushed along the ground without spin: it slides until friction has spun it up, at 3/5 of its speed, and rolls from there.",
+        Scenario = Kick(13, left: 0, up: 0, top: 0, side: 0),
+    };
+
+    private static GalleryShot LongRoll()
+    {
+        Vector3d velocity = ViewFrame.Direction(11, 0, 0);
+        return new GalleryShot
+        {
+            Id = "long-roll",
+            Name = "Long roll",
+            About = "Rolling from the start on a hard court, across a side wind of 2 m/s that carries it to the left.",
+            Scenario = Shot(new Vector3d(0, Radius, 0), velocity, KickSpin.Vector(velocity, 11 / Radius, 0)) with
+            {
+                Scene = new Scene { Ground = Ground.Court, Air = new Air { Wind = ViewFrame.Direction(2, 90, 0) } },
+            },
+        };
+    }
+
+    private static GalleryShot InTheWind()
+    {
+        Scenario kick = Kick(27, left: 0, up: 50, top: -20, side: 0);
+        return new GalleryShot
+        {
+            Id = "high-ball-in-the-wind",
+            Name = "High ball in the wind",
+            About = "A high ball into a wind of 11 m/s, against it and from the right; dashed in still air. The wind's push on the ground is switched off here: it would roll the ball on for ever.",
+            Scenario = kick with
+            {
+                Scene = Scene.Windy(ViewFrame.Direction(11, 135, 0)) with { Ground = new Ground { Aerodynamics = GroundAerodynamics.None } },
+            },
+            Comparison = kick,
+            ComparisonName = "in still air",
+        };
+    }
+
+    private static GalleryShot Beach() => new()
+    {
+        Id = "beach-ball",
+        Name = "Beach ball",
+        About = "Large and light: the air stops it within metres, the sidespin throws it aside, and it stays where it lands on sand.",
+        Scenario = Shot(new Vector3d(0, 1, 0), ViewFrame.Direction(16, 0, 30), KickSpin.Vector(ViewFrame.Direction(1, 0, 0), 0, 25)) with
+        {
+            Scene = new Scene { Ball = BallProperties.BeachBall, Ground = Ground.Sand },
+        },
+    };
+
+    private static Scenario Kick(double speed, double left, double up, double top, double side)
+    {
+        Vector3d velocity = ViewFrame.Direction(speed, left, up);
+        return Shot(new Vector3d(0, Radius, 0), velocity, KickSpin.Vector(velocity, top, side));
+    }
+
+    private static Scenario Shot(Vector3d position, Vector3d velocity, Vector3d spin) => new()
+    {
+        Position = position,
+        Velocity = velocity,
+        Spin = spin,
+        StopAt = StopAt.Rest,
+        Duration = 120,
+        Samples = true,
+    };
+}

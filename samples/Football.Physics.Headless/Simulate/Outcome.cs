@@ -1,0 +1,22 @@
+namespace Football.Physics.Headless.Simulate;
+
+/// <summary>What became of a shot.</summary>
+internal sealed record Outcome
+{
+    public required Moment Final { get; init; }
+
+    public required IReadOnlyList<BallEvent> Events { get; init; }
+
+    /// <summary>Greatest height of the centre, m.</summary>
+    public required double Apex { get; init; }
+
+    public required long Steps { get; init; }
+
+    public required long Evaluations { get; init; }
+
+    /// <summary>The path, one entry a step, launch first; null where none was asked for.</summary>
+    public IReadOnlyList<Moment>? Samples { get; init; }
+
+    /// <summary>Every impact counts.</summary>
+    public int Bounces => Events.Count(item => item.Kind == BallEventKind.Impact);
+}

@@ -1,0 +1,117 @@
+using System.Buffers;
+using System.Text.Encodings.Web;
+using System.Text.Json;
+
+namespace Football.Physics.Headless.Simulate;
+
+/// <summary>Writes results as JSON, one line each.</summary>
+internal static class ResultWriter
+{
+    private static readonly JsonWriterOptions Options = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+
+    /// <summary>The line of a shot that was played.</summary>
+    public static ReadOnlyMemory<byte> Result(string? name, Outcome outcome) => Line(json =>
+    {
+        json.WriteString("name", name);
+        json.WritePropertyName("final");
+        WriteMoment(json, outcome.Final);
+        json.WriteStartArray("events");
+        foreach (BallEvent item in outcome.Events)
+        {
+            WriteEvent(json, in item);
+        }
+
+        json.WriteEndArray();
+        json.WriteNumber("apex", outcome.Apex);
+        json.WriteNumber("bounces", outcome.Bounces);
+        json.WriteNumber("steps", outcome.Steps);
+        json.WriteNumber("evaluations", outcome.Evaluations);
+        if (outcome.Samples is not null)
+        {
+            json.WriteStartArray("samples");
+            foreach (Moment sample in outcome.Samples)
+            {
+                WriteMoment(json, sample);
+            }
+
+            json.WriteEndArray();
+        }
+    });
+
+    /// <summary>The line of a shot that was refused.</summary>
+    public static ReadOnlyMemory<byte> Error(string? name, string message) => Line(json =>
+    {
+        json.WriteString("name", name);
+        json.WriteString("error", message);
+    });
+
+    /// <summary>An object on a line of its own.</summary>
+    public static ReadOnlyMemory<byte> Line(Action<Utf8JsonWriter> writeMembers)
+    {
+        var buffer = new ArrayBufferWriter<byte>(1024);
+        using (var json = new Utf8JsonWriter(buffer, Options))
+        {
+            json.WriteStartObject();
+            writeMembers(json);
+            json.WriteEndObject();
+        }
+
+        buffer.Write("\n"u8);
+        return buffer.WrittenMemory;
+    }
+
+    private static void WriteMoment(Utf8JsonWriter json, in Moment moment)
+    {
+        json.WriteStartObject();
+        json.WriteNumber("time", moment.Time);
+        json.WriteString("state", moment.State switch
+        {
+            MotionState.Airborne => "airborne",
+            MotionState.Sliding => "sliding",
+            MotionState.Rolling => "rolling",
+            _ => "stopped",
+        });
+        WriteVector(json, "position", moment.Position);
+        WriteVector(json, "velocity", moment.Velocity);
+        WriteVector(json, "spin", moment.Spin);
+        json.WriteStartArray("orientation");
+        json.WriteNumberValue(moment.Orientation.X);
+        json.WriteNumberValue(moment.Orientation.Y);
+        json.WriteNumberValue(moment.Orientation.Z);
+        json.WriteNumberValue(moment.Orientation.W);
+        json.WriteEndArray();
+        json.WriteEndObject();
+    }
+
+    private static void WriteEvent(Utf8JsonWriter json, in BallEvent item)
+    {
+        json.WriteStartObject();
+        json.WriteString("kind", item.Kind switch
+        {
+            BallEventKind.Impact => "impact",
+            BallEventKind.Slide => "slide",
+            BallEventKind.Roll => "roll",
+            _ => "rest",
+        });
+        json.WriteNumber("time", item.Time);
+        WriteVector(json, "position", item.Position);
+        if (item.Kind == BallEventKind.Impact)
+        {
+            WriteVector(json, "velocityBefore", item.VelocityBefore);
+            WriteVector(json, "spinBefore", item.SpinBefore);
+        }
+
+        WriteVector(json, "velocity", item.Velocity);
+        WriteVector(json, "spin", item.Spin);
+        json.WriteEndObject();
+    }
+
+    private static void WriteVector(Utf8JsonWriter json, string name, in Vector3d vector)
+    {
+        json.WriteStartArray(name);
+        json.WriteNumberValue(vector.X);
+        json.WriteNumberValue(vector.Y);
+        json.WriteNumberValue(vector.Z);
+        json.WriteEndArray();
+    }
+}

@@ -1,0 +1,80 @@
+using Football.Physics.Headless.Json;
+
+namespace Football.Physics.Headless.Simulate;
+
+/// <summary>Plays a scenario.</summary>
+internal static class ScenarioRun
+{
+    /// <summary>Plays it to its end.</summary>
+    /// <exception cref="RefusedException">Its numbers, though each allowed, grew beyond what a double can hold.</exception>
+    public static Outcome Play(Scenario scenario)
+    {
+        var simulator = new Simulator(scenario.Scene, scenario.Settings);
+        BallState state = simulator.Launch(scenario.Position, scenario.Velocity, scenario.Spin, scenario.Orientation);
+        var highest = new HighestPoint();
+        highest.Reset(in state);
+        var log = new StepLog { Observer = highest };
+        List<Moment>? samples = scenario.Samples ? [Moment.Of(in state)] : null;
+        Simulator.StepCallback? onStep = samples is null ? null : (in BallState at) => samples.Add(Moment.Of(in at));
+
+        bool ended = simulator.Run(ref state, scenario.TimeStep, scenario.Duration, scenario.StopAt, log, onStep);
+
+        Moment final = Final(scenario, in state, log.Events, ended);
+        if (samples is { Count: > 1 })
+        {
+            samples[^1] = final;
+        }
+
+        var outcome = new Outcome
+        {
+            Final = final,
+            Events = log.Events.Span.ToArray(),
+            Apex = highest.Apex,
+            Steps = log.Steps,
+            Evaluations = log.Evaluations,
+            Samples = samples,
+        };
+        return IsFinite(outcome)
+            ? outcome
+            : throw new RefusedException(FormattableString.Invariant(
+                $"the motion is not finite up to {scenario.Duration} s; allowed: a scenario whose places and speeds stay within what a double can hold."));
+    }
+
+    /// <summary>
+    /// At the event that ended the run the state is the event's: an impact's own upward speed, the last motion before rest.
+    /// The ball's own state has already lost them there.
+    /// </summary>
+    private static Moment Final(Scenario scenario, in BallState state, EventBuffer events, bool ended)
+    {
+        var final = Moment.Of(in state);
+        BallEventKind? kind = scenario.StopAt == StopAt.Impact && ended ? BallEventKind.Impact
+            : state.Motion == MotionState.Stopped ? BallEventKind.Rest
+            : null;
+        for (int i = events.Count - 1; kind is not null && i >= 0; i--)
+        {
+            ref readonly BallEvent last = ref events[i];
+            if (last.Kind != kind)
+            {
+                continue;
+            }
+
+            bool bounces = kind == BallEventKind.Impact && last.Velocity.Y >= scenario.Scene.Ground.MinimumBounceSpeed;
+            return final with
+            {
+                State = bounces ? MotionState.Airborne : final.State,
+                Position = last.Position,
+                Velocity = last.Velocity,
+                Spin = last.Spin,
+            };
+        }
+
+        return final;
+    }
+
+    private static bool IsFinite(Outcome outcome) =>
+        outcome.Final.IsFinite
+        && double.IsFinite(outcome.Apex)
+        && outcome.Events.All(item => double.IsFinite(item.Time) && item.Position.IsFinite && item.Velocity.IsFinite && item.Spin.IsFinite
+            && item.VelocityBefore.IsFinite && item.SpinBefore.IsFinite)
+        && (outcome.Samples?.All(sample => sample.IsFinite) ?? true);
+}

@@ -1,0 +1,118 @@
+using System.Text;
+
+namespace Football.Physics.Tests.Headless;
+
+/// <summary>A batch: one object a line, one result a line, in the same order.</summary>
+public sealed class BatchTests
+{
+    private const string L = FootballCommand.Launch;
+
+    [Theory]
+    [InlineData("1")]
+    [InlineData("2")]
+    [InlineData("7")]
+    public void Results_come_in_the_order_of_the_input_and_are_the_same_for_any_number_of_jobs(string jobs)
+    {
+        // Long runs first, so that later ones are done before them.
+        var input = new StringBuilder();
+        for (int i = 0; i < 300; i++)
+        {
+            int steps = i % 10 == 0 ? 20_000 : 10;
+            input.Append(FormattableString.Invariant(
+                $"{{\"name\":\"shot {i}\",\"scenario\":{{{L},\"forces\":{{\"drag\":\"{(i % 7 == 3 ? "bad" : "none")}\"}},\"stop\":{{\"at\":\"time\",\"time\":1}},\"solver\":{{\"timeStep\":{1.0 / steps}}}}}}}\n"));
+        }
+
+        FootballCommand done = FootballCommand.Simulate(input.ToString(), "--batch", "--jobs", jobs);
+        Assert.Equal(1, done.ExitCode);
+        Assert.Equal(Enumerable.Range(0, 300).Select(i => $"shot {i}"), done.Lines.Select(line => line.GetProperty("name").GetString()));
+        Assert.All(done.Lines.Select((line, i) => (line, i)), item => Assert.Equal(item.i % 7 == 3, item.line.TryGetProperty("error", out _)));
+        Assert.Equal(FootballCommand.Simulate(input.ToString(), "--batch", "--jobs", "3").Output, done.Output);
+    }
+
+    [Fact]
+    public void A_bad_line_has_its_reason_in_its_place_and_the_others_come_out()
+    {
+        string[] lines =
+        [
+            $"{{{L}}}",
+            "garbage",
+            "",
+            $"{{\"name\":\"light\",\"scenario\":{{{L},\"ball\":{{\"mass\":-1}}}}}}",
+            "  \t ",
+            $"{{\"name\":\"cut\",\"scenario\":{{{L}",
+            $"{{\"name\":\"nan\",\"scenario\":{{{L},\"gravity\":NaN}}}}",
+            $"{{\"name\":\"last\",\"scenario\":{{{L}}}}}",
+        ];
+        FootballCommand done = FootballCommand.Simulate(string.Join("\r\n", lines), "--batch");
+        Assert.Equal(1, done.ExitCode);
+        Assert.Equal([null, null, "light", "cut", "nan", "last"], done.Lines.Select(line => line.GetProperty("name").GetString()));
+        Assert.Equal([false, true, true, true, true, false], done.Lines.Select(line => line.TryGetProperty("error", out _)));
+        Assert.Equal("ball.mass is -1; allowed: a finite number above 0 kg.", done.Lines[2].GetProperty("error").GetString());
+        Assert.StartsWith("gravity is NaN; allowed: ", done.Lines[4].GetProperty("error").GetString());
+        Assert.Equal(2, done.Lines[1].EnumerateObject().Count());
+        Assert.Contains("4 of 6 refused", done.ErrorLine);
+    }
+
+    [Fact]
+    public void Nothing_in_nothing_out()
+    {
+        FootballCommand done = FootballCommand.Simulate("\n\n", "--batch");
+        Assert.Equal((0, "", ""), (done.ExitCode, done.Output, done.Error));
+    }
+
+    [Fact]
+    public void A_line_of_10_MB_is_refused_by_its_length_and_the_next_one_comes_out()
+    {
+        string big = $"{{\"name\":\"big\",\"scenario\":{{{L},\"padding\":\"{new string('x', 10 << 20)}\"}}}}";
+        FootballCommand done = FootballCommand.Simulate($"{big}\n{new string(' ', 10 << 20)}{{{L}}}\n{{{L}}}\n", "--batch");
+        Assert.Equal(1, done.ExitCode);
+        Assert.Equal(3, done.Lines.Count);
+        Assert.Equal("big", done.Lines[0].GetProperty("name").GetString());
+        Assert.Equal($"the input is {big.Length} bytes long; allowed: at most 1048576 bytes an object.", done.Lines[0].GetProperty("error").GetString());
+        Assert.Contains("bytes long", done.Lines[1].GetProperty("error").GetString());
+        Assert.True(done.Lines[2].TryGetProperty("final", out _));
+    }
+
+    [Fact]
+    public void It_streams()
+    {
+        // The first answer is there while the input still waits for it to go on.
+        using var answered = new ManualResetEventSlim();
+        var output = new SignallingStream(answered);
+        var input = new WaitingStream(Encoding.UTF8.GetBytes($"{{{L}}}\n"), answered);
+        using var error = new StringWriter();
+        int exitCode = Football.Physics.Headless.Commands.CommandLineEntry.Run(
+            ["simulate", "-", "--batch"], new Football.Physics.Headless.Commands.Terminal(input, output, error, outputRedirected: true, errorRedirected: true));
+        Assert.Equal(0, exitCode);
+        Assert.True(input.WasAnswered);
+    }
+
+    /// <summary>Gives its bytes, then ends only when something has been answered, or after long enough to say that nothing will be.</summary>
+    private sealed class WaitingStream(byte[] bytes, ManualResetEventSlim answered) : MemoryStream(bytes)
+    {
+        public bool WasAnswered { get; private set; }
+
+        public override int Read(byte[] buffer, int offset, int count) => Read(buffer.AsSpan(offset, count));
+
+        public override int Read(Span<byte> buffer)
+        {
+            int read = base.Read(buffer);
+            if (read == 0)
+            {
+                WasAnswered = answered.Wait(TimeSpan.FromSeconds(20));
+            }
+
+            return read;
+        }
+    }
+
+    /// <summary>Tells when something is written.</summary>
+    private sealed class SignallingStream(ManualResetEventSlim written) : MemoryStream
+    {
+        public override void Write(ReadOnlySpan<byte> buffer)
+        {
+            base.Write(buffer);
+            written.Set();
+        }
+    }
+}
