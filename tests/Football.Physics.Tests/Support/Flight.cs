@@ -42,7 +42,7 @@ internal static class Flight
             }
         }
 
-        throw new InvalidOperationException($"no {kind} among {Kinds(log)}");
+        throw new InvalidOperationException($"no {kind} among {log.Events.Count} events");
     }
 
     public static string Kinds(StepLog log) => string.Join(' ', log.Events.Span.ToArray().Select(item => item.Kind));
