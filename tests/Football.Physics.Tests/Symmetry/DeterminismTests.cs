@@ -104,6 +104,24 @@ public sealed class DeterminismTests
     }
 
     [Fact]
+    public void A_run_allocates_nothing()
+    {
+        var simulator = new Simulator();
+        var log = new StepLog();
+        static long Allocated(Simulator simulator, StepLog log)
+        {
+            BallState state = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(9, 5, 2), new Vector3d(3, 20, -15));
+            log.Clear();
+            long before = GC.GetAllocatedBytesForCurrentThread();
+            simulator.Run(ref state, 0.01, 60, StopAt.Rest, log);
+            return GC.GetAllocatedBytesForCurrentThread() - before;
+        }
+
+        Allocated(simulator, log);
+        Assert.Equal(0, Allocated(simulator, log));
+    }
+
+    [Fact]
     public void A_frame_of_the_front_allocates_nothing()
     {
         var ball = new Ball();
