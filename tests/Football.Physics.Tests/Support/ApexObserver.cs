@@ -7,5 +7,11 @@ internal sealed class ApexObserver : PieceObserver
 
     public double Apex { get; private set; }
 
-    public override void Add(in Piece piece) => Apex = Math.Max(Apex, piece.Apex);
+    public override bool WantsEndAcceleration => true;
+
+    public override bool Add(in PathPiece piece)
+    {
+        Apex = Math.Max(Apex, piece.Apex);
+        return false;
+    }
 }
