@@ -92,6 +92,32 @@ public sealed class EventTests
         }
     }
 
+    /// <summary>A hop shorter than the step, from contact back to contact.</summary>
+    [Theory]
+    [MemberData(nameof(Integrators))]
+    public void A_hop_inside_one_step_does_not_sink_into_the_ground(Integrator integrator)
+    {
+        foreach (double vertical in new[] { 0.25, 0.3, 1, 3 })
+        {
+            foreach (double timeStep in new[] { 0.04, 0.1, 0.5 })
+            {
+                var simulator = new Simulator(Scene.Default, Flight.With(integrator));
+                BallState state = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(3, vertical, 0), Vector3d.Zero);
+                var log = new StepLog();
+                for (int i = 0; i < 20; i++)
+                {
+                    simulator.Step(ref state, timeStep, log);
+                    Assert.True(state.Position.Y >= 0.11 - 1e-12, $"{vertical} m/s, {timeStep} s, step {i}: {state.Position}");
+                }
+
+                foreach (ref readonly BallEvent item in log.Events)
+                {
+                    Assert.Equal(0.11, item.Position.Y);
+                }
+            }
+        }
+    }
+
     /// <summary>A step a little shorter than the impact does not touch the ground, one a little longer does.</summary>
     [Theory]
     [MemberData(nameof(Integrators))]
