@@ -1,0 +1,179 @@
+using Football.Physics.Tests.Support;
+
+namespace Football.Physics.Tests.Laws;
+
+/// <summary>Every aerodynamic law against its plain twin, over speeds to 200 m/s and spins to 1000 rad/s.</summary>
+public sealed class AirLawTests
+{
+    private const double Tolerance = 1e-9;
+
+    [Fact]
+    public void Published_drag_is_the_equation() =>
+        Compare<PublishedDragFit, EmpiricalDrag, NoAirLaw, NoAirLaw>(
+            (u, w) => PlainLaws.Drag(LawGrid.Scene, PlainLaws.Published(u.Length, Sp(u, w)), u), (_, _) => 0);
+
+    [Fact]
+    public void Regularised_drag_is_the_equation() =>
+        Compare<RegularisedDragFit, EmpiricalDrag, NoAirLaw, NoAirLaw>(
+            (u, w) => PlainLaws.Drag(LawGrid.Scene, PlainLaws.Regularised(u.Length, Sp(u, w)), u), (_, _) => 0);
+
+    [Fact]
+    public void Constant_drag_is_the_equation() =>
+        Compare<NoDragFit, ConstantDrag, NoAirLaw, NoAirLaw>(
+            (u, w) => PlainLaws.Drag(LawGrid.Scene, 0.31, u), (_, _) => 0, new ForceSet { DragCoefficient = 0.31 });
+
+    [Fact]
+    public void Published_lift_is_the_equation() =>
+        Compare<PublishedDragFit, NoAirLaw, EmpiricalMagnus, NoAirLaw>(
+            (u, w) => PlainLaws.Magnus(LawGrid.Scene, PlainLaws.Lift(PlainLaws.Published(u.Length, Sp(u, w)), Sp(u, w)), u, w), (_, _) => 0);
+
+    [Fact]
+    public void Regularised_lift_is_the_equation() =>
+        Compare<RegularisedDragFit, NoAirLaw, EmpiricalMagnus, NoAirLaw>(
+            (u, w) => PlainLaws.Magnus(LawGrid.Scene, PlainLaws.Lift(PlainLaws.Regularised(u.Length, Sp(u, w)), Sp(u, w)), u, w), (_, _) => 0);
+
+    [Fact]
+    public void Lift_keeps_the_fitted_drag_coefficient_where_drag_itself_is_constant() =>
+        Compare<PublishedDragFit, ConstantDrag, EmpiricalMagnus, NoAirLaw>(
+            (u, w) => PlainLaws.Drag(LawGrid.Scene, 0.31, u)
+                + PlainLaws.Magnus(LawGrid.Scene, PlainLaws.Lift(PlainLaws.Published(u.Length, Sp(u, w)), Sp(u, w)), u, w),
+            (_, _) => 0,
+            new ForceSet { DragCoefficient = 0.31 });
+
+    [Theory]
+    [InlineData(0.37)]
+    [InlineData(-0.2)]
+    public void Constant_lift_is_the_equation(double coefficient) =>
+        Compare<NoDragFit, NoAirLaw, ConstantMagnus, NoAirLaw>(
+            (u, w) => PlainLaws.ConstantMagnus(LawGrid.Scene, coefficient, u, w), (_, _) => 0, new ForceSet { MagnusCoefficient = coefficient });
+
+    [Fact]
+    public void Spin_decay_is_the_equation() =>
+        Compare<NoDragFit, NoAirLaw, NoAirLaw, EmpiricalSpinDecay>(
+            (_, _) => Vector3d.Zero, (speed, spin) => PlainLaws.DecayTorque(LawGrid.Scene, speed, spin));
+
+    [Fact]
+    public void Constant_spin_decay_is_the_equation() =>
+        Compare<NoDragFit, NoAirLaw, NoAirLaw, ConstantSpinDecay>(
+            (_, _) => Vector3d.Zero, (_, spin) => 3e-5 * spin, new ForceSet { SpinDecayCoefficient = 3e-5 });
+
+    [Fact]
+    public void All_laws_together_add_up() =>
+        Compare<PublishedDragFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>(
+            (u, w) =>
+            {
+                double drag = PlainLaws.Published(u.Length, Sp(u, w));
+                return PlainLaws.Drag(LawGrid.Scene, drag, u) + PlainLaws.Magnus(LawGrid.Scene, PlainLaws.Lift(drag, Sp(u, w)), u, w);
+            },
+            (speed, spin) => PlainLaws.DecayTorque(LawGrid.Scene, speed, spin));
+
+    [Fact]
+    public void There_is_no_drag_and_no_lift_below_a_nanometre_a_second()
+    {
+        AirRatesAt<PublishedDragFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>(
+            new ForceSet(), 0.99e-9, 50, out double drag, out double lift, out double decay);
+        Assert.Equal(0, drag);
+        Assert.Equal(0, lift);
+        Assert.InRange(decay * LawGrid.Scene.Ball.MomentOfInertia / PlainLaws.DecayTorque(LawGrid.Scene, 0, 50), 1 - 1e-8, 1 + 1e-8);
+    }
+
+    [Fact]
+    public void Lift_vanishes_where_spin_makes_the_drag_coefficient_larger_than_at_rest()
+    {
+        // c Sp^d passes C_D0 at Sp = 1.88.
+        AirRatesAt<PublishedDragFit, NoAirLaw, EmpiricalMagnus, NoAirLaw>(new ForceSet(), 20, 1.87 * 20 / LawGrid.Scene.Ball.Radius, out _, out double below, out _);
+        AirRatesAt<PublishedDragFit, NoAirLaw, EmpiricalMagnus, NoAirLaw>(new ForceSet(), 20, 1.90 * 20 / LawGrid.Scene.Ball.Radius, out _, out double above, out _);
+        Assert.True(below > 0);
+        Assert.Equal(0, above);
+    }
+
+    [Fact]
+    public void No_law_ever_gives_a_number_that_is_not_finite()
+    {
+        double[] sizes = [0, double.Epsilon, 1e-300, 1e-160, 1e-20, 1e-10, 1e-9, 1, 1000, 2000];
+        double[] spins = [0, double.Epsilon, 1e-300, 1e-160, 1e-20, 1e-10, 1, 10_000, -1e-12, -1];
+        foreach (double speed in sizes)
+        {
+            foreach (double spin in spins)
+            {
+                foreach (DragBranch branch in new[] { DragBranch.NoSpin, DragBranch.Spinning })
+                {
+                    Finite<PublishedDragFit>(speed, spin, branch);
+                    Finite<RegularisedDragFit>(speed, spin, branch);
+                }
+            }
+        }
+    }
+
+    /// <summary>Points worked out with another calculator.</summary>
+    [Theory]
+    [InlineData(0, 0, 0.500968761494)]
+    [InlineData(10, 0.5, 0.446324996944)]
+    [InlineData(12.19, 0, 0.328)]
+    [InlineData(25, 0, 0.155019453783)]
+    [InlineData(25, 0.2, 0.252365065223)]
+    [InlineData(25, 1, 0.4127)]
+    public void The_drag_coefficient_has_the_published_values(double speed, double spinParameter, double expected) =>
+        Assert.Equal(expected, PublishedCoefficient(speed, spinParameter), 1e-11);
+
+    private static double PublishedCoefficient(double speed, double spinParameter)
+    {
+        AirFlow flow = default;
+        flow.SpeedSquared = speed * speed;
+        flow.Speed = speed;
+        flow.SpinParameter = spinParameter;
+        return default(PublishedDragFit).Coefficient(in flow, LawGrid.BranchOf(speed, spinParameter));
+    }
+
+    private static double Sp(Vector3d u, Vector3d w) => LawGrid.Scene.Ball.Radius * w.Length / u.Length;
+
+    private static void Finite<TFit>(double speed, double spin, DragBranch branch)
+        where TFit : struct, IDragFit
+    {
+        Aerodynamics<TFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> air = default;
+        air.Prepare(LawGrid.Scene);
+        air.Evaluate(speed * speed, spin, branch, out double drag, out double lift, out double decay);
+        Assert.True(double.IsFinite(drag) && double.IsFinite(lift) && double.IsFinite(decay), $"{speed} m/s, {spin} rad/s, {branch}: {drag} {lift} {decay}");
+    }
+
+    private static void AirRatesAt<TFit, TDrag, TMagnus, TDecay>(
+        ForceSet forces, double speed, double spin, out double drag, out double lift, out double decay)
+        where TFit : struct, IDragFit
+        where TDrag : struct, IAirLaw
+        where TMagnus : struct, IAirLaw
+        where TDecay : struct, IAirLaw
+    {
+        Aerodynamics<TFit, TDrag, TMagnus, TDecay> air = default;
+        air.Prepare(LawGrid.Scene with { Forces = forces });
+        air.Evaluate(speed * speed, spin, LawGrid.BranchOf(speed, LawGrid.Scene.Ball.Radius * spin / speed), out drag, out lift, out decay);
+    }
+
+    /// <summary>Accelerations of the library's laws at every point of the grid against a plain force and torque.</summary>
+    private static void Compare<TFit, TDrag, TMagnus, TDecay>(
+        Func<Vector3d, Vector3d, Vector3d> force, Func<double, double, double> torque, ForceSet? forces = null)
+        where TFit : struct, IDragFit
+        where TDrag : struct, IAirLaw
+        where TMagnus : struct, IAirLaw
+        where TDecay : struct, IAirLaw
+    {
+        var direction = new Vector3d(2.0 / 7, 3.0 / 7, -6.0 / 7);
+        var axis = new Vector3d(-4.0 / 9, 7.0 / 9, 4.0 / 9);
+        var forceErrors = new Errors("acceleration");
+        var torqueErrors = new Errors("spin deceleration");
+        foreach ((double speed, double spin, double sp) in LawGrid.Points)
+        {
+            Vector3d u = speed * direction;
+            Vector3d w = spin * axis;
+            AirRatesAt<TFit, TDrag, TMagnus, TDecay>(forces ?? new ForceSet(), speed, spin, out double drag, out double lift, out double decay);
+            Vector3d acceleration = (lift * Vector3d.Cross(axis, u)) - (drag * u);
+            Vector3d expected = force(u, w) / LawGrid.Scene.Ball.Mass;
+            double expectedDecay = torque(speed, spin) / LawGrid.Scene.Ball.MomentOfInertia;
+            string name = $"{speed} m/s, {spin} rad/s (Sp {sp})";
+            forceErrors.Add(name, expected.Length == 0 ? acceleration.Length : Vector3d.Distance(acceleration, expected) / expected.Length);
+            torqueErrors.Add(name, expectedDecay == 0 ? Math.Abs(decay) : Math.Abs(decay - expectedDecay) / expectedDecay);
+        }
+
+        forceErrors.Hold(worst: Tolerance);
+        torqueErrors.Hold(worst: Tolerance);
+    }
+}

@@ -1,0 +1,159 @@
+using Football.Physics.Tests.Support;
+
+namespace Football.Physics.Tests.Motion;
+
+/// <summary>A force of the game's own, against what the library's do by themselves.</summary>
+public sealed class CustomForceTests
+{
+    private static readonly Vector3d s_high = new(0, 500, 0);
+
+    public static TheoryData<Integrator> Integrators() => Flight.EveryIntegrator();
+
+    [Theory]
+    [MemberData(nameof(Integrators))]
+    public void A_constant_force_is_more_gravity(Integrator integrator)
+    {
+        Scene heavy = Scene.Default with { Gravity = 9.81 + 2, Forces = new ForceSet { Buoyancy = false } };
+        Scene pulled = Scene.Default with
+        {
+            Forces = new ForceSet { Buoyancy = false, Custom = [Force.From((in ForceInput _) => new Vector3d(0, -2 * 0.43, 0))] },
+        };
+        BallEvent expected = Flight.ToImpact(heavy, integrator, 0.01, new Vector3d(0, 0.11, 0), new Vector3d(16, 9, 3), new Vector3d(3, 30, -9));
+        BallEvent actual = Flight.ToImpact(pulled, integrator, 0.01, new Vector3d(0, 0.11, 0), new Vector3d(16, 9, 3), new Vector3d(3, 30, -9));
+        Assert.InRange(Vector3d.Distance(expected.Position, actual.Position), 0, 1e-8);
+        Assert.InRange(Vector3d.Distance(expected.VelocityBefore, actual.VelocityBefore), 0, 1e-8);
+        Assert.InRange(Vector3d.Distance(expected.SpinBefore, actual.SpinBefore), 0, 1e-8);
+    }
+
+    [Theory]
+    [MemberData(nameof(Integrators))]
+    public void A_copy_of_the_librarys_drag_is_the_librarys_drag(Integrator integrator)
+    {
+        const double Coefficient = 0.3;
+        double k = 0.5 * 1.2 * Coefficient * Math.PI * 0.11 * 0.11;
+        var builtIn = new Scene { Air = new Air { Wind = new Vector3d(3, 1, -2) }, Forces = new ForceSet { Drag = ForceLaw.Constant, DragCoefficient = Coefficient, Coefficients = CoefficientForm.Regularised } };
+        Scene copy = builtIn with
+        {
+            Forces = builtIn.Forces with { Drag = ForceLaw.None, Custom = [Force.From((in ForceInput ball) => -k * ball.AirVelocity.Length * ball.AirVelocity)] },
+        };
+        BallState expected = Flight.Play(builtIn, Flight.With(integrator), 0.01, 2, StopAt.Time, s_high, new Vector3d(20, 5, 3), new Vector3d(3, 30, -9), out _);
+        BallState actual = Flight.Play(copy, Flight.With(integrator), 0.01, 2, StopAt.Time, s_high, new Vector3d(20, 5, 3), new Vector3d(3, 30, -9), out _);
+        Assert.InRange(Vector3d.Distance(expected.Position, actual.Position), 0, 1e-10);
+        Assert.InRange(Vector3d.Distance(expected.Spin, actual.Spin), 0, 1e-10);
+        Assert.InRange(Differences.Rotation(expected.Orientation, actual.Orientation), 0, 1e-8);
+    }
+
+    [Fact]
+    public void A_force_that_does_nothing_changes_nothing_through_a_whole_life()
+    {
+        Scene scene = Scene.Windy(new Vector3d(2, 0, 1));
+        Scene idle = scene with { Forces = new ForceSet { Custom = [Force.From((in ForceInput _) => Vector3d.Zero)] } };
+        var random = new Shots(81);
+        for (int i = 0; i < 20; i++)
+        {
+            Vector3d velocity = random.Velocity(5, 25, 0, 35);
+            Vector3d spin = random.Uniform(10, 40) * random.Direction();
+            BallState a = Flight.Play(scene, SolverSettings.Default, 0.01, 60, StopAt.Rest, new Vector3d(0, 0.11, 0), velocity, spin, out StepLog logA);
+            BallState b = Flight.Play(idle, SolverSettings.Default, 0.01, 60, StopAt.Rest, new Vector3d(0, 0.11, 0), velocity, spin, out StepLog logB);
+            Assert.Equal(Flight.Kinds(logA), Flight.Kinds(logB));
+            Assert.InRange(Vector3d.Distance(a.Position, b.Position), 0, 1e-6);
+            Assert.InRange(Differences.Rotation(a.Orientation, b.Orientation), 0, 1e-4);
+        }
+    }
+
+    [Fact]
+    public void A_torque_of_the_game_turns_the_spin()
+    {
+        var scene = new Scene { Forces = ForceSet.None with { Custom = [new Torque(new Vector3d(0.001, 0.02, -0.003))] } };
+        BallState state = Flight.Play(scene, SolverSettings.Default, 0.01, 2, StopAt.Time, s_high, Vector3d.Zero, new Vector3d(5, 0, 0), out _);
+        Vector3d expected = new Vector3d(5, 0, 0) + (2 / scene.Ball.MomentOfInertia * new Vector3d(0.001, 0.02, -0.003));
+        Assert.InRange(Vector3d.Distance(expected, state.Spin), 0, 1e-11);
+    }
+
+    /// <summary>About a fixed axis from rest the angle is half the spin times the time.</summary>
+    [Fact]
+    public void A_torque_of_the_game_turns_the_ball()
+    {
+        var scene = new Scene { Forces = ForceSet.None with { Custom = [new Torque(new Vector3d(0, 0.003, 0))] } };
+        BallState state = Flight.Play(scene, SolverSettings.Default, 0.01, 0.5, StopAt.Time, s_high, Vector3d.Zero, Vector3d.Zero, out _);
+        double angle = 0.5 * 0.003 / scene.Ball.MomentOfInertia * 0.25;
+        Assert.Equal(Math.Sin(angle / 2), state.Orientation.Y, 1e-10);
+    }
+
+    [Fact]
+    public void A_torque_of_the_game_may_reverse_a_spin()
+    {
+        var scene = new Scene { Forces = new ForceSet { Custom = [new Torque(new Vector3d(0, -0.01, 0))] } };
+        BallState state = Flight.Play(scene, SolverSettings.Default, 0.01, 2, StopAt.Time, s_high, new Vector3d(10, 0, 0), new Vector3d(0, 2, 0), out _);
+        Assert.True(state.Spin.Y < -1);
+    }
+
+    [Fact]
+    public void A_force_sees_the_ball_as_it_is()
+    {
+        var seen = new Recorder();
+        Scene scene = Scene.Windy(new Vector3d(1, 2, 3)) with { Forces = new ForceSet { Custom = [seen] } };
+        var simulator = new Simulator(scene, Flight.With(Integrator.Euler));
+        BallState state = simulator.Launch(new Vector3d(0, 5, 0), new Vector3d(10, 1, 2), new Vector3d(4, 5, 6));
+        var log = new StepLog();
+        simulator.Step(ref state, 0.01, log);
+        BallState before = state;
+        simulator.Step(ref state, 0.01, log);
+        Assert.Equal(before.Time, seen.Last.Time);
+        Assert.Equal(before.Position, seen.Last.Position);
+        Assert.Equal(before.Velocity, seen.Last.Velocity);
+        Assert.Equal(before.Velocity - new Vector3d(1, 2, 3), seen.Last.AirVelocity);
+        Assert.InRange(Vector3d.Distance(before.Spin, seen.Last.Spin), 0, 1e-14);
+        Assert.Equal(MotionState.Airborne, seen.Last.Motion);
+        simulator.Run(ref state, 0.005, 60, StopAt.Rest, log);
+        Assert.Equal([MotionState.Airborne, MotionState.Sliding, MotionState.Rolling], seen.Motions.Order());
+    }
+
+    [Fact]
+    public void Forces_add_up_in_their_order_and_by_mass()
+    {
+        var scene = new Scene
+        {
+            Gravity = 0,
+            Ball = new BallProperties { Mass = 2 },
+            Forces = ForceSet.None with { Custom = [Force.From((in ForceInput _) => new Vector3d(4, 0, 0)), Force.From((in ForceInput _) => new Vector3d(2, 0, 6))] },
+        };
+        BallState state = Flight.Play(scene, SolverSettings.Default, 0.1, 1, StopAt.Time, s_high, Vector3d.Zero, Vector3d.Zero, out _);
+        Assert.InRange(Vector3d.Distance(state.Velocity, new Vector3d(3, 0, 3)), 0, 1e-13);
+    }
+
+    /// <summary>On the ground a push of the game works against friction, and its vertical part is dropped.</summary>
+    [Fact]
+    public void A_push_along_the_ground_works_against_the_rolling_friction()
+    {
+        var push = Force.From((in ForceInput ball) => ball.Motion == MotionState.Rolling ? new Vector3d(0.5, 99, 0) : Vector3d.Zero);
+        Scene scene = Scene.Vacuum with { Forces = ForceSet.None with { Custom = [push] } };
+        BallState state = Flight.Play(
+            scene, SolverSettings.Default, 0.01, 1, StopAt.Time, new Vector3d(0, 0.11, 0), new Vector3d(2, 0, 0), new Vector3d(0, 0, -2 / 0.11), out _);
+        Assert.Equal(2 + (0.5 / 0.43) - (0.05 * 9.81), state.Velocity.X, 1e-10);
+        Assert.Equal(0.11, state.Position.Y);
+        Assert.Equal(MotionState.Rolling, state.Motion);
+    }
+
+    private sealed class Torque : IForce
+    {
+        private readonly Vector3d _torque;
+
+        public Torque(Vector3d torque) => _torque = torque;
+
+        public void Apply(in ForceInput ball, ref ForceSum sum) => sum.AddTorque(_torque);
+    }
+
+    private sealed class Recorder : IForce
+    {
+        public ForceInput Last { get; private set; }
+
+        public HashSet<MotionState> Motions { get; } = [];
+
+        public void Apply(in ForceInput ball, ref ForceSum sum)
+        {
+            Last = ball;
+            Motions.Add(ball.Motion);
+        }
+    }
+}

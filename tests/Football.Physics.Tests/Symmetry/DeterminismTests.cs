@@ -1,0 +1,164 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using Football.Physics.Tests.Reference;
+using Football.Physics.Tests.Support;
+
+namespace Football.Physics.Tests.Symmetry;
+
+/// <summary>The state is one value: the same bytes in give the same bytes out, and nothing is allocated on the way.</summary>
+public sealed class DeterminismTests
+{
+    public static TheoryData<Integrator> Integrators() => Flight.EveryIntegrator();
+
+    [Theory]
+    [MemberData(nameof(Integrators))]
+    public void Two_runs_give_the_same_bytes(Integrator integrator)
+    {
+        foreach (ReferenceCase item in ReferenceCase.All.Where((_, i) => i % 5 == 0))
+        {
+            byte[] Play()
+            {
+                var simulator = new Simulator(item.Scene, Flight.With(integrator));
+                BallState state = simulator.Launch(item.Position, item.Velocity, item.Spin, item.Orientation);
+                simulator.Run(ref state, 0.02, Math.Min(item.Duration, 20), item.StopAt, new StepLog());
+                return Bytes(in state);
+            }
+
+            Assert.Equal(Play(), Play());
+        }
+    }
+
+    [Fact]
+    public void Balls_that_share_a_simulator_do_not_disturb_each_other()
+    {
+        var simulator = new Simulator(Scene.Windy(new Vector3d(2, 0, 3)));
+        var random = new Shots(41);
+        BallState[] together = [.. Enumerable.Range(0, 8).Select(_ =>
+            simulator.Launch(new Vector3d(0, 0.3, 0), random.Velocity(5, 25, 5, 40), random.Uniform(0, 50) * random.Direction()))];
+        BallState[] alone = [.. together];
+        var log = new StepLog();
+        for (int i = 0; i < 400; i++)
+        {
+            for (int ball = 0; ball < together.Length; ball++)
+            {
+                simulator.Step(ref together[ball], 0.02, log);
+            }
+        }
+
+        Parallel.For(0, alone.Length, ball =>
+        {
+            var own = new StepLog();
+            for (int i = 0; i < 400; i++)
+            {
+                simulator.Step(ref alone[ball], 0.02, own);
+            }
+        });
+        Assert.Equal(together.Select(state => Bytes(in state)), alone.Select(state => Bytes(in state)));
+    }
+
+    [Fact]
+    public void A_copy_is_a_snapshot_from_which_the_same_bytes_follow()
+    {
+        var ball = new Ball();
+        ball.Place(new Vector3d(0, 1, 0));
+        ball.Kick(new Vector3d(14, 7, 2), new Vector3d(3, 40, -9));
+        for (int i = 0; i < 37; i++)
+        {
+            ball.Step(0.016);
+        }
+
+        BallState snapshot = ball.State;
+        for (int i = 0; i < 300; i++)
+        {
+            ball.Step(0.016);
+        }
+
+        byte[] once = Bytes(ball.State);
+        ball.State = snapshot;
+        for (int i = 0; i < 300; i++)
+        {
+            ball.Step(0.016);
+        }
+
+        Assert.Equal(once, Bytes(ball.State));
+    }
+
+    [Theory]
+    [MemberData(nameof(Integrators))]
+    public void A_life_of_flight_bounces_slide_and_roll_allocates_nothing(Integrator integrator)
+    {
+        foreach (CollisionTiming timing in Enum.GetValues<CollisionTiming>())
+        {
+            foreach (Scene scene in new[] { Scene.Default, Scene.Vacuum, new Scene { Forces = ForceSet.Regularised }, new Scene { Forces = ForceSet.Constant }, WithForce() })
+            {
+                var simulator = new Simulator(scene, new SolverSettings { Integrator = integrator, CollisionTiming = timing });
+                var log = new StepLog(256);
+                Live(simulator, log);
+                long before = GC.GetAllocatedBytesForCurrentThread();
+                Live(simulator, log);
+                long allocated = GC.GetAllocatedBytesForCurrentThread() - before;
+                Assert.Equal(0, allocated);
+                Assert.Contains("Roll Rest", Flight.Kinds(log));
+            }
+        }
+    }
+
+    [Fact]
+    public void A_run_allocates_nothing()
+    {
+        var simulator = new Simulator();
+        var log = new StepLog();
+        static long Allocated(Simulator simulator, StepLog log)
+        {
+            BallState state = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(9, 5, 2), new Vector3d(3, 20, -15));
+            log.Clear();
+            long before = GC.GetAllocatedBytesForCurrentThread();
+            simulator.Run(ref state, 0.01, 60, StopAt.Rest, log);
+            return GC.GetAllocatedBytesForCurrentThread() - before;
+        }
+
+        Allocated(simulator, log);
+        Assert.Equal(0, Allocated(simulator, log));
+    }
+
+    [Fact]
+    public void A_frame_of_the_front_allocates_nothing()
+    {
+        var ball = new Ball();
+        static void Frames(Ball ball)
+        {
+            ball.Kick(18, new Vector3d(0, 0.4, -1), 10, 20);
+            for (int i = 0; i < 600; i++)
+            {
+                ball.Step(0.016);
+                foreach (ref readonly BallEvent item in ball.Events)
+                {
+                    _ = item.Time;
+                }
+            }
+        }
+
+        Frames(ball);
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        Frames(ball);
+        Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
+    }
+
+    [Fact]
+    public void The_state_holds_no_references() => Assert.False(RuntimeHelpers.IsReferenceOrContainsReferences<BallState>());
+
+    private static Scene WithForce() =>
+        new() { Forces = new ForceSet { Custom = [Force.From((in ForceInput ball) => new Vector3d(0.01 * ball.Velocity.X, 0, 0.02))] } };
+
+    private static void Live(Simulator simulator, StepLog log)
+    {
+        log.Clear();
+        BallState state = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(9, 5, 2), new Vector3d(3, 20, -15));
+        while (state.Motion != MotionState.Stopped && state.Time < 60)
+        {
+            simulator.Step(ref state, 0.004, log);
+        }
+    }
+
+    private static byte[] Bytes(in BallState state) => MemoryMarshal.AsBytes(new ReadOnlySpan<BallState>(in state)).ToArray();
+}
