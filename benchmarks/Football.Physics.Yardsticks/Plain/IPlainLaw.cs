@@ -3,5 +3,5 @@ namespace Football.Physics.Yardsticks;
 /// <summary>The right-hand side of a flight: accelerations from the air-relative velocity and the spin.</summary>
 public interface IPlainLaw
 {
-    void Rates(PlainVector u, PlainVector spin, out PlainVector acceleration, out PlainVector spinAcceleration);
+    void Rates(in PlainVector u, in PlainVector spin, out PlainVector acceleration, out PlainVector spinAcceleration);
 }

@@ -18,7 +18,7 @@ public readonly struct PlainConstant : IPlainLaw
         _decay = scene.Forces.SpinDecayCoefficient / ball.MomentOfInertia;
     }
 
-    public void Rates(PlainVector u, PlainVector spin, out PlainVector acceleration, out PlainVector spinAcceleration)
+    public void Rates(in PlainVector u, in PlainVector spin, out PlainVector acceleration, out PlainVector spinAcceleration)
     {
         acceleration = new PlainVector(0, _upward, 0) - ((_drag * u.Length) * u) + (_magnus * PlainVector.Cross(spin, u));
         spinAcceleration = -_decay * spin;

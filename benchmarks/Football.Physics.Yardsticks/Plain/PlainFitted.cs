@@ -28,7 +28,7 @@ public readonly struct PlainFitted : IPlainLaw
         _regularised = regularised;
     }
 
-    public void Rates(PlainVector u, PlainVector spin, out PlainVector acceleration, out PlainVector spinAcceleration)
+    public void Rates(in PlainVector u, in PlainVector spin, out PlainVector acceleration, out PlainVector spinAcceleration)
     {
         acceleration = new PlainVector(0, _upward, 0);
         spinAcceleration = default;
