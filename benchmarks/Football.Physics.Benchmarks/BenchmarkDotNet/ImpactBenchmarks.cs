@@ -8,6 +8,7 @@ namespace Football.Physics.Benchmarks;
 public class ImpactBenchmarks
 {
     private readonly StepLog _log = new(2 * ShotSets.Count);
+    private readonly Shot[] _thesisShots = [.. ShotSets.AboutToBounce];
     private Simulator _simulator = new();
     private BallState[] _shots = [];
     private ThesisBall _thesis = new(Integrator.Rk2);
@@ -27,7 +28,7 @@ public class ImpactBenchmarks
     }
 
     [Benchmark(Baseline = true, OperationsPerInvoke = ShotSets.Count)]
-    public double Thesis() => Batches.Chain(_thesis, ShotSets.AboutToBounce, 1, (float)ShotSets.TimeStep);
+    public double Thesis() => Batches.Chain(_thesis, _thesisShots, 1, (float)ShotSets.TimeStep);
 
     [Benchmark(OperationsPerInvoke = ShotSets.Count)]
     public double Library() => Batches.OneStepEach(_simulator, _shots, ShotSets.TimeStep, _log);

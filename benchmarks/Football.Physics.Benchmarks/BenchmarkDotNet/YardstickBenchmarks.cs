@@ -11,7 +11,7 @@ public class YardstickBenchmarks : IHasError
     private const int Operations = ShotSets.Count * ShotSets.Steps;
     private const double H = ShotSets.TimeStep;
     private readonly StepLog _log = new();
-    private readonly IReadOnlyList<Shot> _high = Shots.HighUp(ShotSets.Fast);
+    private readonly Shot[] _high = [.. Shots.HighUp(ShotSets.Fast)];
     private readonly RigidBodyEngine _engine = new();
     private Simulator _simulator = new();
     private BallState[] _shots = [];

@@ -9,8 +9,8 @@ internal static class Stopwatching
     /// <summary>Rounds that a median is taken over, at least.</summary>
     public const int LeastRounds = 15;
 
-    private const int MostRounds = 401;
-    private const int WarmUpCalls = 12;
+    private const int MostRounds = 2000;
+    private const int WarmUpCalls = 40;
     private const int LeastPasses = 8;
     private const int MostPasses = 16;
     private static double _sink;

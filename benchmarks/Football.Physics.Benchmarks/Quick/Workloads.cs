@@ -8,6 +8,9 @@ internal static class Workloads
     private const double H = ShotSets.TimeStep;
     private const int Steps = ShotSets.Steps;
 
+    /// <summary>Shots a call: few, so that a round is shorter than a time slice and seldom interrupted. The next call takes the next ones.</summary>
+    private const int Part = ShotSets.Count / 4;
+
     /// <summary>Flights high up by the library, in a dependent chain of steps.</summary>
     public static Workload Flight(Scene scene, Integrator integrator, IReadOnlyList<Shot> shots) =>
         Chain(scene, integrator, Shots.HighUp(shots));
@@ -18,7 +21,7 @@ internal static class Workloads
         Simulator simulator = Compile(scene, integrator);
         BallState[] states = Shots.Launch(simulator, shots);
         var log = new StepLog();
-        return new Workload(() => Batches.Chain(simulator, states, Steps, H, log), states.Length * Steps);
+        return OfParts(part => Batches.Chain(simulator, states.AsSpan(part, Part), Steps, H, log), Part * Steps);
     }
 
     public static Workload FlightWithOrientation(Scene scene, Integrator integrator, IReadOnlyList<Shot> shots)
@@ -26,16 +29,16 @@ internal static class Workloads
         Simulator simulator = Compile(scene, integrator);
         BallState[] states = Shots.Launch(simulator, Shots.HighUp(shots));
         var log = new StepLog();
-        return new Workload(() => Batches.ChainWithOrientation(simulator, states, Steps, H, log), states.Length * Steps);
+        return OfParts(part => Batches.ChainWithOrientation(simulator, states.AsSpan(part, Part), Steps, H, log), Part * Steps);
     }
 
     public static Workload Independent(Scene scene, Integrator integrator, IReadOnlyList<Shot> shots)
     {
         Simulator simulator = Compile(scene, integrator);
         BallState[] states = Shots.Launch(simulator, Shots.HighUp(shots));
-        var scratch = new BallState[states.Length];
+        var scratch = new BallState[Part];
         var log = new StepLog();
-        return new Workload(() => Batches.Interleaved(simulator, states, scratch, Steps, H, log), states.Length * Steps);
+        return OfParts(part => Batches.Interleaved(simulator, states.AsSpan(part, Part), scratch, Steps, H, log), Part * Steps);
     }
 
     public static Workload Stopped(Integrator integrator)
@@ -43,7 +46,7 @@ internal static class Workloads
         Simulator simulator = Compile(Scene.Default, integrator);
         BallState[] states = Shots.Stopped(simulator);
         var log = new StepLog();
-        return new Workload(() => Batches.Chain(simulator, states, Steps, H, log), states.Length * Steps);
+        return OfParts(part => Batches.Chain(simulator, states.AsSpan(part, Part), Steps, H, log), Part * Steps);
     }
 
     /// <summary>Steps with one impact inside each.</summary>
@@ -52,7 +55,7 @@ internal static class Workloads
         Simulator simulator = Compile(Scene.Default, integrator);
         BallState[] states = Shots.Launch(simulator, ShotSets.AboutToBounce);
         var log = new StepLog(2 * states.Length);
-        return new Workload(() => Batches.OneStepEach(simulator, states, H, log), states.Length);
+        return OfParts(part => Batches.OneStepEach(simulator, states.AsSpan(part, Part), H, log), Part);
     }
 
     /// <summary>Look-aheads of three seconds from the ground, bounces and all.</summary>
@@ -61,43 +64,55 @@ internal static class Workloads
         Simulator simulator = Compile(Scene.Default, integrator);
         BallState[] states = Shots.Launch(simulator, ShotSets.Mixed);
         var log = new StepLog();
-        return new Workload(() => Batches.LookAhead(simulator, states, h, ShotSets.LookAhead, log), states.Length);
+        return OfParts(part => Batches.LookAhead(simulator, states.AsSpan(part, Part), h, ShotSets.LookAhead, log), Part);
     }
 
     public static Workload Plain(PlainLawKind law, Integrator integrator, IReadOnlyList<Shot> shots)
     {
         var flight = PlainFlight.Create(law, integrator);
         PlainState[] states = Shots.Plain(Shots.HighUp(shots));
-        return new Workload(() => Batches.Chain(flight, states, Steps, H), states.Length * Steps);
+        return OfParts(part => Batches.Chain(flight, states.AsSpan(part, Part), Steps, H), Part * Steps);
     }
 
     public static Workload PlainIndependent(PlainLawKind law, Integrator integrator, IReadOnlyList<Shot> shots)
     {
         var flight = PlainFlight.Create(law, integrator);
         PlainState[] states = Shots.Plain(Shots.HighUp(shots));
-        var scratch = new PlainState[states.Length];
-        return new Workload(() => Batches.Interleaved(flight, states, scratch, Steps, H), states.Length * Steps);
+        var scratch = new PlainState[Part];
+        return OfParts(part => Batches.Interleaved(flight, states.AsSpan(part, Part), scratch, Steps, H), Part * Steps);
     }
 
     public static Workload Thesis(Integrator integrator, IReadOnlyList<Shot> shots)
     {
         var ball = new ThesisBall(integrator);
-        IReadOnlyList<Shot> high = Shots.HighUp(shots);
-        return new Workload(() => Batches.Chain(ball, high, Steps, (float)H), high.Count * Steps);
+        Shot[] high = [.. Shots.HighUp(shots)];
+        return OfParts(part => Batches.Chain(ball, high.AsSpan(part, Part), Steps, (float)H), Part * Steps);
     }
 
     public static Workload MathNet(Integrator integrator, IReadOnlyList<Shot> shots)
     {
         var flight = new MathNetFlight(integrator);
         var states = Shots.HighUp(shots).Select(MathNetFlight.StateOf).ToArray();
-        return new Workload(() => Batches.Chain(flight, states, Steps, H), states.Length * Steps);
+        return OfParts(part => Batches.Chain(flight, states.AsSpan(part, Part), Steps, H), Part * Steps);
     }
 
     public static Workload Engine(IReadOnlyList<Shot> shots)
     {
         var engine = new RigidBodyEngine();
         PlainState[] states = Shots.Plain(Shots.HighUp(shots));
-        return new Workload(() => Batches.Chain(engine, states, Steps, 1.0 / RigidBodyEngine.FrameRate), states.Length * Steps);
+        return OfParts(part => Batches.Chain(engine, states.AsSpan(part, Part), Steps, 1.0 / RigidBodyEngine.FrameRate), Part * Steps);
+    }
+
+    private static Workload OfParts(Func<int, double> run, int operations)
+    {
+        int part = 0;
+        return new Workload(
+            () =>
+            {
+                part = (part + Part) % ShotSets.Count;
+                return run(part);
+            },
+            operations);
     }
 
     private static Simulator Compile(Scene scene, Integrator integrator) => new(scene, new SolverSettings { Integrator = integrator });

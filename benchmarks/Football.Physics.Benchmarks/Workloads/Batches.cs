@@ -7,7 +7,7 @@ namespace Football.Physics.Benchmarks;
 internal static class Batches
 {
     /// <summary>Shot after shot, each step waiting for the one before.</summary>
-    public static double Chain(Simulator simulator, BallState[] shots, int steps, double h, StepLog log)
+    public static double Chain(Simulator simulator, ReadOnlySpan<BallState> shots, int steps, double h, StepLog log)
     {
         double sum = 0;
         foreach (BallState shot in shots)
@@ -25,7 +25,7 @@ internal static class Batches
     }
 
     /// <summary>The same, reading the orientation after every step as a game does that draws the ball.</summary>
-    public static double ChainWithOrientation(Simulator simulator, BallState[] shots, int steps, double h, StepLog log)
+    public static double ChainWithOrientation(Simulator simulator, ReadOnlySpan<BallState> shots, int steps, double h, StepLog log)
     {
         double sum = 0;
         foreach (BallState shot in shots)
@@ -44,9 +44,9 @@ internal static class Batches
     }
 
     /// <summary>All shots one step, then the next: neighbouring steps are independent.</summary>
-    public static double Interleaved(Simulator simulator, BallState[] shots, BallState[] scratch, int steps, double h, StepLog log)
+    public static double Interleaved(Simulator simulator, ReadOnlySpan<BallState> shots, Span<BallState> scratch, int steps, double h, StepLog log)
     {
-        Array.Copy(shots, scratch, shots.Length);
+        shots.CopyTo(scratch);
         for (int i = 0; i < steps; i++)
         {
             for (int k = 0; k < scratch.Length; k++)
@@ -59,7 +59,7 @@ internal static class Batches
     }
 
     /// <summary>One step of every shot, with whatever happens in it.</summary>
-    public static double OneStepEach(Simulator simulator, BallState[] shots, double h, StepLog log)
+    public static double OneStepEach(Simulator simulator, ReadOnlySpan<BallState> shots, double h, StepLog log)
     {
         double sum = 0;
         foreach (BallState shot in shots)
@@ -74,7 +74,7 @@ internal static class Batches
     }
 
     /// <summary>Where every shot is after a time, events and all.</summary>
-    public static double LookAhead(Simulator simulator, BallState[] shots, double h, double duration, StepLog log)
+    public static double LookAhead(Simulator simulator, ReadOnlySpan<BallState> shots, double h, double duration, StepLog log)
     {
         double sum = 0;
         foreach (BallState shot in shots)
@@ -89,7 +89,7 @@ internal static class Batches
     }
 
     /// <summary>Shot after shot by the plain yardstick.</summary>
-    public static double Chain(PlainFlight flight, PlainState[] shots, int steps, double h)
+    public static double Chain(PlainFlight flight, ReadOnlySpan<PlainState> shots, int steps, double h)
     {
         double sum = 0;
         foreach (PlainState shot in shots)
@@ -107,9 +107,9 @@ internal static class Batches
     }
 
     /// <summary>All shots one step, then the next, by the plain yardstick.</summary>
-    public static double Interleaved(PlainFlight flight, PlainState[] shots, PlainState[] scratch, int steps, double h)
+    public static double Interleaved(PlainFlight flight, ReadOnlySpan<PlainState> shots, Span<PlainState> scratch, int steps, double h)
     {
-        Array.Copy(shots, scratch, shots.Length);
+        shots.CopyTo(scratch);
         for (int i = 0; i < steps; i++)
         {
             for (int k = 0; k < scratch.Length; k++)
@@ -122,7 +122,7 @@ internal static class Batches
     }
 
     /// <summary>Shot after shot the thesis' way.</summary>
-    public static double Chain(ThesisBall ball, IReadOnlyList<Shot> shots, int steps, float h)
+    public static double Chain(ThesisBall ball, ReadOnlySpan<Shot> shots, int steps, float h)
     {
         double sum = 0;
         foreach (Shot shot in shots)
@@ -140,7 +140,7 @@ internal static class Batches
     }
 
     /// <summary>Shot after shot by MathNet.Numerics.</summary>
-    public static double Chain(MathNetFlight flight, Vector<double>[] shots, int steps, double h)
+    public static double Chain(MathNetFlight flight, ReadOnlySpan<Vector<double>> shots, int steps, double h)
     {
         double sum = 0;
         foreach (Vector<double> shot in shots)
@@ -152,7 +152,7 @@ internal static class Batches
     }
 
     /// <summary>Shot after shot by the general rigid-body engine.</summary>
-    public static double Chain(RigidBodyEngine engine, PlainState[] shots, int steps, double h)
+    public static double Chain(RigidBodyEngine engine, ReadOnlySpan<PlainState> shots, int steps, double h)
     {
         double sum = 0;
         foreach (PlainState shot in shots)
