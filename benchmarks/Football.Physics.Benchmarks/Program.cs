@@ -1,9 +1,19 @@
+using BenchmarkDotNet.Configs;
 using BenchmarkDotNet.Running;
 
 namespace Football.Physics.Benchmarks;
 
 internal static class Program
 {
-    private static void Main(string[] args) =>
-        BenchmarkSwitcher.FromAssembly(typeof(Program).Assembly).Run(args);
+    private static int Main(string[] args)
+    {
+        if (args is ["quick", ..])
+        {
+            return QuickCommand.Run(args[1..]);
+        }
+
+        IConfig config = DefaultConfig.Instance.AddColumn(new ErrorColumn());
+        BenchmarkSwitcher.FromAssembly(typeof(Program).Assembly).Run(args, config);
+        return 0;
+    }
 }

@@ -1,0 +1,44 @@
+using BenchmarkDotNet.Attributes;
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Benchmarks;
+
+/// <summary>One step on the ground: integrator × law × motion, against a plain RK2 step in flight.</summary>
+[MemoryDiagnoser]
+public class GroundBenchmarks
+{
+    private const int Operations = ShotSets.Count * ShotSets.Steps;
+    private const double H = ShotSets.TimeStep;
+    private readonly StepLog _log = new();
+    private readonly PlainFlight _flight = PlainFlight.Create(PlainLawKind.Published, Integrator.Rk2);
+    private readonly PlainState[] _plainShots = Shots.Plain(Shots.HighUp(ShotSets.Fast));
+    private Simulator _simulator = new();
+    private BallState[] _shots = [];
+
+    [ParamsAllValues]
+    public Integrator Integrator { get; set; }
+
+    [ParamsAllValues]
+    public PlainLawKind Law { get; set; }
+
+    [ParamsAllValues]
+    public GroundMotion Motion { get; set; }
+
+    [GlobalSetup]
+    public void Setup()
+    {
+        _simulator = new Simulator(PlainFlight.SceneOf(Law), new SolverSettings { Integrator = Integrator });
+        _shots = Motion switch
+        {
+            GroundMotion.Sliding => Shots.Launch(_simulator, ShotSets.Sliding),
+            GroundMotion.Rolling => Shots.Launch(_simulator, ShotSets.Rolling),
+            _ => Shots.Stopped(_simulator),
+        };
+    }
+
+    [Benchmark(Baseline = true, OperationsPerInvoke = Operations)]
+    public double PlainFlightRk2() => Batches.Chain(_flight, _plainShots, ShotSets.Steps, H);
+
+    [Benchmark(OperationsPerInvoke = Operations)]
+    public double Library() => Batches.Chain(_simulator, _shots, ShotSets.Steps, H, _log);
+}

@@ -1,0 +1,35 @@
+using BenchmarkDotNet.Attributes;
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Benchmarks;
+
+/// <summary>One step with one impact inside it: integrator × timing.</summary>
+[MemoryDiagnoser]
+public class ImpactBenchmarks
+{
+    private readonly StepLog _log = new(2 * ShotSets.Count);
+    private readonly Shot[] _thesisShots = [.. ShotSets.AboutToBounce];
+    private Simulator _simulator = new();
+    private BallState[] _shots = [];
+    private ThesisBall _thesis = new(Integrator.Rk2);
+
+    [ParamsAllValues]
+    public Integrator Integrator { get; set; }
+
+    [ParamsAllValues]
+    public CollisionTiming Timing { get; set; }
+
+    [GlobalSetup]
+    public void Setup()
+    {
+        _simulator = new Simulator(null, new SolverSettings { Integrator = Integrator, CollisionTiming = Timing });
+        _shots = Shots.Launch(_simulator, ShotSets.AboutToBounce);
+        _thesis = new ThesisBall(Integrator);
+    }
+
+    [Benchmark(Baseline = true, OperationsPerInvoke = ShotSets.Count)]
+    public double Thesis() => Batches.Chain(_thesis, _thesisShots, 1, (float)ShotSets.TimeStep);
+
+    [Benchmark(OperationsPerInvoke = ShotSets.Count)]
+    public double Library() => Batches.OneStepEach(_simulator, _shots, ShotSets.TimeStep, _log);
+}

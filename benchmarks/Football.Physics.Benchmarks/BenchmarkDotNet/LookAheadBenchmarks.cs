@@ -1,0 +1,38 @@
+using BenchmarkDotNet.Attributes;
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Benchmarks;
+
+/// <summary>Where a shot is after three seconds, bounces and all, every event exact; against a plain RK2 step.</summary>
+[MemoryDiagnoser]
+public class LookAheadBenchmarks : IHasError
+{
+    private readonly StepLog _log = new();
+    private readonly PlainFlight _flight = PlainFlight.Create(PlainLawKind.Published, Integrator.Rk2);
+    private readonly PlainState[] _plainShots = Shots.Plain(Shots.HighUp(ShotSets.Fast));
+    private Simulator _simulator = new();
+    private BallState[] _shots = [];
+
+    [Params(Integrator.Rk2, Integrator.Rk4)]
+    public Integrator Integrator { get; set; }
+
+    /// <summary>Step, ms.</summary>
+    [Params(10, 40, 80)]
+    public int Milliseconds { get; set; }
+
+    [GlobalSetup]
+    public void Setup()
+    {
+        _simulator = new Simulator(null, new SolverSettings { Integrator = Integrator });
+        _shots = Shots.Launch(_simulator, ShotSets.Mixed);
+    }
+
+    [Benchmark(Baseline = true, OperationsPerInvoke = ShotSets.Count * ShotSets.Steps)]
+    public double PlainRk2Step() => Batches.Chain(_flight, _plainShots, ShotSets.Steps, ShotSets.TimeStep);
+
+    [Benchmark(OperationsPerInvoke = ShotSets.Count)]
+    public double Library() => Batches.LookAhead(_simulator, _shots, 1e-3 * Milliseconds, ShotSets.LookAhead, _log);
+
+    public double Error(string benchmark) =>
+        benchmark == nameof(Library) ? Errors.LookAhead(Integrator, 1e-3 * Milliseconds, ShotSets.Mixed) : double.NaN;
+}

@@ -1,0 +1,33 @@
+using System.Diagnostics;
+
+namespace Football.Physics.Benchmarks;
+
+/// <summary>This program once more, with other settings of the runtime.</summary>
+internal static class Child
+{
+    /// <summary>Runs it and returns what it prints.</summary>
+    public static string Run(IReadOnlyDictionary<string, string> environment, params string[] arguments)
+    {
+        string program = Environment.ProcessPath ?? throw new InvalidOperationException("The path of this process is not known.");
+        var start = new ProcessStartInfo(program) { RedirectStandardOutput = true, UseShellExecute = false };
+        if (Path.GetFileNameWithoutExtension(program) == "dotnet")
+        {
+            start.ArgumentList.Add(typeof(Child).Assembly.Location);
+        }
+
+        foreach (string argument in arguments)
+        {
+            start.ArgumentList.Add(argument);
+        }
+
+        foreach ((string name, string value) in environment)
+        {
+            start.Environment[name] = value;
+        }
+
+        using Process process = Process.Start(start) ?? throw new InvalidOperationException("The process did not start.");
+        string output = process.StandardOutput.ReadToEnd();
+        process.WaitForExit();
+        return process.ExitCode == 0 ? output : throw new InvalidOperationException($"'{string.Join(' ', arguments)}' ended with {process.ExitCode}.");
+    }
+}

@@ -1,0 +1,167 @@
+using System.Globalization;
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
+using System.Text;
+
+namespace Football.Physics.Benchmarks;
+
+/// <summary>`quick`: the tables of times in under a minute, where BenchmarkDotNet takes many.</summary>
+internal static class QuickCommand
+{
+    private const string Usage = "quick [--seconds S] [--only TEXT] [--markdown FILE]";
+
+    public static int Run(string[] arguments)
+    {
+        double seconds = 20;
+        string? only = null;
+        string? markdown = null;
+        for (int i = 0; i < arguments.Length; i += 2)
+        {
+            string? value = i + 1 < arguments.Length ? arguments[i + 1] : null;
+            switch (arguments[i])
+            {
+                case "--child" when value is not null && i + 2 < arguments.Length:
+                    return RunChild(value, int.Parse(arguments[i + 2], CultureInfo.InvariantCulture));
+                case "--seconds" when double.TryParse(value, NumberStyles.Float, CultureInfo.InvariantCulture, out double s) && s > 0:
+                    seconds = s;
+                    break;
+                case "--only" when value is not null:
+                    only = value;
+                    break;
+                case "--markdown" when value is not null:
+                    markdown = value;
+                    break;
+                default:
+                    Console.Error.WriteLine($"'{arguments[i]}' is not understood. Usage: {Usage}");
+                    return 2;
+            }
+        }
+
+        string text = Report(seconds, only, string.Join(' ', arguments));
+        if (markdown is not null)
+        {
+            File.WriteAllText(markdown, text);
+            Console.WriteLine($"Written to {markdown}.");
+        }
+
+        return 0;
+    }
+
+    private static string Report(double seconds, string? only, string arguments)
+    {
+        var text = new StringBuilder();
+        Print(text, "# Benchmarks");
+        Print(text, "");
+        Print(text, $"{DateTime.UtcNow:yyyy-MM-dd}, {Machine()}, {RuntimeInformation.FrameworkDescription}, {RuntimeInformation.OSDescription.Trim()}.");
+        Print(text, $"Written by `dotnet run -c Release --project benchmarks/Football.Physics.Benchmarks -- quick {arguments}`.");
+        Print(text, "Medians of rounds in which subject and yardstick alternate; a claim is a ratio of one run, for times alone vary by ±10 %.");
+        Print(text, "`plain` is the same laws in straightforward double C# with `Math.Pow` and `Math.Exp`, in the same process.");
+
+        IReadOnlyList<TargetRow> targets = [.. TargetTable.Rows.Where(row => Wanted(row.Name, only))];
+        IReadOnlyList<FreeRow> free = [.. FreeTable.Rows.Where(row => Wanted(row.Name, only))];
+        double share = seconds / Math.Max(1, targets.Count + free.Count);
+        if (targets.Count > 0)
+        {
+            Targets(text, targets, share);
+        }
+
+        if (free.Count > 0)
+        {
+            Free(text, free, share);
+        }
+
+        return text.ToString();
+    }
+
+    private static void Targets(StringBuilder text, IReadOnlyList<TargetRow> rows, double share)
+    {
+        (TargetRow Row, Workload Subject, Workload Yardstick)[] work = [.. rows.Select(row => (row, row.Subject(), row.Yardstick()))];
+        Stopwatching.WarmUp([.. work.SelectMany(w => new[] { w.Subject, w.Yardstick })]);
+        Print(text, "");
+        Print(text, "## Time for one ball");
+        Print(text, "");
+        Print(text, "10 ms steps through the public `Simulator.Step`, events looked for and the drag law's jump located.");
+        Print(text, "Error: mean distance of the landings (look-ahead: of the ends) of the same shots from RK4 at 0.5 ms.");
+        Print(text, "");
+        Print(text, "| | ns | yardstick, ns | ratio | reach | | bytes | error | thesis (Unity) |");
+        Print(text, "|---|--:|--:|--:|--:|---|--:|--:|--:|");
+        foreach ((TargetRow row, Workload subject, Workload yardstick) in work)
+        {
+            Timing time = row.Without512Bit ? InChild(row) : Stopwatching.Measure(subject, yardstick, share);
+            string verdict = row.Target is { } target ? (time.Ratio <= target ? "reached" : "**missed**") : "";
+            string reach = row.Target is { } t ? $"≤ {Text.Number(t)}" : "";
+            string error = row.Error is { } of ? Text.Length(of()) : "";
+            Print(text, $"| {row.Name} | {Text.Number(time.Nanoseconds)} | {Text.Number(time.YardstickNanoseconds)} | {Text.Number(time.Ratio)} | {reach} | {verdict} | {Text.Number(time.Bytes)} | {error} | {row.Thesis} |");
+        }
+    }
+
+    private static void Free(StringBuilder text, IReadOnlyList<FreeRow> rows, double share)
+    {
+        Workload all = FreeTable.Rows[0].Subject();
+        (FreeRow Row, Workload Subject)[] work = [.. rows.Select(row => (row, row.Subject()))];
+        Stopwatching.WarmUp([all, .. work.Select(w => w.Subject)]);
+        Print(text, "");
+        Print(text, "## What a scene does not need is free");
+        Print(text, "");
+        Print(text, "RK2 at 10 ms. Code: bytes of the integrator's method in the JIT's own listing (`DOTNET_JitDisasmSummary`), and of the method around it that looks for events.");
+        Print(text, "");
+        Print(text, "| | ns a step | of all forces | code | around it |");
+        Print(text, "|---|--:|--:|--:|--:|");
+        foreach ((FreeRow row, Workload subject) in work)
+        {
+            Timing time = Stopwatching.Measure(subject, all, share);
+            (int? method, int? around) = CodeSizes.Of(FreeTable.Rows.TakeWhile(r => r != row).Count(), row);
+            Print(text, $"| {row.Name} | {Text.Number(time.Nanoseconds)} | {Text.Number(time.Ratio)} | {method?.ToString(CultureInfo.InvariantCulture) ?? "–"} | {around?.ToString(CultureInfo.InvariantCulture) ?? "–"} |");
+        }
+    }
+
+    private static Timing InChild(TargetRow row)
+    {
+        // The name of the switch changed with .NET 10; the other is ignored.
+        var environment = new Dictionary<string, string> { ["DOTNET_EnableAVX512"] = "0", ["DOTNET_EnableAVX512F"] = "0" };
+        int index = TargetTable.Rows.TakeWhile(r => r != row).Count();
+        double[] values = [.. Child.Run(environment, "quick", "--child", "target", index.ToString(CultureInfo.InvariantCulture))
+            .Split(' ').Select(v => double.Parse(v, CultureInfo.InvariantCulture))];
+        return new Timing(values[0], values[1], values[2], values[3]);
+    }
+
+    private static int RunChild(string table, int index)
+    {
+        if (table == "free")
+        {
+            Stopwatching.WarmUp([FreeTable.Rows[index].Subject()]);
+            return 0;
+        }
+
+        if (Vector512.IsHardwareAccelerated)
+        {
+            Console.Error.WriteLine("512-bit registers are still on.");
+            return 3;
+        }
+
+        TargetRow row = TargetTable.Rows[index];
+        Workload subject = row.Subject();
+        Workload yardstick = row.Yardstick();
+        Stopwatching.WarmUp([subject, yardstick]);
+        Timing time = Stopwatching.Measure(subject, yardstick, 0.5);
+        Console.Write(string.Create(CultureInfo.InvariantCulture, $"{time.Nanoseconds} {time.YardstickNanoseconds} {time.Ratio} {time.Bytes}"));
+        return 0;
+    }
+
+    private static bool Wanted(string name, string? only) => only is null || name.Contains(only, StringComparison.OrdinalIgnoreCase);
+
+    private static void Print(StringBuilder text, string line)
+    {
+        text.Append(line).Append('\n');
+        Console.WriteLine(line);
+    }
+
+    private static string Machine()
+    {
+        const string Info = "/proc/cpuinfo";
+        string? model = File.Exists(Info)
+            ? File.ReadLines(Info).FirstOrDefault(line => line.StartsWith("model name", StringComparison.Ordinal))?.Split(':')[^1].Trim()
+            : null;
+        return $"{model ?? RuntimeInformation.ProcessArchitecture.ToString()} ({Environment.ProcessorCount} core{(Environment.ProcessorCount == 1 ? "" : "s")} used)";
+    }
+}

@@ -1,0 +1,75 @@
+using System.Diagnostics;
+using System.Runtime;
+
+namespace Football.Physics.Benchmarks;
+
+/// <summary>Times a subject against a yardstick in alternating rounds, so that a change of clock meets both.</summary>
+internal static class Stopwatching
+{
+    /// <summary>Rounds that a median is taken over, at least.</summary>
+    public const int LeastRounds = 15;
+
+    private const int MostRounds = 2000;
+    private const int WarmUpCalls = 40;
+    private const int LeastPasses = 8;
+    private const int MostPasses = 16;
+    private static double _sink;
+
+    /// <summary>Calls everything often enough that the runtime compiles it for good, with pauses in which it does so.</summary>
+    public static void WarmUp(IReadOnlyCollection<Workload> workloads)
+    {
+        // Tier 0, counted calls, tier 1, each after a pause of 100 ms: done when two passes in a row leave nothing more to compile.
+        int quiet = 0;
+        for (int pass = 0; pass < LeastPasses || (pass < MostPasses && quiet < 2); pass++)
+        {
+            long compiled = JitInfo.GetCompiledMethodCount();
+            foreach (Workload workload in workloads)
+            {
+                for (int i = 0; i < WarmUpCalls; i++)
+                {
+                    _sink += workload.Run();
+                }
+            }
+
+            Thread.Sleep(130);
+            quiet = JitInfo.GetCompiledMethodCount() == compiled ? quiet + 1 : 0;
+        }
+    }
+
+    /// <summary>Times for about a given time, but never fewer than the least rounds.</summary>
+    public static Timing Measure(Workload subject, Workload yardstick, double seconds)
+    {
+        var ours = new List<double>();
+        var theirs = new List<double>();
+        var ratios = new List<double>();
+        long start = Stopwatch.GetTimestamp();
+        while (ratios.Count < LeastRounds || (Stopwatch.GetElapsedTime(start).TotalSeconds < seconds && ratios.Count < MostRounds))
+        {
+            double a = Time(subject);
+            double b = Time(yardstick);
+            ours.Add(a);
+            theirs.Add(b);
+            ratios.Add(a / b);
+        }
+
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        _sink += subject.Run();
+        long allocated = GC.GetAllocatedBytesForCurrentThread() - before;
+        return new Timing(Median(ours), Median(theirs), Median(ratios), (double)allocated / subject.Operations);
+    }
+
+    /// <summary>The middle value.</summary>
+    public static double Median(List<double> values)
+    {
+        values.Sort();
+        int middle = values.Count / 2;
+        return values.Count % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+    }
+
+    private static double Time(Workload workload)
+    {
+        long start = Stopwatch.GetTimestamp();
+        _sink += workload.Run();
+        return (Stopwatch.GetTimestamp() - start) * (1e9 / Stopwatch.Frequency) / workload.Operations;
+    }
+}

@@ -1,0 +1,98 @@
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Benchmarks;
+
+/// <summary>The rows of "Time for one ball".</summary>
+internal static class TargetTable
+{
+    private const double H = ShotSets.TimeStep;
+    private static readonly IReadOnlyList<Shot> Fast = ShotSets.Fast;
+    private static readonly IReadOnlyList<Shot> Mixed = ShotSets.Mixed;
+
+    public static IReadOnlyList<TargetRow> Rows { get; } =
+    [
+        Flight("Euler", Integrator.Euler, "fast", Fast, 0.26, "11.2 µs"),
+        Flight("semi-implicit Euler", Integrator.SemiImplicitEuler, "fast", Fast, 0.26, "12.0 µs"),
+        Flight("RK2", Integrator.Rk2, "fast", Fast, 0.23, "14.7 µs"),
+        Flight("RK4", Integrator.Rk4, "fast", Fast, 0.22, "20.9 µs"),
+        Flight("Euler", Integrator.Euler, "mixed", Mixed, 0.30, "–"),
+        Flight("semi-implicit Euler", Integrator.SemiImplicitEuler, "mixed", Mixed, 0.30, "–"),
+        Flight("RK2", Integrator.Rk2, "mixed", Mixed, 0.30, "–"),
+        Flight("RK4", Integrator.Rk4, "mixed", Mixed, 0.30, "–"),
+        Flight("RK4 without 512-bit registers", Integrator.Rk4, "fast", Fast, 0.25, "–") with { Without512Bit = true },
+        new("constant coefficients, RK2, of plain all-forces RK2", () => Workloads.Flight(PlainFlight.SceneOf(PlainLawKind.Constant), Integrator.Rk2, Fast), PlainRk2)
+        {
+            Target = 0.17,
+            Error = () => Errors.Landing(Integrator.Rk2, PlainLawKind.Constant, H, Fast),
+        },
+        new("vacuum, RK2, of plain all-forces RK2", () => Workloads.Flight(Scene.Vacuum, Integrator.Rk2, Fast), PlainRk2)
+        {
+            Target = 0.03,
+            Error = () => Errors.Landing(Integrator.Rk2, PlainLawKind.Vacuum, H, Fast),
+        },
+        new("stopped ball, of plain all-forces RK2", () => Workloads.Stopped(Integrator.Rk2), PlainRk2) { Target = 0.006, Thesis = "\"paused\"" },
+        LookAhead("RK4, 40 ms steps", Integrator.Rk4, 0.04) with { Target = 40 },
+        LookAhead("RK4, 80 ms steps", Integrator.Rk4, 0.08) with { Target = 40 },
+        LookAhead("RK4, 10 ms steps", Integrator.Rk4, 0.01),
+        LookAhead("RK2, 10 ms steps", Integrator.Rk2, 0.01),
+        new("step with an impact in it, RK2, in plain RK2 steps", () => Workloads.Impacts(Integrator.Rk2), PlainRk2),
+        new("step with an impact in it, RK4, in plain RK2 steps", () => Workloads.Impacts(Integrator.Rk4), PlainRk2),
+        Independent("RK2", Integrator.Rk2),
+        Independent("RK4", Integrator.Rk4),
+        Regularised("RK2", Integrator.Rk2),
+        Regularised("RK4", Integrator.Rk4),
+        Thesis("Euler", Integrator.Euler, "11.2 µs"),
+        Thesis("RK2", Integrator.Rk2, "14.7 µs"),
+        Thesis("RK4", Integrator.Rk4, "20.9 µs"),
+        MathNet("RK2 (Heun)", Integrator.Rk2),
+        MathNet("RK4", Integrator.Rk4),
+        new("a rigid-body engine's way, 60 Hz (no curl, no drag law)", () => Workloads.Engine(Fast), PlainRk2)
+        {
+            Error = () => Errors.EngineLanding(1.0 / RigidBodyEngine.FrameRate, Fast),
+        },
+    ];
+
+    private static Workload PlainRk2() => Workloads.Plain(PlainLawKind.Published, Integrator.Rk2, Fast);
+
+    private static TargetRow Flight(string name, Integrator integrator, string set, IReadOnlyList<Shot> shots, double target, string thesis) =>
+        new($"flight step, {set}: {name}", () => Workloads.Flight(Scene.Default, integrator, shots), () => Workloads.Plain(PlainLawKind.Published, integrator, shots))
+        {
+            Target = target,
+            Thesis = thesis,
+            Error = () => Errors.Landing(integrator, PlainLawKind.Published, H, shots),
+        };
+
+    private static TargetRow LookAhead(string name, Integrator integrator, double h) =>
+        new($"3 s look-ahead, {name}, in plain RK2 steps", () => Workloads.LookAhead(integrator, h), PlainRk2)
+        {
+            Error = () => Errors.LookAhead(integrator, h, Mixed),
+        };
+
+    private static TargetRow Independent(string name, Integrator integrator) =>
+        new(
+            $"independent flight steps, fast: {name}",
+            () => Workloads.Independent(Scene.Default, integrator, Fast),
+            () => Workloads.PlainIndependent(PlainLawKind.Published, integrator, Fast));
+
+    private static TargetRow Regularised(string name, Integrator integrator) =>
+        new(
+            $"regularised law, mixed: {name}",
+            () => Workloads.Flight(PlainFlight.SceneOf(PlainLawKind.Regularised), integrator, Mixed),
+            () => Workloads.Plain(PlainLawKind.Regularised, integrator, Mixed))
+        {
+            Error = () => Errors.Landing(integrator, PlainLawKind.Regularised, H, Mixed),
+        };
+
+    private static TargetRow Thesis(string name, Integrator integrator, string thesis) =>
+        new($"the thesis' way, fast: {name}", () => Workloads.Thesis(integrator, Fast), () => Workloads.Plain(PlainLawKind.Published, integrator, Fast))
+        {
+            Thesis = thesis,
+            Error = () => Errors.ThesisLanding(integrator, H, Fast),
+        };
+
+    private static TargetRow MathNet(string name, Integrator integrator) =>
+        new($"MathNet.Numerics, fast: {name}", () => Workloads.MathNet(integrator, Fast), () => Workloads.Plain(PlainLawKind.Published, integrator, Fast))
+        {
+            Error = () => Errors.MathNetLanding(integrator, H, Fast),
+        };
+}

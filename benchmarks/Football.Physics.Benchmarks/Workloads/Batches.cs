@@ -1,0 +1,171 @@
+using Football.Physics.Yardsticks;
+using MathNet.Numerics.LinearAlgebra;
+
+namespace Football.Physics.Benchmarks;
+
+/// <summary>The loops that are timed. Each returns something that depends on every step, so that none can be left out.</summary>
+internal static class Batches
+{
+    /// <summary>Shot after shot, each step waiting for the one before.</summary>
+    public static double Chain(Simulator simulator, ReadOnlySpan<BallState> shots, int steps, double h, StepLog log)
+    {
+        double sum = 0;
+        foreach (BallState shot in shots)
+        {
+            BallState s = shot;
+            for (int i = 0; i < steps; i++)
+            {
+                simulator.Step(ref s, h, log);
+            }
+
+            sum += s.Position.X;
+        }
+
+        return sum;
+    }
+
+    /// <summary>The same, reading the orientation after every step as a game does that draws the ball.</summary>
+    public static double ChainWithOrientation(Simulator simulator, ReadOnlySpan<BallState> shots, int steps, double h, StepLog log)
+    {
+        double sum = 0;
+        foreach (BallState shot in shots)
+        {
+            BallState s = shot;
+            for (int i = 0; i < steps; i++)
+            {
+                simulator.Step(ref s, h, log);
+                sum += s.Orientation.W;
+            }
+
+            sum += s.Position.X;
+        }
+
+        return sum;
+    }
+
+    /// <summary>All shots one step, then the next: neighbouring steps are independent.</summary>
+    public static double Interleaved(Simulator simulator, ReadOnlySpan<BallState> shots, Span<BallState> scratch, int steps, double h, StepLog log)
+    {
+        shots.CopyTo(scratch);
+        for (int i = 0; i < steps; i++)
+        {
+            for (int k = 0; k < scratch.Length; k++)
+            {
+                simulator.Step(ref scratch[k], h, log);
+            }
+        }
+
+        return scratch[^1].Position.X;
+    }
+
+    /// <summary>One step of every shot, with whatever happens in it.</summary>
+    public static double OneStepEach(Simulator simulator, ReadOnlySpan<BallState> shots, double h, StepLog log)
+    {
+        double sum = 0;
+        foreach (BallState shot in shots)
+        {
+            BallState s = shot;
+            simulator.Step(ref s, h, log);
+            sum += s.Position.X;
+        }
+
+        log.Clear();
+        return sum;
+    }
+
+    /// <summary>Where every shot is after a time, events and all.</summary>
+    public static double LookAhead(Simulator simulator, ReadOnlySpan<BallState> shots, double h, double duration, StepLog log)
+    {
+        double sum = 0;
+        foreach (BallState shot in shots)
+        {
+            BallState s = shot;
+            log.Clear();
+            simulator.Run(ref s, h, duration, StopAt.Time, log);
+            sum += s.Position.X;
+        }
+
+        return sum;
+    }
+
+    /// <summary>Shot after shot by the plain yardstick.</summary>
+    public static double Chain(PlainFlight flight, ReadOnlySpan<PlainState> shots, int steps, double h)
+    {
+        double sum = 0;
+        foreach (PlainState shot in shots)
+        {
+            PlainState s = shot;
+            for (int i = 0; i < steps; i++)
+            {
+                flight.Step(ref s, h);
+            }
+
+            sum += s.Position.X;
+        }
+
+        return sum;
+    }
+
+    /// <summary>All shots one step, then the next, by the plain yardstick.</summary>
+    public static double Interleaved(PlainFlight flight, ReadOnlySpan<PlainState> shots, Span<PlainState> scratch, int steps, double h)
+    {
+        shots.CopyTo(scratch);
+        for (int i = 0; i < steps; i++)
+        {
+            for (int k = 0; k < scratch.Length; k++)
+            {
+                flight.Step(ref scratch[k], h);
+            }
+        }
+
+        return scratch[^1].Position.X;
+    }
+
+    /// <summary>Shot after shot the thesis' way.</summary>
+    public static double Chain(ThesisBall ball, ReadOnlySpan<Shot> shots, int steps, float h)
+    {
+        double sum = 0;
+        foreach (Shot shot in shots)
+        {
+            ball.Kick(shot);
+            for (int i = 0; i < steps; i++)
+            {
+                ball.FixedUpdate(h);
+            }
+
+            sum += ball.Position.X;
+        }
+
+        return sum;
+    }
+
+    /// <summary>Shot after shot by MathNet.Numerics.</summary>
+    public static double Chain(MathNetFlight flight, ReadOnlySpan<Vector<double>> shots, int steps, double h)
+    {
+        double sum = 0;
+        foreach (Vector<double> shot in shots)
+        {
+            sum += flight.Fly(shot, h, steps)[0];
+        }
+
+        return sum;
+    }
+
+    /// <summary>Shot after shot by the general rigid-body engine.</summary>
+    public static double Chain(RigidBodyEngine engine, ReadOnlySpan<PlainState> shots, int steps, double h)
+    {
+        double sum = 0;
+        foreach (PlainState shot in shots)
+        {
+            PlainState s = shot;
+            for (int i = 0; i < steps; i++)
+            {
+                engine.Step(ref s, h);
+            }
+
+            sum += s.Position.X;
+        }
+
+        return sum;
+    }
+}

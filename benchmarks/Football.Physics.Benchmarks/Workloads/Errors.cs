@@ -1,0 +1,146 @@
+using System.Collections.Concurrent;
+using Football.Physics.Yardsticks;
+using MathNet.Numerics.LinearAlgebra;
+
+namespace Football.Physics.Benchmarks;
+
+/// <summary>What stands beside a time: the mean error of the same method at the same step, m, against RK4 at 0.5 ms with every event located.</summary>
+internal static class Errors
+{
+    private const double ReferenceStep = 0.5e-3;
+    private const double LongestFlight = 20;
+
+    private static readonly double Contact = BallProperties.Football.Radius;
+    private static readonly ConcurrentDictionary<(object Shots, PlainLawKind Law, bool AtTime), Vector3d[]> References = new();
+
+    /// <summary>First landings of shots from the ground, by the library.</summary>
+    public static double Landing(Integrator integrator, PlainLawKind law, double h, IReadOnlyList<Shot> shots)
+    {
+        var simulator = new Simulator(PlainFlight.SceneOf(law), new SolverSettings { Integrator = integrator });
+        return Mean(Reference(shots, law, atTime: false), shots.Select(shot => Land(simulator, shot, h)));
+    }
+
+    /// <summary>First landings by the plain yardstick, its impact found by bisection of the step to the last bit.</summary>
+    public static double PlainLanding(Integrator integrator, PlainLawKind law, double h, IReadOnlyList<Shot> shots)
+    {
+        var flight = PlainFlight.Create(law, integrator);
+        return Mean(Reference(shots, law, atTime: false), shots.Select(shot => Land(flight, shot, h)));
+    }
+
+    /// <summary>First landings the thesis' way, its impact searched to 1 µs.</summary>
+    public static double ThesisLanding(Integrator integrator, double h, IReadOnlyList<Shot> shots)
+    {
+        var ball = new ThesisBall(integrator);
+        return Mean(Reference(shots, PlainLawKind.Published, atTime: false), shots.Select(shot => Land(ball, shot, h)));
+    }
+
+    /// <summary>First landings by MathNet.Numerics, the impact found by bisection.</summary>
+    public static double MathNetLanding(Integrator integrator, double h, IReadOnlyList<Shot> shots)
+    {
+        var flight = new MathNetFlight(integrator);
+        return Mean(Reference(shots, PlainLawKind.Published, atTime: false), shots.Select(shot => Land(flight, shot, h)));
+    }
+
+    /// <summary>First landings by the general rigid-body engine, at the frame's end.</summary>
+    public static double EngineLanding(double h, IReadOnlyList<Shot> shots)
+    {
+        var engine = new RigidBodyEngine();
+        return Mean(Reference(shots, PlainLawKind.Published, atTime: false), shots.Select(shot => Land(engine, shot, h)));
+    }
+
+    /// <summary>Positions of shots from the ground at the end of a look-ahead, by the library.</summary>
+    public static double LookAhead(Integrator integrator, double h, IReadOnlyList<Shot> shots)
+    {
+        var simulator = new Simulator(null, new SolverSettings { Integrator = integrator });
+        return Mean(Reference(shots, PlainLawKind.Published, atTime: true), shots.Select(shot => Ahead(simulator, shot, h)));
+    }
+
+    private static double Mean(Vector3d[] truth, IEnumerable<Vector3d> places) => truth.Zip(places, (a, b) => Vector3d.Distance(a, b)).Average();
+
+    private static Vector3d[] Reference(IReadOnlyList<Shot> shots, PlainLawKind law, bool atTime) => References.GetOrAdd((shots, law, atTime), _ =>
+    {
+        var simulator = new Simulator(PlainFlight.SceneOf(law));
+        return [.. shots.Select(shot => atTime ? Ahead(simulator, shot, ReferenceStep) : Land(simulator, shot, ReferenceStep))];
+    });
+
+    private static Vector3d Ahead(Simulator simulator, Shot shot, double h)
+    {
+        BallState s = simulator.Launch(shot.Position, shot.Velocity, shot.Spin);
+        simulator.Run(ref s, h, ShotSets.LookAhead, StopAt.Time, new StepLog());
+        return s.Position;
+    }
+
+    private static Vector3d Land(Simulator simulator, Shot shot, double h)
+    {
+        BallState s = simulator.Launch(shot.Position, shot.Velocity, shot.Spin);
+        simulator.Run(ref s, h, LongestFlight, StopAt.Impact, new StepLog());
+        return s.Position;
+    }
+
+    private static Vector3d Land(PlainFlight flight, Shot shot, double h)
+    {
+        var s = PlainState.Of(shot);
+        PlainState before;
+        do
+        {
+            before = s;
+            flight.Step(ref s, h);
+        }
+        while (s.Position.Y > Contact);
+        double low = 0;
+        double high = h;
+        for (int i = 0; i < 50; i++)
+        {
+            double middle = 0.5 * (low + high);
+            s = before;
+            flight.Step(ref s, middle);
+            (low, high) = s.Position.Y > Contact ? (middle, high) : (low, middle);
+        }
+
+        return s.Position;
+    }
+
+    private static Vector3d Land(MathNetFlight flight, Shot shot, double h)
+    {
+        Vector<double> s = MathNetFlight.StateOf(shot);
+        Vector<double> before;
+        do
+        {
+            before = s;
+            s = flight.Fly(s, h);
+        }
+        while (s[1] > Contact);
+        double low = 0;
+        double high = h;
+        for (int i = 0; i < 50; i++)
+        {
+            double middle = 0.5 * (low + high);
+            s = flight.Fly(before, middle);
+            (low, high) = s[1] > Contact ? (middle, high) : (low, middle);
+        }
+
+        return new Vector3d(s[0], s[1], s[2]);
+    }
+
+    private static Vector3d Land(ThesisBall ball, Shot shot, double h)
+    {
+        ball.Kick(shot);
+        while (ball.Impacts == 0)
+        {
+            ball.FixedUpdate((float)h);
+        }
+
+        return ball.LastImpact;
+    }
+
+    private static Vector3d Land(RigidBodyEngine engine, Shot shot, double h)
+    {
+        var s = PlainState.Of(shot);
+        do
+        {
+            engine.Step(ref s, h);
+        }
+        while (s.Position.Y > Contact);
+        return s.Position;
+    }
+}

@@ -1,0 +1,11 @@
+namespace Football.Physics.Yardsticks;
+
+/// <summary>Gravity alone.</summary>
+public readonly struct PlainVacuum(double gravity) : IPlainLaw
+{
+    public void Rates(in PlainVector u, in PlainVector spin, out PlainVector acceleration, out PlainVector spinAcceleration)
+    {
+        acceleration = new PlainVector(0, -gravity, 0);
+        spinAcceleration = default;
+    }
+}
