@@ -1,0 +1,82 @@
+namespace Football.Physics;
+
+/// <summary>Takes numbers from bytes that may come from anywhere: whatever they are, the worst is a <see cref="FormatException"/>.</summary>
+internal struct ByteReader
+{
+    private readonly byte[] _bytes;
+    private int _at;
+
+    public ByteReader(byte[] bytes)
+    {
+        _bytes = bytes;
+        _at = 0;
+    }
+
+    public static FormatException Broken(string what) => new($"The bytes are broken: {what}.");
+
+    public ulong Bits(int bytes)
+    {
+        Need(bytes);
+        ulong word = 0;
+        for (int i = 0; i < bytes; i++)
+        {
+            word |= (ulong)_bytes[_at++] << (i << 3);
+        }
+
+        return word;
+    }
+
+    public long Long()
+    {
+        ulong value = 0;
+        for (int shift = 0; shift < 63; shift += 7)
+        {
+            Need(1);
+            byte part = _bytes[_at++];
+            value |= (ulong)(part & 0x7F) << shift;
+            if (part < 0x80)
+            {
+                return (long)value;
+            }
+        }
+
+        throw Broken("an integer beyond 63 bits");
+    }
+
+    public int Int()
+    {
+        long value = Long();
+        return value <= int.MaxValue ? (int)value : throw Broken("an integer beyond 31 bits");
+    }
+
+    /// <summary>How many items follow, each of at least so many bytes: a count that the bytes cannot hold is refused before memory is asked for.</summary>
+    public int Count(int smallest)
+    {
+        int count = Int();
+        return count <= (_bytes.Length - _at) / smallest ? count : throw Broken("they end too early");
+    }
+
+    public BallState State()
+    {
+        Need(Snapshot.Size);
+        BallState state = Snapshot.Read(_bytes.AsSpan(_at));
+        _at += Snapshot.Size;
+        return state;
+    }
+
+    public readonly void End()
+    {
+        if (_at != _bytes.Length)
+        {
+            throw Broken("something follows their end");
+        }
+    }
+
+    private readonly void Need(int bytes)
+    {
+        if (_bytes.Length - _at < bytes)
+        {
+            throw Broken("they end too early");
+        }
+    }
+}

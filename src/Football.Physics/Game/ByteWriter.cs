@@ -1,0 +1,50 @@
+namespace Football.Physics;
+
+/// <summary>Appends numbers to bytes, little-endian.</summary>
+internal struct ByteWriter
+{
+    private byte[]? _bytes;
+    private int _count;
+
+    /// <summary>The low bytes of a word.</summary>
+    public void Bits(ulong word, int bytes)
+    {
+        Reserve(bytes);
+        for (int i = 0; i < bytes; i++)
+        {
+            _bytes![_count++] = (byte)(word >> (i << 3));
+        }
+    }
+
+    /// <summary>An integer in as many groups of seven bits as it needs.</summary>
+    public void Integer(ulong value)
+    {
+        Reserve(10);
+        for (; value >= 0x80; value >>= 7)
+        {
+            _bytes![_count++] = (byte)(value | 0x80);
+        }
+
+        _bytes![_count++] = (byte)value;
+    }
+
+    /// <summary>A state.</summary>
+    public void State(in BallState state)
+    {
+        Reserve(Snapshot.Size);
+        Snapshot.Write(in state, _bytes.AsSpan(_count));
+        _count += Snapshot.Size;
+    }
+
+    /// <summary>What was written.</summary>
+    public readonly byte[] ToArray() => _bytes is null ? [] : _bytes.AsSpan(0, _count).ToArray();
+
+    private void Reserve(int bytes)
+    {
+        int needed = _count + bytes;
+        if (_bytes is null || needed > _bytes.Length)
+        {
+            Array.Resize(ref _bytes, Math.Max(needed, 2 * _count));
+        }
+    }
+}

@@ -1,0 +1,42 @@
+namespace Football.Physics;
+
+/// <summary>A kick at a tick: all that a match must send, besides its start, to be played again.</summary>
+public readonly struct KickInput
+{
+    /// <summary>Makes a kick.</summary>
+    /// <param name="tick">The tick whose step begins with the kick; 0 or more.</param>
+    /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
+    /// <param name="spin">Spin, rad/s, world frame; at most 10 000.</param>
+    /// <param name="player">Who kicks, 0 or more; default 0. Of two kicks at one tick the higher number is applied last, and so wins on every machine.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public KickInput(long tick, Vector3d velocity, Vector3d spin, int player = 0)
+    {
+        Check.NotNegative("kick.tick", tick);
+        Check.NotNegative("kick.player", player);
+        Check.Size("kick.velocity", velocity, Limits.Speed, "m/s");
+        Check.Size("kick.spin", spin, Limits.Spin, "rad/s");
+        Tick = tick;
+        Velocity = velocity;
+        Spin = spin;
+        Player = player;
+    }
+
+    /// <summary>The tick whose step begins with the kick.</summary>
+    public long Tick { get; }
+
+    /// <summary>Velocity, m/s.</summary>
+    public Vector3d Velocity { get; }
+
+    /// <summary>Spin, rad/s, world frame.</summary>
+    public Vector3d Spin { get; }
+
+    /// <summary>Who kicks.</summary>
+    public int Player { get; }
+
+    /// <summary>Whether this kick is applied before, with or after another one.</summary>
+    internal int Order(long tick, int player)
+    {
+        int byTick = Tick.CompareTo(tick);
+        return byTick != 0 ? byTick : Player.CompareTo(player);
+    }
+}

@@ -1,0 +1,113 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>What rollback and lockstep need of a <see cref="BallState"/>: sameness to the bit, a hash, and bytes to send.</summary>
+/// <remarks>The snapshot itself is a copy of the struct. Hash and bytes are the same on every runtime, byte order included.</remarks>
+public static class Snapshot
+{
+    /// <summary>How many bytes <see cref="Write"/> makes of a state.</summary>
+    public const int Size = StateFields.Count * sizeof(ulong);
+
+    /// <summary>A 64-bit hash over the bits of every field: equal states have equal hashes, and one flipped bit changes it.</summary>
+    /// <param name="state">The state.</param>
+    public static ulong Hash(in BallState state)
+    {
+        BallState copy = state;
+        var hasher = new FieldHasher { Hash = FieldHasher.Start };
+        StateFields.Visit(ref copy, ref hasher);
+        return hasher.Result;
+    }
+
+    /// <summary>True when two states are the same to the last bit; unlike ==, 0 and −0 differ and NaN equals itself.</summary>
+    /// <param name="a">One state.</param>
+    /// <param name="b">The other state.</param>
+    public static bool Same(in BallState a, in BallState b)
+    {
+        Span<ulong> left = stackalloc ulong[StateFields.Count];
+        Span<ulong> right = stackalloc ulong[StateFields.Count];
+        StateFields.Read(in a, left);
+        StateFields.Read(in b, right);
+        return left.SequenceEqual(right);
+    }
+
+    /// <summary>Writes a state as bytes, little-endian on every machine.</summary>
+    /// <param name="state">The state.</param>
+    /// <param name="destination">Where to; at least <see cref="Size"/> bytes.</param>
+    /// <exception cref="ArgumentException"><paramref name="destination"/> is too short.</exception>
+    public static void Write(in BallState state, Span<byte> destination)
+    {
+        if (destination.Length < Size)
+        {
+            throw new ArgumentException($"destination has {destination.Length} bytes; allowed: {Size} or more.", nameof(destination));
+        }
+
+        Span<ulong> words = stackalloc ulong[StateFields.Count];
+        StateFields.Read(in state, words);
+        for (int i = 0; i < Size; i++)
+        {
+            destination[i] = (byte)(words[i >> 3] >> ((i & 7) << 3));
+        }
+    }
+
+    /// <summary>Reads what <see cref="Write"/> wrote.</summary>
+    /// <param name="source">At least <see cref="Size"/> bytes; more are ignored.</param>
+    /// <exception cref="ArgumentException"><paramref name="source"/> is too short.</exception>
+    /// <exception cref="FormatException">The bytes are no state of a ball: a number is not finite or an enumeration has no such member.</exception>
+    public static BallState Read(ReadOnlySpan<byte> source)
+    {
+        if (source.Length < Size)
+        {
+            throw new ArgumentException($"source has {source.Length} bytes; allowed: {Size} or more.", nameof(source));
+        }
+
+        Span<byte> bytes = stackalloc byte[Size];
+        source.Slice(0, Size).CopyTo(bytes);
+        Span<ulong> words = stackalloc ulong[StateFields.Count];
+        words.Clear();
+        for (int i = 0; i < Size; i++)
+        {
+            words[i >> 3] |= (ulong)bytes[i] << ((i & 7) << 3);
+        }
+
+        BallState state = default;
+        if (!StateFields.TryWrite(words, ref state))
+        {
+            throw new FormatException("The bytes are no state of a ball.");
+        }
+
+        return state;
+    }
+
+    /// <summary>Mixes the fields into one number.</summary>
+    private struct FieldHasher : IFieldVisitor
+    {
+        public const ulong Start = 0x9E3779B97F4A7C15UL;
+
+        public ulong Hash;
+
+        public readonly ulong Result
+        {
+            get
+            {
+                // The finaliser of MurmurHash3: every bit of the input reaches every bit of the output.
+                ulong h = Hash;
+                h = (h ^ (h >> 33)) * 0xFF51AFD7ED558CCDUL;
+                h = (h ^ (h >> 33)) * 0xC4CEB9FE1A85EC53UL;
+                return h ^ (h >> 33);
+            }
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Number(ref double value) => Mix((ulong)BitConverter.DoubleToInt64Bits(value));
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Member(ref int value) => Mix((ulong)(uint)value);
+
+        private void Mix(ulong word)
+        {
+            ulong h = (Hash ^ word) * 0x9FB21C651E98DF25UL;
+            Hash = h ^ (h >> 32);
+        }
+    }
+}

@@ -1,0 +1,118 @@
+namespace Football.Physics;
+
+/// <summary>Sees, and may change, one field after the other.</summary>
+internal interface IFieldVisitor
+{
+    /// <summary>A number.</summary>
+    void Number(ref double value);
+
+    /// <summary>A member of an enumeration.</summary>
+    void Member(ref int value);
+}
+
+/// <summary>The one list of what a <see cref="BallState"/> consists of; hash, comparison and bytes all go through it.</summary>
+internal static class StateFields
+{
+    /// <summary>How many scalars there are; a test compares it with the struct itself.</summary>
+    public const int Count = 18;
+
+    /// <summary>Visits every scalar, in a fixed order.</summary>
+    public static void Visit<TVisitor>(ref BallState state, ref TVisitor visitor)
+        where TVisitor : struct, IFieldVisitor
+    {
+        double time = state.Time;
+        visitor.Number(ref time);
+        state.Time = time;
+        state.Position = Vector(state.Position, ref visitor);
+        state.Velocity = Vector(state.Velocity, ref visitor);
+        int motion = (int)state.Motion;
+        visitor.Member(ref motion);
+        state.Motion = (MotionState)motion;
+        state.SpinAxis = Vector(state.SpinAxis, ref visitor);
+        visitor.Number(ref state.SpinRate);
+        visitor.Number(ref state.Angle);
+        state.BaseOrientation = Rotation(state.BaseOrientation, ref visitor);
+        int branch = (int)state.Branch;
+        visitor.Member(ref branch);
+        state.Branch = (DragBranch)branch;
+    }
+
+    /// <summary>Takes the bits of a state out.</summary>
+    public static unsafe void Read(in BallState state, Span<ulong> words)
+    {
+        BallState copy = state;
+        fixed (ulong* first = words)
+        {
+            var reader = new Reader { Next = first };
+            Visit(ref copy, ref reader);
+        }
+    }
+
+    /// <summary>Makes a state of its bits; false when they are none.</summary>
+    public static unsafe bool TryWrite(Span<ulong> words, ref BallState state)
+    {
+        fixed (ulong* first = words)
+        {
+            var writer = new Writer { Next = first };
+            Visit(ref state, ref writer);
+        }
+
+        return Enum.IsDefined(typeof(MotionState), state.Motion)
+            && Enum.IsDefined(typeof(DragBranch), state.Branch)
+            && double.IsFinite(state.Time)
+            && state.Position.IsFinite
+            && state.Velocity.IsFinite
+            && state.SpinAxis.IsFinite
+            && double.IsFinite(state.SpinRate)
+            && double.IsFinite(state.Angle)
+            && Math.Abs(state.BaseOrientation.LengthSquared - 1) < 1e-6;
+    }
+
+    private static Vector3d Vector<TVisitor>(Vector3d value, ref TVisitor visitor)
+        where TVisitor : struct, IFieldVisitor
+    {
+        double x = value.X;
+        double y = value.Y;
+        double z = value.Z;
+        visitor.Number(ref x);
+        visitor.Number(ref y);
+        visitor.Number(ref z);
+        return new Vector3d(x, y, z);
+    }
+
+    private static Quaterniond Rotation<TVisitor>(Quaterniond value, ref TVisitor visitor)
+        where TVisitor : struct, IFieldVisitor
+    {
+        double x = value.X;
+        double y = value.Y;
+        double z = value.Z;
+        double w = value.W;
+        visitor.Number(ref x);
+        visitor.Number(ref y);
+        visitor.Number(ref z);
+        visitor.Number(ref w);
+        return new Quaterniond(x, y, z, w);
+    }
+
+    private unsafe struct Reader : IFieldVisitor
+    {
+        public ulong* Next;
+
+        public void Number(ref double value) => *Next++ = (ulong)BitConverter.DoubleToInt64Bits(value);
+
+        public void Member(ref int value) => *Next++ = (uint)value;
+    }
+
+    private unsafe struct Writer : IFieldVisitor
+    {
+        public ulong* Next;
+
+        public void Number(ref double value) => value = BitConverter.Int64BitsToDouble((long)*Next++);
+
+        public void Member(ref int value)
+        {
+            ulong word = *Next++;
+            value = word <= int.MaxValue ? (int)word : -1;
+        }
+    }
+}

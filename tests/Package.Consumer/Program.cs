@@ -1,0 +1,23 @@
+using System.Numerics;
+using System.Reflection;
+using Football.Physics;
+using Football.Physics.Golden;
+
+// A shot, as a game would play it.
+var ball = new Ball();
+ball.Kick(speed: 27, direction: new Vector3(-0.1f, 0.3f, -1f), topSpin: -10, sideSpin: 55);
+while (ball.Events.Count == 0)
+{
+    ball.Step(1.0 / 60.0);
+}
+
+BallEvent landing = ball.Events[0];
+Console.Error.WriteLine(FormattableString.Invariant(
+    $"landed after {landing.Time:F2} s, {-landing.Position.Z:F1} m away, {landing.Position.X:F1} m to the side"));
+string target = typeof(Ball).Assembly.GetCustomAttribute<System.Runtime.Versioning.TargetFrameworkAttribute>()?.FrameworkName ?? "?";
+Console.Error.WriteLine($"assembly for {target} on {System.Runtime.InteropServices.RuntimeInformation.FrameworkDescription}");
+
+foreach (string line in GoldenShots.Lines())
+{
+    Console.WriteLine(line);
+}

@@ -1,0 +1,14 @@
+using System;
+using Football.Physics.Golden;
+
+internal static class Host
+{
+    private static void Main()
+    {
+        Console.Error.WriteLine("Mono " + Environment.Version);
+        foreach (string line in GoldenShots.Lines())
+        {
+            Console.WriteLine(line);
+        }
+    }
+}

@@ -1,0 +1,160 @@
+#!/usr/bin/env bash
+# Packs the library and uses the package as a stranger would: from a local feed, with an empty package cache, on .NET, as a
+# NativeAOT program and on Mono. Every program prints the golden hashes, which must be those of tests/Golden/golden.txt.
+#   tests/package.sh            one line a check; exit code 1 at the first that fails
+# Needs mono and mcs (Debian: mono-devel), unzip, and a C compiler for NativeAOT.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+root=$PWD
+
+export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 DOTNET_CLI_UI_LANGUAGE=en
+export MSBUILDTERMINALLOGGER=off MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=false
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+feed=$work/feed
+log=$work/log
+export NUGET_PACKAGES=$work/cache   # empty: nothing but the feed can supply the package
+golden=$root/tests/Golden/golden.txt
+
+fail() {
+  echo "FAIL  $1" >&2
+  [[ -s $log ]] && tail -n 40 "$log" >&2
+  exit 1
+}
+
+ok() { echo "ok    $1"; : > "$log"; }
+
+quietly() {
+  local what=$1
+  shift
+  "$@" > "$log" 2>&1 || fail "$what"
+}
+
+# same WHAT COMMAND…: what the command prints must be the golden hashes.
+same() {
+  local what=$1 said
+  shift
+  "$@" > "$work/hashes" 2> "$log" || fail "$what"
+  said=$(tail -n 1 "$log")
+  if ! diff "$golden" "$work/hashes" > "$log"; then
+    fail "$what: other hashes than tests/Golden/golden.txt ($(grep -c '^>' "$log") of $(wc -l < "$golden") lines differ)"
+  fi
+  ok "$what: $(wc -l < "$work/hashes") lines as in golden.txt, $(tail -n 1 "$work/hashes")${said:+ [$said]}"
+}
+
+has() { grep -qF -- "$2" <<< "$1" || fail "$3"; }
+
+copy() {
+  mkdir -p "$1"
+  git ls-files -co --exclude-standard -z -- src README.md LICENSE BannedSymbols.txt .editorconfig 'Directory.*' global.json \
+    | while IFS= read -r -d '' file; do [[ -e $file ]] && printf '%s\0' "$file"; done | tar --null -T - -c | tar -x -C "$1"
+  cp -R .git "$1/.git"
+}
+
+# --- the package
+
+version=0.1.0-local.$(date -u +%Y%m%d%H%M%S)
+pack() { (cd "$1" && NUGET_PACKAGES=$work/build-cache dotnet pack -c Release src/Football.Physics -o "$2" "-p:Version=$version" -p:ContinuousIntegrationBuild=true); }
+
+copy "$work/one"
+copy "$work/two/elsewhere"
+quietly "pack" pack "$work/one" "$feed"
+package=$feed/Football.Physics.$version.nupkg
+ok "dotnet pack: $(basename "$package"), validated: the same API on every target"
+
+list=$(unzip -Z1 "$package")
+for target in netstandard2.1 net8.0 net10.0; do
+  has "$list" "lib/$target/Football.Physics.dll" "no assembly for $target"
+  has "$list" "lib/$target/Football.Physics.xml" "no documentation for $target"
+  has "$(unzip -Z1 "${package%.nupkg}.snupkg")" "lib/$target/Football.Physics.pdb" "no symbols for $target"
+done
+nuspec=$(unzip -p "$package" Football.Physics.nuspec)
+has "$list" README.md "no README"
+has "$list" icon.png "no icon"
+has "$nuspec" '<license type="expression">MIT</license>' "no licence expression"
+has "$nuspec" '<readme>README.md</readme>' "README not named"
+has "$nuspec" '<icon>icon.png</icon>' "icon not named"
+if grep -q '<dependency ' <<< "$nuspec"; then fail "the package has dependencies"; fi
+if grep -qF "$work" <<< "$nuspec"; then fail "the package names a folder of this machine"; fi
+ok "contents: 3 assemblies with documentation and symbols, README, icon, licence, no dependency"
+
+quietly "pack again" pack "$work/two/elsewhere" "$work/feed2"
+for target in netstandard2.1 net8.0 net10.0; do
+  for kind in nupkg:dll nupkg:xml snupkg:pdb; do
+    cmp <(unzip -p "$feed/Football.Physics.$version.${kind%:*}" "lib/$target/Football.Physics.${kind#*:}") \
+        <(unzip -p "$work/feed2/Football.Physics.$version.${kind%:*}" "lib/$target/Football.Physics.${kind#*:}") > "$log" 2>&1 \
+      || fail "a second build in another folder differs: $target, ${kind#*:}"
+  done
+done
+ok "deterministic: a build in another folder gives the same bytes"
+
+build_copy() { (cd "$work/two/elsewhere" && NUGET_PACKAGES=$work/build-cache dotnet build -c Release -f net10.0 --no-restore src/Football.Physics -p:ContinuousIntegrationBuild=true); }
+remotes() { git -C "$work/two/elsewhere" remote; }
+for remote in $(remotes); do git -C "$work/two/elsewhere" remote remove "$remote"; done
+quietly "build without a remote" build_copy
+git -C "$work/two/elsewhere" remote add origin https://github.com/someone/football.git
+quietly "build with a remote" build_copy
+link=$(cat "$work"/two/elsewhere/src/Football.Physics/obj/Release/net10.0/*.sourcelink.json 2> "$log") || fail "no source link"
+has "$link" "someone/football/$(git rev-parse HEAD)/" "source link does not name the commit"
+ok "source link: names repository and commit; without a remote the build goes on"
+
+# --- the consumer, on .NET
+
+consumer=$work/consumer
+mkdir -p "$consumer/tests"
+cp -R tests/Golden tests/Package.Consumer tests/Package.Mono "$consumer/tests/"
+cd "$consumer/tests/Package.Consumer"
+
+consume() {
+  local out=$1
+  shift
+  dotnet publish -c Release --source "$feed" "-p:FootballPhysicsVersion=$version" --artifacts-path "$work/build/$out" -o "$work/$out" "$@"
+}
+
+quietly "consumer" consume net10
+same "package on .NET" "$work/net10/consumer"
+quietly "consumer of the net8.0 assembly" consume net8 -p:LibraryAsset=net8.0
+same "net8.0 assembly on .NET" "$work/net8/consumer"
+quietly "consumer of the netstandard2.1 assembly" consume netstandard -p:LibraryAsset=netstandard2.1
+same "netstandard2.1 assembly on .NET" "$work/netstandard/consumer"
+same "package on .NET, no tiered compilation" env DOTNET_TieredCompilation=0 "$work/net10/consumer"
+same "package on .NET, no AVX-512" env DOTNET_EnableAVX512=0 DOTNET_EnableAVX512F=0 "$work/net10/consumer"
+same "package on .NET, no AVX2, no FMA" env DOTNET_EnableAVX2=0 DOTNET_EnableFMA=0 "$work/net10/consumer"
+same "package on .NET, no AVX" env DOTNET_EnableAVX=0 "$work/net10/consumer"
+
+# --- NativeAOT
+
+aot() {
+  dotnet publish -c Release -r "$1" "-p:FootballPhysicsVersion=$version" "-p:RestoreAdditionalProjectSources=$feed" \
+    -p:NativeProgram=true --artifacts-path "$work/build/aot" -o "$work/aot"
+}
+
+rid=$(dotnet --info | awk '$1 == "RID:" { print $2; exit }')
+case $rid in *-arm64) rid=linux-arm64 ;; *) rid=linux-x64 ;; esac
+quietly "NativeAOT publish" aot "$rid"
+if grep -qE 'warning (IL|AOT)' "$log"; then fail "NativeAOT publish has warnings"; fi
+[[ ! -e $work/aot/consumer.dll ]] || fail "NativeAOT publish left an assembly"
+same "NativeAOT, net9.0 program of $(( $(stat -c %s "$work/aot/consumer") / 1024 )) KiB" "$work/aot/consumer"
+
+# --- Mono
+
+cd "$consumer/tests/Package.Mono"
+quietly "build for Mono" dotnet build -c Release "-p:FootballPhysicsVersion=$version" "-p:RestoreAdditionalProjectSources=$feed" \
+  --artifacts-path "$work/build/mono" -o "$work/mono"
+quietly "mcs" mcs -nologo -out:"$work/mono/host.exe" -r:"$work/mono/golden.dll" Host.cs
+same "netstandard2.1 assembly on Mono" mono "$work/mono/host.exe"
+same "netstandard2.1 assembly on Mono, floats as floats" mono -O=float32 "$work/mono/host.exe"
+same "netstandard2.1 assembly on Mono, all optimisations" mono -O=all "$work/mono/host.exe"
+
+# --- the README's first program in a fresh project
+
+fresh=$work/fresh/FreeKick
+quietly "dotnet new" dotnet new console -o "$fresh" --no-restore
+cd "$fresh"
+awk '/^```csharp/ { taken = 1; next } /^```/ && taken { exit } taken' "$root/README.md" > Program.cs
+[[ -s Program.cs ]] || fail "README.md has no C# block"
+quietly "dotnet add package" dotnet add package Football.Physics --version "$version" --source "$feed"
+dotnet run -c Release > "$work/said" 2> "$log" || fail "the README's first program"
+[[ -s $work/said ]] || fail "the README's first program prints nothing"
+ok "README's first program, $(grep -c . Program.cs) lines in a fresh project: $(tail -n 1 "$work/said")"
