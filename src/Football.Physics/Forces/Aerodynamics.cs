@@ -58,7 +58,14 @@ internal struct Aerodynamics<TFit, TDrag, TMagnus, TDecay> : IAerodynamics
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Evaluate(double speedSquared, double spinRate, DragBranch branch, out double drag, out double lift, out double decay)
+    public void Begin(double spinRate, DragBranch branch, out AirStep step)
+    {
+        step = default;
+        step.Branch = branch;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Evaluate(in AirStep step, double speedSquared, double spinRate, out double drag, out double lift, out double decay)
     {
         AirFlow flow = default;
         flow.SpeedSquared = speedSquared;
@@ -74,7 +81,7 @@ internal struct Aerodynamics<TFit, TDrag, TMagnus, TDecay> : IAerodynamics
             if (_drag.NeedsFit || _magnus.NeedsFit)
             {
                 flow.SpinParameter = _radius * flow.SpinRate / flow.Speed;
-                flow.FittedDragCoefficient = _fit.Coefficient(in flow, branch);
+                flow.FittedDragCoefficient = _fit.Coefficient(in flow, step.Branch);
             }
 
             drag = _drag.Factor(in flow);

@@ -13,7 +13,8 @@ internal static class AirRates
         where TAir : struct, IAerodynamics
     {
         double rate = spin.Length;
-        air.Evaluate(u.LengthSquared, rate, branch, out double drag, out double lift, out double decay);
+        air.Begin(rate, branch, out AirStep step);
+        air.Evaluate(in step, u.LengthSquared, rate, out double drag, out double lift, out double decay);
         Vector3d axis = rate > 0 ? spin / rate : fallback;
         Vector3d acceleration = air.Lifts ? lift * Vector3d.Cross(in axis, in u) : Vector3d.Zero;
         return new MotionRates(acceleration - (drag * u), -decay * axis);

@@ -5,10 +5,13 @@ namespace Football.Physics;
 /// <summary>Magnus force with the fitted lift coefficient, F_M = ½ ρ C_L A |u|² (ω̂ × û) (thesis 2.8 to 2.10, corrected).</summary>
 internal struct EmpiricalMagnus : IAirLaw
 {
+    /// <summary>Exponent of the spin parameter.</summary>
+    public const double Beta = 0.83;
+
     private const double Alpha = 1.15;
-    private const double Beta = 0.83;
     private static readonly PowerTable PowerBeta = new(Beta);
-    private static readonly double Scale = Alpha / (FittedDrag.AtRest - FittedDrag.A);
+    /// <summary>1.15 / (C_D0 − a).</summary>
+    public static readonly double Scale = Alpha / (FittedDrag.AtRest - FittedDrag.A);
 
     private double _k; // ½ ρ A / m, 1/m
     private double _radius;

@@ -21,12 +21,18 @@ internal interface IAerodynamics
     /// <summary>Reads the constants of all laws from the scene.</summary>
     void Prepare(Scene scene);
 
+    /// <summary>Computes what is constant over a step, or nearly so.</summary>
+    /// <param name="spinRate">|ω| at its start.</param>
+    /// <param name="branch">The branch of the drag law.</param>
+    /// <param name="step">What <see cref="Evaluate"/> is handed.</param>
+    void Begin(double spinRate, DragBranch branch, out AirStep step);
+
     /// <summary>Evaluates all laws: a = −drag · u + lift · (ω̂ × u), angular deceleration decay (rad/s²; at zero spin its limit).</summary>
+    /// <param name="step">From <see cref="Begin"/>.</param>
     /// <param name="speedSquared">|u|².</param>
     /// <param name="spinRate">|ω|; slightly negative in a stage that overshoots zero.</param>
-    /// <param name="branch">The branch of the drag law.</param>
     /// <param name="drag">D.</param>
     /// <param name="lift">L.</param>
     /// <param name="decay">Angular deceleration.</param>
-    void Evaluate(double speedSquared, double spinRate, DragBranch branch, out double drag, out double lift, out double decay);
+    void Evaluate(in AirStep step, double speedSquared, double spinRate, out double drag, out double lift, out double decay);
 }

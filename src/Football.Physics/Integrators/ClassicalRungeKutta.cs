@@ -10,16 +10,17 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
     public int Order => 4;
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public void Fly<TAir>(ref TAir air, in FlightPoint from, double h, ref FlightStep step)
+    public void Fly<TAir>(ref TAir air, in FlightPoint from, double h, out FlightStep step)
         where TAir : struct, IAerodynamics
     {
         double ux = from.AirVelocity.X;
         double uy = from.AirVelocity.Y;
         double uz = from.AirVelocity.Z;
         double w = from.SpinRate;
+        air.Begin(w, from.Branch, out AirStep once);
 
         // k1 = f(y); the position's k are the stages' velocities
-        FlightRates.Of(ref air, in from, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
+        FlightRates.Of(ref air, in once, in from, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
         step.StartAcceleration = new Vector3d(ax, ay, az);
         step.StartSpinAcceleration = b;
         double sumX = ax;
@@ -39,7 +40,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
             double vy = uy + (half * ay);
             double vz = uz + (half * az);
             double vw = w + (half * b);
-            FlightRates.Of(ref air, in from, vx, vy, vz, vw, out ax, out ay, out az, out b);
+            FlightRates.Of(ref air, in once, in from, vx, vy, vz, vw, out ax, out ay, out az, out b);
             sumX += ax + ax;
             sumY += ay + ay;
             sumZ += az + az;
@@ -55,7 +56,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         double ey = uy + (h * ay);
         double ez = uz + (h * az);
         double ew = w + (h * b);
-        FlightRates.Of(ref air, in from, ex, ey, ez, ew, out ax, out ay, out az, out b);
+        FlightRates.Of(ref air, in once, in from, ex, ey, ez, ew, out ax, out ay, out az, out b);
 
         // y' = y + h/6 (k1 + 2 k2 + 2 k3 + k4)
         double sixth = h / 6.0;

@@ -10,7 +10,7 @@ internal readonly struct ExplicitEuler : IIntegrator
     public int Order => 1;
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public void Fly<TAir>(ref TAir air, in FlightPoint from, double h, ref FlightStep step)
+    public void Fly<TAir>(ref TAir air, in FlightPoint from, double h, out FlightStep step)
         where TAir : struct, IAerodynamics
     {
         Vector3d u = from.AirVelocity;

@@ -7,7 +7,7 @@ internal static class FlightRates
 {
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Of<TAir>(
-        ref TAir air, in FlightPoint from, double ux, double uy, double uz, double spin, out double ax, out double ay, out double az, out double spinRate)
+        ref TAir air, in AirStep step, in FlightPoint from, double ux, double uy, double uz, double spin, out double ax, out double ay, out double az, out double spinRate)
         where TAir : struct, IAerodynamics
     {
         ax = 0;
@@ -16,7 +16,7 @@ internal static class FlightRates
         spinRate = 0;
         if (air.Drags || air.Lifts || air.SpinDecays)
         {
-            air.Evaluate((ux * ux) + (uy * uy) + (uz * uz), spin, from.Branch, out double drag, out double lift, out double decay);
+            air.Evaluate(in step, (ux * ux) + (uy * uy) + (uz * uz), spin, out double drag, out double lift, out double decay);
             if (air.Lifts)
             {
                 // L (ω̂ × u)
@@ -41,11 +41,12 @@ internal static class FlightRates
         }
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    /// <summary>The same at a point by itself.</summary>
     public static void Of<TAir>(ref TAir air, in FlightPoint from, in Vector3d u, double spin, out Vector3d acceleration, out double spinRate)
         where TAir : struct, IAerodynamics
     {
-        Of(ref air, in from, u.X, u.Y, u.Z, spin, out double ax, out double ay, out double az, out spinRate);
+        air.Begin(spin, from.Branch, out AirStep step);
+        Of(ref air, in step, in from, u.X, u.Y, u.Z, spin, out double ax, out double ay, out double az, out spinRate);
         acceleration = new Vector3d(ax, ay, az);
     }
 }

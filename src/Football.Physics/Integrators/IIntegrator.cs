@@ -14,7 +14,7 @@ internal interface IIntegrator
     /// <param name="from">Where the step starts.</param>
     /// <param name="h">Its length, s.</param>
     /// <param name="step">Where it ends.</param>
-    void Fly<TAir>(ref TAir air, in FlightPoint from, double h, ref FlightStep step)
+    void Fly<TAir>(ref TAir air, in FlightPoint from, double h, out FlightStep step)
         where TAir : struct, IAerodynamics;
 
     /// <summary>A step of any motion: on the ground, and in flight with forces of the game's own.</summary>

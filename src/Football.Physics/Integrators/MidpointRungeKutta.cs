@@ -10,7 +10,7 @@ internal readonly struct MidpointRungeKutta : IIntegrator
     public int Order => 2;
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public void Fly<TAir>(ref TAir air, in FlightPoint from, double h, ref FlightStep step)
+    public void Fly<TAir>(ref TAir air, in FlightPoint from, double h, out FlightStep step)
         where TAir : struct, IAerodynamics
     {
         double half = 0.5 * h;
@@ -18,9 +18,10 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         double uy = from.AirVelocity.Y;
         double uz = from.AirVelocity.Z;
         double w = from.SpinRate;
+        air.Begin(w, from.Branch, out AirStep once);
 
         // k1 = f(y)
-        FlightRates.Of(ref air, in from, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
+        FlightRates.Of(ref air, in once, in from, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
         step.StartAcceleration = new Vector3d(ax, ay, az);
         step.StartSpinAcceleration = b;
 
@@ -29,7 +30,7 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         double my = uy + (half * ay);
         double mz = uz + (half * az);
         double mw = w + (half * b);
-        FlightRates.Of(ref air, in from, mx, my, mz, mw, out ax, out ay, out az, out b);
+        FlightRates.Of(ref air, in once, in from, mx, my, mz, mw, out ax, out ay, out az, out b);
 
         // y' = y + h k2
         step.Path = new Vector3d(h * mx, h * my, h * mz);

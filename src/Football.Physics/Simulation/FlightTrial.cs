@@ -37,7 +37,7 @@ internal struct FlightTrial<TAir, TIntegrator> : ITrial
 
     public void Step(double h)
     {
-        _integrator.Fly(ref _air, in _from, h, ref End);
+        _integrator.Fly(ref _air, in _from, h, out End);
         Length = h;
         Evaluations += _integrator.Stages;
     }

@@ -33,8 +33,7 @@ internal sealed partial class Stepper<TAir, TIntegrator>
             h = Divide(h, (_bound.PerSpeed * Math.Sqrt(speedSquared)) + (_bound.PerSpin * s.SpinRate) + _bound.Constant);
         }
 
-        FlightStep step = default;
-        _integrator.Fly(ref _air, in from, h, ref step);
+        _integrator.Fly(ref _air, in from, h, out FlightStep step);
         run.Log.Evaluations += _integrator.Stages;
         DragBranch next = s.Branch;
         if (_air.Jumps && _locatesJump)

@@ -88,7 +88,8 @@ internal sealed partial class Stepper<TAir, TIntegrator> : Stepper
     {
         double speedSquared = speed * speed;
         DragBranch branch = DragJump.At(speedSquared, _radiusSquared * spinRate * spinRate).Branch;
-        _air.Evaluate(speedSquared, spinRate, branch, out drag, out lift, out _);
+        _air.Begin(spinRate, branch, out AirStep step);
+        _air.Evaluate(in step, speedSquared, spinRate, out drag, out lift, out _);
     }
 
     /// <summary>The longest of equal parts of a step for which no force overshoots.</summary>

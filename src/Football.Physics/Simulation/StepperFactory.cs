@@ -7,10 +7,33 @@ internal static class StepperFactory
     {
         ForceSet forces = scene.Forces;
         bool fitted = forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical;
-        return !fitted ? WithDrag<NoDragFit>(scene, settings)
+        return Fusible(forces) ? FusedDrag(scene, settings)
+            : !fitted ? WithDrag<NoDragFit>(scene, settings)
             : forces.Coefficients == CoefficientForm.Regularised ? WithDrag<RegularisedDragFit>(scene, settings)
             : WithDrag<PublishedDragFit>(scene, settings);
     }
+
+    /// <summary>Whether every law is the published one or left out, and the drag coefficient is used: what the fused kernel does.</summary>
+    private static bool Fusible(ForceSet forces) => forces.Coefficients == CoefficientForm.Published
+        && forces.Drag != ForceLaw.Constant
+        && forces.Magnus != ForceLaw.Constant
+        && forces.SpinDecay != ForceLaw.Constant
+        && (forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical);
+
+    private static Stepper FusedDrag(Scene scene, SolverSettings settings) => scene.Forces.Drag == ForceLaw.Empirical
+        ? FusedMagnus<Present>(scene, settings)
+        : FusedMagnus<Absent>(scene, settings);
+
+    private static Stepper FusedMagnus<TDrag>(Scene scene, SolverSettings settings)
+        where TDrag : struct, IPresence => scene.Forces.Magnus == ForceLaw.Empirical
+            ? FusedSpinDecay<TDrag, Present>(scene, settings)
+            : FusedSpinDecay<TDrag, Absent>(scene, settings);
+
+    private static Stepper FusedSpinDecay<TDrag, TMagnus>(Scene scene, SolverSettings settings)
+        where TDrag : struct, IPresence
+        where TMagnus : struct, IPresence => scene.Forces.SpinDecay == ForceLaw.Empirical
+            ? WithIntegrator<PublishedAir<TDrag, TMagnus, Present>>(scene, settings)
+            : WithIntegrator<PublishedAir<TDrag, TMagnus, Absent>>(scene, settings);
 
     private static Stepper WithDrag<TFit>(Scene scene, SolverSettings settings)
         where TFit : struct, IDragFit => scene.Forces.Drag switch

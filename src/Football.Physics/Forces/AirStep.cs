@@ -1,0 +1,23 @@
+namespace Football.Physics;
+
+/// <summary>What the aerodynamic laws compute once a step: the branch it is locked to, and factors of the spin.</summary>
+internal struct AirStep
+{
+    /// <summary>Branch of the drag law.</summary>
+    public DragBranch Branch;
+
+    /// <summary>Spin at the start, rad/s, and its reciprocal (0 for none).</summary>
+    public double Spin;
+
+    /// <summary>1/Spin, or 0.</summary>
+    public double PerSpin;
+
+    /// <summary>Factor of the drag's power of |u|².</summary>
+    public double Drag;
+
+    /// <summary>Factor of the lift's first power of |u|².</summary>
+    public double Lift;
+
+    /// <summary>Factor of the lift's second power of |u|².</summary>
+    public double LiftByDrag;
+}
