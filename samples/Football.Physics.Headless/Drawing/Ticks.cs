@@ -34,7 +34,7 @@ internal static class Ticks
         int first = (int)Math.Floor(Math.Log10(min));
         int last = (int)Math.Ceiling(Math.Log10(max));
         int every = (int)Math.Ceiling((last - first) / Math.Max(1, about));
-        double[] factors = last - first <= 2 ? [1, 2, 5] : [1];
+        double[] factors = max <= 100 * min ? [1, 2, 5] : [1];
         var ticks = new List<double>();
         for (int exponent = first; exponent <= last; exponent += Math.Max(1, every))
         {

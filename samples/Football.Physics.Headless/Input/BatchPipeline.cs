@@ -32,7 +32,8 @@ internal sealed class BatchPipeline(int jobs, Func<InputLine, Answer> answer)
         await reading.ConfigureAwait(false);
     }
 
-    private static bool IsBlank(InputLine line) => line.Text.AsSpan().IndexOfAnyExcept(" \t\r"u8) < 0;
+    /// <summary>Of a line that was cut nobody knows what came later.</summary>
+    private static bool IsBlank(InputLine line) => line.Length == line.Text.Length && line.Text.AsSpan().IndexOfAnyExcept(" \t\r"u8) < 0;
 
     private async Task ReadAsync(LineReader input, ChannelWriter<Task<Answer>> order, CancellationToken cancel)
     {

@@ -6,6 +6,9 @@ namespace Football.Physics.Headless.Simulate;
 /// <summary>One shot, checked: scene, launch, how to integrate it and when to stop.</summary>
 internal sealed record Scenario
 {
+    /// <summary>Steps that a run may have: with more, the time would no longer advance. The library's own limit.</summary>
+    private const double MostSteps = 1e12;
+
     /// <summary>Steps that a run may keep samples of; more would fill the memory.</summary>
     private const double MostSamples = 1e6;
 
@@ -52,6 +55,14 @@ internal sealed record Scenario
             Samples = values.Get(StopFields.Samples),
         };
         double steps = scenario.Duration / scenario.TimeStep;
+        if (!(steps <= MostSteps))
+        {
+            throw new RefusedException(
+                SolverFields.TimeStep.Path,
+                FormattableString.Invariant($"{scenario.TimeStep} with stop.time {scenario.Duration}"),
+                FormattableString.Invariant($"above 0 s, and at least {1 / MostSteps} of stop.time"));
+        }
+
         if (scenario.Samples && !(steps <= MostSamples))
         {
             throw new RefusedException(FormattableString.Invariant(

@@ -20,6 +20,12 @@ internal static class ScenarioRun
         bool ended = simulator.Run(ref state, scenario.TimeStep, scenario.Duration, scenario.StopAt, log, onStep);
 
         Moment final = Final(scenario, in state, log.Events, ended);
+        if (!ended)
+        {
+            // What many steps add up to is off by rounding; what was asked for is not.
+            final = final with { Time = scenario.Duration };
+        }
+
         if (samples is { Count: > 1 })
         {
             samples[^1] = final;

@@ -92,11 +92,9 @@ public sealed class BatchTests
     {
         public bool WasAnswered { get; private set; }
 
-        public override int Read(byte[] buffer, int offset, int count) => Read(buffer.AsSpan(offset, count));
-
-        public override int Read(Span<byte> buffer)
+        public override int Read(byte[] buffer, int offset, int count)
         {
-            int read = base.Read(buffer);
+            int read = base.Read(buffer, offset, count);
             if (read == 0)
             {
                 WasAnswered = answered.Wait(TimeSpan.FromSeconds(20));
@@ -109,9 +107,9 @@ public sealed class BatchTests
     /// <summary>Tells when something is written.</summary>
     private sealed class SignallingStream(ManualResetEventSlim written) : MemoryStream
     {
-        public override void Write(ReadOnlySpan<byte> buffer)
+        public override void Write(byte[] buffer, int offset, int count)
         {
-            base.Write(buffer);
+            base.Write(buffer, offset, count);
             written.Set();
         }
     }

@@ -103,6 +103,7 @@ public sealed class RefusalTests
     [InlineData("{\"name\":\"x\"}", "scenario is missing", "an object")]
     [InlineData("{\"scenario\":5}", "the scenario is 5", "an object {ball, ")]
     [InlineData("{\"scenario\":{" + L + ",\"ball\":{\"mass\":NaN}}}", "ball.mass is NaN", "above 0 kg")]
+    [InlineData("{" + L + ",\"solver\":{\"timeStep\":1e-300}}", "solver.timeStep is 1E-300 with stop.time 20", "1E-12 of stop.time")]
     [InlineData("{" + L + ",\"gravity\":1e300}", "the motion is not finite", "what a double can hold")]
     [InlineData("{" + L + ",\"samples\":true,\"solver\":{\"timeStep\":1e-9}}", "samples is true with 20000000000 steps", "at most 1000000 steps")]
     public void A_text_that_is_not_what_it_should_be(string input, string begins, string allowed) => Refused(input, begins, allowed);
@@ -130,7 +131,7 @@ public sealed class RefusalTests
     [InlineData("")]
     [InlineData("nul")]
     [InlineData("\"\\u12")]
-    [InlineData("{\"launch\":{\"position\":[0,1,0],\"velocity\":[1,0,0],\"spin\":[1,2,3],\"orientation\":[0,0,0,1]},\"ball\":{\"mass\":0.4,\"radius\":0.1},\"forces\":{\"drag\":\"none\",\"buoyancy\":true}}")]
+    [InlineData("{\"launch\":{\"position\":[0,1,0],\"velocity\":[1,0,0],\"spin\":[1,2,3],\"orientation\":[0,0,0,1]},\"ball\":{\"mass\":0.4},\"forces\":{\"drag\":\"none\",\"buoyancy\":true},\"stop\":{\"time\":0.2}}")]
     public void Any_damage_is_refused_or_played_never_more(string text)
     {
         // Cut everywhere, and every byte replaced by some that matter to JSON.

@@ -177,6 +177,7 @@ public sealed class SimulateTests
         foreach (string at in (string[])["impact", "rest", "time"])
         {
             JsonElement result = FootballCommand.Play($"{{{L}}}", "--set", $"stop.at={at}", "--set", "stop.time=0.255");
+            Assert.Equal(0.1, FootballCommand.Play($"{{{L}}}", "--set", $"stop.at={at}", "--set", "stop.time=0.1").GetProperty("final").GetProperty("time").GetDouble());
             Assert.Equal(0.255, result.GetProperty("final").GetProperty("time").GetDouble());
             Assert.Equal(26, result.GetProperty("steps").GetInt32());
             Assert.Empty(result.GetProperty("events").EnumerateArray());
