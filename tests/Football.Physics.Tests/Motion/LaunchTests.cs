@@ -130,4 +130,22 @@ public sealed class LaunchTests
             Assert.Equal(velocity.Y < 0 ? "Impact" : string.Empty, Flight.Kinds(log));
         }
     }
+
+    /// <summary>Lighter than the air, and yet pressed to the ground by a downdraught.</summary>
+    [Fact]
+    public void A_balloon_in_a_downdraught_does_not_sink_into_the_ground()
+    {
+        var scene = new Scene { Ball = new BallProperties { Mass = 0.03, Radius = 0.2 }, Air = new Air { Wind = new Vector3d(2, -5, 0) } };
+        foreach (Integrator integrator in Flight.Integrators)
+        {
+            var simulator = new Simulator(scene, Flight.With(integrator));
+            BallState state = simulator.Launch(new Vector3d(0, 1, 0), Vector3d.Zero, Vector3d.Zero);
+            var log = new StepLog();
+            for (int i = 0; i < 300; i++)
+            {
+                simulator.Step(ref state, 0.016, log);
+                Assert.True(state.Position.Y >= 0.2 - 1e-9, $"{integrator}, step {i}: {state.Position}");
+            }
+        }
+    }
 }
