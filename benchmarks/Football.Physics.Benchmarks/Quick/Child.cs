@@ -20,6 +20,7 @@ internal static class Child
             start.ArgumentList.Add(argument);
         }
 
+        start.Environment[Stopwatching.DelayOnOneCore] = "1";
         foreach ((string name, string value) in environment)
         {
             start.Environment[name] = value;

@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace Football.Physics.Yardsticks;
 
@@ -81,6 +82,8 @@ public sealed class ThesisIntegrators(ThesisForces forces)
         return (pNext, qNext, vNext, wNext);
     }
 
+    // Not inlined, so that the object is on the heap, as it is in Unity: .NET 10 would keep it on the stack.
+    [MethodImpl(MethodImplOptions.NoInlining)]
     private ThesisK ComputeK(Vector3 velocity, Vector3 angularVelocity, Quaternion orientation, ThesisState state)
     {
         var k = new ThesisK();
