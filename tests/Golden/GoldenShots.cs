@@ -1,125 +1,122 @@
 // The shots whose bits every runtime must reproduce. One file, compiled into the tests, the consumer of the package, its NativeAOT
 // program and the program for Mono; golden.txt beside it holds what it must print.
-using System;
-using System.Collections.Generic;
+
 using System.Globalization;
-using Football.Physics;
 
-namespace Football.Physics.Golden
+namespace Football.Physics.Golden;
+
+public static class GoldenShots
 {
-    public static class GoldenShots
+    private const double TimeStep = 0.01;
+    private const int Ticks = 1200;
+
+    /// <summary>One line a combination of shot, laws and integrator, then the total.</summary>
+    public static IEnumerable<string> Lines()
     {
-        private const double TimeStep = 0.01;
-        private const int Ticks = 1200;
-
-        /// <summary>One line a combination of shot, laws and integrator, then the total.</summary>
-        public static IEnumerable<string> Lines()
+        ulong total = 0;
+        foreach (KeyValuePair<string, Scene> scene in Scenes())
         {
-            ulong total = 0;
-            foreach (KeyValuePair<string, Scene> scene in Scenes())
+            foreach (Integrator integrator in new[] { Integrator.Euler, Integrator.SemiImplicitEuler, Integrator.Rk2, Integrator.Rk4 })
             {
-                foreach (Integrator integrator in new[] { Integrator.Euler, Integrator.SemiImplicitEuler, Integrator.Rk2, Integrator.Rk4 })
+                var simulator = new Simulator(scene.Value, new SolverSettings { Integrator = integrator });
+                foreach (KeyValuePair<string, BallState> shot in Shots(simulator))
                 {
-                    var simulator = new Simulator(scene.Value, new SolverSettings { Integrator = integrator });
-                    foreach (KeyValuePair<string, BallState> shot in Shots(simulator))
-                    {
-                        ulong hash = Play(simulator, shot.Value);
-                        total = Mix(total, hash);
-                        yield return Line(shot.Key + " " + scene.Key + " " + integrator.ToString(), hash);
-                    }
+                    ulong hash = Play(simulator, shot.Value);
+                    total = Mix(total, hash);
+                    yield return Line(shot.Key + " " + scene.Key + " " + integrator.ToString(), hash);
                 }
             }
-
-            yield return Line("total", total);
         }
 
-        private static IEnumerable<KeyValuePair<string, Scene>> Scenes()
-        {
-            yield return Named("published", Scene.Default);
-            yield return Named("regularised", new Scene { Forces = ForceSet.Regularised });
-            yield return Named("constant", new Scene { Forces = ForceSet.Constant });
-            yield return Named("vacuum", Scene.Vacuum);
-            yield return Named("windy", Scene.Windy(new Vector3d(3.5, 0.5, 6)));
-            IForce gust = Force.From((in ForceInput ball) => new Vector3d(0.3 * ball.Position.Y, 0, 0.01 * ball.AirVelocity.Z));
-            yield return Named("custom", new Scene { Forces = new ForceSet { Custom = new[] { gust } }, Ground = Ground.WetTurf });
-        }
+        yield return Line("total", total);
+    }
 
-        private static IEnumerable<KeyValuePair<string, BallState>> Shots(Simulator simulator)
-        {
-            yield return Named("free-kick", Kick(simulator, 0.11, 27, new Vector3d(-0.12, 0.30, -1), -10, 55));
-            yield return Named("corner", Kick(simulator, 0.11, 24, new Vector3d(-1, 0.45, -0.25), -25, -50));
-            yield return Named("goal-kick", Kick(simulator, 0.11, 30, new Vector3d(0.2, 0.75, -1), -40, 5));
-            yield return Named("driven-pass", Kick(simulator, 0.11, 22, new Vector3d(0.5, 0.03, -1), 15, 0));
-            yield return Named("chip", Kick(simulator, 0.11, 13, new Vector3d(0, 1.1, -1), -70, 0));
-            yield return Named("drop", simulator.Launch(new Vector3d(0, 3, 0), new Vector3d(0, 0, 0), new Vector3d(-60, 10, 0)));
-            yield return Named("roll", simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(9, 0, -4), new Vector3d(0, 20, 0)));
-        }
+    private static IEnumerable<KeyValuePair<string, Scene>> Scenes()
+    {
+        yield return Named("published", Scene.Default);
+        yield return Named("regularised", new Scene { Forces = ForceSet.Regularised });
+        yield return Named("constant", new Scene { Forces = ForceSet.Constant });
+        yield return Named("vacuum", Scene.Vacuum);
+        yield return Named("windy", Scene.Windy(new Vector3d(3.5, 0.5, 6)));
+        IForce gust = Force.From((in ForceInput ball) => new Vector3d(0.3 * ball.Position.Y, 0, 0.01 * ball.AirVelocity.Z));
+        yield return Named("custom", new Scene { Forces = new ForceSet { Custom = new[] { gust } }, Ground = Ground.WetTurf });
+    }
 
-        private static BallState Kick(Simulator simulator, double height, double speed, Vector3d direction, double top, double side)
-        {
-            Vector3d velocity = (speed / direction.Length) * direction;
-            return simulator.Launch(new Vector3d(0, height, 0), velocity, KickSpin.Vector(direction, top, side));
-        }
+    private static IEnumerable<KeyValuePair<string, BallState>> Shots(Simulator simulator)
+    {
+        yield return Named("free-kick", Kick(simulator, 0.11, 27, new Vector3d(-0.12, 0.30, -1), -10, 55));
+        yield return Named("corner", Kick(simulator, 0.11, 24, new Vector3d(-1, 0.45, -0.25), -25, -50));
+        yield return Named("goal-kick", Kick(simulator, 0.11, 30, new Vector3d(0.2, 0.75, -1), -40, 5));
+        yield return Named("driven-pass", Kick(simulator, 0.11, 22, new Vector3d(0.5, 0.03, -1), 15, 0));
+        yield return Named("chip", Kick(simulator, 0.11, 13, new Vector3d(0, 1.1, -1), -70, 0));
+        yield return Named("drop", simulator.Launch(new Vector3d(0, 3, 0), new Vector3d(0, 0, 0), new Vector3d(-60, 10, 0)));
+        yield return Named("roll", simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(9, 0, -4), new Vector3d(0, 20, 0)));
+    }
 
-        private static ulong Play(Simulator simulator, BallState start)
-        {
-            var runner = new FixedStepRunner(simulator, TimeStep);
-            runner.Restore(0, start);
+    private static BallState Kick(Simulator simulator, double height, double speed, Vector3d direction, double top, double side)
+    {
+        Vector3d velocity = (speed / direction.Length) * direction;
+        return simulator.Launch(new Vector3d(0, height, 0), velocity, KickSpin.Vector(direction, top, side));
+    }
 
-            // A second kick, so that kicking a moving ball counts too.
-            runner.Kicks.Add(new KickInput(300, new Vector3d(2, 4, 9), new Vector3d(1, -20, 8)));
-            ulong hash = 0;
-            while (runner.Tick < Ticks)
+    private static ulong Play(Simulator simulator, BallState start)
+    {
+        var runner = new FixedStepRunner(simulator, TimeStep);
+        runner.Restore(0, start);
+
+        // A second kick, so that kicking a moving ball counts too.
+        runner.Kicks.Add(new KickInput(300, new Vector3d(2, 4, 9), new Vector3d(1, -20, 8)));
+        ulong hash = 0;
+        while (runner.Tick < Ticks)
+        {
+            runner.Step();
+            hash = Mix(hash, Snapshot.Hash(runner.State));
+            for (int i = 0; i < runner.Events.Count; i++)
             {
-                runner.Step();
-                hash = Mix(hash, Snapshot.Hash(runner.State));
-                for (int i = 0; i < runner.Events.Count; i++)
-                {
-                    hash = MixEvent(hash, runner.Events[i]);
-                }
-
-                BallPose pose = runner.PoseAt(0.375);
-                hash = Mix(Mix(hash, pose.Position), pose.Orientation.X);
+                hash = MixEvent(hash, runner.Events[i]);
             }
 
-            return hash;
+            BallPose pose = runner.PoseAt(0.375);
+            hash = Mix(Mix(hash, pose.Position), pose.Orientation.X);
         }
 
-        private static ulong MixEvent(ulong hash, BallEvent happened)
-        {
-            hash = Mix(Mix(Mix(hash, (ulong)happened.Kind), happened.Time), happened.Position);
-            hash = Mix(Mix(hash, happened.VelocityBefore), happened.SpinBefore);
-            return Mix(Mix(hash, happened.Velocity), happened.Spin);
-        }
+        return hash;
+    }
 
-        private static ulong Mix(ulong hash, Vector3d vector)
-        {
-            return Mix(Mix(Mix(hash, vector.X), vector.Y), vector.Z);
-        }
+    private static ulong MixEvent(ulong hash, BallEvent happened)
+    {
+        hash = Mix(Mix(Mix(hash, (ulong)happened.Kind), happened.Time), happened.Position);
+        hash = Mix(Mix(hash, happened.VelocityBefore), happened.SpinBefore);
+        return Mix(Mix(hash, happened.Velocity), happened.Spin);
+    }
 
-        private static ulong Mix(ulong hash, double number)
-        {
-            return Mix(hash, (ulong)BitConverter.DoubleToInt64Bits(number));
-        }
+    private static ulong Mix(ulong hash, Vector3d vector)
+    {
+        return Mix(Mix(Mix(hash, vector.X), vector.Y), vector.Z);
+    }
 
-        private static ulong Mix(ulong hash, ulong word)
-        {
-            unchecked
-            {
-                ulong h = ((hash << 7) | (hash >> 57)) ^ word;
-                h = (h ^ (h >> 32)) * 0x9FB21C651E98DF25UL;
-                return h ^ (h >> 29);
-            }
-        }
+    private static ulong Mix(ulong hash, double number)
+    {
+        return Mix(hash, (ulong)BitConverter.DoubleToInt64Bits(number));
+    }
 
-        private static KeyValuePair<string, T> Named<T>(string name, T value)
+    private static ulong Mix(ulong hash, ulong word)
+    {
+        unchecked
         {
-            return new KeyValuePair<string, T>(name, value);
+            ulong h = ((hash << 7) | (hash >> 57)) ^ word;
+            h = (h ^ (h >> 32)) * 0x9FB21C651E98DF25UL;
+            return h ^ (h >> 29);
         }
+    }
 
-        private static string Line(string name, ulong hash)
-        {
-            return name + " " + hash.ToString("x16", CultureInfo.InvariantCulture);
-        }
+    private static KeyValuePair<string, T> Named<T>(string name, T value)
+    {
+        return new KeyValuePair<string, T>(name, value);
+    }
+
+    private static string Line(string name, ulong hash)
+    {
+        return name + " " + hash.ToString("x16", CultureInfo.InvariantCulture);
     }
 }

@@ -1,0 +1,40 @@
+using UnityEngine;
+
+namespace Football.Physics.Unity
+{
+    /// <summary>Something that happened to a ball, in Unity's frame.</summary>
+    public readonly struct FootballEvent
+    {
+        internal FootballEvent(in BallEvent happened)
+        {
+            Kind = happened.Kind;
+            Time = happened.Time;
+            Position = UnityFrame.ToUnity(happened.Position);
+            VelocityBefore = UnityFrame.ToUnity(happened.VelocityBefore);
+            SpinBefore = UnityFrame.SpinToUnity(happened.SpinBefore);
+            Velocity = UnityFrame.ToUnity(happened.Velocity);
+            Spin = UnityFrame.SpinToUnity(happened.Spin);
+        }
+
+        /// <summary>What happened.</summary>
+        public BallEventKind Kind { get; }
+
+        /// <summary>When, s of the ball's own time: exact, inside the fixed step.</summary>
+        public double Time { get; }
+
+        /// <summary>Where the centre was, m.</summary>
+        public Vector3 Position { get; }
+
+        /// <summary>Velocity just before, m/s.</summary>
+        public Vector3 VelocityBefore { get; }
+
+        /// <summary>Spin just before, rad/s.</summary>
+        public Vector3 SpinBefore { get; }
+
+        /// <summary>Velocity just after, m/s.</summary>
+        public Vector3 Velocity { get; }
+
+        /// <summary>Spin just after, rad/s.</summary>
+        public Vector3 Spin { get; }
+    }
+}

@@ -1,0 +1,94 @@
+namespace Godot;
+
+public class GodotObject
+{
+    /// <summary>What was emitted, in order.</summary>
+    public List<(string Signal, Variant[] Arguments)> Emitted { get; } = [];
+
+    public void EmitSignal(StringName signal, params Variant[] arguments)
+    {
+        // As the engine does: the signal must be declared, with as many arguments.
+        Type declared = GetType().GetNestedType(signal + "EventHandler") ?? throw new InvalidOperationException($"There is no signal {signal}.");
+        if (declared.GetMethod("Invoke")!.GetParameters().Length != arguments.Length)
+        {
+            throw new InvalidOperationException($"The signal {signal} does not have {arguments.Length} arguments.");
+        }
+
+        Emitted.Add((signal.ToString(), arguments));
+    }
+}
+
+public class Node : GodotObject
+{
+    public virtual void _Ready()
+    {
+    }
+
+    public virtual void _EnterTree()
+    {
+    }
+
+    public virtual void _ExitTree()
+    {
+    }
+
+    public virtual void _Process(double delta)
+    {
+    }
+
+    public virtual void _PhysicsProcess(double delta)
+    {
+    }
+}
+
+public class Node3D : Node
+{
+    public Transform3D GlobalTransform { get; set; }
+
+    public Vector3 GlobalPosition
+    {
+        get => GlobalTransform.Origin;
+        set => GlobalTransform = new Transform3D(GlobalTransform.Basis, value);
+    }
+}
+
+public class Resource : GodotObject
+{
+}
+
+public class Texture2D : Resource
+{
+}
+
+public class Script : Resource
+{
+}
+
+public class EditorPlugin : Node
+{
+    public List<string> Types { get; } = [];
+
+    public void AddCustomType(string type, string @base, Script script, Texture2D? icon)
+    {
+        ArgumentNullException.ThrowIfNull(script);
+        Types.Add(type + ":" + @base);
+    }
+
+    public void RemoveCustomType(string type) => Types.RemoveAll(known => known.StartsWith(type + ":", StringComparison.Ordinal));
+}
+
+public static class GD
+{
+    public static T Load<T>(string path)
+        where T : Resource, new() => path.StartsWith("res://", StringComparison.Ordinal) ? new T() : throw new ArgumentException(path, nameof(path));
+}
+
+public static class Engine
+{
+    public static int PhysicsTicksPerSecond { get; set; } = 60;
+
+    /// <summary>What <see cref="GetPhysicsInterpolationFraction"/> says.</summary>
+    public static double InterpolationFraction { get; set; }
+
+    public static double GetPhysicsInterpolationFraction() => InterpolationFraction;
+}

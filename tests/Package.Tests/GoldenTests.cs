@@ -1,0 +1,18 @@
+using Football.Physics.Golden;
+
+namespace Football.Physics.Package.Tests;
+
+/// <summary>The bits of the shots that every runtime must reproduce. A change of the physics or of its rounding shows here first.</summary>
+public sealed class GoldenTests
+{
+    [Fact]
+    public void Golden_hashes_are_those_of_the_file() =>
+        Repository.AssertCurrent("tests/Golden/golden.txt", string.Join('\n', GoldenShots.Lines()) + "\n");
+
+    [Fact]
+    public void All_golden_shots_differ()
+    {
+        var lines = GoldenShots.Lines().ToList();
+        Assert.Equal(lines.Count, lines.Select(line => line.Split(' ')[^1]).Distinct().Count());
+    }
+}
