@@ -52,7 +52,8 @@ internal static class ContactLocator
             }
         }
 
-        return trial.VerticalVelocity < 0;
+        // A step that ends below contact has touched it, even where its own velocity is zero there (a semi-implicit hop).
+        return arc.End < 0 || trial.VerticalVelocity < 0;
     }
 
     /// <summary>Shortens a step by the thesis' recursive search (2.4.4): halve until the halving is no longer than the tolerance.</summary>

@@ -41,10 +41,10 @@ public sealed record ForceSet
 
     internal void Validate()
     {
-        Check.Defined("forces.drag", Drag);
-        Check.Defined("forces.magnus", Magnus);
-        Check.Defined("forces.spinDecay", SpinDecay);
-        Check.Defined("forces.coefficients", Coefficients);
+        Check.Defined("forces.drag", Drag, (int)Drag, 3);
+        Check.Defined("forces.magnus", Magnus, (int)Magnus, 3);
+        Check.Defined("forces.spinDecay", SpinDecay, (int)SpinDecay, 3);
+        Check.Defined("forces.coefficients", Coefficients, (int)Coefficients, 2);
         Check.NotNegative("forces.dragCoefficient", DragCoefficient);
         Check.Finite("forces.magnusCoefficient", MagnusCoefficient);
         Check.NotNegative("forces.spinDecayCoefficient", SpinDecayCoefficient);

@@ -17,10 +17,14 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         double uy = from.AirVelocity.Y;
         double uz = from.AirVelocity.Z;
         double w = from.SpinRate;
+        double nx = from.Axis.X;
+        double ny = from.Axis.Y;
+        double nz = from.Axis.Z;
+        double g = from.Upward;
         air.Begin(w, from.Branch, out AirStep once);
 
         // k1 = f(y); the position's k are the stages' velocities
-        FlightRates.Of(ref air, in once, in from, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
+        FlightRates.Of(ref air, in once, nx, ny, nz, g, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
         step.StartAcceleration = new Vector3d(ax, ay, az);
         step.StartSpinAcceleration = b;
         double sumX = ax;
@@ -40,7 +44,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
             double vy = uy + (half * ay);
             double vz = uz + (half * az);
             double vw = w + (half * b);
-            FlightRates.Of(ref air, in once, in from, vx, vy, vz, vw, out ax, out ay, out az, out b);
+            FlightRates.Of(ref air, in once, nx, ny, nz, g, vx, vy, vz, vw, out ax, out ay, out az, out b);
             sumX += ax + ax;
             sumY += ay + ay;
             sumZ += az + az;
@@ -56,7 +60,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         double ey = uy + (h * ay);
         double ez = uz + (h * az);
         double ew = w + (h * b);
-        FlightRates.Of(ref air, in once, in from, ex, ey, ez, ew, out ax, out ay, out az, out b);
+        FlightRates.Of(ref air, in once, nx, ny, nz, g, ex, ey, ez, ew, out ax, out ay, out az, out b);
 
         // y' = y + h/6 (k1 + 2 k2 + 2 k3 + k4)
         double sixth = h / 6.0;

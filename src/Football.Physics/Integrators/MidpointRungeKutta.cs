@@ -18,10 +18,14 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         double uy = from.AirVelocity.Y;
         double uz = from.AirVelocity.Z;
         double w = from.SpinRate;
+        double nx = from.Axis.X;
+        double ny = from.Axis.Y;
+        double nz = from.Axis.Z;
+        double g = from.Upward;
         air.Begin(w, from.Branch, out AirStep once);
 
         // k1 = f(y)
-        FlightRates.Of(ref air, in once, in from, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
+        FlightRates.Of(ref air, in once, nx, ny, nz, g, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
         step.StartAcceleration = new Vector3d(ax, ay, az);
         step.StartSpinAcceleration = b;
 
@@ -30,7 +34,7 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         double my = uy + (half * ay);
         double mz = uz + (half * az);
         double mw = w + (half * b);
-        FlightRates.Of(ref air, in once, in from, mx, my, mz, mw, out ax, out ay, out az, out b);
+        FlightRates.Of(ref air, in once, nx, ny, nz, g, mx, my, mz, mw, out ax, out ay, out az, out b);
 
         // y' = y + h k2
         step.Path = new Vector3d(h * mx, h * my, h * mz);

@@ -69,6 +69,7 @@ public sealed record AimRequest
         Check.Within("aim.maxSpin.side", MaximumSideSpin, 0, Limits.Spin);
         Check.Positive("aim.tolerance", Tolerance);
         Check.Positive("aim.throughTolerance", ThroughTolerance);
+        Check.Defined("aim.arc", Arc, (int)Arc, 2);
         Check.AtLeast("aim.maxIterations", MaximumIterations, 1);
     }
 }

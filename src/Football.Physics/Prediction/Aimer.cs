@@ -98,7 +98,7 @@ public sealed class Aimer
         }
 
         request.Validate();
-        Check.Defined("aim.method", method);
+        Check.Defined("aim.method", method, (int)method, 4);
         if (method == AimMethod.TwoPoint && request.Through is null)
         {
             throw Check.Refusal("aim.through", "null", "a point, with method twoPoint");

@@ -26,7 +26,7 @@ public sealed record LookAheadRequest
         Check.Positive("lookAhead.duration", Duration);
         Check.Positive("lookAhead.timeStep", TimeStep);
         Check.AtLeast("lookAhead.timeStep", TimeStep, Duration * 1e-12);
-        Check.Defined("lookAhead.stopAt", StopAt);
+        Check.Defined("lookAhead.stopAt", StopAt, (int)StopAt, 3);
         if (UntilPassing is { } point)
         {
             Check.Place("lookAhead.untilPassing", point);

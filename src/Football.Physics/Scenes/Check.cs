@@ -71,10 +71,15 @@ internal static class Check
         }
     }
 
-    public static void Defined<T>(string field, T value)
+    /// <summary>Checks an enumeration whose values count up from 0; without boxing, for checks on the way to a run.</summary>
+    /// <param name="field">Its name.</param>
+    /// <param name="value">Its value.</param>
+    /// <param name="index">The value as a number.</param>
+    /// <param name="count">How many values there are.</param>
+    public static void Defined<T>(string field, T value, int index, int count)
         where T : struct, Enum
     {
-        if (!Enum.IsDefined(typeof(T), value))
+        if ((uint)index >= (uint)count)
         {
             throw Refusal(field, value.ToString(), string.Join(" | ", Enum.GetNames(typeof(T))));
         }

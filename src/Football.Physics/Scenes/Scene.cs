@@ -53,6 +53,6 @@ public sealed record Scene
         Check.AtLeast("ground.minimumBounceSpeed", Ground.MinimumBounceSpeed, 0.001);
         Check.Positive("ground.restEnergy", Ground.RestEnergy);
         Check.Within("ground.height", Ground.Height, -Limits.Length, Limits.Length);
-        Check.Defined("ground.aerodynamics", Ground.Aerodynamics);
+        Check.Defined("ground.aerodynamics", Ground.Aerodynamics, (int)Ground.Aerodynamics, 2);
     }
 }

@@ -1,44 +1,122 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <content>Flight: the ball in the air, along a constant spin axis.</content>
 internal sealed partial class Stepper<TAir, TIntegrator>
 {
+    /// <summary>A step of flight, done if nothing happens in it.</summary>
+    /// <param name="s">The ball; moved only if nothing happens.</param>
+    /// <param name="left">Length of the step, s.</param>
+    /// <param name="log">Where the step is counted.</param>
+    /// <param name="from">Where it started.</param>
+    /// <param name="step">Where the integrator took it.</param>
+    /// <param name="h">The length that was tried: less than the step's where that must be divided, 0 where nothing was tried.</param>
+    /// <returns>True when the whole step is done.</returns>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private bool FlyWhole(ref BallState s, double left, StepLog log, out FlightPoint from, out FlightStep step, out double h)
+    {
+        double vx = s.Velocity.X;
+        double vy = s.Velocity.Y;
+        double vz = s.Velocity.Z;
+        double spin = s.SpinRate;
+        double ux = vx - _wind.X;
+        double uy = vy - _wind.Y;
+        double uz = vz - _wind.Z;
+        double y = s.Position.Y;
+        from.AirVelocity = new Vector3d(ux, uy, uz);
+        from.SpinRate = spin;
+        from.Axis = s.SpinAxis;
+        from.Upward = _upward;
+        from.Branch = s.Branch;
+        h = 0;
+        if (y <= _contact && vy < 0)
+        {
+            step = default;
+            return false;
+        }
+
+        double speedSquared = (ux * ux) + (uy * uy) + (uz * uz);
+        if (_air.Jumps && (from.Branch == DragBranch.Unknown || !_locatesJump))
+        {
+            from.Branch = DragJump.At(speedSquared, _radiusSquared * spin * spin).Branch;
+            s.Branch = from.Branch;
+        }
+
+        h = left;
+        if (_air.Drags || _air.Lifts || _air.SpinDecays)
+        {
+            double bySpeed = left * _bound.PerSpeed;
+            double bySpin = left * ((_bound.PerSpin * spin) + _bound.Constant);
+            if (bySpeed * bySpeed * speedSquared > 0.25 * LargestChange * LargestChange || bySpin > 0.5 * LargestChange)
+            {
+                h = Divide(left, (_bound.PerSpeed * Math.Sqrt(speedSquared)) + (_bound.PerSpin * spin) + _bound.Constant);
+            }
+        }
+
+        _integrator.Fly(ref _air, in from, h, out step);
+        log.Evaluations += _integrator.Stages;
+        double wx = step.AirVelocity.X;
+        double wy = step.AirVelocity.Y;
+        double wz = step.AirVelocity.Z;
+        double height = y + (step.Path.Y + (h * _wind.Y));
+        double climb = wy + _wind.Y;
+        if (h < left || height < _contact || (vy < 0 && climb > 0) || log.Observer is not null)
+        {
+            return false;
+        }
+
+        if (_air.SpinDecays && step.SpinRate < 0)
+        {
+            return false;
+        }
+
+        if (_air.Jumps && _locatesJump)
+        {
+            var start = DragJump.At(speedSquared, _radiusSquared * spin * spin);
+            var rate = DragJump.Rate(
+                2.0 * ((ux * step.StartAcceleration.X) + (uy * step.StartAcceleration.Y) + (uz * step.StartAcceleration.Z)),
+                2.0 * _radiusSquared * spin * step.StartSpinAcceleration);
+            var end = DragJump.At((wx * wx) + (wy * wy) + (wz * wz), _radiusSquared * step.SpinRate * step.SpinRate);
+            if (DragJump.MayCross(from.Branch, in start, in rate, in end, h))
+            {
+                return false;
+            }
+        }
+
+        s.Position = new Vector3d(s.Position.X + (step.Path.X + (h * _wind.X)), height, s.Position.Z + (step.Path.Z + (h * _wind.Z)));
+        s.Velocity = new Vector3d(wx + _wind.X, climb, wz + _wind.Z);
+        s.SpinRate = step.SpinRate;
+        s.Angle += step.Turn;
+        s.Time += h;
+        log.Steps++;
+        return true;
+    }
+
     /// <summary>A piece of flight: up to the end of the step, the drag law's jump, the end of the spin, or the ground.</summary>
     private void Fly(ref BallState s, ref StepRun run)
     {
-        if (s.Position.Y <= _contact && s.Velocity.Y < 0)
+        if (FlyWhole(ref s, run.Left, run.Log, out FlightPoint from, out FlightStep step, out double h))
+        {
+            run.Left = 0;
+        }
+        else if (h > 0)
+        {
+            FlyEventful(ref s, ref run, in from, ref step, h);
+        }
+        else
         {
             Impact(ref s, ref run);
-            return;
         }
+    }
 
-        FlightPoint from;
-        from.AirVelocity = s.Velocity - _wind;
-        from.SpinRate = s.SpinRate;
-        from.Axis = s.SpinAxis;
-        from.Upward = _upward;
-        double speedSquared = from.AirVelocity.LengthSquared;
-        double surfaceSpeedSquared = _radiusSquared * s.SpinRate * s.SpinRate;
-        if (_air.Jumps && (s.Branch == DragBranch.Unknown || !_locatesJump))
-        {
-            s.Branch = DragJump.At(speedSquared, surfaceSpeedSquared).Branch;
-        }
-
-        from.Branch = s.Branch;
-        double h = run.Left;
-        double bySpeed = h * _bound.PerSpeed;
-        double bySpin = h * ((_bound.PerSpin * s.SpinRate) + _bound.Constant);
-        if (bySpeed * bySpeed * speedSquared > 0.25 * LargestChange * LargestChange || bySpin > 0.5 * LargestChange)
-        {
-            h = Divide(h, (_bound.PerSpeed * Math.Sqrt(speedSquared)) + (_bound.PerSpin * s.SpinRate) + _bound.Constant);
-        }
-
-        _integrator.Fly(ref _air, in from, h, out FlightStep step);
-        run.Log.Evaluations += _integrator.Stages;
+    /// <summary>A piece of flight with something in it, from a trial that has found that out.</summary>
+    private void FlyEventful(ref BallState s, ref StepRun run, in FlightPoint from, ref FlightStep step, double h)
+    {
         DragBranch next = s.Branch;
         if (_air.Jumps && _locatesJump)
         {
-            var start = DragJump.At(speedSquared, surfaceSpeedSquared);
+            var start = DragJump.At(from.AirVelocity.LengthSquared, _radiusSquared * s.SpinRate * s.SpinRate);
             DragJump startRate = FlightTrial.JumpRate(in from.AirVelocity, s.SpinRate, in step.StartAcceleration, step.StartSpinAcceleration, _ball.Radius);
             var end = DragJump.At(step.AirVelocity.LengthSquared, _radiusSquared * step.SpinRate * step.SpinRate);
             if (DragJump.MayCross(s.Branch, in start, in startRate, in end, h))

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>One compiled body: the laws of a scene and an integrator.</summary>
@@ -51,7 +53,41 @@ internal sealed partial class Stepper<TAir, TIntegrator> : Stepper
     public override void Step(ref BallState state, double dt, StepLog log)
     {
         double end = state.Time + dt;
-        var run = new StepRun { Left = dt, Log = log };
+        if (state.Motion == MotionState.Airborne && !_custom && state.Branch < DragBranch.AlongCriticalSpeed)
+        {
+            // Nearly every step is a flight without an event.
+            if (FlyWhole(ref state, dt, log, out FlightPoint from, out FlightStep step, out double h))
+            {
+                return;
+            }
+
+            if (h > 0)
+            {
+                FlyOn(ref state, end, in from, ref step, h, log);
+                return;
+            }
+        }
+
+        Finish(ref state, end, dt, log);
+    }
+
+    /// <summary>A step that begins with a piece of flight with something in it.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void FlyOn(ref BallState state, double end, in FlightPoint from, ref FlightStep step, double h, StepLog log)
+    {
+        var run = new StepRun { Left = end - state.Time, Log = log };
+        FlyEventful(ref state, ref run, in from, ref step, h);
+        if (!log.Halted)
+        {
+            Finish(ref state, end, run.Left, log);
+        }
+    }
+
+    /// <summary>The rest of a step, piece by piece.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void Finish(ref BallState state, double end, double left, StepLog log)
+    {
+        var run = new StepRun { Left = left, Log = log };
         while (run.Left > 0 && state.Motion != MotionState.Stopped)
         {
             switch (state.Motion)

@@ -96,19 +96,26 @@ public sealed class Simulator
     /// <exception cref="ArgumentNullException"><paramref name="log"/> is null.</exception>
     public void Step(ref BallState state, double dt, StepLog log)
     {
-        if (!(dt >= 0 && dt <= double.MaxValue))
+        if (!(dt >= 0 && dt <= double.MaxValue) || log is null)
         {
-            Check.NotNegative("dt", dt);
+            RefuseStep(dt, log);
         }
 
-        if (log is null)
+        if (state.Motion == MotionState.Stopped)
         {
-            throw new ArgumentNullException(nameof(log));
+            state.Time += dt;
+            return;
         }
 
-        log.Halted = false;
+        log!.Halted = false;
         log.StopAt = StopAt.Time;
         _stepper.Step(ref state, dt, log);
+    }
+
+    private static void RefuseStep(double dt, StepLog? log)
+    {
+        Check.NotNegative("dt", dt);
+        throw new ArgumentNullException(nameof(log));
     }
 
     /// <summary>Advances a ball in equal steps until an event or a time.</summary>
@@ -125,7 +132,7 @@ public sealed class Simulator
         Check.Positive("timeStep", timeStep);
         Check.Positive("duration", duration);
         Check.AtLeast("timeStep", timeStep, duration / MostSteps);
-        Check.Defined("stopAt", stopAt);
+        Check.Defined("stopAt", stopAt, (int)stopAt, 3);
         if (log is null)
         {
             throw new ArgumentNullException(nameof(log));

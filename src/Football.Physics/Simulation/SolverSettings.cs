@@ -22,9 +22,9 @@ public sealed record SolverSettings
     /// <exception cref="ArgumentOutOfRangeException">A setting is out of range; the message names field, value and range.</exception>
     public void Validate()
     {
-        Check.Defined("solver.integrator", Integrator);
-        Check.Defined("solver.collisionTiming", CollisionTiming);
+        Check.Defined("solver.integrator", Integrator, (int)Integrator, 4);
+        Check.Defined("solver.collisionTiming", CollisionTiming, (int)CollisionTiming, 2);
         Check.Positive("solver.collisionTolerance", CollisionTolerance);
-        Check.Defined("solver.rollingTransition", RollingTransition);
+        Check.Defined("solver.rollingTransition", RollingTransition, (int)RollingTransition, 2);
     }
 }
