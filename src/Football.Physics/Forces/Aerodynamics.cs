@@ -58,6 +58,9 @@ internal struct Aerodynamics<TFit, TDrag, TMagnus, TDecay> : IAerodynamics
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool Covers(double speedSquared, double spinRate, double h) => true;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Begin(double spinRate, DragBranch branch, out AirStep step)
     {
         step = default;

@@ -21,6 +21,12 @@ internal interface IAerodynamics
     /// <summary>Reads the constants of all laws from the scene.</summary>
     void Prepare(Scene scene);
 
+    /// <summary>Whether a step from here stays where this evaluation holds; the laws one by one hold everywhere.</summary>
+    /// <param name="speedSquared">|u|² at its start.</param>
+    /// <param name="spinRate">|ω| there.</param>
+    /// <param name="h">Length of the step, s.</param>
+    bool Covers(double speedSquared, double spinRate, double h);
+
     /// <summary>Computes what is constant over a step, or nearly so.</summary>
     /// <param name="spinRate">|ω| at its start.</param>
     /// <param name="branch">The branch of the drag law.</param>

@@ -4,7 +4,7 @@ namespace Football.Physics;
 
 /// <summary>
 /// The published laws fused into one evaluation without a square root or a division on its critical path: powers of |u|² from one
-/// table index, powers of |ω| once a step. <see cref="Aerodynamics{TFit, TDrag, TMagnus, TDecay}"/> with the laws one by one is its
+/// table index, powers of |ω| once a step. It holds where <see cref="Covers"/> says so; elsewhere the laws one by one are asked. <see cref="Aerodynamics{TFit, TDrag, TMagnus, TDecay}"/> with the laws one by one is its
 /// definition, and the tests compare the two over the whole domain.
 /// </summary>
 internal struct PublishedAir<TDrag, TMagnus, TDecay> : IAerodynamics
@@ -12,11 +12,18 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IAerodynamics
     where TMagnus : struct, IPresence
     where TDecay : struct, IPresence
 {
-    /// <summary>Below this |u|² there is no drag and no lift.</summary>
-    private const double StillAir = 1e-18;
+    /// <summary>Speeds, m/s, beyond which the tables end; a step may not come near them.</summary>
+    private const double Slowest = 0.75;
+    private const double Fastest = 120;
 
-    private static readonly PowerTable SpinForDrag = new(FittedDrag.D);
-    private static readonly PowerTable SpinForLift = new(EmpiricalMagnus.Beta);
+    /// <summary>How much slower a ball may become within a step, m/s²: gravity and drag at speeds where that matters.</summary>
+    private const double Deceleration = 30;
+
+    /// <summary>Up to this (r|ω|/2|u|)² (Sp 0.7) the series of the decay is good to 1e-9.</summary>
+    private const double LargestRatio = 0.12;
+
+    /// <summary>A spin may lose this share within a step, for its powers are then good to 5e-9.</summary>
+    private const double LargestLoss = 0.02;
 
     private EmpiricalDrag _drag;
     private EmpiricalMagnus _magnus;
@@ -51,6 +58,15 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IAerodynamics
         get => default(TDecay).Is;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool Covers(double speedSquared, double spinRate, double h)
+    {
+        double least = Slowest + (Deceleration * h);
+        return speedSquared > least * least && speedSquared < Fastest * Fastest
+            && _quarterSquare * spinRate * spinRate < LargestRatio * speedSquared
+            && (!default(TDecay).Is || spinRate * LargestLoss >= h * _decayScale * speedSquared || spinRate == 0);
+    }
+
     public RateBound Bound => (Drags ? _drag.Bound : default) + (Lifts ? _magnus.Bound : default) + (SpinDecays ? _decay.Bound : default);
 
     public void Prepare(Scene scene)
@@ -78,15 +94,12 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IAerodynamics
         step.LiftByDrag = 0;
         if (default(TDrag).Is || default(TMagnus).Is)
         {
-            double surface = _radius * spinRate;
-            double forDrag = FittedDrag.C * SpinForDrag.Of(surface);
+            SpeedTable.OfSpin(_radius * spinRate, out double powerForDrag, out double powerForLift);
+            double forDrag = FittedDrag.C * powerForDrag;
+            double forLift = _liftScale * powerForLift;
             step.Drag = _dragScale * forDrag;
-            if (default(TMagnus).Is)
-            {
-                double forLift = _liftScale * SpinForLift.Of(surface);
-                step.Lift = forLift;
-                step.LiftByDrag = forLift * forDrag;
-            }
+            step.Lift = forLift;
+            step.LiftByDrag = forLift * forDrag;
         }
     }
 
@@ -96,60 +109,41 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IAerodynamics
         drag = 0;
         lift = 0;
         decay = 0;
-        if ((default(TDrag).Is || default(TMagnus).Is) && speedSquared > StillAir)
+        if (default(TDrag).Is || default(TMagnus).Is)
         {
-            // (1 + δ)^q to third order: the spin hardly changes within a step. A stage that overshoots zero spin has none.
+            // (1 + δ)^q to third order: the spin hardly changes within a step.
             double delta = (spinRate - step.Spin) * step.PerSpin;
-            if (delta < 5e-3 && delta > -5e-3)
+            double onLift = 1.0 + (delta * (EmpiricalMagnus.Beta + (delta * (LiftSecond + (delta * LiftThird)))));
+            if (step.Branch == DragBranch.Spinning)
             {
+                // D = k c (r|ω|)^d |u|^(1−d),  L = k' (r|ω|)^β (C_D0 |u|^(1−β) − c (r|ω|)^d |u|^(1−β−d)), not below 0
                 double onDrag = 1.0 + (delta * (FittedDrag.D + (delta * (DragSecond + (delta * DragThird)))));
-                double onLift = 1.0 + (delta * (EmpiricalMagnus.Beta + (delta * (LiftSecond + (delta * LiftThird)))));
-                Forces(step.Branch, speedSquared, step.Drag * onDrag, step.Lift * onLift, step.LiftByDrag * (onLift * onDrag), out drag, out lift);
+                SpeedTable.WithSpin(speedSquared, out double byDrag, out double byLift, out double byBoth);
+                drag = step.Drag * onDrag * byDrag;
+                if (default(TMagnus).Is)
+                {
+                    lift = onLift * ((FittedDrag.AtRest * step.Lift * byLift) - (step.LiftByDrag * onDrag * byBoth));
+                    lift = lift > 0 ? lift : 0;
+                }
             }
             else
             {
-                Begin(spinRate > 0 ? spinRate : 0, step.Branch, out AirStep fresh);
-                Forces(step.Branch, speedSquared, fresh.Drag, fresh.Lift, fresh.LiftByDrag, out drag, out lift);
+                // D = k C_D |u|,  L = k' (r|ω|)^β (C_D0 − C_D) |u|^(1−β)
+                SpeedTable.WithoutSpin(speedSquared, out double byDrag, out double byLift);
+                drag = _dragScale * byDrag;
+                if (default(TMagnus).Is)
+                {
+                    lift = step.Lift * onLift * byLift;
+                }
             }
         }
 
         if (default(TDecay).Is)
         {
             // (1 + x)^1.8 + (1 − x)^1.8 = 2 (1 + 0.72 x² + 0.0144 x⁴ + …), x = r|ω|/(2|u|)
-            double plate = _quarterSquare * spinRate * spinRate;
-            if (plate < LargestRatio * speedSquared)
-            {
-                double x = plate / speedSquared;
-                decay = _decayScale * SpeedTable.Decay(speedSquared)
-                    * (1.0 + (x * (0.72 + (x * (C4 + (x * (C6 + (x * (C8 + (x * (C10 + (x * C12))))))))))));
-            }
-            else
-            {
-                AirFlow flow = default;
-                flow.Speed = Math.Sqrt(speedSquared);
-                flow.SpinRate = Math.Abs(spinRate);
-                decay = _decay.Factor(in flow);
-            }
-        }
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Forces(DragBranch branch, double speedSquared, double forDrag, double forLift, double forLiftByDrag, out double drag, out double lift)
-    {
-        if (branch == DragBranch.Spinning)
-        {
-            // D = k c (r|ω|)^d |u|^(1−d),  L = k' (r|ω|)^β (C_D0 |u|^(1−β) − c (r|ω|)^d |u|^(1−β−d)), not below 0
-            SpeedTable.WithSpin(speedSquared, out double byDrag, out double byLift, out double byBoth);
-            drag = forDrag * byDrag;
-            lift = default(TMagnus).Is ? (FittedDrag.AtRest * forLift * byLift) - (forLiftByDrag * byBoth) : 0;
-            lift = lift > 0 ? lift : 0;
-        }
-        else
-        {
-            // D = k C_D |u|,  L = k' (r|ω|)^β (C_D0 − C_D) |u|^(1−β)
-            SpeedTable.WithoutSpin(speedSquared, out double byDrag, out double byLift);
-            drag = _dragScale * byDrag;
-            lift = default(TMagnus).Is ? forLift * byLift : 0;
+            double x = _quarterSquare * spinRate * spinRate / speedSquared;
+            decay = _decayScale * SpeedTable.Decay(speedSquared)
+                * (1.0 + (x * (0.72 + (x * (C4 + (x * (C6 + (x * (C8 + (x * (C10 + (x * C12))))))))))));
         }
     }
 
@@ -157,9 +151,6 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IAerodynamics
     private const double DragThird = DragSecond * (FittedDrag.D - 2) / 3;
     private const double LiftSecond = EmpiricalMagnus.Beta * (EmpiricalMagnus.Beta - 1) / 2;
     private const double LiftThird = LiftSecond * (EmpiricalMagnus.Beta - 2) / 3;
-
-    /// <summary>Up to this x² (Sp 0.8) the series below is good to 1e-9.</summary>
-    private const double LargestRatio = 0.16;
 
     // Binomial coefficients of (1 + x)^1.8 at even orders.
     private const double C4 = 0.72 * (1.8 - 2) * (1.8 - 3) / 12;

@@ -4,67 +4,28 @@ namespace Football.Physics;
 
 /// <summary>
 /// What the published laws need of the speed, as functions of |u|², all found with one index: the powers of the branch with spin,
-/// and the two sums of the branch without.
+/// and the two sums of the branch without; and what they need of the spin.
 /// </summary>
 /// <remarks>
 /// The top mantissa bits of |u|² choose a segment, on it a cubic through the Chebyshev points. Powers: 64 segments an octave, relative
-/// error 3e-11; the branch without spin: 128 an octave from 1/16 to 256 m/s, relative error 2e-9, beyond that in closed form.
+/// error 3e-11, for every positive normal |u|²; the branch without spin: 128 an octave, relative error 2e-9, from 1/2 to 128 m/s,
+/// beyond which its values mean nothing. There is no call and no test inside, so that a step keeps its numbers in registers.
 /// </remarks>
 internal static class SpeedTable
 {
     private const int PowerBits = 6;
     private const int NoSpinBits = 7;
-    private const int LowestExponent = 1023 - 8; // |u| = 1/16 m/s
-    private const int Octaves = 24;              // up to |u| = 256 m/s
+    private const int LowestExponent = 1023 - 2; // |u| = 1/2 m/s
+    private const int Octaves = 16;              // up to |u| = 128 m/s
 
     private const double D = FittedDrag.D;
     private const double Beta = EmpiricalMagnus.Beta;
 
-    private static readonly Segment[] Powers = new Segment[1 << PowerBits];
-    private static readonly Scale[] Scales = new Scale[2048];
-    private static readonly Pair[] NoSpins = new Pair[Octaves << NoSpinBits];
-
-    static SpeedTable()
-    {
-        const double Ln2 = 0.69314718055994530942;
-        for (int i = 0; i < Powers.Length; i++)
-        {
-            double low = 1.0 + ((double)i / Powers.Length);
-            double high = 1.0 + ((i + 1.0) / Powers.Length);
-            Powers[i] = new Segment
-            {
-                Drag = Cubic.Through(static m => Elementary.Pow(m, 0.5 * (1.0 - D)), low, high),
-                Lift = Cubic.Through(static m => Elementary.Pow(m, 0.5 * (1.0 - Beta)), low, high),
-                LiftByDrag = Cubic.Through(static m => Elementary.Pow(m, 0.5 * (1.0 - Beta - D)), low, high),
-                Decay = Cubic.Through(static m => Elementary.Pow(m, 0.9), low, high),
-            };
-        }
-
-        for (int e = 1; e < Scales.Length; e++)
-        {
-            double ln = (e - 1023) * Ln2;
-            Scales[e] = new Scale
-            {
-                Drag = Elementary.Exp(0.5 * (1.0 - D) * ln),
-                Lift = Elementary.Exp(0.5 * (1.0 - Beta) * ln),
-                LiftByDrag = Elementary.Exp(0.5 * (1.0 - Beta - D) * ln),
-                Decay = Elementary.Exp(0.9 * ln),
-            };
-        }
-
-        for (int i = 0; i < NoSpins.Length; i++)
-        {
-            double octave = BitConverter.Int64BitsToDouble((long)(LowestExponent + (i >> NoSpinBits)) << 52);
-            int segment = i & ((1 << NoSpinBits) - 1);
-            double low = 1.0 + ((double)segment / (1 << NoSpinBits));
-            double high = 1.0 + ((segment + 1.0) / (1 << NoSpinBits));
-            NoSpins[i] = new Pair
-            {
-                Drag = Cubic.Through(m => DragWithoutSpin(octave * m), low, high),
-                Lift = Cubic.Through(m => LiftWithoutSpin(octave * m), low, high),
-            };
-        }
-    }
+    private static readonly Segment[] Powers = MakePowers();
+    private static readonly Scale[] Scales = MakeScales();
+    private static readonly Pair[] NoSpins = MakeNoSpins();
+    private static readonly Pair[] SpinPowers = MakeSpinPowers();
+    private static readonly SpinScale[] SpinScales = MakeSpinScales();
 
     /// <summary>|u|^(1−d), |u|^(1−β) and |u|^(1−β−d).</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -94,29 +55,116 @@ internal static class SpeedTable
     public static void WithoutSpin(double speedSquared, out double drag, out double lift)
     {
         long bits = BitConverter.DoubleToInt64Bits(speedSquared);
-        int index = (int)(bits >> (52 - NoSpinBits)) - (LowestExponent << NoSpinBits);
-        if ((uint)index < (uint)NoSpins.Length)
-        {
-            ref Pair pair = ref NoSpins[index];
-            double m = Mantissa(bits);
-            double mm = m * m;
-            drag = pair.Drag.At(m, mm);
-            lift = pair.Lift.At(m, mm);
-            return;
-        }
-
-        Beyond(speedSquared, out drag, out lift);
+        ref Pair pair = ref NoSpins[((int)(bits >> (52 - NoSpinBits)) - (LowestExponent << NoSpinBits)) & ((Octaves << NoSpinBits) - 1)];
+        double m = Mantissa(bits);
+        double mm = m * m;
+        drag = pair.Drag.At(m, mm);
+        lift = pair.Lift.At(m, mm);
     }
 
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void Beyond(double speedSquared, out double drag, out double lift)
+    /// <summary>x^d and x^β.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void OfSpin(double surfaceSpeed, out double forDrag, out double forLift)
     {
-        drag = DragWithoutSpin(speedSquared);
-        lift = speedSquared > 0 ? LiftWithoutSpin(speedSquared) : 0;
+        long bits = BitConverter.DoubleToInt64Bits(surfaceSpeed);
+        ref Pair pair = ref SpinPowers[(int)(bits >> (52 - PowerBits)) & ((1 << PowerBits) - 1)];
+        ref SpinScale scale = ref SpinScales[(int)(bits >> 52) & 2047];
+        double m = Mantissa(bits);
+        double mm = m * m;
+        forDrag = scale.Drag * pair.Drag.At(m, mm);
+        forLift = scale.Lift * pair.Lift.At(m, mm);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static double Mantissa(long bits) => BitConverter.Int64BitsToDouble((bits & 0x000FFFFFFFFFFFFFL) | 0x3FF0000000000000L);
+
+    private static Segment[] MakePowers()
+    {
+        var powers = new Segment[1 << PowerBits];
+        for (int i = 0; i < powers.Length; i++)
+        {
+            double low = 1.0 + ((double)i / powers.Length);
+            double high = 1.0 + ((i + 1.0) / powers.Length);
+            powers[i] = new Segment
+            {
+                Drag = Cubic.Through(static m => Elementary.Pow(m, 0.5 * (1.0 - D)), low, high),
+                Lift = Cubic.Through(static m => Elementary.Pow(m, 0.5 * (1.0 - Beta)), low, high),
+                LiftByDrag = Cubic.Through(static m => Elementary.Pow(m, 0.5 * (1.0 - Beta - D)), low, high),
+                Decay = Cubic.Through(static m => Elementary.Pow(m, 0.9), low, high),
+            };
+        }
+
+        return powers;
+    }
+
+    private static Scale[] MakeScales()
+    {
+        const double Ln2 = 0.69314718055994530942;
+        var scales = new Scale[2048];
+        for (int e = 1; e < scales.Length; e++)
+        {
+            double ln = (e - 1023) * Ln2;
+            scales[e] = new Scale
+            {
+                Drag = Elementary.Exp(0.5 * (1.0 - D) * ln),
+                Lift = Elementary.Exp(0.5 * (1.0 - Beta) * ln),
+                LiftByDrag = Elementary.Exp(0.5 * (1.0 - Beta - D) * ln),
+                Decay = Elementary.Exp(0.9 * ln),
+            };
+        }
+
+        return scales;
+    }
+
+    private static Pair[] MakeSpinPowers()
+    {
+        var powers = new Pair[1 << PowerBits];
+        for (int i = 0; i < powers.Length; i++)
+        {
+            double low = 1.0 + ((double)i / powers.Length);
+            double high = 1.0 + ((i + 1.0) / powers.Length);
+            powers[i] = new Pair
+            {
+                Drag = Cubic.Through(static m => Elementary.Pow(m, D), low, high),
+                Lift = Cubic.Through(static m => Elementary.Pow(m, Beta), low, high),
+            };
+        }
+
+        return powers;
+    }
+
+    private static SpinScale[] MakeSpinScales()
+    {
+        // A zero or denormal spin has no leading 1: its powers are taken as zero.
+        const double Ln2 = 0.69314718055994530942;
+        var scales = new SpinScale[2048];
+        for (int e = 1; e < scales.Length; e++)
+        {
+            double ln = (e - 1023) * Ln2;
+            scales[e] = new SpinScale { Drag = Elementary.Exp(D * ln), Lift = Elementary.Exp(Beta * ln) };
+        }
+
+        return scales;
+    }
+
+    private static Pair[] MakeNoSpins()
+    {
+        var pairs = new Pair[Octaves << NoSpinBits];
+        for (int i = 0; i < pairs.Length; i++)
+        {
+            double octave = BitConverter.Int64BitsToDouble((long)(LowestExponent + (i >> NoSpinBits)) << 52);
+            int segment = i & ((1 << NoSpinBits) - 1);
+            double low = 1.0 + ((double)segment / (1 << NoSpinBits));
+            double high = 1.0 + ((segment + 1.0) / (1 << NoSpinBits));
+            pairs[i] = new Pair
+            {
+                Drag = Cubic.Through(m => DragWithoutSpin(octave * m), low, high),
+                Lift = Cubic.Through(m => LiftWithoutSpin(octave * m), low, high),
+            };
+        }
+
+        return pairs;
+    }
 
     private static double DragWithoutSpin(double speedSquared)
     {
@@ -144,6 +192,12 @@ internal static class SpeedTable
         public double Lift;
         public double LiftByDrag;
         public double Decay;
+    }
+
+    private struct SpinScale
+    {
+        public double Drag;
+        public double Lift;
     }
 
     private struct Pair

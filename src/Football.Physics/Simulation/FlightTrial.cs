@@ -1,7 +1,8 @@
 namespace Football.Physics;
 
 /// <summary>A step in flight along a constant spin axis, to be taken with several lengths.</summary>
-internal struct FlightTrial<TAir, TIntegrator> : ITrial
+internal struct FlightTrial<TFast, TAir, TIntegrator> : ITrial
+    where TFast : struct, IAerodynamics
     where TAir : struct, IAerodynamics
     where TIntegrator : struct, IIntegrator
 {
@@ -11,11 +12,13 @@ internal struct FlightTrial<TAir, TIntegrator> : ITrial
     private readonly double _height;
     private readonly double _windUp;
     private readonly double _radius;
+    private TFast _fast;
     private TAir _air;
     private TIntegrator _integrator;
 
-    public FlightTrial(in TAir air, in FlightPoint from, double height, double windUp, double radius)
+    public FlightTrial(in TFast fast, in TAir air, in FlightPoint from, double height, double windUp, double radius)
     {
+        _fast = fast;
         _air = air;
         _from = from;
         _height = height;
@@ -37,7 +40,15 @@ internal struct FlightTrial<TAir, TIntegrator> : ITrial
 
     public void Step(double h)
     {
-        _integrator.Fly(ref _air, in _from, h, out End);
+        if (_fast.Covers(_from.AirVelocity.LengthSquared, _from.SpinRate, h))
+        {
+            _integrator.Fly(ref _fast, in _from, h, out End);
+        }
+        else
+        {
+            _integrator.Fly(ref _air, in _from, h, out End);
+        }
+
         Length = h;
         Evaluations += _integrator.Stages;
     }

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace Football.Physics;
 
 /// <content>Flight: the ball in the air, along a constant spin axis.</content>
-internal sealed partial class Stepper<TAir, TIntegrator>
+internal sealed partial class Stepper<TFast, TAir, TIntegrator>
 {
     /// <summary>A step of flight, done if nothing happens in it.</summary>
     /// <param name="s">The ball; moved only if nothing happens.</param>
@@ -13,7 +13,7 @@ internal sealed partial class Stepper<TAir, TIntegrator>
     /// <param name="step">Where the integrator took it.</param>
     /// <param name="h">The length that was tried: less than the step's where that must be divided, 0 where nothing was tried.</param>
     /// <returns>True when the whole step is done.</returns>
-    [MethodImpl(MethodImplOptions.NoInlining)]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private bool FlyWhole(ref BallState s, double left, StepLog log, out FlightPoint from, out FlightStep step, out double h)
     {
         double vx = s.Velocity.X;
@@ -54,7 +54,15 @@ internal sealed partial class Stepper<TAir, TIntegrator>
             }
         }
 
-        _integrator.Fly(ref _air, in from, h, out step);
+        if (_fast.Covers(speedSquared, spin, h))
+        {
+            _integrator.Fly(ref _fast, in from, h, out step);
+        }
+        else
+        {
+            _integrator.Fly(ref _air, in from, h, out step);
+        }
+
         log.Evaluations += _integrator.Stages;
         double wx = step.AirVelocity.X;
         double wy = step.AirVelocity.Y;
@@ -194,7 +202,7 @@ internal sealed partial class Stepper<TAir, TIntegrator>
             }
         }
 
-        var trial = new FlightTrial<TAir, TIntegrator>(in _air, in from, s.Position.Y, _wind.Y, _ball.Radius) { End = step, Length = h };
+        var trial = new FlightTrial<TFast, TAir, TIntegrator>(in _fast, in _air, in from, s.Position.Y, _wind.Y, _ball.Radius) { End = step, Length = h };
         bool crosses = start.Branch == s.Branch && JumpLocator.Locate(ref trial, s.Branch, in start, in startRate, h);
         run.Log.Evaluations += trial.Evaluations;
         if (!crosses)
@@ -232,7 +240,7 @@ internal sealed partial class Stepper<TAir, TIntegrator>
     /// <summary>Ends a step where its spin reaches zero: decay never reverses a spin.</summary>
     private void EndSpin(in BallState s, in FlightPoint from, ref FlightStep step, ref double h, ref StepRun run)
     {
-        var trial = new FlightTrial<TAir, TIntegrator>(in _air, in from, s.Position.Y, _wind.Y, _ball.Radius);
+        var trial = new FlightTrial<TFast, TAir, TIntegrator>(in _fast, in _air, in from, s.Position.Y, _wind.Y, _ball.Radius);
         double low = 0;
         double high = h;
         double tau = h * s.SpinRate / (s.SpinRate - step.SpinRate);
@@ -274,7 +282,7 @@ internal sealed partial class Stepper<TAir, TIntegrator>
             return false;
         }
 
-        var trial = new FlightTrial<TAir, TIntegrator>(in _air, in from, s.Position.Y, _wind.Y, _ball.Radius);
+        var trial = new FlightTrial<TFast, TAir, TIntegrator>(in _fast, in _air, in from, s.Position.Y, _wind.Y, _ball.Radius);
         bool hit = true;
         if (_settings.CollisionTiming == CollisionTiming.Bisection)
         {

@@ -1,7 +1,7 @@
 namespace Football.Physics;
 
 /// <content>The ball on the ground: sliding, rolling, coming to rest.</content>
-internal sealed partial class Stepper<TAir, TIntegrator>
+internal sealed partial class Stepper<TFast, TAir, TIntegrator>
 {
     /// <summary>Towards the end of a slide or a roll a step goes this share of the way, for the direction turns ever faster there.</summary>
     private const double Approach = 0.125;

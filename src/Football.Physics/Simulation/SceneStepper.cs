@@ -3,7 +3,8 @@ using System.Runtime.CompilerServices;
 namespace Football.Physics;
 
 /// <summary>One compiled body: the laws of a scene and an integrator.</summary>
-internal sealed partial class Stepper<TAir, TIntegrator> : Stepper
+internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
+    where TFast : struct, IAerodynamics
     where TAir : struct, IAerodynamics
     where TIntegrator : struct, IIntegrator
 {
@@ -20,6 +21,7 @@ internal sealed partial class Stepper<TAir, TIntegrator> : Stepper
     private readonly RateBound _bound;
     private readonly bool _custom;
     private readonly bool _locatesJump;
+    private TFast _fast;
     private TAir _air;
     private TIntegrator _integrator;
     private FlightSystem<TAir> _flight;
@@ -37,6 +39,8 @@ internal sealed partial class Stepper<TAir, TIntegrator> : Stepper
         _radiusSquared = scene.Ball.Radius * scene.Ball.Radius;
         _air = default;
         _air.Prepare(scene);
+        _fast = default;
+        _fast.Prepare(scene);
         _integrator = default;
         _bound = _air.Bound;
         _locatesJump = _air.Jumps && _integrator.Order > 1;

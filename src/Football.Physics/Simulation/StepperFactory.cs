@@ -21,19 +21,22 @@ internal static class StepperFactory
         && (forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical);
 
     private static Stepper FusedDrag(Scene scene, SolverSettings settings) => scene.Forces.Drag == ForceLaw.Empirical
-        ? FusedMagnus<Present>(scene, settings)
-        : FusedMagnus<Absent>(scene, settings);
+        ? FusedMagnus<Present, EmpiricalDrag>(scene, settings)
+        : FusedMagnus<Absent, NoAirLaw>(scene, settings);
 
-    private static Stepper FusedMagnus<TDrag>(Scene scene, SolverSettings settings)
-        where TDrag : struct, IPresence => scene.Forces.Magnus == ForceLaw.Empirical
-            ? FusedSpinDecay<TDrag, Present>(scene, settings)
-            : FusedSpinDecay<TDrag, Absent>(scene, settings);
-
-    private static Stepper FusedSpinDecay<TDrag, TMagnus>(Scene scene, SolverSettings settings)
+    private static Stepper FusedMagnus<TDrag, TDragLaw>(Scene scene, SolverSettings settings)
         where TDrag : struct, IPresence
-        where TMagnus : struct, IPresence => scene.Forces.SpinDecay == ForceLaw.Empirical
-            ? WithIntegrator<PublishedAir<TDrag, TMagnus, Present>>(scene, settings)
-            : WithIntegrator<PublishedAir<TDrag, TMagnus, Absent>>(scene, settings);
+        where TDragLaw : struct, IAirLaw => scene.Forces.Magnus == ForceLaw.Empirical
+            ? FusedSpinDecay<TDrag, TDragLaw, Present, EmpiricalMagnus>(scene, settings)
+            : FusedSpinDecay<TDrag, TDragLaw, Absent, NoAirLaw>(scene, settings);
+
+    private static Stepper FusedSpinDecay<TDrag, TDragLaw, TMagnus, TMagnusLaw>(Scene scene, SolverSettings settings)
+        where TDrag : struct, IPresence
+        where TDragLaw : struct, IAirLaw
+        where TMagnus : struct, IPresence
+        where TMagnusLaw : struct, IAirLaw => scene.Forces.SpinDecay == ForceLaw.Empirical
+            ? WithIntegrator<PublishedAir<TDrag, TMagnus, Present>, Aerodynamics<PublishedDragFit, TDragLaw, TMagnusLaw, EmpiricalSpinDecay>>(scene, settings)
+            : WithIntegrator<PublishedAir<TDrag, TMagnus, Absent>, Aerodynamics<PublishedDragFit, TDragLaw, TMagnusLaw, NoAirLaw>>(scene, settings);
 
     private static Stepper WithDrag<TFit>(Scene scene, SolverSettings settings)
         where TFit : struct, IDragFit => scene.Forces.Drag switch
@@ -63,11 +66,19 @@ internal static class StepperFactory
         };
 
     private static Stepper WithIntegrator<TAir>(Scene scene, SolverSettings settings)
+        where TAir : struct, IAerodynamics => WithIntegrator<TAir, TAir>(scene, settings);
+
+    /// <param name="scene">The scene.</param>
+    /// <param name="settings">How to integrate it.</param>
+    /// <typeparam name="TFast">The laws of a plain step of flight, where they hold.</typeparam>
+    /// <typeparam name="TAir">The laws everywhere.</typeparam>
+    private static Stepper WithIntegrator<TFast, TAir>(Scene scene, SolverSettings settings)
+        where TFast : struct, IAerodynamics
         where TAir : struct, IAerodynamics => settings.Integrator switch
         {
-            Integrator.Euler => new Stepper<TAir, ExplicitEuler>(scene, settings),
-            Integrator.SemiImplicitEuler => new Stepper<TAir, SemiImplicitEuler>(scene, settings),
-            Integrator.Rk2 => new Stepper<TAir, MidpointRungeKutta>(scene, settings),
-            _ => new Stepper<TAir, ClassicalRungeKutta>(scene, settings),
+            Integrator.Euler => new Stepper<TFast, TAir, ExplicitEuler>(scene, settings),
+            Integrator.SemiImplicitEuler => new Stepper<TFast, TAir, SemiImplicitEuler>(scene, settings),
+            Integrator.Rk2 => new Stepper<TFast, TAir, MidpointRungeKutta>(scene, settings),
+            _ => new Stepper<TFast, TAir, ClassicalRungeKutta>(scene, settings),
         };
 }
