@@ -20,10 +20,20 @@ internal struct SlidingSystem<TAir> : IMotionSystem
         double size = slip.Length;
         Vector3d s = Vector3d.Dot(in slip, in SlipDirection) > 0 && size > 0 ? slip / size : SlipDirection;
         var torqueAxis = new Vector3d(s.Z, 0, -s.X); // ŷ × ŝ
+        MotionRates pushed = Pushed(time, in at, in torqueAxis);
+        rates = new MotionRates(pushed.Acceleration - (Ground.Sliding * s), pushed.SpinAcceleration + (Ground.SlidingTorque * torqueAxis));
+    }
+
+    /// <summary>All but the friction: the air, the damping of the spin about the vertical, the game's own forces.</summary>
+    /// <param name="time">Time, s.</param>
+    /// <param name="at">The ball.</param>
+    /// <param name="torqueAxis">Axis of the friction's torque: a ball without spin is about to turn about it.</param>
+    public MotionRates Pushed(double time, in Motion at, in Vector3d torqueAxis)
+    {
         Vector3d u = at.Velocity - Wind;
         MotionRates air = AirRates.Of(ref Air, in u, at.Spin, in torqueAxis, Branch);
         Vector3d acceleration = AirActs ? air.Acceleration : Vector3d.Zero;
-        Vector3d spinAcceleration = air.SpinAcceleration + (Ground.SlidingTorque * torqueAxis) - new Vector3d(0, Ground.SpinDamping * at.Spin.Y, 0);
+        Vector3d spinAcceleration = air.SpinAcceleration - new Vector3d(0, Ground.SpinDamping * at.Spin.Y, 0);
         if (Custom.Act)
         {
             MotionRates custom = Custom.Rates(time, in at, in u, MotionState.Sliding);
@@ -31,6 +41,6 @@ internal struct SlidingSystem<TAir> : IMotionSystem
             spinAcceleration += custom.SpinAcceleration;
         }
 
-        rates = new MotionRates(acceleration.Horizontal - (Ground.Sliding * s), in spinAcceleration);
+        return new MotionRates(acceleration.Horizontal, in spinAcceleration);
     }
 }

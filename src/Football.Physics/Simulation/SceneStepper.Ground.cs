@@ -3,8 +3,20 @@ namespace Football.Physics;
 /// <content>The ball on the ground: sliding, rolling, coming to rest.</content>
 internal sealed partial class Stepper<TFast, TAir, TIntegrator>
 {
-    /// <summary>Towards the end of a slide or a roll a step goes this share of the way, for the direction turns ever faster there.</summary>
+    /// <summary>
+    /// Towards the end of a slide or a roll, where the direction turns ever faster, a piece goes this share of the way for a step of
+    /// 10 ms, and more, as the root, for a longer one.
+    /// </summary>
     private const double Approach = 0.125;
+
+    /// <summary>The largest such share.</summary>
+    private const double LargestApproach = 0.4;
+
+    /// <summary>The last of a slide, this share of a step long, is done in closed form with the mean push of the air.</summary>
+    private const double ClosedForm = 0.04;
+
+    /// <summary>ε of the heuristic, m/s.</summary>
+    private const double HeuristicSlip = 1e-3;
 
     private void Slide(ref BallState s, ref StepRun run)
     {
@@ -27,15 +39,26 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         SlidingSystem<TAir> system = _sliding;
         system.SlipDirection = slip / size;
         system.Branch = GroundBranch(ref s, in from);
-        double h = Divide(run.Left, GroundRate(in from));
-        if (exact)
+        double airRate = GroundRate(in from);
+        double h = Divide(run.Left, airRate);
+        double fastest = system.Ground.Sliding + (_ball.Radius * system.Ground.SlidingTorque)
+            + (airRate * ((from.Velocity - _wind).Length + (_ball.Radius * from.Spin.Length)));
+        if (exact && (_custom || fastest * h > Approach * size))
         {
             system.Rates(s.Time, in from, out MotionRates rates);
             run.Log.Evaluations++;
 
             // ṡ = v̇ + r ŷ × ω̇
             Vector3d slipRate = Slip.Of(rates.Acceleration, rates.SpinAcceleration, _ball.Radius);
-            h = Shorten(h, in system.SlipDirection, size, in slipRate);
+            double friction = system.Ground.Sliding + (_ball.Radius * system.Ground.SlidingTorque);
+            Vector3d push = slipRate + (friction * system.SlipDirection);
+            if (size < 0.5 * friction * ClosedForm * run.Length && push.LengthSquared < 0.25 * friction * friction
+                && EndSlide(ref s, ref run, ref system, in from, in slip, in push, friction, in rates))
+            {
+                return;
+            }
+
+            h = Shorten(h, run.Length, in system.SlipDirection, size, in slipRate);
         }
 
         var trial = new MotionTrial<SlidingSystem<TAir>, TIntegrator>(in system, s.Time, in from, in _wind, _ball.Radius);
@@ -54,8 +77,58 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         }
     }
 
-    /// <summary>ε of the heuristic, m/s.</summary>
-    private const double HeuristicSlip = 1e-3;
+    /// <summary>The end of a slide in closed form: the air's push is the mean of both ends.</summary>
+    /// <returns>False where the slide outlasts the step.</returns>
+    private bool EndSlide(
+        ref BallState s,
+        ref StepRun run,
+        ref SlidingSystem<TAir> system,
+        in Motion from,
+        in Vector3d slip,
+        in Vector3d push,
+        double friction,
+        in MotionRates rates)
+    {
+        var torqueAxis = new Vector3d(system.SlipDirection.Z, 0, -system.SlipDirection.X);
+        Vector3d air = rates.Acceleration + (system.Ground.Sliding * system.SlipDirection);
+        double turn = rates.SpinAcceleration.Y;
+        var first = new SlipDecay(in slip, in push, friction);
+        Vector3d velocity = from.Velocity + (first.Time * air) - (system.Ground.Sliding * first.Direction);
+        Vector3d spin = Slip.RollingSpin(in velocity, from.Spin.Y + (first.Time * turn), _ball.Radius);
+        MotionRates end = system.Pushed(s.Time + first.Time, new Motion(from.Position, in velocity, in spin), in torqueAxis);
+        run.Log.Evaluations++;
+        Vector3d endPush = Slip.Of(end.Acceleration, end.SpinAcceleration, _ball.Radius);
+        var decay = new SlipDecay(in slip, 0.5 * (push + endPush), friction);
+        double t = decay.Time;
+        if (!(t > 0 && t <= run.Left))
+        {
+            return false;
+        }
+
+        // v = v₀ − μ_s N/m ∫ŝ + ∫a,  p = p₀ + v₀ t − μ_s N/m ∫∫ŝ + ∫∫a, a linear in time
+        velocity = from.Velocity + ((0.5 * t) * (air + end.Acceleration)) - (system.Ground.Sliding * decay.Direction);
+        spin = Slip.RollingSpin(in velocity, from.Spin.Y + (0.5 * t * (turn + end.SpinAcceleration.Y)), _ball.Radius);
+        Vector3d position = from.Position + (t * from.Velocity) + ((t * t / 6.0) * ((2.0 * air) + end.Acceleration)) - (system.Ground.Sliding * decay.Twice);
+        BallState before = s;
+        s.BaseOrientation = (Quaterniond.FromRotationVector((0.5 * t) * (from.Spin + spin)) * s.BaseOrientation).Normalised();
+        s.Position = new Vector3d(position.X, _contact, position.Z);
+        s.Velocity = velocity.Horizontal;
+        s.SpinAxis = spin;
+        s.Time += t;
+        run.Left -= t;
+        run.Log.Steps++;
+        if (run.Log.Observer is { } observer)
+        {
+            Watch(observer, run.Log, in before, rates.Acceleration, in s, Extrapolate.Rate(in from.Velocity, s.Velocity, in rates.Acceleration, t));
+        }
+
+        if (!run.Log.Halted)
+        {
+            StartRolling(ref s, ref run);
+        }
+
+        return true;
+    }
 
     private void Roll(ref BallState s, ref StepRun run)
     {
@@ -76,7 +149,8 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         double speed = from.Velocity.Length;
         RollingSystem<TAir> system = _rolling;
         system.Branch = GroundBranch(ref s, in from);
-        double h = Divide(run.Left, GroundRate(in from));
+        double airRate = GroundRate(in from);
+        double h = Divide(run.Left, airRate);
         if (speed < Slip.Rolling)
         {
             from = new Motion(s.Position, Vector3d.Zero, new Vector3d(0, from.Spin.Y, 0));
@@ -89,9 +163,13 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         else
         {
             system.Direction = from.Velocity / speed;
-            system.Rates(s.Time, in from, out MotionRates rates);
-            run.Log.Evaluations++;
-            h = Shorten(h, in system.Direction, speed, rates.Acceleration);
+            double fastest = system.Ground.Rolling + (airRate * (from.Velocity - _wind).Length);
+            if (_custom || fastest * h > Approach * speed)
+            {
+                system.Rates(s.Time, in from, out MotionRates rates);
+                run.Log.Evaluations++;
+                h = Shorten(h, run.Length, in system.Direction, speed, rates.Acceleration);
+            }
         }
 
         var trial = new MotionTrial<RollingSystem<TAir>, TIntegrator>(in system, s.Time, in from, in _wind, _ball.Radius);
@@ -235,13 +313,14 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
     private double GroundRate(in Motion from) =>
         (_bound.PerSpeed * (from.Velocity - _wind).Length) + (_bound.PerSpin * from.Spin.Length) + _bound.Constant + _sliding.Ground.SpinDamping;
 
-    /// <summary>Shortens a step in which a vector loses, or turns by, more than an eighth of its size.</summary>
-    private static double Shorten(double h, in Vector3d direction, double size, in Vector3d rate)
+    /// <summary>Shortens a piece in which a vector would lose, or turn by, more than a share of its size.</summary>
+    private static double Shorten(double h, double step, in Vector3d direction, double size, in Vector3d rate)
     {
         double along = Vector3d.Dot(in rate, in direction);
         double acrossSquared = Math.Max(0, rate.LengthSquared - (along * along));
         double closing = Math.Sqrt(acrossSquared + (along < 0 ? along * along : 0));
-        return closing * h > Approach * size ? Approach * size / closing : h;
+        double share = step > 0.01 ? Math.Min(LargestApproach, Approach * Math.Sqrt(step * 100)) : Approach;
+        return closing * h > share * size ? share * size / closing : h;
     }
 
     /// <summary>½ m v² + ½ I ω², J.</summary>

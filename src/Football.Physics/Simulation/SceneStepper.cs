@@ -72,26 +72,26 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
             }
         }
 
-        Finish(ref state, end, dt, log);
+        Finish(ref state, end, dt, dt, log);
     }
 
     /// <summary>A step that begins with a piece of flight with something in it.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private void FlyOn(ref BallState state, double end, in FlightPoint from, ref FlightStep step, double h, StepLog log)
     {
-        var run = new StepRun { Left = end - state.Time, Log = log };
+        var run = new StepRun { Left = end - state.Time, Length = end - state.Time, Log = log };
         FlyEventful(ref state, ref run, in from, ref step, h);
         if (!log.Halted)
         {
-            Finish(ref state, end, run.Left, log);
+            Finish(ref state, end, run.Left, run.Length, log);
         }
     }
 
     /// <summary>The rest of a step, piece by piece.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Finish(ref BallState state, double end, double left, StepLog log)
+    private void Finish(ref BallState state, double end, double left, double length, StepLog log)
     {
-        var run = new StepRun { Left = left, Log = log };
+        var run = new StepRun { Left = left, Length = length, Log = log };
         while (run.Left > 0 && state.Motion != MotionState.Stopped)
         {
             switch (state.Motion)

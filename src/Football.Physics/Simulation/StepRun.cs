@@ -9,6 +9,9 @@ internal ref struct StepRun
     /// <summary>Time left, s.</summary>
     public double Left;
 
+    /// <summary>Length of the whole step, s.</summary>
+    public double Length;
+
     /// <summary>Splits so far.</summary>
     public int Splits;
 
