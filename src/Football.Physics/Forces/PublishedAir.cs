@@ -118,11 +118,13 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IAerodynamics
             {
                 // D = k c (r|ω|)^d |u|^(1−d),  L = k' (r|ω|)^β (C_D0 |u|^(1−β) − c (r|ω|)^d |u|^(1−β−d)), not below 0
                 double onDrag = 1.0 + (delta * (FittedDrag.D + (delta * (DragSecond + (delta * DragThird)))));
-                SpeedTable.WithSpin(speedSquared, out double byDrag, out double byLift, out double byBoth);
-                drag = step.Drag * onDrag * byDrag;
+                drag = step.Drag * onDrag;
+                double forLift = FittedDrag.AtRest * step.Lift * onLift;
+                double forBoth = step.LiftByDrag * (onLift * onDrag);
+                SpeedTable.WithSpin(speedSquared, ref drag, ref forLift, ref forBoth);
                 if (default(TMagnus).Is)
                 {
-                    lift = onLift * ((FittedDrag.AtRest * step.Lift * byLift) - (step.LiftByDrag * onDrag * byBoth));
+                    lift = forLift - forBoth;
                     lift = lift > 0 ? lift : 0;
                 }
             }

@@ -27,18 +27,18 @@ internal static class SpeedTable
     private static readonly Pair[] SpinPowers = MakeSpinPowers();
     private static readonly SpinScale[] SpinScales = MakeSpinScales();
 
-    /// <summary>|u|^(1−d), |u|^(1−β) and |u|^(1−β−d).</summary>
+    /// <summary>Three factors times |u|^(1−d), |u|^(1−β) and |u|^(1−β−d): the factors meet the scales while the cubics are still busy.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void WithSpin(double speedSquared, out double drag, out double lift, out double liftByDrag)
+    public static void WithSpin(double speedSquared, ref double drag, ref double lift, ref double liftByDrag)
     {
         long bits = BitConverter.DoubleToInt64Bits(speedSquared);
         ref Segment segment = ref Powers[(int)(bits >> (52 - PowerBits)) & ((1 << PowerBits) - 1)];
         ref Scale scale = ref Scales[(int)(bits >> 52) & 2047];
         double m = Mantissa(bits);
         double mm = m * m;
-        drag = scale.Drag * segment.Drag.At(m, mm);
-        lift = scale.Lift * segment.Lift.At(m, mm);
-        liftByDrag = scale.LiftByDrag * segment.LiftByDrag.At(m, mm);
+        drag = drag * scale.Drag * segment.Drag.At(m, mm);
+        lift = lift * scale.Lift * segment.Lift.At(m, mm);
+        liftByDrag = liftByDrag * scale.LiftByDrag * segment.LiftByDrag.At(m, mm);
     }
 
     /// <summary>|u|^1.8.</summary>

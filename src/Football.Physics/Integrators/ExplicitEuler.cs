@@ -10,17 +10,21 @@ internal readonly struct ExplicitEuler : IIntegrator
     public int Order => 1;
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public void Fly<TAir>(ref TAir air, in FlightPoint from, double h, out FlightStep step)
+    public void Fly<TAir>(
+        ref TAir air, in Vector3d axis, DragBranch branch, double ux, double uy, double uz, double w, double g, double h, out FlightStep step)
         where TAir : struct, IAerodynamics
     {
-        Vector3d u = from.AirVelocity;
-        double w = from.SpinRate;
-        FlightRates.Of(ref air, in from, in u, w, out Vector3d a, out double b);
-        step.StartAcceleration = a;
+        air.Begin(w, branch, out AirStep once);
+        FlightRates.Of(ref air, in once, axis.X, axis.Y, axis.Z, g, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
+        double ex = ux + (h * ax);
+        double ey = uy + (h * ay);
+        double ez = uz + (h * az);
+        double ew = w + (h * b);
+        step.StartAcceleration = new Vector3d(ax, ay, az);
         step.StartSpinAcceleration = b;
-        step.Path = h * u;
-        step.AirVelocity = u + (h * a);
-        step.SpinRate = w + (h * b);
+        step.AirVelocity = new Vector3d(ex, ey, ez);
+        step.SpinRate = ew;
+        step.Path = new Vector3d(h * ux, h * uy, h * uz);
         step.Turn = h * w;
     }
 

@@ -3,6 +3,9 @@ namespace Football.Physics;
 /// <summary>The ball's height above contact over a step that comes down to it.</summary>
 internal readonly struct HeightArc
 {
+    /// <summary>Newton ends at this relative change: the next one would be at rounding, and a re-step corrects what is left.</summary>
+    private const double Close = 1e-6;
+
     /// <summary>Height at the start, m; not negative.</summary>
     public readonly double Start;
 
@@ -88,12 +91,12 @@ internal readonly struct HeightArc
                 next = 0.5 * (low + high);
             }
 
-            if (Math.Abs(next - s) <= 1e-16 * high)
+            bool done = Math.Abs(next - s) <= Close * s;
+            s = next;
+            if (done)
             {
                 break;
             }
-
-            s = next;
         }
 
         return s * Length;

@@ -10,19 +10,16 @@ internal readonly struct MidpointRungeKutta : IIntegrator
     public int Order => 2;
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public void Fly<TAir>(ref TAir air, in FlightPoint from, double h, out FlightStep step)
+    public void Fly<TAir>(
+        ref TAir air, in Vector3d axis, DragBranch branch, double ux, double uy, double uz, double w, double g, double h, out FlightStep step)
         where TAir : struct, IAerodynamics
     {
+        double nx = axis.X;
+        double ny = axis.Y;
+        double nz = axis.Z;
+        air.Begin(w, branch, out AirStep once);
+
         double half = 0.5 * h;
-        double ux = from.AirVelocity.X;
-        double uy = from.AirVelocity.Y;
-        double uz = from.AirVelocity.Z;
-        double w = from.SpinRate;
-        double nx = from.Axis.X;
-        double ny = from.Axis.Y;
-        double nz = from.Axis.Z;
-        double g = from.Upward;
-        air.Begin(w, from.Branch, out AirStep once);
 
         // k1 = f(y)
         FlightRates.Of(ref air, in once, nx, ny, nz, g, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);

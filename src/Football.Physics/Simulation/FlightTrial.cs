@@ -8,23 +8,15 @@ internal struct FlightTrial<TFast, TAir, TIntegrator> : ITrial
 {
     public FlightStep End;
     public double Length;
+    private readonly Stepper<TFast, TAir, TIntegrator> _stepper;
     private readonly FlightPoint _from;
     private readonly double _height;
-    private readonly double _windUp;
-    private readonly double _radius;
-    private TFast _fast;
-    private TAir _air;
-    private TIntegrator _integrator;
 
-    public FlightTrial(in TFast fast, in TAir air, in FlightPoint from, double height, double windUp, double radius)
+    public FlightTrial(Stepper<TFast, TAir, TIntegrator> stepper, in FlightPoint from, double height)
     {
-        _fast = fast;
-        _air = air;
+        _stepper = stepper;
         _from = from;
         _height = height;
-        _windUp = windUp;
-        _radius = radius;
-        _integrator = default;
         End = default;
         Length = 0;
         Evaluations = 0;
@@ -32,25 +24,16 @@ internal struct FlightTrial<TFast, TAir, TIntegrator> : ITrial
 
     public int Evaluations { get; private set; }
 
-    public readonly double Height => _height + (End.Path.Y + (Length * _windUp));
+    public readonly double Height => _height + (End.Path.Y + (Length * _stepper.Wind.Y));
 
-    public readonly double VerticalVelocity => End.AirVelocity.Y + _windUp;
+    public readonly double VerticalVelocity => End.AirVelocity.Y + _stepper.Wind.Y;
 
-    public readonly DragJump EndJump => DragJump.At(End.AirVelocity.LengthSquared, _radius * _radius * End.SpinRate * End.SpinRate);
+    public readonly DragJump EndJump => DragJump.At(End.AirVelocity.LengthSquared, _stepper.RadiusSquared * End.SpinRate * End.SpinRate);
 
     public void Step(double h)
     {
-        if (_fast.Covers(_from.AirVelocity.LengthSquared, _from.SpinRate, h))
-        {
-            _integrator.Fly(ref _fast, in _from, h, out End);
-        }
-        else
-        {
-            _integrator.Fly(ref _air, in _from, h, out End);
-        }
-
+        Evaluations += _stepper.Take(in _from, h, out End);
         Length = h;
-        Evaluations += _integrator.Stages;
     }
 
     public void Nudge(double dt)
@@ -66,9 +49,9 @@ internal struct FlightTrial<TFast, TAir, TIntegrator> : ITrial
 
     public DragJump EndJumpRate()
     {
-        FlightRates.Of(ref _air, in _from, in End.AirVelocity, End.SpinRate, out Vector3d a, out double b);
+        _stepper.FlightRatesAt(in _from, in End.AirVelocity, End.SpinRate, out Vector3d a, out double b);
         Evaluations++;
-        return FlightTrial.JumpRate(in End.AirVelocity, End.SpinRate, in a, b, _radius);
+        return FlightTrial.JumpRate(in End.AirVelocity, End.SpinRate, in a, b, _stepper.RadiusSquared);
     }
 }
 
@@ -76,6 +59,6 @@ internal struct FlightTrial<TFast, TAir, TIntegrator> : ITrial
 internal static class FlightTrial
 {
     /// <summary>Rates of the drag law's jump: d|u|²/dt = 2 u·a, d(r|ω|)²/dt = 2 r² |ω| d|ω|/dt.</summary>
-    public static DragJump JumpRate(in Vector3d airVelocity, double spinRate, in Vector3d acceleration, double spinAcceleration, double radius) =>
-        DragJump.Rate(2.0 * Vector3d.Dot(in airVelocity, in acceleration), 2.0 * radius * radius * spinRate * spinAcceleration);
+    public static DragJump JumpRate(in Vector3d airVelocity, double spinRate, in Vector3d acceleration, double spinAcceleration, double radiusSquared) =>
+        DragJump.Rate(2.0 * Vector3d.Dot(in airVelocity, in acceleration), 2.0 * radiusSquared * spinRate * spinAcceleration);
 }

@@ -56,11 +56,11 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
 
         if (_fast.Covers(speedSquared, spin, h))
         {
-            _integrator.Fly(ref _fast, in from, h, out step);
+            _integrator.Fly(ref _fast, in s.SpinAxis, from.Branch, ux, uy, uz, spin, _upward, h, out step);
         }
         else
         {
-            _integrator.Fly(ref _air, in from, h, out step);
+            _integrator.Fly(ref _air, in s.SpinAxis, from.Branch, ux, uy, uz, spin, _upward, h, out step);
         }
 
         log.Evaluations += _integrator.Stages;
@@ -101,6 +101,33 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         return true;
     }
 
+    /// <summary>Wind, m/s.</summary>
+    internal Vector3d Wind => _wind;
+
+    /// <summary>Square of the ball's radius, m².</summary>
+    internal double RadiusSquared => _radiusSquared;
+
+    /// <summary>Takes a step of flight, with the fused laws where they hold.</summary>
+    /// <returns>Right-hand sides evaluated.</returns>
+    internal int Take(in FlightPoint from, double h, out FlightStep step)
+    {
+        Vector3d u = from.AirVelocity;
+        if (_fast.Covers(u.LengthSquared, from.SpinRate, h))
+        {
+            _integrator.Fly(ref _fast, in from.Axis, from.Branch, u.X, u.Y, u.Z, from.SpinRate, from.Upward, h, out step);
+        }
+        else
+        {
+            _integrator.Fly(ref _air, in from.Axis, from.Branch, u.X, u.Y, u.Z, from.SpinRate, from.Upward, h, out step);
+        }
+
+        return _integrator.Stages;
+    }
+
+    /// <summary>The right-hand side at a point of a flight.</summary>
+    internal void FlightRatesAt(in FlightPoint from, in Vector3d u, double spin, out Vector3d acceleration, out double spinRate) =>
+        FlightRates.Of(ref _air, in from, in u, spin, out acceleration, out spinRate);
+
     /// <summary>A piece of flight: up to the end of the step, the drag law's jump, the end of the spin, or the ground.</summary>
     private void Fly(ref BallState s, ref StepRun run)
     {
@@ -125,7 +152,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         if (_air.Jumps && _locatesJump)
         {
             var start = DragJump.At(from.AirVelocity.LengthSquared, _radiusSquared * s.SpinRate * s.SpinRate);
-            DragJump startRate = FlightTrial.JumpRate(in from.AirVelocity, s.SpinRate, in step.StartAcceleration, step.StartSpinAcceleration, _ball.Radius);
+            DragJump startRate = FlightTrial.JumpRate(in from.AirVelocity, s.SpinRate, in step.StartAcceleration, step.StartSpinAcceleration, _radiusSquared);
             var end = DragJump.At(step.AirVelocity.LengthSquared, _radiusSquared * step.SpinRate * step.SpinRate);
             if (DragJump.MayCross(s.Branch, in start, in startRate, in end, h))
             {
@@ -152,7 +179,8 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
             hit = Land(in s, in from, height, climb, ref step, ref h, ref run);
         }
 
-        BallState before = s;
+        PieceObserver? observer = run.Log.Observer;
+        BallState before = observer is null ? default : s;
         Vector3d position = s.Position + (step.Path + (h * _wind));
         s.Position = hit ? new Vector3d(position.X, _contact, position.Z) : position;
         s.Velocity = step.AirVelocity + _wind;
@@ -162,7 +190,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         s.Time += h;
         run.Left -= h;
         run.Log.Steps++;
-        if (run.Log.Observer is { } observer)
+        if (observer is not null)
         {
             Vector3d endAcceleration = default;
             if (observer.WantsEndAcceleration)
@@ -202,7 +230,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
             }
         }
 
-        var trial = new FlightTrial<TFast, TAir, TIntegrator>(in _fast, in _air, in from, s.Position.Y, _wind.Y, _ball.Radius) { End = step, Length = h };
+        var trial = new FlightTrial<TFast, TAir, TIntegrator>(this, in from, s.Position.Y) { End = step, Length = h };
         bool crosses = start.Branch == s.Branch && JumpLocator.Locate(ref trial, s.Branch, in start, in startRate, h);
         run.Log.Evaluations += trial.Evaluations;
         if (!crosses)
@@ -240,7 +268,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
     /// <summary>Ends a step where its spin reaches zero: decay never reverses a spin.</summary>
     private void EndSpin(in BallState s, in FlightPoint from, ref FlightStep step, ref double h, ref StepRun run)
     {
-        var trial = new FlightTrial<TFast, TAir, TIntegrator>(in _fast, in _air, in from, s.Position.Y, _wind.Y, _ball.Radius);
+        var trial = new FlightTrial<TFast, TAir, TIntegrator>(this, in from, s.Position.Y);
         double low = 0;
         double high = h;
         double tau = h * s.SpinRate / (s.SpinRate - step.SpinRate);
@@ -282,7 +310,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
             return false;
         }
 
-        var trial = new FlightTrial<TFast, TAir, TIntegrator>(in _fast, in _air, in from, s.Position.Y, _wind.Y, _ball.Radius);
+        var trial = new FlightTrial<TFast, TAir, TIntegrator>(this, in from, s.Position.Y);
         bool hit = true;
         if (_settings.CollisionTiming == CollisionTiming.Bisection)
         {
