@@ -15,8 +15,12 @@ using UnityVector = UnityEngine.Vector3;
 namespace Football.Physics.Package.Tests;
 
 /// <summary>The engine samples, run against shims of the engines: the same kick is the same kick, whatever the engine's frame.</summary>
+[Collection(Statics)]
 public sealed class EngineTests
 {
+    /// <summary>Tests that set the engines' clocks or the console, which are static: one after the other.</summary>
+    public const string Statics = "statics";
+
     private const int Ticks = 400;
 
     /// <summary>A kick in the library's frame, of single-precision numbers as engines have them.</summary>

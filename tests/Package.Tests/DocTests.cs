@@ -1,0 +1,198 @@
+using System.Runtime.Loader;
+using Markdig;
+using Markdig.Syntax;
+using Microsoft.CodeAnalysis;
+using Microsoft.CodeAnalysis.CSharp;
+
+namespace Football.Physics.Package.Tests;
+
+/// <summary>
+/// Compiles and runs every C# block of README.md and docs/. A block is a program of its own; <c>csharp continued</c> goes on where
+/// the block before it ended; <c>csharp unity</c> and <c>csharp godot</c> are classes for the engine's project and are compiled against
+/// the shims. A <c>text</c> block right after a program is what it prints.
+/// </summary>
+[Collection(EngineTests.Statics)]
+public sealed class DocTests
+{
+    private static readonly string[] s_usings = ["System", "System.Collections.Generic", "System.IO", "System.Linq", "System.Threading", "System.Threading.Tasks"];
+
+    public static TheoryData<string> Pages =>
+        [.. Files().Where(page => Blocks(page).Count > 0)];
+
+    [Theory]
+    [MemberData(nameof(Pages))]
+    public void Every_code_block_compiles_runs_and_prints_what_the_page_says(string page)
+    {
+        var lines = Repository.Text(page).Split('\n').ToList();
+        foreach (Block block in Blocks(page).AsEnumerable().Reverse())
+        {
+            string said = Run(block).Trim('\n');
+            if (block.Prints is { } expected)
+            {
+                Assert.True(
+                    Repository.Regenerates || expected.Trim('\n') == said,
+                    $"{page}, line {block.Line}: the program prints\n{said}\nand the page says\n{expected}\nIf the program is right, run tests/regenerate.sh.");
+                lines.RemoveRange(block.PrintsLine, block.PrintsLines);
+                lines.InsertRange(block.PrintsLine, said.Split('\n'));
+            }
+        }
+
+        if (Repository.Regenerates)
+        {
+            Repository.AssertCurrent(page, string.Join('\n', lines));
+        }
+    }
+
+    [Fact]
+    public void The_README_gets_to_a_curling_free_kick_in_ten_lines()
+    {
+        Block first = Blocks("README.md")[0];
+        Assert.InRange(first.Code.Split('\n').Count(line => line.Trim().Length > 0), 1, 10);
+        Assert.StartsWith("using Football.Physics;", first.Code);
+        Assert.NotNull(first.Prints);
+    }
+
+    [Fact]
+    public void Every_page_is_linked_from_the_README_and_no_link_is_dead()
+    {
+        string readme = Repository.Text("README.md");
+        Assert.All(Files().Skip(1), page => Assert.Contains($"]({page})", readme));
+        foreach (string page in Files())
+        {
+            string folder = Path.GetDirectoryName(page)!;
+            foreach (Markdig.Syntax.Inlines.LinkInline link in Markdown.Parse(Repository.Text(page)).Descendants<Markdig.Syntax.Inlines.LinkInline>())
+            {
+                string target = link.Url!.Split('#')[0];
+                if (target.Length > 0 && !target.Contains("://", StringComparison.Ordinal))
+                {
+                    Assert.True(Path.Exists(Path.Combine(Repository.Root, folder, target)), $"{page}: {target}");
+                }
+            }
+        }
+    }
+
+    private static IEnumerable<string> Files() =>
+        new[] { "README.md" }.Concat(Directory.GetFiles(Path.Combine(Repository.Root, "docs"), "*.md")
+            .Select(file => "docs/" + Path.GetFileName(file)).Order(StringComparer.Ordinal));
+
+    private static List<Block> Blocks(string page)
+    {
+        var blocks = new List<Block>();
+        Markdig.Syntax.Block? before = null;
+        foreach (Markdig.Syntax.Block element in Markdown.Parse(Repository.Text(page)))
+        {
+            if (element is FencedCodeBlock fenced)
+            {
+                string code = fenced.Lines.ToString();
+                string kind = $"{fenced.Info} {fenced.Arguments}".Trim();
+                if (fenced.Info == "csharp")
+                {
+                    bool goesOn = fenced.Arguments == "continued";
+                    blocks.Add(new Block(kind, goesOn ? blocks[^1].Code + "\n" + code : code, fenced.Line + 1, null, 0, 0));
+                }
+                else if (kind == "text" && before is FencedCodeBlock { Info: "csharp" })
+                {
+                    blocks[^1] = blocks[^1] with { Prints = code, PrintsLine = fenced.Line + 1, PrintsLines = fenced.Lines.Count };
+                }
+            }
+
+            before = element;
+        }
+
+        return blocks;
+    }
+
+    private static string Run(Block block)
+    {
+        bool engine = block.Kind is "csharp unity" or "csharp godot";
+        var options = new CSharpParseOptions(block.Kind == "csharp unity" ? LanguageVersion.CSharp9 : LanguageVersion.CSharp13);
+        var trees = new List<SyntaxTree> { CSharpSyntaxTree.ParseText(block.Code, options) };
+        if (!engine)
+        {
+            trees.Add(CSharpSyntaxTree.ParseText(string.Concat(s_usings.Select(name => $"global using {name};\n")), options));
+        }
+
+        var compilation = CSharpCompilation.Create(
+            "Doc" + Guid.NewGuid().ToString("N"),
+            trees,
+            References(engine),
+            new CSharpCompilationOptions(engine ? OutputKind.DynamicallyLinkedLibrary : OutputKind.ConsoleApplication, nullableContextOptions: engine ? NullableContextOptions.Disable : NullableContextOptions.Enable));
+        using var bytes = new MemoryStream();
+        var result = compilation.Emit(bytes);
+        var problems = result.Diagnostics.Where(d => d.Severity >= DiagnosticSeverity.Warning && d.Id != "CS1701").ToList();
+        Assert.True(problems.Count == 0, $"line {block.Line}:\n{string.Join('\n', problems)}\n{block.Code}");
+        return engine ? Load(bytes, block) : Execute(bytes, block);
+    }
+
+    private static string Execute(MemoryStream bytes, Block block)
+    {
+        bytes.Position = 0;
+        System.Reflection.MethodInfo main = new AssemblyLoadContext(null, isCollectible: true).LoadFromStream(bytes).EntryPoint!;
+        TextWriter console = Console.Out;
+        using var said = new StringWriter { NewLine = "\n" };
+        System.Globalization.CultureInfo culture = System.Globalization.CultureInfo.CurrentCulture;
+        try
+        {
+            Console.SetOut(said);
+            System.Globalization.CultureInfo.CurrentCulture = System.Globalization.CultureInfo.InvariantCulture;
+            main.Invoke(null, main.GetParameters().Length == 0 ? null : [Array.Empty<string>()]);
+        }
+        catch (System.Reflection.TargetInvocationException thrown)
+        {
+            Assert.Fail($"line {block.Line}: {thrown.InnerException}");
+        }
+        finally
+        {
+            System.Globalization.CultureInfo.CurrentCulture = culture;
+            Console.SetOut(console);
+        }
+
+        return said.ToString();
+    }
+
+    /// <summary>Plays a component for two seconds beside a ball, as the engine would.</summary>
+    private static string Load(MemoryStream bytes, Block block)
+    {
+        bytes.Position = 0;
+        System.Reflection.Assembly assembly = new AssemblyLoadContext(null, isCollectible: true).LoadFromStream(bytes);
+        Type type = assembly.GetExportedTypes().Single(t => !t.IsNested);
+        if (block.Kind == "csharp unity")
+        {
+            var owner = new UnityEngine.GameObject();
+            owner.AddComponent<Unity.FootballBall>();
+            typeof(UnityEngine.GameObject).GetMethod(nameof(owner.AddComponent))!.MakeGenericMethod(type).Invoke(owner, null);
+            for (int frame = 0; frame < 100; frame++)
+            {
+                owner.Send("FixedUpdate");
+                owner.Send("Update");
+            }
+
+            Assert.NotEqual(0, owner.transform.position.z);
+        }
+        else
+        {
+            Godot.Engine.PhysicsTicksPerSecond = 60;
+            var node = (Godot.Node)Activator.CreateInstance(type)!;
+            node._Ready();
+            for (int frame = 0; frame < 120; frame++)
+            {
+                node._PhysicsProcess(1.0 / 60.0);
+                node._Process(1.0 / 60.0);
+            }
+        }
+
+        return "";
+    }
+
+    private static IEnumerable<MetadataReference> References(bool engine)
+    {
+        string trusted = (string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!;
+        return trusted.Split(Path.PathSeparator)
+            .Where(file => Path.GetFileName(file) is var name
+                && (name.StartsWith("System.", StringComparison.Ordinal) || name is "netstandard.dll" or "mscorlib.dll" or "Football.Physics.dll"
+                    || (engine && (name.StartsWith("Football.Physics.", StringComparison.Ordinal) || name is "GodotSharp.dll" or "UnityEngine.dll"))))
+            .Select(file => MetadataReference.CreateFromFile(file));
+    }
+
+    private sealed record Block(string Kind, string Code, int Line, string? Prints, int PrintsLine, int PrintsLines);
+}
