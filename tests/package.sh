@@ -19,7 +19,7 @@ golden=$root/tests/Golden/golden.txt
 
 fail() {
   echo "FAIL  $1" >&2
-  [[ -s $log ]] && tail -n 40 "$log" >&2
+  [[ -s $log ]] && head -n 20 "$log" >&2
   exit 1
 }
 
