@@ -158,4 +158,4 @@ awk '/^```csharp/ { taken = 1; next } /^```/ && taken { exit } taken' "$root/REA
 quietly "dotnet add package" dotnet add package Football.Physics --version "$version" --source "$feed"
 dotnet run -c Release > "$work/said" 2> "$log" || fail "the README's first program"
 [[ -s $work/said ]] || fail "the README's first program prints nothing"
-ok "README's first program, $(grep -c . Program.cs) lines in a fresh project: $(tail -n 1 "$work/said")"
+ok "README's first program, $(grep -c . Program.cs) lines in a fresh project: $(tr '\n' ' ' < "$work/said")"

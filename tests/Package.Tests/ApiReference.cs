@@ -11,6 +11,8 @@ internal sealed partial class ApiReference
 {
     private const BindingFlags Declared = BindingFlags.Public | BindingFlags.Instance | BindingFlags.Static | BindingFlags.DeclaredOnly;
 
+    private static readonly NullabilityInfoContext s_nullability = new();
+
     private readonly Dictionary<string, XElement> _documents;
     private readonly StringBuilder _page = new();
 
@@ -172,14 +174,16 @@ internal sealed partial class ApiReference
         bool init = property.SetMethod?.ReturnParameter.GetRequiredCustomModifiers().Any(modifier => modifier.Name == "IsExternalInit") == true;
         string access = property.SetMethod is not { IsPublic: true } ? "get" : init ? "get; init" : "get; set";
         string name = property.GetIndexParameters() is { Length: > 0 } indexes ? $"this[{string.Join(", ", indexes.Select(Parameter))}]" : property.Name;
-        return $"{((property.GetMethod ?? property.SetMethod)!.IsStatic ? "static " : "")}{Name(property.PropertyType)} {name} {{ {access}; }}";
+        string nullable = !property.PropertyType.IsValueType && s_nullability.Create(property).ReadState == NullabilityState.Nullable ? "?" : "";
+        return $"{((property.GetMethod ?? property.SetMethod)!.IsStatic ? "static " : "")}{Name(property.PropertyType)}{nullable} {name} {{ {access}; }}";
     }
 
     private static string Parameter(ParameterInfo parameter)
     {
         string by = !parameter.ParameterType.IsByRef ? "" : parameter.IsOut ? "out " : parameter.IsIn ? "in " : "ref ";
         Type type = parameter.ParameterType.IsByRef ? parameter.ParameterType.GetElementType()! : parameter.ParameterType;
-        return $"{by}{Name(type)} {parameter.Name}{(parameter.HasDefaultValue ? " = " + Value(parameter.DefaultValue) : "")}";
+        string nullable = !type.IsValueType && s_nullability.Create(parameter).ReadState == NullabilityState.Nullable ? "?" : "";
+        return $"{by}{Name(type)}{nullable} {parameter.Name}{(parameter.HasDefaultValue ? " = " + Value(parameter.DefaultValue) : "")}";
     }
 
     private static string MethodName(MethodInfo method) =>
