@@ -47,6 +47,7 @@ internal static class CommandLineEntry
             GalleryCommand.Create(terminal),
             SimulateCommand.Create(terminal),
             AimCommand.Create(terminal),
+            LabCommand.Create(terminal),
         };
         root.SetAction(_ => GalleryCommand.Run(GalleryCommand.DefaultFolder, terminal));
         return root;
