@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Football.Physics.Headless.Aim;
 using Football.Physics.Headless.Json;
 
 namespace Football.Physics.Headless.Commands;
@@ -45,6 +46,8 @@ internal static class CommandLineEntry
         {
             GalleryCommand.Create(terminal),
             SimulateCommand.Create(terminal),
+            AimCommand.Create(terminal),
+            LabCommand.Create(terminal),
         };
         root.SetAction(_ => GalleryCommand.Run(GalleryCommand.DefaultFolder, terminal));
         return root;

@@ -1,0 +1,39 @@
+using Football.Physics.Headless.Json;
+
+namespace Football.Physics.Headless.Aim;
+
+/// <summary>Finds the kick that a scenario asks for.</summary>
+internal static class AimRun
+{
+    [ThreadStatic]
+    private static AimScenario? s_compiledFor;
+
+    [ThreadStatic]
+    private static Aimer? s_aimer;
+
+    /// <summary>Finds it.</summary>
+    /// <exception cref="RefusedException">Its numbers, though each allowed, grew beyond what a double can hold.</exception>
+    public static AimResult Find(AimScenario scenario)
+    {
+        AimResult result = Compiled(scenario).Find(scenario.Request, scenario.Method);
+        return IsFinite(in result)
+            ? result
+            : throw new RefusedException("the motion is not finite; allowed: a scenario whose places and speeds stay within what a double can hold.");
+    }
+
+    /// <summary>The thread's last aimer where the scene is the same, as it mostly is in a batch.</summary>
+    private static Aimer Compiled(AimScenario scenario)
+    {
+        if (s_aimer is null || s_compiledFor!.Scene != scenario.Scene || s_compiledFor.Settings != scenario.Settings || s_compiledFor.TimeStep != scenario.TimeStep)
+        {
+            s_aimer = new Aimer(scenario.Scene, scenario.Settings, scenario.TimeStep);
+            s_compiledFor = scenario;
+        }
+
+        return s_aimer;
+    }
+
+    private static bool IsFinite(in AimResult result) =>
+        result.Velocity.IsFinite && result.Spin.IsFinite && result.Closest.IsFinite && double.IsFinite(result.Miss)
+        && double.IsFinite(result.ThroughMiss ?? 0) && double.IsFinite(result.Time);
+}

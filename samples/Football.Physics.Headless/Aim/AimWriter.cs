@@ -1,0 +1,49 @@
+using System.Text.Json;
+using Football.Physics.Headless.Simulate;
+
+namespace Football.Physics.Headless.Aim;
+
+/// <summary>Writes kicks that were found as JSON, one line each.</summary>
+internal static class AimWriter
+{
+    /// <summary>The line of a kick.</summary>
+    public static ReadOnlyMemory<byte> Result(string? name, AimResult result) => ResultWriter.Line(json =>
+    {
+        json.WriteString("name", name);
+        json.WriteString("status", Word(result.Status));
+        WriteVector(json, "velocity", result.Velocity);
+        WriteVector(json, "spin", result.Spin);
+        json.WriteNumber("miss", result.Miss);
+        if (result.ThroughMiss is { } throughMiss)
+        {
+            json.WriteNumber("throughMiss", throughMiss);
+        }
+        else
+        {
+            json.WriteNull("throughMiss");
+        }
+
+        json.WriteNumber("time", result.Time);
+        WriteVector(json, "closest", result.Closest);
+        json.WriteNumber("iterations", result.Iterations);
+        json.WriteNumber("simulations", result.Simulations);
+    });
+
+    /// <summary>The word for a status.</summary>
+    public static string Word(AimStatus status) => status switch
+    {
+        AimStatus.Hit => "hit",
+        AimStatus.OutOfReach => "outOfReach",
+        AimStatus.NotConverged => "notConverged",
+        _ => "degenerate",
+    };
+
+    private static void WriteVector(Utf8JsonWriter json, string name, in Vector3d vector)
+    {
+        json.WriteStartArray(name);
+        json.WriteNumberValue(vector.X);
+        json.WriteNumberValue(vector.Y);
+        json.WriteNumberValue(vector.Z);
+        json.WriteEndArray();
+    }
+}

@@ -1,0 +1,111 @@
+namespace Football.Physics.Headless.Lab;
+
+/// <summary>Random requests answered by the library's own solver, its verdicts held against the dense scan.</summary>
+internal sealed class AimVerdicts
+{
+    /// <summary>Elevations that a scan tries.</summary>
+    public const int Elevations = 181;
+
+    private readonly Lock _lock = new();
+    private readonly List<string> _wrong = [];
+
+    public int Requests { get; private set; }
+
+    public int Hits { get; private set; }
+
+    public int OutOfReach { get; private set; }
+
+    public int NotConverged { get; private set; }
+
+    /// <summary>Answers that are no kick of the speed asked for within the bounds.</summary>
+    public int WithoutAnswer { get; private set; }
+
+    /// <summary>Requests that were scanned: all that were not hit, or a sample of them. A hit proves itself by its measured miss.</summary>
+    public int Scanned { get; private set; }
+
+    /// <summary>Scanned requests that the scan hits.</summary>
+    public int Wrong => _wrong.Count;
+
+    /// <summary>Scanned requests whose kick is further off than the scan's best, by more than 1 cm and 1 %.</summary>
+    public int NotClosest { get; private set; }
+
+    public long HitSimulations { get; private set; }
+
+    public long OtherSimulations { get; private set; }
+
+    public double WorstHit { get; private set; }
+
+    /// <summary>The first few that are wrong.</summary>
+    public IEnumerable<string> Examples => _wrong.Order(StringComparer.Ordinal).Take(5);
+
+    /// <summary>Answers all requests, on all processors.</summary>
+    /// <param name="seed">Seed of the requests.</param>
+    /// <param name="count">How many.</param>
+    /// <param name="scanEvery">Scans every so manieth of those that were not hit.</param>
+    /// <param name="report">Told how many are done.</param>
+    public static AimVerdicts Of(int seed, int count, int scanEvery, Action<int> report)
+    {
+        var verdicts = new AimVerdicts();
+        int perScene = (count + AimAnything.Scenes - 1) / AimAnything.Scenes;
+        Parallel.For(0, AimAnything.Scenes, index => verdicts.Run(seed, index, Math.Min(perScene, count - (index * perScene)), scanEvery, report));
+        return verdicts;
+    }
+
+    private void Run(int seed, int index, int count, int scanEvery, Action<int> report)
+    {
+        if (count <= 0)
+        {
+            return;
+        }
+
+        Scene scene = AimAnything.Scene(seed, index);
+        var aimer = new Aimer(scene);
+        var scan = new AimScan(scene);
+        int missed = 0;
+        foreach (AimRequest request in AimAnything.Requests(seed, index, count))
+        {
+            AimResult result = aimer.Find(request);
+            double? best = result.Status != AimStatus.Hit && missed++ % scanEvery == 0 ? scan.Best(request, Elevations) : null;
+            lock (_lock)
+            {
+                Add(index, request, in result, best);
+                report(Requests);
+            }
+        }
+    }
+
+    private void Add(int scene, AimRequest request, in AimResult result, double? best)
+    {
+        Requests++;
+        double elevation = Math.Atan2(result.Velocity.Y, result.Velocity.Horizontal.Length) * 180 / Math.PI;
+        bool answer = Math.Abs(result.Velocity.Length - request.Speed) <= 1e-9 * request.Speed && result.Spin.IsFinite && double.IsFinite(result.Miss)
+            && elevation >= request.MinimumElevation - 1e-7 && elevation <= request.MaximumElevation + 1e-7;
+        WithoutAnswer += answer ? 0 : 1;
+        switch (result.Status)
+        {
+            case AimStatus.Hit:
+                Hits++;
+                HitSimulations += result.Simulations;
+                WorstHit = Math.Max(WorstHit, result.Miss);
+                break;
+            case AimStatus.OutOfReach:
+                OutOfReach++;
+                OtherSimulations += result.Simulations;
+                break;
+            default:
+                NotConverged++;
+                OtherSimulations += result.Simulations;
+                break;
+        }
+
+        if (best is { } miss)
+        {
+            Scanned++;
+            NotClosest += result.Miss > (1.01 * miss) + 0.01 ? 1 : 0;
+            if (miss < request.Tolerance)
+            {
+                _wrong.Add(FormattableString.Invariant($"scene {scene}: {result.Status} with a miss of {result.Miss:0.0000} m, the scan has {miss:0.000000} m; {request}"));
+            }
+        }
+    }
+}
