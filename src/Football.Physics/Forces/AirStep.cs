@@ -12,6 +12,9 @@ internal struct AirStep
     /// <summary>1/Spin, or 0.</summary>
     public double PerSpin;
 
+    /// <summary>Factor of the spin decay's power of |u|²; 0 for a ball without spin, which stays without.</summary>
+    public double Decay;
+
     /// <summary>Factor of the drag's power of |u|².</summary>
     public double Drag;
 

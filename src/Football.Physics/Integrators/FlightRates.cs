@@ -67,8 +67,7 @@ internal static class FlightRates
 
             if (air.SpinDecays)
             {
-                // A ball without spin stays without.
-                spinRate = spin != 0 ? -decay : 0;
+                spinRate = -decay;
             }
         }
     }

@@ -88,19 +88,51 @@ public sealed class BatchTests
     }
 
     /// <summary>Gives its bytes, then ends only when something has been answered, or after long enough to say that nothing will be.</summary>
-    private sealed class WaitingStream(byte[] bytes, ManualResetEventSlim answered) : MemoryStream(bytes)
+    private sealed class WaitingStream(byte[] bytes, ManualResetEventSlim answered) : Stream
     {
+        private readonly MemoryStream _inner = new(bytes);
+
         public bool WasAnswered { get; private set; }
+
+        public override bool CanRead => true;
+
+        public override bool CanSeek => false;
+
+        public override bool CanWrite => false;
+
+        public override long Length => throw new NotSupportedException();
+
+        public override long Position
+        {
+            get => throw new NotSupportedException();
+            set => throw new NotSupportedException();
+        }
 
         public override int Read(byte[] buffer, int offset, int count)
         {
-            int read = base.Read(buffer, offset, count);
+            int read = _inner.Read(buffer, offset, count);
             if (read == 0)
             {
                 WasAnswered = answered.Wait(TimeSpan.FromSeconds(20));
             }
 
             return read;
+        }
+
+        public override void Flush()
+        {
+        }
+
+        public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
+
+        public override void SetLength(long value) => throw new NotSupportedException();
+
+        public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
+
+        protected override void Dispose(bool disposing)
+        {
+            _inner.Dispose();
+            base.Dispose(disposing);
         }
     }
 
