@@ -132,7 +132,8 @@ public sealed class AirLawTests
     {
         Aerodynamics<TFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> air = default;
         air.Prepare(LawGrid.Scene);
-        air.Evaluate(speed * speed, spin, branch, out double drag, out double lift, out double decay);
+        air.Begin(spin, branch, out AirStep step);
+        air.Evaluate(in step, speed * speed, spin, out double drag, out double lift, out double decay);
         Assert.True(double.IsFinite(drag) && double.IsFinite(lift) && double.IsFinite(decay), $"{speed} m/s, {spin} rad/s, {branch}: {drag} {lift} {decay}");
     }
 
@@ -145,7 +146,8 @@ public sealed class AirLawTests
     {
         Aerodynamics<TFit, TDrag, TMagnus, TDecay> air = default;
         air.Prepare(LawGrid.Scene with { Forces = forces });
-        air.Evaluate(speed * speed, spin, LawGrid.BranchOf(speed, LawGrid.Scene.Ball.Radius * spin / speed), out drag, out lift, out decay);
+        air.Begin(spin, LawGrid.BranchOf(speed, LawGrid.Scene.Ball.Radius * spin / speed), out AirStep step);
+        air.Evaluate(in step, speed * speed, spin, out drag, out lift, out decay);
     }
 
     /// <summary>Accelerations of the library's laws at every point of the grid against a plain force and torque.</summary>

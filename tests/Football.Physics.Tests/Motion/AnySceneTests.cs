@@ -13,13 +13,19 @@ public sealed class AnySceneTests
         {
             var simulator = new Simulator(world.Scene, Flight.With(world.Integrator));
             BallState state = simulator.Launch(world.Position, world.Velocity, world.Spin);
-            var log = new StepLog();
+            var limit = new PieceLimit(200_000);
+            var log = new StepLog { Observer = limit };
             double last = 0;
             for (int i = 0; i < 40; i++)
             {
                 double before = state.Time;
                 log.Clear();
                 simulator.Step(ref state, world.Step, log);
+                if (limit.Reached)
+                {
+                    return $"step {i} does not end";
+                }
+
                 if (!(state.Position.IsFinite && state.Velocity.IsFinite && state.Spin.IsFinite && state.Orientation.IsFinite))
                 {
                     return $"not finite: {state.Position} {state.Velocity} {state.Spin} {state.Orientation}";

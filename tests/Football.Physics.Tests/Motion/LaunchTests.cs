@@ -140,10 +140,12 @@ public sealed class LaunchTests
         {
             var simulator = new Simulator(scene, Flight.With(integrator));
             BallState state = simulator.Launch(new Vector3d(0, 1, 0), Vector3d.Zero, Vector3d.Zero);
-            var log = new StepLog();
+            var limit = new PieceLimit(100_000);
+            var log = new StepLog { Observer = limit };
             for (int i = 0; i < 300; i++)
             {
                 simulator.Step(ref state, 0.016, log);
+                Assert.False(limit.Reached, $"{integrator}, step {i} does not end");
                 Assert.True(state.Position.Y >= 0.2 - 1e-9, $"{integrator}, step {i}: {state.Position}");
             }
         }

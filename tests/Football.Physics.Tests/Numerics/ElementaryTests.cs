@@ -67,6 +67,25 @@ public sealed class ElementaryTests
         }
     }
 
+    [Fact]
+    public void Atan2_holds_its_error_all_around()
+    {
+        for (int i = -Samples; i <= Samples; i++)
+        {
+            double angle = Math.PI * i / Samples;
+            foreach (double size in new[] { 1e-200, 1e-3, 1, 1e9 })
+            {
+                double x = size * Math.Cos(angle);
+                double y = size * Math.Sin(angle);
+                Assert.InRange(Elementary.Atan2(y, x) - Math.Atan2(y, x), -1e-15, 1e-15);
+            }
+        }
+
+        Assert.Equal(0, Elementary.Atan2(0, 0));
+        Assert.Equal(Math.PI, Elementary.Atan2(0, -1));
+        Assert.Equal(-Math.PI / 2, Elementary.Atan2(-1, 0));
+    }
+
     [Theory]
     [InlineData(1e6)]
     [InlineData(-1e9)]
