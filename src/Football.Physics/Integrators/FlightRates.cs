@@ -67,7 +67,8 @@ internal static class FlightRates
 
             if (air.SpinDecays)
             {
-                spinRate = -decay;
+                // A ball without spin stays without.
+                spinRate = spin != 0 ? -decay : 0;
             }
         }
     }
