@@ -19,7 +19,7 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IAerodynamics
     /// <summary>How much slower a ball may become within a step, m/s²: gravity and drag at speeds where that matters.</summary>
     private const double Deceleration = 30;
 
-    /// <summary>Up to this (r|ω|/2|u|)² (Sp 0.7) the series of the decay is good to 2e-8, and a decay to that is a spin to 1e-10.</summary>
+    /// <summary>Up to this (r|ω|/2|u|)² (Sp 0.7) the series of the decay is good to 1e-9.</summary>
     private const double LargestRatio = 0.12;
 
     /// <summary>A spin may lose this share within a step, for its powers are then good to 5e-9.</summary>
@@ -144,7 +144,7 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IAerodynamics
         {
             // (1 + x)^1.8 + (1 − x)^1.8 = 2 (1 + 0.72 x² + 0.0144 x⁴ + …), x = r|ω|/(2|u|)
             double x = _quarterSquare * spinRate * spinRate / speedSquared;
-            decay = step.Decay * SpeedTable.Decay(speedSquared) * (1.0 + (x * (0.72 + (x * (C4 + (x * (C6 + (x * C8))))))));
+            decay = step.Decay * SpeedTable.Decay(speedSquared) * (1.0 + (x * (0.72 + (x * (C4 + (x * (C6 + (x * (C8 + (x * (C10 + (x * C12))))))))))));
         }
     }
 
@@ -157,4 +157,6 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IAerodynamics
     private const double C4 = 0.72 * (1.8 - 2) * (1.8 - 3) / 12;
     private const double C6 = C4 * (1.8 - 4) * (1.8 - 5) / 30;
     private const double C8 = C6 * (1.8 - 6) * (1.8 - 7) / 56;
+    private const double C10 = C8 * (1.8 - 8) * (1.8 - 9) / 90;
+    private const double C12 = C10 * (1.8 - 10) * (1.8 - 11) / 132;
 }
