@@ -36,6 +36,27 @@ public sealed class FusedLawTests
         }
     }
 
+    /// <summary>Its powers of the spin are a series about the step's start.</summary>
+    [Fact]
+    public void It_does_not_hold_where_a_step_takes_a_large_share_of_the_spin()
+    {
+        PublishedAir<Present, Present, Present> air = default;
+        air.Prepare(LawGrid.Scene);
+        int refused = 0;
+        foreach ((double speed, double spin, _) in LawGrid.Points.Where(point => point.Speed is > 3 and < 110 && point.SpinParameter < 0.6))
+        {
+            foreach (double h in new[] { 0.001, 0.01, 0.04 })
+            {
+                double loss = h * PlainLaws.DecayTorque(LawGrid.Scene, speed, spin) / LawGrid.Scene.Ball.MomentOfInertia / spin;
+                bool covers = air.Covers(speed * speed, spin, h);
+                Assert.True(!covers || loss < 0.025, $"{speed} m/s, {spin} rad/s, {h} s: {loss}");
+                refused += covers ? 0 : 1;
+            }
+        }
+
+        Assert.True(refused > 20);
+    }
+
     [Fact]
     public void A_ball_without_spin_has_drag_and_no_lift()
     {

@@ -195,6 +195,28 @@ public sealed class EventTests
     }
 
     [Fact]
+    public void Watching_a_flight_adds_no_pieces_to_it()
+    {
+        foreach (Integrator integrator in Flight.Integrators)
+        {
+            var simulator = new Simulator(Scene.Default, Flight.With(integrator));
+            BallState alone = simulator.Launch(new Vector3d(0, 30, 0), new Vector3d(20, 5, 0), new Vector3d(3, 4, 15));
+            BallState watched = alone;
+            var log = new StepLog();
+            var watchedLog = new StepLog { Observer = new PieceLimit(int.MaxValue) };
+            for (int i = 0; i < 100; i++)
+            {
+                simulator.Step(ref alone, 0.01, log);
+                simulator.Step(ref watched, 0.01, watchedLog);
+            }
+
+            Assert.Equal(alone, watched);
+            Assert.Equal(log.Steps, watchedLog.Steps);
+            Assert.Equal(log.Evaluations, watchedLog.Evaluations);
+        }
+    }
+
+    [Fact]
     public void The_drag_laws_jump_costs_a_few_evaluations_and_a_bounded_number_of_splits()
     {
         var random = new Shots(26);

@@ -1,8 +1,11 @@
 namespace Football.Physics.Tests.Support;
 
 /// <summary>The greatest height of the centre over a run, launch included.</summary>
+/// <remarks>It ends a run that would never end by itself.</remarks>
 internal sealed class ApexObserver : PieceObserver
 {
+    private readonly PieceLimit _limit = new(1_000_000);
+
     public ApexObserver(double launchHeight) => Apex = launchHeight;
 
     public double Apex { get; private set; }
@@ -12,6 +15,6 @@ internal sealed class ApexObserver : PieceObserver
     public override bool Add(in PathPiece piece)
     {
         Apex = Math.Max(Apex, piece.Apex);
-        return false;
+        return _limit.Add(in piece);
     }
 }

@@ -26,8 +26,10 @@ internal static class Flight
     {
         var simulator = new Simulator(scene, settings);
         BallState state = simulator.Launch(position, velocity, spin);
-        log = new StepLog();
+        var limit = new PieceLimit(2_000_000);
+        log = new StepLog { Observer = limit };
         simulator.Run(ref state, timeStep, duration, stopAt, log);
+        Assert.False(limit.Reached, $"a run of {duration} s does not end");
         return state;
     }
 
