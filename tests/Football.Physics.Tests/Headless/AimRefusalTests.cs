@@ -43,6 +43,7 @@ public sealed class AimRefusalTests
     [InlineData("aim.speed=1001", "aim.speed is 1001; allowed: ")]
     [InlineData("aim.speed=NaN", "aim.speed is \"NaN\"; allowed: ")]
     [InlineData("aim.spin.top=10001", "aim.spin.top is 10001; allowed: a number from -10000 to 10000 rad/s.")]
+    [InlineData("aim.spin={\"top\":8000,\"side\":-8000}", "aim.spin is {top: 8000, side: -8000}; allowed: size at most 10000 rad/s.")]
     [InlineData("aim.spin=5", "aim.spin is 5; allowed: an object {top, side}.")]
     [InlineData("aim.spin.back=5", "aim.spin.back is unknown")]
     [InlineData("aim.maxSpin.side=-1", "aim.maxSpin.side is -1; allowed: a number from 0 to 10000 rad/s.")]
