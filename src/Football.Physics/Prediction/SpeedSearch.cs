@@ -46,8 +46,19 @@ internal sealed class SpeedSearch
             }
         }
 
-        // A hair above the limit, where both arcs meet.
-        return _direct.Find(request, Math.Min(request.Speed, high * (1.0 + 1e-6)), request.Arc);
+        // A hair above the limit, where both arcs meet; more where the limit is known less well, as near the drag law's jump.
+        AimAnswer slowest = default;
+        for (double more = 1e-6; more < 0.1; more *= 4)
+        {
+            double speed = Math.Min(request.Speed, high * (1.0 + more));
+            slowest = _direct.Find(request, speed, request.Arc);
+            if (slowest.Status == AimStatus.Hit || speed >= request.Speed)
+            {
+                break;
+            }
+        }
+
+        return slowest;
     }
 
     /// <summary>The kick that is at the target at a time: on one arc the flight is the shorter, the faster the kick.</summary>
