@@ -66,6 +66,12 @@ internal static class AimFields
                 $"{MaximumElevation.Path} is {request.MaximumElevation}; allowed: a number from {MinimumElevation.Path} ({request.MinimumElevation}) to 90 degrees."));
         }
 
+        if (!VectorBound.Spin.Contains(new Vector3d(request.TopSpin, request.SideSpin, 0)))
+        {
+            throw new RefusedException(FormattableString.Invariant(
+                $"aim.spin is {{top: {request.TopSpin}, side: {request.SideSpin}}}; allowed: size at most {Limits.Spin} rad/s."));
+        }
+
         if (values.Get(Method) == AimMethod.TwoPoint && request.Through is null)
         {
             throw new RefusedException(Through.Path, values.Has(Through) ? "null" : "missing", "a point [x, y, z], as aim.method is twoPoint");

@@ -23,6 +23,9 @@ internal sealed record GalleryShot
 
     public IReadOnlyList<Landmark> Landmarks { get; init; } = [];
 
+    /// <summary>Points that the ball was aimed at, marked in the drawings.</summary>
+    public IReadOnlyList<Vector3d> Points { get; init; } = [];
+
     /// <summary>Where the drawings end, along the view, m; null draws all of the way.</summary>
     public double? DrawnTo { get; init; }
 

@@ -9,7 +9,7 @@ internal static class GalleryShots
 
     public static IReadOnlyList<GalleryShot> All { get; } =
     [
-        FreeKick(), Corner(), GoalKick(), GoalKickInVacuum(), DrivenPass(), Chip(),
+        FreeKick(), FoundKick.Shot(), Corner(), GoalKick(), GoalKickInVacuum(), DrivenPass(), Chip(),
         NoSpinDrive(), DroppedWithTopspin(), GroundPass(), LongRoll(), InTheWind(), Beach(),
     ];
 

@@ -112,6 +112,17 @@ internal static class ShotDrawing
             });
         }
 
+        if (shot.Points.Count > 0)
+        {
+            chart.Items.Add(new ScatterItem([.. shot.Points.Select(project)])
+            {
+                Mark = Mark.Diamond,
+                Colour = Palette.Purple,
+                Label = legend ? "aimed at" : null,
+                Size = 3.4,
+            });
+        }
+
         AddMarks(chart, flight, project, BallEventKind.Impact, Mark.Ring, Palette.Blue, legend ? "touchdown" : null);
         AddMarks(chart, flight, project, BallEventKind.Slide, Mark.Triangle, Palette.Orange, legend ? "slide begins" : null);
         AddMarks(chart, flight, project, BallEventKind.Roll, Mark.Square, Palette.Green, legend ? "roll begins" : null);

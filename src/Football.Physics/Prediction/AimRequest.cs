@@ -63,6 +63,7 @@ public sealed record AimRequest
         Check.Within("aim.speed", Speed, 0, Limits.Speed, exclusiveLow: true);
         Check.Within("aim.spin.top", TopSpin, -Limits.Spin, Limits.Spin);
         Check.Within("aim.spin.side", SideSpin, -Limits.Spin, Limits.Spin);
+        Check.Size("aim.spin", new Vector3d(TopSpin, SideSpin, 0), Limits.Spin, "rad/s");
         Check.Within("aim.elevation.min", MinimumElevation, -90, 90);
         Check.Within("aim.elevation.max", MaximumElevation, MinimumElevation, 90);
         Check.Within("aim.maxSpin.top", MaximumTopSpin, 0, Limits.Spin);

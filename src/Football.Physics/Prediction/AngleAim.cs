@@ -9,14 +9,14 @@ internal sealed class AngleAim : IAimMethod
 
     public AimAnswer Find(AimRequest request)
     {
-        var search = new FrameSearch(_context, request);
+        var search = new FrameSearch(_context, request, request.TopSpin, request.SideSpin);
         return search.BetweenExtremes(out AimAnswer extreme) ? Iterate(ref search, request) : extreme;
     }
 
     /// <summary>The iteration alone, from a kick that is not an extreme one: the two-point method's last resort.</summary>
     public AimAnswer Refine(AimRequest request, in Kick start)
     {
-        var search = new FrameSearch(_context, request);
+        var search = new FrameSearch(_context, request, start.Top, start.Side);
         search.Fly(in start);
         return Iterate(ref search, request);
     }

@@ -7,9 +7,12 @@ internal sealed class BisectionAim : IAimMethod
 
     public BisectionAim(AimContext context) => _context = context;
 
-    public AimAnswer Find(AimRequest request)
+    public AimAnswer Find(AimRequest request) => Find(request, request.TopSpin, request.SideSpin);
+
+    /// <summary>Finds a kick with spins other than the request's.</summary>
+    public AimAnswer Find(AimRequest request, double top, double side)
     {
-        var search = new FrameSearch(_context, request);
+        var search = new FrameSearch(_context, request, top, side);
         if (!search.BetweenExtremes(out AimAnswer extreme))
         {
             return extreme;

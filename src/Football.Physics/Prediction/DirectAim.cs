@@ -23,6 +23,7 @@ internal sealed class DirectAim : IAimMethod
     private Vector3d _left;
     private double _distance;
     private double _speed;
+    private AimArc _arc;
     private double _lowest;
     private double _highest;
     private readonly Probe[] _probes = new Probe[24];
@@ -33,19 +34,24 @@ internal sealed class DirectAim : IAimMethod
 
     public DirectAim(AimContext context) => _context = context;
 
-    public AimAnswer Find(AimRequest request) => Find(request, request.Speed);
+    public AimAnswer Find(AimRequest request) => Find(request, request.Speed, request.Arc);
 
-    /// <summary>Finds a kick with a speed other than the request's.</summary>
-    public AimAnswer Find(AimRequest request, double speed)
+    /// <summary>Finds a kick with a speed and on an arc other than the request's.</summary>
+    public AimAnswer Find(AimRequest request, double speed, AimArc arc) => Find(request, speed, arc, request.TopSpin, request.SideSpin);
+
+    /// <summary>Finds a kick with spins other than the request's.</summary>
+    public AimAnswer FindSpun(AimRequest request, double top, double side) => Find(request, request.Speed, request.Arc, top, side);
+
+    private AimAnswer Find(AimRequest request, double speed, AimArc arc, double top, double side)
     {
-        Prepare(request, speed);
+        Prepare(request, speed, arc, top, side);
         if (_distance < 1e-6)
         {
             return Vertical();
         }
 
         double tolerance = 0.8 * Math.Min(request.Tolerance, FineMiss);
-        if (request.Arc == AimArc.Low && Newton(tolerance) && Flies(in _last))
+        if (arc == AimArc.Low && Newton(tolerance) && Flies(in _last))
         {
             return Answer(AimStatus.Hit, in _last);
         }
@@ -56,7 +62,7 @@ internal sealed class DirectAim : IAimMethod
     /// <summary>The largest height above the target at its distance, over all elevations within the bounds: positive where it can be reached.</summary>
     public double Certificate(AimRequest request, double speed)
     {
-        Prepare(request, speed);
+        Prepare(request, speed, request.Arc, request.TopSpin, request.SideSpin);
         if (_distance < 1e-6)
         {
             return double.NaN;
@@ -68,10 +74,11 @@ internal sealed class DirectAim : IAimMethod
         return Highest(in low, in high, stopAbove: double.PositiveInfinity).Up;
     }
 
-    private void Prepare(AimRequest request, double speed)
+    private void Prepare(AimRequest request, double speed, AimArc arc, double top, double side)
     {
         _request = request;
         _speed = speed;
+        _arc = arc;
         _from = _context.Start(request);
         _forward = AimContext.Forward(in _from, request.Target, out _distance);
         _left = new Vector3d(_forward.Z, 0, -_forward.X); // ŷ × f
@@ -79,7 +86,8 @@ internal sealed class DirectAim : IAimMethod
         _highest = request.MaximumElevation * Degree;
         _iterations = 0;
         _best = new Probe { Miss = double.PositiveInfinity };
-        _kick = new Kick { Top = request.TopSpin, Side = request.SideSpin };
+        _kick = new Kick { Top = top, Side = side };
+        _last = new Probe { Kick = _kick };
         double floor = Math.Min(_from.Y, request.Target.Y) - (2.0 * _distance) - 10.0;
         _context.Flight.Aim(request.Target, request.TargetVelocity, in _forward, floor);
     }
@@ -234,7 +242,7 @@ internal sealed class DirectAim : IAimMethod
         {
             bool lowArc = low.Up < 0;
             bool highArc = high.Up < 0;
-            bool first = _request.Arc == AimArc.Low ? lowArc : !highArc;
+            bool first = _arc == AimArc.Low ? lowArc : !highArc;
             for (int i = 0; i < 2; i++)
             {
                 bool useLow = i == 0 ? first : !first;

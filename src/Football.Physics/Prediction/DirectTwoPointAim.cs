@@ -66,13 +66,13 @@ internal sealed class DirectTwoPointAim : IAimMethod
         }
 
         // The target first: with the spins that came nearest.
-        AimAnswer single = _direct.Find(request with { TopSpin = answer.Kick.Top, SideSpin = answer.Kick.Side });
+        AimAnswer single = _direct.FindSpun(request, answer.Kick.Top, answer.Kick.Side);
         single.Iterations += answer.Iterations;
         single.ThroughMiss = answer.ThroughMiss;
         if (single.Status != AimStatus.Hit)
         {
             // Perhaps in reach with more lift.
-            AimAnswer lifted = _direct.Find(request with { TopSpin = -request.MaximumTopSpin, SideSpin = 0 });
+            AimAnswer lifted = _direct.FindSpun(request, -request.MaximumTopSpin, 0);
             if (lifted.Status == AimStatus.Hit || lifted.Miss < single.Miss)
             {
                 lifted.Iterations += single.Iterations;
@@ -233,6 +233,14 @@ internal sealed class DirectTwoPointAim : IAimMethod
             double share = model.Lift > 0 ? lift / model.Lift : 0;
             double grown = spinRate * Math.Min(Math.Max(share * (0.83 + (0.17 * share)), 0.1), 4.0);
             spinRate = Math.Min(Math.Max(grown, 0.5), 1.5 * Math.Sqrt((_request.MaximumTopSpin * _request.MaximumTopSpin) + (_request.MaximumSideSpin * _request.MaximumSideSpin)));
+            if (!double.IsFinite(lift + slopeUp + slopeLeft))
+            {
+                // No way of the model passes there: straight at the target, and the single-target solver after it.
+                wantedSide = 0;
+                wantedTop = 0;
+                break;
+            }
+
             wantedSide = lift > 0 ? spinRate * bendLeft / lift : 0;
             wantedTop = lift > 0 ? -spinRate * bendUp / lift : 0;
             elevation = Math.Min(Math.Max(Elementary.Atan2(slopeUp, Math.Sqrt(Math.Max(0.05, 1.0 - (slopeUp * slopeUp)))), -1.2), 1.2);

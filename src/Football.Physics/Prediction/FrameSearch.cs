@@ -15,7 +15,7 @@ internal ref struct FrameSearch
     private Kick _best;
     private double _bestMiss;
 
-    public FrameSearch(AimContext context, AimRequest request)
+    public FrameSearch(AimContext context, AimRequest request, double top, double side)
     {
         _context = context;
         _speed = request.Speed;
@@ -27,7 +27,7 @@ internal ref struct FrameSearch
         _left = new Vector3d(Forward.Z, 0, -Forward.X);
         LowestElevation = request.MinimumElevation * Degree;
         HighestElevation = request.MaximumElevation * Degree;
-        Kick = new Kick { Top = request.TopSpin, Side = request.SideSpin };
+        Kick = new Kick { Top = top, Side = side };
         Miss = double.PositiveInfinity;
         _bestMiss = double.PositiveInfinity;
         _best = Kick;

@@ -25,12 +25,18 @@ internal struct Kick
         return new Vector3d((forward.X * cos) + (forward.Z * sin), 0, (forward.Z * cos) - (forward.X * sin));
     }
 
-    /// <summary>Velocity and spin vectors.</summary>
+    /// <summary>Velocity and spin vectors, which a launch does not refuse: at their limits they are not above them by rounding.</summary>
     public readonly void Vectors(double speed, in Vector3d forward, out Vector3d velocity, out Vector3d spin)
     {
         Vector3d d = Direction(in forward);
         Elementary.SinCos(Elevation, out double sin, out double cos);
-        velocity = new Vector3d(speed * cos * d.X, speed * sin, speed * cos * d.Z);
-        spin = new Vector3d(Top * d.Z, Side, -(Top * d.X));
+        velocity = Limited(new Vector3d(speed * cos * d.X, speed * sin, speed * cos * d.Z), Limits.Speed);
+        spin = Limited(new Vector3d(Top * d.Z, Side, -(Top * d.X)), Limits.Spin);
+    }
+
+    private static Vector3d Limited(in Vector3d vector, double limit)
+    {
+        double squared = vector.LengthSquared;
+        return squared < limit * limit * (1.0 - 1e-14) ? vector : (1.0 - 1e-14) * Math.Min(1.0, limit / Math.Sqrt(squared)) * vector;
     }
 }

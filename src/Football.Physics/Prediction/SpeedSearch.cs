@@ -15,7 +15,7 @@ internal sealed class SpeedSearch
         double high = request.Speed;
         if (!(_direct.Certificate(request, high) >= 0))
         {
-            return _direct.Find(request, high);
+            return _direct.Find(request, high, request.Arc);
         }
 
         // The certificate is nearly linear in the square of the speed: regula falsi on it, bisection now and then.
@@ -46,14 +46,25 @@ internal sealed class SpeedSearch
             }
         }
 
-        // A hair above the limit, where both arcs meet.
-        return _direct.Find(request, Math.Min(request.Speed, high * (1.0 + 1e-6)));
+        // A hair above the limit, where both arcs meet; more where the limit is known less well, as near the drag law's jump.
+        AimAnswer slowest = default;
+        for (double more = 1e-6; more < 0.1; more *= 4)
+        {
+            double speed = Math.Min(request.Speed, high * (1.0 + more));
+            slowest = _direct.Find(request, speed, request.Arc);
+            if (slowest.Status == AimStatus.Hit || speed >= request.Speed)
+            {
+                break;
+            }
+        }
+
+        return slowest;
     }
 
     /// <summary>The kick that is at the target at a time: on one arc the flight is the shorter, the faster the kick.</summary>
     public AimAnswer AtTime(AimRequest request, double time)
     {
-        AimAnswer fastest = _direct.Find(request, request.Speed);
+        AimAnswer fastest = _direct.Find(request);
         if (fastest.Status != AimStatus.Hit)
         {
             return fastest;
@@ -81,7 +92,7 @@ internal sealed class SpeedSearch
         for (int i = 0; i < MostSpeeds && high - low > 1e-10 * high; i++)
         {
             double speed = i % 3 == 2 ? 0.5 * (low + high) : low + ((high - low) * lowError / (lowError - highError));
-            AimAnswer answer = _direct.Find(request, speed);
+            AimAnswer answer = _direct.Find(request, speed, request.Arc);
             if (answer.Status != AimStatus.Hit)
             {
                 low = speed;
@@ -113,8 +124,7 @@ internal sealed class SpeedSearch
     /// <summary>The same on the high arc, where a faster kick takes longer.</summary>
     private AimAnswer HighArc(AimRequest request, double time)
     {
-        AimRequest lofted = request with { Arc = AimArc.High };
-        AimAnswer best = _direct.Find(lofted, request.Speed);
+        AimAnswer best = _direct.Find(request, request.Speed, AimArc.High);
         double high = request.Speed;
         double low = 0;
         if (best.Status == AimStatus.Hit && best.Time < time)
@@ -126,7 +136,7 @@ internal sealed class SpeedSearch
         for (int i = 0; i < MostSpeeds && high - low > 1e-10 * high; i++)
         {
             double speed = 0.5 * (low + high);
-            AimAnswer answer = _direct.Find(lofted, speed);
+            AimAnswer answer = _direct.Find(request, speed, AimArc.High);
             if (answer.Status != AimStatus.Hit || answer.Time < time)
             {
                 low = speed;

@@ -87,11 +87,10 @@ internal sealed class TwoPointAim : IAimMethod
         }
 
         // The target first: the single-target method with the spin as it is.
-        AimRequest single = Single(request);
-        AimAnswer fallback = _angle.Refine(single, in _kick);
+        AimAnswer fallback = _angle.Refine(request, in _kick);
         if (fallback.Status != AimStatus.Hit)
         {
-            AimAnswer other = _bisection.Find(single);
+            AimAnswer other = _bisection.Find(request, _kick.Top, _kick.Side);
             fallback = other.Status == AimStatus.Hit || other.Miss < fallback.Miss ? other : fallback;
         }
 
@@ -99,8 +98,6 @@ internal sealed class TwoPointAim : IAimMethod
         fallback.Iterations += iterations;
         return fallback;
     }
-
-    private AimRequest Single(AimRequest request) => request with { TopSpin = _kick.Top, SideSpin = _kick.Side };
 
     private void Fly(in Kick kick, in Vector3d point)
     {

@@ -67,7 +67,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
 
             if (h > 0)
             {
-                FlyOn(ref state, end, in from, ref step, h, log);
+                FlyOn(ref state, end, dt, in from, ref step, h, log);
                 return;
             }
         }
@@ -77,9 +77,10 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
 
     /// <summary>A step that begins with a piece of flight with something in it.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void FlyOn(ref BallState state, double end, in FlightPoint from, ref FlightStep step, double h, StepLog log)
+    private void FlyOn(ref BallState state, double end, double dt, in FlightPoint from, ref FlightStep step, double h, StepLog log)
     {
-        var run = new StepRun { Left = end - state.Time, Length = end - state.Time, Log = log };
+        // dt itself: end − time differs from it by rounding, which would leave a sliver of a step.
+        var run = new StepRun { Left = dt, Length = dt, Log = log };
         FlyEventful(ref state, ref run, in from, ref step, h);
         if (!log.Halted)
         {

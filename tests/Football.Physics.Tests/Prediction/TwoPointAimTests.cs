@@ -1,0 +1,60 @@
+using Football.Physics.Headless.Lab;
+
+namespace Football.Physics.Tests.Predictors;
+
+/// <summary>A point on the way and a target.</summary>
+public sealed class TwoPointAimTests
+{
+    [Fact]
+    public void Direct_passes_both_points_of_every_kick_there_is()
+    {
+        var aimer = new Aimer();
+        foreach (AimRequest request in AimSets.TwoPoint(1, 300))
+        {
+            AimResult result = aimer.Find(request);
+            AimCheck.Holds(request, in result);
+            Assert.True(result.Miss <= 1e-3 && result.ThroughMiss <= 1e-2, $"{result.Status} {result.Miss} {result.ThroughMiss}: {request}");
+        }
+    }
+
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void Where_the_spin_is_at_its_limit_the_target_is_hit_and_the_miss_of_the_point_is_told(bool around)
+    {
+        var aimer = new Aimer(settings: new SolverSettings { Integrator = Integrator.Rk2 }, timeStep: 0.04);
+        int saturated = 0;
+        foreach (AimRequest request in around ? AimSets.AroundTheWall(41) : AimSets.OverTheWall(41))
+        {
+            AimResult direct = aimer.Find(request);
+            AimCheck.Holds(request, in direct);
+            Assert.True(direct.Miss <= 1e-3, $"{direct.Status} {direct.Miss}: {request}");
+            AimResult thesis = aimer.Find(request, AimMethod.TwoPoint);
+            AimCheck.Holds(request, in thesis);
+            Assert.True(thesis.Miss <= 0.014, $"{thesis.Status} {thesis.Miss}: {request}");
+
+            // Within the limits, up to rounding.
+            var shot = new AimShot(request, direct, direct.Miss, 0);
+            Assert.InRange(shot.SideSpin, -40 - 1e-9, 40 + 1e-9);
+            Assert.InRange(shot.TopSpin, -40 - 1e-9, 40 + 1e-9);
+            bool limited = Math.Abs(shot.SideSpin) > 39.999 || Math.Abs(shot.TopSpin) > 39.999;
+            saturated += limited ? 1 : 0;
+            Assert.True(limited || direct.ThroughMiss <= 1e-2, $"{direct.ThroughMiss}: {request}");
+        }
+
+        Assert.InRange(saturated, 5, 38);
+    }
+
+    [Fact]
+    public void Without_spin_it_hits_the_target()
+    {
+        var aimer = new Aimer();
+        foreach (AimRequest request in AimSets.OverTheWall(21))
+        {
+            AimResult result = aimer.Find(request with { MaximumTopSpin = 0, MaximumSideSpin = 0 });
+            Assert.True(result.Miss <= 1e-3, $"{result.Status} {result.Miss}");
+            Assert.Equal(0, result.Spin.Length, 1e-12);
+            Assert.True(result.ThroughMiss > 0.01);
+        }
+    }
+}
