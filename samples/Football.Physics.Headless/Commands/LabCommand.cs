@@ -8,6 +8,7 @@ internal static class LabCommand
 {
     public static Command Create(Terminal terminal) => new("lab", "Repeats the thesis' experiments, with tables and plots.")
     {
+        StabilityLab.Create(terminal),
         AimLab.Create(terminal),
     };
 }

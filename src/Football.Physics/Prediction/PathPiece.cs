@@ -242,6 +242,12 @@ public readonly struct PathPiece
         double start = Turning(0, in direction, in point, distance);
         double atLow = start;
         double atHigh = Turning(1, in direction, in point, distance);
+        if (start < 0 == atHigh < 0)
+        {
+            // A straight path, like Euler's, turns nowhere.
+            return 1;
+        }
+
         double s = 0.5;
         for (int i = 0; i < 60 && high - low > 1e-15; i++)
         {

@@ -50,7 +50,12 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
             double bySpin = left * ((_bound.PerSpin * spin) + _bound.Constant);
             if (bySpeed * bySpeed * speedSquared > 0.25 * LargestChange * LargestChange || bySpin > 0.5 * LargestChange)
             {
-                h = Divide(left, (_bound.PerSpeed * Math.Sqrt(speedSquared)) + (_bound.PerSpin * spin) + _bound.Constant);
+                h = Divided(left, Math.Sqrt(speedSquared), spin, from.Branch);
+                if (h <= 0 && left > 0)
+                {
+                    step = default;
+                    return false;
+                }
             }
         }
 
@@ -139,9 +144,13 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         {
             FlyEventful(ref s, ref run, in from, ref step, h);
         }
-        else
+        else if (s.Position.Y <= _contact && s.Velocity.Y < 0)
         {
             Impact(ref s, ref run);
+        }
+        else
+        {
+            Relax(ref s, ref run);
         }
     }
 

@@ -19,7 +19,13 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         }
 
         system.Branch = s.Branch;
-        double h = Divide(run.Left, (_bound.PerSpeed * (s.Velocity - _wind).Length) + (_bound.PerSpin * from.Spin.Length) + _bound.Constant);
+        double h = Divided(run.Left, (s.Velocity - _wind).Length, from.Spin.Length, s.Branch);
+        if (h <= 0)
+        {
+            Relax(ref s, ref run);
+            return;
+        }
+
         var trial = new MotionTrial<FlightSystem<TAir>, TIntegrator>(in system, s.Time, in from, in _wind, _ball.Radius);
         trial.Step(h);
         DragBranch next = s.Branch;

@@ -20,9 +20,8 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
 
     private void Slide(ref BallState s, ref StepRun run)
     {
-        if (_upward > 0)
+        if (LeavesGround(ref s, ref run))
         {
-            LeaveGround(ref s);
             return;
         }
 
@@ -40,7 +39,13 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         system.SlipDirection = slip / size;
         system.Branch = GroundBranch(ref s, in from);
         double airRate = GroundRate(in from);
-        double h = Divide(run.Left, airRate);
+        double h = Divided(run.Left, (from.Velocity - _wind).Length, from.Spin.Length, s.Branch, _sliding.Ground.SpinDamping);
+        if (h <= 0)
+        {
+            RelaxOnGround(ref s, ref run);
+            return;
+        }
+
         double fastest = system.Ground.Sliding + (_ball.Radius * system.Ground.SlidingTorque)
             + (airRate * ((from.Velocity - _wind).Length + (_ball.Radius * from.Spin.Length)));
         if (exact && (_custom || fastest * h > Approach * size))
@@ -132,9 +137,8 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
 
     private void Roll(ref BallState s, ref StepRun run)
     {
-        if (_upward > 0)
+        if (LeavesGround(ref s, ref run))
         {
-            LeaveGround(ref s);
             return;
         }
 
@@ -150,7 +154,13 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         RollingSystem<TAir> system = _rolling;
         system.Branch = GroundBranch(ref s, in from);
         double airRate = GroundRate(in from);
-        double h = Divide(run.Left, airRate);
+        double h = Divided(run.Left, (from.Velocity - _wind).Length, from.Spin.Length, s.Branch, _sliding.Ground.SpinDamping);
+        if (h <= 0)
+        {
+            RelaxOnGround(ref s, ref run);
+            return;
+        }
+
         if (speed < Slip.Rolling)
         {
             from = new Motion(s.Position, Vector3d.Zero, new Vector3d(0, from.Spin.Y, 0));

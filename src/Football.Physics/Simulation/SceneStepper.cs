@@ -11,6 +11,9 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
     /// <summary>A step is divided so that no force changes the motion by more than this share of itself, explicit Euler's limit of no overshoot.</summary>
     private const double LargestChange = 1.0;
 
+    /// <summary>A ball that would be back on the ground sooner than this, s, stays down: so an impact takes time, however strong gravity is.</summary>
+    private const double ShortestHop = 1e-6;
+
     private readonly BallProperties _ball;
     private readonly Ground _ground;
     private readonly SolverSettings _settings;
@@ -21,6 +24,9 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
     private readonly RateBound _bound;
     private readonly bool _custom;
     private readonly bool _locatesJump;
+
+    /// <summary>Whether nothing but the Magnus force acts on a velocity that the method cannot turn without making it longer.</summary>
+    private readonly bool _spirals;
     private TFast _fast;
     private TAir _air;
     private TIntegrator _integrator;
@@ -42,8 +48,12 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
         _fast = default;
         _fast.Prepare(scene);
         _integrator = default;
-        _bound = _air.Bound;
-        _locatesJump = _air.Jumps && _integrator.Order > 1;
+        RateBound bound = _air.Bound;
+
+        // A ball that falls from rest is soon as fast as drag lets it: 1/√(P a) is how soon.
+        _bound = new RateBound(bound.PerSpeed, bound.PerSpin, bound.Constant + (Math.Sqrt(bound.PerSpeed) * Math.Sqrt(Math.Abs(_upward))));
+        _spirals = _integrator.Order < 4 && _air.Lifts && !(_air.Drags && bound.PerSpeed > 0);
+        _locatesJump = _air.Jumps && settings.LocateJump && _integrator.Order > 1;
 
         var custom = new CustomForces(scene);
         var ground = GroundForces.Of(scene);
@@ -133,9 +143,6 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
         _air.Evaluate(in step, speedSquared, spinRate, out drag, out lift, out _);
     }
 
-    /// <summary>The longest of equal parts of a step for which no force overshoots.</summary>
-    private static double Divide(double left, double rate) => rate * left > LargestChange ? left / Math.Ceiling(rate * left / LargestChange) : left;
-
     /// <summary>Shows a piece to an observer; the acceleration at its end is used only if the observer wants it.</summary>
     private void Watch(
         PieceObserver observer, StepLog log, in BallState from, in Vector3d startAcceleration, in BallState to, in Vector3d endAcceleration)
@@ -155,7 +162,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
         run.Log.Events.Add(new BallEvent(BallEventKind.Impact, s.Time, s.Position, in v, in w, in velocity, in spin));
         run.Log.Halted |= run.Log.StopAt == StopAt.Impact;
         s.Branch = DragBranch.Unknown;
-        if (velocity.Y >= _ground.MinimumBounceSpeed || _upward > 0)
+        if (velocity.Y >= _ground.MinimumBounceSpeed ? velocity.Y >= 0.5 * ShortestHop * -_upward : _upward > 0 && !IsPressedDown(in s, velocity.Horizontal, in spin, ref run))
         {
             s.Velocity = velocity;
             s.SetFlightSpin(in spin);
@@ -185,10 +192,27 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
         run.Log.Events.Add(new BallEvent(BallEventKind.Roll, s.Time, s.Position, s.Velocity, in before, s.Velocity, in spin));
     }
 
-    /// <summary>The ball is lighter than the air, and leaves the ground.</summary>
-    private static void LeaveGround(ref BallState s)
+    /// <summary>A ball that is lighter than the air leaves the ground, unless the wind presses it down.</summary>
+    /// <returns>True when it left.</returns>
+    private bool LeavesGround(ref BallState s, ref StepRun run)
     {
+        if (_upward <= 0 || IsPressedDown(in s, s.Velocity, s.Spin, ref run))
+        {
+            return false;
+        }
+
         s.SetFlightSpin(s.Spin);
         s.Motion = MotionState.Airborne;
+        s.Branch = DragBranch.Unknown;
+        return true;
+    }
+
+    /// <summary>Whether the vertical force on a ball that is lighter than the air, at contact and without vertical velocity, points down.</summary>
+    private bool IsPressedDown(in BallState s, in Vector3d velocity, in Vector3d spin, ref StepRun run)
+    {
+        var at = new Motion(s.Position, in velocity, in spin);
+        FlightSystem<TAir> system = _flight;
+        run.Log.Evaluations++;
+        return system.On(system.JumpAt(in at).Branch, s.Time, in at).Acceleration.Y <= 0;
     }
 }

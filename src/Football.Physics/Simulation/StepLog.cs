@@ -17,6 +17,12 @@ public sealed class StepLog
     /// <summary>Right-hand sides evaluated, those spent on locating events included.</summary>
     public long Evaluations { get; internal set; }
 
+    /// <summary>
+    /// Those of the <see cref="Steps"/> that relaxed to the balance of forces, because the air is so much stronger than the ball's
+    /// inertia that a step would have to be divided into thousands of parts. 0 for anything like a football.
+    /// </summary>
+    public long Relaxed { get; internal set; }
+
     /// <summary>Whether the step ended early at the event asked for.</summary>
     internal bool Halted { get; set; }
 
@@ -32,6 +38,7 @@ public sealed class StepLog
         Events.Clear();
         Steps = 0;
         Evaluations = 0;
+        Relaxed = 0;
         Halted = false;
     }
 }

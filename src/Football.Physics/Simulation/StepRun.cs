@@ -15,6 +15,9 @@ internal ref struct StepRun
     /// <summary>Splits so far.</summary>
     public int Splits;
 
+    /// <summary>Pieces so far that relaxed to the balance of forces.</summary>
+    public int Relaxed;
+
     /// <summary>Where events and counts go.</summary>
     public StepLog Log;
 }

@@ -1,0 +1,42 @@
+namespace Football.Physics.Headless.Lab.Stability;
+
+/// <summary>One cell of the stress matrix: a method and a kind of scene.</summary>
+internal sealed class StressCell
+{
+    /// <summary>Failures that are kept with their scene.</summary>
+    public const int Kept = 5;
+
+    public long Scenes { get; private set; }
+
+    public long Failed { get; private set; }
+
+    public long Steps { get; private set; }
+
+    public long Frames { get; private set; }
+
+    public long Relaxed { get; private set; }
+
+    public long Impacts { get; private set; }
+
+    /// <summary>The first failures: number of the scene, and what was wrong.</summary>
+    public List<(long Index, StressFailure Failure)> Failures { get; } = [];
+
+    public string Verdict => Scenes == 0 ? "-" : Failed == 0 ? "holds" : $"{Failed} FAILED";
+
+    public void Add(long index, in StressOutcome outcome)
+    {
+        Scenes++;
+        Steps += outcome.Steps;
+        Frames += outcome.Frames;
+        Relaxed += outcome.Relaxed;
+        Impacts += outcome.Impacts;
+        if (outcome.Failure is not null)
+        {
+            Failed++;
+            if (Failures.Count < Kept)
+            {
+                Failures.Add((index, outcome.Failure));
+            }
+        }
+    }
+}

@@ -1,0 +1,55 @@
+using System.Diagnostics;
+
+namespace Football.Physics.Headless.Lab.Stability;
+
+/// <summary>Plays many scenes on all processors and sorts their verdicts into cells.</summary>
+internal sealed class StressMatrix(long seed)
+{
+    private readonly Lock _lock = new();
+    private readonly StressCell[,] _cells = Fresh();
+
+    /// <summary>The cell of a kind and a method.</summary>
+    public StressCell this[StressKind kind, Integrator integrator] => _cells[(int)kind, (int)integrator];
+
+    /// <summary>All of them.</summary>
+    public IEnumerable<StressCell> Cells => _cells.Cast<StressCell>();
+
+    /// <summary>The scene that took longest: its number and its time, s.</summary>
+    public (long Index, double Seconds) Slowest { get; private set; }
+
+    /// <summary>Plays the scenes from 0 on.</summary>
+    public void Play(long scenes, int jobs, Action<long> onProgress)
+    {
+        long done = 0;
+        Parallel.For(0L, scenes, new ParallelOptions { MaxDegreeOfParallelism = jobs }, index =>
+        {
+            StressScene scene = StressGenerator.Make(seed, index);
+            long start = Stopwatch.GetTimestamp();
+            StressOutcome outcome = StressRun.Play(scene);
+            double seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
+            lock (_lock)
+            {
+                this[scene.Kind, scene.Integrator].Add(index, in outcome);
+                Slowest = seconds > Slowest.Seconds ? (index, seconds) : Slowest;
+                if (++done % 64 == 0)
+                {
+                    onProgress(done);
+                }
+            }
+        });
+    }
+
+    private static StressCell[,] Fresh()
+    {
+        var cells = new StressCell[StressGenerator.Kinds.Count, StressGenerator.Integrators.Count];
+        for (int i = 0; i < cells.GetLength(0); i++)
+        {
+            for (int j = 0; j < cells.GetLength(1); j++)
+            {
+                cells[i, j] = new StressCell();
+            }
+        }
+
+        return cells;
+    }
+}

@@ -1,0 +1,85 @@
+using System.CommandLine;
+using System.Globalization;
+using Football.Physics.Headless.Commands;
+using Football.Physics.Headless.Lab.Stability;
+
+namespace Football.Physics.Headless.Lab;
+
+/// <summary>football lab stability: the stress matrix.</summary>
+internal static class StabilityLab
+{
+    private const long ByDefault = 100_000;
+    private const long Full = 1_040_000;
+
+    public static Command Create(Terminal terminal)
+    {
+        var scenes = new Option<long?>("--scenes") { HelpName = "N", Description = $"How many scenes to play; default {ByDefault}." };
+        var full = new Option<bool>("--full") { Description = $"Plays {Full} scenes." };
+        var jobs = new Option<int?>("--jobs") { HelpName = "N", Description = "Threads; default: one a processor." };
+        var scene = new Option<long?>("--scene") { HelpName = "I", Description = "Plays one scene by its number, and shows it as a scenario." };
+        return LabOptions.Create(
+            "stability",
+            "Random and adversarial scenes with every method: what must always hold, with a verdict a cell.",
+            terminal,
+            (parsed, seed, progress) => parsed.GetValue(scene) is { } one
+                ? One(seed, one)
+                : Run(seed, parsed.GetValue(scenes) ?? (parsed.GetValue(full) ? Full : ByDefault), parsed.GetValue(jobs) ?? Environment.ProcessorCount, progress),
+            scenes,
+            full,
+            jobs,
+            scene);
+    }
+
+    private static LabReport One(long seed, long index)
+    {
+        StressScene scene = StressGenerator.Make(seed, index);
+        StressOutcome outcome = StressRun.Play(scene);
+        var report = new LabReport { Name = "stability", Seed = seed, Failed = outcome.Failure is not null };
+        var table = new LabTable($"scene {index}", "kind", "method", "frames", "steps", "impacts", "verdict");
+        table.Add(scene.Kind, scene.Integrator, outcome.Frames, outcome.Steps, outcome.Impacts, outcome.Failure is { } f ? $"{f.Check}: {f.Detail}" : "holds");
+        report.Tables.Add(table);
+        report.Notes.Add(scene.Text());
+        return report;
+    }
+
+    private static LabReport Run(long seed, long scenes, int jobs, Progress progress)
+    {
+        var matrix = new StressMatrix(seed);
+        matrix.Play(scenes, Math.Max(1, jobs), done => progress.Report(() => string.Create(
+            CultureInfo.InvariantCulture,
+            $"{done} of {scenes} scenes, {matrix.Cells.Sum(cell => cell.Failed)} failed")));
+        var report = new LabReport { Name = "stability", Seed = seed, Failed = matrix.Cells.Any(cell => cell.Failed > 0) };
+        var table = new LabTable(
+            string.Create(CultureInfo.InvariantCulture, $"{scenes} scenes: does every invariant hold?"),
+            ["scenes", .. StressGenerator.Integrators.Select(method => method.ToString()), "a cell", "steps a frame", "relaxed", "impacts"]);
+        foreach (StressKind kind in StressGenerator.Kinds)
+        {
+            StressCell[] row = [.. StressGenerator.Integrators.Select(method => matrix[kind, method])];
+            table.Add(
+                [kind.ToString(), .. row.Select(cell => cell.Verdict), row.Sum(cell => cell.Scenes) / row.Length,
+                    (double)row.Sum(cell => cell.Steps) / Math.Max(1, row.Sum(cell => cell.Frames)), row.Sum(cell => cell.Relaxed), row.Sum(cell => cell.Impacts)]);
+        }
+
+        report.Tables.Add(table);
+        report.Tables.Add(Overshoot.Table());
+        LabTable failures = new("failures", "scene", "kind", "method", "check", "detail");
+        foreach (StressKind kind in StressGenerator.Kinds)
+        {
+            foreach (Integrator method in StressGenerator.Integrators)
+            {
+                foreach ((long index, StressFailure failure) in matrix[kind, method].Failures)
+                {
+                    failures.Add(index, kind, method, failure.Check, failure.Detail);
+                }
+            }
+        }
+
+        if (failures.Rows.Count > 0)
+        {
+            report.Tables.Add(failures);
+        }
+
+        report.Notes.Add(string.Create(CultureInfo.InvariantCulture, $"Slowest scene: {matrix.Slowest.Index}, {matrix.Slowest.Seconds:0.00} s. One scene again: football lab stability --seed {seed} --scene I"));
+        return report;
+    }
+}
