@@ -11,7 +11,7 @@ public sealed class SlerpTests
         var cases =
             from axis in Inputs.Vector(1)
             where axis.Length > 0.01
-            from angle in Inputs.Number(Math.PI)
+            from angle in Inputs.Number(0.999 * Math.PI) // at half a turn either way is the shorter one
             from fraction in Gen.Choose(0, 1000).Select(i => i / 1000.0)
             from start in Inputs.Vector(3)
             from flip in Gen.Elements(1.0, -1.0)
@@ -22,7 +22,7 @@ public sealed class SlerpTests
             Quaterniond to = Quaterniond.FromAxisAngle(c.axis, c.angle) * from;
             Quaterniond expected = Quaterniond.FromAxisAngle(c.axis, c.fraction * c.angle) * from;
             Quaterniond actual = Slerp.Between(from, new Quaterniond(c.flip * to.X, c.flip * to.Y, c.flip * to.Z, c.flip * to.W), c.fraction);
-            Assert.Equal(1, actual.LengthSquared, 1e-15);
+            Assert.Equal(1, actual.LengthSquared, 4e-15);
             FixedStepRunnerTests.AssertSameRotation(expected, actual, 1e-12);
         }).QuickCheckThrowOnFailure();
     }
