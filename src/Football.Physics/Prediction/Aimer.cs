@@ -78,7 +78,7 @@ public sealed class Aimer
         AimResult result = Report(request, in answer, measure: true);
 
         // A kick that passes the target at another time is no hit.
-        return answer.Status == AimStatus.OutOfReach ? result.With(AimStatus.OutOfReach) : result;
+        return answer.Status is AimStatus.OutOfReach or AimStatus.NotConverged ? result.With(answer.Status) : result;
     }
 
     private static void RefuseThrough(AimRequest request)

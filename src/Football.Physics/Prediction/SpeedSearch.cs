@@ -91,7 +91,7 @@ internal sealed class SpeedSearch
 
         for (int i = 0; i < MostSpeeds && high - low > 1e-10 * high; i++)
         {
-            double speed = i % 3 == 2 ? 0.5 * (low + high) : low + ((high - low) * lowError / (lowError - highError));
+            double speed = i % 3 == 2 || i > 20 ? 0.5 * (low + high) : low + ((high - low) * lowError / (lowError - highError));
             AimAnswer answer = _direct.Find(request, speed, request.Arc);
             if (answer.Status != AimStatus.Hit)
             {
@@ -118,6 +118,8 @@ internal sealed class SpeedSearch
             }
         }
 
+        // A time that no speed gives (the drag law's jump makes it leap) is not met.
+        best.Status = Math.Abs(best.Time - time) < 1e-4 ? best.Status : AimStatus.NotConverged;
         return best;
     }
 

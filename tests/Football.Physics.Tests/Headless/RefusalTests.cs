@@ -104,7 +104,6 @@ public sealed class RefusalTests
     [InlineData("{\"scenario\":5}", "the scenario is 5", "an object {ball, ")]
     [InlineData("{\"scenario\":{" + L + ",\"ball\":{\"mass\":NaN}}}", "ball.mass is NaN", "above 0 kg")]
     [InlineData("{" + L + ",\"solver\":{\"timeStep\":1e-300}}", "solver.timeStep is 1E-300 with stop.time 20", "1E-12 of stop.time")]
-    [InlineData("{" + L + ",\"gravity\":1e300}", "the motion is not finite", "what a double can hold")]
     [InlineData("{" + L + ",\"samples\":true,\"solver\":{\"timeStep\":1e-9}}", "samples is true with 20000000000 steps", "at most 1000000 steps")]
     public void A_text_that_is_not_what_it_should_be(string input, string begins, string allowed) => Refused(input, begins, allowed);
 
