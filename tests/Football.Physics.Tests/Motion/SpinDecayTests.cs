@@ -88,12 +88,14 @@ public sealed class SpinDecayTests
         {
             ForEach(scene with { Forces = scene.Forces with { Coefficients = form } }, (simulator, state, timeStep) =>
             {
-                var log = new StepLog();
+                var limit = new PieceLimit(200_000);
+                var log = new StepLog { Observer = limit };
                 Vector3d from = state.Velocity;
                 for (int i = 0; i < 5; i++)
                 {
                     double speed = state.Velocity.Length;
                     simulator.Step(ref state, timeStep, log);
+                    Assert.False(limit.Reached, $"{simulator.Settings.Integrator} {timeStep} s does not end");
                     Assert.True(Vector3d.Dot(state.Velocity, from) >= 0, $"{simulator.Settings.Integrator} {timeStep} s: {from} to {state.Velocity}");
                     Assert.True(state.Velocity.Length <= speed, $"{simulator.Settings.Integrator} {timeStep} s: {speed} m/s to {state.Velocity}");
                     Assert.True(state.Position.IsFinite && state.Spin.IsFinite);
