@@ -59,7 +59,8 @@ internal static class QuickCommand
 
         IReadOnlyList<TargetRow> targets = [.. TargetTable.Rows.Where(row => Wanted(row.Name, only))];
         IReadOnlyList<FreeRow> free = [.. FreeTable.Rows.Where(row => Wanted(row.Name, only))];
-        double share = seconds / Math.Max(1, targets.Count + free.Count);
+        IReadOnlyList<PredictionRow> predictions = [.. PredictionTable.Rows.Where(row => Wanted("Prediction: " + row.Name, only))];
+        double share = seconds / Math.Max(1, targets.Count + free.Count + predictions.Count);
         if (targets.Count > 0)
         {
             Targets(text, targets, share);
@@ -68,6 +69,11 @@ internal static class QuickCommand
         if (free.Count > 0)
         {
             Free(text, free, share);
+        }
+
+        if (predictions.Count > 0)
+        {
+            PredictionTable.Print(line => Print(text, line), predictions, share);
         }
 
         return text.ToString();

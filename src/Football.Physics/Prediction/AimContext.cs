@@ -20,7 +20,7 @@ internal sealed class AimContext
     private readonly StepLog _gameLog = new();
     private readonly Simulator _free;
     private readonly Simulator _judge;
-    private readonly ClosestPass _pass = new();
+    private readonly ClosestPass _pass;
 
     public AimContext(Scene scene, SolverSettings settings, double timeStep)
     {
@@ -29,11 +29,11 @@ internal sealed class AimContext
         TimeStep = timeStep;
         _judge = new Simulator(scene, SolverSettings.Default);
         _free = new Simulator(scene with { Ground = scene.Ground with { Height = NoGround } }, SolverSettings.Default);
+        _pass = new ClosestPass(scene.Air.Wind == Vector3d.Zero);
         Flight = new KickFlight();
         Frames = new FrameFlight();
         _freeLog.Observer = Flight;
         _closeLog.Observer = _pass;
-        _gameLog.Observer = Frames;
         Upward = Gravity.Acceleration(scene) + Buoyancy.Acceleration(scene);
     }
 
@@ -70,6 +70,10 @@ internal sealed class AimContext
         ? new Vector3d(request.From.X, Game.ContactHeight, request.From.Z)
         : request.From;
 
+    /// <summary>Whether a kick stays on the ground from its start.</summary>
+    public bool StaysDown(in Vector3d from, double upwardSpeed) =>
+        Upward <= 0 && from.Y <= Game.ContactHeight && Math.Abs(upwardSpeed) < Scene.Ground.MinimumBounceSpeed;
+
     /// <summary>Flies a kick without ground, watched by <see cref="Flight"/>, until its planes are crossed.</summary>
     public void Fly(in Vector3d from, in Vector3d velocity, in Vector3d spin)
     {
@@ -95,9 +99,7 @@ internal sealed class AimContext
     {
         Simulations++;
         Frames.Begin(in from, in point);
-        BallState state = Game.Launch(from, velocity, spin);
-        _gameLog.Clear();
-        Game.Run(ref state, TimeStep, LongestFlight, StopAt.Impact, _gameLog, null);
+        RunFrames(in from, in velocity, in spin);
     }
 
     /// <summary>The same until a plane through the point is crossed.</summary>
@@ -106,9 +108,20 @@ internal sealed class AimContext
         Simulations++;
         Frames.Begin(in from, in point);
         Frames.WantCrossing(in normal);
+        RunFrames(in from, in velocity, in spin);
+    }
+
+    private void RunFrames(in Vector3d from, in Vector3d velocity, in Vector3d spin)
+    {
+        // Step by step: a step that nobody watches is the fastest.
         BallState state = Game.Launch(from, velocity, spin);
         _gameLog.Clear();
-        Game.Run(ref state, TimeStep, LongestFlight, StopAt.Impact, _gameLog, null);
+        bool ended = false;
+        while (!ended && state.Time < LongestFlight)
+        {
+            ended = Game.StepToImpact(ref state, TimeStep, _gameLog);
+            ended |= Frames.Add(in state);
+        }
     }
 
     /// <summary>The closed-form flight of a kick, its coefficients averaged over a way.</summary>

@@ -3,11 +3,16 @@ namespace Football.Physics;
 /// <summary>Watches a flight for its closest approach to a target that may move, and to a point on the way.</summary>
 internal sealed class ClosestPass : PieceObserver
 {
+    private readonly bool _still;
     private Vector3d _target;
     private Vector3d _targetVelocity;
     private Vector3d? _through;
     private double _best;
     private double _bestThrough;
+
+    /// <summary>Makes one.</summary>
+    /// <param name="still">Whether the air is still: a ball that rolls away then does not come back.</param>
+    public ClosestPass(bool still) => _still = still;
 
     /// <summary>Distance of closest approach to the target, m.</summary>
     public double Miss => Math.Sqrt(_best);
@@ -51,6 +56,14 @@ internal sealed class ClosestPass : PieceObserver
             _bestThrough = Math.Min(_bestThrough, piece.ClosestApproach(in point, out _));
         }
 
-        return false;
+        return piece.Motion != MotionState.Airborne && _targetVelocity == Vector3d.Zero
+            && IsPast(in piece, in _target, _best) && (_through is not { } way || IsPast(in piece, in way, _bestThrough));
+    }
+
+    /// <summary>Whether a ball on the ground comes no closer: it is too far below, or rolls away.</summary>
+    private bool IsPast(in PathPiece piece, in Vector3d point, double best)
+    {
+        Vector3d gap = piece.EndPosition - point;
+        return gap.Y * gap.Y >= best || (_still && piece.Motion == MotionState.Rolling && Vector3d.Dot(in gap, piece.EndVelocity) > 0);
     }
 }

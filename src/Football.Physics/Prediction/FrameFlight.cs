@@ -1,7 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>Watches a flight frame by frame for the thesis' fast closest point (4.1.3): on the segment between the two nearest frames.</summary>
-internal sealed class FrameFlight : PieceObserver
+internal sealed class FrameFlight
 {
     private Vector3d _point;
     private Vector3d _previous;
@@ -19,8 +19,6 @@ internal sealed class FrameFlight : PieceObserver
 
     /// <summary>Where, between frames, m.</summary>
     public Vector3d Crossing { get; private set; }
-
-    public override bool WantsEndAcceleration => false;
 
     /// <summary>The closest point between frames, m.</summary>
     public Vector3d Closest
@@ -66,9 +64,11 @@ internal sealed class FrameFlight : PieceObserver
         _wantsCrossing = true;
     }
 
-    public override bool Add(in PathPiece piece)
+    /// <summary>Takes the next frame.</summary>
+    /// <returns>True when it has seen enough.</returns>
+    public bool Add(in BallState frame)
     {
-        Vector3d p = piece.EndPosition;
+        Vector3d p = frame.Position;
         double squared = (p - _point).LengthSquared;
         bool passed = false;
         if (squared < _best)
@@ -88,7 +88,7 @@ internal sealed class FrameFlight : PieceObserver
             }
 
             // Past the nearest frame: the answer is known.
-            passed = Vector3d.Dot(p - _point, piece.EndVelocity) > 0;
+            passed = Vector3d.Dot(p - _point, frame.Velocity) > 0;
         }
 
         if (_wantsCrossing && !Crossed)

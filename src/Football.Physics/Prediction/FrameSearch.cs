@@ -78,9 +78,17 @@ internal ref struct FrameSearch
         extreme = default;
         Kick kick = Kick;
         kick.Elevation = LowestElevation;
-        Fly(in kick);
-        double lowHeight = Closest.Y;
-        double lowMiss = Miss;
+        Elementary.SinCos(LowestElevation, out double sine, out _);
+        double lowHeight = From.Y;
+        double lowMiss = double.PositiveInfinity;
+        if (!(Target.Y > From.Y + _tolerance && _context.StaysDown(From, _speed * sine)))
+        {
+            // Along the ground it passes below: that needs no flight.
+            Fly(in kick);
+            lowHeight = Closest.Y;
+            lowMiss = Miss;
+        }
+
         kick.Elevation = HighestElevation;
         Fly(in kick);
         bool above = Closest.Y > Target.Y || Miss <= _tolerance;

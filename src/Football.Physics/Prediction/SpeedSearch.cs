@@ -5,6 +5,9 @@ internal sealed class SpeedSearch
 {
     private const int MostSpeeds = 60;
 
+    /// <summary>How far off its time a kick may be, s.</summary>
+    private const double LargestDelay = 1e-4;
+
     private readonly DirectAim _direct;
 
     public SpeedSearch(DirectAim direct) => _direct = direct;
@@ -118,9 +121,7 @@ internal sealed class SpeedSearch
             }
         }
 
-        // A time that no speed gives (the drag law's jump makes it leap) is not met.
-        best.Status = Math.Abs(best.Time - time) < 1e-4 ? best.Status : AimStatus.NotConverged;
-        return best;
+        return OnTime(best, time);
     }
 
     /// <summary>The same on the high arc, where a faster kick takes longer.</summary>
@@ -155,6 +156,17 @@ internal sealed class SpeedSearch
             }
         }
 
-        return best;
+        return OnTime(best, time);
+    }
+
+    /// <summary>Where the time jumps with the speed, as at the drag law's jump, none may be right: a hit at another time is none.</summary>
+    private static AimAnswer OnTime(AimAnswer answer, double time)
+    {
+        if (Math.Abs(answer.Time - time) > LargestDelay)
+        {
+            answer.Status = AimStatus.OutOfReach;
+        }
+
+        return answer;
     }
 }

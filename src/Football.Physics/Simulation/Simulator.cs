@@ -173,6 +173,16 @@ public sealed class Simulator
         return false;
     }
 
+    /// <summary>Takes one step, or part of it up to the first impact.</summary>
+    /// <returns>True when an impact ended it.</returns>
+    internal bool StepToImpact(ref BallState state, double dt, StepLog log)
+    {
+        log.Halted = false;
+        log.StopAt = StopAt.Impact;
+        _stepper.Step(ref state, dt, log);
+        return log.Halted;
+    }
+
     /// <summary>Looks ahead: the simulation itself on a copy of the state. Allocates nothing once its trajectory has room.</summary>
     /// <param name="from">The ball; unchanged.</param>
     /// <param name="request">How far to look, and what to stop at.</param>

@@ -1,0 +1,42 @@
+namespace Football.Physics.Benchmarks;
+
+/// <summary>A row of the table of predictors: requests, and the method that answers them.</summary>
+internal sealed record PredictionRow(string Name, Func<Aimer> Aimer, Func<AimRequest[]> Requests, AimMethod Method)
+{
+    /// <summary>Most plain RK2 steps an aim; none for rows that only inform.</summary>
+    public double? Target { get; init; }
+
+    /// <summary>Most simulations an aim, on average.</summary>
+    public double? Simulations { get; init; }
+
+    /// <summary>Largest true miss, m.</summary>
+    public double? Miss { get; init; }
+
+    /// <summary>Largest true miss at the point on the way, m.</summary>
+    public double? ThroughMiss { get; init; }
+
+    /// <summary>Whether every request must be out of reach.</summary>
+    public bool OutOfReach { get; init; }
+
+    /// <summary>What the thesis measured.</summary>
+    public string Thesis { get; init; } = "–";
+
+    /// <summary>The requests, answered in order without measuring misses.</summary>
+    public Workload Subject()
+    {
+        Aimer aimer = Aimer();
+        AimRequest[] requests = Requests();
+        return new Workload(() => Answer(aimer, requests, Method), requests.Length);
+    }
+
+    private static double Answer(Aimer aimer, AimRequest[] requests, AimMethod method)
+    {
+        double sum = 0;
+        foreach (AimRequest request in requests)
+        {
+            sum += aimer.Find(request, method, measure: false).Time;
+        }
+
+        return sum;
+    }
+}
