@@ -22,32 +22,36 @@ internal static class StabilityLab
             "Random and adversarial scenes with every method: what must always hold, with a verdict a cell.",
             terminal,
             (parsed, seed, progress) => parsed.GetValue(scene) is { } one
-                ? One(seed, one)
-                : Run(seed, parsed.GetValue(scenes) ?? (parsed.GetValue(full) ? Full : ByDefault), parsed.GetValue(jobs) ?? Environment.ProcessorCount, progress),
+                ? One(terminal, seed, one)
+                : Run(terminal, seed, parsed.GetValue(scenes) ?? (parsed.GetValue(full) ? Full : ByDefault), parsed.GetValue(jobs) ?? Environment.ProcessorCount, progress),
             scenes,
             full,
             jobs,
             scene);
     }
 
-    private static LabReport One(long seed, long index)
+    private static LabReport One(Terminal terminal, long seed, long index)
     {
         StressScene scene = StressGenerator.Make(seed, index);
+        terminal.Person.WriteLine(scene.Text());
         StressOutcome outcome = StressRun.Play(scene);
         var report = new LabReport { Name = "stability", Seed = seed, Failed = outcome.Failure is not null };
         var table = new LabTable($"scene {index}", "kind", "method", "frames", "steps", "impacts", "verdict");
         table.Add(scene.Kind, scene.Integrator, outcome.Frames, outcome.Steps, outcome.Impacts, outcome.Failure is { } f ? $"{f.Check}: {f.Detail}" : "holds");
         report.Tables.Add(table);
-        report.Notes.Add(scene.Text());
         return report;
     }
 
-    private static LabReport Run(long seed, long scenes, int jobs, Progress progress)
+    private static LabReport Run(Terminal terminal, long seed, long scenes, int jobs, Progress progress)
     {
         var matrix = new StressMatrix(seed);
-        matrix.Play(scenes, Math.Max(1, jobs), done => progress.Report(() => string.Create(
+        matrix.Play(
+            scenes,
+            Math.Max(1, jobs),
+            done => progress.Report(() => string.Create(
             CultureInfo.InvariantCulture,
-            $"{done} of {scenes} scenes, {matrix.Cells.Sum(cell => cell.Failed)} failed")));
+            $"{done} of {scenes} scenes, {matrix.Cells.Sum(cell => cell.Failed)} failed")),
+            stuck => terminal.Error.WriteLine(string.Create(CultureInfo.InvariantCulture, $"scene {stuck} of seed {seed} has been running for more than 10 s")));
         var report = new LabReport { Name = "stability", Seed = seed, Failed = matrix.Cells.Any(cell => cell.Failed > 0) };
         var table = new LabTable(
             string.Create(CultureInfo.InvariantCulture, $"{scenes} scenes: does every invariant hold?"),

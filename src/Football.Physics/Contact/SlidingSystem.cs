@@ -21,7 +21,14 @@ internal struct SlidingSystem<TAir> : IMotionSystem
         Vector3d s = Vector3d.Dot(in slip, in SlipDirection) > 0 && size > 0 ? slip / size : SlipDirection;
         var torqueAxis = new Vector3d(s.Z, 0, -s.X); // ŷ × ŝ
         MotionRates pushed = Pushed(time, in at, in torqueAxis);
-        rates = new MotionRates(pushed.Acceleration - (Ground.Sliding * s), pushed.SpinAcceleration + (Ground.SlidingTorque * torqueAxis));
+        Vector3d spinAcceleration = pushed.SpinAcceleration + (Ground.SlidingTorque * torqueAxis);
+        if (!Custom.Act && at.Spin == Vector3d.Zero && Vector3d.Dot(in spinAcceleration, in torqueAxis) < 0)
+        {
+            // The air holds a ball that friction is too weak to turn, but it turns none.
+            spinAcceleration = Vector3d.Zero;
+        }
+
+        rates = new MotionRates(pushed.Acceleration - (Ground.Sliding * s), in spinAcceleration);
     }
 
     /// <summary>All but the friction: the air, the damping of the spin about the vertical, the game's own forces.</summary>

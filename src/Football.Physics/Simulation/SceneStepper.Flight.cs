@@ -59,6 +59,11 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
             }
         }
 
+        if (typeof(TIntegrator) == typeof(ExplicitEuler))
+        {
+            h = WithinHop(h, y - _contact, vy);
+        }
+
         if (_fast.Covers(speedSquared, spin, h))
         {
             _integrator.Fly(ref _fast, in s.SpinAxis, from.Branch, ux, uy, uz, spin, _upward, h, out step);

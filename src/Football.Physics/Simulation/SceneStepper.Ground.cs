@@ -48,7 +48,8 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
 
         double fastest = system.Ground.Sliding + (_ball.Radius * system.Ground.SlidingTorque)
             + (airRate * ((from.Velocity - _wind).Length + (_ball.Radius * from.Spin.Length)));
-        if (exact && (_custom || fastest * h > Approach * size))
+        bool grips = system.Ground.Sliding > 0;
+        if (exact && grips && (_custom || fastest * h > Approach * size))
         {
             system.Rates(s.Time, in from, out MotionRates rates);
             run.Log.Evaluations++;
@@ -70,7 +71,11 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         trial.Step(h);
         CrossJumpOnGround(ref trial, ref s, h, ref run);
         run.Log.Evaluations += trial.Evaluations;
-        MoveOnGround(ref s, ref trial, trial.Step1.End.Spin, ref run);
+
+        // Where nothing turns the ball its spin ends at zero.
+        Vector3d spin = trial.Step1.End.Spin;
+        spin = !grips && !_custom && Vector3d.Dot(in spin, in from.Spin) < 0 ? Vector3d.Zero : spin;
+        MoveOnGround(ref s, ref trial, in spin, ref run);
         if (!exact && !run.Log.Halted)
         {
             // (2.27), (2.28): the slip grew, or is small.
@@ -263,7 +268,9 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         s.BaseOrientation = (Quaterniond.FromRotationVector(in step.Rotation) * s.BaseOrientation).Normalised();
         s.Position = new Vector3d(step.End.Position.X, _contact, step.End.Position.Z);
         s.Velocity = step.End.Velocity.Horizontal;
-        s.SpinAxis = spin;
+
+        // Damping and decay end the spin about the vertical, they never reverse it.
+        s.SpinAxis = spin.Y * before.SpinAxis.Y < 0 && !_custom ? new Vector3d(spin.X, 0, spin.Z) : spin;
         s.Time += h;
         run.Left -= h;
         run.Log.Steps++;

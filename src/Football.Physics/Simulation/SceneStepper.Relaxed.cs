@@ -34,6 +34,23 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
             : 0;
     }
 
+    /// <summary>
+    /// Explicit Euler comes down from a hop faster by g h than it went up: with that a bounce of less than e g h/(1 − e) would grow. So a
+    /// step is divided that is longer than (1 − e)/3e of a hop: then every bounce is lower than the one before, and the ball comes to rest.
+    /// </summary>
+    /// <param name="h">Length of the step, s.</param>
+    /// <param name="height">Height above contact, m.</param>
+    /// <param name="climb">Vertical velocity, m/s.</param>
+    private double WithinHop(double h, double height, double climb)
+    {
+        // A hop up to the height that the energy is enough for takes 2 √(2 g y + v²)/g.
+        double up = (climb * climb) - (2.0 * _upward * Math.Max(0, height));
+        double least = h * -_upward * _piecesOfHop;
+        return least > 0 && least * least > 4.0 * up && up > 0
+            ? h / Math.Min(MostPieces, Math.Ceiling(least / (2.0 * Math.Sqrt(up))))
+            : h;
+    }
+
     /// <summary>A piece of a flight that relaxes.</summary>
     private void Relax(ref BallState s, ref StepRun run)
     {

@@ -11,6 +11,9 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
     /// <summary>A step is divided so that no force changes the motion by more than this share of itself, explicit Euler's limit of no overshoot.</summary>
     private const double LargestChange = 1.0;
 
+    /// <summary>Up to this restitution every ball comes to rest, whatever the method and its step.</summary>
+    private const double MostElastic = 0.95;
+
     /// <summary>A ball that would be back on the ground sooner than this, s, stays down: so an impact takes time, however strong gravity is.</summary>
     private const double ShortestHop = 1e-6;
 
@@ -24,6 +27,9 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
     private readonly RateBound _bound;
     private readonly bool _custom;
     private readonly bool _locatesJump;
+
+    /// <summary>Into how many pieces explicit Euler divides a hop at least, 3e/(1 − e).</summary>
+    private readonly double _piecesOfHop;
 
     /// <summary>Whether nothing but the Magnus force acts on a velocity that the method cannot turn without making it longer.</summary>
     private readonly bool _spirals;
@@ -52,6 +58,8 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
 
         // A ball that falls from rest is soon as fast as drag lets it: 1/√(P a) is how soon.
         _bound = new RateBound(bound.PerSpeed, bound.PerSpin, bound.Constant + (Math.Sqrt(bound.PerSpeed) * Math.Sqrt(Math.Abs(_upward))));
+        double restitution = Math.Min(_ground.NormalRestitution, MostElastic);
+        _piecesOfHop = 3.0 * restitution / (1.0 - restitution);
         _spirals = _integrator.Order < 4 && _air.Lifts && !(_air.Drags && bound.PerSpeed > 0);
         _locatesJump = _air.Jumps && settings.LocateJump && _integrator.Order > 1;
 

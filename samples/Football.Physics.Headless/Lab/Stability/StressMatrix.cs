@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using System.Diagnostics;
 
 namespace Football.Physics.Headless.Lab.Stability;
@@ -5,6 +6,10 @@ namespace Football.Physics.Headless.Lab.Stability;
 /// <summary>Plays many scenes on all processors and sorts their verdicts into cells.</summary>
 internal sealed class StressMatrix(long seed)
 {
+    /// <summary>A scene that runs for longer than this, s, is worth a word.</summary>
+    private const double Long = 10;
+
+    private readonly ConcurrentDictionary<long, long> _running = new();
     private readonly Lock _lock = new();
     private readonly StressCell[,] _cells = Fresh();
 
@@ -18,14 +23,34 @@ internal sealed class StressMatrix(long seed)
     public (long Index, double Seconds) Slowest { get; private set; }
 
     /// <summary>Plays the scenes from 0 on.</summary>
-    public void Play(long scenes, int jobs, Action<long> onProgress)
+    /// <param name="scenes">How many.</param>
+    /// <param name="jobs">Threads.</param>
+    /// <param name="onProgress">Told how many are done.</param>
+    /// <param name="onStuck">Told of a scene that has run for long.</param>
+    public void Play(long scenes, int jobs, Action<long> onProgress, Action<long> onStuck)
     {
         long done = 0;
+        using var watch = new Timer(
+            _ =>
+            {
+                foreach ((long index, long since) in _running)
+                {
+                    if (Stopwatch.GetElapsedTime(since).TotalSeconds > Long)
+                    {
+                        onStuck(index);
+                    }
+                }
+            },
+            null,
+            TimeSpan.FromSeconds(Long),
+            TimeSpan.FromSeconds(Long));
         Parallel.For(0L, scenes, new ParallelOptions { MaxDegreeOfParallelism = jobs }, index =>
         {
             StressScene scene = StressGenerator.Make(seed, index);
             long start = Stopwatch.GetTimestamp();
+            _running[index] = start;
             StressOutcome outcome = StressRun.Play(scene);
+            _running.TryRemove(index, out _);
             double seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
             lock (_lock)
             {

@@ -1,0 +1,127 @@
+using System.CommandLine;
+using System.Diagnostics;
+using System.Xml.Linq;
+using Football.Physics.Headless.Commands;
+using Football.Physics.Headless.Drawing;
+
+namespace Football.Physics.Headless.Lab;
+
+/// <summary>football lab cost: the thesis' test 3.4.3, the time of a step by method and motion.</summary>
+internal static class CostLab
+{
+    private const int Frames = 20_000;
+    private const double Step = 0.01;
+
+    /// <summary>A frame is done so often in a row: one alone is shorter than the clock's tick.</summary>
+    private const int Repeats = 32;
+
+    private const int WarmUp = 60;
+
+    public static Command Create(Terminal terminal) => LabOptions.Create(
+        "cost",
+        "Test 3.4.3: the time of a 10 ms step by method and motion, over 20 000 frames each from kick to rest.",
+        terminal,
+        (_, seed, progress) => Run(seed, progress));
+
+    private static LabReport Run(long seed, Progress progress)
+    {
+        var table = new LabTable(
+            "Time of a step (3.4.3), 20 000 frames a row without an event, ns",
+            "method", "motion", "p5", "median", "p95", "p99", "mean to p99", "thesis, all motions", "times faster");
+        var report = new LabReport { Name = "cost", Seed = seed, Tables = { table } };
+        var charts = new List<Func<XElement>>();
+        foreach (Integrator method in Enum.GetValues<Integrator>())
+        {
+            var simulator = new Simulator(null, new SolverSettings { Integrator = method });
+            Dictionary<MotionState, BallState[]> frames = Collect(simulator, seed);
+            var log = new StepLog();
+            foreach ((MotionState motion, BallState[] states) in frames)
+            {
+                progress.Report(() => $"{method}, {motion}");
+                for (int i = 0; i < WarmUp; i++)
+                {
+                    Time(simulator, states, log, states.Length / WarmUp, []);
+                    Thread.Sleep(i % 20 == 0 ? 120 : 0);
+                }
+
+                var times = new double[states.Length];
+                Time(simulator, states, log, states.Length, times);
+                var spread = new Spreads(times);
+                double top = spread.Percentile(0.99);
+                double mean = times.Where(time => time <= top).Average();
+                double thesis = Thesis(method);
+                table.Add(method, motion, spread.Percentile(0.05), spread.Percentile(0.5), spread.Percentile(0.95), top, mean, thesis, motion == MotionState.Stopped ? null : thesis / mean);
+                if (motion == MotionState.Airborne)
+                {
+                    charts.Add(() => Histogram(method, [.. times.Where(time => time <= top)]));
+                }
+            }
+        }
+
+        report.Notes.Add("Each frame is stepped 32 times in a row from a copy of its state, the copy included. Values above the 99th percentile are left out of the mean, as in the thesis.");
+        report.Notes.Add("Ratios to plain code in one process, which is how the targets for time are judged: the benchmarks.");
+        report.Picture = () => Figure.Stack("Time of a step in flight", [.. charts.Select(make => make())]);
+        return report;
+    }
+
+    private static double Thesis(Integrator method) => method switch
+    {
+        Integrator.Euler => 11_200,
+        Integrator.SemiImplicitEuler => 12_000,
+        Integrator.Rk2 => 14_700,
+        _ => 20_900,
+    };
+
+    /// <summary>The states before 20 000 steps of each motion in which nothing happens, from kick to rest and kicked again.</summary>
+    private static Dictionary<MotionState, BallState[]> Collect(Simulator simulator, long seed)
+    {
+        var found = Enum.GetValues<MotionState>().ToDictionary(motion => motion, _ => new List<BallState>(Frames));
+        var random = new LabRandom(LabRandom.Mix(seed, 343));
+        var log = new StepLog();
+        while (found.Values.Any(list => list.Count < Frames))
+        {
+            BallState state = simulator.Launch(LabShot.From, random.Velocity(15, 35, 5, 35), random.Uniform(2, 60) * random.Direction());
+            for (int stopped = 0; stopped < 100;)
+            {
+                BallState before = state;
+                log.Clear();
+                simulator.Step(ref state, Step, log);
+                List<BallState> list = found[before.Motion];
+                if (log.Events.Count == 0 && list.Count < Frames)
+                {
+                    list.Add(before);
+                }
+
+                stopped += before.Motion == MotionState.Stopped ? 1 : 0;
+            }
+        }
+
+        return found.ToDictionary(pair => pair.Key, pair => pair.Value.ToArray());
+    }
+
+    private static void Time(Simulator simulator, BallState[] states, StepLog log, int count, double[] times)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            long start = Stopwatch.GetTimestamp();
+            for (int k = 0; k < Repeats; k++)
+            {
+                BallState state = states[i];
+                simulator.Step(ref state, Step, log);
+            }
+
+            long end = Stopwatch.GetTimestamp();
+            if (i < times.Length)
+            {
+                times[i] = (end - start) * (1e9 / Stopwatch.Frequency) / Repeats;
+            }
+        }
+    }
+
+    private static XElement Histogram(Integrator method, double[] times)
+    {
+        var chart = new Chart(new Axis("time of a step, ns") { Min = 0 }, new Axis("frames") { Min = 0 }) { Title = method.ToString(), PlotHeight = 120 };
+        chart.Items.Add(BarsItem.Histogram(times, 60, Palette.Blue));
+        return chart.Draw();
+    }
+}

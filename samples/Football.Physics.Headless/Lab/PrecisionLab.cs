@@ -1,0 +1,180 @@
+using System.CommandLine;
+using System.Diagnostics;
+using System.Xml.Linq;
+using Football.Physics.Headless.Commands;
+using Football.Physics.Headless.Drawing;
+
+namespace Football.Physics.Headless.Lab;
+
+/// <summary>football lab precision: work against precision, every method with every step.</summary>
+internal static class PrecisionLab
+{
+    private const double ReferenceStep = 0.0005;
+    private static readonly double[] Steps = [0.001, 0.002, 0.005, 0.01, 0.02, 0.04, 0.08, 0.16, 0.32];
+
+    private static readonly SolverSettings ThesisWay = new()
+    {
+        CollisionTiming = CollisionTiming.Bisection,
+        RollingTransition = RollingTransition.Heuristic,
+        LocateJump = false,
+    };
+
+    public static Command Create(Terminal terminal) => LabOptions.Create(
+        "precision",
+        "Error against evaluations and time: every method with steps of 1 to 320 ms, from kick to impact and from kick to rest.",
+        terminal,
+        (_, seed, progress) => Run(seed, progress));
+
+    private static LabReport Run(long seed, Progress progress)
+    {
+        var report = new LabReport { Name = "precision", Seed = seed };
+        var charts = new List<Func<XElement>>();
+        foreach ((string name, LabShot[] shots, StopAt stop) in new[]
+        {
+            ("kick to impact", LabShot.Make(seed, 100, 14, 35, 0, 60), StopAt.Impact),
+            ("kick to rest", LabShot.Make(seed, 50, 13, 30, 0, 60), StopAt.Rest),
+        })
+        {
+            progress.Report(() => $"{name}: reference");
+            PrecisionPoint[] reference = Reference(shots, stop, report, name);
+            var points = new List<PrecisionRow>();
+            foreach (Integrator method in Enum.GetValues<Integrator>())
+            {
+                foreach (double step in Steps)
+                {
+                    progress.Report(() => $"{name}: {method}, {1e3 * step} ms");
+                    points.Add(Measure(new SolverSettings { Integrator = method }, step, shots, stop, reference, thesis: false));
+                }
+
+                foreach (double step in new[] { 0.01, 0.02, 0.04 })
+                {
+                    points.Add(Measure(ThesisWay with { Integrator = method }, step, shots, stop, reference, thesis: true));
+                }
+            }
+
+            report.Tables.Add(Table(name, shots.Length, points));
+            report.Tables.Add(Needed(name, points));
+            charts.Add(() => Draw($"{name}: error against evaluations", "evaluations a second of motion", points, row => row.Evaluations));
+            charts.Add(() => Draw($"{name}: error against time", "ns a second of motion", points, row => row.Nanoseconds));
+        }
+
+        report.Picture = () => Figure.Stack("Work and precision", [.. charts.Select(make => make())]);
+        return report;
+    }
+
+    /// <summary>RK4 with half a millisecond, and how far half of that is from it.</summary>
+    private static PrecisionPoint[] Reference(LabShot[] shots, StopAt stop, LabReport report, string name)
+    {
+        var simulator = new Simulator();
+        PrecisionPoint[] coarse = Play(simulator, shots, stop, ReferenceStep, out _);
+        PrecisionPoint[] fine = Play(simulator, shots, stop, 0.5 * ReferenceStep, out _);
+        var gaps = new Spreads(coarse.Zip(fine, (a, b) => Vector3d.Distance(a.Place, b.Place)));
+        report.Notes.Add(FormattableString.Invariant(
+            $"Reference, {name}: RK4, 0.25 ms; 0.5 ms is within {gaps.Percentile(0.95):0.0e0} m of it (p95), at worst {gaps.Worst:0.0e0} m; good to 1e-10 m in {coarse.Zip(fine, (a, b) => Vector3d.Distance(a.Place, b.Place)).Count(gap => gap <= 1e-10)} of {shots.Length}."));
+        return fine;
+    }
+
+    private static PrecisionRow Measure(SolverSettings settings, double step, LabShot[] shots, StopAt stop, PrecisionPoint[] reference, bool thesis)
+    {
+        var simulator = new Simulator(null, settings);
+        double fastest = double.PositiveInfinity;
+        PrecisionPoint[] played = [];
+        long evaluations = 0;
+        long begin = Stopwatch.GetTimestamp();
+        for (int i = 0; i < 40 && (i < 3 || Stopwatch.GetElapsedTime(begin).TotalSeconds < 0.15); i++)
+        {
+            long start = Stopwatch.GetTimestamp();
+            played = Play(simulator, shots, stop, step, out evaluations);
+            fastest = Math.Min(fastest, Stopwatch.GetElapsedTime(start).TotalNanoseconds);
+        }
+
+        double seconds = played.Sum(point => point.Time);
+        var errors = new Spreads(played.Zip(reference, (a, b) => Vector3d.Distance(a.Place, b.Place)));
+        return new PrecisionRow(settings.Integrator, step, thesis, errors.Mean, errors.Percentile(0.95), errors.Worst, evaluations / seconds, fastest / seconds);
+    }
+
+    private static PrecisionPoint[] Play(Simulator simulator, LabShot[] shots, StopAt stop, double step, out long evaluations)
+    {
+        var log = new StepLog();
+        var points = new PrecisionPoint[shots.Length];
+        for (int i = 0; i < shots.Length; i++)
+        {
+            log.Events.Clear();
+            BallState state = simulator.Launch(LabShot.From, shots[i].Velocity, shots[i].Spin);
+            simulator.Run(ref state, step, 120, stop, log);
+            points[i] = new PrecisionPoint(state.Position, state.Time);
+        }
+
+        evaluations = log.Evaluations;
+        return points;
+    }
+
+    private static LabTable Table(string name, int shots, List<PrecisionRow> points)
+    {
+        var table = new LabTable(
+            $"{name}, {shots} shots: error in m, work a second of motion",
+            "method", "step, ms", "way", "mean", "p95", "worst", "evaluations", "ns");
+        foreach (PrecisionRow row in points)
+        {
+            table.Add(row.Method, 1e3 * row.Step, row.Thesis ? "thesis" : "exact", row.Mean, row.P95, row.Worst, row.Evaluations, row.Nanoseconds);
+        }
+
+        return table;
+    }
+
+    /// <summary>Evaluations and time for a mean error, between the step sizes on the log–log line.</summary>
+    private static LabTable Needed(string name, List<PrecisionRow> points)
+    {
+        var table = new LabTable(
+            $"{name}: needed a second of motion for a mean error",
+            "method", "1 mm: evaluations", "ns", "0.1 mm: evaluations", "ns", "1 µm: evaluations", "ns");
+        foreach (Integrator method in Enum.GetValues<Integrator>())
+        {
+            PrecisionRow[] rows = [.. points.Where(row => row.Method == method && !row.Thesis).OrderByDescending(row => row.Step)];
+            var cells = new List<object?> { method };
+            foreach (double error in new[] { 1e-3, 1e-4, 1e-6 })
+            {
+                cells.Add(Between(rows, error, row => row.Evaluations));
+                cells.Add(Between(rows, error, row => row.Nanoseconds));
+            }
+
+            table.Add([.. cells]);
+        }
+
+        return table;
+    }
+
+    private static double? Between(PrecisionRow[] rows, double error, Func<PrecisionRow, double> work)
+    {
+        // From the coarsest step on: the first pair that brackets the error and stays below it.
+        int first = Array.FindIndex(rows, row => row.Mean <= error);
+        if (first < 0)
+        {
+            return null;
+        }
+
+        if (first == 0)
+        {
+            return work(rows[0]);
+        }
+
+        (PrecisionRow a, PrecisionRow b) = (rows[first - 1], rows[first]);
+        double share = Math.Log(a.Mean / error) / Math.Log(a.Mean / b.Mean);
+        return Math.Exp(Math.Log(work(a)) + (share * Math.Log(work(b) / work(a))));
+    }
+
+    private static XElement Draw(string title, string axis, List<PrecisionRow> points, Func<PrecisionRow, double> work)
+    {
+        var chart = new Chart(new Axis(axis) { Scale = AxisScale.Logarithmic }, new Axis("mean error, m") { Scale = AxisScale.Logarithmic }) { Title = title, PlotHeight = 280 };
+        foreach (Integrator method in Enum.GetValues<Integrator>())
+        {
+            string colour = Palette.Series[(int)method];
+            PlotPoint[] Points(bool thesis) => [.. points.Where(row => row.Method == method && row.Thesis == thesis).Select(row => new PlotPoint(work(row), row.Mean))];
+            chart.Items.Add(new PolylineItem(Points(false)) { Colour = colour, Label = method.ToString() });
+            chart.Items.Add(new ScatterItem(Points(false)) { Colour = colour, Size = 2.5 });
+            chart.Items.Add(new ScatterItem(Points(true)) { Colour = colour, Mark = Mark.Cross, Size = 5, Label = $"{method} the thesis' way, 10, 20, 40 ms" });
+        }
+
+        return chart.Draw();
+    }
+}
