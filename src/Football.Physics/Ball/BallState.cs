@@ -19,6 +19,9 @@ public struct BallState
     /// <summary>What the ball is doing.</summary>
     public MotionState Motion { get; internal set; }
 
+    /// <summary>The branch of the drag law that the ball is on. Beside <see cref="Motion"/>, so that there is no padding between fields.</summary>
+    internal DragBranch Branch;
+
     /// <summary>Angular velocity in the world frame, rad/s.</summary>
     public readonly Vector3d Spin => SpinAxis * SpinRate;
 
@@ -38,9 +41,6 @@ public struct BallState
 
     /// <summary>Orientation when <see cref="Angle"/> was last zero.</summary>
     internal Quaterniond BaseOrientation;
-
-    /// <summary>The branch of the drag law that the ball is on.</summary>
-    internal DragBranch Branch;
 
     /// <summary>Sets the spin of a ball in the air.</summary>
     internal void SetFlightSpin(in Vector3d spin)

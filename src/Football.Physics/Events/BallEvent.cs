@@ -7,9 +7,11 @@ namespace Football.Physics;
 /// </remarks>
 public readonly struct BallEvent
 {
+    private readonly long _kind; // as wide as its neighbours: equal events are equal bytes
+
     internal BallEvent(BallEventKind kind, double time, in Vector3d position, in Vector3d velocityBefore, in Vector3d spinBefore, in Vector3d velocity, in Vector3d spin)
     {
-        Kind = kind;
+        _kind = (long)kind;
         Time = time;
         Position = position;
         VelocityBefore = velocityBefore;
@@ -19,7 +21,7 @@ public readonly struct BallEvent
     }
 
     /// <summary>What happened.</summary>
-    public BallEventKind Kind { get; }
+    public BallEventKind Kind => (BallEventKind)_kind;
 
     /// <summary>When, s since the launch.</summary>
     public double Time { get; }
