@@ -32,11 +32,11 @@ internal static class AimSets
         MaximumElevation = 45,
     })];
 
-    /// <summary>4.1.3, the studio's comparison: 20 to 30 m/s, spins within ±20, points in the goal; the thesis does not say how far off: 14 to 22 m.</summary>
+    /// <summary>4.1.3, the studio's comparison: 20 to 30 m/s, spins within ±20, points in the goal; the thesis does not say how far off: 14 to 20 m.</summary>
     public static AimRequest[] Studio(int seed, int count)
     {
         var random = new Random(seed);
-        return Make(count, () => Before(random, InGoal(random), Between(random, 14, 22)) with
+        return Make(count, () => Before(random, InGoal(random), Between(random, 14, 20)) with
         {
             Speed = Between(random, 20, 30),
             TopSpin = Between(random, -20, 20),

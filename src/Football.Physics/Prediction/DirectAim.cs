@@ -16,6 +16,12 @@ internal sealed class DirectAim : IAimMethod
     /// <summary>The top of the heights is known when the elevation moves by less, rad: what that hides is below a tenth of a millimetre.</summary>
     private const double TopAngle = 5e-4;
 
+    /// <summary>Offset to the side of the target, of its distance, that does not blur the height there.</summary>
+    private const double SmallOffset = 1e-3;
+
+    /// <summary>Corrections of the azimuth that a flight may take where it must settle.</summary>
+    private const int MostTurns = 12;
+
     private readonly AimContext _context;
     private AimRequest _request = new();
     private Vector3d _from;
@@ -24,6 +30,7 @@ internal sealed class DirectAim : IAimMethod
     private double _distance;
     private double _speed;
     private AimArc _arc;
+    private bool _settles;
     private double _lowest;
     private double _highest;
     private readonly Probe[] _probes = new Probe[24];
@@ -79,6 +86,7 @@ internal sealed class DirectAim : IAimMethod
         _request = request;
         _speed = speed;
         _arc = arc;
+        _settles = false;
         _from = _context.Start(request);
         _forward = AimContext.Forward(in _from, request.Target, out _distance);
         _left = new Vector3d(_forward.Z, 0, -_forward.X); // ŷ × f
@@ -127,7 +135,14 @@ internal sealed class DirectAim : IAimMethod
     private Probe Fly(double elevation)
     {
         _kick.Elevation = elevation;
-        return Fly(in _kick);
+        Probe probe = Fly(in _kick);
+        for (int i = 0; i < MostTurns && _settles && probe.Crossed && Math.Abs(probe.Left) > SmallOffset * _distance; i++)
+        {
+            Align(probe);
+            probe = Fly(in _kick);
+        }
+
+        return probe;
     }
 
     /// <summary>Flies a kick to the target's plane.</summary>
@@ -227,6 +242,29 @@ internal sealed class DirectAim : IAimMethod
 
     private AimAnswer Bracketed(double tolerance)
     {
+        if (Bracket(tolerance))
+        {
+            return Answer(AimStatus.Hit, in _last);
+        }
+
+        if (_context.Scene.Air.Wind != Vector3d.Zero)
+        {
+            // In a wind the azimuth depends strongly on a steep elevation: each flight again until its azimuth is right.
+            _settles = true;
+            if (Bracket(tolerance))
+            {
+                return Answer(AimStatus.Hit, in _last);
+            }
+
+            _settles = false;
+        }
+
+        return Closest();
+    }
+
+    /// <summary>Brackets the target between elevations, and solves there.</summary>
+    private bool Bracket(double tolerance)
+    {
         if (!Guess())
         {
             _kick.Azimuth = 0;
@@ -251,13 +289,13 @@ internal sealed class DirectAim : IAimMethod
                     Probe outside = useLow ? low : high;
                     if (Root(outside, top, tolerance) && Flies(in _last))
                     {
-                        return Answer(AimStatus.Hit, in _last);
+                        return true;
                     }
                 }
             }
         }
 
-        return Closest();
+        return false;
     }
 
     /// <summary>Flies once more with the azimuth that the last flight asks for, where it was far off.</summary>
