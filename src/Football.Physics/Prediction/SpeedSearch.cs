@@ -162,9 +162,9 @@ internal sealed class SpeedSearch
     /// <summary>Where the time jumps with the speed, as at the drag law's jump, none may be right: a hit at another time is none.</summary>
     private static AimAnswer OnTime(AimAnswer answer, double time)
     {
-        if (Math.Abs(answer.Time - time) > LargestDelay)
+        if (answer.Status == AimStatus.Hit && Math.Abs(answer.Time - time) > LargestDelay)
         {
-            answer.Status = AimStatus.OutOfReach;
+            answer.Status = AimStatus.NotConverged;
         }
 
         return answer;
