@@ -46,9 +46,13 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         // A hop up to the height that the energy is enough for takes 2 √(2 g y + v²)/g.
         double up = (climb * climb) - (2.0 * _upward * Math.Max(0, height));
         double least = h * -_upward * _piecesOfHop;
-        return least > 0 && least * least > 4.0 * up && up > 0
-            ? h / Math.Min(MostPieces, Math.Ceiling(least / (2.0 * Math.Sqrt(up))))
-            : h;
+        if (!(least > 0 && least * least > 4.0 * up))
+        {
+            return h;
+        }
+
+        double hop = Math.Max(2.0 * Math.Sqrt(up), ShortestHop * -_upward);
+        return least > hop ? h / Math.Ceiling(least / hop) : h;
     }
 
     /// <summary>A piece of a flight that relaxes.</summary>
