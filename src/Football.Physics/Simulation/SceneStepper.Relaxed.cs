@@ -11,6 +11,9 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
     /// <summary>A step that would have to be divided into more pieces than this relaxes to the balance of forces instead.</summary>
     private const double MostPieces = 1024;
 
+    /// <summary>More pieces than this without an impact, by whatever cause, and the rest of the step relaxes: every step ends.</summary>
+    private const int MostInARow = 1 << 16;
+
     /// <summary>Pieces of a step that relaxes.</summary>
     private const int RelaxedPieces = 16;
 
@@ -96,6 +99,20 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         if (below && !run.Log.Halted && !(pressed && _upward > 0))
         {
             Impact(ref s, ref run);
+        }
+    }
+
+    /// <summary>All that is left of a step relaxes.</summary>
+    private void RelaxToEnd(ref BallState s, ref StepRun run)
+    {
+        run.Relaxed = RelaxedPieces;
+        if (s.Motion == MotionState.Airborne)
+        {
+            Relax(ref s, ref run);
+        }
+        else
+        {
+            RelaxOnGround(ref s, ref run);
         }
     }
 

@@ -121,6 +121,12 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
     {
         while (run.Left > 0 && state.Motion != MotionState.Stopped)
         {
+            if (++run.Pieces > MostInARow)
+            {
+                RelaxToEnd(ref state, ref run);
+                continue;
+            }
+
             switch (state.Motion)
             {
                 case MotionState.Airborne:
@@ -179,6 +185,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
         run.Log.Halted |= run.Log.StopAt == StopAt.Impact;
         s.Branch = DragBranch.Unknown;
         run.Part = 0;
+        run.Pieces = 0;
         if (velocity.Y >= _ground.MinimumBounceSpeed ? velocity.Y >= 0.5 * ShortestHop * -_upward : _upward > 0 && !IsPressedDown(in s, velocity.Horizontal, in spin, ref run))
         {
             s.Velocity = velocity;

@@ -18,6 +18,9 @@ internal ref struct StepRun
     /// <summary>Where the step had to be divided: the length of its parts, s; else 0.</summary>
     public double Part;
 
+    /// <summary>Pieces since the last impact.</summary>
+    public int Pieces;
+
     /// <summary>Pieces so far that relaxed to the balance of forces.</summary>
     public int Relaxed;
 
