@@ -41,7 +41,7 @@ internal static class CostLab
                 for (int i = 0; i < WarmUp; i++)
                 {
                     Time(simulator, states, log, states.Length / WarmUp, []);
-                    Thread.Sleep(i % 20 == 0 ? 120 : 0);
+                    Thread.Sleep(i % 20 == 0 ? 130 : 0);
                 }
 
                 var times = new double[states.Length];
@@ -80,7 +80,10 @@ internal static class CostLab
         var log = new StepLog();
         while (found.Values.Any(list => list.Count < Frames))
         {
-            BallState state = simulator.Launch(LabShot.From, random.Velocity(15, 35, 5, 35), random.Uniform(2, 60) * random.Direction());
+            // Kicks along the ground where only slides are still wanted.
+            double steepest = found[MotionState.Airborne].Count < Frames ? 35 : 0;
+            BallState state = simulator.Launch(
+                LabShot.From, random.Velocity(15, 35, Math.Min(5, steepest), steepest), random.Uniform(2, 60) * random.Direction());
             for (int stopped = 0; stopped < 100;)
             {
                 BallState before = state;
@@ -93,6 +96,10 @@ internal static class CostLab
                 }
 
                 stopped += before.Motion == MotionState.Stopped ? 1 : 0;
+                if (before.Motion == MotionState.Rolling && list.Count >= Frames && steepest == 0)
+                {
+                    break;
+                }
             }
         }
 

@@ -141,12 +141,14 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
     /// <summary>A piece of flight: up to the end of the step, the drag law's jump, the end of the spin, or the ground.</summary>
     private void Fly(ref BallState s, ref StepRun run)
     {
-        if (FlyWhole(ref s, run.Left, run.Log, out FlightPoint from, out FlightStep step, out double h))
+        double next = run.Next;
+        if (FlyWhole(ref s, next, run.Log, out FlightPoint from, out FlightStep step, out double h))
         {
-            run.Left = 0;
+            run.Left = next < run.Left ? run.Left - next : 0;
         }
         else if (h > 0)
         {
+            run.Keep(h, next);
             FlyEventful(ref s, ref run, in from, ref step, h);
         }
         else if (s.Position.Y <= _contact && s.Velocity.Y < 0)

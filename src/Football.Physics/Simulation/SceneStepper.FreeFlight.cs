@@ -19,12 +19,15 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         }
 
         system.Branch = s.Branch;
-        double h = Divided(run.Left, (s.Velocity - _wind).Length, from.Spin.Length, s.Branch);
+        double asked = run.Next;
+        double h = Divided(asked, (s.Velocity - _wind).Length, from.Spin.Length, s.Branch);
         if (h <= 0)
         {
             Relax(ref s, ref run);
             return;
         }
+
+        run.Keep(h, asked);
 
         var trial = new MotionTrial<FlightSystem<TAir>, TIntegrator>(in system, s.Time, in from, in _wind, _ball.Radius);
         trial.Step(h);

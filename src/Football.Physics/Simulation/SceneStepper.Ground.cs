@@ -39,13 +39,15 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         system.SlipDirection = slip / size;
         system.Branch = GroundBranch(ref s, in from);
         double airRate = GroundRate(in from);
-        double h = Divided(run.Left, (from.Velocity - _wind).Length, from.Spin.Length, s.Branch, _sliding.Ground.SpinDamping);
+        double next = run.Next;
+        double h = Divided(next, (from.Velocity - _wind).Length, from.Spin.Length, s.Branch, _sliding.Ground.SpinDamping);
         if (h <= 0)
         {
             RelaxOnGround(ref s, ref run);
             return;
         }
 
+        run.Keep(h, next);
         double fastest = system.Ground.Sliding + (_ball.Radius * system.Ground.SlidingTorque)
             + (airRate * ((from.Velocity - _wind).Length + (_ball.Radius * from.Spin.Length)));
         bool grips = system.Ground.Sliding > 0;
@@ -159,13 +161,15 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         RollingSystem<TAir> system = _rolling;
         system.Branch = GroundBranch(ref s, in from);
         double airRate = GroundRate(in from);
-        double h = Divided(run.Left, (from.Velocity - _wind).Length, from.Spin.Length, s.Branch, _sliding.Ground.SpinDamping);
+        double next = run.Next;
+        double h = Divided(next, (from.Velocity - _wind).Length, from.Spin.Length, s.Branch, _sliding.Ground.SpinDamping);
         if (h <= 0)
         {
             RelaxOnGround(ref s, ref run);
             return;
         }
 
+        run.Keep(h, next);
         if (speed < Slip.Rolling)
         {
             from = new Motion(s.Position, Vector3d.Zero, new Vector3d(0, from.Spin.Y, 0));

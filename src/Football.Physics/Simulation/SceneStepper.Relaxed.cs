@@ -11,6 +11,9 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
     /// <summary>A step that would have to be divided into more pieces than this relaxes to the balance of forces instead.</summary>
     private const double MostPieces = 1024;
 
+    /// <summary>More pieces than this without an impact, by whatever cause, and the rest of the step relaxes: every step ends.</summary>
+    private const int MostInARow = 1 << 16;
+
     /// <summary>Pieces of a step that relaxes.</summary>
     private const int RelaxedPieces = 16;
 
@@ -46,9 +49,13 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         // A hop up to the height that the energy is enough for takes 2 √(2 g y + v²)/g.
         double up = (climb * climb) - (2.0 * _upward * Math.Max(0, height));
         double least = h * -_upward * _piecesOfHop;
-        return least > 0 && least * least > 4.0 * up && up > 0
-            ? h / Math.Min(MostPieces, Math.Ceiling(least / (2.0 * Math.Sqrt(up))))
-            : h;
+        if (!(least > 0 && least * least > 4.0 * up))
+        {
+            return h;
+        }
+
+        double hop = Math.Max(2.0 * Math.Sqrt(up), ShortestHop * -_upward);
+        return least > hop ? h / Math.Ceiling(least / hop) : h;
     }
 
     /// <summary>A piece of a flight that relaxes.</summary>
@@ -92,6 +99,20 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         if (below && !run.Log.Halted && !(pressed && _upward > 0))
         {
             Impact(ref s, ref run);
+        }
+    }
+
+    /// <summary>All that is left of a step relaxes.</summary>
+    private void RelaxToEnd(ref BallState s, ref StepRun run)
+    {
+        run.Relaxed = RelaxedPieces;
+        if (s.Motion == MotionState.Airborne)
+        {
+            Relax(ref s, ref run);
+        }
+        else
+        {
+            RelaxOnGround(ref s, ref run);
         }
     }
 

@@ -90,7 +90,15 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
             }
         }
 
-        Finish(ref state, end, dt, dt, log);
+        Finish(ref state, end, dt, log);
+    }
+
+    /// <summary>A whole step, piece by piece.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void Finish(ref BallState state, double end, double dt, StepLog log)
+    {
+        var run = new StepRun { Left = dt, Length = dt, Log = log };
+        Finish(ref state, end, ref run);
     }
 
     /// <summary>A step that begins with a piece of flight with something in it.</summary>
@@ -99,20 +107,26 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
     {
         // dt itself: end − time differs from it by rounding, which would leave a sliver of a step.
         var run = new StepRun { Left = dt, Length = dt, Log = log };
+        run.Keep(h, dt);
         FlyEventful(ref state, ref run, in from, ref step, h);
         if (!log.Halted)
         {
-            Finish(ref state, end, run.Left, run.Length, log);
+            Finish(ref state, end, ref run);
         }
     }
 
     /// <summary>The rest of a step, piece by piece.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Finish(ref BallState state, double end, double left, double length, StepLog log)
+    private void Finish(ref BallState state, double end, ref StepRun run)
     {
-        var run = new StepRun { Left = left, Length = length, Log = log };
         while (run.Left > 0 && state.Motion != MotionState.Stopped)
         {
+            if (++run.Pieces > MostInARow)
+            {
+                RelaxToEnd(ref state, ref run);
+                continue;
+            }
+
             switch (state.Motion)
             {
                 case MotionState.Airborne:
@@ -134,7 +148,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
                     break;
             }
 
-            if (log.Halted)
+            if (run.Log.Halted)
             {
                 return;
             }
@@ -170,6 +184,8 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
         run.Log.Events.Add(new BallEvent(BallEventKind.Impact, s.Time, s.Position, in v, in w, in velocity, in spin));
         run.Log.Halted |= run.Log.StopAt == StopAt.Impact;
         s.Branch = DragBranch.Unknown;
+        run.Part = 0;
+        run.Pieces = 0;
         if (velocity.Y >= _ground.MinimumBounceSpeed ? velocity.Y >= 0.5 * ShortestHop * -_upward : _upward > 0 && !IsPressedDown(in s, velocity.Horizontal, in spin, ref run))
         {
             s.Velocity = velocity;

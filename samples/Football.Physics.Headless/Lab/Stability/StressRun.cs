@@ -164,7 +164,7 @@ internal sealed class StressRun
         double speed = Math.Max(before.Velocity.Length, _state.Velocity.Length);
         double fall = Math.Abs(_scene.Upward) * dt;
         double air = speed + fall > 0 ? AirAcceleration(speed + fall) * dt / (speed + fall) : 0;
-        double z = Math.Min(1, 3 * air);
+        double z = Math.Min(1, 4 * air);
         double byAir = _scene.Integrator switch
         {
             Integrator.Rk2 => z * z * z,
