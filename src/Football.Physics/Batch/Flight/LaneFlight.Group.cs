@@ -1,7 +1,4 @@
 using System.Runtime.CompilerServices;
-#if !NET8_0_OR_GREATER
-using F = Football.Physics.Lanes1;
-#endif
 
 namespace Football.Physics;
 
