@@ -44,7 +44,8 @@ internal sealed partial class LaneFlight<TLaw, TMethod> : LaneFlight
                 length = (float)(end - time);
             }
 
-            Step(group, length, (float)end);
+            Step(group, length);
+            Note(group, (float)end);
             for (int i = 0; i < group.ToppedCount; i++)
             {
                 Top(group, group.Topped[i], time, length);

@@ -31,9 +31,9 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
         F sumY = default;
         F sumZ = default;
         F sumB = default;
-        F pathX = default;
-        F pathY = default;
-        F pathZ = default;
+        F earlyX = default;
+        F earlyY = default;
+        F earlyZ = default;
         Begin(in air, w, out F perSpin, out F dragPower, out F liftPower, out F spins);
         bool spinning = Jumps && F.All(inside);
         bool noSpin = Jumps && !F.Any(inside);
@@ -67,26 +67,29 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
             if (default(TMethod).Stages == 4)
             {
                 F weight = F.Of(stage == 1 || stage == 2 ? 2f : 1f);
+                F upTo3 = F.Of(stage < 3 ? 1f : 0f);
                 sumX = F.Plus(sumX, weight, ax);
                 sumY = F.Plus(sumY, weight, ay);
                 sumZ = F.Plus(sumZ, weight, az);
                 sumB = F.Plus(sumB, weight, b);
-                pathX = F.Plus(pathX, weight, vx);
-                pathY = F.Plus(pathY, weight, vy);
-                pathZ = F.Plus(pathZ, weight, vz);
+                earlyX = F.Plus(earlyX, upTo3, ax);
+                earlyY = F.Plus(earlyY, upTo3, ay);
+                earlyZ = F.Plus(earlyZ, upTo3, az);
             }
         }
 
         if (default(TMethod).Stages == 4)
         {
+            // The sum of the velocities, 6 u + h (k1 + k2 + k3), apart: so that the small part is rounded by itself.
             F sixth = h * F.Of(1f / 6f);
+            F squared = h * sixth;
             dux = sixth * sumX;
             duy = sixth * sumY;
             duz = sixth * sumZ;
             dw = sixth * sumB;
-            dpx = sixth * pathX;
-            dpy = sixth * pathY;
-            dpz = sixth * pathZ;
+            dpx = F.Plus(h * ux, squared, earlyX);
+            dpy = F.Plus(h * uy, squared, earlyY);
+            dpz = F.Plus(h * uz, squared, earlyZ);
         }
         else
         {

@@ -12,14 +12,13 @@ internal sealed partial class LaneFlight<F, TLaw, TMethod>
 internal sealed partial class LaneFlight<TLaw, TMethod>
 #endif
 {
-    /// <summary>A step of all balls of a group, of which those that end are noted.</summary>
+    /// <summary>A step of all balls of a group.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Step(LaneGroup group, float length, float time)
+    private void Step(LaneGroup group, float length)
     {
         LaneState now = group.Now;
         LaneState next = group.Next;
         F h = F.Of(length);
-        F t = F.Of(time);
         for (int i = 0; i < group.Flying; i += F.Count)
         {
             F ux = F.Load(now.Ux, i);
@@ -53,18 +52,44 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
             F spin = F.AtLeast(w + dw, default);
             F.Store(spin, next.W, i);
 
-            if (Jumps && F.Any(F.Differs(inside, InsideOf(in _air, x, y, z, spin))))
+            if (Jumps)
             {
-                SplitAtJump(group, i, h);
-                py = F.Load(next.Py, i);
-                y = F.Load(next.Uy, i);
+                F after = InsideOf(in _air, x, y, z, spin);
+                if (F.Any(F.Differs(inside, after)))
+                {
+                    F.Store(after, group.InsideAfter, i);
+                    group.NoteCrossings(i, F.Count);
+                }
+            }
+        }
+
+        if (group.CrossingCount > 0)
+        {
+            for (int i = 0; i < group.CrossingCount; i += F.Count)
+            {
+                SplitAtJump(group.Split, i, h);
             }
 
+            group.Rejoin();
+        }
+    }
+
+    /// <summary>Notes the balls that came to their limits in a step, or to the top of their way.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void Note(LaneGroup group, float time)
+    {
+        LaneState now = group.Now;
+        LaneState next = group.Next;
+        F t = F.Of(time);
+        for (int i = 0; i < group.Flying; i += F.Count)
+        {
             F drift = F.Load(group.Drift, i);
-            F noted = F.Less(py + (drift * t), F.Load(group.Limit, i));
+            F noted = F.Less(F.Plus(F.Load(next.Py, i), drift, t), F.Load(group.Limit, i));
             if (FindsApex)
             {
-                noted = F.Or(noted, F.And(F.Less(default, uy + drift), F.Less(y + drift, F.Of(1e-30f))));
+                F rises = F.Less(default, F.Load(now.Uy, i) + drift);
+                F falls = F.Less(F.Load(next.Uy, i) + drift, F.Of(1e-30f));
+                noted = F.Or(noted, F.And(rises, falls));
             }
 
             if (F.Any(noted))
@@ -90,25 +115,24 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
     /// on the other. The crossing is the root of a parabola through the function that changes sign there.
     /// </summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void SplitAtJump(LaneGroup group, int i, F h)
+    private void SplitAtJump(LaneSplit balls, int i, F h)
     {
-        LaneState now = group.Now;
-        LaneState next = group.Next;
+        LaneState now = balls.Now;
+        LaneState next = balls.Next;
         F one = F.Of(1f);
         F ux = F.Load(now.Ux, i);
         F uy = F.Load(now.Uy, i);
         F uz = F.Load(now.Uz, i);
         F w = F.Load(now.W, i);
-        F nx = F.Load(group.Nx, i);
-        F ny = F.Load(group.Ny, i);
-        F nz = F.Load(group.Nz, i);
-        F inside = F.Load(group.Inside, i);
+        F nx = F.Load(balls.Nx, i);
+        F ny = F.Load(balls.Ny, i);
+        F nz = F.Load(balls.Nz, i);
+        F inside = F.Load(balls.Inside, i);
         F endX = F.Load(next.Ux, i);
         F endY = F.Load(next.Uy, i);
         F endZ = F.Load(next.Uz, i);
         F endSpin = F.Load(next.W, i);
-        F after = InsideOf(in _air, endX, endY, endZ, endSpin);
-        F crosses = F.Differs(inside, after);
+        F after = F.Load(balls.InsideAfter, i);
         F start = LeastOf(in _air, ux, uy, uz, w);
         F end = LeastOf(in _air, endX, endY, endZ, endSpin);
 
@@ -126,21 +150,21 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
             in _air, after, nx, ny, nz, (one - share) * h, ux + dux, uy + duy, uz + duz, F.AtLeast(w + dw, default),
             out F eux, out F euy, out F euz, out F ew, out F epx, out F epy, out F epz);
 
-        Redo(crosses, ux, now.UxRest, dux + eux, next.Ux, next.UxRest, i);
-        Redo(crosses, uy, now.UyRest, duy + euy, next.Uy, next.UyRest, i);
-        Redo(crosses, uz, now.UzRest, duz + euz, next.Uz, next.UzRest, i);
-        Redo(crosses, F.Load(now.Px, i), now.PxRest, dpx + epx, next.Px, next.PxRest, i);
-        Redo(crosses, F.Load(now.Py, i), now.PyRest, dpy + epy, next.Py, next.PyRest, i);
-        Redo(crosses, F.Load(now.Pz, i), now.PzRest, dpz + epz, next.Pz, next.PzRest, i);
-        F.Store(F.Select(crosses, F.AtLeast(w + (dw + ew), default), endSpin), next.W, i);
-        F.Store(after, group.Inside, i);
+        Add(ux, now.UxRest, dux + eux, next.Ux, next.UxRest, i);
+        Add(uy, now.UyRest, duy + euy, next.Uy, next.UyRest, i);
+        Add(uz, now.UzRest, duz + euz, next.Uz, next.UzRest, i);
+        Add(F.Load(now.Px, i), now.PxRest, dpx + epx, next.Px, next.PxRest, i);
+        Add(F.Load(now.Py, i), now.PyRest, dpy + epy, next.Py, next.PyRest, i);
+        Add(F.Load(now.Pz, i), now.PzRest, dpz + epz, next.Pz, next.PzRest, i);
+        F.Store(F.AtLeast(w + (dw + ew), default), next.W, i);
     }
 
-    private static void Redo(F where, F from, float[] fromRest, F change, float[] to, float[] toRest, int i)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Add(F from, float[] fromRest, F change, float[] to, float[] toRest, int i)
     {
         F sum = Sum(from, F.Load(fromRest, i), change, out F rest);
-        F.Store(F.Select(where, sum, F.Load(to, i)), to, i);
-        F.Store(F.Select(where, rest, F.Load(toRest, i)), toRest, i);
+        F.Store(sum, to, i);
+        F.Store(rest, toRest, i);
     }
 
     /// <summary>A sum that keeps what rounding takes from it (Kahan).</summary>

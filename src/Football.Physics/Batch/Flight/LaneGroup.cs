@@ -30,6 +30,14 @@ internal sealed class LaneGroup
     /// <summary>Mask: whether the drag law with spin holds.</summary>
     public readonly float[] Inside = new float[Room];
 
+    /// <summary>Mask: the same after the step.</summary>
+    public readonly float[] InsideAfter = new float[Room];
+
+    /// <summary>Places whose balls crossed the drag law's jump in the step, and those balls side by side.</summary>
+    public readonly int[] Crossing = new int[Size];
+    public int CrossingCount;
+    public readonly LaneSplit Split = new(Room);
+
     /// <summary>Places whose balls ended in the last step, ascending.</summary>
     public readonly int[] Ended = new int[Size];
     public int EndedCount;
@@ -64,6 +72,7 @@ internal sealed class LaneGroup
         Flying = 0;
         EndedCount = 0;
         ToppedCount = 0;
+        CrossingCount = 0;
     }
 
     /// <summary>Adds a ball.</summary>
@@ -99,6 +108,34 @@ internal sealed class LaneGroup
         EndPath[ball] = path;
         EndVelocity[ball] = velocity;
         EndSpin[ball] = spin;
+    }
+
+    /// <summary>Notes the places of one register whose balls crossed the drag law's jump.</summary>
+    public void NoteCrossings(int at, int count)
+    {
+        int end = at + count < Flying ? at + count : Flying;
+        for (int i = at; i < end; i++)
+        {
+            // A mask that is set is not a number, or 1.
+            if ((Inside[i] == 0) != (InsideAfter[i] == 0))
+            {
+                Split.Take(this, i, CrossingCount);
+                Crossing[CrossingCount++] = i;
+            }
+        }
+    }
+
+    /// <summary>Puts the balls that crossed the jump back in their places.</summary>
+    public void Rejoin()
+    {
+        for (int i = 0; i < CrossingCount; i++)
+        {
+            int place = Crossing[i];
+            _next.Take(Split.Next, i, place);
+            Inside[place] = InsideAfter[place];
+        }
+
+        CrossingCount = 0;
     }
 
     /// <summary>Takes the balls that ended out of the state after the step, the last ones into their places.</summary>

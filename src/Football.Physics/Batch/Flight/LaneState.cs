@@ -67,6 +67,16 @@ internal sealed class LaneState
         }
     }
 
+    /// <summary>Takes a ball from another state.</summary>
+    public void Take(LaneState other, int from, int to)
+    {
+        float[][] theirs = other._all;
+        for (int i = 0; i < _all.Length; i++)
+        {
+            _all[i][to] = theirs[i][from];
+        }
+    }
+
     /// <summary>Sets a ball at the start of its way.</summary>
     public void Launch(int at, in Vector3d u, double spinRate)
     {
