@@ -46,7 +46,7 @@ public sealed class BallBatchTests
 
         // The few that graze the published law's jump between two steps may be further off.
         distances.Sort();
-        Assert.True(distances[Count * 99 / 100] < 1e-5, $"99 % within {distances[Count * 99 / 100]:e2} m");
+        Assert.True(distances[Count * 99 / 100] < 2e-5, $"99 % within {distances[Count * 99 / 100]:e2} m");
         Assert.True(distances[^1] < 5e-3, $"all within {distances[^1]:e2} m");
     }
 
