@@ -50,6 +50,7 @@ internal static class TargetTable
         {
             Error = () => Errors.EngineLanding(1.0 / RigidBodyEngine.FrameRate, Fast),
         },
+        .. BatchRows.All,
     ];
 
     private static Workload PlainRk2() => Workloads.Plain(PlainLawKind.Published, Integrator.Rk2, Fast);

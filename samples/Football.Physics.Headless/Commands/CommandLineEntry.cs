@@ -1,6 +1,7 @@
 using System.CommandLine;
 using Football.Physics.Headless.Aim;
 using Football.Physics.Headless.Json;
+using Football.Physics.Headless.Sweep;
 
 namespace Football.Physics.Headless.Commands;
 
@@ -48,6 +49,7 @@ internal static class CommandLineEntry
             SimulateCommand.Create(terminal),
             AimCommand.Create(terminal),
             LabCommand.Create(terminal),
+            SweepCommand.Create(terminal),
         };
         root.SetAction(_ => GalleryCommand.Run(GalleryCommand.DefaultFolder, terminal));
         return root;

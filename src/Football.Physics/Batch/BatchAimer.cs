@@ -1,0 +1,125 @@
+using System.Runtime.ExceptionServices;
+
+namespace Football.Physics;
+
+/// <summary>Finds many kicks of one scene at once: the same question as <see cref="Aimer"/> answers with <see cref="AimMethod.Direct"/>.</summary>
+/// <remarks>
+/// Elevation and azimuth start in closed form and are improved with flights of many kicks at once; what does not converge, is out of reach or
+/// would touch the ground on its way is handed to an <see cref="Aimer"/>. Each answer depends on its own request alone. Not for several
+/// threads at once.
+/// </remarks>
+public sealed class BatchAimer
+{
+    private readonly BatchAimWorker[] _workers;
+    private BatchAims? _aims;
+    private BatchKicks? _kicks;
+    private Action<int>? _run;
+    private int _count;
+    private int _next;
+
+    /// <summary>Compiles a scene.</summary>
+    /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
+    /// <param name="threads">How many threads. The answers do not depend on it. 1 … 1024; default 1.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public BatchAimer(Scene? scene = null, int threads = 1)
+        : this(scene ?? Scene.Default, threads, LaneFlight.BestLanes)
+    {
+    }
+
+    internal BatchAimer(Scene scene, int threads, int lanes)
+    {
+        scene.Validate();
+        Check.Within(nameof(threads), threads, 1, 1024);
+        Scene = scene;
+        _workers = new BatchAimWorker[threads];
+        for (int i = 0; i < threads; i++)
+        {
+            _workers[i] = new BatchAimWorker(scene, lanes);
+        }
+    }
+
+    /// <summary>The scene.</summary>
+    public Scene Scene { get; }
+
+    /// <summary>How many of the last requests were handed to the single aimer.</summary>
+    public int HandedOn
+    {
+        get
+        {
+            int sum = 0;
+            foreach (BatchAimWorker worker in _workers)
+            {
+                sum += worker.HandedOn;
+            }
+
+            return sum;
+        }
+    }
+
+    /// <summary>Flights of the last requests that were flown together.</summary>
+    public long Flights
+    {
+        get
+        {
+            long sum = 0;
+            foreach (BatchAimWorker worker in _workers)
+            {
+                sum += worker.Flights;
+            }
+
+            return sum;
+        }
+    }
+
+    /// <summary>Finds the kicks for the first of some requests.</summary>
+    /// <param name="aims">The requests.</param>
+    /// <param name="kicks">Where the kicks go, each at its request's index.</param>
+    /// <param name="count">How many; 0 … the capacity of both.</param>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range. Some kicks may have been written.</exception>
+    public void Find(BatchAims aims, BatchKicks kicks, int count)
+    {
+        _aims = aims ?? throw new ArgumentNullException(nameof(aims));
+        _kicks = kicks ?? throw new ArgumentNullException(nameof(kicks));
+        Check.Within(nameof(count), count, 0, Math.Min(aims.Capacity, kicks.Capacity));
+        Check.Within("aim.elevation.min", aims.MinimumElevation, -90, 90);
+        Check.Within("aim.elevation.max", aims.MaximumElevation, aims.MinimumElevation, 90);
+        Check.Positive("aim.tolerance", aims.Tolerance);
+        foreach (BatchAimWorker worker in _workers)
+        {
+            worker.Begin(aims);
+        }
+
+        _count = count;
+        _next = 0;
+        if (_workers.Length == 1 || count <= LaneGroup.Size)
+        {
+            Work(0);
+            return;
+        }
+
+        try
+        {
+            Parallel.For(0, _workers.Length, new ParallelOptions { MaxDegreeOfParallelism = _workers.Length }, _run ??= Work);
+        }
+        catch (AggregateException several) when (several.InnerExceptions[0] is ArgumentOutOfRangeException first)
+        {
+            ExceptionDispatchInfo.Capture(first).Throw();
+        }
+    }
+
+    /// <summary>Takes groups of requests until none are left.</summary>
+    private void Work(int worker)
+    {
+        while (true)
+        {
+            int from = (Interlocked.Increment(ref _next) - 1) * LaneGroup.Size;
+            if (from >= _count)
+            {
+                return;
+            }
+
+            _workers[worker].Find(_aims!, _kicks!, from, Math.Min(LaneGroup.Size, _count - from));
+        }
+    }
+}

@@ -1,0 +1,47 @@
+namespace Football.Physics;
+
+/// <summary>Where the flights of many balls ended, as arrays of numbers.</summary>
+public sealed class BatchFlights
+{
+    /// <summary>Makes room for flights.</summary>
+    /// <param name="capacity">How many; not negative.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="capacity"/> is negative.</exception>
+    public BatchFlights(int capacity)
+    {
+        Position = new VectorArrays(capacity);
+        Velocity = new VectorArrays(capacity);
+        Spin = new VectorArrays(capacity);
+        VelocityAfter = new VectorArrays(capacity);
+        SpinAfter = new VectorArrays(capacity);
+        End = new BatchEnd[capacity];
+        Time = new double[capacity];
+        Apex = new double[capacity];
+    }
+
+    /// <summary>How many there is room for.</summary>
+    public int Capacity => Time.Length;
+
+    /// <summary>How the flights ended.</summary>
+    public BatchEnd[] End { get; }
+
+    /// <summary>When, s after the launch.</summary>
+    public double[] Time { get; }
+
+    /// <summary>Positions of the centres then, m.</summary>
+    public VectorArrays Position { get; }
+
+    /// <summary>Velocities then, m/s; before the impact.</summary>
+    public VectorArrays Velocity { get; }
+
+    /// <summary>Spins then, rad/s, world frame; before the impact.</summary>
+    public VectorArrays Spin { get; }
+
+    /// <summary>Velocities just after the impact, m/s; the same as before where there was none.</summary>
+    public VectorArrays VelocityAfter { get; }
+
+    /// <summary>Spins just after the impact, rad/s; the same as before where there was none.</summary>
+    public VectorArrays SpinAfter { get; }
+
+    /// <summary>The greatest heights of the centres, m, where <see cref="BatchSettings.FindApex"/> asks for them; else 0.</summary>
+    public double[] Apex { get; }
+}

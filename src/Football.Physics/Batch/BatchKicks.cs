@@ -1,0 +1,35 @@
+namespace Football.Physics;
+
+/// <summary>Many kicks that were found, as arrays of numbers.</summary>
+public sealed class BatchKicks
+{
+    /// <summary>Makes room for kicks.</summary>
+    /// <param name="capacity">How many; not negative.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="capacity"/> is negative.</exception>
+    public BatchKicks(int capacity)
+    {
+        Status = new AimStatus[capacity];
+        Velocity = new VectorArrays(capacity);
+        Spin = new VectorArrays(capacity);
+        Miss = new double[capacity];
+        Time = new double[capacity];
+    }
+
+    /// <summary>How many there is room for.</summary>
+    public int Capacity => Time.Length;
+
+    /// <summary>What became of the searches.</summary>
+    public AimStatus[] Status { get; }
+
+    /// <summary>Velocities of the kicks, m/s.</summary>
+    public VectorArrays Velocity { get; }
+
+    /// <summary>Spins of the kicks, rad/s, world frame.</summary>
+    public VectorArrays Spin { get; }
+
+    /// <summary>The method's estimates of the misses, m.</summary>
+    public double[] Miss { get; }
+
+    /// <summary>Times to the targets, s.</summary>
+    public double[] Time { get; }
+}

@@ -1,0 +1,37 @@
+namespace Football.Physics;
+
+/// <summary>How a batch of balls is flown.</summary>
+public sealed record BatchSettings
+{
+    /// <summary>The one-step method: <see cref="Integrator.Rk2"/> or <see cref="Integrator.Rk4"/>. Default <see cref="Integrator.Rk4"/>.</summary>
+    public Integrator Integrator { get; init; } = Integrator.Rk4;
+
+    /// <summary>Length of a step, s; rounded to the next float. 1e-5 … 1; default 0.02.</summary>
+    public double TimeStep { get; init; } = 0.02;
+
+    /// <summary>With which numbers. Default <see cref="BatchPrecision.Single"/>.</summary>
+    public BatchPrecision Precision { get; init; } = BatchPrecision.Single;
+
+    /// <summary>How many threads. The results do not depend on it. 1 … 1024; default 1.</summary>
+    public int Threads { get; init; } = 1;
+
+    /// <summary>Whether the highest point of each flight is wanted. Default false.</summary>
+    public bool FindApex { get; init; }
+
+    /// <summary>RK4 in floats, steps of 20 ms, one thread.</summary>
+    public static BatchSettings Default { get; } = new();
+
+    /// <summary>Checks every setting.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A setting is out of range; the message names field, value and range.</exception>
+    public void Validate()
+    {
+        if (Integrator is not (Integrator.Rk2 or Integrator.Rk4))
+        {
+            throw Check.Refusal("batch.integrator", Integrator.ToString(), "Rk2 | Rk4");
+        }
+
+        Check.Within("batch.timeStep", TimeStep, 1e-5, 1);
+        Check.Defined("batch.precision", Precision, (int)Precision, 2);
+        Check.Within("batch.threads", Threads, 1, 1024);
+    }
+}

@@ -1,0 +1,183 @@
+using System.Runtime.CompilerServices;
+#if !NET8_0_OR_GREATER
+using F = Football.Physics.Lanes1;
+#endif
+
+namespace Football.Physics;
+
+/// <content>One step of a group, and of one register.</content>
+#if NET8_0_OR_GREATER
+internal sealed partial class LaneFlight<F, TLaw, TMethod>
+#else
+internal sealed partial class LaneFlight<TLaw, TMethod>
+#endif
+{
+    /// <summary>A step of all balls of a group.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void Step(LaneGroup group, float length)
+    {
+        LaneState now = group.Now;
+        LaneState next = group.Next;
+        F h = F.Of(length);
+        for (int i = 0; i < group.Flying; i += F.Count)
+        {
+            F ux = F.Load(now.Ux, i);
+            F uy = F.Load(now.Uy, i);
+            F uz = F.Load(now.Uz, i);
+            F w = F.Load(now.W, i);
+            F inside = Jumps ? F.Load(group.Inside, i) : default;
+            Integrate(
+                in _air, inside, F.Load(group.Nx, i), F.Load(group.Ny, i), F.Load(group.Nz, i), h, ux, uy, uz, w,
+                out F dux, out F duy, out F duz, out F dw, out F dpx, out F dpy, out F dpz);
+
+            // Compensated sums.
+            F x = Sum(ux, F.Load(now.UxRest, i), dux, out F rest);
+            F.Store(x, next.Ux, i);
+            F.Store(rest, next.UxRest, i);
+            F y = Sum(uy, F.Load(now.UyRest, i), duy, out rest);
+            F.Store(y, next.Uy, i);
+            F.Store(rest, next.UyRest, i);
+            F z = Sum(uz, F.Load(now.UzRest, i), duz, out rest);
+            F.Store(z, next.Uz, i);
+            F.Store(rest, next.UzRest, i);
+            F px = Sum(F.Load(now.Px, i), F.Load(now.PxRest, i), dpx, out rest);
+            F.Store(px, next.Px, i);
+            F.Store(rest, next.PxRest, i);
+            F py = Sum(F.Load(now.Py, i), F.Load(now.PyRest, i), dpy, out rest);
+            F.Store(py, next.Py, i);
+            F.Store(rest, next.PyRest, i);
+            F pz = Sum(F.Load(now.Pz, i), F.Load(now.PzRest, i), dpz, out rest);
+            F.Store(pz, next.Pz, i);
+            F.Store(rest, next.PzRest, i);
+            F spin = F.AtLeast(w + dw, default);
+            F.Store(spin, next.W, i);
+
+            if (Jumps)
+            {
+                F after = InsideOf(in _air, x, y, z, spin);
+                if (F.Any(F.Differs(inside, after)))
+                {
+                    F.Store(after, group.InsideAfter, i);
+                    group.NoteCrossings(i, F.Count);
+                }
+            }
+        }
+
+        if (group.CrossingCount > 0)
+        {
+            for (int i = 0; i < group.CrossingCount; i += F.Count)
+            {
+                SplitAtJump(group.Split, i, h);
+            }
+
+            group.Rejoin();
+        }
+    }
+
+    /// <summary>Notes the balls that came to their limits in a step, or to the top of their way.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void Note(LaneGroup group, float time)
+    {
+        LaneState now = group.Now;
+        LaneState next = group.Next;
+        F t = F.Of(time);
+        for (int i = 0; i < group.Flying; i += F.Count)
+        {
+            F drift = F.Load(group.Drift, i);
+            F noted = F.Less(F.Plus(F.Load(next.Py, i), drift, t), F.Load(group.Limit, i));
+            if (FindsApex)
+            {
+                F rises = F.Less(default, F.Load(now.Uy, i) + drift);
+                F falls = F.Less(F.Load(next.Uy, i) + drift, F.Of(1e-30f));
+                noted = F.Or(noted, F.And(rises, falls));
+            }
+
+            if (F.Any(noted))
+            {
+                group.Note(i, F.Count, time, FindsApex);
+            }
+        }
+    }
+
+    /// <summary>The drag law's branches at the launch.</summary>
+    private void FindBranch(LaneGroup group)
+    {
+        LaneState now = group.Now;
+        for (int i = 0; i < group.Flying; i += F.Count)
+        {
+            F inside = InsideOf(in _air, F.Load(now.Ux, i), F.Load(now.Uy, i), F.Load(now.Uz, i), F.Load(now.W, i));
+            F.Store(inside, group.Inside, i);
+        }
+    }
+
+    /// <summary>
+    /// Takes a step again for the balls that cross the drag law's jump in it: up to the crossing on the branch it began with, from there
+    /// on the other. The crossing is the root of a parabola through the function that changes sign there.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void SplitAtJump(LaneSplit balls, int i, F h)
+    {
+        LaneState now = balls.Now;
+        LaneState next = balls.Next;
+        F one = F.Of(1f);
+        F ux = F.Load(now.Ux, i);
+        F uy = F.Load(now.Uy, i);
+        F uz = F.Load(now.Uz, i);
+        F w = F.Load(now.W, i);
+        F nx = F.Load(balls.Nx, i);
+        F ny = F.Load(balls.Ny, i);
+        F nz = F.Load(balls.Nz, i);
+        F inside = F.Load(balls.Inside, i);
+        F endX = F.Load(next.Ux, i);
+        F endY = F.Load(next.Uy, i);
+        F endZ = F.Load(next.Uz, i);
+        F endSpin = F.Load(next.W, i);
+        F after = F.Load(balls.InsideAfter, i);
+        F start = LeastOf(in _air, ux, uy, uz, w);
+        F end = LeastOf(in _air, endX, endY, endZ, endSpin);
+
+        // First guess on the chord.
+        F share = Within01(start / (start - end));
+        Integrate(in _air, inside, nx, ny, nz, share * h, ux, uy, uz, w, out F dux, out F duy, out F duz, out F dw, out F dpx, out F dpy, out F dpz);
+        F middle = LeastOf(in _air, ux + dux, uy + duy, uz + duz, F.AtLeast(w + dw, default));
+
+        // Newton on the parabola through the three.
+        F slope = (((middle - start) / share) + ((end - middle) / (one - share))) - (end - start);
+        F better = share - (middle / slope);
+        share = F.Select(F.And(F.Less(F.Of(0.001f), share), F.Less(share, F.Of(0.999f))), Within01(better), share);
+        Integrate(in _air, inside, nx, ny, nz, share * h, ux, uy, uz, w, out dux, out duy, out duz, out dw, out dpx, out dpy, out dpz);
+        Integrate(
+            in _air, after, nx, ny, nz, (one - share) * h, ux + dux, uy + duy, uz + duz, F.AtLeast(w + dw, default),
+            out F eux, out F euy, out F euz, out F ew, out F epx, out F epy, out F epz);
+
+        Add(ux, now.UxRest, dux + eux, next.Ux, next.UxRest, i);
+        Add(uy, now.UyRest, duy + euy, next.Uy, next.UyRest, i);
+        Add(uz, now.UzRest, duz + euz, next.Uz, next.UzRest, i);
+        Add(F.Load(now.Px, i), now.PxRest, dpx + epx, next.Px, next.PxRest, i);
+        Add(F.Load(now.Py, i), now.PyRest, dpy + epy, next.Py, next.PyRest, i);
+        Add(F.Load(now.Pz, i), now.PzRest, dpz + epz, next.Pz, next.PzRest, i);
+        F.Store(F.AtLeast(w + (dw + ew), default), next.W, i);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Add(F from, float[] fromRest, F change, float[] to, float[] toRest, int i)
+    {
+        F sum = Sum(from, F.Load(fromRest, i), change, out F rest);
+        F.Store(sum, to, i);
+        F.Store(rest, toRest, i);
+    }
+
+    /// <summary>A sum that keeps what rounding takes from it (Kahan).</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static F Sum(F sum, F rest, F change, out F left)
+    {
+        F whole = change - rest;
+        F next = sum + whole;
+        left = (next - sum) - whole;
+        return next;
+    }
+
+    /// <summary>0 … 1; 0 where it is not a number.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static F Within01(F x) => F.AtMost(F.AtLeast(x, default), F.Of(1f));
+}

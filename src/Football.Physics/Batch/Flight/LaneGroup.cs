@@ -1,0 +1,181 @@
+namespace Football.Physics;
+
+/// <summary>A group of balls in flight, and where their flights ended. Small enough for the first-level cache.</summary>
+internal sealed class LaneGroup
+{
+    /// <summary>Balls in a group.</summary>
+    public const int Size = 256;
+
+    /// <summary>Room for the widest register beyond the last ball.</summary>
+    private const int Room = Size + 16;
+
+    private LaneState _now = new(Room);
+    private LaneState _next = new(Room);
+
+    /// <summary>How many are flying: the first places.</summary>
+    public int Flying;
+
+    /// <summary>Which ball of the group is at a place.</summary>
+    public readonly int[] Ball = new int[Size];
+
+    /// <summary>Unit axis of the spin.</summary>
+    public readonly float[] Nx = new float[Room];
+    public readonly float[] Ny = new float[Room];
+    public readonly float[] Nz = new float[Room];
+
+    /// <summary>A flight ends when its way along y and the wind's, <see cref="Drift"/> times the time, fall below this, m.</summary>
+    public readonly float[] Limit = new float[Room];
+    public readonly float[] Drift = new float[Room];
+
+    /// <summary>Mask: whether the drag law with spin holds.</summary>
+    public readonly float[] Inside = new float[Room];
+
+    /// <summary>Mask: the same after the step.</summary>
+    public readonly float[] InsideAfter = new float[Room];
+
+    /// <summary>Places whose balls crossed the drag law's jump in the step, and those balls side by side.</summary>
+    public readonly int[] Crossing = new int[Size];
+    public int CrossingCount;
+    public readonly LaneSplit Split = new(Room);
+
+    /// <summary>Places whose balls ended in the last step, ascending.</summary>
+    public readonly int[] Ended = new int[Size];
+    public int EndedCount;
+
+    /// <summary>Places whose balls were at their highest in the last step.</summary>
+    public readonly int[] Topped = new int[Size];
+    public int ToppedCount;
+
+    /// <summary>By ball: the greatest y of the way, the wind's part included, m.</summary>
+    public readonly double[] Apex = new double[Size];
+
+    /// <summary>By ball: when its flight ended, s.</summary>
+    public readonly double[] EndTime = new double[Size];
+
+    /// <summary>By ball: whether it ended at its limit.</summary>
+    public readonly bool[] Reached = new bool[Size];
+
+    /// <summary>By ball: way through the air, velocity relative to it and size of the spin at the end.</summary>
+    public readonly Vector3d[] EndPath = new Vector3d[Size];
+    public readonly Vector3d[] EndVelocity = new Vector3d[Size];
+    public readonly double[] EndSpin = new double[Size];
+
+    /// <summary>Before the step.</summary>
+    public LaneState Now => _now;
+
+    /// <summary>After the step.</summary>
+    public LaneState Next => _next;
+
+    /// <summary>Forgets all balls.</summary>
+    public void Clear()
+    {
+        Flying = 0;
+        EndedCount = 0;
+        ToppedCount = 0;
+        CrossingCount = 0;
+    }
+
+    /// <summary>Adds a ball.</summary>
+    /// <param name="ball">Its number in the group.</param>
+    /// <param name="u">Velocity relative to the air.</param>
+    /// <param name="axis">Unit axis of the spin.</param>
+    /// <param name="spinRate">Size of the spin.</param>
+    /// <param name="limit">Where along y its flight ends.</param>
+    /// <param name="drift">How fast the wind carries it along y.</param>
+    public void Add(int ball, in Vector3d u, in Vector3d axis, double spinRate, double limit, double drift)
+    {
+        int at = Flying++;
+        Ball[at] = ball;
+        _now.Launch(at, in u, spinRate);
+        Nx[at] = (float)axis.X;
+        Ny[at] = (float)axis.Y;
+        Nz[at] = (float)axis.Z;
+        Limit[at] = (float)limit;
+        Drift[at] = (float)drift;
+        Inside[at] = 0;
+        Apex[ball] = 0;
+    }
+
+    /// <summary>Makes the end of a step the start of the next.</summary>
+    public void Swap() => (_now, _next) = (_next, _now);
+
+    /// <summary>Writes down how a flight ended.</summary>
+    public void End(int at, double time, bool reached, in Vector3d path, in Vector3d velocity, double spin)
+    {
+        int ball = Ball[at];
+        EndTime[ball] = time;
+        Reached[ball] = reached;
+        EndPath[ball] = path;
+        EndVelocity[ball] = velocity;
+        EndSpin[ball] = spin;
+    }
+
+    /// <summary>Notes the places of one register whose balls crossed the drag law's jump.</summary>
+    public void NoteCrossings(int at, int count)
+    {
+        int end = at + count < Flying ? at + count : Flying;
+        for (int i = at; i < end; i++)
+        {
+            // A mask that is set is not a number, or 1.
+            if ((Inside[i] == 0) != (InsideAfter[i] == 0))
+            {
+                Split.Take(this, i, CrossingCount);
+                Crossing[CrossingCount++] = i;
+            }
+        }
+    }
+
+    /// <summary>Puts the balls that crossed the jump back in their places.</summary>
+    public void Rejoin()
+    {
+        for (int i = 0; i < CrossingCount; i++)
+        {
+            int place = Crossing[i];
+            _next.Take(Split.Next, i, place);
+            Inside[place] = InsideAfter[place];
+        }
+
+        CrossingCount = 0;
+    }
+
+    /// <summary>Takes the balls that ended out of the state after the step, the last ones into their places.</summary>
+    public void Compact()
+    {
+        for (int i = EndedCount - 1; i >= 0; i--)
+        {
+            int to = Ended[i];
+            int from = --Flying;
+            if (from != to)
+            {
+                _next.Move(from, to);
+                Ball[to] = Ball[from];
+                Nx[to] = Nx[from];
+                Ny[to] = Ny[from];
+                Nz[to] = Nz[from];
+                Limit[to] = Limit[from];
+                Drift[to] = Drift[from];
+                Inside[to] = Inside[from];
+            }
+        }
+
+        EndedCount = 0;
+    }
+
+    /// <summary>Notes the places of one register whose balls ended or were at their highest in this step.</summary>
+    public void Note(int at, int count, float time, bool tops)
+    {
+        int end = at + count < Flying ? at + count : Flying;
+        for (int i = at; i < end; i++)
+        {
+            if ((float)(_next.Py[i] + (float)(Drift[i] * time)) < Limit[i])
+            {
+                Ended[EndedCount++] = i;
+            }
+
+            if (tops && _now.Uy[i] + Drift[i] > 0 && !(_next.Uy[i] + Drift[i] > 0))
+            {
+                Topped[ToppedCount++] = i;
+            }
+        }
+    }
+}

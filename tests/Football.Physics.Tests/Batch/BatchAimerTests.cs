@@ -1,0 +1,110 @@
+using Football.Physics.Tests.Support;
+
+namespace Football.Physics.Tests.Batch;
+
+/// <summary>Many aims at once answer what the single aimer answers.</summary>
+public sealed class BatchAimerTests
+{
+    private const int Count = 600;
+
+    public static TheoryData<string> Scenes() => BatchScenes.Names();
+
+    [Theory]
+    [MemberData(nameof(Scenes))]
+    public void Every_hit_passes_within_a_millimetre(string name)
+    {
+        Scene scene = BatchScenes.All[name];
+        BatchAims aims = Aims(21, 20, 30, scene.Ground.Height);
+        var kicks = new BatchKicks(Count);
+        var aimer = new BatchAimer(scene);
+        aimer.Find(aims, kicks, Count);
+        var context = new AimContext(scene, SolverSettings.Default, 0.01);
+        var single = new Aimer(scene);
+        for (int i = 0; i < Count; i++)
+        {
+            if (kicks.Status[i] != AimStatus.Hit)
+            {
+                Assert.Equal(single.Find(aims.Request(i), AimMethod.Direct, measure: false).Status, kicks.Status[i]);
+                continue;
+            }
+
+            double miss = context.Judge(aims.Request(i), kicks.Velocity[i], kicks.Spin[i]).Miss;
+            Assert.True(miss <= 1e-3, $"aim {i} misses by {miss:e2} m");
+            Assert.Equal(aims.Speed[i], kicks.Velocity[i].Length, 1e-9);
+        }
+
+        Assert.True(aimer.HandedOn < Count / 20, $"{aimer.HandedOn} handed on");
+    }
+
+    [Fact]
+    public void Says_what_the_single_aimer_says()
+    {
+        // Half of them near or beyond the reach.
+        BatchAims aims = Aims(22, 10, 22, 0);
+        var kicks = new BatchKicks(Count);
+        new BatchAimer().Find(aims, kicks, Count);
+        var single = new Aimer();
+        int refused = 0;
+        for (int i = 0; i < Count; i++)
+        {
+            AimResult result = single.Find(aims.Request(i), AimMethod.Direct, measure: false);
+            Assert.Equal(result.Status, kicks.Status[i]);
+            refused += result.Status == AimStatus.OutOfReach ? 1 : 0;
+            if (result.Status == AimStatus.Hit)
+            {
+                // Both within a millimetre of the same target with the same speed: the same kick to a tenth of a degree.
+                Assert.True(Vector3d.Distance(result.Velocity, kicks.Velocity[i]) < 2e-3 * aims.Speed[i]);
+            }
+        }
+
+        Assert.InRange(refused, Count / 20, Count);
+    }
+
+    [Fact]
+    public void Width_threads_and_company_do_not_matter()
+    {
+        BatchAims aims = Aims(23, 15, 30, 0);
+        var one = new BatchKicks(Count);
+        new BatchAimer(Scene.Default, 1, 1).Find(aims, one, Count);
+        foreach ((int threads, int lanes, int count) in ((int, int, int)[])[(1, 4, Count), (1, 8, Count), (3, 16, Count), (1, 16, 77)])
+        {
+            var other = new BatchKicks(Count);
+            new BatchAimer(Scene.Default, threads, lanes).Find(aims, other, count);
+            for (int i = 0; i < count; i++)
+            {
+                Assert.Equal(one.Status[i], other.Status[i]);
+                Assert.Equal(BatchScenes.Bits(one.Velocity[i]), BatchScenes.Bits(other.Velocity[i]));
+                Assert.Equal(one.Time[i], other.Time[i]);
+            }
+        }
+    }
+
+    [Fact]
+    public void Refuses_what_is_out_of_range()
+    {
+        var aims = new BatchAims(2);
+        aims.Set(0, default, new Vector3d(10, 1, 0), 25);
+        aims.Set(1, default, new Vector3d(10, 1, 0), -25);
+        var aimer = new BatchAimer();
+        string message = Assert.Throws<ArgumentOutOfRangeException>(() => aimer.Find(aims, new BatchKicks(2), 2)).Message;
+        Assert.Contains("aim.speed[1] is -25", message, StringComparison.Ordinal);
+        Assert.Throws<ArgumentOutOfRangeException>(() => aimer.Find(aims, new BatchKicks(2), 3));
+        Assert.Throws<ArgumentOutOfRangeException>(() => aimer.Find(new BatchAims(1) { MinimumElevation = 50 }, new BatchKicks(1), 1));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new BatchAimer(null, 0));
+    }
+
+    private static BatchAims Aims(int seed, double slow, double fast, double ground)
+    {
+        var random = new Shots(seed);
+        var aims = new BatchAims(Count);
+        for (int i = 0; i < Count; i++)
+        {
+            double distance = random.Uniform(15, 25);
+            double azimuth = random.Uniform(0, 2 * Math.PI);
+            var target = new Vector3d(distance * Math.Cos(azimuth), ground + random.Uniform(0.3, 2.3), distance * Math.Sin(azimuth));
+            aims.Set(i, new Vector3d(0, ground, 0), target, random.Uniform(slow, fast), random.Uniform(-20, 20), random.Uniform(-30, 30));
+        }
+
+        return aims;
+    }
+}

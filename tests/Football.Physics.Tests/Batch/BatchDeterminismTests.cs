@@ -1,0 +1,93 @@
+namespace Football.Physics.Tests.Batch;
+
+/// <summary>A result of a batch depends on its own launch alone.</summary>
+public sealed class BatchDeterminismTests
+{
+    private const int Count = 1500;
+
+    public static TheoryData<string, Integrator> ScenesAndMethods() => BallBatchTests.ScenesAndMethods();
+
+    [Theory]
+    [MemberData(nameof(ScenesAndMethods))]
+    public void Every_width_of_register_gives_the_same_bits(string name, Integrator method)
+    {
+        // Slow shots: many cross the drag law's jump.
+        BatchLaunches launches = BatchScenes.Launches(11, Count, 8, 30);
+        var settings = new BatchSettings { Integrator = method, FindApex = true };
+        BatchFlights one = BatchScenes.Fly(new BallBatch(BatchScenes.All[name], settings, 1), launches);
+        foreach (int lanes in (int[])[4, 8, 16])
+        {
+            BatchFlights many = BatchScenes.Fly(new BallBatch(BatchScenes.All[name], settings, lanes), launches);
+            for (int i = 0; i < Count; i++)
+            {
+                Assert.Equal(BatchScenes.Bits(one, i), BatchScenes.Bits(many, i));
+            }
+        }
+    }
+
+    [Theory]
+    [InlineData(2)]
+    [InlineData(5)]
+    public void Threads_give_the_same_bits(int threads)
+    {
+        BatchLaunches launches = BatchScenes.Launches(12, Count);
+        BatchFlights one = BatchScenes.Fly(new BallBatch(), launches);
+        BatchFlights many = BatchScenes.Fly(new BallBatch(null, new BatchSettings { Threads = threads }), launches);
+        for (int i = 0; i < Count; i++)
+        {
+            Assert.Equal(BatchScenes.Bits(one, i), BatchScenes.Bits(many, i));
+        }
+    }
+
+    [Fact]
+    public void Order_and_company_do_not_matter()
+    {
+        BatchLaunches launches = BatchScenes.Launches(13, Count, 8, 30);
+        BatchFlights straight = BatchScenes.Fly(new BallBatch(), launches);
+        var shuffled = new BatchLaunches(Count / 2);
+        int Place(int i) => i * 7 % Count;
+        for (int i = 0; i < Count / 2; i++)
+        {
+            shuffled.Set(i, launches.Position[Place(i)], launches.Velocity[Place(i)], launches.Spin[Place(i)]);
+        }
+
+        BatchFlights other = BatchScenes.Fly(new BallBatch(), shuffled);
+        for (int i = 0; i < Count / 2; i++)
+        {
+            Assert.Equal(BatchScenes.Bits(straight, Place(i)), BatchScenes.Bits(other, i));
+        }
+    }
+
+    [Fact]
+    public void A_run_allocates_nothing()
+    {
+        BatchLaunches launches = BatchScenes.Launches(14, Count, 8, 30);
+        var flights = new BatchFlights(Count);
+        foreach (BatchPrecision precision in (BatchPrecision[])[BatchPrecision.Single, BatchPrecision.Double])
+        {
+            var batch = new BallBatch(null, new BatchSettings { Precision = precision, FindApex = true, TimeStep = 0.05 });
+            batch.Fly(launches, flights, Count);
+            long before = GC.GetAllocatedBytesForCurrentThread();
+            batch.Fly(launches, flights, Count);
+            Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
+        }
+    }
+
+    [Fact]
+    public void Regions_of_the_powers_match_the_laws()
+    {
+        // One step of RK2 at very slow, jumping, fast and fastest speeds, with small and large spins.
+        foreach (double speed in (double[])[0.01, 0.5, 3, 11, 12.18, 12.2, 20, 60, 127])
+        {
+            foreach (double spin in (double[])[0, 0.001, 0.1, 3, 40, 300])
+            {
+                var launches = new BatchLaunches(1);
+                launches.Set(0, new Vector3d(0, 50, 0), speed * new Vector3d(0.8, 0.6, 0), spin * new Vector3d(0, 0.6, 0.8));
+                BatchFlights single = BatchScenes.Fly(new BallBatch(null, new BatchSettings { TimeStep = 1e-3 }), launches, 0.1);
+                BatchFlights twice = BatchScenes.Fly(new BallBatch(null, new BatchSettings { TimeStep = 1e-3, Precision = BatchPrecision.Double }), launches, 0.1);
+                double apart = Vector3d.Distance(single.Velocity[0], twice.Velocity[0]);
+                Assert.True(apart < 1e-5 * Math.Max(1, speed / 20), $"{apart:e2} m/s at {speed} m/s, {spin} rad/s");
+            }
+        }
+    }
+}

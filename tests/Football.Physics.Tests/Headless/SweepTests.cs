@@ -1,0 +1,99 @@
+using System.Text.Json;
+
+namespace Football.Physics.Tests.Headless;
+
+/// <summary>football sweep: rows that depend on the seed and their index only.</summary>
+public sealed class SweepTests
+{
+    [Theory]
+    [InlineData(10, 3)]
+    [InlineData(9001, 2)]
+    [InlineData(5, 8)]
+    public void Shards_merge_to_the_same_bytes(int count, int shards)
+    {
+        string all = Sweep("--count", $"{count}", "--seed", "7", "--jobs", "1");
+        string merged = string.Concat(Enumerable.Range(1, shards)
+            .Select(i => Sweep("--count", $"{count}", "--seed", "7", "--shard", $"{i}/{shards}", "--jobs", $"{i}")));
+        Assert.Equal(all, merged);
+        Assert.Equal(count, all.Count(c => c == '\n'));
+    }
+
+    [Fact]
+    public void A_longer_sweep_begins_with_the_shorter_one()
+    {
+        Assert.StartsWith(Sweep("--count", "20"), Sweep("--count", "50"), StringComparison.Ordinal);
+        Assert.NotEqual(Sweep("--count", "20"), Sweep("--count", "20", "--seed", "2"));
+    }
+
+    [Fact]
+    public void A_row_is_the_shot_that_simulate_plays()
+    {
+        foreach (JsonElement row in FootballCommand.Run("", "sweep", "--count", "25", "--set", "air.wind=[3,0,1]", "--set", "solver.timeStep=0.01").Lines)
+        {
+            double elevation = row.GetProperty("elevation").GetDouble() * Math.PI / 180;
+            double azimuth = row.GetProperty("azimuth").GetDouble() * Math.PI / 180;
+            double speed = row.GetProperty("speed").GetDouble();
+            var d = new Vector3d(-Math.Sin(azimuth), 0, -Math.Cos(azimuth));
+            Vector3d v = speed * ((Math.Cos(elevation) * d) + new Vector3d(0, Math.Sin(elevation), 0));
+            Vector3d w = KickSpin.Vector(d, row.GetProperty("topSpin").GetDouble(), row.GetProperty("sideSpin").GetDouble());
+            JsonElement played = FootballCommand.Play(FormattableString.Invariant(
+                $"{{\"air\":{{\"wind\":[3,0,1]}},\"launch\":{{\"position\":[0,0,0],\"velocity\":[{v.X:R},{v.Y:R},{v.Z:R}],\"spin\":[{w.X:R},{w.Y:R},{w.Z:R}]}}}}"));
+            JsonElement impact = played.GetProperty("events")[0];
+            Assert.Equal(impact.GetProperty("time").GetDouble(), row.GetProperty("time").GetDouble(), 1e-4);
+            Assert.Equal(played.GetProperty("apex").GetDouble(), row.GetProperty("apex").GetDouble(), 1e-4);
+            for (int i = 0; i < 3; i++)
+            {
+                Assert.Equal(impact.GetProperty("position")[i].GetDouble(), row.GetProperty("position")[i].GetDouble(), 1e-3);
+            }
+        }
+    }
+
+    [Fact]
+    public void Ranges_and_numbers_are_kept()
+    {
+        foreach (JsonElement row in FootballCommand.Run("{\"launch\":{\"speed\":[20,21],\"elevation\":12,\"topSpin\":0}}", "sweep", "-", "--count", "50").Lines)
+        {
+            Assert.InRange(row.GetProperty("speed").GetDouble(), 20, 21);
+            Assert.Equal(12, row.GetProperty("elevation").GetDouble());
+            Assert.Equal(0, row.GetProperty("topSpin").GetDouble());
+        }
+    }
+
+    [Theory]
+    [InlineData("{\"launch\":{\"speed\":[21,20]}}", "launch.speed is [21, 20]; allowed: a number from 0 to 1000 m/s, or [low, high] of such.")]
+    [InlineData("{\"launch\":{\"speed\":-1}}", "launch.speed is -1; allowed: a number from 0 to 1000 m/s, or [low, high] of such.")]
+    [InlineData("{\"launch\":{\"sped\":1}}", "launch.sped is unknown")]
+    [InlineData("{\"solver\":{\"integrator\":\"euler\"}}", "solver.integrator is \"euler\"; allowed: ")]
+    [InlineData("", "the input is empty; allowed: a JSON object")]
+    public void What_is_wrong_is_refused(string input, string message)
+    {
+        var done = FootballCommand.Run(input, "sweep", "-");
+        Assert.Equal(1, done.ExitCode);
+        Assert.Equal("", done.Output);
+        Assert.StartsWith("football: " + message, done.ErrorLine);
+    }
+
+    [Theory]
+    [InlineData("--count", "0")]
+    [InlineData("--count", "many")]
+    [InlineData("--shard", "0/3")]
+    [InlineData("--shard", "4/3")]
+    [InlineData("--shard", "1")]
+    [InlineData("--jobs", "0")]
+    [InlineData("--seed", "-1")]
+    [InlineData("--set", "nonsense")]
+    public void Wrong_usage_ends_with_2(params string[] args)
+    {
+        var done = FootballCommand.Run("", ["sweep", .. args]);
+        Assert.Equal(2, done.ExitCode);
+        Assert.StartsWith($"football: {args[0]} is {args[1]}; allowed: ", done.Error);
+    }
+
+    private static string Sweep(params string[] args)
+    {
+        var done = FootballCommand.Run("", ["sweep", .. args]);
+        Assert.Equal("", done.Error);
+        Assert.Equal(0, done.ExitCode);
+        return done.Output;
+    }
+}
