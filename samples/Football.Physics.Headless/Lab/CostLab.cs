@@ -80,8 +80,9 @@ internal static class CostLab
         var log = new StepLog();
         while (found.Values.Any(list => list.Count < Frames))
         {
-            // Kicks along the ground where only slides are still wanted.
-            double steepest = found[MotionState.Airborne].Count < Frames ? 35 : 0;
+            // Kicks along the ground, up to where they roll, once only slides are still wanted.
+            bool onlySlides = found.All(list => list.Key == MotionState.Sliding || list.Value.Count >= Frames);
+            double steepest = onlySlides ? 0 : 35;
             BallState state = simulator.Launch(
                 LabShot.From, random.Velocity(15, 35, Math.Min(5, steepest), steepest), random.Uniform(2, 60) * random.Direction());
             for (int stopped = 0; stopped < 100;)
@@ -96,7 +97,7 @@ internal static class CostLab
                 }
 
                 stopped += before.Motion == MotionState.Stopped ? 1 : 0;
-                if (before.Motion == MotionState.Rolling && list.Count >= Frames && steepest == 0)
+                if (onlySlides && before.Motion == MotionState.Rolling)
                 {
                     break;
                 }
