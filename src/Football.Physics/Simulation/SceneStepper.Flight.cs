@@ -144,6 +144,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         double next = run.Next;
         if (FlyWhole(ref s, next, run.Log, out FlightPoint from, out FlightStep step, out double h))
         {
+            s.Time = Math.Min(s.Time, run.End);
             run.Left = next < run.Left ? run.Left - next : 0;
         }
         else if (h > 0)
@@ -203,7 +204,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         s.SpinRate = step.SpinRate;
         s.Angle += step.Turn;
         s.Branch = hit ? DragBranch.Unknown : next;
-        s.Time += h;
+        s.Time = Math.Min(s.Time + h, run.End);
         run.Left -= h;
         run.Log.Steps++;
         if (observer is not null)

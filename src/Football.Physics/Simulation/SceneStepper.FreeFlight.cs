@@ -54,7 +54,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         s.Velocity = end.Velocity;
         s.SetFlightSpin(_custom || Vector3d.Dot(in end.Spin, in from.Spin) > 0 ? end.Spin : Vector3d.Zero);
         s.Branch = hit ? DragBranch.Unknown : next;
-        s.Time += trial.Length;
+        s.Time = Math.Min(s.Time + trial.Length, run.End);
         run.Left -= trial.Length;
         run.Log.Steps++;
         if (run.Log.Observer is { } observer)

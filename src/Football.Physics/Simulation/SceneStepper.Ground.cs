@@ -126,7 +126,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         s.Position = new Vector3d(position.X, _contact, position.Z);
         s.Velocity = velocity.Horizontal;
         s.SpinAxis = spin;
-        s.Time += t;
+        s.Time = Math.Min(s.Time + t, run.End);
         run.Left -= t;
         run.Log.Steps++;
         if (run.Log.Observer is { } observer)
@@ -275,7 +275,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
 
         // Damping and decay end the spin about the vertical, they never reverse it.
         s.SpinAxis = spin.Y * before.SpinAxis.Y < 0 && !_custom ? new Vector3d(spin.X, 0, spin.Z) : spin;
-        s.Time += h;
+        s.Time = Math.Min(s.Time + h, run.End);
         run.Left -= h;
         run.Log.Steps++;
         if (run.Log.Observer is { } observer)

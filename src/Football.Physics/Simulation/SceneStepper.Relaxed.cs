@@ -27,7 +27,8 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
             // The bound adds what each law could do; twice what they do here is enough.
             _air.Begin(spin, branch, out AirStep once);
             _air.Evaluate(in once, speed * speed, spin, out double drag, out double lift, out double decay);
-            double here = 2.0 * (drag + Math.Abs(lift) + (spin > 0 ? Math.Min(decay / spin, _bound.PerSpeed * speed) : 0));
+            double ofSpin = spin > 0 ? Math.Min(decay / spin, (_bound.PerSpeed * speed) + (_bound.PerSpin * spin)) : 0;
+            double here = 2.0 * (drag + Math.Abs(lift) + ofSpin);
             double closer = left * (here + _bound.Constant + damping);
             pieces = closer < pieces ? closer : pieces;
         }
@@ -90,7 +91,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         s.Angle += 0.5 * h * (s.SpinRate + end.Spin.Length);
         s.SetFlightSpin(end.Spin);
         s.Branch = DragBranch.Unknown;
-        s.Time += h;
+        s.Time = Math.Min(s.Time + h, run.End);
         run.Left -= h;
         run.Log.Steps++;
         run.Log.Relaxed++;
@@ -205,7 +206,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         s.Velocity = v;
         s.SpinAxis = slides ? w : Slip.RollingSpin(in v, w.Y, _ball.Radius);
         s.Branch = DragBranch.Unknown;
-        s.Time += h;
+        s.Time = Math.Min(s.Time + h, run.End);
         run.Left -= h;
         run.Log.Steps++;
         run.Log.Relaxed++;

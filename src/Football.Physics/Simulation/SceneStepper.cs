@@ -97,8 +97,8 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
     [MethodImpl(MethodImplOptions.NoInlining)]
     private void Finish(ref BallState state, double end, double dt, StepLog log)
     {
-        var run = new StepRun { Left = dt, Length = dt, Log = log };
-        Finish(ref state, end, ref run);
+        var run = new StepRun { Left = dt, Length = dt, End = end, Log = log };
+        Finish(ref state, ref run);
     }
 
     /// <summary>A step that begins with a piece of flight with something in it.</summary>
@@ -106,18 +106,18 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
     private void FlyOn(ref BallState state, double end, double dt, in FlightPoint from, ref FlightStep step, double h, StepLog log)
     {
         // dt itself: end − time differs from it by rounding, which would leave a sliver of a step.
-        var run = new StepRun { Left = dt, Length = dt, Log = log };
+        var run = new StepRun { Left = dt, Length = dt, End = end, Log = log };
         run.Keep(h, dt);
         FlyEventful(ref state, ref run, in from, ref step, h);
         if (!log.Halted)
         {
-            Finish(ref state, end, ref run);
+            Finish(ref state, ref run);
         }
     }
 
     /// <summary>The rest of a step, piece by piece.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Finish(ref BallState state, double end, ref StepRun run)
+    private void Finish(ref BallState state, ref StepRun run)
     {
         while (run.Left > 0 && state.Motion != MotionState.Stopped)
         {
@@ -154,7 +154,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
             }
         }
 
-        state.Time = end;
+        state.Time = run.End;
     }
 
     public override void AirFactors(double speed, double spinRate, out double drag, out double lift)

@@ -12,6 +12,9 @@ internal ref struct StepRun
     /// <summary>Length of the whole step, s.</summary>
     public double Length;
 
+    /// <summary>When the step ends, s: the clock of its pieces never runs past it, not even by rounding.</summary>
+    public double End;
+
     /// <summary>Splits so far.</summary>
     public int Splits;
 

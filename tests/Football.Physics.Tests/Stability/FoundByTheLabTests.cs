@@ -8,6 +8,12 @@ public sealed class FoundByTheLabTests
     private const string BalloonInADowndraught =
         "{\"launch\":{\"position\":[0,1,0],\"velocity\":[20,5,0],\"spin\":[1,2,3]},\"ball\":{\"mass\":0.01,\"radius\":0.2},\"air\":{\"wind\":[5,-30,3]},\"stop\":{\"at\":\"time\",\"time\":2}}";
 
+    private const string SlowEnd =
+        "{\"ball\":{\"mass\":0.1,\"radius\":0.2,\"inertiaFactor\":0.6666666666666666},\"air\":{\"density\":1.1033023468138958,\"kinematicViscosity\":1.3498802604024886e-05,\"wind\":[0,0,0]},\"gravity\":1.6206046637381846,\"forces\":{\"buoyancy\":true,\"drag\":\"empirical\",\"magnus\":\"empirical\",\"spinDecay\":\"none\",\"coefficients\":\"published\",\"dragCoefficient\":0.25,\"magnusCoefficient\":0.25,\"spinDecayCoefficient\":0},\"ground\":{\"normalRestitution\":0.8143477420802645,\"tangentialRestitution\":[0,-0.3775325707656807],\"spinRestitution\":1,\"slidingFriction\":0.02614954239350715,\"rollingFriction\":0.041476359427294045,\"spinDamping\":0.00039387873483535,\"minimumBounceSpeed\":0.001,\"restEnergy\":4.271496969544195e-06,\"height\":0,\"aerodynamics\":\"horizontal\"},\"launch\":{\"position\":[11.23551051753445,0.20000007251544197,39.01885546103574],\"velocity\":[-0.5988440431123022,111.11230995181069,36.10218992032804],\"spin\":[0.006711106777204456,0.0036294471342275753,-0.001970905161856672]},\"solver\":{\"integrator\":\"semiImplicitEuler\",\"timeStep\":0.016418037356277657,\"rollingTransition\":\"heuristic\",\"collisionTiming\":\"exact\"},\"stop\":{\"at\":\"rest\",\"time\":300}}";
+
+    private const string SuddenEnd =
+        "{\"ball\":{\"mass\":0.1,\"radius\":0.2,\"inertiaFactor\":0.6666666666666666},\"air\":{\"density\":1.1762562914182562,\"kinematicViscosity\":1.3951860254354255e-05,\"wind\":[0,0,0]},\"gravity\":5.272505996161495,\"forces\":{\"buoyancy\":true,\"drag\":\"empirical\",\"magnus\":\"empirical\",\"spinDecay\":\"constant\",\"coefficients\":\"regularised\",\"dragCoefficient\":0.644523874491457,\"magnusCoefficient\":0.25,\"spinDecayCoefficient\":0.000177260342930598},\"ground\":{\"normalRestitution\":0.2542465753203128,\"tangentialRestitution\":[1,0],\"spinRestitution\":0.8774676695157354,\"slidingFriction\":1.0523758826972465,\"rollingFriction\":0.02191011467771921,\"spinDamping\":0.0029924964380844024,\"minimumBounceSpeed\":0.2,\"restEnergy\":0.0001593796889270851,\"height\":18.666325181443426,\"aerodynamics\":\"none\"},\"launch\":{\"position\":[41.224377115789906,31.246972884560805,-36.61968908044834],\"velocity\":[-0.06901910205911946,-0.07886720140431411,-0.0587855414366288],\"spin\":[0,0,0]},\"solver\":{\"integrator\":\"rk4\",\"timeStep\":0.024295629392409174,\"rollingTransition\":\"heuristic\",\"collisionTiming\":\"exact\"},\"stop\":{\"at\":\"rest\",\"time\":300}}";
+
     /// <summary>The apex of a straight piece of path was 0/0.</summary>
     [Fact]
     public void A_path_that_does_not_turn_has_a_finite_apex()
@@ -74,5 +80,45 @@ public sealed class FoundByTheLabTests
             double[] velocity = [.. result.GetProperty("final").GetProperty("velocity").EnumerateArray().Select(item => item.GetDouble())];
             Assert.All(velocity, component => Assert.InRange(component, -40, 40));
         }
+    }
+
+    /// <summary>The cap for spins near zero left out that a fast spin decays by itself: in one step ω grew to 10¹¹ rad/s.</summary>
+    [Fact]
+    public void A_fast_spin_of_a_slow_ball_on_the_ground_in_dense_air_only_decays()
+    {
+        var scene = new Scene
+        {
+            Ball = new BallProperties { Mass = 1100, Radius = 0.24, InertiaFactor = 0.004 },
+            Air = new Air { Density = 1e6, KinematicViscosity = 40 },
+            Gravity = 0,
+            Forces = ForceSet.Regularised,
+            Ground = new Ground { NormalRestitution = 0, RollingFriction = 0 },
+        };
+        var log = new StepLog();
+        foreach (Integrator integrator in Enum.GetValues<Integrator>())
+        {
+            var simulator = new Simulator(scene, new SolverSettings { Integrator = integrator });
+            BallState state = simulator.Launch(new Vector3d(0, 0.24, 0), new Vector3d(-0.1, -0.1, 0.1), new Vector3d(60, -370, -470));
+            for (int i = 0; i < 100; i++)
+            {
+                double before = state.Spin.Length;
+                simulator.Step(ref state, 0.001, log);
+                Assert.InRange(state.Spin.Length, 0, before);
+                Assert.InRange(state.Velocity.Length, 0, 0.2);
+            }
+        }
+    }
+
+    /// <summary>The sum of the pieces of a step ran past its end by rounding, and the next event lay before the one before.</summary>
+    [Theory]
+    [InlineData(SlowEnd)]
+    [InlineData(SuddenEnd)]
+    public void Events_are_in_order_to_the_last_bit(string scenario)
+    {
+        var result = FootballCommand.Play(scenario);
+        double[] times = [.. result.GetProperty("events").EnumerateArray().Select(item => item.GetProperty("time").GetDouble())];
+        Assert.InRange(times.Length, 2, 1000);
+        Assert.Equal(times.Order(), times);
+        Assert.True(times[^1] <= result.GetProperty("final").GetProperty("time").GetDouble());
     }
 }

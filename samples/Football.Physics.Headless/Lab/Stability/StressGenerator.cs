@@ -46,6 +46,12 @@ internal static class StressGenerator
             forces = forces with { Magnus = ForceLaw.Empirical };
         }
 
+        if (kind == StressKind.ComesToRest && forces.Magnus != ForceLaw.None && forces.SpinDecay != ForceLaw.Empirical)
+        {
+            // A ball that keeps its spin is carried by its lift: it sinks as slowly as its drag lets it, without drag not at all.
+            forces = forces with { SpinDecay = ForceLaw.Empirical };
+        }
+
         var scene = new Scene { Ball = ball, Air = air, Ground = ground, Gravity = gravity, Forces = forces };
         Launch(random, kind, scene, out Vector3d position, out Vector3d velocity, out Vector3d spin);
         double[] frames = Frames(random, kind);

@@ -11,6 +11,7 @@ internal sealed class StressRun
     private readonly StressScene _scene;
     private readonly Simulator _simulator;
     private readonly StepLog _log = new();
+    private BallState _before;
     private BallState _state;
     private long _steps;
     private long _frames;
@@ -54,6 +55,7 @@ internal sealed class StressRun
         foreach (double dt in _scene.Frames)
         {
             BallState before = _state;
+            _before = before;
             _log.Clear();
             _simulator.Step(ref _state, dt, _log);
             Count();
@@ -147,6 +149,9 @@ internal sealed class StressRun
         scale += 0.5 * _scene.Scene.Ball.MomentOfInertia * Math.Max(before.Spin.LengthSquared, _state.Spin.LengthSquared);
         scale += Math.Abs(mass * _scene.Upward) * Math.Max(before.Position.Y - _simulator.ContactHeight, _state.Position.Y - _simulator.ContactHeight);
         double allowed = (scale * (1e-9 + MethodError(in before, dt))) + 1e-300;
+
+        // The height is a double, and so is the ground's.
+        allowed += 1e-15 * Math.Abs(mass * _scene.Upward) * (Math.Abs(before.Position.Y) + Math.Abs(_state.Position.Y));
         if (_scene.Settings.CollisionTiming == CollisionTiming.Bisection)
         {
             // Found to a microsecond, an impact is off by that much of fall.
@@ -164,7 +169,7 @@ internal sealed class StressRun
         double speed = Math.Max(before.Velocity.Length, _state.Velocity.Length);
         double fall = Math.Abs(_scene.Upward) * dt;
         double air = speed + fall > 0 ? AirAcceleration(speed + fall) * dt / (speed + fall) : 0;
-        double z = Math.Min(1, 4 * air);
+        double z = Math.Min(1, 6 * air);
         double byAir = _scene.Integrator switch
         {
             Integrator.Rk2 => z * z * z,
@@ -183,7 +188,14 @@ internal sealed class StressRun
         Scene scene = _scene.Scene;
         double r = scene.Ball.Radius;
         double area = 0.5 * scene.Air.Density * Math.PI * r * r / scene.Ball.Mass;
-        double surface = r * Math.Max(_state.Spin.Length, _scene.Spin.Length);
+        double fastest = Math.Max(Math.Max(_before.Spin.Length, _state.Spin.Length), _scene.Spin.Length);
+        foreach (ref readonly BallEvent item in _log.Events)
+        {
+            // The next impact of a frame may take away what the one before gave.
+            fastest = Math.Max(fastest, item.Spin.Length);
+        }
+
+        double surface = r * fastest;
         double drag = scene.Forces.Drag switch
         {
             ForceLaw.None => 0,
