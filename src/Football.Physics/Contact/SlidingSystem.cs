@@ -14,6 +14,15 @@ internal struct SlidingSystem<TAir> : IMotionSystem
     /// <summary>Direction of the slip at the step's start: what friction keeps to where a stage passes zero.</summary>
     public Vector3d SlipDirection;
 
+    /// <summary>The spin at the step's start.</summary>
+    public Vector3d StartSpin;
+
+    /// <summary>Whether the air stops this ball's spin although friction turns it, and a stage has gone past that.</summary>
+    public readonly bool StopsSpin(in Vector3d spin) => !Custom.Act && Decay > Ground.SlidingTorque && Vector3d.Dot(in spin, in StartSpin) < 0;
+
+    /// <summary>Angular deceleration by the air at the last point, rad/s².</summary>
+    public double Decay;
+
     public void Rates(double time, in Motion at, out MotionRates rates)
     {
         Vector3d slip = Slip.Of(at.Velocity, at.Spin, Ground.Radius);
@@ -40,7 +49,15 @@ internal struct SlidingSystem<TAir> : IMotionSystem
         Vector3d u = at.Velocity - Wind;
         MotionRates air = AirRates.Of(ref Air, in u, at.Spin, in torqueAxis, Branch);
         Vector3d acceleration = AirActs ? air.Acceleration : Vector3d.Zero;
-        Vector3d spinAcceleration = air.SpinAcceleration - new Vector3d(0, Ground.SpinDamping * at.Spin.Y, 0);
+        Vector3d turn = air.SpinAcceleration;
+        Decay = turn.Length;
+        if (StopsSpin(at.Spin))
+        {
+            // Past zero the decay goes on as before: at the step's end it stops there.
+            turn = (-Decay / StartSpin.Length) * StartSpin;
+        }
+
+        Vector3d spinAcceleration = turn - new Vector3d(0, Ground.SpinDamping * at.Spin.Y, 0);
         if (Custom.Act)
         {
             MotionRates custom = Custom.Rates(time, in at, in u, MotionState.Sliding);

@@ -60,6 +60,8 @@ internal struct Aerodynamics<TFit, TDrag, TMagnus, TDecay> : IAerodynamics
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Covers(double speedSquared, double spinRate, double h) => true;
 
+    public double WholeUpTo(in RateBound bound) => 0;
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Begin(double spinRate, DragBranch branch, out AirStep step)
     {
@@ -98,5 +100,24 @@ internal struct Aerodynamics<TFit, TDrag, TMagnus, TDecay> : IAerodynamics
 
         flow.SpinRate = Math.Abs(spinRate);
         decay = _decay.Factor(in flow);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void EvaluateStart(ref AirStep step, double speedSquared, double spinRate, out double drag, out double lift, out double decay) =>
+        Evaluate(in step, speedSquared, spinRate, out drag, out lift, out decay);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool Expand(in AirStep step, double speedChange, double spinChange, out AirSeries series)
+    {
+        Unsafe.SkipInit(out series);
+        return false;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void EvaluateNear(in AirSeries series, double speedSquared, double spinRate, out double drag, out double lift, out double decay)
+    {
+        drag = 0;
+        lift = 0;
+        decay = 0;
     }
 }

@@ -23,4 +23,22 @@ internal struct AirStep
 
     /// <summary>Factor of the lift's second power of |u|².</summary>
     public double LiftByDrag;
+
+    /// <summary>|u|² at the start.</summary>
+    public double SpeedSquared;
+
+    /// <summary>Drag at the start.</summary>
+    public double StartDrag;
+
+    /// <summary>Lift at the start as if C_D were 0.</summary>
+    public double StartLift;
+
+    /// <summary>What C_D takes from that.</summary>
+    public double StartLiftByDrag;
+
+    /// <summary>Spin decay at the start, but for what the spin adds to it.</summary>
+    public double StartDecay;
+
+    /// <summary>(r|ω|/2|u|)² at the start.</summary>
+    public double StartRatio;
 }

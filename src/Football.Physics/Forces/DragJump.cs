@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>
@@ -46,6 +48,7 @@ internal readonly struct DragJump
     /// <param name="rate">Rates there.</param>
     /// <param name="to">At the step's end.</param>
     /// <param name="h">Length of the step, s.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool MayCross(DragBranch branch, in DragJump from, in DragJump rate, in DragJump to, double h)
     {
         double speedAhead = from.Speed + (h * rate.Speed);

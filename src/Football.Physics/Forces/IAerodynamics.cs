@@ -27,6 +27,10 @@ internal interface IAerodynamics
     /// <param name="h">Length of the step, s.</param>
     bool Covers(double speedSquared, double spinRate, double h);
 
+    /// <summary>Up to which length, s, no step that <see cref="Covers"/> accepts must be divided by a bound; 0 where that is not known.</summary>
+    /// <param name="bound">How fast the motion can change.</param>
+    double WholeUpTo(in RateBound bound);
+
     /// <summary>Computes what is constant over a step, or nearly so.</summary>
     /// <param name="spinRate">|ω| at its start.</param>
     /// <param name="branch">The branch of the drag law.</param>
@@ -41,4 +45,30 @@ internal interface IAerodynamics
     /// <param name="lift">L.</param>
     /// <param name="decay">Angular deceleration.</param>
     void Evaluate(in AirStep step, double speedSquared, double spinRate, out double drag, out double lift, out double decay);
+
+    /// <summary>Evaluates all laws at a step's start, and keeps what <see cref="Expand"/> needs of it.</summary>
+    /// <param name="step">From <see cref="Begin"/>.</param>
+    /// <param name="speedSquared">|u|².</param>
+    /// <param name="spinRate">|ω|, that of <see cref="Begin"/>.</param>
+    /// <param name="drag">D.</param>
+    /// <param name="lift">L.</param>
+    /// <param name="decay">Angular deceleration.</param>
+    void EvaluateStart(ref AirStep step, double speedSquared, double spinRate, out double drag, out double lift, out double decay);
+
+    /// <summary>Makes series about a step's start for its other stages.</summary>
+    /// <param name="step">From <see cref="EvaluateStart"/>.</param>
+    /// <param name="speedChange">How much |u|² may change within the step.</param>
+    /// <param name="spinChange">How much |ω| may change.</param>
+    /// <param name="series">What <see cref="EvaluateNear"/> is handed.</param>
+    /// <returns>False where there are none: then the stages ask <see cref="Evaluate"/>.</returns>
+    bool Expand(in AirStep step, double speedChange, double spinChange, out AirSeries series);
+
+    /// <summary>Evaluates all laws by the series.</summary>
+    /// <param name="series">From <see cref="Expand"/>.</param>
+    /// <param name="speedSquared">|u|².</param>
+    /// <param name="spinRate">|ω|.</param>
+    /// <param name="drag">D.</param>
+    /// <param name="lift">L.</param>
+    /// <param name="decay">Angular deceleration.</param>
+    void EvaluateNear(in AirSeries series, double speedSquared, double spinRate, out double drag, out double lift, out double decay);
 }

@@ -7,23 +7,30 @@ namespace Football.Physics;
 /// table index, powers of |ω| once a step. It holds where <see cref="Covers"/> says so; elsewhere the laws one by one are asked. <see cref="Aerodynamics{TFit, TDrag, TMagnus, TDecay}"/> with the laws one by one is its
 /// definition, and the tests compare the two over the whole domain.
 /// </summary>
-internal struct PublishedAir<TDrag, TMagnus, TDecay> : IAerodynamics
+internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
     where TDrag : struct, IPresence
     where TMagnus : struct, IPresence
     where TDecay : struct, IPresence
 {
     /// <summary>Speeds, m/s, beyond which the tables end; a step may not come near them.</summary>
     private const double Slowest = 0.75;
+    private const double SlowestPoint = 0.5;
     private const double Fastest = 120;
 
     /// <summary>How much slower a ball may become within a step, m/s²: gravity and drag at speeds where that matters.</summary>
     private const double Deceleration = 30;
 
-    /// <summary>Up to this (r|ω|/2|u|)² (Sp 0.7) the series of the decay is good to 1e-9.</summary>
-    private const double LargestRatio = 0.12;
+    /// <summary>Up to this (r|ω|/2|u|)², Sp 1.04, a little more than that of a ball that rolls, the polynomial of the decay is good to 5e-11; there the lift is above 0.</summary>
+    private const double LargestRatio = 0.27;
 
     /// <summary>A spin may lose this share within a step, for its powers are then good to 5e-9.</summary>
     private const double LargestLoss = 0.02;
+
+    /// <summary>The series about a step's start are good to 2e-9 for changes of |u|² by this share.</summary>
+    private const double Farthest = 1.0 / 32;
+
+    /// <summary>And for changes of |ω| by this share.</summary>
+    private const double FarthestSpin = 1.0 / 1024;
 
     private EmpiricalDrag _drag;
     private EmpiricalMagnus _magnus;
@@ -83,9 +90,16 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IAerodynamics
         _decayScale = _decay.Factor(in unit);
     }
 
+    public double WholeUpTo(in RateBound bound)
+    {
+        double fastestSpin = Math.Sqrt(LargestRatio / _quarterSquare) * Fastest;
+        return 0.5 / ((bound.PerSpeed * Fastest) + (bound.PerSpin * fastestSpin) + bound.Constant);
+    }
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Begin(double spinRate, DragBranch branch, out AirStep step)
     {
+        Unsafe.SkipInit(out step);
         step.Branch = branch;
         step.Spin = spinRate;
         step.PerSpin = spinRate > 0 ? 1.0 / spinRate : 0;
@@ -117,7 +131,7 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IAerodynamics
             double onLift = 1.0 + (delta * (EmpiricalMagnus.Beta + (delta * (LiftSecond + (delta * LiftThird)))));
             if (step.Branch == DragBranch.Spinning)
             {
-                // D = k c (r|ω|)^d |u|^(1−d),  L = k' (r|ω|)^β (C_D0 |u|^(1−β) − c (r|ω|)^d |u|^(1−β−d)): above 0 up to Sp 1.88
+                // D = k c (r|ω|)^d |u|^(1−d),  L = k' (r|ω|)^β (C_D0 |u|^(1−β) − c (r|ω|)^d |u|^(1−β−d))
                 double onDrag = 1.0 + (delta * (FittedDrag.D + (delta * (DragSecond + (delta * DragThird)))));
                 drag = step.Drag * onDrag;
                 double forLift = FittedDrag.AtRest * step.Lift * onLift;
@@ -144,19 +158,182 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IAerodynamics
         {
             // (1 + x)^1.8 + (1 − x)^1.8 = 2 (1 + 0.72 x² + 0.0144 x⁴ + …), x = r|ω|/(2|u|)
             double x = _quarterSquare * spinRate * spinRate / speedSquared;
-            decay = step.Decay * SpeedTable.Decay(speedSquared) * (1.0 + (x * (0.72 + (x * (C4 + (x * (C6 + (x * (C8 + (x * (C10 + (x * C12))))))))))));
+            decay = step.Decay * SpeedTable.Decay(speedSquared) * (1.0 + (x * Plates(x)));
         }
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void EvaluateStart(ref AirStep step, double speedSquared, double spinRate, out double drag, out double lift, out double decay)
+    {
+        drag = 0;
+        lift = 0;
+        decay = 0;
+        step.SpeedSquared = speedSquared;
+        if (default(TDrag).Is || default(TMagnus).Is)
+        {
+            if (step.Branch == DragBranch.Spinning)
+            {
+                drag = step.Drag;
+                double forLift = FittedDrag.AtRest * step.Lift;
+                double forBoth = step.LiftByDrag;
+                SpeedTable.WithSpin(speedSquared, ref drag, ref forLift, ref forBoth);
+                step.StartDrag = drag;
+                step.StartLift = forLift;
+                step.StartLiftByDrag = forBoth;
+                if (default(TMagnus).Is)
+                {
+                    lift = forLift - forBoth;
+                }
+            }
+            else
+            {
+                SpeedTable.WithoutSpin(speedSquared, out double byDrag, out double byLift);
+                drag = _dragScale * byDrag;
+                if (default(TMagnus).Is)
+                {
+                    lift = step.Lift * byLift;
+                }
+            }
+        }
+
+        if (default(TDecay).Is)
+        {
+            double x = _quarterSquare * spinRate * spinRate / speedSquared;
+            double withoutSpin = step.Decay * SpeedTable.Decay(speedSquared);
+            step.StartRatio = x;
+            step.StartDecay = withoutSpin;
+            decay = withoutSpin * (1.0 + (x * Plates(x)));
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool Expand(in AirStep step, double speedChange, double spinChange, out AirSeries series)
+    {
+        Unsafe.SkipInit(out series);
+        if (!(default(TDrag).Is || default(TMagnus).Is) || step.Branch != DragBranch.Spinning
+            || speedChange > Farthest * step.SpeedSquared || spinChange > FarthestSpin * step.Spin)
+        {
+            return false;
+        }
+
+        series.PerSpeedSquared = 1.0 / step.SpeedSquared;
+        series.PerSpin = step.PerSpin;
+
+        // |u|^(1−d) and so on: (1 + ε)^p with p = (1 − d)/2
+        series.Drag.A = step.StartDrag;
+        series.Drag.B = OfDrag1 * step.StartDrag;
+        series.Drag.C = OfDrag2 * step.StartDrag;
+        series.Drag.D = OfDrag3 * step.StartDrag;
+        series.Drag.E = OfDrag4 * step.StartDrag;
+        if (default(TMagnus).Is)
+        {
+            series.Lift.A = step.StartLift - step.StartLiftByDrag;
+            series.LiftByDrag1 = OfLiftByDrag1 * step.StartLiftByDrag;
+            series.LiftByDrag2 = OfLiftByDrag2 * step.StartLiftByDrag;
+            series.Lift.B = (OfLift1 * step.StartLift) - series.LiftByDrag1;
+            series.Lift.C = (OfLift2 * step.StartLift) - series.LiftByDrag2;
+            series.Lift.D = (OfLift3 * step.StartLift) - (OfLiftByDrag3 * step.StartLiftByDrag);
+            series.Lift.E = (OfLift4 * step.StartLift) - (OfLiftByDrag4 * step.StartLiftByDrag);
+            series.LiftByDrag0 = step.StartLiftByDrag;
+        }
+
+        if (default(TDecay).Is)
+        {
+            // |u|^1.8 G(X), X = X₀ (1 + δ)²/(1 + ε): G is linear enough, X G′ = 0.72 X + …
+            double x = step.StartRatio;
+            double whole = step.StartDecay * (1.0 + (x * Plates(x)));
+            double slope = step.StartDecay * (x * (C2 + (x * ((2.0 * C4) + (x * ((3.0 * C6) + (x * (4.0 * C8))))))));
+            series.Decay0 = whole;
+            series.Decay1 = (OfDecay1 * whole) - slope;
+            series.Decay2 = (OfDecay2 * whole) + ((1.0 - OfDecay1) * slope);
+            series.Decay3 = (OfDecay3 * whole) - ((1.0 - OfDecay1 + OfDecay2) * slope);
+            series.DecayBySpin = 2.0 * slope;
+        }
+
+        return true;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void EvaluateNear(in AirSeries series, double speedSquared, double spinRate, out double drag, out double lift, out double decay)
+    {
+        double e = (speedSquared * series.PerSpeedSquared) - 1.0;
+        double ee = e * e;
+        double delta = (spinRate * series.PerSpin) - 1.0;
+        double more = delta * (FittedDrag.D + (delta * DragSecond)); // (1 + δ)^d − 1
+        drag = series.Drag.At(e, ee) * (1.0 + more);
+        lift = 0;
+        decay = 0;
+        if (default(TMagnus).Is)
+        {
+            double byDrag = series.LiftByDrag0 + (series.LiftByDrag1 * e) + (series.LiftByDrag2 * ee);
+            lift = (1.0 + (delta * (EmpiricalMagnus.Beta + (delta * LiftSecond)))) * (series.Lift.At(e, ee) - (more * byDrag));
+        }
+
+        if (default(TDecay).Is)
+        {
+            decay = series.Decay0 + (series.Decay1 * e) + (ee * (series.Decay2 + (series.Decay3 * e))) + (series.DecayBySpin * delta);
+        }
+    }
+
+    public bool EvaluateAt(DragBranch branch, double speedSquared, double spinRate, out double drag, out double lift, out double decay)
+    {
+        if (!(spinRate > 0 && speedSquared > SlowestPoint * SlowestPoint && speedSquared < Fastest * Fastest))
+        {
+            drag = 0;
+            lift = 0;
+            decay = 0;
+            return false;
+        }
+
+        Begin(spinRate, branch, out AirStep step);
+        EvaluateStart(ref step, speedSquared, spinRate, out drag, out lift, out decay);
+        if (!(_quarterSquare * spinRate * spinRate < LargestRatio * speedSquared))
+        {
+            // The spin of a ball that has bounced: the lift ends at Sp 1.88, and the plates are asked one by one.
+            lift = lift > 0 ? lift : 0;
+            if (default(TDecay).Is)
+            {
+                AirFlow flow = default;
+                flow.Speed = Math.Sqrt(speedSquared);
+                flow.SpinRate = spinRate;
+                decay = _decay.Factor(in flow);
+            }
+        }
+
+        return true;
+    }
+
+    // ((1 + x)^1.8 + (1 − x)^1.8)/2 = 1 + X Plates(X), X = x²
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static double Plates(double x) => C2 + (x * (C4 + (x * (C6 + (x * (C8 + (x * (C10 + (x * C12)))))))));
 
     private const double DragSecond = FittedDrag.D * (FittedDrag.D - 1) / 2;
     private const double DragThird = DragSecond * (FittedDrag.D - 2) / 3;
     private const double LiftSecond = EmpiricalMagnus.Beta * (EmpiricalMagnus.Beta - 1) / 2;
     private const double LiftThird = LiftSecond * (EmpiricalMagnus.Beta - 2) / 3;
 
-    // Binomial coefficients of (1 + x)^1.8 at even orders.
-    private const double C4 = 0.72 * (1.8 - 2) * (1.8 - 3) / 12;
-    private const double C6 = C4 * (1.8 - 4) * (1.8 - 5) / 30;
-    private const double C8 = C6 * (1.8 - 6) * (1.8 - 7) / 56;
-    private const double C10 = C8 * (1.8 - 8) * (1.8 - 9) / 90;
-    private const double C12 = C10 * (1.8 - 10) * (1.8 - 11) / 132;
+    // Binomial coefficients of the powers of |u|².
+    private const double OfDrag1 = 0.5 * (1 - FittedDrag.D);
+    private const double OfDrag2 = OfDrag1 * (OfDrag1 - 1) / 2;
+    private const double OfDrag3 = OfDrag2 * (OfDrag1 - 2) / 3;
+    private const double OfDrag4 = OfDrag3 * (OfDrag1 - 3) / 4;
+    private const double OfLift1 = 0.5 * (1 - EmpiricalMagnus.Beta);
+    private const double OfLift2 = OfLift1 * (OfLift1 - 1) / 2;
+    private const double OfLift3 = OfLift2 * (OfLift1 - 2) / 3;
+    private const double OfLift4 = OfLift3 * (OfLift1 - 3) / 4;
+    private const double OfLiftByDrag1 = 0.5 * (1 - EmpiricalMagnus.Beta - FittedDrag.D);
+    private const double OfLiftByDrag2 = OfLiftByDrag1 * (OfLiftByDrag1 - 1) / 2;
+    private const double OfLiftByDrag3 = OfLiftByDrag2 * (OfLiftByDrag1 - 2) / 3;
+    private const double OfLiftByDrag4 = OfLiftByDrag3 * (OfLiftByDrag1 - 3) / 4;
+    private const double OfDecay1 = 0.9;
+    private const double OfDecay2 = OfDecay1 * (OfDecay1 - 1) / 2;
+    private const double OfDecay3 = OfDecay2 * (OfDecay1 - 2) / 3;
+
+    // The polynomial nearest to ((1 + x)^1.8 + (1 − x)^1.8)/2 on x² ≤ 0.28.
+    private const double C2 = 0.71999999989725775;
+    private const double C4 = 0.014400026348252387;
+    private const double C6 = 0.0033781174427958852;
+    private const double C8 = 0.0013339127871791346;
+    private const double C10 = 0.00054921490398316016;
+    private const double C12 = 0.00066832896408168519;
 }

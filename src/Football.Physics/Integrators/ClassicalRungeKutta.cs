@@ -9,6 +9,8 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
 
     public int Order => 4;
 
+    public double ShareInPath => 0.5;
+
     [MethodImpl(MethodImplOptions.NoInlining)]
     public void Fly<TAir>(
         ref TAir air, in Vector3d axis, DragBranch branch, double ux, double uy, double uz, double w, double g, double h, out FlightStep step)
@@ -20,7 +22,8 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         air.Begin(w, branch, out AirStep once);
 
         // k1 = f(y); the position's k are the stages' velocities
-        FlightRates.Of(ref air, in once, nx, ny, nz, g, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
+        FlightRates.AtStart(ref air, ref once, nx, ny, nz, g, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
+        bool near = FlightRates.Expand(ref air, in once, ux, uy, uz, ax, ay, az, b, h, out AirSeries series);
         step.StartAcceleration = new Vector3d(ax, ay, az);
         step.StartSpinAcceleration = b;
         double sumX = ax;
@@ -40,7 +43,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
             double vy = uy + (half * ay);
             double vz = uz + (half * az);
             double vw = w + (half * b);
-            FlightRates.Of(ref air, in once, nx, ny, nz, g, vx, vy, vz, vw, out ax, out ay, out az, out b);
+            FlightRates.AtStage(ref air, in once, near, in series, nx, ny, nz, g, vx, vy, vz, vw, out ax, out ay, out az, out b);
             sumX += ax + ax;
             sumY += ay + ay;
             sumZ += az + az;
@@ -56,7 +59,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         double ey = uy + (h * ay);
         double ez = uz + (h * az);
         double ew = w + (h * b);
-        FlightRates.Of(ref air, in once, nx, ny, nz, g, ex, ey, ez, ew, out ax, out ay, out az, out b);
+        FlightRates.AtStage(ref air, in once, near, in series, nx, ny, nz, g, ex, ey, ez, ew, out ax, out ay, out az, out b);
 
         // y' = y + h/6 (k1 + 2 k2 + 2 k3 + k4)
         double sixth = h / 6.0;

@@ -9,6 +9,9 @@ internal interface IIntegrator
     /// <summary>Order of accuracy.</summary>
     int Order { get; }
 
+    /// <summary>c in p + h (v + c h a), the path under a constant acceleration.</summary>
+    double ShareInPath { get; }
+
     /// <summary>A step in flight, where the axis of the spin is constant and the rates depend on velocity and spin alone.</summary>
     /// <param name="air">The aerodynamic laws.</param>
     /// <param name="axis">Unit axis of the spin.</param>

@@ -9,6 +9,8 @@ internal readonly struct MidpointRungeKutta : IIntegrator
 
     public int Order => 2;
 
+    public double ShareInPath => 0.5;
+
     [MethodImpl(MethodImplOptions.NoInlining)]
     public void Fly<TAir>(
         ref TAir air, in Vector3d axis, DragBranch branch, double ux, double uy, double uz, double w, double g, double h, out FlightStep step)
@@ -22,7 +24,8 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         double half = 0.5 * h;
 
         // k1 = f(y)
-        FlightRates.Of(ref air, in once, nx, ny, nz, g, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
+        FlightRates.AtStart(ref air, ref once, nx, ny, nz, g, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
+        bool near = FlightRates.Expand(ref air, in once, ux, uy, uz, ax, ay, az, b, half, out AirSeries series);
         step.StartAcceleration = new Vector3d(ax, ay, az);
         step.StartSpinAcceleration = b;
 
@@ -31,7 +34,7 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         double my = uy + (half * ay);
         double mz = uz + (half * az);
         double mw = w + (half * b);
-        FlightRates.Of(ref air, in once, nx, ny, nz, g, mx, my, mz, mw, out ax, out ay, out az, out b);
+        FlightRates.AtStage(ref air, in once, near, in series, nx, ny, nz, g, mx, my, mz, mw, out ax, out ay, out az, out b);
 
         // y' = y + h k2
         step.Path = new Vector3d(h * mx, h * my, h * mz);

@@ -9,13 +9,15 @@ internal readonly struct SemiImplicitEuler : IIntegrator
 
     public int Order => 1;
 
+    public double ShareInPath => 1;
+
     [MethodImpl(MethodImplOptions.NoInlining)]
     public void Fly<TAir>(
         ref TAir air, in Vector3d axis, DragBranch branch, double ux, double uy, double uz, double w, double g, double h, out FlightStep step)
         where TAir : struct, IAerodynamics
     {
         air.Begin(w, branch, out AirStep once);
-        FlightRates.Of(ref air, in once, axis.X, axis.Y, axis.Z, g, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
+        FlightRates.AtStart(ref air, ref once, axis.X, axis.Y, axis.Z, g, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
         double ex = ux + (h * ax);
         double ey = uy + (h * ay);
         double ez = uz + (h * az);

@@ -9,12 +9,11 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
     /// <param name="s">The ball; moved only if nothing happens.</param>
     /// <param name="left">Length of the step, s.</param>
     /// <param name="log">Where the step is counted.</param>
-    /// <param name="from">Where it started.</param>
     /// <param name="step">Where the integrator took it.</param>
     /// <param name="h">The length that was tried: less than the step's where that must be divided, 0 where nothing was tried.</param>
     /// <returns>True when the whole step is done.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private bool FlyWhole(ref BallState s, double left, StepLog log, out FlightPoint from, out FlightStep step, out double h)
+    private bool FlyWhole(ref BallState s, double left, StepLog log, out FlightStep step, out double h)
     {
         double vx = s.Velocity.X;
         double vy = s.Velocity.Y;
@@ -24,11 +23,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         double uy = vy - _wind.Y;
         double uz = vz - _wind.Z;
         double y = s.Position.Y;
-        from.AirVelocity = new Vector3d(ux, uy, uz);
-        from.SpinRate = spin;
-        from.Axis = s.SpinAxis;
-        from.Upward = _upward;
-        from.Branch = s.Branch;
+        DragBranch branch = s.Branch;
         h = 0;
         if (y <= _contact && vy < 0)
         {
@@ -37,20 +32,21 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         }
 
         double speedSquared = (ux * ux) + (uy * uy) + (uz * uz);
-        if (_air.Jumps && (from.Branch == DragBranch.Unknown || !_locatesJump))
+        if (_air.Jumps && (branch == DragBranch.Unknown || !_locatesJump))
         {
-            from.Branch = DragJump.At(speedSquared, _radiusSquared * spin * spin).Branch;
-            s.Branch = from.Branch;
+            branch = DragJump.At(speedSquared, _radiusSquared * spin * spin).Branch;
+            s.Branch = branch;
         }
 
         h = left;
-        if (_air.Drags || _air.Lifts || _air.SpinDecays)
+        bool fast = _fast.Covers(speedSquared, spin, h);
+        if ((_air.Drags || _air.Lifts || _air.SpinDecays) && !(fast && h <= _wholeUpTo))
         {
             double bySpeed = left * _bound.PerSpeed;
             double bySpin = left * ((_bound.PerSpin * spin) + _bound.Constant);
             if (bySpeed * bySpeed * speedSquared > 0.25 * LargestChange * LargestChange || bySpin > 0.5 * LargestChange)
             {
-                h = Divided(left, Math.Sqrt(speedSquared), spin, from.Branch);
+                h = Divided(left, Math.Sqrt(speedSquared), spin, branch);
                 if (h <= 0 && left > 0)
                 {
                     step = default;
@@ -64,13 +60,19 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
             h = WithinHop(h, y - _contact, vy);
         }
 
-        if (_fast.Covers(speedSquared, spin, h))
+        if (!(_air.Drags || _air.Lifts || _air.SpinDecays) && FallWhole(ref s, left, h, log))
         {
-            _integrator.Fly(ref _fast, in s.SpinAxis, from.Branch, ux, uy, uz, spin, _upward, h, out step);
+            step = default;
+            return true;
+        }
+
+        if (fast)
+        {
+            _integrator.Fly(ref _fast, in s.SpinAxis, branch, ux, uy, uz, spin, _upward, h, out step);
         }
         else
         {
-            _integrator.Fly(ref _air, in s.SpinAxis, from.Branch, ux, uy, uz, spin, _upward, h, out step);
+            _integrator.Fly(ref _air, in s.SpinAxis, branch, ux, uy, uz, spin, _upward, h, out step);
         }
 
         log.Evaluations += _integrator.Stages;
@@ -96,7 +98,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
                 2.0 * ((ux * step.StartAcceleration.X) + (uy * step.StartAcceleration.Y) + (uz * step.StartAcceleration.Z)),
                 2.0 * _radiusSquared * spin * step.StartSpinAcceleration);
             var end = DragJump.At((wx * wx) + (wy * wy) + (wz * wz), _radiusSquared * step.SpinRate * step.SpinRate);
-            if (DragJump.MayCross(from.Branch, in start, in rate, in end, h))
+            if (DragJump.MayCross(branch, in start, in rate, in end, h))
             {
                 return false;
             }
@@ -108,6 +110,29 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         s.Angle += step.Turn;
         s.Time += h;
         log.Steps++;
+        return true;
+    }
+
+    /// <summary>A step in vacuum, done if nothing happens in it: what the integrator makes of a constant acceleration.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private bool FallWhole(ref BallState s, double left, double h, StepLog log)
+    {
+        // p + h (v + c h g), v + h g
+        double vy = s.Velocity.Y;
+        double gained = h * _upward;
+        double climb = vy + gained;
+        double height = s.Position.Y + (h * (vy + (_integrator.ShareInPath * gained)));
+        if (h < left || height < _contact || (vy < 0 && climb > 0) || log.Observer is not null)
+        {
+            return false;
+        }
+
+        s.Position = new Vector3d(s.Position.X + (h * s.Velocity.X), height, s.Position.Z + (h * s.Velocity.Z));
+        s.Velocity = new Vector3d(s.Velocity.X, climb, s.Velocity.Z);
+        s.Angle += h * s.SpinRate;
+        s.Time += h;
+        log.Steps++;
+        log.Evaluations += _integrator.Stages;
         return true;
     }
 
@@ -142,7 +167,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
     private void Fly(ref BallState s, ref StepRun run)
     {
         double next = run.Next;
-        if (FlyWhole(ref s, next, run.Log, out FlightPoint from, out FlightStep step, out double h))
+        if (FlyWhole(ref s, next, run.Log, out FlightStep step, out double h))
         {
             s.Time = Math.Min(s.Time, run.End);
             run.Left = next < run.Left ? run.Left - next : 0;
@@ -150,7 +175,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         else if (h > 0)
         {
             run.Keep(h, next);
-            FlyEventful(ref s, ref run, in from, ref step, h);
+            FlyEventful(ref s, ref run, ref step, h);
         }
         else if (s.Position.Y <= _contact && s.Velocity.Y < 0)
         {
@@ -163,8 +188,14 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
     }
 
     /// <summary>A piece of flight with something in it, from a trial that has found that out.</summary>
-    private void FlyEventful(ref BallState s, ref StepRun run, in FlightPoint from, ref FlightStep step, double h)
+    private void FlyEventful(ref BallState s, ref StepRun run, ref FlightStep step, double h)
     {
+        FlightPoint from;
+        from.AirVelocity = s.Velocity - _wind;
+        from.SpinRate = s.SpinRate;
+        from.Axis = s.SpinAxis;
+        from.Upward = _upward;
+        from.Branch = s.Branch;
         DragBranch next = s.Branch;
         if (_air.Jumps && _locatesJump)
         {

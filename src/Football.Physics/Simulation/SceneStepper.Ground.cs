@@ -37,6 +37,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
 
         SlidingSystem<TAir> system = _sliding;
         system.SlipDirection = slip / size;
+        system.StartSpin = from.Spin;
         system.Branch = GroundBranch(ref s, in from);
         double airRate = GroundRate(in from);
         double next = run.Next;
@@ -74,9 +75,9 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         CrossJumpOnGround(ref trial, ref s, h, ref run);
         run.Log.Evaluations += trial.Evaluations;
 
-        // Where nothing turns the ball its spin ends at zero.
+        // Where friction does not turn the ball, or too weakly, its spin ends at zero.
         Vector3d spin = trial.Step1.End.Spin;
-        spin = !grips && !_custom && Vector3d.Dot(in spin, in from.Spin) < 0 ? Vector3d.Zero : spin;
+        spin = trial.System.StopsSpin(in spin) ? Vector3d.Zero : spin;
         MoveOnGround(ref s, ref trial, in spin, ref run);
         if (!exact && !run.Log.Halted)
         {

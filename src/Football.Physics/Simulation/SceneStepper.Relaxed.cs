@@ -8,6 +8,9 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
     /// <summary>Below this many pieces the simple bound is good enough.</summary>
     private const double FewPieces = 16;
 
+    /// <summary>|u|² above which there are drag and lift, m²/s².</summary>
+    private const double StillAir = 1e-17;
+
     /// <summary>A step that would have to be divided into more pieces than this relaxes to the balance of forces instead.</summary>
     private const double MostPieces = 1024;
 
@@ -24,9 +27,9 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         double pieces = left * ((_bound.PerSpeed * speed) + (_bound.PerSpin * spin) + _bound.Constant + damping);
         if (pieces > FewPieces && branch < DragBranch.AlongCriticalSpeed)
         {
-            // The bound adds what each law could do; twice what they do here is enough.
+            // The bound adds what each law could do; twice what they do here is enough, and in still air what they are about to do.
             _air.Begin(spin, branch, out AirStep once);
-            _air.Evaluate(in once, speed * speed, spin, out double drag, out double lift, out double decay);
+            _air.Evaluate(in once, Math.Max(speed * speed, StillAir), spin, out double drag, out double lift, out double decay);
             double ofSpin = spin > 0 ? Math.Min(decay / spin, (_bound.PerSpeed * speed) + (_bound.PerSpin * spin)) : 0;
             double here = 2.0 * (drag + Math.Abs(lift) + ofSpin);
             double closer = left * (here + _bound.Constant + damping);
@@ -45,16 +48,18 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
     /// <param name="h">Length of the step, s.</param>
     /// <param name="height">Height above contact, m.</param>
     /// <param name="climb">Vertical velocity, m/s.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private double WithinHop(double h, double height, double climb)
     {
         // A hop up to the height that the energy is enough for takes 2 √(2 g y + v²)/g.
         double up = (climb * climb) - (2.0 * _upward * Math.Max(0, height));
         double least = h * -_upward * _piecesOfHop;
-        if (!(least > 0 && least * least > 4.0 * up))
-        {
-            return h;
-        }
+        return least > 0 && least * least > 4.0 * up ? PartOfHop(h, least, up) : h;
+    }
 
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private double PartOfHop(double h, double least, double up)
+    {
         double hop = Math.Max(2.0 * Math.Sqrt(up), ShortestHop * -_upward);
         return least > hop ? h / Math.Ceiling(least / hop) : h;
     }

@@ -25,6 +25,9 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
     private readonly double _contact;
     private readonly double _radiusSquared;
     private readonly RateBound _bound;
+
+    /// <summary>Up to this length, s, no step that the fused laws cover must be divided.</summary>
+    private readonly double _wholeUpTo;
     private readonly bool _custom;
     private readonly bool _locatesJump;
 
@@ -58,6 +61,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
 
         // A ball that falls from rest is soon as fast as drag lets it: 1/√(P a) is how soon.
         _bound = new RateBound(bound.PerSpeed, bound.PerSpin, bound.Constant + (Math.Sqrt(bound.PerSpeed) * Math.Sqrt(Math.Abs(_upward))));
+        _wholeUpTo = _fast.WholeUpTo(in _bound);
         double restitution = Math.Min(_ground.NormalRestitution, MostElastic);
         _piecesOfHop = 3.0 * restitution / (1.0 - restitution);
         _spirals = _integrator.Order < 4 && _air.Lifts && !(_air.Drags && bound.PerSpeed > 0);
@@ -78,14 +82,14 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
         if (state.Motion == MotionState.Airborne && !_custom && state.Branch < DragBranch.AlongCriticalSpeed)
         {
             // Nearly every step is a flight without an event.
-            if (FlyWhole(ref state, dt, log, out FlightPoint from, out FlightStep step, out double h))
+            if (FlyWhole(ref state, dt, log, out FlightStep step, out double h))
             {
                 return;
             }
 
             if (h > 0)
             {
-                FlyOn(ref state, end, dt, in from, ref step, h, log);
+                FlyOn(ref state, end, dt, ref step, h, log);
                 return;
             }
         }
@@ -103,12 +107,12 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
 
     /// <summary>A step that begins with a piece of flight with something in it.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void FlyOn(ref BallState state, double end, double dt, in FlightPoint from, ref FlightStep step, double h, StepLog log)
+    private void FlyOn(ref BallState state, double end, double dt, ref FlightStep step, double h, StepLog log)
     {
         // dt itself: end − time differs from it by rounding, which would leave a sliver of a step.
         var run = new StepRun { Left = dt, Length = dt, End = end, Log = log };
         run.Keep(h, dt);
-        FlyEventful(ref state, ref run, in from, ref step, h);
+        FlyEventful(ref state, ref run, ref step, h);
         if (!log.Halted)
         {
             Finish(ref state, ref run);

@@ -35,8 +35,8 @@ internal static class StepperFactory
         where TDragLaw : struct, IAirLaw
         where TMagnus : struct, IPresence
         where TMagnusLaw : struct, IAirLaw => scene.Forces.SpinDecay == ForceLaw.Empirical
-            ? WithIntegrator<PublishedAir<TDrag, TMagnus, Present>, Aerodynamics<PublishedDragFit, TDragLaw, TMagnusLaw, EmpiricalSpinDecay>>(scene, settings)
-            : WithIntegrator<PublishedAir<TDrag, TMagnus, Absent>, Aerodynamics<PublishedDragFit, TDragLaw, TMagnusLaw, NoAirLaw>>(scene, settings);
+            ? WithFused<PublishedAir<TDrag, TMagnus, Present>, Aerodynamics<PublishedDragFit, TDragLaw, TMagnusLaw, EmpiricalSpinDecay>>(scene, settings)
+            : WithFused<PublishedAir<TDrag, TMagnus, Absent>, Aerodynamics<PublishedDragFit, TDragLaw, TMagnusLaw, NoAirLaw>>(scene, settings);
 
     private static Stepper WithDrag<TFit>(Scene scene, SolverSettings settings)
         where TFit : struct, IDragFit => scene.Forces.Drag switch
@@ -64,6 +64,10 @@ internal static class StepperFactory
             ForceLaw.Constant => WithIntegrator<Aerodynamics<TFit, TDrag, TMagnus, ConstantSpinDecay>>(scene, settings),
             _ => WithIntegrator<Aerodynamics<TFit, TDrag, TMagnus, EmpiricalSpinDecay>>(scene, settings),
         };
+
+    private static Stepper WithFused<TFast, TLaws>(Scene scene, SolverSettings settings)
+        where TFast : struct, IFusedAir
+        where TLaws : struct, IAerodynamics => WithIntegrator<TFast, EitherAir<TFast, TLaws>>(scene, settings);
 
     private static Stepper WithIntegrator<TAir>(Scene scene, SolverSettings settings)
         where TAir : struct, IAerodynamics => WithIntegrator<TAir, TAir>(scene, settings);

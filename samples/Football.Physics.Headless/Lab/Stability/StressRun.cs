@@ -162,7 +162,7 @@ internal sealed class StressRun
         return end <= start + allowed ? null : Fail("energy", $"{start} J to {end} J, allowed {allowed}, {before.Motion} to {_state.Motion}");
     }
 
-    /// <summary>How much energy, as a share, a method of its order may make in a frame: z² a piece for order 1, z³ for 2, z⁵ for 4, z = its largest relative change.</summary>
+    /// <summary>How much energy, as a share, a method of its order may make in a frame: z to the order and one more, z = its largest relative change.</summary>
     private double MethodError(in BallState before, double dt)
     {
         long pieces = Math.Max(1, _log.Steps);
@@ -170,16 +170,26 @@ internal sealed class StressRun
         double fall = Math.Abs(_scene.Upward) * dt;
         double air = speed + fall > 0 ? AirAcceleration(speed + fall) * dt / (speed + fall) : 0;
         double z = Math.Min(1, 6 * air);
+
+        // What the air turns may be what gravity gave in the same frame, h g.
+        double share = speed + fall > 0 ? fall / (speed + fall) : 0;
         double byAir = _scene.Integrator switch
         {
-            Integrator.Rk2 => z * z * z,
-            Integrator.Rk4 => z * z * z * z * z,
+            Integrator.Rk2 => z * ((z * (z + share)) + (share * SpinLoss())),
+            Integrator.Rk4 => z * z * z * z * (z + share),
             _ => z * z,
         };
 
         // Euler gains ½ m g² h² a piece even in vacuum.
         double byGravity = _scene.Integrator is Integrator.Euler or Integrator.SemiImplicitEuler ? 2 : 0;
         return Math.Max(byAir * pieces, byAir) + byGravity;
+    }
+
+    /// <summary>Which share of its spin the ball lost in the frame: so much the lift of the midpoint is not that of the frame.</summary>
+    private double SpinLoss()
+    {
+        double before = _before.Spin.Length;
+        return before > 0 ? Math.Min(1, (_before.Spin - _state.Spin).Length / before) : 1;
     }
 
     /// <summary>A bound for the air's acceleration at a speed.</summary>
