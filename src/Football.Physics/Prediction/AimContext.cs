@@ -41,7 +41,6 @@ internal sealed class AimContext
         _pass = new ClosestPass(scene.Air.Wind == Vector3d.Zero);
         Flight = new KickFlight();
         Passes = new PassFlight(_judge);
-        Rolls = new PassFlight(new Simulator(scene, SolverSettings.Default with { Integrator = Integrator.Rk2 }));
         Frames = new FrameFlight();
         _freeLog.Observer = Flight;
         _closeLog.Observer = _pass;
@@ -67,9 +66,6 @@ internal sealed class AimContext
 
     /// <summary>Flights with ground for their closest approach.</summary>
     public PassFlight Passes { get; }
-
-    /// <summary>The same by a method that is good enough for a roll of which only the direction counts.</summary>
-    public PassFlight Rolls { get; }
 
     /// <summary>Whether the library's own solver takes fine steps.</summary>
     public bool Fine { get; set; }

@@ -47,7 +47,17 @@ public sealed class Aimer
             _ => request.Through is null ? _direct : _directTwoPoint,
         };
         AimAnswer answer = finder.Find(request);
-        return Report(request, in answer, measure);
+        AimResult result = Report(request, in answer, measure);
+        if (method == AimMethod.Direct && measure && answer.Status == AimStatus.Hit && result.Status != AimStatus.Hit)
+        {
+            // A kick that grazes the drag law's jump goes elsewhere in finer steps: once more in those.
+            _context.Fine = true;
+            answer = finder.Find(request);
+            result = Report(request, in answer, measure);
+            _context.Fine = false;
+        }
+
+        return result;
     }
 
     /// <summary>Finds the slowest kick that hits a target.</summary>

@@ -6,6 +6,12 @@ namespace Football.Physics;
 /// </summary>
 internal sealed class PassFlight : PieceObserver
 {
+    /// <summary>On the ground above this speed, m/s, where the drag law's jump is still to come, steps are shorter.</summary>
+    private const double FastRoll = 11;
+
+    /// <summary>Step of a ball that is faster on the ground, s.</summary>
+    private const double FastStep = 0.25;
+
     private readonly Simulator _simulator;
     private readonly StepLog _log = new();
     private readonly StepLog _watched = new();
@@ -32,7 +38,10 @@ internal sealed class PassFlight : PieceObserver
     /// <summary>Whether flights turn with their azimuth: in still air, to a target at rest.</summary>
     public bool Turns { get; private set; }
 
-    public override bool WantsEndAcceleration => true;
+    public override bool WantsEndAcceleration => !Roughly;
+
+    /// <summary>Whether a ball that rolls only has its direction asked for: its pieces are cubic then, one evaluation less each.</summary>
+    public bool Roughly { get; set; }
 
     /// <summary>Prepares for flights to a target.</summary>
     public void Aim(in Vector3d from, in Vector3d target, in Vector3d targetVelocity, double speed)
@@ -62,7 +71,8 @@ internal sealed class PassFlight : PieceObserver
             if (state.Motion != MotionState.Airborne)
             {
                 _watched.Clear();
-                done = _simulator.StepToImpact(ref state, timeStep, _watched);
+                double step = state.Velocity.LengthSquared > FastRoll * FastRoll ? Math.Min(timeStep, FastStep) : timeStep;
+                done = _simulator.StepToImpact(ref state, step, _watched);
                 rate = Rate(state.Time, state.Position, state.Velocity);
                 done = done || IsOver(in state, state.Position - _from, rate);
                 continue;

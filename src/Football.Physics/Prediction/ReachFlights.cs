@@ -41,7 +41,6 @@ internal sealed class ReachFlights
     public void Aim(AimRequest request, in Vector3d from, in Kick kick, double speed, double tolerance)
     {
         _context.Passes.Aim(in from, request.Target, request.TargetVelocity, speed);
-        _context.Rolls.Aim(in from, request.Target, request.TargetVelocity, speed);
         _toTarget = request.Target - from;
         _targetVelocity = request.TargetVelocity;
         _forward = AimContext.Forward(in from, request.Target, out _);
@@ -54,7 +53,14 @@ internal sealed class ReachFlights
     }
 
     /// <summary>Flies an elevation, beginning with the azimuth of the last one.</summary>
-    public Pass At(double elevation) => At(elevation, _context.Passes, _context.LongStep);
+    public Pass At(double elevation) => At(elevation, _context.LongStep);
+
+    /// <summary>Flies an elevation, beginning with the azimuth of another.</summary>
+    public Pass At(double elevation, in Pass near)
+    {
+        _kick.Azimuth = near.Kick.Azimuth;
+        return At(elevation);
+    }
 
     /// <summary>Rolls along the ground, straight at the target at first.</summary>
     /// <param name="elevation">The elevation.</param>
@@ -62,18 +68,21 @@ internal sealed class ReachFlights
     public Pass Along(double elevation, bool rough)
     {
         _kick.Azimuth = 0;
-        return rough ? At(elevation, _context.Rolls, RollingStep) : At(elevation, _context.Passes, _context.LongStep);
+        _context.Passes.Roughly = rough;
+        Pass pass = At(elevation, rough ? RollingStep : _context.LongStep);
+        _context.Passes.Roughly = false;
+        return pass;
     }
 
-    private Pass At(double elevation, PassFlight flight, double step)
+    private Pass At(double elevation, double step)
     {
         _kick.Elevation = elevation;
-        Pass pass = Fly(flight, step);
+        Pass pass = Fly(step);
         if (pass.Miss < NearHit * _tolerance && step > _context.ShortStep)
         {
             // A hit is not said from long steps.
             step = _context.ShortStep;
-            pass = Fly(_context.Passes, step);
+            pass = Fly(step);
         }
 
         if (Turns)
@@ -82,6 +91,21 @@ internal sealed class ReachFlights
             return pass;
         }
 
+        pass = Turned(pass, step);
+        if (pass.Time == 0 && pass.Kick.Azimuth != 0)
+        {
+            // Kicked the wrong way, it was never closer than at the start, which says nothing of where to turn.
+            _kick.Azimuth = 0;
+            Pass straight = Turned(Fly(step), step);
+            pass = straight.Miss < pass.Miss ? straight : pass;
+        }
+
+        return pass;
+    }
+
+    /// <summary>In a wind: turns a kick until it passes the target as closely as that allows.</summary>
+    private Pass Turned(Pass pass, double step)
+    {
         // Turning a kick turns its way about a point c that the wind carries along: the target is to be seen from c where the ball is.
         Vector3d c = pass.Time * ((Drift * _context.Scene.Air.Wind) - _targetVelocity);
         for (int i = 0; i < MostTurns; i++)
@@ -96,7 +120,7 @@ internal sealed class ReachFlights
             }
 
             _kick.Azimuth = pass.Kick.Azimuth + turn;
-            Pass next = Fly(flight, step);
+            Pass next = Fly(step);
             Centre(at, next.Gap + _toTarget, next.Kick.Azimuth - pass.Kick.Azimuth, ref c);
             pass = next;
         }
@@ -132,11 +156,11 @@ internal sealed class ReachFlights
         return f == 0 && l == 0 ? 0 : Elementary.Atan2(l, f);
     }
 
-    private Pass Fly(PassFlight flight, double step)
+    private Pass Fly(double step)
     {
         _context.Simulations++;
         Flights++;
-        Pass pass = flight.Fly(in _kick, step);
+        Pass pass = _context.Passes.Fly(in _kick, step);
         if (pass.Miss < Best.Miss)
         {
             Best = pass;

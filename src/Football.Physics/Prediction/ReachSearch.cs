@@ -316,7 +316,7 @@ internal sealed class ReachSearch
                 move = Math.Min(Math.Max(move, -0.9 * left), 0.9 * right);
             }
 
-            Pass d = _flights.At(b.Kick.Elevation + move);
+            Pass d = _flights.At(b.Kick.Elevation + move, in b);
             bool crossed = d.Above != above;
             Between(ref a, ref b, ref c, in d, crossed, leftSide: move < 0);
             if (crossed)
@@ -362,7 +362,7 @@ internal sealed class ReachSearch
         {
             double share = i % 5 == 4 ? 0.5 : atOne / (atOne - atOther);
             double elevation = one.Kick.Elevation + (share * (other.Kick.Elevation - one.Kick.Elevation));
-            Pass d = _flights.At(elevation);
+            Pass d = _flights.At(elevation, Math.Abs(atOne) < Math.Abs(atOther) ? one : other);
             if (Hits(in d))
             {
                 return true;
