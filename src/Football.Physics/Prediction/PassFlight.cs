@@ -201,8 +201,8 @@ internal sealed class PassFlight : PieceObserver
                 atLow *= 0.5;
             }
 
-            // The distance is flat here: a time that is off by a microsecond is a distance that is off by nanometres.
-            if (rate == 0 || moved < width || Math.Abs(rate) < 1e-9 * _speed * Math.Sqrt(_best))
+            // The distance is flat here: 1e-4 of it along the way is 5e-9 of it in the distance itself.
+            if (rate == 0 || moved < width || rate * rate < 1e-8 * _best * velocity.LengthSquared)
             {
                 break;
             }

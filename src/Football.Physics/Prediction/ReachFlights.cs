@@ -62,6 +62,14 @@ internal sealed class ReachFlights
         return At(elevation);
     }
 
+    /// <summary>Flies a kick as it is.</summary>
+    public Pass Of(in Kick kick)
+    {
+        _kick.Elevation = kick.Elevation;
+        _kick.Azimuth = kick.Azimuth;
+        return Fly(_context.LongStep);
+    }
+
     /// <summary>Rolls along the ground, straight at the target at first.</summary>
     /// <param name="elevation">The elevation.</param>
     /// <param name="rough">Whether only its direction counts.</param>

@@ -18,6 +18,10 @@ internal sealed class ReachSearch
     /// <summary>Share of the target's distance by which three elevations and a parabola must miss it to need no closer look.</summary>
     private const double ClearMiss = 0.002;
 
+    /// <summary>Turns by which a kick in a wind is tried to come closer, first and last, rad.</summary>
+    private const double FirstStep = 0.04;
+    private const double LastStep = 1e-3;
+
     private readonly AimContext _context;
     private readonly ReachFlights _flights;
     private readonly Pass[] _looks = new Pass[Looks];
@@ -78,8 +82,38 @@ internal sealed class ReachSearch
             return true;
         }
 
+        if (!_flights.Turns)
+        {
+            Settle();
+        }
+
         Found = _flights.Best;
-        return false;
+        return Found.Miss <= tolerance;
+    }
+
+    /// <summary>In a wind: whether a kick beside the best one, in elevation or azimuth, is closer.</summary>
+    private void Settle()
+    {
+        bool flies = _flights.Best.Kick.Elevation != _along;
+        int flights = 0;
+        for (double step = FirstStep; step > LastStep && flights < MostInValley; step *= 0.5)
+        {
+            bool closer = true;
+            while (closer && flights < MostInValley)
+            {
+                closer = false;
+                for (int i = flies ? 0 : 2; i < 4 && !closer; i++)
+                {
+                    Pass best = _flights.Best;
+                    Kick kick = best.Kick;
+                    double move = i % 2 == 0 ? step : -step;
+                    kick.Elevation = i < 2 ? Math.Min(Math.Max(kick.Elevation + move, _lowest), _highest) : kick.Elevation;
+                    kick.Azimuth += i < 2 ? 0 : move;
+                    flights++;
+                    closer = _flights.Of(in kick).Miss < best.Miss;
+                }
+            }
+        }
     }
 
     /// <summary>Along the ground: no closer than the target is above it, and only once.</summary>
@@ -160,22 +194,20 @@ internal sealed class ReachSearch
             }
         }
 
-        if (!(a.Above || b.Above || c.Above))
+        bool above = a.Above || b.Above || c.Above;
+        if (!above)
         {
             // Where a ball that rolls below the target is closer than any that flies, the closest of those need not be known any better.
+            above = Valley(ref a, ref b, ref c, enough: _roll);
             double bottom = Bottom(in a, in b, in c);
-            if (_roll < bottom && bottom > clear && Roll().Miss < bottom)
+            if (!above && _roll < b.Miss && !(Roll().Miss < bottom))
             {
-                return true;
+                above = Valley(ref a, ref b, ref c, enough: double.PositiveInfinity);
             }
         }
 
-        if (a.Above || b.Above || c.Above || Valley(ref a, ref b, ref c))
-        {
-            return Roots(arc, ref a, ref b, ref c, out hit);
-        }
-
-        return _flights.Best.Miss > clear && _flights.Best.Miss > 10 * _tolerance;
+        double least = Math.Min(Math.Min(a.Miss, b.Miss), c.Miss);
+        return above ? Roots(arc, ref a, ref b, ref c, out hit) : least > clear && least > 10 * _tolerance;
     }
 
     /// <summary>What no elevation between three is below: the least of their parabola, less what that may be wrong by.</summary>
@@ -249,7 +281,7 @@ internal sealed class ReachSearch
             Pass b = _looks[middle];
             Pass c = _looks[middle + 1];
 
-            if (Valley(ref a, ref b, ref c))
+            if (Valley(ref a, ref b, ref c, enough: double.PositiveInfinity))
             {
                 bool first = arc == AimArc.Low;
                 if (Root(first ? a : c, b) || Root(first ? c : a, b))
@@ -263,8 +295,12 @@ internal sealed class ReachSearch
     }
 
     /// <summary>The bottom of a valley: parabolas through the best elevation and its neighbours, at a bound through the two nearest.</summary>
+    /// <param name="a">The lowest of three elevations.</param>
+    /// <param name="b">The middle one.</param>
+    /// <param name="c">The highest.</param>
+    /// <param name="enough">A miss that is known to be had elsewhere: a valley that is shallower need not be searched on.</param>
     /// <returns>True where the target lies on the other side of the way of b than of its neighbours': there are hits between.</returns>
-    private bool Valley(ref Pass a, ref Pass b, ref Pass c)
+    private bool Valley(ref Pass a, ref Pass b, ref Pass c, double enough)
     {
         bool above = b.Above;
         for (int i = 0; i < MostInValley; i++)
@@ -272,6 +308,11 @@ internal sealed class ReachSearch
             double left = b.Kick.Elevation - a.Kick.Elevation;
             double right = c.Kick.Elevation - b.Kick.Elevation;
             if (!(left > 0 && right > 0) || Math.Max(left, right) < 1e-6)
+            {
+                return false;
+            }
+
+            if (Bottom(in a, in b, in c) > enough)
             {
                 return false;
             }
