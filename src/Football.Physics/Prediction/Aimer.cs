@@ -4,6 +4,9 @@ namespace Football.Physics;
 /// <remarks>Made once for a scene and used again; a search allocates nothing. Not for several threads at once.</remarks>
 public sealed class Aimer
 {
+    /// <summary>A miss that longer steps may have made of a hit, m.</summary>
+    private const double NearMiss = 0.05;
+
     private readonly AimContext _context;
     private readonly DirectAim _direct;
     private readonly DirectTwoPointAim _directTwoPoint;
@@ -48,7 +51,7 @@ public sealed class Aimer
         };
         AimAnswer answer = finder.Find(request);
         AimResult result = Report(request, in answer, measure);
-        if (method == AimMethod.Direct && measure && answer.Status == AimStatus.Hit && result.Status != AimStatus.Hit)
+        if (method == AimMethod.Direct && result.Status != AimStatus.Hit && (answer.Status == AimStatus.Hit || answer.Miss < NearMiss))
         {
             // A kick that grazes the drag law's jump goes elsewhere in finer steps: once more in those.
             _context.Fine = true;

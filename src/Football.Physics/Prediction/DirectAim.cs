@@ -232,9 +232,15 @@ internal sealed class DirectAim : IAimMethod
         return true;
     }
 
-    /// <summary>Whether a flight to the target stays above the ground, so that no impact comes first.</summary>
+    /// <summary>Whether a flight to the target leaves the ground and stays above it, so that no impact comes first.</summary>
     private bool Flies(in Probe probe)
     {
+        Elementary.SinCos(probe.Kick.Elevation, out double sine, out _);
+        if (_context.StaysDown(in _from, _speed * sine))
+        {
+            return false;
+        }
+
         double lowest = Math.Min(probe.Lowest, _request.Target.Y + (probe.Time * _request.TargetVelocity.Y) + probe.Up);
         return lowest >= _context.Game.ContactHeight - 1e-9;
     }

@@ -62,6 +62,13 @@ internal sealed class ReachFlights
         return At(elevation);
     }
 
+    /// <summary>The same in the shorter steps of a hit.</summary>
+    public Pass Near(double elevation, in Pass near)
+    {
+        _kick.Azimuth = near.Kick.Azimuth;
+        return At(elevation, _context.ShortStep);
+    }
+
     /// <summary>Flies a kick as it is.</summary>
     public Pass Of(in Kick kick)
     {

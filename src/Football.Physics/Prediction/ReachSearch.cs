@@ -15,6 +15,9 @@ internal sealed class ReachSearch
     /// <summary>A kick is the closest where no other is closer by more than this, m, or this share of its miss.</summary>
     private const double Closeness = 5e-4;
 
+    /// <summary>How near to a bound, rad, a kick must be that is further off than the one at the bound: the drag law's jump makes small waves.</summary>
+    private const double NearBound = 0.06;
+
     /// <summary>Share of the target's distance by which three elevations and a parabola must miss it to need no closer look.</summary>
     private const double ClearMiss = 0.002;
 
@@ -327,7 +330,7 @@ internal sealed class ReachSearch
                 bool atRight = c.Miss < a.Miss;
                 double near = atRight ? right : left;
                 double slope = atRight ? s + (q * right) : (q * left) - s;
-                if (slope < -Math.Abs(q) * near * (left + right) || near < 1e-4)
+                if ((slope < -Math.Abs(q) * near * (left + right) && near < NearBound) || near < 1e-4)
                 {
                     return false;
                 }
@@ -403,7 +406,7 @@ internal sealed class ReachSearch
         {
             double share = i % 5 == 4 ? 0.5 : atOne / (atOne - atOther);
             double elevation = one.Kick.Elevation + (share * (other.Kick.Elevation - one.Kick.Elevation));
-            Pass d = _flights.At(elevation, Math.Abs(atOne) < Math.Abs(atOther) ? one : other);
+            Pass d = _flights.Near(elevation, Math.Abs(atOne) < Math.Abs(atOther) ? one : other);
             if (Hits(in d))
             {
                 return true;
