@@ -9,6 +9,15 @@ internal sealed class AimContext
     /// <summary>Step of the library's own solver, s: with RK4 and the jump located within 1e-5 m.</summary>
     private const double SolverStep = 0.1;
 
+    /// <summary>Step of the library's own solver, s.</summary>
+    public double ShortStep => Fine ? FineStep : SolverStep;
+
+    /// <summary>Step of flights that only look where a kick goes, s: within 1e-4 m.</summary>
+    private const double CoarseStep = 0.25;
+
+    /// <summary>Step of both where a kick grazes the drag law's jump, so that the coarser ones were wrong, s.</summary>
+    private const double FineStep = 0.02;
+
     /// <summary>Step of the run that measures a miss, s: its own error is below 1e-6 m.</summary>
     private const double JudgeStep = 0.005;
 
@@ -31,6 +40,7 @@ internal sealed class AimContext
         _free = new Simulator(scene with { Ground = scene.Ground with { Height = NoGround } }, SolverSettings.Default);
         _pass = new ClosestPass(scene.Air.Wind == Vector3d.Zero);
         Flight = new KickFlight();
+        Passes = new PassFlight(_judge);
         Frames = new FrameFlight();
         _freeLog.Observer = Flight;
         _closeLog.Observer = _pass;
@@ -53,6 +63,15 @@ internal sealed class AimContext
 
     /// <summary>The last flight in the game's frames.</summary>
     public FrameFlight Frames { get; }
+
+    /// <summary>Flights with ground for their closest approach.</summary>
+    public PassFlight Passes { get; }
+
+    /// <summary>Whether the library's own solver takes fine steps.</summary>
+    public bool Fine { get; set; }
+
+    /// <summary>Step of flights that only look where a kick goes, s.</summary>
+    public double LongStep => Fine ? FineStep : CoarseStep;
 
     /// <summary>Forward simulations so far.</summary>
     public int Simulations { get; set; }
@@ -81,18 +100,18 @@ internal sealed class AimContext
         Flight.Reset();
         BallState state = _free.Launch(from, velocity, spin);
         _freeLog.Clear();
-        _free.Run(ref state, SolverStep, LongestFlight, StopAt.Impact, _freeLog, null);
-    }
-
-    /// <summary>Flies a kick with ground in the solver's steps, and returns its closest approach before the first impact.</summary>
-    public ClosestPass Approach(AimRequest request, in Vector3d velocity, in Vector3d spin)
-    {
-        Simulations++;
-        return Closest(request, in velocity, in spin, SolverStep);
+        _free.Run(ref state, ShortStep, LongestFlight, StopAt.Impact, _freeLog, null);
     }
 
     /// <summary>Measures the true miss of a kick.</summary>
-    public ClosestPass Judge(AimRequest request, in Vector3d velocity, in Vector3d spin) => Closest(request, in velocity, in spin, JudgeStep);
+    public ClosestPass Judge(AimRequest request, in Vector3d velocity, in Vector3d spin)
+    {
+        BallState state = _judge.Launch(request.From, velocity, spin);
+        _pass.Begin(state.Position, request.Target, request.TargetVelocity, request.Through);
+        _closeLog.Clear();
+        _judge.Run(ref state, JudgeStep, LongestFlight, StopAt.Impact, _closeLog, null);
+        return _pass;
+    }
 
     /// <summary>Flies a kick in the game's own steps, watched by <see cref="Frames"/>.</summary>
     public void FlyFrames(in Vector3d from, in Vector3d velocity, in Vector3d spin, in Vector3d point)
@@ -140,14 +159,5 @@ internal sealed class AimContext
             Lift = 0.5 * (lift1 + lift2),
             Upward = Upward,
         };
-    }
-
-    private ClosestPass Closest(AimRequest request, in Vector3d velocity, in Vector3d spin, double step)
-    {
-        BallState state = _judge.Launch(request.From, velocity, spin);
-        _pass.Begin(state.Position, request.Target, request.TargetVelocity, request.Through);
-        _closeLog.Clear();
-        _judge.Run(ref state, step, LongestFlight, StopAt.Impact, _closeLog, null);
-        return _pass;
     }
 }

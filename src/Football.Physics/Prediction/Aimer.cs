@@ -4,6 +4,9 @@ namespace Football.Physics;
 /// <remarks>Made once for a scene and used again; a search allocates nothing. Not for several threads at once.</remarks>
 public sealed class Aimer
 {
+    /// <summary>A miss that longer steps may have made of a hit, m.</summary>
+    private const double NearMiss = 0.05;
+
     private readonly AimContext _context;
     private readonly DirectAim _direct;
     private readonly DirectTwoPointAim _directTwoPoint;
@@ -47,7 +50,17 @@ public sealed class Aimer
             _ => request.Through is null ? _direct : _directTwoPoint,
         };
         AimAnswer answer = finder.Find(request);
-        return Report(request, in answer, measure);
+        AimResult result = Report(request, in answer, measure);
+        if (method == AimMethod.Direct && result.Status != AimStatus.Hit && (answer.Status == AimStatus.Hit || answer.Miss < NearMiss))
+        {
+            // A kick that grazes the drag law's jump goes elsewhere in finer steps: once more in those.
+            _context.Fine = true;
+            answer = finder.Find(request);
+            result = Report(request, in answer, measure);
+            _context.Fine = false;
+        }
+
+        return result;
     }
 
     /// <summary>Finds the slowest kick that hits a target.</summary>

@@ -13,33 +13,32 @@ internal sealed class DirectAim : IAimMethod
     /// <summary>A miss well below any tolerance worth having, m: a hit is within it even where a request is content with less.</summary>
     private const double FineMiss = 1e-3;
 
+    /// <summary>What the solver's own steps may be off, m: a closer miss is none, even where a request is content with less.</summary>
+    private const double FineStepError = 1e-4;
+
     /// <summary>The top of the heights is known when the elevation moves by less, rad: what that hides is below a tenth of a millimetre.</summary>
     private const double TopAngle = 5e-4;
 
-    /// <summary>Offset to the side of the target, of its distance, that does not blur the height there.</summary>
-    private const double SmallOffset = 1e-3;
-
-    /// <summary>Corrections of the azimuth that a flight may take where it must settle.</summary>
-    private const int MostTurns = 12;
-
     private readonly AimContext _context;
+    private readonly ReachSearch _reach;
     private AimRequest _request = new();
     private Vector3d _from;
     private Vector3d _forward;
     private Vector3d _left;
     private double _distance;
     private double _speed;
-    private AimArc _arc;
-    private bool _settles;
     private double _lowest;
     private double _highest;
     private readonly Probe[] _probes = new Probe[24];
     private Kick _kick;
     private Probe _last;
-    private Probe _best;
     private int _iterations;
 
-    public DirectAim(AimContext context) => _context = context;
+    public DirectAim(AimContext context)
+    {
+        _context = context;
+        _reach = new ReachSearch(context);
+    }
 
     public AimAnswer Find(AimRequest request) => Find(request, request.Speed, request.Arc);
 
@@ -51,25 +50,35 @@ internal sealed class DirectAim : IAimMethod
 
     private AimAnswer Find(AimRequest request, double speed, AimArc arc, double top, double side)
     {
-        Prepare(request, speed, arc, top, side);
-        if (_distance < 1e-6)
-        {
-            return Vertical();
-        }
-
+        Prepare(request, speed, top, side);
         double tolerance = 0.8 * Math.Min(request.Tolerance, FineMiss);
-        if (arc == AimArc.Low && Newton(tolerance) && Flies(in _last))
+        if (arc == AimArc.Low && _distance >= 1e-6 && Newton(tolerance) && Flies(in _last))
         {
             return Answer(AimStatus.Hit, in _last);
         }
 
-        return Bracketed(tolerance);
+        bool hit = _reach.Find(request, in _from, in _kick, speed, arc, tolerance);
+        Pass found = _reach.Found;
+        return new AimAnswer
+        {
+            // Straight above or below only the elevation matters; at the ball there is no direction at all.
+            Status = hit || found.Miss <= request.Tolerance ? AimStatus.Hit
+                : _distance < 1e-6 && Math.Abs(request.Target.Y - _from.Y) < 1e-6 ? AimStatus.Degenerate
+                : found.Miss < FineStepError ? AimStatus.NotConverged
+                : AimStatus.OutOfReach,
+            Kick = found.Kick,
+            Forward = _forward,
+            Speed = _speed,
+            Miss = found.Miss,
+            Time = found.Time,
+            Iterations = _iterations + _reach.Flights,
+        };
     }
 
     /// <summary>The largest height above the target at its distance, over all elevations within the bounds: positive where it can be reached.</summary>
     public double Certificate(AimRequest request, double speed)
     {
-        Prepare(request, speed, request.Arc, request.TopSpin, request.SideSpin);
+        Prepare(request, speed, request.TopSpin, request.SideSpin);
         if (_distance < 1e-6)
         {
             return double.NaN;
@@ -81,19 +90,16 @@ internal sealed class DirectAim : IAimMethod
         return Highest(in low, in high, stopAbove: double.PositiveInfinity).Up;
     }
 
-    private void Prepare(AimRequest request, double speed, AimArc arc, double top, double side)
+    private void Prepare(AimRequest request, double speed, double top, double side)
     {
         _request = request;
         _speed = speed;
-        _arc = arc;
-        _settles = false;
         _from = _context.Start(request);
         _forward = AimContext.Forward(in _from, request.Target, out _distance);
         _left = new Vector3d(_forward.Z, 0, -_forward.X); // ŷ × f
         _lowest = request.MinimumElevation * Degree;
         _highest = request.MaximumElevation * Degree;
         _iterations = 0;
-        _best = new Probe { Miss = double.PositiveInfinity };
         _kick = new Kick { Top = top, Side = side };
         _last = new Probe { Kick = _kick };
         double floor = Math.Min(_from.Y, request.Target.Y) - (2.0 * _distance) - 10.0;
@@ -124,6 +130,10 @@ internal sealed class DirectAim : IAimMethod
             }
 
             reached = model.Solve(in toTarget, wind - _request.TargetVelocity, in wind, _speed, in axis, ref direction, ref time);
+            if (!reached)
+            {
+                break;
+            }
         }
 
         double horizontal = direction.Horizontal.Length;
@@ -135,14 +145,7 @@ internal sealed class DirectAim : IAimMethod
     private Probe Fly(double elevation)
     {
         _kick.Elevation = elevation;
-        Probe probe = Fly(in _kick);
-        for (int i = 0; i < MostTurns && _settles && probe.Crossed && Math.Abs(probe.Left) > SmallOffset * _distance; i++)
-        {
-            Align(probe);
-            probe = Fly(in _kick);
-        }
-
-        return probe;
+        return Fly(in _kick);
     }
 
     /// <summary>Flies a kick to the target's plane.</summary>
@@ -160,10 +163,6 @@ internal sealed class DirectAim : IAimMethod
             probe.Time = flight.Time;
             probe.Velocity = flight.Velocity;
             probe.Miss = Math.Sqrt((probe.Up * probe.Up) + (probe.Left * probe.Left));
-            if (probe.Miss < _best.Miss)
-            {
-                _best = probe;
-            }
         }
         else
         {
@@ -233,69 +232,17 @@ internal sealed class DirectAim : IAimMethod
         return true;
     }
 
-    /// <summary>Whether a flight to the target stays above the ground, so that no impact comes first.</summary>
+    /// <summary>Whether a flight to the target leaves the ground and stays above it, so that no impact comes first.</summary>
     private bool Flies(in Probe probe)
     {
+        Elementary.SinCos(probe.Kick.Elevation, out double sine, out _);
+        if (_context.StaysDown(in _from, _speed * sine))
+        {
+            return false;
+        }
+
         double lowest = Math.Min(probe.Lowest, _request.Target.Y + (probe.Time * _request.TargetVelocity.Y) + probe.Up);
         return lowest >= _context.Game.ContactHeight - 1e-9;
-    }
-
-    private AimAnswer Bracketed(double tolerance)
-    {
-        if (Bracket(tolerance))
-        {
-            return Answer(AimStatus.Hit, in _last);
-        }
-
-        if (_context.Scene.Air.Wind != Vector3d.Zero)
-        {
-            // In a wind the azimuth depends strongly on a steep elevation: each flight again until its azimuth is right.
-            _settles = true;
-            if (Bracket(tolerance))
-            {
-                return Answer(AimStatus.Hit, in _last);
-            }
-
-            _settles = false;
-        }
-
-        return Closest();
-    }
-
-    /// <summary>Brackets the target between elevations, and solves there.</summary>
-    private bool Bracket(double tolerance)
-    {
-        if (!Guess())
-        {
-            _kick.Azimuth = 0;
-        }
-
-        // Twice at the first end, for a good azimuth.
-        Probe low = Aligned(Fly(_lowest));
-        Probe high = Aligned(Fly(_highest));
-        Probe top = low.Up >= 0 != high.Up >= 0
-            ? (low.Up >= 0 ? low : high)
-            : Highest(in low, in high, stopAbove: 0);
-        if (top.Up >= 0)
-        {
-            bool lowArc = low.Up < 0;
-            bool highArc = high.Up < 0;
-            bool first = _arc == AimArc.Low ? lowArc : !highArc;
-            for (int i = 0; i < 2; i++)
-            {
-                bool useLow = i == 0 ? first : !first;
-                if (useLow ? lowArc : highArc)
-                {
-                    Probe outside = useLow ? low : high;
-                    if (Root(outside, top, tolerance) && Flies(in _last))
-                    {
-                        return true;
-                    }
-                }
-            }
-        }
-
-        return false;
     }
 
     /// <summary>Flies once more with the azimuth that the last flight asks for, where it was far off.</summary>
@@ -389,244 +336,6 @@ internal sealed class DirectAim : IAimMethod
         }
 
         return b.Kick.Elevation + Math.Min(Math.Max(move, -0.9 * left), 0.9 * right);
-    }
-
-    /// <summary>Solves for the elevation between a flight that passes below the target and one that passes above.</summary>
-    private bool Root(Probe below, Probe above, double tolerance)
-    {
-        double atBelow = below.Up;
-        double atAbove = above.Up;
-        Align(above);
-        for (int i = 0; i < Math.Max(8, _request.MaximumIterations); i++)
-        {
-            double eb = below.Kick.Elevation;
-            double ea = above.Kick.Elevation;
-
-            // Illinois; bisection where one end did not even get there.
-            double share = below.Crossed && i % 5 != 4 ? atBelow / (atBelow - atAbove) : 0.5;
-            Probe d = Fly(eb + (share * (ea - eb)));
-            if (d.Miss <= tolerance)
-            {
-                _last = d;
-                return true;
-            }
-
-            // Close: the two angles together.
-            if (d.Crossed && d.Miss < 0.05 * _distance && Polish(d, tolerance, eb, ea))
-            {
-                return true;
-            }
-
-            Align(d.Crossed ? d : above);
-            if (d.Up < 0)
-            {
-                below = d;
-                atBelow = d.Up;
-                atAbove *= 0.5;
-            }
-            else
-            {
-                above = d;
-                atAbove = d.Up;
-                atBelow *= 0.5;
-            }
-
-            if (Math.Abs(above.Kick.Elevation - below.Kick.Elevation) < 1e-13)
-            {
-                break;
-            }
-        }
-
-        _last = _best;
-        return _best.Miss <= tolerance;
-    }
-
-    /// <summary>Broyden from a flight that is close, within a bracket of elevations.</summary>
-    private bool Polish(Probe start, double tolerance, double one, double other)
-    {
-        double low = Math.Min(one, other);
-        double high = Math.Max(one, other);
-        Jacobian j = Jacobian.Of(in start, in _from, in _forward, in _left, _context, _request.Target, _request.TargetVelocity);
-        Probe at = start;
-        for (int i = 0; i < 6; i++)
-        {
-            if (!j.Solve(in at, out double up, out double turn))
-            {
-                return false;
-            }
-
-            Kick next = at.Kick;
-            next.Elevation += up;
-            next.Azimuth += turn;
-            if (!(next.Elevation >= low && next.Elevation <= high && Math.Abs(turn) < 0.5))
-            {
-                return false;
-            }
-
-            Probe d = Fly(in next);
-            if (!d.Crossed || d.Miss > 0.9 * at.Miss)
-            {
-                return false;
-            }
-
-            j.Update(up, turn, d.Up - at.Up, d.Left - at.Left);
-            at = d;
-            if (d.Miss <= tolerance)
-            {
-                _last = d;
-                return true;
-            }
-        }
-
-        return false;
-    }
-
-    /// <summary>Out of reach: the kick whose closest approach, with ground, is the smallest.</summary>
-    private AimAnswer Closest()
-    {
-        Align(_best.Crossed ? _best : _last);
-        double azimuth = _best.Crossed ? _kick.Azimuth : 0;
-
-        // A coarse look over the elevations, then golden section around the best.
-        const int Looks = 5;
-        Kick best = _kick;
-        double bestMiss = double.PositiveInfinity;
-        double bestTime = 0;
-        double step = (_highest - _lowest) / (Looks - 1);
-        double centre = _lowest;
-        for (int i = 0; i < Looks; i++)
-        {
-            double elevation = i == Looks - 1 ? _highest : _lowest + (i * step);
-            double miss = Approach(elevation, ref azimuth, ref best, ref bestMiss, ref bestTime);
-            if (miss <= bestMiss)
-            {
-                centre = elevation;
-            }
-
-            if (step <= 0)
-            {
-                break;
-            }
-        }
-
-        const double Golden = 0.38196601125010515;
-        double a = Math.Max(_lowest, centre - step);
-        double b = Math.Min(_highest, centre + step);
-        double x = a + (Golden * (b - a));
-        double y = b - (Golden * (b - a));
-        double fx = step > 0 ? Approach(x, ref azimuth, ref best, ref bestMiss, ref bestTime) : 0;
-        double fy = step > 0 ? Approach(y, ref azimuth, ref best, ref bestMiss, ref bestTime) : 0;
-        for (int i = 0; i < 24 && b - a > 2e-4; i++)
-        {
-            if (fx <= fy)
-            {
-                b = y;
-                y = x;
-                fy = fx;
-                x = a + (Golden * (b - a));
-                fx = Approach(x, ref azimuth, ref best, ref bestMiss, ref bestTime);
-            }
-            else
-            {
-                a = x;
-                x = y;
-                fx = fy;
-                y = b - (Golden * (b - a));
-                fy = Approach(y, ref azimuth, ref best, ref bestMiss, ref bestTime);
-            }
-        }
-
-        // What is left is off the plane that the elevation moves in: the whole flight is turned onto the target.
-        for (int i = 0; i < 12 && bestMiss > 0.5 * Math.Min(_request.Tolerance, FineMiss); i++)
-        {
-            double before = bestMiss;
-            if (!TurnOnto(ref best, ref bestMiss, ref bestTime) || bestMiss > 0.9 * before)
-            {
-                break;
-            }
-        }
-
-        return new AimAnswer
-        {
-            Status = bestMiss <= _request.Tolerance ? AimStatus.Hit : AimStatus.OutOfReach,
-            Kick = best,
-            Forward = _forward,
-            Speed = _speed,
-            Miss = bestMiss,
-            Time = bestTime,
-            Iterations = _iterations,
-        };
-    }
-
-    /// <summary>The closest approach of a kick, with the azimuth of the last one corrected by it.</summary>
-    private double Approach(double elevation, ref double azimuth, ref Kick best, ref double bestMiss, ref double bestTime)
-    {
-        Kick kick = _kick;
-        kick.Elevation = elevation;
-        kick.Azimuth = azimuth;
-        kick.Vectors(_speed, in _forward, out Vector3d velocity, out Vector3d spin);
-        ClosestPass pass = _context.Approach(_request, in velocity, in spin);
-        _iterations++;
-        if (pass.Miss < bestMiss)
-        {
-            bestMiss = pass.Miss;
-            bestTime = pass.Time;
-            best = kick;
-        }
-
-        Vector3d went = pass.Position - _from;
-        double along = Vector3d.Dot(in went, in _forward);
-        if (along > 0.05 * _distance)
-        {
-            azimuth -= Elementary.Atan2(Vector3d.Dot(in went, in _left), along);
-        }
-
-        return pass.Miss;
-    }
-
-    /// <summary>Turns the best kick as its closest point must be turned to point at the target, where that is within the bounds.</summary>
-    private bool TurnOnto(ref Kick best, ref double bestMiss, ref double bestTime)
-    {
-        best.Vectors(_speed, in _forward, out Vector3d velocity, out Vector3d spin);
-        ClosestPass pass = _context.Approach(_request, in velocity, in spin);
-        Vector3d went = pass.Position - _from;
-        Vector3d wanted = _request.Target + (pass.Time * _request.TargetVelocity) - _from;
-        Vector3d normal = Vector3d.Cross(in went, in wanted);
-        double sine = normal.Length;
-        if (!(sine > 0))
-        {
-            return false;
-        }
-
-        Vector3d turned = Quaterniond.FromAxisAngle(normal / sine, Elementary.Atan2(sine, Vector3d.Dot(in went, in wanted))).Rotate(in velocity);
-        Kick kick = best;
-        kick.Elevation = Math.Min(Math.Max(Elementary.Atan2(turned.Y, turned.Horizontal.Length), _lowest), _highest);
-        kick.Azimuth = Elementary.Atan2(Vector3d.Dot(in turned, in _left), Vector3d.Dot(in turned, in _forward));
-        kick.Vectors(_speed, in _forward, out velocity, out spin);
-        pass = _context.Approach(_request, in velocity, in spin);
-        _iterations += 2;
-        if (pass.Miss < bestMiss)
-        {
-            best = kick;
-            bestMiss = pass.Miss;
-            bestTime = pass.Time;
-            return true;
-        }
-
-        return false;
-    }
-
-    /// <summary>The target is straight above, below, or at the ball: only the elevation matters.</summary>
-    private AimAnswer Vertical()
-    {
-        AimAnswer answer = Closest();
-        double height = Math.Abs(_request.Target.Y - _from.Y);
-        if (answer.Status != AimStatus.Hit && height < 1e-6)
-        {
-            answer.Status = AimStatus.Degenerate;
-        }
-
-        return answer;
     }
 
     private AimAnswer Answer(AimStatus status, in Probe probe) => new()

@@ -168,7 +168,12 @@ internal sealed class DirectTwoPointAim : IAimMethod
         return _miss <= 0.5 * Math.Min(_request.Tolerance, FineMiss) && Math.Sqrt((left * left) + (up * up)) <= throughTolerance;
     }
 
-    private bool Clear() => _lowestHeight >= _context.Game.ContactHeight - 1e-9 || _lowestHeight >= _from.Y - 1e-9;
+    private bool Clear()
+    {
+        Elementary.SinCos(_x[0], out double sine, out _);
+        return !_context.StaysDown(in _from, _request.Speed * sine)
+            && (_lowestHeight >= _context.Game.ContactHeight - 1e-9 || _lowestHeight >= _from.Y - 1e-9);
+    }
 
     private static double Size(double[] r) => Math.Sqrt((r[0] * r[0]) + (r[1] * r[1]) + (r[2] * r[2]) + (r[3] * r[3]));
 

@@ -31,7 +31,15 @@ internal static class AimCheck
         var simulator = new Simulator(scene);
         var path = new Trajectory(8192);
         BallState ball = simulator.Launch(request.From, result.Velocity, result.Spin);
-        simulator.LookAhead(in ball, new LookAheadRequest { TimeStep = 0.005, Duration = 30, StopAt = StopAt.Impact }, path);
+        var look = new LookAheadRequest { TimeStep = 0.005, Duration = 30, StopAt = StopAt.Impact };
+        simulator.LookAhead(in ball, look, path);
+        while (!path.IsComplete)
+        {
+            // A step of a light ball that spins fast has many parts.
+            path = new Trajectory(8 * path.Pieces.Length);
+            simulator.LookAhead(in ball, look, path);
+        }
+
         return path.ClosestApproach(request.Target).Distance;
     }
 
