@@ -26,9 +26,26 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
             F uz = F.Load(now.Uz, i);
             F w = F.Load(now.W, i);
             F inside = Jumps ? F.Load(group.Inside, i) : default;
-            Integrate(
-                in _air, inside, F.Load(group.Nx, i), F.Load(group.Ny, i), F.Load(group.Nz, i), h, ux, uy, uz, w,
-                out F dux, out F duy, out F duz, out F dw, out F dpx, out F dpy, out F dpz);
+            F nx = F.Load(group.Nx, i);
+            F ny = F.Load(group.Ny, i);
+            F nz = F.Load(group.Nz, i);
+            F dux;
+            F duy;
+            F duz;
+            F dw;
+            F dpx;
+            F dpy;
+            F dpz;
+            if (Jumps && F.All(inside))
+            {
+                Integrate<LanesWithSpin>(
+                    in _air, inside, nx, ny, nz, h, ux, uy, uz, w, out dux, out duy, out duz, out dw, out dpx, out dpy, out dpz);
+            }
+            else
+            {
+                Integrate<LanesOnEither>(
+                    in _air, inside, nx, ny, nz, h, ux, uy, uz, w, out dux, out duy, out duz, out dw, out dpx, out dpy, out dpz);
+            }
 
             // Compensated sums.
             F x = Sum(ux, F.Load(now.UxRest, i), dux, out F rest);
@@ -138,15 +155,15 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
 
         // First guess on the chord.
         F share = Within01(start / (start - end));
-        Integrate(in _air, inside, nx, ny, nz, share * h, ux, uy, uz, w, out F dux, out F duy, out F duz, out F dw, out F dpx, out F dpy, out F dpz);
+        Integrate<LanesOnEither>(in _air, inside, nx, ny, nz, share * h, ux, uy, uz, w, out F dux, out F duy, out F duz, out F dw, out F dpx, out F dpy, out F dpz);
         F middle = LeastOf(in _air, ux + dux, uy + duy, uz + duz, F.AtLeast(w + dw, default));
 
         // Newton on the parabola through the three.
         F slope = (((middle - start) / share) + ((end - middle) / (one - share))) - (end - start);
         F better = share - (middle / slope);
         share = F.Select(F.And(F.Less(F.Of(0.001f), share), F.Less(share, F.Of(0.999f))), Within01(better), share);
-        Integrate(in _air, inside, nx, ny, nz, share * h, ux, uy, uz, w, out dux, out duy, out duz, out dw, out dpx, out dpy, out dpz);
-        Integrate(
+        Integrate<LanesOnEither>(in _air, inside, nx, ny, nz, share * h, ux, uy, uz, w, out dux, out duy, out duz, out dw, out dpx, out dpy, out dpz);
+        Integrate<LanesOnEither>(
             in _air, after, nx, ny, nz, (one - share) * h, ux + dux, uy + duy, uz + duz, F.AtLeast(w + dw, default),
             out F eux, out F euy, out F euz, out F ew, out F epx, out F epy, out F epz);
 

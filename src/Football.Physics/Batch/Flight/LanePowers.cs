@@ -17,7 +17,6 @@ internal static class LanePowers
     public const float SpinDragCentre = 4.5f;
 
     public const float LeastSpeedSquared = 0.5f;
-    public const float GreatestSpeedSquared = 16384f;
     public const float LeastSurfaceSpeed = 1f / 4096f;
 
     /// <summary>Greatest speed, m/s, and surface speed r|ω|, m/s, that a ball may reach.</summary>
