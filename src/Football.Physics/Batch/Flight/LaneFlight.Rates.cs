@@ -32,7 +32,7 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
         F sumY = default;
         F sumZ = default;
         F sumB = default;
-        F earlyX = default;
+        F earlyX = default; // k1 + k2 + k3 in the end
         F earlyY = default;
         F earlyZ = default;
         Begin(in air, w, out F perSpin, out F dragPower, out F liftPower, out F spins);
@@ -42,6 +42,9 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
         {
             // Rk4: f(y), f(y + h/2 k1), f(y + h/2 k2), f(y + h k3), weights 1 2 2 1. Rk2: f(y), f(y + h/2 k1).
             F ahead = stage < 3 ? half : h;
+            earlyX += ax;
+            earlyY += ay;
+            earlyZ += az;
             vx = F.Plus(ux, ahead, ax);
             vy = F.Plus(uy, ahead, ay);
             vz = F.Plus(uz, ahead, az);
@@ -67,14 +70,10 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
             if (default(TMethod).Stages == 4)
             {
                 F weight = F.Of(stage == 1 || stage == 2 ? 2f : 1f);
-                F upTo3 = F.Of(stage < 3 ? 1f : 0f);
                 sumX = F.Plus(sumX, weight, ax);
                 sumY = F.Plus(sumY, weight, ay);
                 sumZ = F.Plus(sumZ, weight, az);
                 sumB = F.Plus(sumB, weight, b);
-                earlyX = F.Plus(earlyX, upTo3, ax);
-                earlyY = F.Plus(earlyY, upTo3, ay);
-                earlyZ = F.Plus(earlyZ, upTo3, az);
             }
         }
 
