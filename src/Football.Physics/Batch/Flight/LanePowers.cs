@@ -21,7 +21,7 @@ internal static class LanePowers
 
     /// <summary>Greatest speed, m/s, and surface speed r|ω|, m/s, that a ball may reach.</summary>
     public const double GreatestSpeed = 128;
-    public const double GreatestSurfaceSpeed = 1024;
+    public const double GreatestSurfaceSpeed = 14;
 
     /// <summary>What is taken out of (r|ω|)^(β−1) |u|^(1−β).</summary>
     public static readonly double LiftConstant =
