@@ -10,7 +10,7 @@ public static class GoldenShots
     private const double TimeStep = 0.01;
     private const int Ticks = 1200;
 
-    /// <summary>One line a combination of shot, laws and integrator, then the total.</summary>
+    /// <summary>One line a combination of shot, laws and integrator, one a combination of batch and laws, then the total.</summary>
     public static IEnumerable<string> Lines()
     {
         ulong total = 0;
@@ -25,6 +25,15 @@ public static class GoldenShots
                     total = Mix(total, hash);
                     yield return Line(shot.Key + " " + scene.Key + " " + integrator.ToString(), hash);
                 }
+            }
+        }
+
+        foreach (KeyValuePair<string, Scene> scene in Scenes())
+        {
+            foreach (KeyValuePair<string, ulong> batch in GoldenBatches.Hashes(scene.Value))
+            {
+                total = Mix(total, batch.Value);
+                yield return Line(batch.Key + " " + scene.Key, batch.Value);
             }
         }
 
@@ -90,17 +99,17 @@ public static class GoldenShots
         return Mix(Mix(hash, happened.Velocity), happened.Spin);
     }
 
-    private static ulong Mix(ulong hash, Vector3d vector)
+    internal static ulong Mix(ulong hash, Vector3d vector)
     {
         return Mix(Mix(Mix(hash, vector.X), vector.Y), vector.Z);
     }
 
-    private static ulong Mix(ulong hash, double number)
+    internal static ulong Mix(ulong hash, double number)
     {
         return Mix(hash, (ulong)BitConverter.DoubleToInt64Bits(number));
     }
 
-    private static ulong Mix(ulong hash, ulong word)
+    internal static ulong Mix(ulong hash, ulong word)
     {
         unchecked
         {
@@ -110,7 +119,7 @@ public static class GoldenShots
         }
     }
 
-    private static KeyValuePair<string, T> Named<T>(string name, T value)
+    internal static KeyValuePair<string, T> Named<T>(string name, T value)
     {
         return new KeyValuePair<string, T>(name, value);
     }

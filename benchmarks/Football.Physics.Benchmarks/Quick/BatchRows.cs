@@ -19,6 +19,7 @@ internal static class BatchRows
             Aim(lanes, "", Scene.Default, 8),
             Aim(lanes, ", wind", Scene.Windy(new Vector3d(4, 0, -3)), null),
         }),
+        .. Environment.ProcessorCount > 1 ? new[] { TwoCores(Widths()[^1]) } : [],
     ];
 
     private static int[] Widths() => Vector512.IsHardwareAccelerated ? [8, 16] : [8];
@@ -35,6 +36,7 @@ internal static class BatchRows
         {
             Target = target,
             Error = () => BatchWorkloads.LandingError(scene, integrator, shots),
+            Note = () => $"{Text.Length(BatchWorkloads.FromSingleBall(scene, integrator, shots))} at most from the single ball",
         };
     }
 
@@ -44,6 +46,18 @@ internal static class BatchRows
         () => Workloads.Plain(PlainLawKind.Published, Integrator.Rk2, ShotSets.Fast))
     {
         Target = target,
-        Error = () => BatchWorkloads.Miss(scene),
+        Error = () => BatchWorkloads.Misses(scene).Mean,
+        Note = () => $"at most {Text.Length(BatchWorkloads.Misses(scene).Worst)}",
+    };
+
+    /// <summary>Both threads at work, by aim and core: a million aims take this many times half a million plain RK2 steps.</summary>
+    private static TargetRow TwoCores(int lanes) => new(
+        $"many aims, {lanes * 32}-bit, two cores, to 1 mm, by aim and core, in plain RK2 steps",
+        () => BatchWorkloads.AimOnTwoCores(Scene.Default, lanes),
+        () => Workloads.Plain(PlainLawKind.Published, Integrator.Rk2, ShotSets.Fast))
+    {
+        Target = 8,
+        Error = () => BatchWorkloads.Misses(Scene.Default).Mean,
+        Note = () => $"at most {Text.Length(BatchWorkloads.Misses(Scene.Default).Worst)}",
     };
 }

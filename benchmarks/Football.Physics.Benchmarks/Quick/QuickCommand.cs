@@ -96,7 +96,7 @@ internal static class QuickCommand
             Timing time = row.Without512Bit ? InChild(row) : Stopwatching.Measure(subject, yardstick, share);
             string verdict = row.Target is { } target ? (time.Ratio <= target ? "reached" : "**missed**") : "";
             string reach = row.Target is { } t ? $"≤ {Text.Number(t)}" : "";
-            string error = row.Error is { } of ? Text.Length(of()) : "";
+            string error = row.Error is { } of ? Text.Length(of()) + (row.Note is { } note ? ", " + note() : "") : "";
             Print(text, $"| {row.Name} | {Text.Number(time.Nanoseconds)} | {Text.Number(time.YardstickNanoseconds)} | {Text.Number(time.Ratio)} | {reach} | {verdict} | {Text.Number(time.Bytes)} | {error} | {row.Thesis} |");
         }
     }

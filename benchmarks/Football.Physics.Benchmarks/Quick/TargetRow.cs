@@ -12,6 +12,9 @@ internal sealed record TargetRow(string Name, Func<Workload> Subject, Func<Workl
     /// <summary>Mean error, m; none where there is nothing to compare with.</summary>
     public Func<double>? Error { get; init; }
 
+    /// <summary>What else there is to say of the error; none where the mean says it.</summary>
+    public Func<string>? Note { get; init; }
+
     /// <summary>Whether it is timed in a process of its own, with 512-bit registers switched off.</summary>
     public bool Without512Bit { get; init; }
 }

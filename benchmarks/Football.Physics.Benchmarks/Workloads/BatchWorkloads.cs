@@ -7,6 +7,7 @@ internal static class BatchWorkloads
 {
     private const int Balls = 256;
     private const int Aims = 2048;
+    private const int AimsOfTwo = 16_384;
 
     /// <summary>Flights of 1.2 s high up, in steps of 10 ms, on one thread.</summary>
     public static Workload Flight(Scene scene, Integrator integrator, IReadOnlyList<Shot> shots, int lanes)
@@ -45,8 +46,51 @@ internal static class BatchWorkloads
             Aims);
     }
 
+    /// <summary>The same on two threads, by aim and core.</summary>
+    public static Workload AimOnTwoCores(Scene scene, int lanes)
+    {
+        BatchAims aims = MakeAims(AimsOfTwo);
+        var kicks = new BatchKicks(AimsOfTwo);
+        var aimer = new BatchAimer(scene, 2, lanes);
+        return new Workload(
+            () =>
+            {
+                aimer.Find(aims, kicks, AimsOfTwo);
+                return kicks.Time[0];
+            },
+            AimsOfTwo / 2);
+    }
+
+    /// <summary>Greatest distance of the first landings from the single ball's, in double with the same steps.</summary>
+    public static double FromSingleBall(Scene scene, Integrator integrator, IReadOnlyList<Shot> shots)
+    {
+        BatchFlights flights = Land(scene, Settings(integrator), shots);
+        BatchFlights single = Land(scene, Settings(integrator) with { Precision = BatchPrecision.Double }, shots);
+        return Enumerable.Range(0, shots.Count).Max(i => Vector3d.Distance(flights.Position[i], single.Position[i]));
+    }
+
     /// <summary>Mean distance of the first landings from RK4 at 0.5 ms.</summary>
     public static double LandingError(Scene scene, Integrator integrator, IReadOnlyList<Shot> shots)
+    {
+        BatchFlights flights = Land(scene, Settings(integrator), shots);
+        BatchFlights reference = Land(scene, new BatchSettings { Precision = BatchPrecision.Double, TimeStep = 0.5e-3 }, shots);
+        return Enumerable.Range(0, shots.Count).Average(i => Vector3d.Distance(flights.Position[i], reference.Position[i]));
+    }
+
+    /// <summary>True misses of the kicks that were found.</summary>
+    public static (double Mean, double Worst) Misses(Scene scene)
+    {
+        BatchAims aims = MakeAims(Aims);
+        var kicks = new BatchKicks(Aims);
+        new BatchAimer(scene).Find(aims, kicks, Aims);
+        var judge = new AimContext(scene, SolverSettings.Default, ShotSets.TimeStep);
+        double[] misses = [.. Enumerable.Range(0, Aims)
+            .Where(i => kicks.Status[i] == AimStatus.Hit)
+            .Select(i => judge.Judge(aims.Request(i), kicks.Velocity[i], kicks.Spin[i]).Miss)];
+        return (misses.Average(), misses.Max());
+    }
+
+    private static BatchFlights Land(Scene scene, BatchSettings settings, IReadOnlyList<Shot> shots)
     {
         var launches = new BatchLaunches(shots.Count);
         var flights = new BatchFlights(shots.Count);
@@ -55,22 +99,8 @@ internal static class BatchWorkloads
             launches.Set(i, shots[i].Position, shots[i].Velocity, shots[i].Spin);
         }
 
-        new BallBatch(scene, Settings(integrator)).Fly(launches, flights, shots.Count);
-        var reference = new BatchFlights(shots.Count);
-        new BallBatch(scene, new BatchSettings { Precision = BatchPrecision.Double, TimeStep = 0.5e-3 }).Fly(launches, reference, shots.Count);
-        return Enumerable.Range(0, shots.Count).Average(i => Vector3d.Distance(flights.Position[i], reference.Position[i]));
-    }
-
-    /// <summary>Mean true miss of the kicks that were found.</summary>
-    public static double Miss(Scene scene)
-    {
-        BatchAims aims = MakeAims(Aims);
-        var kicks = new BatchKicks(Aims);
-        new BatchAimer(scene).Find(aims, kicks, Aims);
-        var judge = new AimContext(scene, SolverSettings.Default, ShotSets.TimeStep);
-        return Enumerable.Range(0, Aims)
-            .Where(i => kicks.Status[i] == AimStatus.Hit)
-            .Average(i => judge.Judge(aims.Request(i), kicks.Velocity[i], kicks.Spin[i]).Miss);
+        new BallBatch(scene, settings).Fly(launches, flights, shots.Count);
+        return flights;
     }
 
     private static BatchSettings Settings(Integrator integrator) => new() { Integrator = integrator, TimeStep = ShotSets.TimeStep };

@@ -61,6 +61,11 @@ internal static class PrecisionLab
 
             report.Tables.Add(Table(name, shots.Length, points));
             report.Tables.Add(Needed(name, points));
+            if (stop == StopAt.Impact)
+            {
+                report.Tables.Add(Wanted(name, shots, reference));
+            }
+
             charts.Add(() => Draw($"{name}: error against evaluations", "evaluations a second of motion", points, row => row.Evaluations));
             charts.Add(() => Draw($"{name}: error against time", "ns a second of motion", points, row => row.Nanoseconds));
         }
@@ -161,6 +166,22 @@ internal static class PrecisionLab
             }
 
             table.Add([.. cells]);
+        }
+
+        return table;
+    }
+
+    /// <summary>What is picked for a wanted accuracy, what it costs and how accurate it is.</summary>
+    private static LabTable Wanted(string name, LabShot[] shots, PrecisionPoint[] reference)
+    {
+        var table = new LabTable(
+            $"{name}: picked for the accuracy wanted",
+            "wanted", "method", "step, ms", "mean", "p95", "worst", "evaluations", "ns");
+        foreach (Accuracy wanted in Enum.GetValues<Accuracy>())
+        {
+            SolverSettings settings = SolverSettings.For(wanted, out double step);
+            PrecisionRow row = Measure(settings, step, shots, StopAt.Impact, reference, thesis: false);
+            table.Add(wanted, row.Method, 1e3 * row.Step, row.Mean, row.P95, row.Worst, row.Evaluations, row.Nanoseconds);
         }
 
         return table;

@@ -23,7 +23,7 @@ internal static class SweepCommand
             Read(parsed.GetValue(options.File), parsed.GetValue(options.Set) ?? [], terminal),
             parsed.GetValue(options.Count),
             parsed.GetValue(options.Seed),
-            parsed.GetValue(options.Shard),
+            parsed.GetValue(options.Shard) ?? (1, 1),
             (int)parsed.GetValue(options.Jobs),
             terminal));
         return command;

@@ -21,7 +21,7 @@ internal sealed class SweepOptions
     public Option<long> Count { get; } = new("--count")
     {
         HelpName = "N",
-        Description = "Rows of the whole sweep; default 1000.",
+        Description = "Rows of the whole sweep.",
         DefaultValueFactory = _ => 1000,
         CustomParser = result => Whole(result, "--count", 1, MostRows),
     };
@@ -29,16 +29,15 @@ internal sealed class SweepOptions
     public Option<long> Seed { get; } = new("--seed")
     {
         HelpName = "S",
-        Description = "What the launches are drawn from, with a row's index; default 1.",
+        Description = "What the launches are drawn from, with a row's index.",
         DefaultValueFactory = _ => 1,
         CustomParser = result => Whole(result, "--seed", 0, long.MaxValue),
     };
 
-    public Option<(int Index, int Of)> Shard { get; } = new("--shard")
+    public Option<(int Index, int Of)?> Shard { get; } = new("--shard")
     {
         HelpName = "i/n",
-        Description = "Only the i-th of n parts; all parts one after the other are the whole, byte for byte. Default 1/1.",
-        DefaultValueFactory = _ => (1, 1),
+        Description = "Only the i-th of n parts; all parts one after the other are the whole, byte for byte. Without it: all rows.",
         CustomParser = ParseShard,
     };
 
@@ -80,7 +79,7 @@ internal sealed class SweepOptions
         return low;
     }
 
-    private static (int Index, int Of) ParseShard(ArgumentResult result)
+    private static (int Index, int Of)? ParseShard(ArgumentResult result)
     {
         string text = result.Tokens[0].Value;
         string[] parts = text.Split('/');
@@ -93,7 +92,7 @@ internal sealed class SweepOptions
         }
 
         result.AddError($"--shard is {Quote.Short(text)}; allowed: i/n with n from 1 to 1000000 and i from 1 to n, like 3/8.");
-        return (1, 1);
+        return null;
     }
 
     private static FieldOverride[] ParseSet(ArgumentResult result)

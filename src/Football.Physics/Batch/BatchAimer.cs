@@ -4,9 +4,11 @@ namespace Football.Physics;
 
 /// <summary>Finds many kicks of one scene at once: the same question as <see cref="Aimer"/> answers with <see cref="AimMethod.Direct"/>.</summary>
 /// <remarks>
-/// Elevation and azimuth start in closed form and are improved with flights of many kicks at once; what does not converge, is out of reach or
-/// would touch the ground on its way is handed to an <see cref="Aimer"/>. Each answer depends on its own request alone. Not for several
-/// threads at once.
+/// Elevation and azimuth start in closed form and are improved with flights of many kicks at once; what does not converge, is out of reach,
+/// grazes the drag law's jump or would touch the ground on its way is handed to an <see cref="Aimer"/>, and called a hit only where its miss,
+/// measured, is one. The true miss of a hit is within the tolerance, down to 1 mm. Each answer depends on its own request alone: not on the
+/// others, the number of threads or the width of the processor's registers. On one thread nothing is allocated but for what is handed on.
+/// Not for several threads at once; its own threads are.
 /// </remarks>
 public sealed class BatchAimer
 {

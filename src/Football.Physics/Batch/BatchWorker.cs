@@ -90,6 +90,12 @@ internal sealed class BatchWorker
         {
             int ball = _order[k];
             int index = from + ball;
+            if (_group.GivenUp[ball])
+            {
+                FlyAlone(flights, index, launches.Position[index], launches.Velocity[index], launches.Spin[index], duration);
+                continue;
+            }
+
             double time = _group.EndTime[ball];
             Vector3d start = launches.Position[index];
             double y = start.Y > contact ? start.Y : contact;

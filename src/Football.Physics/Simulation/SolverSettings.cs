@@ -21,6 +21,22 @@ public sealed record SolverSettings
     /// <summary>RK4, everything exact.</summary>
     public static SolverSettings Default { get; } = new();
 
+    /// <summary>The cheapest integrator and step for a wanted accuracy: RK4 with steps of 80 ms, 40 ms or 5 ms.</summary>
+    /// <param name="accuracy">How close to the exact solution a shot is to be, from the kick to the impact.</param>
+    /// <param name="timeStep">The longest step to take, s. Shorter ones are only more accurate.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="accuracy"/> is none of the enumeration.</exception>
+    public static SolverSettings For(Accuracy accuracy, out double timeStep)
+    {
+        Check.Defined(nameof(accuracy), accuracy, (int)accuracy, 3);
+        timeStep = accuracy switch
+        {
+            Accuracy.Millimetre => 0.08,
+            Accuracy.TenthOfMillimetre => 0.04,
+            _ => 0.005,
+        };
+        return Default;
+    }
+
     /// <summary>Checks every setting.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A setting is out of range; the message names field, value and range.</exception>
     public void Validate()

@@ -44,10 +44,29 @@ public sealed class BallBatchTests
             ImpactIsApplied(scene, flights, i);
         }
 
-        // The few that graze the published law's jump between two steps may be further off.
         distances.Sort();
         Assert.True(distances[Count * 99 / 100] < 2e-5, $"99 % within {distances[Count * 99 / 100]:e2} m");
-        Assert.True(distances[^1] < 5e-3, $"all within {distances[^1]:e2} m");
+        Assert.True(distances[^1] < 1e-4, $"all within {distances[^1]:e2} m");
+    }
+
+    /// <summary>Among so many some graze the drag law's jump, slide along it, or pass its corner within a step.</summary>
+    [Theory]
+    [InlineData(10, 22, 25, 0.01, 1e-5, 1e-4)]
+    [InlineData(10, 22, 25, 0.02, 1e-5, 1e-4)]
+    [InlineData(10, 22, 25, 0.04, 1e-5, 5e-4)]
+    [InlineData(15, 40, 130, 0.01, 2e-5, 1e-4)]
+    [InlineData(15, 40, 130, 0.02, 2e-5, 2e-4)]
+    [InlineData(15, 40, 130, 0.04, 2e-5, 5e-4)]
+    [InlineData(11, 16, 8, 0.02, 1e-5, 1e-4)]
+    public void No_shot_is_far_from_the_single_ball(double slow, double fast, double mostSpin, double step, double nearlyAll, double all)
+    {
+        const int many = 10_000;
+        BatchLaunches launches = BatchScenes.Launches(6, many, slow, fast, mostSpin);
+        BatchFlights single = BatchScenes.Fly(new BallBatch(null, new BatchSettings { TimeStep = step }), launches);
+        BatchFlights twice = BatchScenes.Fly(new BallBatch(null, new BatchSettings { TimeStep = step, Precision = BatchPrecision.Double }), launches);
+        double[] apart = [.. Enumerable.Range(0, many).Select(i => Vector3d.Distance(single.Position[i], twice.Position[i])).Order()];
+        Assert.True(apart[many * 99 / 100] < nearlyAll, $"99 % within {apart[many * 99 / 100]:e2} m");
+        Assert.True(apart[^1] < all, $"all within {apart[^1]:e2} m");
     }
 
     [Theory]
@@ -60,7 +79,7 @@ public sealed class BallBatchTests
         BatchFlights twice = BatchScenes.Fly(new BallBatch(scene, new BatchSettings { FindApex = true, Precision = BatchPrecision.Double }), launches);
         double[] apart = [.. Enumerable.Range(0, Count).Select(i => Math.Abs(single.Apex[i] - twice.Apex[i])).Order()];
         Assert.True(apart[Count * 99 / 100] < 1e-5);
-        Assert.True(apart[^1] < 5e-3);
+        Assert.True(apart[^1] < 1e-4);
     }
 
     [Theory]

@@ -30,6 +30,9 @@ internal readonly struct LaneAir
     /// <summary>(r/0.05)²: the drag law's jump in spin is where this · |ω|² = |u|².</summary>
     public readonly float Jump;
 
+    /// <summary>Size of the acceleration by gravity and buoyancy, m/s².</summary>
+    public readonly float Along;
+
     /// <param name="scene">The scene.</param>
     /// <param name="upAlongX">Whether up is along the lanes' x, else y.</param>
     public LaneAir(Scene scene, bool upAlongX)
@@ -82,6 +85,7 @@ internal readonly struct LaneAir
 
         AlongX = upAlongX ? (float)up : 0f;
         AlongY = upAlongX ? 0f : (float)up;
+        Along = (float)Math.Abs(up);
         Drag = (float)drag;
         Lift = (float)lift;
         Decay = (float)decay;

@@ -14,9 +14,10 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
 {
     /// <summary>The changes of velocity, spin and place in a step.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void Integrate(
+    private static void Integrate<TBranch>(
         in LaneAir air, F inside, F nx, F ny, F nz, F h, F ux, F uy, F uz, F w,
         out F dux, out F duy, out F duz, out F dw, out F dpx, out F dpy, out F dpz)
+        where TBranch : struct, ILaneBranch
     {
         F gx = F.Of(air.AlongX);
         F gy = F.Of(air.AlongY);
@@ -31,25 +32,27 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
         F sumY = default;
         F sumZ = default;
         F sumB = default;
-        F earlyX = default;
+        F earlyX = default; // k1 + k2 + k3 in the end
         F earlyY = default;
         F earlyZ = default;
         Begin(in air, w, out F perSpin, out F dragPower, out F liftPower, out F spins);
-        bool spinning = Jumps && F.All(inside);
-        bool noSpin = Jumps && !F.Any(inside);
+        bool noSpin = Jumps && !default(TBranch).AllWithSpin && !F.Any(inside);
         F half = F.Of(0.5f) * h;
         for (int stage = 0; stage < default(TMethod).Stages; stage++)
         {
             // Rk4: f(y), f(y + h/2 k1), f(y + h/2 k2), f(y + h k3), weights 1 2 2 1. Rk2: f(y), f(y + h/2 k1).
             F ahead = stage < 3 ? half : h;
+            earlyX += ax;
+            earlyY += ay;
+            earlyZ += az;
             vx = F.Plus(ux, ahead, ax);
             vy = F.Plus(uy, ahead, ay);
             vz = F.Plus(uz, ahead, az);
             F vw = F.Plus(w, ahead, b);
             if (default(TLaw).Air)
             {
-                Factors(
-                    in air, inside, spinning, noSpin, perSpin, dragPower, liftPower, w, F.Squares(vx, vy, vz), vw,
+                Factors<TBranch>(
+                    in air, inside, noSpin, perSpin, dragPower, liftPower, w, F.Squares(vx, vy, vz), vw,
                     out F drag, out F lift, out F decay);
 
                 // L (ω̂ × u) − D u + g
@@ -67,14 +70,10 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
             if (default(TMethod).Stages == 4)
             {
                 F weight = F.Of(stage == 1 || stage == 2 ? 2f : 1f);
-                F upTo3 = F.Of(stage < 3 ? 1f : 0f);
                 sumX = F.Plus(sumX, weight, ax);
                 sumY = F.Plus(sumY, weight, ay);
                 sumZ = F.Plus(sumZ, weight, az);
                 sumB = F.Plus(sumB, weight, b);
-                earlyX = F.Plus(earlyX, upTo3, ax);
-                earlyY = F.Plus(earlyY, upTo3, ay);
-                earlyZ = F.Plus(earlyZ, upTo3, az);
             }
         }
 
@@ -104,7 +103,7 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
     }
 
     /// <summary>What the laws need of the spin, once a step.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Begin(in LaneAir air, F w, out F perSpin, out F dragPower, out F liftPower, out F spins)
     {
         spins = F.Less(default, w);
@@ -143,9 +142,10 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
 
     /// <summary>The factors of a = −drag · u + lift · (ω̂ × u) and ω̇ = −decay.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Factors(
-        in LaneAir air, F inside, bool spinning, bool noSpin, F perSpin, F dragPower, F liftPower, F spin, F speedSquared, F stageSpin,
+    private static void Factors<TBranch>(
+        in LaneAir air, F inside, bool noSpin, F perSpin, F dragPower, F liftPower, F spin, F speedSquared, F stageSpin,
         out F drag, out F lift, out F decay)
+        where TBranch : struct, ILaneBranch
     {
         F speed = F.Sqrt(speedSquared);
         if (!default(TLaw).Fitted)
@@ -157,7 +157,7 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
         }
 
         F one = F.Of(1f);
-        F z = Log2(F.AtMost(F.AtLeast(speedSquared, F.Of(LanePowers.LeastSpeedSquared)), F.Of(LanePowers.GreatestSpeedSquared)), LanePowers.SpeedCentre);
+        F z = Log2(F.AtLeast(speedSquared, F.Of(LanePowers.LeastSpeedSquared)), LanePowers.SpeedCentre);
         F zz = z * z;
         F zzzz = zz * zz;
 
@@ -176,7 +176,7 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
             coefficient = (dragPower * onDrag) * power;
         }
 
-        if (!spinning)
+        if (!default(TBranch).AllWithSpin)
         {
             F free = WithoutSpin(speed);
             coefficient = default(TLaw).Regularised ? Blend(in air, speed, stageSpin, coefficient, free) : F.Select(inside, coefficient, free);

@@ -19,6 +19,11 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
         LaneState now = group.Now;
         LaneState next = group.Next;
         F h = F.Of(length);
+        group.CrossingCount = 0;
+
+        // Near its extreme, where u · a = 0, the law's distance from its jump bends by 2 a · g: in a step by no more than g h |Δu|. Twice that is near.
+        float reach = 2f * length * _air.Along;
+        F reachSquared = F.Of((float)(reach * reach));
         for (int i = 0; i < group.Flying; i += F.Count)
         {
             F ux = F.Load(now.Ux, i);
@@ -26,9 +31,26 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
             F uz = F.Load(now.Uz, i);
             F w = F.Load(now.W, i);
             F inside = Jumps ? F.Load(group.Inside, i) : default;
-            Integrate(
-                in _air, inside, F.Load(group.Nx, i), F.Load(group.Ny, i), F.Load(group.Nz, i), h, ux, uy, uz, w,
-                out F dux, out F duy, out F duz, out F dw, out F dpx, out F dpy, out F dpz);
+            F nx = F.Load(group.Nx, i);
+            F ny = F.Load(group.Ny, i);
+            F nz = F.Load(group.Nz, i);
+            F dux;
+            F duy;
+            F duz;
+            F dw;
+            F dpx;
+            F dpy;
+            F dpz;
+            if (Jumps && F.All(inside))
+            {
+                Integrate<LanesWithSpin>(
+                    in _air, inside, nx, ny, nz, h, ux, uy, uz, w, out dux, out duy, out duz, out dw, out dpx, out dpy, out dpz);
+            }
+            else
+            {
+                Integrate<LanesOnEither>(
+                    in _air, inside, nx, ny, nz, h, ux, uy, uz, w, out dux, out duy, out duz, out dw, out dpx, out dpy, out dpz);
+            }
 
             // Compensated sums.
             F x = Sum(ux, F.Load(now.UxRest, i), dux, out F rest);
@@ -54,11 +76,19 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
 
             if (Jumps)
             {
-                F after = InsideOf(in _air, x, y, z, spin);
-                if (F.Any(F.Differs(inside, after)))
+                F squared = F.Squares(x, y, z);
+                F changed = F.Squares(dux, duy, duz);
+                F bySpeed = squared - F.Of((float)(FittedDrag.CriticalSpeed * FittedDrag.CriticalSpeed));
+                F bySpin = (F.Of(_air.Jump) * (spin * spin)) - squared;
+                F least = F.AtMost(bySpeed, bySpin);
+                F width = bySpeed + bySpin;
+                F after = F.Less(default, least);
+                F near = F.Or(F.Less(least * least, reachSquared * changed), F.Less(width * width, (F.Of(16f) * squared) * changed));
+                if (F.Any(F.Or(F.Differs(inside, after), near)))
                 {
                     F.Store(after, group.InsideAfter, i);
-                    group.NoteCrossings(i, F.Count);
+                    F.Store(near, group.Near, i);
+                    group.NoteCrossings(i, F.Count, in _air, length);
                 }
             }
         }
@@ -70,7 +100,7 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
                 SplitAtJump(group.Split, i, h);
             }
 
-            group.Rejoin();
+            group.Rejoin(in _air, length);
         }
     }
 
@@ -138,15 +168,29 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
 
         // First guess on the chord.
         F share = Within01(start / (start - end));
-        Integrate(in _air, inside, nx, ny, nz, share * h, ux, uy, uz, w, out F dux, out F duy, out F duz, out F dw, out F dpx, out F dpy, out F dpz);
-        F middle = LeastOf(in _air, ux + dux, uy + duy, uz + duz, F.AtLeast(w + dw, default));
+        Integrate<LanesOnEither>(in _air, inside, nx, ny, nz, share * h, ux, uy, uz, w, out F dux, out F duy, out F duz, out F dw, out F dpx, out F dpy, out F dpz);
+        F between = LeastOf(in _air, ux + dux, uy + duy, uz + duz, F.AtLeast(w + dw, default));
 
-        // Newton on the parabola through the three.
-        F slope = (((middle - start) / share) + ((end - middle) / (one - share))) - (end - start);
-        F better = share - (middle / slope);
+        // The root of the parabola through the three: start + b s + c s², turned so that it comes down from above.
+        F sign = F.Select(F.Less(start, default), F.Of(-1f), one);
+        F early = (between - start) / share;
+        F late = (end - between) / (one - share);
+        F c = late - early;
+        F down = sign * ((c * share) - early);
+        F root = F.Sqrt(F.AtLeast((down * down) - ((F.Of(4f) * c) * start), default));
+        F better = ((F.Of(2f) * sign) * start) / (down + root);
         share = F.Select(F.And(F.Less(F.Of(0.001f), share), F.Less(share, F.Of(0.999f))), Within01(better), share);
-        Integrate(in _air, inside, nx, ny, nz, share * h, ux, uy, uz, w, out dux, out duy, out duz, out dw, out dpx, out dpy, out dpz);
-        Integrate(
+        Integrate<LanesOnEither>(in _air, inside, nx, ny, nz, share * h, ux, uy, uz, w, out dux, out duy, out duz, out dw, out dpx, out dpy, out dpz);
+        LaneState middle = balls.Middle;
+        F.Store(share, balls.Share, i);
+        Add(ux, now.UxRest, dux, middle.Ux, middle.UxRest, i);
+        Add(uy, now.UyRest, duy, middle.Uy, middle.UyRest, i);
+        Add(uz, now.UzRest, duz, middle.Uz, middle.UzRest, i);
+        Add(F.Load(now.Px, i), now.PxRest, dpx, middle.Px, middle.PxRest, i);
+        Add(F.Load(now.Py, i), now.PyRest, dpy, middle.Py, middle.PyRest, i);
+        Add(F.Load(now.Pz, i), now.PzRest, dpz, middle.Pz, middle.PzRest, i);
+        F.Store(F.AtLeast(w + dw, default), middle.W, i);
+        Integrate<LanesOnEither>(
             in _air, after, nx, ny, nz, (one - share) * h, ux + dux, uy + duy, uz + duz, F.AtLeast(w + dw, default),
             out F eux, out F euy, out F euz, out F ew, out F epx, out F epy, out F epz);
 
@@ -156,7 +200,12 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
         Add(F.Load(now.Px, i), now.PxRest, dpx + epx, next.Px, next.PxRest, i);
         Add(F.Load(now.Py, i), now.PyRest, dpy + epy, next.Py, next.PyRest, i);
         Add(F.Load(now.Pz, i), now.PzRest, dpz + epz, next.Pz, next.PzRest, i);
-        F.Store(F.AtLeast(w + (dw + ew), default), next.W, i);
+        F spin = F.AtLeast(w + (dw + ew), default);
+        F.Store(spin, next.W, i);
+
+        // Back on the side it came from: along the jump, or too close to it.
+        F side = InsideOf(in _air, F.Load(next.Ux, i), F.Load(next.Uy, i), F.Load(next.Uz, i), spin);
+        F.Store(F.Differs(side, after), balls.Astray, i);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

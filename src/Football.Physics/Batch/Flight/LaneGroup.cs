@@ -9,6 +9,9 @@ internal sealed class LaneGroup
     /// <summary>Room for the widest register beyond the last ball.</summary>
     private const int Room = Size + 16;
 
+    /// <summary>A flight crosses the jump three times: into the branch with spin, out of it as it slows down, into it as it falls.</summary>
+    private const int MostCrossings = 3;
+
     private LaneState _now = new(Room);
     private LaneState _next = new(Room);
 
@@ -33,6 +36,12 @@ internal sealed class LaneGroup
     /// <summary>Mask: the same after the step.</summary>
     public readonly float[] InsideAfter = new float[Room];
 
+    /// <summary>Mask: whether the drag law's jump was near at the end of the step.</summary>
+    public readonly float[] Near = new float[Room];
+
+    /// <summary>How often a ball crossed the jump.</summary>
+    public readonly int[] Crossings = new int[Size];
+
     /// <summary>Places whose balls crossed the drag law's jump in the step, and those balls side by side.</summary>
     public readonly int[] Crossing = new int[Size];
     public int CrossingCount;
@@ -51,6 +60,9 @@ internal sealed class LaneGroup
 
     /// <summary>By ball: when its flight ended, s.</summary>
     public readonly double[] EndTime = new double[Size];
+
+    /// <summary>By ball: whether floats do not do for it, so that it must fly alone: it grazes the drag law's jump, or slides along it.</summary>
+    public readonly bool[] GivenUp = new bool[Size];
 
     /// <summary>By ball: whether it ended at its limit.</summary>
     public readonly bool[] Reached = new bool[Size];
@@ -93,7 +105,9 @@ internal sealed class LaneGroup
         Limit[at] = (float)limit;
         Drift[at] = (float)drift;
         Inside[at] = 0;
+        Crossings[at] = 0;
         Apex[ball] = 0;
+        GivenUp[ball] = false;
     }
 
     /// <summary>Makes the end of a step the start of the next.</summary>
@@ -110,14 +124,19 @@ internal sealed class LaneGroup
         EndSpin[ball] = spin;
     }
 
-    /// <summary>Notes the places of one register whose balls crossed the drag law's jump.</summary>
-    public void NoteCrossings(int at, int count)
+    /// <summary>Notes the places of one register whose balls crossed the drag law's jump, and gives up those that graze it.</summary>
+    public void NoteCrossings(int at, int count, in LaneAir air, float length)
     {
         int end = at + count < Flying ? at + count : Flying;
         for (int i = at; i < end; i++)
         {
             // A mask that is set is not a number, or 1.
-            if ((Inside[i] == 0) != (InsideAfter[i] == 0))
+            bool crosses = (Inside[i] == 0) != (InsideAfter[i] == 0);
+            if ((crosses || Near[i] != 0) && LaneGraze.Grazes(_now, _next, i, in air, Inside[i] != 0, crosses, length))
+            {
+                GiveUp(i);
+            }
+            else if (crosses)
             {
                 Split.Take(this, i, CrossingCount);
                 Crossing[CrossingCount++] = i;
@@ -126,16 +145,31 @@ internal sealed class LaneGroup
     }
 
     /// <summary>Puts the balls that crossed the jump back in their places.</summary>
-    public void Rejoin()
+    public void Rejoin(in LaneAir air, float length)
     {
         for (int i = 0; i < CrossingCount; i++)
         {
             int place = Crossing[i];
             _next.Take(Split.Next, i, place);
             Inside[place] = InsideAfter[place];
+            double rest = (1.0 - Split.Share[i]) * length;
+            if (Split.Astray[i] != 0
+                || LaneGraze.Slides(Split.Middle, i, _next, place, in air, InsideAfter[place] != 0, rest)
+                || ++Crossings[place] > MostCrossings)
+            {
+                GiveUp(place);
+            }
         }
+    }
 
-        CrossingCount = 0;
+    /// <summary>Where in <see cref="Split"/> the ball at a place is, if it crossed the jump in this step; else −1.</summary>
+    public int SplitOf(int at) => CrossingCount > 0 ? Array.IndexOf(Crossing, at, 0, CrossingCount) : -1;
+
+    /// <summary>Leaves a ball to the single ball's flight. It is taken out with those that end in this step.</summary>
+    private void GiveUp(int at)
+    {
+        GivenUp[Ball[at]] = true;
+        Limit[at] = float.PositiveInfinity;
     }
 
     /// <summary>Takes the balls that ended out of the state after the step, the last ones into their places.</summary>
@@ -155,6 +189,7 @@ internal sealed class LaneGroup
                 Limit[to] = Limit[from];
                 Drift[to] = Drift[from];
                 Inside[to] = Inside[from];
+                Crossings[to] = Crossings[from];
             }
         }
 

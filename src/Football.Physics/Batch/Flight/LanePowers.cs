@@ -17,12 +17,11 @@ internal static class LanePowers
     public const float SpinDragCentre = 4.5f;
 
     public const float LeastSpeedSquared = 0.5f;
-    public const float GreatestSpeedSquared = 16384f;
     public const float LeastSurfaceSpeed = 1f / 4096f;
 
-    /// <summary>Greatest speed, m/s, and surface speed r|ω|, m/s, that a ball may reach.</summary>
+    /// <summary>Greatest speed, m/s, and surface speed r|ω|, m/s, that a ball may reach: beyond, the decay by two plates is not a parabola in the spin any more.</summary>
     public const double GreatestSpeed = 128;
-    public const double GreatestSurfaceSpeed = 1024;
+    public const double GreatestSurfaceSpeed = 14;
 
     /// <summary>What is taken out of (r|ω|)^(β−1) |u|^(1−β).</summary>
     public static readonly double LiftConstant =

@@ -6,17 +6,26 @@ internal sealed class LaneSplit
     public LaneSplit(int size)
     {
         Now = new LaneState(size);
+        Middle = new LaneState(size);
         Next = new LaneState(size);
+        Share = new float[size];
         Nx = new float[size];
         Ny = new float[size];
         Nz = new float[size];
         Inside = new float[size];
         InsideAfter = new float[size];
+        Astray = new float[size];
     }
 
     public LaneState Now { get; }
 
+    /// <summary>At the jump.</summary>
+    public LaneState Middle { get; }
+
     public LaneState Next { get; }
+
+    /// <summary>Which part of the step comes before the jump, 0 … 1.</summary>
+    public float[] Share { get; }
 
     public float[] Nx { get; }
 
@@ -28,6 +37,9 @@ internal sealed class LaneSplit
     public float[] Inside { get; }
 
     public float[] InsideAfter { get; }
+
+    /// <summary>Mask: which ended on the side of the jump that they came from.</summary>
+    public float[] Astray { get; }
 
     /// <summary>Takes a ball out of its group.</summary>
     public void Take(LaneGroup group, int from, int to)

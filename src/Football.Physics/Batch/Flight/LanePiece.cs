@@ -1,0 +1,77 @@
+namespace Football.Physics;
+
+/// <summary>A smooth piece of one ball's last step: the whole of it, or up to the drag law's jump, or from there.</summary>
+internal readonly struct LanePiece
+{
+    private readonly Vector3d _path;
+    private readonly Vector3d _velocity;
+    private readonly Vector3d _endPath;
+    private readonly Vector3d _endVelocity;
+    private readonly double _spin;
+    private readonly double _endSpin;
+
+    /// <summary>The whole step.</summary>
+    public LanePiece(LaneGroup group, int at, double time, double length)
+        : this(group.Now, at, group.Next, at, group.Drift[at], time, length)
+    {
+    }
+
+    /// <summary>The part before the jump, or after it.</summary>
+    public LanePiece(LaneGroup group, int at, int split, bool first, double time, double length)
+        : this(
+            first ? group.Now : group.Split.Middle,
+            first ? at : split,
+            first ? group.Split.Middle : group.Next,
+            first ? split : at,
+            group.Drift[at],
+            first ? time : time + (group.Split.Share[split] * length),
+            first ? group.Split.Share[split] * length : (1.0 - group.Split.Share[split]) * length)
+    {
+    }
+
+    private LanePiece(LaneState from, int start, LaneState to, int end, double drift, double time, double length)
+    {
+        _path = from.Path(start);
+        _velocity = from.Velocity(start);
+        _endPath = to.Path(end);
+        _endVelocity = to.Velocity(end);
+        _spin = from.W[start];
+        _endSpin = to.W[end];
+        Start = time;
+        Length = length;
+        StartHeight = _path.Y + (drift * time);
+        EndHeight = _endPath.Y + (drift * (time + length));
+        StartRise = _velocity.Y + drift;
+        EndRise = _endVelocity.Y + drift;
+    }
+
+    /// <summary>When it starts, s after the launch.</summary>
+    public double Start { get; }
+
+    /// <summary>How long it lasts, s.</summary>
+    public double Length { get; }
+
+    /// <summary>Way along y at its start, the wind's part included, m.</summary>
+    public double StartHeight { get; }
+
+    /// <summary>The same at its end.</summary>
+    public double EndHeight { get; }
+
+    /// <summary>Velocity along y at its start, the wind's included, m/s.</summary>
+    public double StartRise { get; }
+
+    /// <summary>The same at its end.</summary>
+    public double EndRise { get; }
+
+    /// <summary>Cubic Hermite interpolation of way and velocity; the spin linearly.</summary>
+    public void At(double time, out Vector3d path, out Vector3d velocity, out double spin)
+    {
+        double s = Length > 0 ? time / Length : 0;
+        Vector3d miss = _endPath - _path - (Length * _velocity);
+        Vector3d turn = Length * (_endVelocity - _velocity);
+        path = _path + (time * _velocity) + (s * s * ((3.0 * miss) - turn + (s * (turn - (2.0 * miss)))));
+        double perLength = Length > 0 ? s / Length : 0;
+        velocity = _velocity + (perLength * ((6.0 * miss) - (2.0 * turn) + (3.0 * s * (turn - (2.0 * miss)))));
+        spin = _spin + (s * (_endSpin - _spin));
+    }
+}
