@@ -19,7 +19,7 @@ internal static class AimLab
         var csv = new Option<string?>("--csv") { HelpName = "FILE", Description = "Writes every kick as a line." };
         var plot = new Option<string?>("--plot") { HelpName = "FILE.svg", Description = "Draws histograms and plots." };
         var quick = new Option<bool>("--quick") { Description = "Fewer kicks of everything." };
-        var full = new Option<bool>("--full") { Description = "Scans every random request that was not hit, not one in four." };
+        var full = new Option<bool>("--full") { Description = "Holds every one of the 10 000 random requests that was not hit against the dense scan, not one in four." };
         var command = new Command("aim", "The predictors: 4.1.3, 4.2.3, 4.3.2, and 10 000 random requests against a dense scan.") { seed, json, csv, plot, quick, full };
         command.SetAction(parsed =>
         {

@@ -35,7 +35,7 @@ internal sealed class AimReport(int seed, IReadOnlyList<AimSection> sections, Ai
         to.WriteLine("Random requests (5 to 40 m/s, spins, winds, laws, 1 to 70 m, heights, elevation bounds; 1 mm), direct");
         to.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  {v.Requests} requests: {v.Hits} hit, {v.OutOfReach} out of reach, {v.NotConverged} not converged or degenerate; {v.WithoutAnswer} without an answer."));
         to.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  Hits: worst true miss {1e3 * v.WorstHit:0.000} mm, {Mean(v.HitSimulations, v.Hits):0.00} simulations; the others: {Mean(v.OtherSimulations, v.Requests - v.Hits):0.0} simulations."));
-        to.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  Dense scan of {v.Scanned} that were not hit ({AimVerdicts.Elevations} elevations each): {v.Wrong} can be hit, {v.NotClosest} can be missed by less."));
+        to.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  Dense scan of {v.Scanned} that were not hit ({AimVerdicts.Elevations} elevations each): {v.Wrong} can be hit, {v.NotClosest} can be missed by less (by more than 1 % and 1 cm)."));
         foreach (string example in v.Examples)
         {
             to.WriteLine("    " + example);
@@ -103,7 +103,7 @@ internal sealed class AimReport(int seed, IReadOnlyList<AimSection> sections, Ai
         [.. sections.Where(section => section.Charts.Count > 0).Select(section => Figure.Stack(section.Title, section.Charts))]);
 
     /// <summary>Whether everything that was to be reached was.</summary>
-    public bool Reached => verdicts.Wrong == 0 && verdicts.WithoutAnswer == 0 && sections.All(section => section.Rows.All(row => row.Reach?.Reached ?? true));
+    public bool Reached => verdicts.Wrong == 0 && verdicts.NotClosest == 0 && verdicts.WithoutAnswer == 0 && verdicts.NotConverged == 0 && sections.All(section => section.Rows.All(row => row.Reach?.Reached ?? true));
 
     private static double Mean(long sum, int count) => count > 0 ? (double)sum / count : 0;
 }

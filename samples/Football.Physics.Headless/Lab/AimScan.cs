@@ -2,7 +2,8 @@ namespace Football.Physics.Headless.Lab;
 
 /// <summary>
 /// The dense scan that verdicts are held against: over the elevations between the bounds, each with the azimuth corrected by where the
-/// kick went, judged by the simulated closest approach before the first impact; every valley of it is then searched to its bottom.
+/// kick went, judged by the simulated closest approach before the first impact; every valley of it is then searched to its bottom, and
+/// in a wind, where the closest kick need not point where it comes closest, the best one in both angles.
 /// </summary>
 internal sealed class AimScan
 {
@@ -15,7 +16,16 @@ internal sealed class AimScan
     private readonly LookAheadRequest _look = new() { TimeStep = Coarse, Duration = 30, StopAt = StopAt.Impact };
     private readonly LookAheadRequest _lookFine = new() { TimeStep = Fine, Duration = 30, StopAt = StopAt.Impact };
 
-    public AimScan(Scene scene) => _simulator = new Simulator(scene);
+    private readonly bool _windy;
+    private double _bestMiss;
+    private double _bestElevation;
+    private double _bestAzimuth;
+
+    public AimScan(Scene scene)
+    {
+        _simulator = new Simulator(scene);
+        _windy = scene.Air.Wind != Vector3d.Zero;
+    }
 
     /// <summary>The smallest miss of any kick that the scan tries, m.</summary>
     /// <param name="request">What the kick is to do.</param>
@@ -25,6 +35,7 @@ internal sealed class AimScan
         double low = request.MinimumElevation * Degree;
         double high = request.MaximumElevation * Degree;
         int count = high > low ? elevations : 1;
+        _bestMiss = double.PositiveInfinity;
         var misses = new double[count];
         var azimuths = new double[count];
         Vector3d straight = request.Target - request.From;
@@ -46,7 +57,30 @@ internal sealed class AimScan
             }
         }
 
-        return best;
+        return _windy && best > request.Tolerance ? Math.Min(best, BothAngles(request, low, high)) : best;
+    }
+
+    /// <summary>From the best kick so far, downhill in both angles.</summary>
+    private double BothAngles(AimRequest request, double low, double high)
+    {
+        for (double step = 0.02; step > 1e-4; step *= 0.5)
+        {
+            bool closer = true;
+            while (closer)
+            {
+                double before = _bestMiss;
+                (double elevation, double azimuth) = (_bestElevation, _bestAzimuth);
+                foreach ((double up, double turn) in new[] { (step, 0.0), (-step, 0.0), (0.0, step), (0.0, -step) })
+                {
+                    double turned = azimuth + turn;
+                    Miss(request, Math.Clamp(elevation + up, low, high), ref turned, 1, _look);
+                }
+
+                closer = _bestMiss < before;
+            }
+        }
+
+        return _bestMiss;
     }
 
     /// <summary>Golden section in a valley.</summary>
@@ -90,6 +124,11 @@ internal sealed class AimScan
             _simulator.LookAhead(in ball, look, _path);
             PathPoint closest = _path.ClosestApproach(request.Target);
             best = Math.Min(best, closest.Distance);
+            if (closest.Distance < _bestMiss)
+            {
+                (_bestMiss, _bestElevation, _bestAzimuth) = (closest.Distance, elevation, azimuth);
+            }
+
             Vector3d went = closest.Position - ball.Position;
             Vector3d wanted = request.Target - ball.Position;
             double turn = Math.Atan2((went.X * wanted.Z) - (went.Z * wanted.X), (went.X * wanted.X) + (went.Z * wanted.Z));

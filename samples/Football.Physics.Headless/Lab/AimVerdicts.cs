@@ -7,7 +7,7 @@ internal sealed class AimVerdicts
     public const int Elevations = 181;
 
     private readonly Lock _lock = new();
-    private readonly List<string> _wrong = [];
+    private readonly List<string> _examples = [];
 
     public int Requests { get; private set; }
 
@@ -24,7 +24,7 @@ internal sealed class AimVerdicts
     public int Scanned { get; private set; }
 
     /// <summary>Scanned requests that the scan hits.</summary>
-    public int Wrong => _wrong.Count;
+    public int Wrong { get; private set; }
 
     /// <summary>Scanned requests whose kick is further off than the scan's best, by more than 1 cm and 1 %.</summary>
     public int NotClosest { get; private set; }
@@ -35,8 +35,8 @@ internal sealed class AimVerdicts
 
     public double WorstHit { get; private set; }
 
-    /// <summary>The first few that are wrong.</summary>
-    public IEnumerable<string> Examples => _wrong.Order(StringComparer.Ordinal).Take(5);
+    /// <summary>The first few that are wrong, or not the closest.</summary>
+    public IEnumerable<string> Examples => _examples.Order(StringComparer.Ordinal).Take(5);
 
     /// <summary>Answers all requests, on all processors.</summary>
     /// <param name="seed">Seed of the requests.</param>
@@ -101,10 +101,12 @@ internal sealed class AimVerdicts
         if (best is { } miss)
         {
             Scanned++;
-            NotClosest += result.Miss > (1.01 * miss) + 0.01 ? 1 : 0;
-            if (miss < request.Tolerance)
+            bool notClosest = result.Miss > (1.01 * miss) + 0.01;
+            NotClosest += notClosest ? 1 : 0;
+            Wrong += miss < request.Tolerance ? 1 : 0;
+            if (notClosest || miss < request.Tolerance)
             {
-                _wrong.Add(FormattableString.Invariant($"scene {scene}: {result.Status} with a miss of {result.Miss:0.0000} m, the scan has {miss:0.000000} m; {request}"));
+                _examples.Add(FormattableString.Invariant($"scene {scene}: {result.Status} with a miss of {result.Miss:0.0000} m, the scan has {miss:0.000000} m; {request}"));
             }
         }
     }

@@ -21,6 +21,10 @@ internal sealed class ReachSearch
     /// <summary>Share of the target's distance by which three elevations and a parabola must miss it to need no closer look.</summary>
     private const double ClearMiss = 0.002;
 
+    /// <summary>How far apart, rad, and how many to each side, are looks for waves beside the bottom of a valley.</summary>
+    private const double Wave = 0.025;
+    private const int MostWaves = 4;
+
     /// <summary>Turns by which a kick in a wind is tried to come closer, first and last, rad.</summary>
     private const double FirstStep = 0.04;
     private const double LastStep = 1e-3;
@@ -209,8 +213,47 @@ internal sealed class ReachSearch
             }
         }
 
+        if (!above && _flights.Best.Kick.Elevation != _along)
+        {
+            above = Waves(ref a, ref b, ref c);
+        }
+
         double least = Math.Min(Math.Min(a.Miss, b.Miss), c.Miss);
         return above ? Roots(arc, ref a, ref b, ref c, out hit) : least > clear && least > 10 * _tolerance;
+    }
+
+    /// <summary>Whether a wave of the drag law's jump, beside the bottom of a valley, is deeper: looks to both sides of the best.</summary>
+    /// <returns>As <see cref="Valley"/>.</returns>
+    private bool Waves(ref Pass a, ref Pass b, ref Pass c)
+    {
+        Kick best = _flights.Best.Kick;
+        double miss = _flights.Best.Miss;
+        Pass wave = default;
+        for (int i = -MostWaves; i <= MostWaves; i++)
+        {
+            double elevation = best.Elevation + (i * Wave);
+            if (i == 0 || elevation < _lowest || elevation > _highest)
+            {
+                continue;
+            }
+
+            Pass d = _flights.At(elevation);
+            if (d.Miss < miss || d.Above)
+            {
+                wave = d;
+                miss = d.Miss;
+            }
+        }
+
+        if (wave.Miss == 0)
+        {
+            return false;
+        }
+
+        b = wave;
+        a = _flights.At(Math.Max(_lowest, wave.Kick.Elevation - (0.5 * Wave)));
+        c = _flights.At(Math.Min(_highest, wave.Kick.Elevation + (0.5 * Wave)));
+        return a.Above || b.Above || c.Above || Valley(ref a, ref b, ref c, enough: double.PositiveInfinity);
     }
 
     /// <summary>What no elevation between three is below: the least of their parabola, less what that may be wrong by.</summary>
