@@ -118,8 +118,8 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
             if (FindsApex)
             {
                 F rises = F.Less(default, F.Load(now.Uy, i) + drift);
-                F falls = F.Less(F.Load(next.Uy, i) + drift, F.Of(1e-30f));
-                noted = F.Or(noted, F.And(rises, falls));
+                F stillRises = F.And(rises, F.Less(default, F.Load(next.Uy, i) + drift));
+                noted = F.Or(noted, F.Differs(rises, stillRises));
             }
 
             if (F.Any(noted))
