@@ -81,6 +81,7 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
         _drag.Prepare(scene);
         _magnus.Prepare(scene);
         _decay.Prepare(scene);
+        SpeedTable.Make();
         _radius = scene.Ball.Radius;
         _quarterSquare = 0.25 * _radius * _radius;
         _dragScale = AirScale.DynamicArea(scene);

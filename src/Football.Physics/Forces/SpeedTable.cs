@@ -27,6 +27,9 @@ internal static class SpeedTable
     private static readonly Pair[] SpinPowers = MakeSpinPowers();
     private static readonly SpinScale[] SpinScales = MakeSpinScales();
 
+    /// <summary>Makes the tables, if they are not: methods compiled later know that they are there, and need not ask.</summary>
+    public static void Make() => RuntimeHelpers.RunClassConstructor(typeof(SpeedTable).TypeHandle);
+
     /// <summary>Three factors times |u|^(1−d), |u|^(1−β) and |u|^(1−β−d): the factors meet the scales while the cubics are still busy.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void WithSpin(double speedSquared, ref double drag, ref double lift, ref double liftByDrag)

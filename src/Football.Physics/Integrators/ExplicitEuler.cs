@@ -11,7 +11,7 @@ internal readonly struct ExplicitEuler : IIntegrator
 
     public double ShareInPath => 0;
 
-    [MethodImpl(MethodImplOptions.NoInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
     public void Fly<TAir>(
         ref TAir air, in Vector3d axis, DragBranch branch, double ux, double uy, double uz, double w, double g, double h, out FlightStep step)
         where TAir : struct, IAerodynamics

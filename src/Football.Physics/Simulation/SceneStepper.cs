@@ -76,6 +76,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
         _rolling = new RollingSystem<TAir> { Air = _air, Custom = custom, Ground = ground, Wind = _wind, AirActs = groundAir };
     }
 
+    [MethodImpl(Hot.Path)]
     public override void Step(ref BallState state, double dt, StepLog log)
     {
         double end = state.Time + dt;
