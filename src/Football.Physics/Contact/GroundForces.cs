@@ -23,6 +23,9 @@ internal struct GroundForces
     /// <summary>Ball radius, m.</summary>
     public double Radius;
 
+    /// <summary>1/r, 1/m.</summary>
+    public double PerRadius;
+
     public static GroundForces Of(Scene scene)
     {
         BallProperties ball = scene.Ball;
@@ -35,6 +38,7 @@ internal struct GroundForces
             Rolling = scene.Ground.RollingFriction * normal,
             SpinDamping = scene.Ground.SpinDamping / ball.MomentOfInertia,
             Radius = ball.Radius,
+            PerRadius = 1.0 / ball.Radius,
         };
     }
 

@@ -1,14 +1,12 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>A ball that rolls: F = −μ_r N v̂ and the horizontal part of the air's forces; ω̇_h = ŷ × v̇ / r; about y −c_ω ω_y + T_D·ŷ.</summary>
 internal struct RollingSystem<TAir> : IMotionSystem
     where TAir : struct, IAerodynamics
 {
-    public TAir Air;
-    public CustomForces Custom;
-    public GroundForces Ground;
-    public Vector3d Wind;
-    public bool AirActs;
+    public Surroundings<TAir> Around;
     public DragBranch Branch;
 
     /// <summary>Direction of motion at the step's start: what friction keeps to where a stage passes zero.</summary>
@@ -17,36 +15,62 @@ internal struct RollingSystem<TAir> : IMotionSystem
     /// <summary>Whether the ball stands on its spot and only spins about the vertical.</summary>
     public bool Pinned;
 
-    public void Rates(double time, in Motion at, out MotionRates rates)
+    public readonly void Rates(double time, in Motion at, out MotionRates rates)
     {
-        MotionRates pushed = Pushed(time, in at);
+        Push(time, in at, out double ax, out double az, out double aboutVertical);
         if (Pinned)
         {
-            rates = new MotionRates(Vector3d.Zero, new Vector3d(0, pushed.SpinAcceleration.Y, 0));
+            rates = new MotionRates(Vector3d.Zero, new Vector3d(0, aboutVertical, 0));
             return;
         }
 
-        Vector3d v = at.Velocity.Horizontal;
-        double speed = v.Length;
-        Vector3d direction = Vector3d.Dot(in v, in Direction) > 0 && speed > 0 ? v / speed : Direction;
-        Vector3d a = pushed.Acceleration - (Ground.Rolling * direction);
-        rates = new MotionRates(in a, Slip.RollingSpin(in a, pushed.SpinAcceleration.Y, Ground.Radius));
+        double vx = at.Velocity.X;
+        double vz = at.Velocity.Z;
+        double dx = Direction.X;
+        double dz = Direction.Z;
+        double speedSquared = (vx * vx) + (vz * vz);
+        if ((vx * dx) + (vz * dz) > 0 && speedSquared > 0)
+        {
+            double perSpeed = 1.0 / Math.Sqrt(speedSquared);
+            dx = vx * perSpeed;
+            dz = vz * perSpeed;
+        }
+
+        GroundForces ground = Around.Ground;
+        ax -= ground.Rolling * dx;
+        az -= ground.Rolling * dz;
+        rates = new MotionRates(new Vector3d(ax, 0, az), new Vector3d(az * ground.PerRadius, aboutVertical, -ax * ground.PerRadius));
     }
 
     /// <summary>What the air and the game's own forces do, and the damping of the spin about the vertical.</summary>
-    public MotionRates Pushed(double time, in Motion at)
+    public readonly MotionRates Pushed(double time, in Motion at)
     {
-        Vector3d u = at.Velocity - Wind;
-        MotionRates air = AirRates.Of(ref Air, in u, at.Spin, Vector3d.Zero, Branch);
-        Vector3d acceleration = AirActs ? air.Acceleration : Vector3d.Zero;
-        double aboutVertical = air.SpinAcceleration.Y - (Ground.SpinDamping * at.Spin.Y);
-        if (Custom.Act)
+        Push(time, in at, out double ax, out double az, out double aboutVertical);
+        return new MotionRates(new Vector3d(ax, 0, az), new Vector3d(0, aboutVertical, 0));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private readonly void Push(double time, in Motion at, out double ax, out double az, out double aboutVertical)
+    {
+        Surroundings<TAir> around = Around;
+        Vector3d u = at.Velocity - around.Wind;
+        AirRates.Factors(ref around.Air, in u, in at.Spin, Branch, out double drag, out double lift, out double decay);
+        aboutVertical = -(decay + around.Ground.SpinDamping) * at.Spin.Y;
+        ax = 0;
+        az = 0;
+        if (around.AirActsOnGround)
         {
-            MotionRates custom = Custom.Rates(time, in at, in u, MotionState.Rolling);
-            acceleration += custom.Acceleration;
-            aboutVertical += custom.SpinAcceleration.Y;
+            // L (ω × u) − D u
+            ax = (lift * ((at.Spin.Y * u.Z) - (at.Spin.Z * u.Y))) - (drag * u.X);
+            az = (lift * ((at.Spin.X * u.Y) - (at.Spin.Y * u.X))) - (drag * u.Z);
         }
 
-        return new MotionRates(acceleration.Horizontal, new Vector3d(0, aboutVertical, 0));
+        if (around.Custom.Act)
+        {
+            MotionRates custom = around.Custom.Rates(time, in at, in u, MotionState.Rolling);
+            ax += custom.Acceleration.X;
+            az += custom.Acceleration.Z;
+            aboutVertical += custom.SpinAcceleration.Y;
+        }
     }
 }

@@ -79,6 +79,40 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>
         return angle > 0 ? FromAxisAngle(rotation / angle, angle) : Identity;
     }
 
+    /// <summary>This rotation turned further by a rotation vector, as it is at the end of a step.</summary>
+    /// <remarks>Without a root, a division or a sine: both are unit quaternions to rounding, and so is what comes out.</remarks>
+    internal Quaterniond Turned(in Vector3d rotation)
+    {
+        double z = 0.25 * rotation.LengthSquared;
+        if (!(z <= 4.0))
+        {
+            return (FromRotationVector(in rotation) * this).Normalised();
+        }
+
+        // cos √z and sin √z / √z: Taylor series, remainders below 1e-18.
+        double c;
+        double s;
+        if (z <= 0.25)
+        {
+            c = 1.0 + (z * (C1 + (z * (C2 + (z * (C3 + (z * (C4 + (z * (C5 + (z * (C6 + (z * C7)))))))))))));
+            s = 1.0 + (z * (S1 + (z * (S2 + (z * (S3 + (z * (S4 + (z * (S5 + (z * (S6 + (z * S7)))))))))))));
+        }
+        else
+        {
+            double highC = C6 + (z * (C7 + (z * (C8 + (z * (C9 + (z * (C10 + (z * (C11 + (z * C12)))))))))));
+            double highS = S6 + (z * (S7 + (z * (S8 + (z * (S9 + (z * (S10 + (z * (S11 + (z * S12)))))))))));
+            c = 1.0 + (z * (C1 + (z * (C2 + (z * (C3 + (z * (C4 + (z * (C5 + (z * highC)))))))))));
+            s = 1.0 + (z * (S1 + (z * (S2 + (z * (S3 + (z * (S4 + (z * (S5 + (z * highS)))))))))));
+        }
+
+        s *= 0.5;
+        Quaterniond turned = new Quaterniond(s * rotation.X, s * rotation.Y, s * rotation.Z, c) * this;
+
+        // 1/√n² for n² = 1 + rounding
+        double scale = 1.5 - (0.5 * turned.LengthSquared);
+        return new(turned.X * scale, turned.Y * scale, turned.Z * scale, turned.W * scale);
+    }
+
     /// <summary>The same rotation with norm 1.</summary>
     public Quaterniond Normalised()
     {
@@ -110,4 +144,30 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>
 
     /// <inheritdoc/>
     public override string ToString() => FormattableString.Invariant($"({X}, {Y}, {Z}, {W})");
+
+    // (−1)^k/(2k)! and (−1)^k/(2k + 1)!
+    private const double C1 = -1.0 / 2.0;
+    private const double C2 = 1.0 / 24.0;
+    private const double C3 = -1.0 / 720.0;
+    private const double C4 = 1.0 / 40320.0;
+    private const double C5 = -1.0 / 3628800.0;
+    private const double C6 = 1.0 / 479001600.0;
+    private const double C7 = -1.0 / 87178291200.0;
+    private const double C8 = 1.0 / 20922789888000.0;
+    private const double C9 = -1.0 / 6402373705728000.0;
+    private const double C10 = 1.0 / 2432902008176640000.0;
+    private const double C11 = -1.0 / 1124000727777607680000.0;
+    private const double C12 = 1.0 / 620448401733239439360000.0;
+    private const double S1 = -1.0 / 6.0;
+    private const double S2 = 1.0 / 120.0;
+    private const double S3 = -1.0 / 5040.0;
+    private const double S4 = 1.0 / 362880.0;
+    private const double S5 = -1.0 / 39916800.0;
+    private const double S6 = 1.0 / 6227020800.0;
+    private const double S7 = -1.0 / 1307674368000.0;
+    private const double S8 = 1.0 / 355687428096000.0;
+    private const double S9 = -1.0 / 121645100408832000.0;
+    private const double S10 = 1.0 / 51090942171709440000.0;
+    private const double S11 = -1.0 / 25852016738884976640000.0;
+    private const double S12 = 1.0 / 15511210043330985984000000.0;
 }

@@ -4,14 +4,10 @@ namespace Football.Physics;
 internal struct FlightSystem<TAir> : IMotionSystem
     where TAir : struct, IAerodynamics
 {
-    public TAir Air;
-    public CustomForces Custom;
-    public double Upward;
-    public double Radius;
-    public Vector3d Wind;
+    public Surroundings<TAir> Around;
     public DragBranch Branch;
 
-    public void Rates(double time, in Motion at, out MotionRates rates)
+    public readonly void Rates(double time, in Motion at, out MotionRates rates)
     {
         if (Branch is not (DragBranch.AlongCriticalSpeed or DragBranch.AlongCriticalSpin))
         {
@@ -28,15 +24,16 @@ internal struct FlightSystem<TAir> : IMotionSystem
     }
 
     /// <summary>The rates on one branch of the drag law.</summary>
-    public MotionRates On(DragBranch branch, double time, in Motion at)
+    public readonly MotionRates On(DragBranch branch, double time, in Motion at)
     {
-        Vector3d u = at.Velocity - Wind;
-        MotionRates air = AirRates.Of(ref Air, in u, at.Spin, Vector3d.Zero, branch);
-        Vector3d acceleration = air.Acceleration + new Vector3d(0, Upward, 0);
-        Vector3d spinAcceleration = at.Spin.LengthSquared > 0 ? air.SpinAcceleration : Vector3d.Zero;
-        if (Custom.Act)
+        Surroundings<TAir> around = Around;
+        Vector3d u = at.Velocity - around.Wind;
+        AirRates.Factors(ref around.Air, in u, in at.Spin, branch, out double drag, out double lift, out double decay);
+        Vector3d acceleration = (lift * Vector3d.Cross(in at.Spin, in u)) - (drag * u) + new Vector3d(0, around.Upward, 0);
+        Vector3d spinAcceleration = -decay * at.Spin;
+        if (around.Custom.Act)
         {
-            MotionRates custom = Custom.Rates(time, in at, in u, MotionState.Airborne);
+            MotionRates custom = around.Custom.Rates(time, in at, in u, MotionState.Airborne);
             acceleration += custom.Acceleration;
             spinAcceleration += custom.SpinAcceleration;
         }
@@ -45,7 +42,7 @@ internal struct FlightSystem<TAir> : IMotionSystem
     }
 
     /// <summary>The share of the branch with spin for which the surface that <see cref="Branch"/> names is not left: outside 0 … 1 it is.</summary>
-    public double SpinningShare(double time, in Motion at, out MotionRates spinning, out MotionRates noSpin)
+    public readonly double SpinningShare(double time, in Motion at, out MotionRates spinning, out MotionRates noSpin)
     {
         spinning = On(DragBranch.Spinning, time, in at);
         noSpin = On(DragBranch.NoSpin, time, in at);
@@ -59,10 +56,10 @@ internal struct FlightSystem<TAir> : IMotionSystem
 
     /// <summary>The jump's functions at a state.</summary>
     public readonly DragJump JumpAt(in Motion at) =>
-        DragJump.At((at.Velocity - Wind).LengthSquared, Radius * Radius * at.Spin.LengthSquared);
+        DragJump.At((at.Velocity - Around.Wind).LengthSquared, Around.Radius * Around.Radius * at.Spin.LengthSquared);
 
     /// <summary>Their rates of change: d|u|²/dt = 2 u·a, d(r|ω|)²/dt = 2 r² ω·ω̇.</summary>
     public readonly DragJump JumpRate(in Motion at, in MotionRates rates) => DragJump.Rate(
-        2.0 * Vector3d.Dot(at.Velocity - Wind, rates.Acceleration),
-        2.0 * Radius * Radius * Vector3d.Dot(at.Spin, rates.SpinAcceleration));
+        2.0 * Vector3d.Dot(at.Velocity - Around.Wind, rates.Acceleration),
+        2.0 * Around.Radius * Around.Radius * Vector3d.Dot(at.Spin, rates.SpinAcceleration));
 }

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>A general step, to be taken with several lengths.</summary>
@@ -16,13 +18,13 @@ internal struct MotionTrial<TSystem, TIntegrator> : ITrial
 
     public MotionTrial(in TSystem system, double time, in Motion from, in Vector3d wind, double radius)
     {
+        Unsafe.SkipInit(out this);
         System = system;
         _time = time;
         _from = from;
         _wind = wind;
         _radius = radius;
         _integrator = default;
-        Step1 = default;
         Length = 0;
         Evaluations = 0;
     }

@@ -39,9 +39,9 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         system.SlipDirection = slip / size;
         system.StartSpin = from.Spin;
         system.Branch = GroundBranch(ref s, in from);
-        double airRate = GroundRate(in from);
         double next = run.Next;
-        double h = Divided(next, (from.Velocity - _wind).Length, from.Spin.Length, s.Branch, _sliding.Ground.SpinDamping);
+        double airRate = GroundRateAtMost(in from, out double airSpeed);
+        double h = next * airRate <= LargestChange ? next : DividedOnGround(next, in from, s.Branch);
         if (h <= 0)
         {
             RelaxOnGround(ref s, ref run);
@@ -49,9 +49,9 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         }
 
         run.Keep(h, next);
-        double fastest = system.Ground.Sliding + (_ball.Radius * system.Ground.SlidingTorque)
-            + (airRate * ((from.Velocity - _wind).Length + (_ball.Radius * from.Spin.Length)));
-        bool grips = system.Ground.Sliding > 0;
+        double fastest = _around.Ground.Sliding + (_ball.Radius * _around.Ground.SlidingTorque)
+            + (airRate * (airSpeed + (_ball.Radius * SumOfSizes(in from.Spin))));
+        bool grips = _around.Ground.Sliding > 0;
         if (exact && grips && (_custom || fastest * h > Approach * size))
         {
             system.Rates(s.Time, in from, out MotionRates rates);
@@ -59,7 +59,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
 
             // ṡ = v̇ + r ŷ × ω̇
             Vector3d slipRate = Slip.Of(rates.Acceleration, rates.SpinAcceleration, _ball.Radius);
-            double friction = system.Ground.Sliding + (_ball.Radius * system.Ground.SlidingTorque);
+            double friction = _around.Ground.Sliding + (_ball.Radius * _around.Ground.SlidingTorque);
             Vector3d push = slipRate + (friction * system.SlipDirection);
             if (size < 0.5 * friction * ClosedForm * run.Length && push.LengthSquared < 0.25 * friction * friction
                 && EndSlide(ref s, ref run, ref system, in from, in slip, in push, friction, in rates))
@@ -103,10 +103,10 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         in MotionRates rates)
     {
         var torqueAxis = new Vector3d(system.SlipDirection.Z, 0, -system.SlipDirection.X);
-        Vector3d air = rates.Acceleration + (system.Ground.Sliding * system.SlipDirection);
+        Vector3d air = rates.Acceleration + (_around.Ground.Sliding * system.SlipDirection);
         double turn = rates.SpinAcceleration.Y;
         var first = new SlipDecay(in slip, in push, friction);
-        Vector3d velocity = from.Velocity + (first.Time * air) - (system.Ground.Sliding * first.Direction);
+        Vector3d velocity = from.Velocity + (first.Time * air) - (_around.Ground.Sliding * first.Direction);
         Vector3d spin = Slip.RollingSpin(in velocity, from.Spin.Y + (first.Time * turn), _ball.Radius);
         MotionRates end = system.Pushed(s.Time + first.Time, new Motion(from.Position, in velocity, in spin), in torqueAxis);
         run.Log.Evaluations++;
@@ -119,18 +119,19 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         }
 
         // v = v₀ − μ_s N/m ∫ŝ + ∫a,  p = p₀ + v₀ t − μ_s N/m ∫∫ŝ + ∫∫a, a linear in time
-        velocity = from.Velocity + ((0.5 * t) * (air + end.Acceleration)) - (system.Ground.Sliding * decay.Direction);
+        velocity = from.Velocity + ((0.5 * t) * (air + end.Acceleration)) - (_around.Ground.Sliding * decay.Direction);
         spin = Slip.RollingSpin(in velocity, from.Spin.Y + (0.5 * t * (turn + end.SpinAcceleration.Y)), _ball.Radius);
-        Vector3d position = from.Position + (t * from.Velocity) + ((t * t / 6.0) * ((2.0 * air) + end.Acceleration)) - (system.Ground.Sliding * decay.Twice);
-        BallState before = s;
-        s.BaseOrientation = (Quaterniond.FromRotationVector((0.5 * t) * (from.Spin + spin)) * s.BaseOrientation).Normalised();
+        Vector3d position = from.Position + (t * from.Velocity) + ((t * t / 6.0) * ((2.0 * air) + end.Acceleration)) - (_around.Ground.Sliding * decay.Twice);
+        PieceObserver? observer = run.Log.Observer;
+        BallState before = observer is null ? default : s;
+        s.BaseOrientation = s.BaseOrientation.Turned((0.5 * t) * (from.Spin + spin));
         s.Position = new Vector3d(position.X, _contact, position.Z);
         s.Velocity = velocity.Horizontal;
         s.SpinAxis = spin;
         s.Time = Math.Min(s.Time + t, run.End);
         run.Left -= t;
         run.Log.Steps++;
-        if (run.Log.Observer is { } observer)
+        if (observer is not null)
         {
             Watch(observer, run.Log, in before, rates.Acceleration, in s, Extrapolate.Rate(in from.Velocity, s.Velocity, in rates.Acceleration, t));
         }
@@ -161,9 +162,9 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         double speed = from.Velocity.Length;
         RollingSystem<TAir> system = _rolling;
         system.Branch = GroundBranch(ref s, in from);
-        double airRate = GroundRate(in from);
         double next = run.Next;
-        double h = Divided(next, (from.Velocity - _wind).Length, from.Spin.Length, s.Branch, _sliding.Ground.SpinDamping);
+        double airRate = GroundRateAtMost(in from, out double airSpeed);
+        double h = next * airRate <= LargestChange ? next : DividedOnGround(next, in from, s.Branch);
         if (h <= 0)
         {
             RelaxOnGround(ref s, ref run);
@@ -177,13 +178,13 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
             Vector3d push = system.Pushed(s.Time, in from).Acceleration;
             run.Log.Evaluations++;
             double pushSize = push.Length;
-            system.Pinned = pushSize <= system.Ground.Rolling;
+            system.Pinned = pushSize <= _around.Ground.Rolling;
             system.Direction = pushSize > 0 ? push / pushSize : Vector3d.Zero;
         }
         else
         {
             system.Direction = from.Velocity / speed;
-            double fastest = system.Ground.Rolling + (airRate * (from.Velocity - _wind).Length);
+            double fastest = _around.Ground.Rolling + (airRate * airSpeed);
             if (_custom || fastest * h > Approach * speed)
             {
                 system.Rates(s.Time, in from, out MotionRates rates);
@@ -267,19 +268,21 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
     private void MoveOnGround<TSystem>(ref BallState s, ref MotionTrial<TSystem, TIntegrator> trial, in Vector3d spin, ref StepRun run)
         where TSystem : struct, IMotionSystem
     {
-        BallState before = s;
-        MotionStep step = trial.Step1;
+        PieceObserver? observer = run.Log.Observer;
+        BallState before = observer is null ? default : s;
+        ref readonly MotionStep step = ref trial.Step1;
         double h = trial.Length;
-        s.BaseOrientation = (Quaterniond.FromRotationVector(in step.Rotation) * s.BaseOrientation).Normalised();
+        double about = s.SpinAxis.Y;
+        s.BaseOrientation = s.BaseOrientation.Turned(in step.Rotation);
         s.Position = new Vector3d(step.End.Position.X, _contact, step.End.Position.Z);
         s.Velocity = step.End.Velocity.Horizontal;
 
         // Damping and decay end the spin about the vertical, they never reverse it.
-        s.SpinAxis = spin.Y * before.SpinAxis.Y < 0 && !_custom ? new Vector3d(spin.X, 0, spin.Z) : spin;
+        s.SpinAxis = spin.Y * about < 0 && !_custom ? new Vector3d(spin.X, 0, spin.Z) : spin;
         s.Time = Math.Min(s.Time + h, run.End);
         run.Left -= h;
         run.Log.Steps++;
-        if (run.Log.Observer is { } observer)
+        if (observer is not null)
         {
             MotionRates endRates = default;
             if (observer.WantsEndAcceleration)
@@ -331,9 +334,19 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         return s.Branch;
     }
 
-    /// <summary>A bound, 1/s, for how fast the air and the damping change the motion.</summary>
-    private double GroundRate(in Motion from) =>
-        (_bound.PerSpeed * (from.Velocity - _wind).Length) + (_bound.PerSpin * from.Spin.Length) + _bound.Constant + _sliding.Ground.SpinDamping;
+    /// <summary>A bound, 1/s, for how fast the air and the damping change the motion, without a root.</summary>
+    /// <param name="from">The ball.</param>
+    /// <param name="airSpeed">A bound of the speed relative to the air, m/s.</param>
+    private double GroundRateAtMost(in Motion from, out double airSpeed)
+    {
+        airSpeed = SumOfSizes(from.Velocity - _wind);
+        return (_bound.PerSpeed * airSpeed) + (_bound.PerSpin * SumOfSizes(in from.Spin)) + _bound.Constant + _around.Ground.SpinDamping;
+    }
+
+    private static double SumOfSizes(in Vector3d v) => Math.Abs(v.X) + Math.Abs(v.Y) + Math.Abs(v.Z);
+
+    private double DividedOnGround(double left, in Motion from, DragBranch branch) =>
+        Divided(left, (from.Velocity - _wind).Length, from.Spin.Length, branch, _around.Ground.SpinDamping);
 
     /// <summary>Shortens a piece in which a vector would lose, or turn by, more than a share of its size.</summary>
     private static double Shorten(double h, double step, in Vector3d direction, double size, in Vector3d rate)
@@ -347,5 +360,5 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
 
     /// <summary>½ m v² + ½ I ω², J.</summary>
     private double KineticEnergy(in Vector3d v, in Vector3d w) =>
-        0.5 * ((_ball.Mass * v.LengthSquared) + (_ball.MomentOfInertia * w.LengthSquared));
+        (_halfMass * v.LengthSquared) + (_halfInertia * w.LengthSquared);
 }

@@ -73,7 +73,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         var from = new Motion(s.Position, s.Velocity, s.Spin);
         if (_custom)
         {
-            custom = _flight.Custom.Rates(s.Time, in from, s.Velocity - _wind, MotionState.Airborne);
+            custom = _around.Custom.Rates(s.Time, in from, s.Velocity - _wind, MotionState.Airborne);
             run.Log.Evaluations++;
         }
 
@@ -165,10 +165,10 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         bool slides = s.Motion == MotionState.Sliding;
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
-        GroundForces ground = _sliding.Ground;
+        GroundForces ground = _around.Ground;
         if (_custom)
         {
-            MotionRates custom = _flight.Custom.Rates(s.Time, new Motion(s.Position, in v, in w), v - _wind, s.Motion);
+            MotionRates custom = _around.Custom.Rates(s.Time, new Motion(s.Position, in v, in w), v - _wind, s.Motion);
             v += h * custom.Acceleration.Horizontal;
             w += h * custom.SpinAcceleration;
         }
@@ -197,7 +197,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         double rate = w.Length;
         Vector3d axis = rate > 0 ? w / rate : Vector3d.Up;
         Vector3d u = v - _wind;
-        if (_sliding.AirActs)
+        if (_around.AirActsOnGround)
         {
             u = relaxation.Velocity(in u, Vector3d.Zero, in axis, rate, h);
         }

@@ -24,6 +24,8 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
     private readonly double _upward;
     private readonly double _contact;
     private readonly double _radiusSquared;
+    private readonly double _halfMass;
+    private readonly double _halfInertia;
     private readonly RateBound _bound;
 
     /// <summary>Up to this length, s, no step that the fused laws cover must be divided.</summary>
@@ -39,9 +41,10 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
     private TFast _fast;
     private TAir _air;
     private TIntegrator _integrator;
-    private FlightSystem<TAir> _flight;
-    private SlidingSystem<TAir> _sliding;
-    private RollingSystem<TAir> _rolling;
+    private readonly Surroundings<TAir> _around;
+    private readonly FlightSystem<TAir> _flight;
+    private readonly SlidingSystem<TAir> _sliding;
+    private readonly RollingSystem<TAir> _rolling;
 
     public Stepper(Scene scene, SolverSettings settings)
     {
@@ -52,6 +55,8 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
         _upward = Gravity.Acceleration(scene) + Buoyancy.Acceleration(scene);
         _contact = scene.Ground.Height + scene.Ball.Radius;
         _radiusSquared = scene.Ball.Radius * scene.Ball.Radius;
+        _halfMass = 0.5 * scene.Ball.Mass;
+        _halfInertia = 0.5 * scene.Ball.MomentOfInertia;
         _air = default;
         _air.Prepare(scene);
         _fast = default;
@@ -67,13 +72,11 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
         _spirals = _integrator.Order < 4 && _air.Lifts && !(_air.Drags && bound.PerSpeed > 0);
         _locatesJump = _air.Jumps && settings.LocateJump && _integrator.Order > 1;
 
-        var custom = new CustomForces(scene);
-        var ground = GroundForces.Of(scene);
-        bool groundAir = scene.Ground.Aerodynamics == GroundAerodynamics.Horizontal;
-        _custom = custom.Act;
-        _flight = new FlightSystem<TAir> { Air = _air, Custom = custom, Upward = _upward, Radius = _ball.Radius, Wind = _wind };
-        _sliding = new SlidingSystem<TAir> { Air = _air, Custom = custom, Ground = ground, Wind = _wind, AirActs = groundAir };
-        _rolling = new RollingSystem<TAir> { Air = _air, Custom = custom, Ground = ground, Wind = _wind, AirActs = groundAir };
+        _around = new Surroundings<TAir>(scene, in _air);
+        _custom = _around.Custom.Act;
+        _flight = new FlightSystem<TAir> { Around = _around };
+        _sliding = new SlidingSystem<TAir> { Around = _around };
+        _rolling = new RollingSystem<TAir> { Around = _around };
     }
 
     [MethodImpl(Hot.Path)]
