@@ -14,7 +14,14 @@ public struct BallState
     public Vector3d Position { get; internal set; }
 
     /// <summary>Velocity of the centre, m/s.</summary>
-    public Vector3d Velocity { get; internal set; }
+    public Vector3d Velocity
+    {
+        readonly get => Flight.Velocity;
+        internal set => Flight.Velocity = value;
+    }
+
+    /// <summary>Velocity and spin.</summary>
+    internal FlightMotion Flight;
 
     /// <summary>What the ball is doing.</summary>
     public MotionState Motion { get; internal set; }
@@ -31,10 +38,18 @@ public struct BallState
         : (Quaterniond.FromAxisAngle(SpinAxis, Angle) * BaseOrientation).Normalised();
 
     /// <summary>In flight the unit axis of rotation, which is constant there; on the ground the spin itself.</summary>
-    internal Vector3d SpinAxis;
+    internal Vector3d SpinAxis
+    {
+        readonly get => Flight.Axis;
+        set => Flight.Axis = value;
+    }
 
     /// <summary>In flight the size of the spin, rad/s; on the ground 1.</summary>
-    internal double SpinRate;
+    internal double SpinRate
+    {
+        readonly get => Flight.SpinRate;
+        set => Flight.SpinRate = value;
+    }
 
     /// <summary>Angle turned about <see cref="SpinAxis"/> since <see cref="BaseOrientation"/>, rad.</summary>
     internal double Angle;

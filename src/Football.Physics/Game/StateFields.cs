@@ -29,7 +29,7 @@ internal static class StateFields
         visitor.Member(ref motion);
         state.Motion = (MotionState)motion;
         state.SpinAxis = Vector(state.SpinAxis, ref visitor);
-        visitor.Number(ref state.SpinRate);
+        visitor.Number(ref state.Flight.SpinRate);
         visitor.Number(ref state.Angle);
         state.BaseOrientation = Rotation(state.BaseOrientation, ref visitor);
         int branch = (int)state.Branch;

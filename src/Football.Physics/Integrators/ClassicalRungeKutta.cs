@@ -12,16 +12,19 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
     public double ShareInPath => 0.5;
 
     [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
-    public void Fly<TAir>(
-        ref TAir air, in Vector3d axis, DragBranch branch, double ux, double uy, double uz, double w, double g, double h, out FlightStep step)
+    public void Fly<TAir>(ref TAir air, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double g, double h, out FlightStep step)
         where TAir : struct, IAerodynamics
     {
-        double nx = axis.X;
-        double ny = axis.Y;
-        double nz = axis.Z;
+        double ux = motion.Velocity.X - wind.X;
+        double uy = motion.Velocity.Y - wind.Y;
+        double uz = motion.Velocity.Z - wind.Z;
+        double w = motion.SpinRate;
+        double nx = motion.Axis.X;
+        double ny = motion.Axis.Y;
+        double nz = motion.Axis.Z;
         air.Begin(w, branch, out AirStep once);
 
-        // k1 = f(y); the position's k are the stages' velocities
+        // k1 = f(y)
         FlightRates.AtStart(ref air, ref once, nx, ny, nz, g, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
         bool near = FlightRates.Expand(ref air, in once, ux, uy, uz, ax, ay, az, b, h, out AirSeries series);
         step.StartAcceleration = new Vector3d(ax, ay, az);
@@ -30,43 +33,40 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         double sumY = ay;
         double sumZ = az;
         double sumB = b;
-        double pathX = ux;
-        double pathY = uy;
-        double pathZ = uz;
-        double turn = w;
 
-        // k2 = f(y + h/2 k1), k3 = f(y + h/2 k2)
-        double half = 0.5 * h;
-        for (int stage = 0; stage < 2; stage++)
+        // k2 = f(y + h/2 k1), k3 = f(y + h/2 k2), k4 = f(y + h k3)
+        double along = 0.5 * h;
+        for (int stage = 0; stage < 3; stage++)
         {
-            double vx = ux + (half * ax);
-            double vy = uy + (half * ay);
-            double vz = uz + (half * az);
-            double vw = w + (half * b);
+            double vx = ux + (along * ax);
+            double vy = uy + (along * ay);
+            double vz = uz + (along * az);
+            double vw = w + (along * b);
             FlightRates.AtStage(ref air, in once, near, in series, nx, ny, nz, g, vx, vy, vz, vw, out ax, out ay, out az, out b);
-            sumX += ax + ax;
-            sumY += ay + ay;
-            sumZ += az + az;
-            sumB += b + b;
-            pathX += vx + vx;
-            pathY += vy + vy;
-            pathZ += vz + vz;
-            turn += vw + vw;
+            if (stage == 2)
+            {
+                break;
+            }
+
+            sumX += ax;
+            sumY += ay;
+            sumZ += az;
+            sumB += b;
+            along = stage == 0 ? along : h;
         }
 
-        // k4 = f(y + h k3)
-        double ex = ux + (h * ax);
-        double ey = uy + (h * ay);
-        double ez = uz + (h * az);
-        double ew = w + (h * b);
-        FlightRates.AtStage(ref air, in once, near, in series, nx, ny, nz, g, ex, ey, ez, ew, out ax, out ay, out az, out b);
-
-        // y' = y + h/6 (k1 + 2 k2 + 2 k3 + k4)
+        // y' = y + h/6 (k1 + 2 k2 + 2 k3 + k4); of the position, whose k are the stages' velocities, that is p + h (v + h/6 (a1 + a2 + a3)).
         double sixth = h / 6.0;
-        step.Path = new Vector3d(sixth * (pathX + ex), sixth * (pathY + ey), sixth * (pathZ + ez));
-        step.AirVelocity = new Vector3d(ux + (sixth * (sumX + ax)), uy + (sixth * (sumY + ay)), uz + (sixth * (sumZ + az)));
-        step.SpinRate = w + (sixth * (sumB + b));
-        step.Turn = sixth * (turn + ew);
+        double nextX = ux + (sixth * (sumX + sumX - step.StartAcceleration.X + ax));
+        double nextY = uy + (sixth * (sumY + sumY - step.StartAcceleration.Y + ay));
+        double nextZ = uz + (sixth * (sumZ + sumZ - step.StartAcceleration.Z + az));
+        double nextW = w + (sixth * (sumB + sumB - step.StartSpinAcceleration + b));
+        motion.Velocity = new Vector3d(nextX + wind.X, nextY + wind.Y, nextZ + wind.Z);
+        motion.SpinRate = nextW;
+        step.AirVelocity = new Vector3d(nextX, nextY, nextZ);
+        step.SpinRate = nextW;
+        step.Path = new Vector3d(h * (ux + (sixth * sumX)), h * (uy + (sixth * sumY)), h * (uz + (sixth * sumZ)));
+        step.Turn = h * (w + (sixth * sumB));
     }
 
     public void Advance<TSystem>(ref TSystem system, double time, in Motion from, double h, out MotionStep step)

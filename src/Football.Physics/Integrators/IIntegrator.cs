@@ -14,17 +14,13 @@ internal interface IIntegrator
 
     /// <summary>A step in flight, where the axis of the spin is constant and the rates depend on velocity and spin alone.</summary>
     /// <param name="air">The aerodynamic laws.</param>
-    /// <param name="axis">Unit axis of the spin.</param>
+    /// <param name="motion">Velocity and spin; moved to the end of the step.</param>
+    /// <param name="wind">Wind, m/s.</param>
     /// <param name="branch">Branch of the drag law that the step is locked to.</param>
-    /// <param name="ux">Velocity relative to the air, x, m/s.</param>
-    /// <param name="uy">The same, y.</param>
-    /// <param name="uz">The same, z.</param>
-    /// <param name="w">Size of the spin, rad/s.</param>
     /// <param name="g">Upward acceleration by gravity and buoyancy, m/s².</param>
     /// <param name="h">Length of the step, s.</param>
-    /// <param name="step">Where it ends.</param>
-    void Fly<TAir>(
-        ref TAir air, in Vector3d axis, DragBranch branch, double ux, double uy, double uz, double w, double g, double h, out FlightStep step)
+    /// <param name="step">What it did.</param>
+    void Fly<TAir>(ref TAir air, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double g, double h, out FlightStep step)
         where TAir : struct, IAerodynamics;
 
     /// <summary>A step of any motion: on the ground, and in flight with forces of the game's own.</summary>

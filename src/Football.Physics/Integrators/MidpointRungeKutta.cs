@@ -12,13 +12,16 @@ internal readonly struct MidpointRungeKutta : IIntegrator
     public double ShareInPath => 0.5;
 
     [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
-    public void Fly<TAir>(
-        ref TAir air, in Vector3d axis, DragBranch branch, double ux, double uy, double uz, double w, double g, double h, out FlightStep step)
+    public void Fly<TAir>(ref TAir air, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double g, double h, out FlightStep step)
         where TAir : struct, IAerodynamics
     {
-        double nx = axis.X;
-        double ny = axis.Y;
-        double nz = axis.Z;
+        double ux = motion.Velocity.X - wind.X;
+        double uy = motion.Velocity.Y - wind.Y;
+        double uz = motion.Velocity.Z - wind.Z;
+        double w = motion.SpinRate;
+        double nx = motion.Axis.X;
+        double ny = motion.Axis.Y;
+        double nz = motion.Axis.Z;
         air.Begin(w, branch, out AirStep once);
 
         double half = 0.5 * h;
@@ -37,9 +40,15 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         FlightRates.AtStage(ref air, in once, near, in series, nx, ny, nz, g, mx, my, mz, mw, out ax, out ay, out az, out b);
 
         // y' = y + h k2
+        double ex = ux + (h * ax);
+        double ey = uy + (h * ay);
+        double ez = uz + (h * az);
+        double ew = w + (h * b);
+        motion.Velocity = new Vector3d(ex + wind.X, ey + wind.Y, ez + wind.Z);
+        motion.SpinRate = ew;
+        step.AirVelocity = new Vector3d(ex, ey, ez);
+        step.SpinRate = ew;
         step.Path = new Vector3d(h * mx, h * my, h * mz);
-        step.AirVelocity = new Vector3d(ux + (h * ax), uy + (h * ay), uz + (h * az));
-        step.SpinRate = w + (h * b);
         step.Turn = h * mw;
     }
 

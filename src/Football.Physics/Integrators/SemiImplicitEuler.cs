@@ -12,16 +12,21 @@ internal readonly struct SemiImplicitEuler : IIntegrator
     public double ShareInPath => 1;
 
     [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
-    public void Fly<TAir>(
-        ref TAir air, in Vector3d axis, DragBranch branch, double ux, double uy, double uz, double w, double g, double h, out FlightStep step)
+    public void Fly<TAir>(ref TAir air, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double g, double h, out FlightStep step)
         where TAir : struct, IAerodynamics
     {
+        double ux = motion.Velocity.X - wind.X;
+        double uy = motion.Velocity.Y - wind.Y;
+        double uz = motion.Velocity.Z - wind.Z;
+        double w = motion.SpinRate;
         air.Begin(w, branch, out AirStep once);
-        FlightRates.AtStart(ref air, ref once, axis.X, axis.Y, axis.Z, g, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
+        FlightRates.AtStart(ref air, ref once, motion.Axis.X, motion.Axis.Y, motion.Axis.Z, g, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
         double ex = ux + (h * ax);
         double ey = uy + (h * ay);
         double ez = uz + (h * az);
         double ew = w + (h * b);
+        motion.Velocity = new Vector3d(ex + wind.X, ey + wind.Y, ez + wind.Z);
+        motion.SpinRate = ew;
         step.StartAcceleration = new Vector3d(ax, ay, az);
         step.StartSpinAcceleration = b;
         step.AirVelocity = new Vector3d(ex, ey, ez);

@@ -9,11 +9,12 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
     /// <param name="s">The ball; moved only if nothing happens.</param>
     /// <param name="left">Length of the step, s.</param>
     /// <param name="log">Where the step is counted.</param>
+    /// <param name="only">Whether the step is tried only where the fused laws hold and nothing is divided: a path without another call.</param>
     /// <param name="step">Where the integrator took it.</param>
     /// <param name="h">The length that was tried: less than the step's where that must be divided, 0 where nothing was tried.</param>
     /// <returns>True when the whole step is done.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private bool FlyWhole(ref BallState s, double left, StepLog log, out FlightStep step, out double h)
+    private bool FlyWhole(ref BallState s, double left, StepLog log, bool only, out FlightStep step, out double h)
     {
         double vx = s.Velocity.X;
         double vy = s.Velocity.Y;
@@ -40,12 +41,26 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
 
         h = left;
         bool fast = _fast.Covers(speedSquared, spin, h);
+        if (only && !fast)
+        {
+            h = 0;
+            step = default;
+            return false;
+        }
+
         if ((_air.Drags || _air.Lifts || _air.SpinDecays) && !(fast && h <= _wholeUpTo))
         {
             double bySpeed = left * _bound.PerSpeed;
             double bySpin = left * ((_bound.PerSpin * spin) + _bound.Constant);
             if (bySpeed * bySpeed * speedSquared > 0.25 * LargestChange * LargestChange || bySpin > 0.5 * LargestChange)
             {
+                if (only)
+                {
+                    h = 0;
+                    step = default;
+                    return false;
+                }
+
                 h = Divided(left, Math.Sqrt(speedSquared), spin, branch);
                 if (h <= 0 && left > 0)
                 {
@@ -66,51 +81,47 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
             return true;
         }
 
-        if (fast)
+        if (only || fast)
         {
-            _integrator.Fly(ref _fast, in s.SpinAxis, branch, ux, uy, uz, spin, _upward, h, out step);
+            _integrator.Fly(ref _fast, ref s.Flight, in _wind, branch, _upward, h, out step);
         }
         else
         {
-            _integrator.Fly(ref _air, in s.SpinAxis, branch, ux, uy, uz, spin, _upward, h, out step);
+            _integrator.Fly(ref _air, ref s.Flight, in _wind, branch, _upward, h, out step);
         }
 
         log.Evaluations += _integrator.Stages;
-        double wx = step.AirVelocity.X;
-        double wy = step.AirVelocity.Y;
-        double wz = step.AirVelocity.Z;
         double height = y + (step.Path.Y + (h * _wind.Y));
-        double climb = wy + _wind.Y;
-        if (h < left || height < _contact || (vy < 0 && climb > 0) || log.Observer is not null)
+        double climb = step.AirVelocity.Y + _wind.Y;
+        if (h < left || height < _contact || (vy < 0 && climb > 0) || log.Observer is not null
+            || (_air.SpinDecays && step.SpinRate < 0)
+            || (_air.Jumps && _locatesJump && MayCrossJump(branch, ux, uy, uz, speedSquared, spin, in step, h)))
         {
+            s.Velocity = new Vector3d(vx, vy, vz);
+            s.SpinRate = spin;
             return false;
-        }
-
-        if (_air.SpinDecays && step.SpinRate < 0)
-        {
-            return false;
-        }
-
-        if (_air.Jumps && _locatesJump)
-        {
-            var start = DragJump.At(speedSquared, _radiusSquared * spin * spin);
-            var rate = DragJump.Rate(
-                2.0 * ((ux * step.StartAcceleration.X) + (uy * step.StartAcceleration.Y) + (uz * step.StartAcceleration.Z)),
-                2.0 * _radiusSquared * spin * step.StartSpinAcceleration);
-            var end = DragJump.At((wx * wx) + (wy * wy) + (wz * wz), _radiusSquared * step.SpinRate * step.SpinRate);
-            if (DragJump.MayCross(branch, in start, in rate, in end, h))
-            {
-                return false;
-            }
         }
 
         s.Position = new Vector3d(s.Position.X + (step.Path.X + (h * _wind.X)), height, s.Position.Z + (step.Path.Z + (h * _wind.Z)));
-        s.Velocity = new Vector3d(wx + _wind.X, climb, wz + _wind.Z);
-        s.SpinRate = step.SpinRate;
         s.Angle += step.Turn;
         s.Time += h;
         log.Steps++;
         return true;
+    }
+
+    /// <summary>Whether a step may have crossed the drag law's jump.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private bool MayCrossJump(DragBranch branch, double ux, double uy, double uz, double speedSquared, double spin, in FlightStep step, double h)
+    {
+        var start = DragJump.At(speedSquared, _radiusSquared * spin * spin);
+        var rate = DragJump.Rate(
+            2.0 * ((ux * step.StartAcceleration.X) + (uy * step.StartAcceleration.Y) + (uz * step.StartAcceleration.Z)),
+            2.0 * _radiusSquared * spin * step.StartSpinAcceleration);
+        double wx = step.AirVelocity.X;
+        double wy = step.AirVelocity.Y;
+        double wz = step.AirVelocity.Z;
+        var end = DragJump.At((wx * wx) + (wy * wy) + (wz * wz), _radiusSquared * step.SpinRate * step.SpinRate);
+        return DragJump.MayCross(branch, in start, in rate, in end, h);
     }
 
     /// <summary>A step in vacuum, done if nothing happens in it: what the integrator makes of a constant acceleration.</summary>
@@ -146,14 +157,17 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
     /// <returns>Right-hand sides evaluated.</returns>
     internal int Take(in FlightPoint from, double h, out FlightStep step)
     {
-        Vector3d u = from.AirVelocity;
-        if (_fast.Covers(u.LengthSquared, from.SpinRate, h))
+        FlightMotion motion;
+        motion.Velocity = from.AirVelocity;
+        motion.Axis = from.Axis;
+        motion.SpinRate = from.SpinRate;
+        if (_fast.Covers(from.AirVelocity.LengthSquared, from.SpinRate, h))
         {
-            _integrator.Fly(ref _fast, in from.Axis, from.Branch, u.X, u.Y, u.Z, from.SpinRate, from.Upward, h, out step);
+            _integrator.Fly(ref _fast, ref motion, Vector3d.Zero, from.Branch, from.Upward, h, out step);
         }
         else
         {
-            _integrator.Fly(ref _air, in from.Axis, from.Branch, u.X, u.Y, u.Z, from.SpinRate, from.Upward, h, out step);
+            _integrator.Fly(ref _air, ref motion, Vector3d.Zero, from.Branch, from.Upward, h, out step);
         }
 
         return _integrator.Stages;
@@ -167,7 +181,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
     private void Fly(ref BallState s, ref StepRun run)
     {
         double next = run.Next;
-        if (FlyWhole(ref s, next, run.Log, out FlightStep step, out double h))
+        if (FlyWhole(ref s, next, run.Log, false, out FlightStep step, out double h))
         {
             s.Time = Math.Min(s.Time, run.End);
             run.Left = next < run.Left ? run.Left - next : 0;

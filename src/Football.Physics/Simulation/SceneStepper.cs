@@ -86,7 +86,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
         if (state.Motion == MotionState.Airborne && !_custom && state.Branch < DragBranch.AlongCriticalSpeed)
         {
             // Nearly every step is a flight without an event.
-            if (FlyWhole(ref state, dt, log, out FlightStep step, out double h))
+            if (FlyWhole(ref state, dt, log, true, out FlightStep step, out double h))
             {
                 return;
             }

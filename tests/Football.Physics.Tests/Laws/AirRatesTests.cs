@@ -5,6 +5,14 @@ public sealed class AirRatesTests
 {
     private static readonly Scene s_scene = LawGrid.Scene;
 
+    private static MotionRates InFlight<TAir>(in TAir air, in Vector3d u, in Vector3d w)
+        where TAir : struct, IAerodynamics
+    {
+        var flight = new FlightSystem<TAir> { Around = new Surroundings<TAir>(s_scene, in air), Branch = DragBranch.Spinning };
+        flight.Rates(0, new Football.Physics.Motion(Vector3d.Zero, in u, in w), out MotionRates rates);
+        return new MotionRates(rates.Acceleration - new Vector3d(0, flight.Around.Upward, 0), in rates.SpinAcceleration);
+    }
+
     [Fact]
     public void Drag_brakes_and_decay_acts_against_the_spin()
     {
@@ -12,7 +20,7 @@ public sealed class AirRatesTests
         air.Prepare(s_scene);
         var u = new Vector3d(3, -4, 12);
         var w = new Vector3d(-20, 5, 9);
-        MotionRates rates = AirRates.Of(ref air, in u, in w, Vector3d.Zero, DragBranch.Spinning);
+        MotionRates rates = InFlight(in air, in u, in w);
         Assert.Equal(-1, Vector3d.Dot(rates.Acceleration / rates.Acceleration.Length, u / u.Length), 1e-14);
         Assert.Equal(-1, Vector3d.Dot(rates.SpinAcceleration / rates.SpinAcceleration.Length, w / w.Length), 1e-14);
     }
@@ -24,7 +32,7 @@ public sealed class AirRatesTests
         air.Prepare(s_scene);
         var u = new Vector3d(0, 0, -20);
         var w = new Vector3d(0, 30, 0);
-        MotionRates rates = AirRates.Of(ref air, in u, in w, Vector3d.Zero, DragBranch.Spinning);
+        MotionRates rates = InFlight(in air, in u, in w);
 
         // ŷ × (−ẑ) = −x̂: to the left of a ball that flies to −z.
         Assert.True(rates.Acceleration.X < -1);
@@ -38,7 +46,7 @@ public sealed class AirRatesTests
         Aerodynamics<PublishedDragFit, NoAirLaw, EmpiricalMagnus, NoAirLaw> air = default;
         air.Prepare(s_scene);
         var u = new Vector3d(0, 0, -20);
-        double Lift(Vector3d w) => AirRates.Of(ref air, in u, in w, Vector3d.Zero, DragBranch.Spinning).Acceleration.Length;
+        double Lift(Vector3d w) => InFlight(in air, in u, in w).Acceleration.Length;
         Assert.Equal(0, Lift(new Vector3d(0, 0, 30)));
         Assert.Equal(0.5, Lift(new Vector3d(0, 15, -15 * Math.Sqrt(3))) / Lift(new Vector3d(0, 30, 0)), 1e-12);
     }
@@ -49,7 +57,12 @@ public sealed class AirRatesTests
         Aerodynamics<NoDragFit, NoAirLaw, NoAirLaw, EmpiricalSpinDecay> air = default;
         air.Prepare(s_scene);
         var u = new Vector3d(8, 0, 0);
-        MotionRates rates = AirRates.Of(ref air, in u, Vector3d.Zero, new Vector3d(0, 0, -1), DragBranch.NoSpin);
+        var sliding = new SlidingSystem<Aerodynamics<NoDragFit, NoAirLaw, NoAirLaw, EmpiricalSpinDecay>>
+        {
+            Around = new Surroundings<Aerodynamics<NoDragFit, NoAirLaw, NoAirLaw, EmpiricalSpinDecay>>(s_scene, in air),
+            Branch = DragBranch.NoSpin,
+        };
+        MotionRates rates = sliding.Pushed(0, new Football.Physics.Motion(Vector3d.Zero, in u, Vector3d.Zero), new Vector3d(0, 0, -1));
         Assert.Equal(PlainLaws.DecayTorque(s_scene, 8, 0) / s_scene.Ball.MomentOfInertia, rates.SpinAcceleration.Z, 1e-9);
     }
 
