@@ -20,7 +20,7 @@ internal static partial class CodeSizes
             var environment = new Dictionary<string, string> { ["DOTNET_JitStdOutFile"] = file, ["DOTNET_JitDisasmSummary"] = "1" };
             Child.Run(environment, "quick", "--child", "free", row.ToString(CultureInfo.InvariantCulture));
             string[] lines = File.ReadAllLines(file);
-            return (Last(lines, method), method.Contains(":Fly[", StringComparison.Ordinal) ? Last(lines, "MidpointRungeKutta]:Fly(") : null);
+            return (Last(lines, method), method.Contains(":Fly[", StringComparison.Ordinal) ? Last(lines, "MidpointRungeKutta]:Step(") : null);
         }
         finally
         {
@@ -30,8 +30,8 @@ internal static partial class CodeSizes
 
     private static int? Last(string[] lines, string method)
     {
-        string? line = lines.LastOrDefault(l => l.Contains(method, StringComparison.Ordinal) && l.Contains("Tier1", StringComparison.Ordinal)
-            && !l.Contains("OSR", StringComparison.Ordinal));
+        string? line = lines.LastOrDefault(l => l.Contains(method, StringComparison.Ordinal)
+            && (l.Contains("Tier1", StringComparison.Ordinal) || l.Contains("FullOpts", StringComparison.Ordinal)) && !l.Contains("OSR", StringComparison.Ordinal));
         return line is not null && Size().Match(line) is { Success: true } match ? int.Parse(match.Groups[1].Value, CultureInfo.InvariantCulture) : null;
     }
 

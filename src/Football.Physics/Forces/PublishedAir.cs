@@ -12,19 +12,11 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
     where TMagnus : struct, IPresence
     where TDecay : struct, IPresence
 {
-    /// <summary>Speeds, m/s, beyond which the tables end; a step may not come near them.</summary>
-    private const double Slowest = 0.75;
+    /// <summary>The slowest speed, m/s, at which the tables hold.</summary>
     private const double SlowestPoint = 0.5;
-    private const double Fastest = 120;
-
-    /// <summary>How much slower a ball may become within a step, m/s²: gravity and drag at speeds where that matters.</summary>
-    private const double Deceleration = 30;
 
     /// <summary>Up to this (r|ω|/2|u|)², Sp 1.04, a little more than that of a ball that rolls, the polynomial of the decay is good to 5e-11; there the lift is above 0.</summary>
     private const double LargestRatio = 0.27;
-
-    /// <summary>A spin may lose this share within a step, for its powers are then good to 5e-9.</summary>
-    private const double LargestLoss = 0.02;
 
     /// <summary>The series about a step's start are good to 2e-9 for changes of |u|² by this share.</summary>
     private const double Farthest = 1.0 / 32;
@@ -68,10 +60,9 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Covers(double speedSquared, double spinRate, double h)
     {
-        double least = Slowest + (Deceleration * h);
-        return speedSquared > least * least && speedSquared < Fastest * Fastest
+        return FusedRange.Holds(speedSquared, h)
             && _quarterSquare * spinRate * spinRate < LargestRatio * speedSquared
-            && (!default(TDecay).Is || spinRate * LargestLoss >= h * _decayScale * speedSquared || spinRate == 0);
+            && (!default(TDecay).Is || FusedRange.Keeps(spinRate, h * _decayScale * speedSquared));
     }
 
     public RateBound Bound => (Drags ? _drag.Bound : default) + (Lifts ? _magnus.Bound : default) + (SpinDecays ? _decay.Bound : default);
@@ -93,8 +84,8 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
 
     public double WholeUpTo(in RateBound bound)
     {
-        double fastestSpin = Math.Sqrt(LargestRatio / _quarterSquare) * Fastest;
-        return 0.5 / ((bound.PerSpeed * Fastest) + (bound.PerSpin * fastestSpin) + bound.Constant);
+        double fastestSpin = Math.Sqrt(LargestRatio / _quarterSquare) * FusedRange.Fastest;
+        return 0.5 / ((bound.PerSpeed * FusedRange.Fastest) + (bound.PerSpin * fastestSpin) + bound.Constant);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -278,7 +269,7 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
 
     public bool EvaluateAt(DragBranch branch, double speedSquared, double spinRate, out double drag, out double lift, out double decay)
     {
-        if (!(spinRate > 0 && speedSquared > SlowestPoint * SlowestPoint && speedSquared < Fastest * Fastest))
+        if (!(spinRate > 0 && speedSquared > SlowestPoint * SlowestPoint && speedSquared < FusedRange.Fastest * FusedRange.Fastest))
         {
             drag = 0;
             lift = 0;

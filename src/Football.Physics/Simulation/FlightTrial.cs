@@ -1,18 +1,19 @@
 namespace Football.Physics;
 
 /// <summary>A step in flight along a constant spin axis, to be taken with several lengths.</summary>
-internal struct FlightTrial<TFast, TAir, TIntegrator> : ITrial
+internal struct FlightTrial<TFast, TSpun, TAir, TIntegrator> : ITrial
     where TFast : struct, IAerodynamics
+    where TSpun : struct, IAerodynamics
     where TAir : struct, IAerodynamics
     where TIntegrator : struct, IIntegrator
 {
     public FlightStep End;
     public double Length;
-    private readonly Stepper<TFast, TAir, TIntegrator> _stepper;
+    private readonly Stepper<TFast, TSpun, TAir, TIntegrator> _stepper;
     private readonly FlightPoint _from;
     private readonly double _height;
 
-    public FlightTrial(Stepper<TFast, TAir, TIntegrator> stepper, in FlightPoint from, double height)
+    public FlightTrial(Stepper<TFast, TSpun, TAir, TIntegrator> stepper, in FlightPoint from, double height)
     {
         _stepper = stepper;
         _from = from;

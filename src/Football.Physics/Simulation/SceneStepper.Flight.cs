@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace Football.Physics;
 
 /// <content>Flight: the ball in the air, along a constant spin axis.</content>
-internal sealed partial class Stepper<TFast, TAir, TIntegrator>
+internal sealed partial class Stepper<TFast, TSpun, TAir, TIntegrator>
 {
     /// <summary>A step of flight, done if nothing happens in it.</summary>
     /// <param name="s">The ball; moved only if nothing happens.</param>
@@ -85,6 +85,10 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         {
             _integrator.Fly(ref _fast, ref s.Flight, in _wind, branch, _upward, h, out step);
         }
+        else if (_spun.Covers(speedSquared, spin, h))
+        {
+            _integrator.Fly(ref _spun, ref s.Flight, in _wind, branch, _upward, h, out step);
+        }
         else
         {
             _integrator.Fly(ref _air, ref s.Flight, in _wind, branch, _upward, h, out step);
@@ -161,9 +165,14 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
         motion.Velocity = from.AirVelocity;
         motion.Axis = from.Axis;
         motion.SpinRate = from.SpinRate;
-        if (_fast.Covers(from.AirVelocity.LengthSquared, from.SpinRate, h))
+        double speedSquared = from.AirVelocity.LengthSquared;
+        if (_fast.Covers(speedSquared, from.SpinRate, h))
         {
             _integrator.Fly(ref _fast, ref motion, Vector3d.Zero, from.Branch, from.Upward, h, out step);
+        }
+        else if (_spun.Covers(speedSquared, from.SpinRate, h))
+        {
+            _integrator.Fly(ref _spun, ref motion, Vector3d.Zero, from.Branch, from.Upward, h, out step);
         }
         else
         {
@@ -292,7 +301,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
             }
         }
 
-        var trial = new FlightTrial<TFast, TAir, TIntegrator>(this, in from, s.Position.Y) { End = step, Length = h };
+        var trial = new FlightTrial<TFast, TSpun, TAir, TIntegrator>(this, in from, s.Position.Y) { End = step, Length = h };
         bool crosses = start.Branch == s.Branch && JumpLocator.Locate(ref trial, s.Branch, in start, in startRate, h);
         run.Log.Evaluations += trial.Evaluations;
         if (!crosses)
@@ -330,7 +339,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
     /// <summary>Ends a step where its spin reaches zero: decay never reverses a spin.</summary>
     private void EndSpin(in BallState s, in FlightPoint from, ref FlightStep step, ref double h, ref StepRun run)
     {
-        var trial = new FlightTrial<TFast, TAir, TIntegrator>(this, in from, s.Position.Y);
+        var trial = new FlightTrial<TFast, TSpun, TAir, TIntegrator>(this, in from, s.Position.Y);
         double low = 0;
         double high = h;
         double tau = h * s.SpinRate / (s.SpinRate - step.SpinRate);
@@ -372,7 +381,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator>
             return false;
         }
 
-        var trial = new FlightTrial<TFast, TAir, TIntegrator>(this, in from, s.Position.Y);
+        var trial = new FlightTrial<TFast, TSpun, TAir, TIntegrator>(this, in from, s.Position.Y);
         bool hit = true;
         if (_settings.CollisionTiming == CollisionTiming.Bisection)
         {

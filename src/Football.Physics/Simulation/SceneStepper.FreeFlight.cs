@@ -1,7 +1,7 @@
 namespace Football.Physics;
 
 /// <content>Flight with the full spin vector: with forces of the game's own, and along the drag law's jump.</content>
-internal sealed partial class Stepper<TFast, TAir, TIntegrator>
+internal sealed partial class Stepper<TFast, TSpun, TAir, TIntegrator>
 {
     private void FlyFreely(ref BallState s, ref StepRun run)
     {

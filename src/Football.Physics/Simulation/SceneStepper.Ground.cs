@@ -1,7 +1,7 @@
 namespace Football.Physics;
 
 /// <content>The ball on the ground: sliding, rolling, coming to rest.</content>
-internal sealed partial class Stepper<TFast, TAir, TIntegrator>
+internal sealed partial class Stepper<TFast, TSpun, TAir, TIntegrator>
 {
     /// <summary>
     /// Towards the end of a slide or a roll, where the direction turns ever faster, a piece goes this share of the way for a step of

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace Football.Physics;
 
 /// <content>Air that is far stronger than the ball's inertia: how a step is divided, and what happens where that would be too fine.</content>
-internal sealed partial class Stepper<TFast, TAir, TIntegrator>
+internal sealed partial class Stepper<TFast, TSpun, TAir, TIntegrator>
 {
     /// <summary>Below this many pieces the simple bound is good enough.</summary>
     private const double FewPieces = 16;

@@ -3,8 +3,13 @@ using System.Runtime.CompilerServices;
 namespace Football.Physics;
 
 /// <summary>One compiled body: the laws of a scene and an integrator.</summary>
-internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
+/// <typeparam name="TFast">The laws of a plain step of flight, where they hold.</typeparam>
+/// <typeparam name="TSpun">The laws of a step with a spin too fast for those, where they hold.</typeparam>
+/// <typeparam name="TAir">The laws everywhere.</typeparam>
+/// <typeparam name="TIntegrator">The integrator.</typeparam>
+internal sealed partial class Stepper<TFast, TSpun, TAir, TIntegrator> : Stepper
     where TFast : struct, IAerodynamics
+    where TSpun : struct, IAerodynamics
     where TAir : struct, IAerodynamics
     where TIntegrator : struct, IIntegrator
 {
@@ -39,6 +44,7 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
     /// <summary>Whether nothing but the Magnus force acts on a velocity that the method cannot turn without making it longer.</summary>
     private readonly bool _spirals;
     private TFast _fast;
+    private TSpun _spun;
     private TAir _air;
     private TIntegrator _integrator;
     private readonly Surroundings<TAir> _around;
@@ -61,6 +67,8 @@ internal sealed partial class Stepper<TFast, TAir, TIntegrator> : Stepper
         _air.Prepare(scene);
         _fast = default;
         _fast.Prepare(scene);
+        _spun = default;
+        _spun.Prepare(scene);
         _integrator = default;
         RateBound bound = _air.Bound;
 

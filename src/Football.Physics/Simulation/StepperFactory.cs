@@ -35,8 +35,8 @@ internal static class StepperFactory
         where TDragLaw : struct, IAirLaw
         where TMagnus : struct, IPresence
         where TMagnusLaw : struct, IAirLaw => scene.Forces.SpinDecay == ForceLaw.Empirical
-            ? WithFused<PublishedAir<TDrag, TMagnus, Present>, Aerodynamics<PublishedDragFit, TDragLaw, TMagnusLaw, EmpiricalSpinDecay>>(scene, settings)
-            : WithFused<PublishedAir<TDrag, TMagnus, Absent>, Aerodynamics<PublishedDragFit, TDragLaw, TMagnusLaw, NoAirLaw>>(scene, settings);
+            ? WithFused<PublishedAir<TDrag, TMagnus, Present>, SpunAir<TDrag, TMagnus, Present>, Aerodynamics<PublishedDragFit, TDragLaw, TMagnusLaw, EmpiricalSpinDecay>>(scene, settings)
+            : WithFused<PublishedAir<TDrag, TMagnus, Absent>, SpunAir<TDrag, TMagnus, Absent>, Aerodynamics<PublishedDragFit, TDragLaw, TMagnusLaw, NoAirLaw>>(scene, settings);
 
     private static Stepper WithDrag<TFit>(Scene scene, SolverSettings settings)
         where TFit : struct, IDragFit => scene.Forces.Drag switch
@@ -65,24 +65,22 @@ internal static class StepperFactory
             _ => WithIntegrator<Aerodynamics<TFit, TDrag, TMagnus, EmpiricalSpinDecay>>(scene, settings),
         };
 
-    private static Stepper WithFused<TFast, TLaws>(Scene scene, SolverSettings settings)
+    private static Stepper WithFused<TFast, TSpun, TLaws>(Scene scene, SolverSettings settings)
         where TFast : struct, IFusedAir
-        where TLaws : struct, IAerodynamics => WithIntegrator<TFast, EitherAir<TFast, TLaws>>(scene, settings);
+        where TSpun : struct, IAerodynamics
+        where TLaws : struct, IAerodynamics => WithIntegrator<TFast, TSpun, EitherAir<TFast, TLaws>>(scene, settings);
 
     private static Stepper WithIntegrator<TAir>(Scene scene, SolverSettings settings)
-        where TAir : struct, IAerodynamics => WithIntegrator<TAir, TAir>(scene, settings);
+        where TAir : struct, IAerodynamics => WithIntegrator<TAir, TAir, TAir>(scene, settings);
 
-    /// <param name="scene">The scene.</param>
-    /// <param name="settings">How to integrate it.</param>
-    /// <typeparam name="TFast">The laws of a plain step of flight, where they hold.</typeparam>
-    /// <typeparam name="TAir">The laws everywhere.</typeparam>
-    private static Stepper WithIntegrator<TFast, TAir>(Scene scene, SolverSettings settings)
+    private static Stepper WithIntegrator<TFast, TSpun, TAir>(Scene scene, SolverSettings settings)
         where TFast : struct, IAerodynamics
+        where TSpun : struct, IAerodynamics
         where TAir : struct, IAerodynamics => settings.Integrator switch
         {
-            Integrator.Euler => new Stepper<TFast, TAir, ExplicitEuler>(scene, settings),
-            Integrator.SemiImplicitEuler => new Stepper<TFast, TAir, SemiImplicitEuler>(scene, settings),
-            Integrator.Rk2 => new Stepper<TFast, TAir, MidpointRungeKutta>(scene, settings),
-            _ => new Stepper<TFast, TAir, ClassicalRungeKutta>(scene, settings),
+            Integrator.Euler => new Stepper<TFast, TSpun, TAir, ExplicitEuler>(scene, settings),
+            Integrator.SemiImplicitEuler => new Stepper<TFast, TSpun, TAir, SemiImplicitEuler>(scene, settings),
+            Integrator.Rk2 => new Stepper<TFast, TSpun, TAir, MidpointRungeKutta>(scene, settings),
+            _ => new Stepper<TFast, TSpun, TAir, ClassicalRungeKutta>(scene, settings),
         };
 }

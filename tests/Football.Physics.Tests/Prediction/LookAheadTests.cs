@@ -151,7 +151,9 @@ public sealed class LookAheadTests
 
             Assert.InRange(closest.Distance, best - 0.02, best + 1e-12);
             Assert.Equal(closest.Distance, Vector3d.Distance(closest.Position, point), 1e-12);
-            Assert.Equal(closest.Position, path.PositionAt(closest.Time));
+
+            // Where two pieces meet they agree to rounding.
+            Assert.Equal(0, Vector3d.Distance(closest.Position, path.PositionAt(closest.Time)), 1e-14);
         }
     }
 
