@@ -26,7 +26,7 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
     /// <summary>A spin may lose this share within a step, for its powers are then good to 5e-9.</summary>
     private const double LargestLoss = 0.02;
 
-    /// <summary>The series about a step's start are good to 2e-9 for changes of |u|² by this share.</summary>
+    /// <summary>The series about a step's start are good to 4e-9, that of the small decay to 3e-6, for changes of |u|² by this share.</summary>
     private const double Farthest = 1.0 / 32;
 
     /// <summary>And for changes of |ω| by this share.</summary>
