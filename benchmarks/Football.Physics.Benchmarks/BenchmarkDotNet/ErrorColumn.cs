@@ -22,7 +22,7 @@ internal sealed class ErrorColumn : IColumn
 
     public UnitType UnitType => UnitType.Dimensionless;
 
-    public string Legend => "Mean distance from the same shots by RK4 at 0.5 ms with every event located: of the landings, or of the ends of look-aheads";
+    public string Legend => "Mean distance from the same shots by RK4 at 0.5 ms with every event located: of the landings, or of the ends of look-aheads, of slides and rolls, and of steps with an impact";
 
     public bool IsAvailable(Summary summary) => true;
 

@@ -5,7 +5,7 @@ namespace Football.Physics.Benchmarks;
 
 /// <summary>One step on the ground: integrator × law × motion, against a plain RK2 step in flight.</summary>
 [MemoryDiagnoser]
-public class GroundBenchmarks
+public class GroundBenchmarks : IHasError
 {
     private const int Operations = ShotSets.Count * ShotSets.Steps;
     private const double H = ShotSets.TimeStep;
@@ -41,4 +41,13 @@ public class GroundBenchmarks
 
     [Benchmark(OperationsPerInvoke = Operations)]
     public double Library() => Batches.Chain(_simulator, _shots, ShotSets.Steps, H, _log);
+
+    public double Error(string benchmark) => benchmark == nameof(Library) && Motion != GroundMotion.Stopped
+        ? Errors.After(
+            new SolverSettings { Integrator = Integrator },
+            Law,
+            H,
+            ShotSets.Steps * H,
+            Motion == GroundMotion.Sliding ? ShotSets.Sliding : ShotSets.Rolling)
+        : double.NaN;
 }

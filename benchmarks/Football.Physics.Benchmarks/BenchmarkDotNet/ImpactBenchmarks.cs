@@ -5,7 +5,7 @@ namespace Football.Physics.Benchmarks;
 
 /// <summary>One step with one impact inside it: integrator × timing.</summary>
 [MemoryDiagnoser]
-public class ImpactBenchmarks
+public class ImpactBenchmarks : IHasError
 {
     private readonly StepLog _log = new(2 * ShotSets.Count);
     private readonly Shot[] _thesisShots = [.. ShotSets.AboutToBounce];
@@ -19,10 +19,12 @@ public class ImpactBenchmarks
     [ParamsAllValues]
     public CollisionTiming Timing { get; set; }
 
+    private SolverSettings Settings => new() { Integrator = Integrator, CollisionTiming = Timing };
+
     [GlobalSetup]
     public void Setup()
     {
-        _simulator = new Simulator(null, new SolverSettings { Integrator = Integrator, CollisionTiming = Timing });
+        _simulator = new Simulator(null, Settings);
         _shots = Shots.Launch(_simulator, ShotSets.AboutToBounce);
         _thesis = new ThesisBall(Integrator);
     }
@@ -32,4 +34,8 @@ public class ImpactBenchmarks
 
     [Benchmark(OperationsPerInvoke = ShotSets.Count)]
     public double Library() => Batches.OneStepEach(_simulator, _shots, ShotSets.TimeStep, _log);
+
+    public double Error(string benchmark) => benchmark == nameof(Library)
+        ? Errors.After(Settings, PlainLawKind.Published, ShotSets.TimeStep, ShotSets.TimeStep, ShotSets.AboutToBounce)
+        : Errors.ThesisStep(Integrator, ShotSets.TimeStep, ShotSets.AboutToBounce);
 }

@@ -5,7 +5,7 @@ namespace Football.Physics.Benchmarks;
 
 /// <summary>A batch of different shots: one after the other (a dependent chain) and side by side (independent steps).</summary>
 [MemoryDiagnoser]
-public class ManyShotsBenchmarks
+public class ManyShotsBenchmarks : IHasError
 {
     private const int Operations = ShotSets.Count * ShotSets.Steps;
     private const double H = ShotSets.TimeStep;
@@ -39,4 +39,8 @@ public class ManyShotsBenchmarks
 
     [Benchmark(OperationsPerInvoke = Operations)]
     public double LibraryIndependent() => Batches.Interleaved(_simulator, _shots, _scratch, ShotSets.Steps, H, _log);
+
+    public double Error(string benchmark) => benchmark is nameof(LibraryChain) or nameof(LibraryIndependent)
+        ? Errors.Landing(Integrator, PlainLawKind.Published, H, ShotSets.Mixed)
+        : Errors.PlainLanding(Integrator, PlainLawKind.Published, H, ShotSets.Mixed);
 }

@@ -11,62 +11,73 @@ internal static class Errors
     private const double LongestFlight = 20;
 
     private static readonly double Contact = BallProperties.Football.Radius;
-    private static readonly ConcurrentDictionary<(object Shots, PlainLawKind Law, bool AtTime), Vector3d[]> References = new();
+    private static readonly ConcurrentDictionary<(object Shots, PlainLawKind Law, double? After), Vector3d[]> References = new();
 
     /// <summary>First landings of shots from the ground, by the library.</summary>
     public static double Landing(Integrator integrator, PlainLawKind law, double h, IReadOnlyList<Shot> shots)
     {
         var simulator = new Simulator(PlainFlight.SceneOf(law), new SolverSettings { Integrator = integrator });
-        return Mean(Reference(shots, law, atTime: false), shots.Select(shot => Land(simulator, shot, h)));
+        return Mean(Reference(shots, law, after: null), shots.Select(shot => Land(simulator, shot, h)));
     }
 
     /// <summary>First landings by the plain yardstick, its impact found by bisection of the step to the last bit.</summary>
     public static double PlainLanding(Integrator integrator, PlainLawKind law, double h, IReadOnlyList<Shot> shots)
     {
         var flight = PlainFlight.Create(law, integrator);
-        return Mean(Reference(shots, law, atTime: false), shots.Select(shot => Land(flight, shot, h)));
+        return Mean(Reference(shots, law, after: null), shots.Select(shot => Land(flight, shot, h)));
     }
 
     /// <summary>First landings the thesis' way, its impact searched to 1 µs.</summary>
     public static double ThesisLanding(Integrator integrator, double h, IReadOnlyList<Shot> shots)
     {
         var ball = new ThesisBall(integrator);
-        return Mean(Reference(shots, PlainLawKind.Published, atTime: false), shots.Select(shot => Land(ball, shot, h)));
+        return Mean(Reference(shots, PlainLawKind.Published, after: null), shots.Select(shot => Land(ball, shot, h)));
     }
 
     /// <summary>First landings by MathNet.Numerics, the impact found by bisection.</summary>
     public static double MathNetLanding(Integrator integrator, double h, IReadOnlyList<Shot> shots)
     {
         var flight = new MathNetFlight(integrator);
-        return Mean(Reference(shots, PlainLawKind.Published, atTime: false), shots.Select(shot => Land(flight, shot, h)));
+        return Mean(Reference(shots, PlainLawKind.Published, after: null), shots.Select(shot => Land(flight, shot, h)));
     }
 
     /// <summary>First landings by the general rigid-body engine, at the frame's end.</summary>
     public static double EngineLanding(double h, IReadOnlyList<Shot> shots)
     {
         var engine = new RigidBodyEngine();
-        return Mean(Reference(shots, PlainLawKind.Published, atTime: false), shots.Select(shot => Land(engine, shot, h)));
+        return Mean(Reference(shots, PlainLawKind.Published, after: null), shots.Select(shot => Land(engine, shot, h)));
     }
 
     /// <summary>Positions of shots from the ground at the end of a look-ahead, by the library.</summary>
-    public static double LookAhead(Integrator integrator, double h, IReadOnlyList<Shot> shots)
+    public static double LookAhead(Integrator integrator, double h, IReadOnlyList<Shot> shots) =>
+        After(new SolverSettings { Integrator = integrator }, PlainLawKind.Published, h, ShotSets.LookAhead, shots);
+
+    /// <summary>Positions of shots after a time, s, by the library.</summary>
+    public static double After(SolverSettings settings, PlainLawKind law, double h, double time, IReadOnlyList<Shot> shots)
     {
-        var simulator = new Simulator(null, new SolverSettings { Integrator = integrator });
-        return Mean(Reference(shots, PlainLawKind.Published, atTime: true), shots.Select(shot => Ahead(simulator, shot, h)));
+        var simulator = new Simulator(PlainFlight.SceneOf(law), settings);
+        return Mean(Reference(shots, law, time), shots.Select(shot => Ahead(simulator, shot, h, time)));
+    }
+
+    /// <summary>Positions of shots after one step the thesis' way.</summary>
+    public static double ThesisStep(Integrator integrator, double h, IReadOnlyList<Shot> shots)
+    {
+        var ball = new ThesisBall(integrator);
+        return Mean(Reference(shots, PlainLawKind.Published, h), shots.Select(shot => AfterStep(ball, shot, h)));
     }
 
     private static double Mean(Vector3d[] truth, IEnumerable<Vector3d> places) => truth.Zip(places, (a, b) => Vector3d.Distance(a, b)).Average();
 
-    private static Vector3d[] Reference(IReadOnlyList<Shot> shots, PlainLawKind law, bool atTime) => References.GetOrAdd((shots, law, atTime), _ =>
+    private static Vector3d[] Reference(IReadOnlyList<Shot> shots, PlainLawKind law, double? after) => References.GetOrAdd((shots, law, after), _ =>
     {
         var simulator = new Simulator(PlainFlight.SceneOf(law));
-        return [.. shots.Select(shot => atTime ? Ahead(simulator, shot, ReferenceStep) : Land(simulator, shot, ReferenceStep))];
+        return [.. shots.Select(shot => after is { } time ? Ahead(simulator, shot, ReferenceStep, time) : Land(simulator, shot, ReferenceStep))];
     });
 
-    private static Vector3d Ahead(Simulator simulator, Shot shot, double h)
+    private static Vector3d Ahead(Simulator simulator, Shot shot, double h, double time)
     {
         BallState s = simulator.Launch(shot.Position, shot.Velocity, shot.Spin);
-        simulator.Run(ref s, h, ShotSets.LookAhead, StopAt.Time, new StepLog());
+        simulator.Run(ref s, h, time, StopAt.Time, new StepLog());
         return s.Position;
     }
 
@@ -131,6 +142,13 @@ internal static class Errors
         }
 
         return ball.LastImpact;
+    }
+
+    private static Vector3d AfterStep(ThesisBall ball, Shot shot, double h)
+    {
+        ball.Kick(shot);
+        ball.FixedUpdate((float)h);
+        return ball.Position;
     }
 
     private static Vector3d Land(RigidBodyEngine engine, Shot shot, double h)

@@ -18,7 +18,7 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
     /// <summary>Up to this (r|ω|/2|u|)², Sp 1.04, a little more than that of a ball that rolls, the polynomial of the decay is good to 5e-11; there the lift is above 0.</summary>
     private const double LargestRatio = 0.27;
 
-    /// <summary>The series about a step's start are good to 2e-9 for changes of |u|² by this share.</summary>
+    /// <summary>The series about a step's start are good to 4e-9, that of the small decay to 3e-6, for changes of |u|² by this share.</summary>
     private const double Farthest = 1.0 / 32;
 
     /// <summary>And for changes of |ω| by this share.</summary>

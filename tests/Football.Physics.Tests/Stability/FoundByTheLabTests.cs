@@ -121,4 +121,100 @@ public sealed class FoundByTheLabTests
         Assert.Equal(times.Order(), times);
         Assert.True(times[^1] <= result.GetProperty("final").GetProperty("time").GetDouble());
     }
+
+    /// <summary>A stage past the end of the spin was turned on by the decay, and without a grip of the ground the spin grew again on the other side.</summary>
+    [Theory]
+    [InlineData(0.0, 0.5)]
+    [InlineData(0.0, 2.0)]
+    [InlineData(0.009, 0.5)]
+    [InlineData(0.009, 2.0)]
+    public void A_spin_that_the_air_stops_while_the_ball_slides_stays_stopped(double friction, double step)
+    {
+        var scene = new Scene
+        {
+            Ball = BallProperties.BeachBall,
+            Gravity = 2.5,
+            Forces = new ForceSet { Buoyancy = false, Drag = ForceLaw.None, Magnus = ForceLaw.None },
+            Ground = new Ground { NormalRestitution = 0, SlidingFriction = friction, SpinDamping = 0 },
+        };
+        var log = new StepLog();
+        foreach (Integrator integrator in Enum.GetValues<Integrator>())
+        {
+            var simulator = new Simulator(scene, new SolverSettings { Integrator = integrator });
+            BallState state = simulator.Launch(new Vector3d(0, scene.Ball.Radius, 0), new Vector3d(-75, 0, 160), new Vector3d(22, 53, -45));
+            for (int i = 0; i < 40; i++)
+            {
+                double before = Energy(scene, in state);
+                simulator.Step(ref state, step, log);
+                Assert.Equal(MotionState.Sliding, state.Motion);
+                Assert.True(Energy(scene, in state) <= before, $"{integrator}, step {i}: {before} J to {Energy(scene, in state)} J");
+            }
+
+            Assert.Equal(Vector3d.Zero, state.Spin);
+        }
+    }
+
+    /// <summary>In still air there was no force to divide the next step by, and the first breath of a stage threw a ball without inertia to infinity.</summary>
+    [Theory]
+    [InlineData(ForceLaw.Constant)]
+    [InlineData(ForceLaw.Empirical)]
+    public void A_huge_ball_without_inertia_that_goes_with_the_wind_stays_with_it(ForceLaw drag)
+    {
+        var scene = new Scene
+        {
+            Ball = new BallProperties { Mass = 1e-4, Radius = 97, InertiaFactor = 0.01 },
+            Air = new Air { Density = 1e6, KinematicViscosity = 7.8, Wind = new Vector3d(-0.1, 0.135, -0.07) },
+            Gravity = 0.001,
+            Forces = new ForceSet
+            {
+                Buoyancy = false,
+                Drag = drag,
+                Magnus = ForceLaw.Constant,
+                MagnusCoefficient = -0.3,
+                SpinDecay = ForceLaw.None,
+                Coefficients = CoefficientForm.Regularised,
+            },
+        };
+        var log = new StepLog();
+        foreach (Integrator integrator in Enum.GetValues<Integrator>())
+        {
+            var simulator = new Simulator(scene, new SolverSettings { Integrator = integrator });
+            BallState state = simulator.Launch(new Vector3d(0, 100, 0), new Vector3d(0.2, -24, -9), new Vector3d(0, 0, 31));
+            for (int i = 0; i < 40; i++)
+            {
+                simulator.Step(ref state, 0.01, log);
+                Assert.True(state.Velocity.Length <= 30 && state.Spin.Length <= 40, $"{integrator}, step {i}: {state.Velocity}, {state.Spin}");
+            }
+        }
+    }
+
+    [Fact]
+    public void A_huge_ball_without_inertia_that_has_stopped_on_the_ground_stays_there()
+    {
+        var scene = new Scene
+        {
+            Ball = new BallProperties { Mass = 4e-194, Radius = 77, InertiaFactor = 0.024 },
+            Air = new Air { Density = 1e6, KinematicViscosity = 0.026 },
+            Gravity = 1000,
+            Forces = new ForceSet { Buoyancy = false, Drag = ForceLaw.None, Magnus = ForceLaw.Constant, SpinDecay = ForceLaw.None },
+            Ground = new Ground { NormalRestitution = 0, SlidingFriction = 0.012, RollingFriction = 0, SpinDamping = 0, RestEnergy = 1e-9 },
+        };
+        var log = new StepLog();
+        foreach (Integrator integrator in Enum.GetValues<Integrator>())
+        {
+            foreach (RollingTransition transition in Enum.GetValues<RollingTransition>())
+            {
+                var simulator = new Simulator(scene, new SolverSettings { Integrator = integrator, RollingTransition = transition });
+                BallState state = simulator.Launch(new Vector3d(0, 77, 0), new Vector3d(0.7, 0, 36), new Vector3d(-211, -221, -678));
+                for (int i = 0; i < 40; i++)
+                {
+                    simulator.Step(ref state, 0.01, log);
+                    Assert.True(state.Velocity.Length <= 37 && state.Spin.Length <= 750, $"{integrator}, {transition}, step {i}: {state.Velocity}, {state.Spin}");
+                }
+            }
+        }
+    }
+
+    private static double Energy(Scene scene, in BallState s) =>
+        0.5 * ((scene.Ball.Mass * s.Velocity.LengthSquared) + (scene.Ball.MomentOfInertia * s.Spin.LengthSquared));
 }
