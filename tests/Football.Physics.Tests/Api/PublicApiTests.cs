@@ -1,3 +1,5 @@
+using Football.Physics.Tests.Support;
+
 namespace Football.Physics.Tests.Api;
 
 /// <summary>The public surface changes only on purpose: src/Football.Physics/PublicApi.txt says what it is.</summary>
@@ -7,7 +9,7 @@ public sealed class PublicApiTests
     public void The_public_surface_is_the_one_on_record()
     {
         string[] actual = [.. PublicApi.Lines(typeof(Ball).Assembly)];
-        string path = Path.Combine(Root(), "src", "Football.Physics", "PublicApi.txt");
+        string path = Path.Combine(RepositoryFiles.Root, "src", "Football.Physics", "PublicApi.txt");
         if (Environment.GetEnvironmentVariable("UPDATE_PUBLIC_API") == "1")
         {
             File.WriteAllText(path, string.Join('\n', actual) + "\n");
@@ -19,16 +21,5 @@ public sealed class PublicApiTests
             changes.Length == 0,
             $"The public surface has changed. If it was meant to, run the tests once with UPDATE_PUBLIC_API=1.\n{string.Join('\n', changes)}");
         Assert.Equal(recorded, actual);
-    }
-
-    private static string Root()
-    {
-        DirectoryInfo? folder = new(AppContext.BaseDirectory);
-        while (folder is not null && !File.Exists(Path.Combine(folder.FullName, "Football.Physics.sln")))
-        {
-            folder = folder.Parent;
-        }
-
-        return folder?.FullName ?? throw new InvalidOperationException("Football.Physics.sln not found above the tests");
     }
 }
