@@ -200,7 +200,7 @@ public sealed class SeriesLawTests
 
         Hold(dragErrors, default(TDrag).Is, 1.2e-9);
         Hold(liftErrors, default(TMagnus).Is, 4e-9);
-        
+
         // Of a rate that takes at most 1/1024 of the spin.
         Hold(decayErrors, default(TDecay).Is, 2.3e-6);
     }
