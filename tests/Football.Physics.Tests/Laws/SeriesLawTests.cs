@@ -192,7 +192,6 @@ public sealed class SeriesLawTests
                     decayErrors.Add(name, Math.Abs((decay / expectedDecay) - 1));
                 }
 
-                Assert.True(default(TDrag).Is || drag >= 0);
                 Assert.True(default(TMagnus).Is || lift == 0);
                 Assert.True(default(TDecay).Is || decay == 0);
             }
@@ -200,7 +199,7 @@ public sealed class SeriesLawTests
 
         Hold(dragErrors, default(TDrag).Is, 1.2e-9);
         Hold(liftErrors, default(TMagnus).Is, 4e-9);
-        
+
         // Of a rate that takes at most 1/1024 of the spin.
         Hold(decayErrors, default(TDecay).Is, 2.3e-6);
     }
