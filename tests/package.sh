@@ -120,7 +120,10 @@ same "net8.0 assembly in the same program" "$work/net8/consumer"
 quietly "consumer of the netstandard2.1 assembly" consume netstandard -p:LibraryAsset=netstandard2.1
 same "netstandard2.1 assembly on .NET" "$work/netstandard/consumer"
 same "package on .NET, no tiered compilation" env DOTNET_TieredCompilation=0 "$work/net10/consumer"
+same "package on .NET, no profile-guided code" env DOTNET_TieredPGO=0 "$work/net10/consumer"
 same "package on .NET, no AVX-512" env DOTNET_EnableAVX512=0 DOTNET_EnableAVX512F=0 "$work/net10/consumer"
+same "package on .NET, no FMA" env DOTNET_EnableFMA=0 "$work/net10/consumer"
+same "package on .NET, no AVX2" env DOTNET_EnableAVX2=0 "$work/net10/consumer"
 same "package on .NET, no AVX2, no FMA" env DOTNET_EnableAVX2=0 DOTNET_EnableFMA=0 "$work/net10/consumer"
 same "package on .NET, no AVX" env DOTNET_EnableAVX=0 "$work/net10/consumer"
 

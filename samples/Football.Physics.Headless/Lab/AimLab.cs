@@ -1,7 +1,6 @@
 using System.CommandLine;
 using System.Globalization;
 using System.Text;
-using System.Xml.Linq;
 using Football.Physics.Headless.Commands;
 
 namespace Football.Physics.Headless.Lab;
@@ -17,17 +16,18 @@ internal static class AimLab
         var seed = new Option<int>("--seed") { HelpName = "N", Description = "Seed of everything random; default 1.", DefaultValueFactory = _ => 1 };
         var json = new Option<string?>("--json") { HelpName = "FILE", Description = "Writes the tables as JSON." };
         var csv = new Option<string?>("--csv") { HelpName = "FILE", Description = "Writes every kick as a line." };
-        var plot = new Option<string?>("--plot") { HelpName = "FILE.svg", Description = "Draws histograms and plots." };
+        var plot = new Option<string?>("--plot") { HelpName = "FILE", Description = PlotFile.Help };
         var quick = new Option<bool>("--quick") { Description = "Fewer kicks of everything." };
         var full = new Option<bool>("--full") { Description = "Holds every one of the 10 000 random requests that was not hit against the dense scan, not one in four." };
         var command = new Command("aim", "The predictors: 4.1.3, 4.2.3, 4.3.2, and 10 000 random requests against a dense scan.") { seed, json, csv, plot, quick, full };
         command.SetAction(parsed =>
         {
+            PlotFile? picture = parsed.GetValue(plot) is { } file ? PlotFile.For(file) : null;
             AimReport report = Run(parsed.GetValue(seed), parsed.GetValue(quick), parsed.GetValue(full), terminal);
             report.Print(terminal.Person);
             Save(parsed.GetValue(json), () => Encoding.UTF8.GetString(report.Json().Span));
             Save(parsed.GetValue(csv), report.Csv);
-            Save(parsed.GetValue(plot), () => report.Plot().ToString(SaveOptions.DisableFormatting) + "\n");
+            picture?.Write(report.Plot());
             if (terminal.OutputRedirected)
             {
                 terminal.Output.Write(report.Json().Span);

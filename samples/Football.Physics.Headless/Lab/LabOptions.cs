@@ -3,6 +3,7 @@ using System.CommandLine;
 using System.Text;
 using System.Text.Json;
 using Football.Physics.Headless.Commands;
+using Football.Physics.Headless.Json;
 
 namespace Football.Physics.Headless.Lab;
 
@@ -15,7 +16,7 @@ internal sealed class LabOptions
 
     public Option<string?> Csv { get; } = new("--csv") { HelpName = "FILE", Description = "Writes the tables as CSV." };
 
-    public Option<string?> Plot { get; } = new("--plot") { HelpName = "FILE", Description = "Draws FILE.svg, or FILE.png where Chromium or gnuplot is installed." };
+    public Option<string?> Plot { get; } = new("--plot") { HelpName = "FILE", Description = PlotFile.Help };
 
     /// <summary>Makes an experiment's command.</summary>
     public static Command Create(string name, string description, Terminal terminal, Func<ParseResult, long, Progress, LabReport> run, params Option[] more)
@@ -77,9 +78,9 @@ internal sealed class LabOptions
             File.WriteAllText(csv, text.ToString(), new UTF8Encoding(encoderShouldEmitUTF8Identifier: false));
         }
 
-        if (plot is not null && report.Picture is not null)
+        if (plot is not null)
         {
-            plot.Write(report.Picture());
+            plot.Write(report.Picture?.Invoke() ?? throw new RefusedException($"--plot: there is nothing to draw of {report.Tables[0].Name}."));
             terminal.Person.WriteLine($"Picture: {plot.Path}");
         }
     }

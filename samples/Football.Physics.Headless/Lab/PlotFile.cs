@@ -8,6 +8,9 @@ namespace Football.Physics.Headless.Lab;
 /// <summary>A file for a picture: SVG, or PNG where a program that renders it is installed.</summary>
 internal sealed class PlotFile
 {
+    /// <summary>What a command says of its option.</summary>
+    public const string Help = "Draws FILE.svg, or FILE.png where Chromium is installed.";
+
     private static readonly string[] Renderers = ["chromium", "chromium-browser", "google-chrome"];
 
     private readonly string? _renderer;

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Globalization;
 using Football.Physics.Headless.Commands;
+using Football.Physics.Headless.Drawing;
 using Football.Physics.Headless.Lab.Stability;
 
 namespace Football.Physics.Headless.Lab;
@@ -8,7 +9,7 @@ namespace Football.Physics.Headless.Lab;
 /// <summary>football lab stability: the stress matrix.</summary>
 internal static class StabilityLab
 {
-    private const long ByDefault = 100_000;
+    private const long ByDefault = 60_000;
     private const long Full = 1_040_000;
 
     public static Command Create(Terminal terminal)
@@ -66,6 +67,7 @@ internal static class StabilityLab
 
         report.Tables.Add(table);
         report.Tables.Add(Overshoot.Table());
+        report.Picture = () => Figure.Stack("", [Overshoot.Draw()]);
         LabTable failures = new("failures", "scene", "kind", "method", "check", "detail");
         foreach (StressKind kind in StressGenerator.Kinds)
         {

@@ -44,14 +44,30 @@ public sealed class LabTests
         Directory.Delete(folder, recursive: true);
     }
 
+    [Fact]
+    public void The_stress_matrix_draws_what_a_step_that_is_too_long_does()
+    {
+        string folder = Directory.CreateTempSubdirectory("football-lab-").FullName;
+        string file = Path.Combine(folder, "a.svg");
+        Assert.Equal(0, FootballCommand.Run("", "lab", "stability", "--scenes", "13", "--jobs", "1", "--plot", file).ExitCode);
+        Assert.Contains("exact", System.IO.File.ReadAllText(file));
+        Directory.Delete(folder, recursive: true);
+        var one = FootballCommand.Run("", "lab", "stability", "--scene", "7", "--plot", file);
+        Assert.Equal(1, one.ExitCode);
+        Assert.EndsWith("football: --plot: there is nothing to draw of scene 7.\n", one.Error);
+    }
+
     [Theory]
     [InlineData("picture.pdf")]
     [InlineData("picture")]
     public void A_picture_of_another_kind_is_refused_before_anything_is_done(string file)
     {
-        var done = FootballCommand.Run("", "lab", "vacuum", "--plot", file);
-        Assert.Equal(1, done.ExitCode);
-        Assert.Equal($"football: --plot is {file}; allowed: a file that ends in .svg or .png.", done.ErrorLine);
+        foreach (string lab in new[] { "vacuum", "consistency", "cost", "precision", "stability", "aim" })
+        {
+            var done = FootballCommand.Run("", "lab", lab, "--plot", file);
+            Assert.Equal(1, done.ExitCode);
+            Assert.Equal($"football: --plot is {file}; allowed: a file that ends in .svg or .png.", done.ErrorLine);
+        }
     }
 
     [Theory]

@@ -192,7 +192,6 @@ public sealed class SeriesLawTests
                     decayErrors.Add(name, Math.Abs((decay / expectedDecay) - 1));
                 }
 
-                Assert.True(default(TDrag).Is || drag >= 0);
                 Assert.True(default(TMagnus).Is || lift == 0);
                 Assert.True(default(TDecay).Is || decay == 0);
             }

@@ -1,3 +1,6 @@
+using System.Xml.Linq;
+using Football.Physics.Headless.Drawing;
+
 namespace Football.Physics.Headless.Lab.Stability;
 
 /// <summary>From which step on drag overshoots, by method, and into how many parts the library divides a longer one.</summary>
@@ -32,6 +35,31 @@ internal static class Overshoot
 
         table.Add("exact", double.NaN, double.NaN, double.NaN, double.NaN, null, Speed / (1 + (k * Speed * LongStep)));
         return table;
+    }
+
+    /// <summary>The speed after one undivided step over its length, both as shares: where a method reverses it, and where it grows.</summary>
+    public static XElement Draw()
+    {
+        const int Points = 300;
+        const double Longest = 3;
+        double[] lengths = [.. Enumerable.Range(0, Points + 1).Select(i => Longest * i / Points)];
+        var chart = new Chart(new Axis("z = |u| Δt ½ρC_D A/m"), new Axis("speed after the step, as a share") { Min = -2, Max = 2 })
+        {
+            Title = "Drag overshoots in a step that is not divided",
+        };
+        foreach (Integrator method in StressGenerator.Integrators)
+        {
+            // Both Eulers do the same to a speed: the second is dashed over the first.
+            chart.Items.Add(new PolylineItem([.. lengths.Select(z => new PlotPoint(z, Step(method, z)))])
+            {
+                Colour = Palette.Series[(int)method],
+                Label = method.ToString(),
+                Dash = method == Integrator.SemiImplicitEuler ? "4 3" : "none",
+            });
+        }
+
+        chart.Items.Add(new PolylineItem([.. lengths.Select(z => new PlotPoint(z, 1 / (1 + z)))]) { Colour = Palette.Ink, Label = "exact", Dash = "1 2" });
+        return chart.Draw();
     }
 
     /// <summary>The least z at which one step of u̇ = −|u| u from u = 1 is wrong.</summary>
