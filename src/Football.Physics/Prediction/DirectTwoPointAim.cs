@@ -183,7 +183,7 @@ internal sealed class DirectTwoPointAim : IAimMethod
     private bool Fly(double[] x, double[] r)
     {
         KickOf(x).Vectors(_request.Speed, in _forward, out Vector3d velocity, out Vector3d spin);
-        _context.Fly(in _from, in velocity, in spin);
+        _context.Fly(in _from, in velocity, in spin, _context.StepFor(0.5 * Math.Min(_request.Tolerance, FineMiss)));
         KickFlight flight = _context.Flight;
         if (!flight.Crossed || !flight.CrossedThrough)
         {
