@@ -49,6 +49,7 @@ internal sealed class AimContext
         Flight = new KickFlight();
         Passes = new PassFlight(_judge);
         Frames = new FrameFlight();
+        ThroughFrames = new FrameFlight();
         _watchedLog.Observer = Flight;
         _closeLog.Observer = _pass;
         Upward = Gravity.Acceleration(scene) + Buoyancy.Acceleration(scene);
@@ -70,6 +71,9 @@ internal sealed class AimContext
 
     /// <summary>The last flight in the game's frames.</summary>
     public FrameFlight Frames { get; }
+
+    /// <summary>The last flight in the game's frames past a point on the way.</summary>
+    public FrameFlight ThroughFrames { get; }
 
     /// <summary>Flights with ground for their closest approach.</summary>
     public PassFlight Passes { get; }
@@ -151,6 +155,24 @@ internal sealed class AimContext
         Simulations++;
         Frames.Begin(in from, in point);
         RunFrames(in from, in velocity, in spin);
+    }
+
+    /// <summary>The same, and on the way watched by <see cref="ThroughFrames"/>.</summary>
+    public void FlyFramesThrough(in Vector3d from, in Vector3d velocity, in Vector3d spin, in Vector3d through, in Vector3d point)
+    {
+        Simulations++;
+        Frames.Begin(in from, in point);
+        ThroughFrames.Begin(in from, in through);
+        BallState state = Game.Launch(from, velocity, spin);
+        _gameLog.Clear();
+        bool passed = false;
+        bool ended = false;
+        while (!ended && state.Time < LongestFlight)
+        {
+            ended = Game.StepToImpact(ref state, TimeStep, _gameLog);
+            passed = passed || ThroughFrames.Add(in state);
+            ended |= Frames.Add(in state) && passed;
+        }
     }
 
     /// <summary>The same until a plane through the point is crossed.</summary>
