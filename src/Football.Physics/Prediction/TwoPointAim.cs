@@ -10,6 +10,9 @@ internal sealed class TwoPointAim : IAimMethod
     /// <summary>The share of the limit that a spin starts with where none is given.</summary>
     private const double FirstSpin = 0.25;
 
+    /// <summary>It ends this far inside the tolerance: up to 40 m/s the closest point between frames is further off the true one.</summary>
+    private const double Margin = 0.5;
+
     /// <summary>It goes round in circles where so many iterations do not shrink the miss at the target to this share of the least so far.</summary>
     private const int MostIdle = 4;
     private const double Progress = 0.95;
@@ -72,7 +75,7 @@ internal sealed class TwoPointAim : IAimMethod
             double targetMiss = _context.Frames.Miss;
             double throughMiss = _context.ThroughFrames.Miss;
             idle = targetMiss < Progress * bestMiss ? 0 : idle + 1;
-            bool passes = throughMiss <= request.ThroughTolerance && targetMiss <= FrameSearch.Margin * request.Tolerance;
+            bool passes = throughMiss <= request.ThroughTolerance && targetMiss <= Margin * request.Tolerance;
             if (targetMiss < bestMiss || saturated || passes)
             {
                 best = _kick;
@@ -104,7 +107,7 @@ internal sealed class TwoPointAim : IAimMethod
         }
 
         // The target first: the single-target method with the spin as it is.
-        AimAnswer fallback = _angle.Refine(request, in best);
+        AimAnswer fallback = _angle.Refine(request, in best, Margin);
         if (fallback.Status != AimStatus.Hit)
         {
             AimAnswer other = _bisection.Find(request, best.Top, best.Side);
