@@ -9,6 +9,12 @@ internal sealed class AimContext
     /// <summary>Step of the library's own solver, s: with RK4 and the jump located within 1e-5 m.</summary>
     private const double SolverStep = 0.1;
 
+    /// <summary>Its step for a miss that is not asked for more closely than to <see cref="RoughMiss"/>, s: within 1e-4 m.</summary>
+    private const double RoughStep = 0.2;
+
+    /// <summary>Miss from which on the rough step will do, m.</summary>
+    private const double RoughMiss = 5e-4;
+
     /// <summary>Step of the library's own solver, s.</summary>
     public double ShortStep => Fine ? FineStep : SolverStep;
 
@@ -25,6 +31,7 @@ internal sealed class AimContext
     private const double NoGround = -0.5 * Limits.Length;
 
     private readonly StepLog _freeLog = new();
+    private readonly StepLog _watchedLog = new();
     private readonly StepLog _closeLog = new();
     private readonly StepLog _gameLog = new();
     private readonly Simulator _free;
@@ -42,7 +49,8 @@ internal sealed class AimContext
         Flight = new KickFlight();
         Passes = new PassFlight(_judge);
         Frames = new FrameFlight();
-        _freeLog.Observer = Flight;
+        ThroughFrames = new FrameFlight();
+        _watchedLog.Observer = Flight;
         _closeLog.Observer = _pass;
         Upward = Gravity.Acceleration(scene) + Buoyancy.Acceleration(scene);
     }
@@ -63,6 +71,9 @@ internal sealed class AimContext
 
     /// <summary>The last flight in the game's frames.</summary>
     public FrameFlight Frames { get; }
+
+    /// <summary>The last flight in the game's frames past a point on the way.</summary>
+    public FrameFlight ThroughFrames { get; }
 
     /// <summary>Flights with ground for their closest approach.</summary>
     public PassFlight Passes { get; }
@@ -93,14 +104,39 @@ internal sealed class AimContext
     public bool StaysDown(in Vector3d from, double upwardSpeed) =>
         Upward <= 0 && from.Y <= Game.ContactHeight && Math.Abs(upwardSpeed) < Scene.Ground.MinimumBounceSpeed;
 
+    /// <summary>Step of a flight to planes, s, from which a miss is to be known.</summary>
+    public double StepFor(double miss) => Fine ? FineStep : miss >= RoughMiss ? RoughStep : SolverStep;
+
     /// <summary>Flies a kick without ground, watched by <see cref="Flight"/>, until its planes are crossed.</summary>
-    public void Fly(in Vector3d from, in Vector3d velocity, in Vector3d spin)
+    public void Fly(in Vector3d from, in Vector3d velocity, in Vector3d spin, double timeStep)
     {
         Simulations++;
         Flight.Reset();
         BallState state = _free.Launch(from, velocity, spin);
+        double last = LongestFlight - (1e-9 * timeStep);
+        bool ended = false;
         _freeLog.Clear();
-        _free.Run(ref state, ShortStep, LongestFlight, StopAt.Impact, _freeLog, null);
+        while (!ended && state.Time < last)
+        {
+            // A step that nobody watches is the fastest; one that crosses a plane and has more than one piece is taken again, watched.
+            BallState before = state;
+            long pieces = _freeLog.Steps;
+            ended = _free.StepToImpact(ref state, timeStep, _freeLog);
+            if (!Flight.Crosses(in state))
+            {
+                ended |= Flight.Pass(in state);
+            }
+            else if (!ended && _freeLog.Steps == pieces + 1)
+            {
+                ended = Flight.Add(PathPiece.Cubic(in before, in state));
+            }
+            else
+            {
+                state = before;
+                _watchedLog.Clear();
+                ended = _free.StepToImpact(ref state, timeStep, _watchedLog);
+            }
+        }
     }
 
     /// <summary>Measures the true miss of a kick.</summary>
@@ -119,6 +155,24 @@ internal sealed class AimContext
         Simulations++;
         Frames.Begin(in from, in point);
         RunFrames(in from, in velocity, in spin);
+    }
+
+    /// <summary>The same, and on the way watched by <see cref="ThroughFrames"/>.</summary>
+    public void FlyFramesThrough(in Vector3d from, in Vector3d velocity, in Vector3d spin, in Vector3d through, in Vector3d point)
+    {
+        Simulations++;
+        Frames.Begin(in from, in point);
+        ThroughFrames.Begin(in from, in through);
+        BallState state = Game.Launch(from, velocity, spin);
+        _gameLog.Clear();
+        bool passed = false;
+        bool ended = false;
+        while (!ended && state.Time < LongestFlight)
+        {
+            ended = Game.StepToImpact(ref state, TimeStep, _gameLog);
+            passed = passed || ThroughFrames.Add(in state);
+            ended |= Frames.Add(in state) && passed;
+        }
     }
 
     /// <summary>The same until a plane through the point is crossed.</summary>

@@ -10,21 +10,24 @@ internal sealed class AngleAim : IAimMethod
     public AimAnswer Find(AimRequest request)
     {
         var search = new FrameSearch(_context, request, request.TopSpin, request.SideSpin);
-        return search.BetweenExtremes(out AimAnswer extreme) ? Iterate(ref search, request) : extreme;
+        return search.BetweenExtremes(out AimAnswer extreme) ? Iterate(ref search, request, FrameSearch.Margin) : extreme;
     }
 
     /// <summary>The iteration alone, from a kick that is not an extreme one: the two-point method's last resort.</summary>
-    public AimAnswer Refine(AimRequest request, in Kick start)
+    /// <param name="request">What the kick is to do.</param>
+    /// <param name="start">Where to begin.</param>
+    /// <param name="margin">Share of the tolerance within which it ends.</param>
+    public AimAnswer Refine(AimRequest request, in Kick start, double margin)
     {
         var search = new FrameSearch(_context, request, start.Top, start.Side);
         search.Fly(in start);
-        return Iterate(ref search, request);
+        return Iterate(ref search, request, margin);
     }
 
-    private static AimAnswer Iterate(ref FrameSearch search, AimRequest request)
+    private static AimAnswer Iterate(ref FrameSearch search, AimRequest request, double margin)
     {
         int iterations = 0;
-        while (search.Miss > FrameSearch.Margin * request.Tolerance && iterations < request.MaximumIterations)
+        while (search.Miss > margin * request.Tolerance && iterations < request.MaximumIterations)
         {
             iterations++;
             Kick turned = Turned(in search);

@@ -27,6 +27,7 @@ internal sealed class DirectAim : IAimMethod
     private Vector3d _left;
     private double _distance;
     private double _speed;
+    private double _step;
     private double _lowest;
     private double _highest;
     private readonly Probe[] _probes = new Probe[24];
@@ -51,7 +52,7 @@ internal sealed class DirectAim : IAimMethod
     private AimAnswer Find(AimRequest request, double speed, AimArc arc, double top, double side)
     {
         Prepare(request, speed, top, side);
-        double tolerance = 0.8 * Math.Min(request.Tolerance, FineMiss);
+        double tolerance = Sharp(request);
         if (arc == AimArc.Low && _distance >= 1e-6 && Newton(tolerance) && Flies(in _last))
         {
             return Answer(AimStatus.Hit, in _last);
@@ -90,6 +91,9 @@ internal sealed class DirectAim : IAimMethod
         return Highest(in low, in high, stopAbove: double.PositiveInfinity).Up;
     }
 
+    /// <summary>The miss that is good enough, m.</summary>
+    private static double Sharp(AimRequest request) => 0.8 * Math.Min(request.Tolerance, FineMiss);
+
     private void Prepare(AimRequest request, double speed, double top, double side)
     {
         _request = request;
@@ -99,6 +103,7 @@ internal sealed class DirectAim : IAimMethod
         _left = new Vector3d(_forward.Z, 0, -_forward.X); // ŷ × f
         _lowest = request.MinimumElevation * Degree;
         _highest = request.MaximumElevation * Degree;
+        _step = _context.StepFor(Sharp(request));
         _iterations = 0;
         _kick = new Kick { Top = top, Side = side };
         _last = new Probe { Kick = _kick };
@@ -152,7 +157,7 @@ internal sealed class DirectAim : IAimMethod
     private Probe Fly(in Kick kick)
     {
         kick.Vectors(_speed, in _forward, out Vector3d velocity, out Vector3d spin);
-        _context.Fly(in _from, in velocity, in spin);
+        _context.Fly(in _from, in velocity, in spin, _step);
         _iterations++;
         KickFlight flight = _context.Flight;
         var probe = new Probe { Kick = kick, Crossed = flight.Crossed, Lowest = flight.Lowest };

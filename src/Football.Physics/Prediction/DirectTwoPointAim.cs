@@ -18,6 +18,9 @@ internal sealed class DirectTwoPointAim : IAimMethod
     private const double FineMiss = 1e-3;
     private const double FineThrough = 1e-2;
 
+    /// <summary>Share of a tolerance within which a search ends.</summary>
+    private const double Sharp = 0.8;
+
     private readonly AimContext _context;
     private readonly DirectAim _direct;
     private readonly double[] _j = new double[N * N];
@@ -99,27 +102,50 @@ internal sealed class DirectTwoPointAim : IAimMethod
         }
 
         Differentiate(in through);
+        double tolerance = Sharp * Math.Min(_request.Tolerance, FineMiss);
+        double throughTolerance = Sharp * Math.Min(_request.ThroughTolerance, FineThrough);
+        double before = double.PositiveInfinity;
         for (int iteration = 1; ; iteration++)
         {
+            double asked = ThroughAsked();
             answer.Iterations = iteration;
             answer.Kick = KickOf(_x);
             answer.Miss = _miss;
             answer.ThroughMiss = _throughMiss;
             answer.Time = _time;
-            if (Passes())
+            if (_miss <= tolerance && asked <= throughTolerance)
             {
                 answer.Status = Clear() ? AimStatus.Hit : AimStatus.NotConverged;
                 return answer;
             }
 
-            if (iteration >= Math.Min(_request.MaximumIterations, MostIterations) || !Step() || !FlyOn())
+            double size = Math.Sqrt((_miss * _miss) + (asked * asked));
+            double contraction = size / before;
+            bool wasTopHeld = _held[2];
+            bool wasSideHeld = _held[3];
+            if (iteration >= Math.Min(_request.MaximumIterations, MostIterations) || !Step())
             {
                 return answer;
             }
 
-            // Superlinear: the next step would shrink the residual by no less than this one did. Where that is plenty, no flight is needed.
-            double contraction = Size(_next) / Size(_r);
-            bool stale = contraction > 0.9;
+            // The last step shrank the misses by a factor; the next one will by no less. Where that is plenty, no flight is needed.
+            bool sameHeld = wasTopHeld == _held[2] && wasSideHeld == _held[3];
+            if (sameHeld && contraction > 0 && contraction < 0.1 && contraction * size < 0.1 * tolerance && Clear())
+            {
+                Trial();
+                answer.Kick = KickOf(_trial);
+                answer.Miss = contraction * _miss;
+                answer.Status = AimStatus.Hit;
+                return answer;
+            }
+
+            before = size;
+            if (!FlyOn())
+            {
+                return answer;
+            }
+
+            bool stale = Size(_next) > 0.9 * Size(_r);
             Update();
             for (int i = 0; i < N; i++)
             {
@@ -140,11 +166,7 @@ internal sealed class DirectTwoPointAim : IAimMethod
     {
         for (int half = 0; half < 4; half++)
         {
-            for (int i = 0; i < N; i++)
-            {
-                _trial[i] = _x[i] + _dx[i];
-            }
-
+            Trial();
             if (Fly(_trial, _next))
             {
                 return true;
@@ -159,13 +181,21 @@ internal sealed class DirectTwoPointAim : IAimMethod
         return false;
     }
 
-    /// <summary>Whether the last flight passes both points, or with a spin held at its limit all that is left to ask for.</summary>
-    private bool Passes()
+    /// <summary>The kick after the step.</summary>
+    private void Trial()
     {
-        double throughTolerance = 0.5 * Math.Min(_request.ThroughTolerance, FineThrough);
+        for (int i = 0; i < N; i++)
+        {
+            _trial[i] = _x[i] + _dx[i];
+        }
+    }
+
+    /// <summary>The miss at the point on the way, m, but for the directions of spins that are held at their limit.</summary>
+    private double ThroughAsked()
+    {
         double left = _held[3] ? 0 : _r[0];
         double up = _held[2] ? 0 : _r[1];
-        return _miss <= 0.5 * Math.Min(_request.Tolerance, FineMiss) && Math.Sqrt((left * left) + (up * up)) <= throughTolerance;
+        return Math.Sqrt((left * left) + (up * up));
     }
 
     private bool Clear()
@@ -183,7 +213,7 @@ internal sealed class DirectTwoPointAim : IAimMethod
     private bool Fly(double[] x, double[] r)
     {
         KickOf(x).Vectors(_request.Speed, in _forward, out Vector3d velocity, out Vector3d spin);
-        _context.Fly(in _from, in velocity, in spin);
+        _context.Fly(in _from, in velocity, in spin, _context.StepFor(Sharp * Math.Min(_request.Tolerance, FineMiss)));
         KickFlight flight = _context.Flight;
         if (!flight.Crossed || !flight.CrossedThrough)
         {
@@ -278,8 +308,16 @@ internal sealed class DirectTwoPointAim : IAimMethod
         double distance = Vector3d.Dot(_request.Target - _from, in _forward);
         double way = distance / Math.Max(0.3, launch.Horizontal.Length);
         FlatFire model = _context.Model(_request.Speed, spinRate, way);
-        FlatFire more = _context.Model(_request.Speed, spinRate * (1.0 + SpinChange), way);
-        double perRate = 1.0 / (SpinChange * spinRate);
+        double change = SpinChange;
+        FlatFire more = _context.Model(_request.Speed, spinRate * (1.0 + change), way);
+        if (Math.Abs(more.Drag - model.Drag) > 0.5 * SpinChange * model.Drag)
+        {
+            // Across the drag law's jump: the other way then.
+            change = -change;
+            more = _context.Model(_request.Speed, spinRate * (1.0 + change), way);
+        }
+
+        double perRate = 1.0 / (change * spinRate);
         Vector3d omega = (kick.Top * axisTop) + (kick.Side * Vector3d.Up);
         Vector3d unit = omega / spinRate;
         for (int plane = 0; plane < 2; plane++)
@@ -302,7 +340,10 @@ internal sealed class DirectTwoPointAim : IAimMethod
                 + new Vector3d(0, _context.Upward * (moreFall - fall), 0)
                 + (((more.Lift * moreBend) - (model.Lift * bend)) * Vector3d.Cross(in unit, in middle)));
             double byAxis = model.Lift / spinRate * bend;
-            Column(plane, 0, Vector3d.Cross(in raise, in turning), in slope);
+
+            // A raised kick turns the way, and the axis of its top spin, but not that of its side spin.
+            Vector3d upright = kick.Side * byAxis * Vector3d.Cross(in d, in launch);
+            Column(plane, 0, Vector3d.Cross(in raise, in turning) + upright, in slope);
             Column(plane, 1, Vector3d.Cross(Vector3d.Up, in turning), in slope);
             double top = Vector3d.Dot(in unit, in axisTop);
             Column(plane, 2, (top * byRate) + (byAxis * Vector3d.Cross(axisTop - (top * unit), in middle)), in slope);

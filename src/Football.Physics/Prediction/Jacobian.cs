@@ -26,6 +26,14 @@ internal struct Jacobian
         Vector3d turning = p - byGravity - (0.3 * t * wind);
         Vector3d byElevation = Vector3d.Cross(new Vector3d(-d.Z, 0, d.X), in turning); // axis d × ŷ raises the kick
         Vector3d byAzimuth = Vector3d.Cross(Vector3d.Up, in turning);
+        Elementary.SinCos(flown.Kick.Elevation, out double sine, out double cosine);
+        if (flown.Kick.Side != 0 && cosine > 0.1)
+        {
+            // The axis of the side spin stays upright: its bend is that of the horizontal velocity alone, which a raised kick has less of.
+            Vector3d across = new(d.Z, 0, -d.X); // ŷ × d
+            byElevation -= sine / cosine * Vector3d.Dot(in turning, in across) * across;
+        }
+
         double speed = Vector3d.Dot(in flown.Velocity, in forward);
         Vector3d slope = speed > 1e-3 ? flown.Velocity / speed : forward;
         byElevation -= Vector3d.Dot(in byElevation, in forward) * slope;

@@ -73,10 +73,24 @@ internal sealed class KickFlight : PieceObserver
         Lowest = double.PositiveInfinity;
     }
 
+    /// <summary>Whether a plane that is still to be crossed lies behind the ball.</summary>
+    public bool Crosses(in BallState state) =>
+        (_wantsThrough && !CrossedThrough && Passes(state.Position, in _through, in _throughNormal))
+        || Passes(state.Position - (state.Time * _pointVelocity), in _point, in _normal);
+
+    /// <summary>Takes the end of a step that crosses nothing.</summary>
+    /// <returns>True when the ball is given up.</returns>
+    public bool Pass(in BallState state)
+    {
+        End = state.Position;
+        Lowest = Math.Min(Lowest, state.Position.Y);
+        return state.Position.Y < _floor && state.Velocity.Y < 0;
+    }
+
     public override bool Add(in PathPiece piece)
     {
         End = piece.EndPosition;
-        if (_wantsThrough && !CrossedThrough && Passes(in piece, in _through, in _throughNormal)
+        if (_wantsThrough && !CrossedThrough && Passes(piece.EndPosition, in _through, in _throughNormal)
             && piece.Crosses(in _through, in _throughNormal, out double time))
         {
             CrossedThrough = true;
@@ -86,7 +100,7 @@ internal sealed class KickFlight : PieceObserver
         }
 
         PathPiece relative = _pointVelocity == Vector3d.Zero ? piece : piece.SeenFrom(in _pointVelocity);
-        if (Passes(in relative, in _point, in _normal) && relative.Crosses(in _point, in _normal, out time))
+        if (Passes(relative.EndPosition, in _point, in _normal) && relative.Crosses(in _point, in _normal, out time))
         {
             Crossed = true;
             Time = time;
@@ -99,6 +113,6 @@ internal sealed class KickFlight : PieceObserver
         return piece.EndPosition.Y < _floor && piece.EndVelocity.Y < 0;
     }
 
-    private static bool Passes(in PathPiece piece, in Vector3d point, in Vector3d normal) =>
-        Vector3d.Dot(piece.EndPosition - point, in normal) >= 0;
+    private static bool Passes(in Vector3d position, in Vector3d point, in Vector3d normal) =>
+        Vector3d.Dot(position - point, in normal) >= 0;
 }

@@ -13,6 +13,7 @@ internal sealed class PassFlight : PieceObserver
     private const double FastStep = 0.25;
 
     private readonly Simulator _simulator;
+    private readonly Simulator _rough;
     private readonly StepLog _log = new();
     private readonly StepLog _watched = new();
     private Vector3d _from;
@@ -31,6 +32,7 @@ internal sealed class PassFlight : PieceObserver
     public PassFlight(Simulator simulator)
     {
         _simulator = simulator;
+        _rough = new Simulator(simulator.Scene, simulator.Settings with { Integrator = Integrator.Rk2 });
         _stillAir = simulator.Scene.Air.Wind == Vector3d.Zero;
         _watched.Observer = this;
     }
@@ -40,7 +42,7 @@ internal sealed class PassFlight : PieceObserver
 
     public override bool WantsEndAcceleration => !Roughly;
 
-    /// <summary>Whether a ball that rolls only has its direction asked for: its pieces are cubic then, one evaluation less each.</summary>
+    /// <summary>Whether a ball that rolls only has its direction asked for: RK2 will do then.</summary>
     public bool Roughly { get; set; }
 
     /// <summary>Prepares for flights to a target.</summary>
@@ -72,18 +74,23 @@ internal sealed class PassFlight : PieceObserver
             {
                 _watched.Clear();
                 double step = state.Velocity.LengthSquared > FastRoll * FastRoll ? Math.Min(timeStep, FastStep) : timeStep;
-                done = _simulator.StepToImpact(ref state, step, _watched);
+                done = (Roughly ? _rough : _simulator).StepToImpact(ref state, step, _watched);
                 rate = Rate(state.Time, state.Position, state.Velocity);
                 done = done || IsOver(in state, state.Position - _from, rate);
                 continue;
             }
 
-            // In the air a step that nobody watches is the fastest; one with the closest point in it is taken again, watched.
+            // In the air a step that nobody watches is the fastest; one with the closest point in it and more than one piece is taken again, watched.
             BallState before = state;
+            long pieces = _log.Steps;
             done = _simulator.StepToImpact(ref state, timeStep, _log);
             Vector3d end = done ? BeforeImpact(_log.Events) : state.Velocity;
             double endRate = Rate(state.Time, state.Position, in end);
-            if (rate < 0 && endRate > 0)
+            if (rate < 0 && endRate > 0 && !done && _log.Steps == pieces + 1)
+            {
+                Add(PathPiece.Cubic(in before, in state));
+            }
+            else if (rate < 0 && endRate > 0)
             {
                 _watched.Clear();
                 BallState again = before;

@@ -33,6 +33,10 @@ public readonly struct PathPiece
         _degree = degree;
     }
 
+    /// <summary>The cubic between the ends of a step without an event in it.</summary>
+    internal static PathPiece Cubic(in BallState start, in BallState end) => new(
+        start.Time, end.Time - start.Time, start.Position, start.Velocity, default, end.Position, end.Velocity, default, start.Motion, 3);
+
     /// <summary>When it starts, s since the launch.</summary>
     public double Time { get; }
 

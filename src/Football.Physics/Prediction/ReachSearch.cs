@@ -25,6 +25,10 @@ internal sealed class ReachSearch
     private const double Wave = 0.025;
     private const int MostWaves = 4;
 
+    /// <summary>What a step in the miss may hide, m, or as a share of the miss; and how often the way to it is halved.</summary>
+    private const double EdgeCloseness = 5e-3;
+    private const int MostHalvings = 12;
+
     /// <summary>Turns by which a kick in a wind is tried to come closer, first and last, rad.</summary>
     private const double FirstStep = 0.04;
     private const double LastStep = 1e-3;
@@ -226,18 +230,20 @@ internal sealed class ReachSearch
     /// <returns>As <see cref="Valley"/>.</returns>
     private bool Waves(ref Pass a, ref Pass b, ref Pass c)
     {
-        Kick best = _flights.Best.Kick;
-        double miss = _flights.Best.Miss;
+        Pass best = _flights.Best;
+        double miss = best.Miss;
         Pass wave = default;
+        int count = 0;
         for (int i = -MostWaves; i <= MostWaves; i++)
         {
-            double elevation = best.Elevation + (i * Wave);
-            if (i == 0 || elevation < _lowest || elevation > _highest)
+            double elevation = best.Kick.Elevation + (i * Wave);
+            if (elevation < _lowest || elevation > _highest)
             {
                 continue;
             }
 
-            Pass d = _flights.At(elevation);
+            Pass d = i == 0 ? best : _flights.At(elevation);
+            _looks[count++] = d;
             if (d.Miss < miss || d.Above)
             {
                 wave = d;
@@ -245,15 +251,84 @@ internal sealed class ReachSearch
             }
         }
 
-        if (wave.Miss == 0)
+        if (wave.Miss > 0)
         {
-            return false;
+            b = wave;
+            a = _flights.At(Math.Max(_lowest, wave.Kick.Elevation - (0.5 * Wave)));
+            c = _flights.At(Math.Min(_highest, wave.Kick.Elevation + (0.5 * Wave)));
+            if (a.Above || b.Above || c.Above || Valley(ref a, ref b, ref c, enough: double.PositiveInfinity))
+            {
+                return true;
+            }
         }
 
-        b = wave;
-        a = _flights.At(Math.Max(_lowest, wave.Kick.Elevation - (0.5 * Wave)));
-        c = _flights.At(Math.Min(_highest, wave.Kick.Elevation + (0.5 * Wave)));
-        return a.Above || b.Above || c.Above || Valley(ref a, ref b, ref c, enough: double.PositiveInfinity);
+        for (int i = 3; i < count; i++)
+        {
+            // Upwards and downwards: three looks in a row, and the next.
+            int k = count - 1 - i;
+            if (Edge(_looks[i - 3], _looks[i - 2], _looks[i - 1], _looks[i], ref a, ref b, ref c)
+                || Edge(_looks[k + 3], _looks[k + 2], _looks[k + 1], _looks[k], ref a, ref b, ref c))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>
+    /// Where the way of the ball changes at once with the elevation, as where it just grazes the drag law's jump, the miss steps up in the
+    /// middle of a descent, and is least at the step: halving towards it, as long as the descent promises more than was found.
+    /// </summary>
+    /// <param name="one">First of three on the descent.</param>
+    /// <param name="two">Second.</param>
+    /// <param name="three">Third, the nearest to the step.</param>
+    /// <param name="beyond">Perhaps beyond a step.</param>
+    /// <param name="a">Of three elevations, one of which hits beside it, the first.</param>
+    /// <param name="b">The second.</param>
+    /// <param name="c">The third.</param>
+    /// <returns>As <see cref="Valley"/>.</returns>
+    private bool Edge(Pass one, Pass two, Pass three, Pass beyond, ref Pass a, ref Pass b, ref Pass c)
+    {
+        for (int i = 0; i < MostHalvings; i++)
+        {
+            double promised = Continued(in one, in two, in three, beyond.Kick.Elevation);
+            if (!(Math.Max(0, promised) < _flights.Best.Miss - (EdgeCloseness * Math.Max(1.0, _flights.Best.Miss))))
+            {
+                return false;
+            }
+
+            double middle = 0.5 * (three.Kick.Elevation + beyond.Kick.Elevation);
+            Pass d = _flights.At(middle, in three);
+            if (d.Above)
+            {
+                (a, b, c) = (three, d, beyond);
+                return true;
+            }
+
+            if (Math.Abs(d.Miss - Continued(in one, in two, in three, middle)) < 0.25 * (beyond.Miss - promised))
+            {
+                (one, two, three) = (two, three, d);
+            }
+            else
+            {
+                beyond = d;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>The miss at another elevation, of the parabola through three.</summary>
+    private static double Continued(in Pass one, in Pass two, in Pass three, double elevation)
+    {
+        double x = elevation - three.Kick.Elevation;
+        double x1 = one.Kick.Elevation - three.Kick.Elevation;
+        double x2 = two.Kick.Elevation - three.Kick.Elevation;
+        double s1 = (one.Miss - three.Miss) / x1;
+        double s2 = (two.Miss - three.Miss) / x2;
+        double q = (s1 - s2) / (x1 - x2);
+        return three.Miss + (x * (s2 + (q * (x - x2))));
     }
 
     /// <summary>What no elevation between three is below: the least of their parabola, less what that may be wrong by.</summary>

@@ -10,6 +10,13 @@ internal sealed class TwoPointAim : IAimMethod
     /// <summary>The share of the limit that a spin starts with where none is given.</summary>
     private const double FirstSpin = 0.25;
 
+    /// <summary>It ends this far inside the tolerance: up to 40 m/s the closest point between frames is further off the true one.</summary>
+    private const double Margin = 0.5;
+
+    /// <summary>It goes round in circles where so many iterations do not shrink the miss at the target to this share of the least so far.</summary>
+    private const int MostIdle = 4;
+    private const double Progress = 0.95;
+
     private readonly AimContext _context;
     private readonly AngleAim _angle;
     private readonly BisectionAim _bisection;
@@ -50,8 +57,10 @@ internal sealed class TwoPointAim : IAimMethod
         PointAt(through - _from);
         bool saturated = false;
         int iterations = 0;
-        double targetMiss = double.PositiveInfinity;
-        double throughMiss = double.PositiveInfinity;
+        int idle = 0;
+        Kick best = _kick;
+        double bestMiss = double.PositiveInfinity;
+        double bestThroughMiss = double.PositiveInfinity;
         TurnTowardsThrough(in through);
         while (iterations < request.MaximumIterations)
         {
@@ -59,50 +68,55 @@ internal sealed class TwoPointAim : IAimMethod
             saturated |= !Scale(side: true, request.SideSpin, request.MaximumSideSpin);
             TurnTowardsThrough(in through);
             saturated |= !Scale(side: false, request.TopSpin, request.MaximumTopSpin);
-            throughMiss = TurnTowardsThrough(in through);
-            if (saturated || throughMiss <= request.ThroughTolerance)
+
+            // One flight tells both misses, and where to turn if they are too large.
+            _kick.Vectors(request.Speed, in _forward, out Vector3d velocity, out Vector3d spin);
+            _context.FlyFramesThrough(in _from, in velocity, in spin, in through, request.Target);
+            double targetMiss = _context.Frames.Miss;
+            double throughMiss = _context.ThroughFrames.Miss;
+            idle = targetMiss < Progress * bestMiss ? 0 : idle + 1;
+            bool passes = throughMiss <= request.ThroughTolerance && targetMiss <= Margin * request.Tolerance;
+            if (targetMiss < bestMiss || saturated || passes)
             {
-                Fly(in _kick, request.Target);
-                targetMiss = _context.Frames.Miss;
-                if (saturated || targetMiss <= FrameSearch.Margin * request.Tolerance)
-                {
-                    break;
-                }
+                best = _kick;
+                bestMiss = targetMiss;
+                bestThroughMiss = throughMiss;
             }
+
+            if (saturated || passes || idle == MostIdle)
+            {
+                break;
+            }
+
+            Turn(in through, _context.ThroughFrames);
         }
 
         var answer = new AimAnswer
         {
-            Status = targetMiss <= request.Tolerance ? AimStatus.Hit : AimStatus.NotConverged,
-            Kick = _kick,
+            Status = bestMiss <= request.Tolerance ? AimStatus.Hit : AimStatus.NotConverged,
+            Kick = best,
             Forward = _forward,
             Speed = request.Speed,
-            Miss = targetMiss,
-            ThroughMiss = throughMiss,
+            Miss = bestMiss,
+            ThroughMiss = bestThroughMiss,
             Iterations = iterations,
         };
-        if (targetMiss <= request.Tolerance)
+        if (bestMiss <= request.Tolerance)
         {
             return answer;
         }
 
         // The target first: the single-target method with the spin as it is.
-        AimAnswer fallback = _angle.Refine(request, in _kick);
+        AimAnswer fallback = _angle.Refine(request, in best, Margin);
         if (fallback.Status != AimStatus.Hit)
         {
-            AimAnswer other = _bisection.Find(request, _kick.Top, _kick.Side);
+            AimAnswer other = _bisection.Find(request, best.Top, best.Side);
             fallback = other.Status == AimStatus.Hit || other.Miss < fallback.Miss ? other : fallback;
         }
 
-        fallback.ThroughMiss = throughMiss;
+        fallback.ThroughMiss = bestThroughMiss;
         fallback.Iterations += iterations;
         return fallback;
-    }
-
-    private void Fly(in Kick kick, in Vector3d point)
-    {
-        kick.Vectors(_request.Speed, in _forward, out Vector3d velocity, out Vector3d spin);
-        _context.FlyFrames(in _from, in velocity, in spin, in point);
     }
 
     /// <summary>Where a kick crosses the target's plane; false where it does not get there.</summary>
@@ -115,22 +129,25 @@ internal sealed class TwoPointAim : IAimMethod
     }
 
     /// <summary>Turns the velocity by the angle between where the ball went and the point on the way.</summary>
-    /// <returns>The miss at that point before the turn.</returns>
-    private double TurnTowardsThrough(in Vector3d through)
+    private void TurnTowardsThrough(in Vector3d through)
     {
-        Fly(in _kick, in through);
-        double miss = _context.Frames.Miss;
-        Vector3d guess = _context.Frames.Closest - _from;
+        _kick.Vectors(_request.Speed, in _forward, out Vector3d velocity, out Vector3d spin);
+        _context.FlyFrames(in _from, in velocity, in spin, in through);
+        Turn(in through, _context.Frames);
+    }
+
+    /// <summary>The turn itself, from a flight that watched the point on the way.</summary>
+    private void Turn(in Vector3d through, FrameFlight flight)
+    {
+        Vector3d guess = flight.Closest - _from;
         Vector3d target = through - _from;
         Vector3d normal = Vector3d.Cross(in guess, in target);
         double sine = normal.Length;
-        if (sine > 0 && miss > 0.01 * _request.ThroughTolerance)
+        if (sine > 0 && flight.Miss > 0.01 * _request.ThroughTolerance)
         {
             _kick.Vectors(1.0, in _forward, out Vector3d velocity, out _);
             PointAt(Quaterniond.FromAxisAngle(normal / sine, Elementary.Atan2(sine, Vector3d.Dot(in guess, in target))).Rotate(in velocity));
         }
-
-        return miss;
     }
 
     /// <summary>The new spin is ω · d₂/d₁, signed: d₁ from the crossing without the spin to the one with it, d₂ from there to the target (4.16, the right way up).</summary>

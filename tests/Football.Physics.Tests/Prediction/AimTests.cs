@@ -1,3 +1,4 @@
+using Football.Physics.Headless.Lab;
 using Football.Physics.Tests.Support;
 
 namespace Football.Physics.Tests.Predictors;
@@ -91,6 +92,15 @@ public sealed class AimTests
             Assert.Equal(measured.Velocity, estimated.Velocity);
             Assert.Equal(measured.Status == AimStatus.Hit, estimated.Status == AimStatus.Hit);
         }
+    }
+
+    [Fact]
+    public void Direct_takes_two_flights_and_a_bit()
+    {
+        var aimer = new Aimer();
+        AimResult[] results = [.. AimSets.Thesis(1, 200).Select(request => aimer.Find(request))];
+        Assert.All(results, result => Assert.InRange(result.Miss, 0, 1e-3));
+        Assert.InRange(results.Average(result => result.Simulations), 1.5, 2.3);
     }
 
     [Theory]

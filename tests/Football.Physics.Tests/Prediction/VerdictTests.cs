@@ -72,6 +72,16 @@ public sealed class VerdictTests
     }
 
     [Fact]
+    public void Where_the_drag_laws_jump_cuts_a_descent_off_the_kick_at_the_cut_is_found()
+    {
+        // The miss falls to 1.73 m at 34.9° and steps up to 1.82 m; at 36.3° there is another bottom of 1.81 m.
+        AimRequest request = AimAnything.Requests(1, 50, 94)[93];
+        AimResult result = new Aimer(AimAnything.Scene(1, 50)).Find(request);
+        Assert.Equal(AimStatus.OutOfReach, result.Status);
+        Assert.InRange(result.Miss, 1.70, 1.75);
+    }
+
+    [Fact]
     public void A_ball_that_rolls_below_the_target_is_turned_by_what_its_spin_bends_it()
     {
         var request = new AimRequest { From = new Vector3d(0, 0.11, 0), Target = new Vector3d(40, 0.61, 0), Speed = 16, TopSpin = 20, SideSpin = -55 };
