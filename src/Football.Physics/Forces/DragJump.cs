@@ -53,25 +53,40 @@ internal readonly struct DragJump
     {
         double speedAhead = from.Speed + (h * rate.Speed);
         double spinAhead = from.Spin + (h * rate.Spin);
-        return branch == DragBranch.Spinning
-            ? !(to.Speed > 0 && to.Spin > 0 && speedAhead > 0 && spinAhead > 0)
-            : (to.Speed > 0 || speedAhead > 0) && (to.Spin > 0 || spinAhead > 0);
+        if (branch == DragBranch.Spinning)
+        {
+            return !(to.Speed > 0 && to.Spin > 0 && speedAhead > 0 && spinAhead > 0);
+        }
+
+        // Both must be positive at one instant: both later, or one still and the other already.
+        bool speedLater = to.Speed > 0 || speedAhead > 0;
+        bool spinLater = to.Spin > 0 || spinAhead > 0;
+        return (speedLater && spinLater) || (spinLater && from.Speed > 0 && from.Spin <= 0) || (speedLater && from.Spin > 0 && from.Speed <= 0);
     }
 
     /// <summary>The first crossing on the cubic Hermite interpolants of |u|² and |ω|², as a fraction of the step; above 1 where there is none.</summary>
-    public static double FirstCrossing(DragBranch branch, in DragJump from, in DragJump fromRate, in DragJump to, in DragJump toRate, double h)
+    /// <param name="branch">The branch of the step.</param>
+    /// <param name="from">At the step's start.</param>
+    /// <param name="fromRate">Rates there.</param>
+    /// <param name="to">At the step's end.</param>
+    /// <param name="toRate">Rates there.</param>
+    /// <param name="h">Length of the step, s.</param>
+    /// <param name="bySpeed">Whether it is the critical speed that is crossed, and not the critical spin parameter.</param>
+    public static double FirstCrossing(
+        DragBranch branch, in DragJump from, in DragJump fromRate, in DragJump to, in DragJump toRate, double h, out bool bySpeed)
     {
         bool inside = branch == DragBranch.Spinning;
+        var path = new JumpPath(in from, in fromRate, in to, in toRate, h);
         double low = 0;
         for (int i = 1; i <= Samples; i++)
         {
             double high = (double)i / Samples;
-            if (Interpolate(in from, in fromRate, in to, in toRate, h, high) > 0 != inside)
+            if (path.IsInside(high) != inside || (!inside && path.PassesThrough(low, ref high)))
             {
                 for (int k = 0; k < 50; k++)
                 {
                     double middle = 0.5 * (low + high);
-                    if (Interpolate(in from, in fromRate, in to, in toRate, h, middle) > 0 != inside)
+                    if (path.IsInside(middle) != inside)
                     {
                         high = middle;
                     }
@@ -81,25 +96,14 @@ internal readonly struct DragJump
                     }
                 }
 
+                bySpeed = path.Speed(high) < path.Spin(high);
                 return high;
             }
 
             low = high;
         }
 
+        bySpeed = false;
         return 2.0;
-    }
-
-    private static double Interpolate(in DragJump from, in DragJump fromRate, in DragJump to, in DragJump toRate, double h, double s)
-    {
-        double speed = Hermite(from.Speed, h * fromRate.Speed, to.Speed, h * toRate.Speed, s);
-        double spin = Hermite(from.Spin, h * fromRate.Spin, to.Spin, h * toRate.Spin, s);
-        return speed < spin ? speed : spin;
-    }
-
-    private static double Hermite(double f0, double d0, double f1, double d1, double s)
-    {
-        double rise = f1 - f0;
-        return f0 + (s * (d0 + (s * ((3.0 * rise) - (2.0 * d0) - d1 + (s * (d0 + d1 - (2.0 * rise)))))));
     }
 }

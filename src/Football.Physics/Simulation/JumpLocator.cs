@@ -13,20 +13,20 @@ internal static class JumpLocator
     {
         DragJump to = trial.EndJump;
         DragJump toRate = trial.EndJumpRate();
-        double fraction = DragJump.FirstCrossing(branch, in from, in fromRate, in to, in toRate, h);
+        double fraction = DragJump.FirstCrossing(branch, in from, in fromRate, in to, in toRate, h, out bool bySpeed);
         if (fraction > 1)
         {
             return false;
         }
 
-        // From the interpolant to the step itself: Newton, with the surface that is nearer.
+        // From the interpolant to the step itself: Newton.
         double tau = fraction * h;
         for (int i = 0; i < 4; i++)
         {
             trial.Step(tau);
             DragJump at = trial.EndJump;
             DragJump rate = trial.EndJumpRate();
-            double correction = at.NearerToSpeed ? -at.Speed / rate.Speed : -at.Spin / rate.Spin;
+            double correction = bySpeed ? -at.Speed / rate.Speed : -at.Spin / rate.Spin;
             if (!(Math.Abs(correction) < 0.25 * h))
             {
                 break;

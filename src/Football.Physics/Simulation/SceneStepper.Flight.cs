@@ -302,7 +302,7 @@ internal sealed partial class Stepper<TFast, TSpun, TAir, TIntegrator>
         }
 
         var trial = new FlightTrial<TFast, TSpun, TAir, TIntegrator>(this, in from, s.Position.Y) { End = step, Length = h };
-        bool crosses = start.Branch == s.Branch && JumpLocator.Locate(ref trial, s.Branch, in start, in startRate, h);
+        bool crosses = JumpLocator.Locate(ref trial, s.Branch, in start, in startRate, h);
         run.Log.Evaluations += trial.Evaluations;
         if (!crosses)
         {

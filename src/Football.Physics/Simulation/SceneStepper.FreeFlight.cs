@@ -124,9 +124,8 @@ internal sealed partial class Stepper<TFast, TSpun, TAir, TIntegrator>
             if (resolved != branch)
             {
                 trial.Length = 0;
+                return resolved;
             }
-
-            return resolved;
         }
 
         MotionTrial<FlightSystem<TAir>, TIntegrator> whole = trial;

@@ -6,16 +6,19 @@ namespace Football.Physics.Tests.Headless;
 public sealed class LabTests
 {
     [Theory]
-    [InlineData("vacuum")]
-    [InlineData("consistency")]
-    public void Every_target_is_reached(string lab)
+    [InlineData("vacuum", 5)]
+    [InlineData("consistency", 5)]
+    [InlineData("consistency", 3)] // Shots that enter and leave the law with spin within one step.
+    [InlineData("consistency", 24)]
+    [InlineData("consistency", 30)]
+    public void Every_target_is_reached(string lab, int seed)
     {
-        var done = FootballCommand.Run("", "lab", lab, "--seed", "5");
+        var done = FootballCommand.Run("", "lab", lab, "--seed", $"{seed}");
         Assert.Equal(0, done.ExitCode);
         Assert.Contains("reached", done.Error);
         Assert.DoesNotContain("MISSED", done.Error);
         Assert.Equal(lab, done.Result.GetProperty("lab").GetString());
-        Assert.Equal(5, done.Result.GetProperty("seed").GetInt64());
+        Assert.Equal(seed, done.Result.GetProperty("seed").GetInt64());
     }
 
     [Fact]
