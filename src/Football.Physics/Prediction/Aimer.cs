@@ -7,6 +7,9 @@ public sealed class Aimer
     /// <summary>A miss that longer steps may have made of a hit, m.</summary>
     private const double NearMiss = 0.05;
 
+    /// <summary>Share of a miss by which long steps may be wrong about it.</summary>
+    private const double Astray = 0.01;
+
     private readonly AimContext _context;
     private readonly DirectAim _direct;
     private readonly DirectTwoPointAim _directTwoPoint;
@@ -51,13 +54,15 @@ public sealed class Aimer
         };
         AimAnswer answer = finder.Find(request);
         AimResult result = Report(request, in answer, measure);
-        if (method == AimMethod.Direct && result.Status != AimStatus.Hit && (answer.Status == AimStatus.Hit || answer.Miss < NearMiss))
+        bool astray = result.Miss > ((1.0 + Astray) * answer.Miss) + (Astray * NearMiss);
+        if (method == AimMethod.Direct && result.Status != AimStatus.Hit && (answer.Status == AimStatus.Hit || answer.Miss < NearMiss || astray))
         {
             // A kick that grazes the drag law's jump goes elsewhere in finer steps: once more in those.
             _context.Fine = true;
-            answer = finder.Find(request);
-            result = Report(request, in answer, measure);
+            AimAnswer fine = finder.Find(request);
+            AimResult finer = Report(request, in fine, measure);
             _context.Fine = false;
+            result = finer.Status == AimStatus.Hit || !(result.Miss < finer.Miss) ? finer : Report(request, in answer, measure);
         }
 
         return result;

@@ -25,6 +25,9 @@ internal sealed class ReachSearch
     private const double Wave = 0.025;
     private const int MostWaves = 4;
 
+    /// <summary>So far below the target, m, the direction of a roll need not be known to the centimetre.</summary>
+    private const double WellBelow = 0.25;
+
     /// <summary>What a step in the miss may hide, m, or as a share of the miss; and how often the way to it is halved.</summary>
     private const double EdgeCloseness = 5e-3;
     private const int MostHalvings = 12;
@@ -132,9 +135,9 @@ internal sealed class ReachSearch
     {
         double above = _roll;
         _roll = double.PositiveInfinity;
-        if (_flights.Turns && above > 0.1)
+        if (_flights.Turns && above > WellBelow && !_context.Fine)
         {
-            // Below a target only the direction counts, and even that little; where the ball stops short, the rest does too.
+            // Well below a target only the direction counts, and even that little; where the ball stops short, the rest does too.
             Pass rough = _flights.Along(_along, rough: true);
             if (rough.Miss <= above + (0.1 * Closeness))
             {

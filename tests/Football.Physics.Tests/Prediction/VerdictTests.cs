@@ -90,6 +90,18 @@ public sealed class VerdictTests
         Assert.InRange(result.Miss, 0.5, 0.501);
     }
 
+    [Theory]
+    [InlineData(2, 45, 0.5330143204578266)]
+    [InlineData(3, 16, 0.2548721523605623)]
+    [InlineData(3, 22, 0.24239978646039956)]
+    [InlineData(3, 82, 0.21827599447140283)]
+    public void A_ball_that_rolls_below_the_target_passes_right_below_it(int seed, int scene, double height)
+    {
+        AimRequest request = AimAnything.Requests(seed, scene, 100).Single(one => Math.Abs(one.Target.Y - height) < 1e-12);
+        AimResult result = new Aimer(AimAnything.Scene(seed, scene)).Find(request);
+        Assert.Equal(height - 0.11, result.Miss, 1e-4);
+    }
+
     [Fact]
     public void A_target_on_the_ground_beyond_every_flight_is_hit_by_rolling()
     {
