@@ -4,7 +4,14 @@ namespace System.Runtime.CompilerServices;
 /// <summary>What older targets lack of the type of this name.</summary>
 internal static class Unsafe
 {
-    /// <summary>Declares a value to be assigned that its user assigns later.</summary>
-    public static void SkipInit<T>(out T value) => value = default!;
+    /// <summary>Declares a value to be assigned that its user assigns later: its address has been taken, which costs nothing.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe void SkipInit<T>(out T value)
+        where T : unmanaged
+    {
+        fixed (T* address = &value)
+        {
+        }
+    }
 }
 #endif

@@ -18,7 +18,7 @@ internal struct MotionTrial<TSystem, TIntegrator> : ITrial
 
     public MotionTrial(in TSystem system, double time, in Motion from, in Vector3d wind, double radius)
     {
-        Unsafe.SkipInit(out this);
+        Unsafe.SkipInit(out Step1);
         System = system;
         _time = time;
         _from = from;
