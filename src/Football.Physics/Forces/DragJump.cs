@@ -21,6 +21,7 @@ internal readonly struct DragJump
     /// <param name="speedSquared">|u|², or its rate of change.</param>
     /// <param name="surfaceSpeedSquared">(r|ω|)², or its rate of change.</param>
     /// <param name="critical">v_c², or 0 for rates of change.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private DragJump(double speedSquared, double surfaceSpeedSquared, double critical)
     {
         Speed = speedSquared - critical;
@@ -37,9 +38,11 @@ internal readonly struct DragJump
     public DragBranch Branch => Least > 0 ? DragBranch.Spinning : DragBranch.NoSpin;
 
     /// <summary>The surfaces' functions at a state.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static DragJump At(double speedSquared, double surfaceSpeedSquared) => new(speedSquared, surfaceSpeedSquared, CriticalSpeedSquared);
 
     /// <summary>Their rates of change.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static DragJump Rate(double speedSquaredRate, double surfaceSpeedSquaredRate) => new(speedSquaredRate, surfaceSpeedSquaredRate, 0);
 
     /// <summary>Whether a step may have crossed a surface: a quick test that errs towards yes.</summary>

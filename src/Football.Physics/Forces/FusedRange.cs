@@ -2,28 +2,55 @@ using System.Runtime.CompilerServices;
 
 namespace Football.Physics;
 
-/// <summary>Where the tables of the fused laws hold over a whole step.</summary>
-internal static class FusedRange
+/// <summary>Where the tables of the fused laws hold at every stage of a step, however strong gravity and the air are.</summary>
+internal struct FusedRange
 {
-    /// <summary>Speeds, m/s, beyond which the tables end; a step may not come near them.</summary>
-    public const double Fastest = 120;
+    /// <summary>Speeds, m/s, between which the tables hold, with something in hand.</summary>
     private const double Slowest = 0.75;
+    private const double Fastest = 120;
 
-    /// <summary>How much slower a ball may become within a step, m/s²: gravity and drag at speeds where that matters.</summary>
-    private const double Deceleration = 30;
+    /// <summary>Drag and lift may each change the velocity by this share within a step.</summary>
+    private const double LargestChange = 0.125;
+
+    /// <summary>Drag leaves 7/8 of a speed, and gravity takes the rest of it down to the slowest.</summary>
+    private const double Slower = 1.0 / (1.0 - LargestChange);
 
     /// <summary>A spin may lose this share within a step, for its powers are then good to 5e-9.</summary>
     private const double LargestLoss = 0.02;
 
+    private double _gravity;  // upward or downward, m/s²
+    private double _perSpeed; // bound for drag and lift, 1/m
+    private double _perSpin;
+
+    public void Prepare(Scene scene, in RateBound forces)
+    {
+        _gravity = Math.Abs(Gravity.Acceleration(scene) + Buoyancy.Acceleration(scene));
+        _perSpeed = forces.PerSpeed;
+        _perSpin = forces.PerSpin;
+    }
+
     /// <summary>Whether the speed stays within the tables.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool Holds(double speedSquared, double h)
+    public readonly bool Holds(double speedSquared, double spinRate, double h)
     {
-        double least = Slowest + (Deceleration * h);
-        return speedSquared > least * least && speedSquared < Fastest * Fastest;
+        double fall = h * _gravity;
+        double least = Slower * (Slowest + fall);
+        double most = Fastest - fall;
+        double bySpeed = h * _perSpeed;
+        return speedSquared > least * least && most > 0 && speedSquared < most * most
+            && bySpeed * bySpeed * speedSquared < LargestChange * LargestChange && h * _perSpin * spinRate < LargestChange;
     }
 
     /// <summary>Whether the spin loses little enough; a ball without spin has none to lose.</summary>
+    /// <param name="speedSquared">|u|², or a bound for what the plates of the decay see.</param>
+    /// <param name="spinRate">|ω|.</param>
+    /// <param name="h">Length of the step, s.</param>
+    /// <param name="decayScale">Spin decay at 1 m/s, without spin.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool Keeps(double spinRate, double loss) => spinRate * LargestLoss >= loss || spinRate == 0;
+    public readonly bool Keeps(double speedSquared, double spinRate, double h, double decayScale)
+    {
+        // (|u| + h g)² ≤ (1 + 1/8) |u|² + (1 + 8) (h g)²
+        double fall = h * _gravity;
+        return spinRate * LargestLoss >= h * decayScale * ((1.125 * speedSquared) + (9.0 * fall * fall)) || spinRate == 0;
+    }
 }

@@ -12,8 +12,9 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
     where TMagnus : struct, IPresence
     where TDecay : struct, IPresence
 {
-    /// <summary>The slowest speed, m/s, at which the tables hold.</summary>
+    /// <summary>Speeds, m/s, between which the tables hold.</summary>
     private const double SlowestPoint = 0.5;
+    private const double FastestPoint = 120;
 
     /// <summary>Up to this (r|ω|/2|u|)², Sp 1.04, a little more than that of a ball that rolls, the polynomial of the decay is good to 5e-11; there the lift is above 0.</summary>
     private const double LargestRatio = 0.27;
@@ -27,6 +28,7 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
     private EmpiricalDrag _drag;
     private EmpiricalMagnus _magnus;
     private EmpiricalSpinDecay _decay;
+    private FusedRange _range;
     private double _dragScale;   // ½ ρ A / m
     private double _liftScale;   // ½ ρ A / m · 1.15/(C_D0 − a)
     private double _decayScale;  // torque of the plates at |u| = 1 without spin, per I
@@ -60,9 +62,9 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Covers(double speedSquared, double spinRate, double h)
     {
-        return FusedRange.Holds(speedSquared, h)
+        return _range.Holds(speedSquared, spinRate, h)
             && _quarterSquare * spinRate * spinRate < LargestRatio * speedSquared
-            && (!default(TDecay).Is || FusedRange.Keeps(spinRate, h * _decayScale * speedSquared));
+            && (!default(TDecay).Is || _range.Keeps(speedSquared, spinRate, h, _decayScale));
     }
 
     public RateBound Bound => (Drags ? _drag.Bound : default) + (Lifts ? _magnus.Bound : default) + (SpinDecays ? _decay.Bound : default);
@@ -73,6 +75,7 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
         _magnus.Prepare(scene);
         _decay.Prepare(scene);
         SpeedTable.Make();
+        _range.Prepare(scene, (Drags ? _drag.Bound : default) + (Lifts ? _magnus.Bound : default));
         _radius = scene.Ball.Radius;
         _quarterSquare = 0.25 * _radius * _radius;
         _dragScale = AirScale.DynamicArea(scene);
@@ -80,12 +83,6 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
         AirFlow unit = default;
         unit.Speed = 1;
         _decayScale = _decay.Factor(in unit);
-    }
-
-    public double WholeUpTo(in RateBound bound)
-    {
-        double fastestSpin = Math.Sqrt(LargestRatio / _quarterSquare) * FusedRange.Fastest;
-        return 0.5 / ((bound.PerSpeed * FusedRange.Fastest) + (bound.PerSpin * fastestSpin) + bound.Constant);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -269,7 +266,7 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
 
     public bool EvaluateAt(DragBranch branch, double speedSquared, double spinRate, out double drag, out double lift, out double decay)
     {
-        if (!(spinRate > 0 && speedSquared > SlowestPoint * SlowestPoint && speedSquared < FusedRange.Fastest * FusedRange.Fastest))
+        if (!(spinRate > 0 && speedSquared > SlowestPoint * SlowestPoint && speedSquared < FastestPoint * FastestPoint))
         {
             drag = 0;
             lift = 0;

@@ -13,6 +13,7 @@ internal struct SpunAir<TDrag, TMagnus, TDecay> : IAerodynamics
 {
     private PublishedAir<TDrag, TMagnus, Absent> _forces;
     private EmpiricalSpinDecay _decay;
+    private FusedRange _range;
     private double _decayScale; // torque of the plates at |u| = 1 without spin, per I
     private double _quarterSquare; // r²/4
 
@@ -46,6 +47,7 @@ internal struct SpunAir<TDrag, TMagnus, TDecay> : IAerodynamics
     {
         _forces.Prepare(scene);
         _decay.Prepare(scene);
+        _range.Prepare(scene, _forces.Bound);
         _quarterSquare = 0.25 * scene.Ball.Radius * scene.Ball.Radius;
         AirFlow unit = default;
         unit.Speed = 1;
@@ -57,10 +59,8 @@ internal struct SpunAir<TDrag, TMagnus, TDecay> : IAerodynamics
     {
         // (|u| + r|ω|/2)² ≤ 2 (|u|² + (r|ω|/2)²) bounds the sum of the plates.
         double plates = 2.0 * (speedSquared + (_quarterSquare * spinRate * spinRate));
-        return FusedRange.Holds(speedSquared, h) && (!default(TDecay).Is || FusedRange.Keeps(spinRate, h * _decayScale * plates));
+        return _range.Holds(speedSquared, spinRate, h) && (!default(TDecay).Is || _range.Keeps(plates, spinRate, h, _decayScale));
     }
-
-    public double WholeUpTo(in RateBound bound) => 0;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Begin(double spinRate, DragBranch branch, out AirStep step) => _forces.Begin(spinRate, branch, out step);

@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace Football.Physics;
 
@@ -19,6 +20,7 @@ public readonly struct Vector3d : IEquatable<Vector3d>
     /// <param name="x">Component along x.</param>
     /// <param name="y">Component along y, up.</param>
     /// <param name="z">Component along z.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3d(double x, double y, double z)
     {
         X = x;
@@ -33,7 +35,11 @@ public readonly struct Vector3d : IEquatable<Vector3d>
     public static Vector3d Up => new(0, 1, 0);
 
     /// <summary>The square of the length.</summary>
-    public double LengthSquared => (X * X) + (Y * Y) + (Z * Z);
+    public double LengthSquared
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => (X * X) + (Y * Y) + (Z * Z);
+    }
 
     /// <summary>The length.</summary>
     public double Length => Math.Sqrt(LengthSquared);
@@ -47,11 +53,13 @@ public readonly struct Vector3d : IEquatable<Vector3d>
     /// <summary>The scalar product.</summary>
     /// <param name="a">Left factor.</param>
     /// <param name="b">Right factor.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Dot(in Vector3d a, in Vector3d b) => (a.X * b.X) + (a.Y * b.Y) + (a.Z * b.Z);
 
     /// <summary>The vector product a × b, right-handed.</summary>
     /// <param name="a">Left factor.</param>
     /// <param name="b">Right factor.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3d Cross(in Vector3d a, in Vector3d b) => new(
         (a.Y * b.Z) - (a.Z * b.Y),
         (a.Z * b.X) - (a.X * b.Z),
@@ -65,30 +73,36 @@ public readonly struct Vector3d : IEquatable<Vector3d>
     /// <summary>Adds two vectors.</summary>
     /// <param name="a">Left term.</param>
     /// <param name="b">Right term.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3d operator +(in Vector3d a, in Vector3d b) => new(a.X + b.X, a.Y + b.Y, a.Z + b.Z);
 
     /// <summary>Subtracts the second vector from the first.</summary>
     /// <param name="a">Left term.</param>
     /// <param name="b">Right term.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3d operator -(in Vector3d a, in Vector3d b) => new(a.X - b.X, a.Y - b.Y, a.Z - b.Z);
 
     /// <summary>The opposite vector.</summary>
     /// <param name="a">The vector.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3d operator -(in Vector3d a) => new(-a.X, -a.Y, -a.Z);
 
     /// <summary>Scales a vector.</summary>
     /// <param name="a">The vector.</param>
     /// <param name="s">The factor.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3d operator *(in Vector3d a, double s) => new(a.X * s, a.Y * s, a.Z * s);
 
     /// <summary>Scales a vector.</summary>
     /// <param name="s">The factor.</param>
     /// <param name="a">The vector.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3d operator *(double s, in Vector3d a) => new(a.X * s, a.Y * s, a.Z * s);
 
     /// <summary>Divides a vector by a number.</summary>
     /// <param name="a">The vector.</param>
     /// <param name="s">The divisor.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3d operator /(in Vector3d a, double s) => new(a.X / s, a.Y / s, a.Z / s);
 
     /// <summary>Compares by value.</summary>

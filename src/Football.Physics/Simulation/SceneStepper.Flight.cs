@@ -16,14 +16,15 @@ internal sealed partial class Stepper<TFast, TSpun, TAir, TIntegrator>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private bool FlyWhole(ref BallState s, double left, StepLog log, bool only, out FlightStep step, out double h)
     {
-        double vx = s.Velocity.X;
-        double vy = s.Velocity.Y;
-        double vz = s.Velocity.Z;
-        double spin = s.SpinRate;
+        double vx = s.Flight.Velocity.X;
+        double vy = s.Flight.Velocity.Y;
+        double vz = s.Flight.Velocity.Z;
+        double spin = s.Flight.SpinRate;
         double ux = vx - _wind.X;
         double uy = vy - _wind.Y;
         double uz = vz - _wind.Z;
-        double y = s.Position.Y;
+        Vector3d position = s.Position;
+        double y = position.Y;
         DragBranch branch = s.Branch;
         h = 0;
         if (y <= _contact && vy < 0)
@@ -48,7 +49,7 @@ internal sealed partial class Stepper<TFast, TSpun, TAir, TIntegrator>
             return false;
         }
 
-        if ((_air.Drags || _air.Lifts || _air.SpinDecays) && !(fast && h <= _wholeUpTo))
+        if (_air.Drags || _air.Lifts || _air.SpinDecays)
         {
             double bySpeed = left * _bound.PerSpeed;
             double bySpin = left * ((_bound.PerSpin * spin) + _bound.Constant);
@@ -106,7 +107,7 @@ internal sealed partial class Stepper<TFast, TSpun, TAir, TIntegrator>
             return false;
         }
 
-        s.Position = new Vector3d(s.Position.X + (step.Path.X + (h * _wind.X)), height, s.Position.Z + (step.Path.Z + (h * _wind.Z)));
+        s.Position = new Vector3d(position.X + (step.Path.X + (h * _wind.X)), height, position.Z + (step.Path.Z + (h * _wind.Z)));
         s.Angle += step.Turn;
         s.Time += h;
         log.Steps++;

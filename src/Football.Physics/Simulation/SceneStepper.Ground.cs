@@ -278,7 +278,8 @@ internal sealed partial class Stepper<TFast, TSpun, TAir, TIntegrator>
         s.Velocity = step.End.Velocity.Horizontal;
 
         // Damping and decay end the spin about the vertical, they never reverse it.
-        s.SpinAxis = spin.Y * about < 0 && !_custom ? new Vector3d(spin.X, 0, spin.Z) : spin;
+        bool reversed = about > 0 ? spin.Y < 0 : about < 0 && spin.Y > 0;
+        s.SpinAxis = reversed && !_custom ? new Vector3d(spin.X, 0, spin.Z) : spin;
         s.Time = Math.Min(s.Time + h, run.End);
         run.Left -= h;
         run.Log.Steps++;

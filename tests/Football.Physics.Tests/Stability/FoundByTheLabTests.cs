@@ -215,6 +215,37 @@ public sealed class FoundByTheLabTests
         }
     }
 
+    /// <summary>The fused laws took every gravity for the earth's: a stage slower than their tables had another ball's drag.</summary>
+    [Theory]
+    [InlineData(Integrator.Rk2)]
+    [InlineData(Integrator.Rk4)]
+    public void Gravity_that_turns_a_ball_round_within_a_step_leaves_its_drag_alone(Integrator integrator)
+    {
+        const double Step = 0.0028;
+        var simulator = new Simulator(new Scene { Gravity = 1000 }, new SolverSettings { Integrator = integrator });
+        BallState once = simulator.Launch(new Vector3d(0, 10, 0), new Vector3d(0, 1.87, 0), new Vector3d(0, 5, 0));
+        BallState often = once;
+        var log = new StepLog();
+        simulator.Step(ref once, Step, log);
+        for (int i = 0; i < 64; i++)
+        {
+            simulator.Step(ref often, Step / 64, log);
+        }
+
+        Assert.Equal(0, Vector3d.Distance(once.Velocity, often.Velocity), 2e-4);
+    }
+
+    /// <summary>Scenes of the lab: a spin about the vertical so small that its product with the one before is zero was reversed; the energy of a ball that strong gravity turns round grew.</summary>
+    [Theory]
+    [InlineData(694308)]
+    [InlineData(504698)]
+    public void A_scene_of_the_lab_holds(int scene)
+    {
+        var done = Headless.FootballCommand.Run("", "lab", "stability", "--seed", "2", "--scene", $"{scene}");
+        Assert.Contains("holds", done.Error);
+        Assert.Equal(0, done.ExitCode);
+    }
+
     private static double Energy(Scene scene, in BallState s) =>
         0.5 * ((scene.Ball.Mass * s.Velocity.LengthSquared) + (scene.Ball.MomentOfInertia * s.Spin.LengthSquared));
 }
