@@ -9,4 +9,5 @@ trap 'rm -rf "$work"' EXIT
 dotnet build -c Release -o "$work" > "$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
 mcs -nologo -out:"$work/host.exe" -r:"$work/steps.dll" -r:Facades/netstandard.dll Host.cs
 mono --version | head -n 1
+echo
 mono "$work/host.exe" "$@"

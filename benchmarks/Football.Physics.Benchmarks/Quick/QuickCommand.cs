@@ -76,6 +76,11 @@ internal static class QuickCommand
             PredictionTable.Print(line => Print(text, line), predictions, share);
         }
 
+        if (Wanted(MonoTable.Name, only))
+        {
+            MonoTable.Print(line => Print(text, line), share);
+        }
+
         return text.ToString();
     }
 
