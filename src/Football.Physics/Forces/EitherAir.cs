@@ -52,6 +52,8 @@ internal struct EitherAir<TFast, TLaws> : IAerodynamics
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Covers(double speedSquared, double spinRate, double h) => true;
 
+    public double WholeUpTo(in RateBound bound) => 0;
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Begin(double spinRate, DragBranch branch, out AirStep step)
     {

@@ -7,10 +7,13 @@ internal struct FusedRange
 {
     /// <summary>Speeds, m/s, between which the tables hold, with something in hand.</summary>
     private const double Slowest = 0.75;
-    private const double Fastest = 120;
+    public const double Fastest = 120;
 
     /// <summary>Drag and lift may each change the velocity by this share within a step.</summary>
     private const double LargestChange = 0.125;
+
+    /// <summary>A fall of this many m/s is short.</summary>
+    private const double Shortest = 0.5;
 
     /// <summary>Drag leaves 7/8 of a speed, and gravity takes the rest of it down to the slowest.</summary>
     private const double Slower = 1.0 / (1.0 - LargestChange);
@@ -22,17 +25,37 @@ internal struct FusedRange
     private double _perSpeed; // bound for drag and lift, 1/m
     private double _perSpin;
 
-    public void Prepare(Scene scene, in RateBound forces)
+    // Up to this length, s, drag and lift are small at every speed and spin, and these are the bounds of |u|².
+    private double _short;
+    private double _leastSquare;
+    private double _mostSquare;
+    private double _fallSquare;
+
+    /// <param name="scene">The scene.</param>
+    /// <param name="forces">How fast drag and lift change the velocity.</param>
+    /// <param name="fastestSpin">The fastest spin, rad/s, that the laws are asked about; without end where there is none.</param>
+    public void Prepare(Scene scene, in RateBound forces, double fastestSpin)
     {
         _gravity = Math.Abs(Gravity.Acceleration(scene) + Buoyancy.Acceleration(scene));
         _perSpeed = forces.PerSpeed;
         _perSpin = forces.PerSpin;
+        _short = Math.Min(LargestChange / (_perSpeed * Fastest), LargestChange / (_perSpin * fastestSpin));
+        _short = Math.Min(_short, Shortest / Math.Max(1, _gravity));
+        double fall = _short * _gravity;
+        _fallSquare = 9.0 * fall * fall;
+        _leastSquare = Slower * (Slowest + fall) * Slower * (Slowest + fall);
+        _mostSquare = (Fastest - fall) * (Fastest - fall);
     }
 
     /// <summary>Whether the speed stays within the tables.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly bool Holds(double speedSquared, double spinRate, double h)
     {
+        if (h <= _short)
+        {
+            return speedSquared > _leastSquare && speedSquared < _mostSquare;
+        }
+
         double fall = h * _gravity;
         double least = Slower * (Slowest + fall);
         double most = Fastest - fall;
@@ -51,6 +74,7 @@ internal struct FusedRange
     {
         // (|u| + h g)² ≤ (1 + 1/8) |u|² + (1 + 8) (h g)²
         double fall = h * _gravity;
-        return spinRate * LargestLoss >= h * decayScale * ((1.125 * speedSquared) + (9.0 * fall * fall)) || spinRate == 0;
+        double fallSquare = h <= _short ? _fallSquare : 9.0 * fall * fall;
+        return spinRate * LargestLoss >= h * decayScale * ((1.125 * speedSquared) + fallSquare) || spinRate == 0;
     }
 }

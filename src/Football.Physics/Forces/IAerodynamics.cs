@@ -27,6 +27,10 @@ internal interface IAerodynamics
     /// <param name="h">Length of the step, s.</param>
     bool Covers(double speedSquared, double spinRate, double h);
 
+    /// <summary>Up to which length, s, no step that is covered changes the motion too much to be taken whole, whatever its speed and spin; 0 where that is not known.</summary>
+    /// <param name="bound">How fast the air and all else can change the motion.</param>
+    double WholeUpTo(in RateBound bound);
+
     /// <summary>Computes what is constant over a step, or nearly so.</summary>
     /// <param name="spinRate">|ω| at its start.</param>
     /// <param name="branch">The branch of the drag law.</param>

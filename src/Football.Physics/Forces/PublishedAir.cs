@@ -67,6 +67,9 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
             && (!default(TDecay).Is || _range.Keeps(speedSquared, spinRate, h, _decayScale));
     }
 
+    /// <summary>The fastest spin, rad/s, that is covered at any speed.</summary>
+    private double FastestSpin => Math.Sqrt(LargestRatio / _quarterSquare) * FusedRange.Fastest;
+
     public RateBound Bound => (Drags ? _drag.Bound : default) + (Lifts ? _magnus.Bound : default) + (SpinDecays ? _decay.Bound : default);
 
     public void Prepare(Scene scene)
@@ -75,15 +78,17 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
         _magnus.Prepare(scene);
         _decay.Prepare(scene);
         SpeedTable.Make();
-        _range.Prepare(scene, (Drags ? _drag.Bound : default) + (Lifts ? _magnus.Bound : default));
         _radius = scene.Ball.Radius;
         _quarterSquare = 0.25 * _radius * _radius;
+        _range.Prepare(scene, (Drags ? _drag.Bound : default) + (Lifts ? _magnus.Bound : default), FastestSpin);
         _dragScale = AirScale.DynamicArea(scene);
         _liftScale = _dragScale * EmpiricalMagnus.Scale;
         AirFlow unit = default;
         unit.Speed = 1;
         _decayScale = _decay.Factor(in unit);
     }
+
+    public double WholeUpTo(in RateBound bound) => 0.5 / ((bound.PerSpeed * FusedRange.Fastest) + (bound.PerSpin * FastestSpin) + bound.Constant);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Begin(double spinRate, DragBranch branch, out AirStep step)

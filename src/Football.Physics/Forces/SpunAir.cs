@@ -47,7 +47,7 @@ internal struct SpunAir<TDrag, TMagnus, TDecay> : IAerodynamics
     {
         _forces.Prepare(scene);
         _decay.Prepare(scene);
-        _range.Prepare(scene, _forces.Bound);
+        _range.Prepare(scene, _forces.Bound, double.PositiveInfinity);
         _quarterSquare = 0.25 * scene.Ball.Radius * scene.Ball.Radius;
         AirFlow unit = default;
         unit.Speed = 1;
@@ -61,6 +61,8 @@ internal struct SpunAir<TDrag, TMagnus, TDecay> : IAerodynamics
         double plates = 2.0 * (speedSquared + (_quarterSquare * spinRate * spinRate));
         return _range.Holds(speedSquared, spinRate, h) && (!default(TDecay).Is || _range.Keeps(plates, spinRate, h, _decayScale));
     }
+
+    public double WholeUpTo(in RateBound bound) => 0;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Begin(double spinRate, DragBranch branch, out AirStep step) => _forces.Begin(spinRate, branch, out step);

@@ -49,7 +49,7 @@ internal sealed partial class Stepper<TFast, TSpun, TAir, TIntegrator>
             return false;
         }
 
-        if (_air.Drags || _air.Lifts || _air.SpinDecays)
+        if ((_air.Drags || _air.Lifts || _air.SpinDecays) && !(fast && h <= _wholeUpTo))
         {
             double bySpeed = left * _bound.PerSpeed;
             double bySpin = left * ((_bound.PerSpin * spin) + _bound.Constant);

@@ -32,6 +32,9 @@ internal sealed partial class Stepper<TFast, TSpun, TAir, TIntegrator> : Stepper
     private readonly double _halfMass;
     private readonly double _halfInertia;
     private readonly RateBound _bound;
+
+    /// <summary>Up to this length, s, no step that the fused laws cover must be divided.</summary>
+    private readonly double _wholeUpTo;
     private readonly bool _custom;
     private readonly bool _locatesJump;
 
@@ -71,6 +74,7 @@ internal sealed partial class Stepper<TFast, TSpun, TAir, TIntegrator> : Stepper
 
         // A ball that falls from rest is soon as fast as drag lets it: 1/√(P a) is how soon.
         _bound = new RateBound(bound.PerSpeed, bound.PerSpin, bound.Constant + (Math.Sqrt(bound.PerSpeed) * Math.Sqrt(Math.Abs(_upward))));
+        _wholeUpTo = _fast.WholeUpTo(in _bound);
         double restitution = Math.Min(_ground.NormalRestitution, MostElastic);
         _piecesOfHop = 3.0 * restitution / (1.0 - restitution);
         _spirals = _integrator.Order < 4 && _air.Lifts && !(_air.Drags && bound.PerSpeed > 0);
