@@ -19,7 +19,7 @@ internal static class ContactSheet
         article { background: #fff; border-radius: 8px; padding: 12px 14px; box-shadow: 0 1px 3px #0002; }
         article p { margin: 0 0 6px; }
         svg { max-width: 100%; height: auto; display: block; }
-        article > svg { width: 100%; }
+        article svg { width: 100%; }
         """;
 
     public static string Html(IReadOnlyList<ShownShot> shots)

@@ -36,7 +36,7 @@ internal struct RollingSystem<TAir> : IMotionSystem
             dz = vz * perSpeed;
         }
 
-        GroundForces ground = Around.Ground;
+        ref readonly GroundForces ground = ref Around.Ground;
         ax -= ground.Rolling * dx;
         az -= ground.Rolling * dz;
         rates = new MotionRates(new Vector3d(ax, 0, az), new Vector3d(az * ground.PerRadius, aboutVertical, -ax * ground.PerRadius));

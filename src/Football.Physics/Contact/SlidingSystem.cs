@@ -23,7 +23,7 @@ internal struct SlidingSystem<TAir> : IMotionSystem
 
     public void Rates(double time, in Motion at, out MotionRates rates)
     {
-        GroundForces ground = Around.Ground;
+        ref readonly GroundForces ground = ref Around.Ground;
         Vector3d slip = Slip.Of(at.Velocity, at.Spin, ground.Radius);
         double size = slip.Length;
         Vector3d s = Vector3d.Dot(in slip, in SlipDirection) > 0 && size > 0 ? (1.0 / size) * slip : SlipDirection;

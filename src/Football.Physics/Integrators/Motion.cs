@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>Position, velocity and spin: what a general step advances.</summary>
@@ -7,6 +9,7 @@ internal readonly struct Motion
     public readonly Vector3d Velocity;
     public readonly Vector3d Spin;
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Motion(in Vector3d position, in Vector3d velocity, in Vector3d spin)
     {
         Position = position;
@@ -15,6 +18,7 @@ internal readonly struct Motion
     }
 
     /// <summary>The motion after h with constant rates: a stage.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Motion After(double h, in Vector3d velocity, in MotionRates rates) =>
         new(Position + (h * velocity), Velocity + (h * rates.Acceleration), Spin + (h * rates.SpinAcceleration));
 }
