@@ -13,7 +13,7 @@ internal struct FusedRange
     private const double LargestChange = 0.125;
 
     /// <summary>A fall of this many m/s is short.</summary>
-    private const double Shortest = 0.5;
+    private const double ShortFall = 0.5;
 
     /// <summary>Drag leaves 7/8 of a speed, and gravity takes the rest of it down to the slowest.</summary>
     private const double Slower = 1.0 / (1.0 - LargestChange);
@@ -40,7 +40,7 @@ internal struct FusedRange
         _perSpeed = forces.PerSpeed;
         _perSpin = forces.PerSpin;
         _short = Math.Min(LargestChange / (_perSpeed * Fastest), LargestChange / (_perSpin * fastestSpin));
-        _short = Math.Min(_short, Shortest / Math.Max(1, _gravity));
+        _short = Math.Min(_short, ShortFall / Math.Max(1, _gravity));
         double fall = _short * _gravity;
         _fallSquare = 9.0 * fall * fall;
         _leastSquare = Slower * (Slowest + fall) * Slower * (Slowest + fall);

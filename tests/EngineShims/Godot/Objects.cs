@@ -39,6 +39,10 @@ public class Node : GodotObject
     public virtual void _PhysicsProcess(double delta)
     {
     }
+
+    // The shim has no tree: what asks for a node of it is only compiled.
+    public T GetNode<T>(string path)
+        where T : class => throw new InvalidOperationException($"The shim has no node {path}.");
 }
 
 public class Node3D : Node
