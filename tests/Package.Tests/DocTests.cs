@@ -176,9 +176,15 @@ public sealed class DocTests
             node._Ready();
             for (int frame = 0; frame < 120; frame++)
             {
-                node._PhysicsProcess(1.0 / 60.0);
-                node._Process(1.0 / 60.0);
+                foreach (Godot.Node each in node.GetChildren().Append(node))
+                {
+                    each._PhysicsProcess(1.0 / 60.0);
+                    each._Process(1.0 / 60.0);
+                }
             }
+
+            Assert.All(node.GetChildren(), child => Assert.NotEqual(0, ((Godot.Node3D)child).GlobalPosition.Z));
+            Assert.NotEmpty(node.GetChildren());
         }
 
         return "";

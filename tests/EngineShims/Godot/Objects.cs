@@ -40,9 +40,23 @@ public class Node : GodotObject
     {
     }
 
-    // The shim has no tree: what asks for a node of it is only compiled.
+    private readonly Dictionary<string, Node> _children = [];
+
+    public IReadOnlyCollection<Node> GetChildren() => _children.Values;
+
+    // The shim's tree has whatever node is asked for, ready.
     public T GetNode<T>(string path)
-        where T : class => throw new InvalidOperationException($"The shim has no node {path}.");
+        where T : Node, new()
+    {
+        if (!_children.TryGetValue(path, out Node? node))
+        {
+            node = new T();
+            _children.Add(path, node);
+            node._Ready();
+        }
+
+        return (T)node;
+    }
 }
 
 public class Node3D : Node
