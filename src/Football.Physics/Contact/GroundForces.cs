@@ -5,9 +5,6 @@ namespace Football.Physics;
 /// <summary>The constants of the ground's forces, per mass or per moment of inertia.</summary>
 internal struct GroundForces
 {
-    /// <summary>Normal force per mass, N/m = max(0, g − F_B/m), m/s².</summary>
-    public double Normal;
-
     /// <summary>Sliding friction per mass, μ_s N/m, m/s².</summary>
     public double Sliding;
 
@@ -32,7 +29,6 @@ internal struct GroundForces
         double normal = NormalForce(scene);
         return new GroundForces
         {
-            Normal = normal,
             Sliding = scene.Ground.SlidingFriction * normal,
             SlidingTorque = scene.Ground.SlidingFriction * normal / (ball.InertiaFactor * ball.Radius),
             Rolling = scene.Ground.RollingFriction * normal,
@@ -42,7 +38,7 @@ internal struct GroundForces
         };
     }
 
-    /// <summary>N = max(0, m g − |F_B|): gravity and buoyancy only.</summary>
+    /// <summary>N/m = max(0, g − |F_B|/m), m/s²: gravity and buoyancy only.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static double NormalForce(Scene scene) => Math.Max(0, -(Gravity.Acceleration(scene) + Buoyancy.Acceleration(scene)));
 }

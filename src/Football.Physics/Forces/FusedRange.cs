@@ -5,9 +5,11 @@ namespace Football.Physics;
 /// <summary>Where the tables of the fused laws hold at every stage of a step, however strong gravity and the air are.</summary>
 internal struct FusedRange
 {
-    /// <summary>Speeds, m/s, between which the tables hold, with something in hand.</summary>
-    private const double Slowest = 0.75;
+    /// <summary>The fastest speed, m/s, at which the tables hold, with something in hand.</summary>
     public const double Fastest = 120;
+
+    /// <summary>And the slowest.</summary>
+    private const double Slowest = 0.75;
 
     /// <summary>Drag and lift may each change the velocity by this share within a step.</summary>
     private const double LargestChange = 0.125;

@@ -12,9 +12,8 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
     where TMagnus : struct, IPresence
     where TDecay : struct, IPresence
 {
-    /// <summary>Speeds, m/s, between which the tables hold.</summary>
+    /// <summary>The slowest speed, m/s, at which the tables hold.</summary>
     private const double SlowestPoint = 0.5;
-    private const double FastestPoint = 120;
 
     /// <summary>Up to this (r|ω|/2|u|)², Sp 1.04, a little more than that of a ball that rolls, the polynomial of the decay is good to 5e-11; there the lift is above 0.</summary>
     private const double LargestRatio = 0.27;
@@ -271,7 +270,7 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
 
     public bool EvaluateAt(DragBranch branch, double speedSquared, double spinRate, out double drag, out double lift, out double decay)
     {
-        if (!(spinRate > 0 && speedSquared > SlowestPoint * SlowestPoint && speedSquared < FastestPoint * FastestPoint))
+        if (!(spinRate > 0 && speedSquared > SlowestPoint * SlowestPoint && speedSquared < FusedRange.Fastest * FusedRange.Fastest))
         {
             drag = 0;
             lift = 0;
