@@ -50,7 +50,7 @@ public sealed class Prediction
     {
         if (!_valid || !OnPath(in real))
         {
-            _simulator.LookAhead(in real, _request, Path, wholeSteps: true);
+            _simulator.LookAheadInWholeSteps(in real, _request, Path);
             _valid = true;
             Recomputations++;
             return true;

@@ -183,55 +183,8 @@ public sealed class Simulator
         return log.Halted;
     }
 
-    /// <summary>Looks ahead: the simulation itself on a copy of the state. Allocates nothing once its trajectory has room.</summary>
-    /// <param name="from">The ball; unchanged.</param>
-    /// <param name="request">How far to look, and what to stop at.</param>
-    /// <param name="into">Where the path and the events go.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
-    /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    public void LookAhead(in BallState from, LookAheadRequest request, Trajectory into)
-    {
-        if (request is null)
-        {
-            throw new ArgumentNullException(nameof(request));
-        }
-
-        if (into is null)
-        {
-            throw new ArgumentNullException(nameof(into));
-        }
-
-        request.Validate();
-        LookAhead(in from, request, into, wholeSteps: false);
-    }
-
-    internal void LookAhead(in BallState from, LookAheadRequest request, Trajectory into, bool wholeSteps)
-    {
-        into.Begin(in from, request);
-        if (wholeSteps)
-        {
-            Extend(into, from.Time + request.Duration, request.TimeStep, request.StopAt);
-            return;
-        }
-
-        BallState state = from;
-        Run(ref state, request.TimeStep, request.Duration, request.StopAt, into.Log, null);
-        into.End(in state);
-    }
-
-    /// <summary>Extends a trajectory in whole steps up to a time or the event that ends it.</summary>
-    internal void Extend(Trajectory path, double end, double timeStep, StopAt stopAt)
-    {
-        BallState state = path.Final;
-        path.Log.Halted = false;
-        path.Log.StopAt = stopAt;
-        while (state.Time < end && !path.Log.Halted && state.Motion != MotionState.Stopped)
-        {
-            _stepper.Step(ref state, timeStep, path.Log);
-        }
-
-        path.End(in state);
-    }
+    /// <summary>Advances a ball by one step that its log may end early.</summary>
+    internal void Advance(ref BallState state, double dt, StepLog log) => _stepper.Step(ref state, dt, log);
 
     /// <summary>Sees the state after every step of a run.</summary>
     internal delegate void StepCallback(in BallState state);

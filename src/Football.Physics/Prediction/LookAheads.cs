@@ -1,0 +1,57 @@
+namespace Football.Physics;
+
+/// <summary>Looking ahead: the simulation itself on a copy of the state.</summary>
+public static class LookAheads
+{
+    /// <summary>Looks ahead. Allocates nothing once its trajectory has room.</summary>
+    /// <param name="simulator">The scene, compiled for the integrator to look ahead with.</param>
+    /// <param name="from">The ball; unchanged.</param>
+    /// <param name="request">How far to look, and what to stop at.</param>
+    /// <param name="into">Where the path and the events go.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    public static void LookAhead(this Simulator simulator, in BallState from, LookAheadRequest request, Trajectory into)
+    {
+        if (simulator is null)
+        {
+            throw new ArgumentNullException(nameof(simulator));
+        }
+
+        if (request is null)
+        {
+            throw new ArgumentNullException(nameof(request));
+        }
+
+        if (into is null)
+        {
+            throw new ArgumentNullException(nameof(into));
+        }
+
+        request.Validate();
+        into.Begin(in from, request);
+        BallState state = from;
+        simulator.Run(ref state, request.TimeStep, request.Duration, request.StopAt, into.Log, null);
+        into.End(in state);
+    }
+
+    /// <summary>Looks ahead in whole steps, of which the last may end after the request does.</summary>
+    internal static void LookAheadInWholeSteps(this Simulator simulator, in BallState from, LookAheadRequest request, Trajectory into)
+    {
+        into.Begin(in from, request);
+        simulator.Extend(into, from.Time + request.Duration, request.TimeStep, request.StopAt);
+    }
+
+    /// <summary>Extends a trajectory in whole steps up to a time or the event that ends it.</summary>
+    internal static void Extend(this Simulator simulator, Trajectory path, double end, double timeStep, StopAt stopAt)
+    {
+        BallState state = path.Final;
+        path.Log.Halted = false;
+        path.Log.StopAt = stopAt;
+        while (state.Time < end && !path.Log.Halted && state.Motion != MotionState.Stopped)
+        {
+            simulator.Advance(ref state, timeStep, path.Log);
+        }
+
+        path.End(in state);
+    }
+}
