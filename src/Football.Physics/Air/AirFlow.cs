@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>The flow past the ball at one instant: what the aerodynamic laws share, computed once an evaluation.</summary>
+/// <summary>The flow past the ball at one instant: what the aerodynamic laws may depend on, computed once an evaluation.</summary>
 internal struct AirFlow
 {
     /// <summary>|u|², m²/s².</summary>
@@ -12,9 +12,18 @@ internal struct AirFlow
     /// <summary>|ω|, rad/s, not negative.</summary>
     public double SpinRate;
 
+    /// <summary>ω̂·u, m/s: the spin across the motion is |ω| √(1 − (ω̂·û)²).</summary>
+    public double AlongSpin;
+
     /// <summary>Spin parameter Sp = r|ω|/|u|. Only where a law needs it.</summary>
     public double SpinParameter;
 
     /// <summary>The fitted C_D. Only where a law needs it.</summary>
     public double FittedDragCoefficient;
+
+    /// <summary>Where the ball is, m. Only of models whose <see cref="IAir.Varies"/> is true.</summary>
+    public Vector3d Position;
+
+    /// <summary>When, s since the launch. Only of models whose <see cref="IAir.Varies"/> is true.</summary>
+    public double Time;
 }

@@ -4,7 +4,7 @@ namespace Football.Physics;
 
 /// <summary>A ball that rolls: F = −μ_r N v̂ and the horizontal part of the air's forces; ω̇_h = ŷ × v̇ / r; about y −c_ω ω_y + T_D·ŷ.</summary>
 internal struct RollingSystem<TAir> : IMotionSystem
-    where TAir : struct, IAerodynamics
+    where TAir : struct, IAir
 {
     public Surroundings<TAir> Around;
     public DragBranch Branch;
@@ -42,6 +42,12 @@ internal struct RollingSystem<TAir> : IMotionSystem
         rates = new MotionRates(new Vector3d(ax, 0, az), new Vector3d(az * ground.PerRadius, aboutVertical, -ax * ground.PerRadius));
     }
 
+    public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
+    {
+        Vector3d spin = Slip.RollingSpin(in step.End.Velocity, step.End.Spin.Y, Around.Radius);
+        GroundForces.Move(ref s, in step, in spin, Around.ContactHeight, Around.HasOwnForces);
+    }
+
     /// <summary>What the air and the game's own forces do, and the damping of the spin about the vertical.</summary>
     public readonly MotionRates Pushed(double time, in Motion at)
     {
@@ -54,15 +60,20 @@ internal struct RollingSystem<TAir> : IMotionSystem
     {
         Surroundings<TAir> around = Around;
         Vector3d u = at.Velocity - around.Wind;
-        AirRates.Factors(ref around.Air, in u, in at.Spin, Branch, out double drag, out double lift, out double decay);
-        aboutVertical = -(decay + around.Ground.SpinDamping) * at.Spin.Y;
+        AirRates.Factors(ref around.Air, time, in at.Position, in u, in at.Spin, Branch, out AirFactors air);
+        aboutVertical = -(air.Decay + around.Ground.SpinDamping) * at.Spin.Y;
         ax = 0;
         az = 0;
         if (around.AirActsOnGround)
         {
             // L (ω × u) − D u
-            ax = (lift * ((at.Spin.Y * u.Z) - (at.Spin.Z * u.Y))) - (drag * u.X);
-            az = (lift * ((at.Spin.X * u.Y) - (at.Spin.Y * u.X))) - (drag * u.Z);
+            ax = (air.Lift * ((at.Spin.Y * u.Z) - (at.Spin.Z * u.Y))) - (air.Drag * u.X);
+            az = (air.Lift * ((at.Spin.X * u.Y) - (at.Spin.Y * u.X))) - (air.Drag * u.Z);
+            if (around.Air.Varies)
+            {
+                ax += air.Side.X;
+                az += air.Side.Z;
+            }
         }
 
         if (around.Custom.Act)

@@ -4,7 +4,7 @@ namespace Football.Physics;
 
 /// <summary>A ball that slides: F = −μ_s N ŝ, T = r μ_s N (ŷ × ŝ) − c_ω ω_y ŷ + T_D, and the horizontal part of the air's forces.</summary>
 internal struct SlidingSystem<TAir> : IMotionSystem
-    where TAir : struct, IAerodynamics
+    where TAir : struct, IAir
 {
     public Surroundings<TAir> Around;
     public DragBranch Branch;
@@ -39,6 +39,13 @@ internal struct SlidingSystem<TAir> : IMotionSystem
         rates = new MotionRates(acceleration - (ground.Sliding * s), in spinAcceleration);
     }
 
+    public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
+    {
+        // Where friction does not turn the ball, or too weakly, its spin ends at zero.
+        Vector3d spin = StopsSpin(in step.End.Spin) ? Vector3d.Zero : step.End.Spin;
+        GroundForces.Move(ref s, in step, in spin, Around.ContactHeight, Around.HasOwnForces);
+    }
+
     /// <summary>All but the friction: the air, the damping of the spin about the vertical, the game's own forces.</summary>
     /// <param name="time">Time, s.</param>
     /// <param name="at">The ball.</param>
@@ -55,9 +62,9 @@ internal struct SlidingSystem<TAir> : IMotionSystem
         Surroundings<TAir> around = Around;
         Vector3d u = at.Velocity - around.Wind;
         Vector3d spin = at.Spin;
-        double rate = AirRates.Factors(ref around.Air, in u, in spin, Branch, out double drag, out double lift, out double decay);
-        Decay = rate > 0 ? decay * rate : decay;
-        spinAcceleration = rate > 0 ? -decay * spin : -decay * torqueAxis;
+        double rate = AirRates.Factors(ref around.Air, time, in at.Position, in u, in spin, Branch, out AirFactors air);
+        Decay = rate > 0 ? air.Decay * rate : air.Decay;
+        spinAcceleration = rate > 0 ? -air.Decay * spin : -air.Decay * torqueAxis;
         if (StopsSpin(in spin))
         {
             // Past zero the decay goes on as before: at the step's end it stops there.
@@ -70,7 +77,11 @@ internal struct SlidingSystem<TAir> : IMotionSystem
         {
             // L (ω × u) − D u
             acceleration = new Vector3d(
-                (lift * ((spin.Y * u.Z) - (spin.Z * u.Y))) - (drag * u.X), 0, (lift * ((spin.X * u.Y) - (spin.Y * u.X))) - (drag * u.Z));
+                (air.Lift * ((spin.Y * u.Z) - (spin.Z * u.Y))) - (air.Drag * u.X), 0, (air.Lift * ((spin.X * u.Y) - (spin.Y * u.X))) - (air.Drag * u.Z));
+            if (around.Air.Varies)
+            {
+                acceleration += air.Side.Horizontal;
+            }
         }
 
         if (around.Custom.Act)

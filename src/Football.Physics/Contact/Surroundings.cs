@@ -1,14 +1,20 @@
 namespace Football.Physics;
 
-/// <summary>What acts on a ball wherever it is: shared by the motion systems, so that a system is a small value.</summary>
+/// <summary>What acts on a ball wherever it is: the constants of a scene, shared by all phases of a step.</summary>
 internal sealed class Surroundings<TAir>
-    where TAir : struct, IAerodynamics
+    where TAir : struct, IAir
 {
-    /// <summary>The aerodynamic laws. Not readonly: a call through a type parameter would copy them first.</summary>
+    /// <summary>The air. Not readonly: a call through a type parameter would copy it first.</summary>
     public TAir Air;
 
     /// <summary>The game's own forces.</summary>
     public readonly CustomForces Custom;
+
+    /// <summary>Whether a force acts that is not the air's about the spin's axis: then flight is integrated with the whole spin vector.</summary>
+    public readonly bool HasOwnForces;
+
+    /// <summary>Whether the air acts at all.</summary>
+    public readonly bool AirActs;
 
     /// <summary>The ground's forces.</summary>
     public readonly GroundForces Ground;
@@ -25,14 +31,24 @@ internal sealed class Surroundings<TAir>
     /// <summary>Ball radius, m.</summary>
     public readonly double Radius;
 
-    public Surroundings(Scene scene, in TAir air)
+    /// <summary>Its square, m².</summary>
+    public readonly double RadiusSquared;
+
+    /// <summary>Height of the centre of a ball on the ground, m; −∞ where there is none.</summary>
+    public readonly double ContactHeight;
+
+    public Surroundings(Scene scene)
     {
-        Air = air;
+        Air.Prepare(scene);
         Custom = new CustomForces(scene);
+        HasOwnForces = Custom.Act || Air.Varies;
+        AirActs = Air.Drags || Air.Lifts || Air.SpinDecays || Air.Varies;
         Ground = GroundForces.Of(scene);
         Wind = scene.Air.Wind;
         AirActsOnGround = scene.Ground.Aerodynamics == GroundAerodynamics.Horizontal;
         Upward = Gravity.Acceleration(scene) + Buoyancy.Acceleration(scene);
         Radius = scene.Ball.Radius;
+        RadiusSquared = scene.Ball.Radius * scene.Ball.Radius;
+        ContactHeight = scene.Ground.Height + scene.Ball.Radius;
     }
 }

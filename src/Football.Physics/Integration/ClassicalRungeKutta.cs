@@ -11,9 +11,13 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
 
     public double ShareInPath => 0.5;
 
+    public bool GainsByHops => false;
+
     [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
-    public void Fly<TAir>(ref TAir air, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double g, double h, out FlightStep step)
-        where TAir : struct, IAerodynamics
+    public void Fly<TKernel, TStep>(
+        ref TKernel kernel, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
+        where TKernel : struct, IFlightKernel<TStep>
+        where TStep : struct
     {
         double ux = motion.Velocity.X - wind.X;
         double uy = motion.Velocity.Y - wind.Y;
@@ -22,11 +26,11 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         double nx = motion.Axis.X;
         double ny = motion.Axis.Y;
         double nz = motion.Axis.Z;
-        air.Begin(w, branch, out AirStep once);
+        kernel.Begin(w, branch, out TStep once);
 
         // k1 = f(y)
-        FlightRates.AtStart(ref air, ref once, nx, ny, nz, g, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
-        bool near = FlightRates.Expand(ref air, in once, ux, uy, uz, ax, ay, az, b, h, out AirSeries series);
+        FlightRates.AtStart(ref kernel, ref once, nx, ny, nz, upward, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
+        FlightRates.Expand(ref kernel, ref once, ux, uy, uz, ax, ay, az, b, h);
         step.StartAcceleration = new Vector3d(ax, ay, az);
         step.StartSpinAcceleration = b;
         double sumX = ax;
@@ -42,7 +46,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
             double vy = uy + (along * ay);
             double vz = uz + (along * az);
             double vw = w + (along * b);
-            FlightRates.AtStage(ref air, in once, near, in series, nx, ny, nz, g, vx, vy, vz, vw, out ax, out ay, out az, out b);
+            FlightRates.AtStage(ref kernel, in once, nx, ny, nz, upward, vx, vy, vz, vw, out ax, out ay, out az, out b);
             if (stage == 2)
             {
                 break;

@@ -2,12 +2,12 @@ using System.Runtime.CompilerServices;
 
 namespace Football.Physics;
 
-/// <summary>The right-hand side in flight, m v̇ = F_G + F_B + F_D + F_M and I ω̇ = T_D, along a constant axis.</summary>
+/// <summary>The right-hand side in flight, m v̇ = F_G + F_B + F_D + F_M and I ω̇ = T_D, along a constant axis of the spin.</summary>
 internal static class FlightRates
 {
     /// <summary>The rates at a step's start.</summary>
-    /// <param name="air">The aerodynamic laws.</param>
-    /// <param name="once">What they compute once for the step.</param>
+    /// <param name="kernel">The air's factors.</param>
+    /// <param name="once">What they keep for the step.</param>
     /// <param name="nx">Axis of the spin, x.</param>
     /// <param name="ny">Axis of the spin, y.</param>
     /// <param name="nz">Axis of the spin, z.</param>
@@ -21,9 +21,9 @@ internal static class FlightRates
     /// <param name="az">Acceleration, z.</param>
     /// <param name="spinRate">Rate of change of the spin.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void AtStart<TAir>(
-        ref TAir air,
-        ref AirStep once,
+    public static void AtStart<TKernel, TStep>(
+        ref TKernel kernel,
+        ref TStep once,
         double nx,
         double ny,
         double nz,
@@ -36,22 +36,24 @@ internal static class FlightRates
         out double ay,
         out double az,
         out double spinRate)
-        where TAir : struct, IAerodynamics
+        where TKernel : struct, IFlightKernel<TStep>
+        where TStep : struct
     {
         double drag = 0;
         double lift = 0;
         double decay = 0;
-        if (air.Drags || air.Lifts || air.SpinDecays)
+        if (kernel.Drags || kernel.Lifts || kernel.SpinDecays)
         {
-            air.EvaluateStart(ref once, (ux * ux) + (uy * uy) + (uz * uz), spin, out drag, out lift, out decay);
+            double alongSpin = (nx * ux) + (ny * uy) + (nz * uz);
+            kernel.AtStart(ref once, (ux * ux) + (uy * uy) + (uz * uz), spin, alongSpin, out drag, out lift, out decay);
         }
 
-        Combine(ref air, nx, ny, nz, upward, ux, uy, uz, spin, drag, lift, decay, out ax, out ay, out az, out spinRate);
+        Combine<TKernel, TStep>(ref kernel, nx, ny, nz, upward, ux, uy, uz, spin, drag, lift, decay, out ax, out ay, out az, out spinRate);
     }
 
-    /// <summary>Whether the laws are series about the step's start for its other stages, and which.</summary>
-    /// <param name="air">The aerodynamic laws.</param>
-    /// <param name="once">What they computed at the start.</param>
+    /// <summary>Tells the air's factors how far the later stages of a step go.</summary>
+    /// <param name="kernel">The air's factors.</param>
+    /// <param name="once">What they keep for the step.</param>
     /// <param name="ux">Air-relative velocity at the start, x.</param>
     /// <param name="uy">Air-relative velocity at the start, y.</param>
     /// <param name="uz">Air-relative velocity at the start, z.</param>
@@ -60,51 +62,24 @@ internal static class FlightRates
     /// <param name="az">Acceleration there, z.</param>
     /// <param name="spinRate">Rate of change of the spin there.</param>
     /// <param name="h">How far ahead the last stage is, s.</param>
-    /// <param name="series">The series.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool Expand<TAir>(
-        ref TAir air,
-        in AirStep once,
-        double ux,
-        double uy,
-        double uz,
-        double ax,
-        double ay,
-        double az,
-        double spinRate,
-        double h,
-        out AirSeries series)
-        where TAir : struct, IAerodynamics
+    public static void Expand<TKernel, TStep>(
+        ref TKernel kernel, ref TStep once, double ux, double uy, double uz, double ax, double ay, double az, double spinRate, double h)
+        where TKernel : struct, IFlightKernel<TStep>
+        where TStep : struct
     {
         // |u + h a|² − |u|² = 2 h u·a + h² a²
         double along = Math.Abs((ux * ax) + (uy * ay) + (uz * az));
         double change = h * (along + along + (h * ((ax * ax) + (ay * ay) + (az * az))));
-        return air.Expand(in once, change, h * Math.Abs(spinRate), out series);
+        kernel.Expand(ref once, change, h * Math.Abs(spinRate));
     }
 
-    /// <summary>The rates at another stage of a step.</summary>
-    /// <param name="air">The aerodynamic laws.</param>
-    /// <param name="once">What they computed once for the step.</param>
-    /// <param name="near">Whether the laws are series.</param>
-    /// <param name="series">The series, if they are.</param>
-    /// <param name="nx">Axis of the spin, x.</param>
-    /// <param name="ny">Axis of the spin, y.</param>
-    /// <param name="nz">Axis of the spin, z.</param>
-    /// <param name="upward">Upward acceleration by gravity and buoyancy.</param>
-    /// <param name="ux">Air-relative velocity, x.</param>
-    /// <param name="uy">Air-relative velocity, y.</param>
-    /// <param name="uz">Air-relative velocity, z.</param>
-    /// <param name="spin">Size of the spin.</param>
-    /// <param name="ax">Acceleration, x.</param>
-    /// <param name="ay">Acceleration, y.</param>
-    /// <param name="az">Acceleration, z.</param>
-    /// <param name="spinRate">Rate of change of the spin.</param>
+    /// <summary>The rates at a later stage of a step.</summary>
+    /// <inheritdoc cref="AtStart{TKernel, TStep}"/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void AtStage<TAir>(
-        ref TAir air,
-        in AirStep once,
-        bool near,
-        in AirSeries series,
+    public static void AtStage<TKernel, TStep>(
+        ref TKernel kernel,
+        in TStep once,
         double nx,
         double ny,
         double nz,
@@ -117,31 +92,25 @@ internal static class FlightRates
         out double ay,
         out double az,
         out double spinRate)
-        where TAir : struct, IAerodynamics
+        where TKernel : struct, IFlightKernel<TStep>
+        where TStep : struct
     {
         double drag = 0;
         double lift = 0;
         double decay = 0;
-        if (air.Drags || air.Lifts || air.SpinDecays)
+        if (kernel.Drags || kernel.Lifts || kernel.SpinDecays)
         {
-            double speedSquared = (ux * ux) + (uy * uy) + (uz * uz);
-            if (near)
-            {
-                air.EvaluateNear(in series, speedSquared, spin, out drag, out lift, out decay);
-            }
-            else
-            {
-                air.Evaluate(in once, speedSquared, spin, out drag, out lift, out decay);
-            }
+            double alongSpin = (nx * ux) + (ny * uy) + (nz * uz);
+            kernel.AtStage(in once, (ux * ux) + (uy * uy) + (uz * uz), spin, alongSpin, out drag, out lift, out decay);
         }
 
-        Combine(ref air, nx, ny, nz, upward, ux, uy, uz, spin, drag, lift, decay, out ax, out ay, out az, out spinRate);
+        Combine<TKernel, TStep>(ref kernel, nx, ny, nz, upward, ux, uy, uz, spin, drag, lift, decay, out ax, out ay, out az, out spinRate);
     }
 
     /// <summary>a = L (ω̂ × u) − D u + g, ω̇ = −decay.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Combine<TAir>(
-        ref TAir air,
+    private static void Combine<TKernel, TStep>(
+        ref TKernel kernel,
         double nx,
         double ny,
         double nz,
@@ -157,24 +126,25 @@ internal static class FlightRates
         out double ay,
         out double az,
         out double spinRate)
-        where TAir : struct, IAerodynamics
+        where TKernel : struct, IFlightKernel<TStep>
+        where TStep : struct
     {
         ax = 0;
         ay = upward;
         az = 0;
-        if (air.Lifts && air.Drags)
+        if (kernel.Lifts && kernel.Drags)
         {
             ax = (lift * ((ny * uz) - (nz * uy))) - (drag * ux);
             ay = ((lift * ((nz * ux) - (nx * uz))) - (drag * uy)) + upward;
             az = (lift * ((nx * uy) - (ny * ux))) - (drag * uz);
         }
-        else if (air.Lifts)
+        else if (kernel.Lifts)
         {
             ax = lift * ((ny * uz) - (nz * uy));
             ay = (lift * ((nz * ux) - (nx * uz))) + upward;
             az = lift * ((nx * uy) - (ny * ux));
         }
-        else if (air.Drags)
+        else if (kernel.Drags)
         {
             ax = -(drag * ux);
             ay = upward - (drag * uy);
@@ -182,15 +152,18 @@ internal static class FlightRates
         }
 
         // A ball without spin stays without.
-        spinRate = air.SpinDecays && spin != 0 ? -decay : 0;
+        spinRate = kernel.SpinDecays && spin != 0 ? -decay : 0;
     }
 
     /// <summary>The rates at a point by itself.</summary>
-    public static void Of<TAir>(ref TAir air, in FlightPoint from, in Vector3d u, double spin, out Vector3d acceleration, out double spinRate)
-        where TAir : struct, IAerodynamics
+    public static void Of<TKernel, TStep>(
+        ref TKernel kernel, in FlightPoint from, in Vector3d u, double spin, out Vector3d acceleration, out double spinRate)
+        where TKernel : struct, IFlightKernel<TStep>
+        where TStep : struct
     {
-        air.Begin(spin, from.Branch, out AirStep once);
-        AtStart(ref air, ref once, from.Axis.X, from.Axis.Y, from.Axis.Z, from.Upward, u.X, u.Y, u.Z, spin, out double ax, out double ay, out double az, out spinRate);
+        kernel.Begin(spin, from.Branch, out TStep once);
+        AtStart(
+            ref kernel, ref once, from.Axis.X, from.Axis.Y, from.Axis.Z, from.Upward, u.X, u.Y, u.Z, spin, out double ax, out double ay, out double az, out spinRate);
         acceleration = new Vector3d(ax, ay, az);
     }
 }

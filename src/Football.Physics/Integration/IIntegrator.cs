@@ -12,16 +12,21 @@ internal interface IIntegrator
     /// <summary>c in p + h (v + c h a), the path under a constant acceleration.</summary>
     double ShareInPath { get; }
 
+    /// <summary>Whether the method comes down from a hop faster than it went up, so that hops must be taken in parts. A fact of the type.</summary>
+    bool GainsByHops { get; }
+
     /// <summary>A step in flight, where the axis of the spin is constant and the rates depend on velocity and spin alone.</summary>
-    /// <param name="air">The aerodynamic laws.</param>
+    /// <param name="kernel">The factors of the air's forces.</param>
     /// <param name="motion">Velocity and spin; moved to the end of the step.</param>
     /// <param name="wind">Wind, m/s.</param>
     /// <param name="branch">Branch of the drag law that the step is locked to.</param>
-    /// <param name="g">Upward acceleration by gravity and buoyancy, m/s².</param>
+    /// <param name="upward">Upward acceleration by gravity and buoyancy, m/s².</param>
     /// <param name="h">Length of the step, s.</param>
     /// <param name="step">What it did.</param>
-    void Fly<TAir>(ref TAir air, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double g, double h, out FlightStep step)
-        where TAir : struct, IAerodynamics;
+    void Fly<TKernel, TStep>(
+        ref TKernel kernel, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
+        where TKernel : struct, IFlightKernel<TStep>
+        where TStep : struct;
 
     /// <summary>A step of any motion: on the ground, and in flight with forces of the game's own.</summary>
     /// <param name="system">Gives the rates.</param>

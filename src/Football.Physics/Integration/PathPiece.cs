@@ -33,6 +33,11 @@ public readonly struct PathPiece
         _degree = degree;
     }
 
+    /// <summary>The degree of the path of a step: the quadratic that a method of low order itself re-integrates; else that of the Hermite interpolant.</summary>
+    /// <param name="order">Order of the method.</param>
+    /// <param name="hasEndAcceleration">Whether the acceleration at the end is known.</param>
+    internal static int DegreeOf(int order, bool hasEndAcceleration) => order <= 2 ? 2 : hasEndAcceleration ? 5 : 3;
+
     /// <summary>The cubic between the ends of a step without an event in it.</summary>
     internal static PathPiece Cubic(in BallState start, in BallState end) => new(
         start.Time, end.Time - start.Time, start.Position, start.Velocity, default, end.Position, end.Velocity, default, start.Motion, 3);

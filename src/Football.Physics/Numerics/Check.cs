@@ -81,9 +81,13 @@ internal static class Check
     {
         if ((uint)index >= (uint)count)
         {
-            throw Refusal(field, value.ToString(), string.Join(" | ", Enum.GetNames(typeof(T))));
+            throw Unknown(field, value);
         }
     }
+
+    /// <summary>The refusal of a value that an enumeration does not have.</summary>
+    public static ArgumentOutOfRangeException Unknown<T>(string field, T value)
+        where T : struct, Enum => Refusal(field, value.ToString(), string.Join(" | ", Enum.GetNames(typeof(T))));
 
     public static ArgumentOutOfRangeException Refusal(string field, string value, string allowed) =>
         new(field, $"{field} is {value}; allowed: {allowed}.");

@@ -2,7 +2,7 @@ namespace Football.Physics;
 
 /// <summary>A ball in flight with its full spin vector: for the game's own forces, and for the sliding modes of the drag law's jump.</summary>
 internal struct FlightSystem<TAir> : IMotionSystem
-    where TAir : struct, IAerodynamics
+    where TAir : struct, IAir
 {
     public Surroundings<TAir> Around;
     public DragBranch Branch;
@@ -23,14 +23,31 @@ internal struct FlightSystem<TAir> : IMotionSystem
             noSpin.SpinAcceleration + (share * (spinning.SpinAcceleration - noSpin.SpinAcceleration)));
     }
 
+    public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
+    {
+        s.BaseOrientation = (Quaterniond.FromRotationVector(in step.Rotation) * s.Orientation).Normalised();
+        s.Angle = 0;
+        s.Position = step.End.Position;
+        s.Velocity = step.End.Velocity;
+
+        // Decay never reverses a spin; a force of the game's own may.
+        bool keeps = Around.HasOwnForces || Vector3d.Dot(in step.End.Spin, in from.Spin) > 0;
+        s.SetFlightSpin(keeps ? step.End.Spin : Vector3d.Zero);
+    }
+
     /// <summary>The rates on one branch of the drag law.</summary>
     public readonly MotionRates On(DragBranch branch, double time, in Motion at)
     {
         Surroundings<TAir> around = Around;
         Vector3d u = at.Velocity - around.Wind;
-        AirRates.Factors(ref around.Air, in u, in at.Spin, branch, out double drag, out double lift, out double decay);
-        Vector3d acceleration = (lift * Vector3d.Cross(in at.Spin, in u)) - (drag * u) + new Vector3d(0, around.Upward, 0);
-        Vector3d spinAcceleration = -decay * at.Spin;
+        AirRates.Factors(ref around.Air, time, in at.Position, in u, in at.Spin, branch, out AirFactors air);
+        Vector3d acceleration = (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u) + new Vector3d(0, around.Upward, 0);
+        Vector3d spinAcceleration = -air.Decay * at.Spin;
+        if (around.Air.Varies)
+        {
+            acceleration += air.Side;
+        }
+
         if (around.Custom.Act)
         {
             MotionRates custom = around.Custom.Rates(time, in at, in u, MotionState.Airborne);

@@ -2,165 +2,249 @@ using System.Runtime.CompilerServices;
 
 namespace Football.Physics;
 
-/// <summary>One compiled body: the laws of a scene and an integrator.</summary>
-/// <typeparam name="TFast">The laws of a plain step of flight, where they hold.</typeparam>
-/// <typeparam name="TSpun">The laws of a step with a spin too fast for those, where they hold.</typeparam>
-/// <typeparam name="TAir">The laws everywhere.</typeparam>
-/// <typeparam name="TIntegrator">The integrator.</typeparam>
-internal sealed partial class Stepper<TFast, TSpun, TAir, TIntegrator> : Stepper
-    where TFast : struct, IAerodynamics
-    where TSpun : struct, IAerodynamics
-    where TAir : struct, IAerodynamics
+/// <summary>
+/// A step of the ball in one scene with one method. Nearly every step is one piece of flight with nothing in it: <see cref="Step"/> proposes
+/// it, takes it, looks whether anything happened, and moves the ball. Else the step is a loop over pieces, each by the phase that the ball is in:
+/// <list type="number">
+/// <item><see cref="FlightPhase{TAir, TIntegrator}"/>: to the drag law's jump, the end of the spin, the ground;</item>
+/// <item><see cref="SlidePhase{TAir, TIntegrator}"/>: to the jump, the end of the slip;</item>
+/// <item><see cref="RollPhase{TAir, TIntegrator}"/>: to the jump, to rest;</item>
+/// <item><see cref="ContactPhase{TAir}"/>: an impact, and what becomes of the ball after it;</item>
+/// <item><see cref="ImplicitPhase{TAir}"/>: where the air is too strong for explicit pieces.</item>
+/// </list>
+/// </summary>
+/// <typeparam name="TAir">The air.</typeparam>
+/// <typeparam name="TIntegrator">The one-step method.</typeparam>
+internal sealed class Stepper<TAir, TIntegrator> : Stepper
+    where TAir : struct, IAir
     where TIntegrator : struct, IIntegrator
 {
-    /// <summary>A step is divided so that no force changes the motion by more than this share of itself, explicit Euler's limit of no overshoot.</summary>
-    private const double LargestChange = 1.0;
+    /// <summary>More pieces than this without an impact, by whatever cause, and the rest of the step is taken by implicit Euler: every step ends.</summary>
+    private const int MostPieces = 1 << 16;
 
-    /// <summary>Up to this restitution every ball comes to rest, whatever the method and its step.</summary>
-    private const double MostElastic = 0.95;
-
-    /// <summary>A ball that would be back on the ground sooner than this, s, stays down: so an impact takes time, however strong gravity is.</summary>
-    private const double ShortestHop = 1e-6;
-
-    private readonly BallProperties _ball;
-    private readonly Ground _ground;
-    private readonly SolverSettings _settings;
     private readonly Vector3d _wind;
     private readonly double _upward;
-    private readonly double _contact;
+    private readonly double _contactHeight;
     private readonly double _radiusSquared;
-    private readonly double _halfMass;
-    private readonly double _halfInertia;
-    private readonly RateBound _bound;
-
-    /// <summary>Up to this length, s, no step that the fused laws cover must be divided.</summary>
-    private readonly double _wholeUpTo;
-    private readonly bool _custom;
+    private readonly StabilityLimit _limit;
+    private readonly bool _hasAxis;
     private readonly bool _locatesJump;
-
-    /// <summary>Into how many pieces explicit Euler divides a hop at least, 3e/(1 − e).</summary>
-    private readonly double _piecesOfHop;
-
-    /// <summary>Whether nothing but the Magnus force acts on a velocity that the method cannot turn without making it longer.</summary>
-    private readonly bool _spirals;
-    private TFast _fast;
-    private TSpun _spun;
     private TAir _air;
     private TIntegrator _integrator;
-    private readonly Surroundings<TAir> _around;
-    private readonly FlightSystem<TAir> _flight;
-    private readonly SlidingSystem<TAir> _sliding;
-    private readonly RollingSystem<TAir> _rolling;
+    private readonly FlightPhase<TAir, TIntegrator> _flight;
+    private readonly SlidePhase<TAir, TIntegrator> _slide;
+    private readonly RollPhase<TAir, TIntegrator> _roll;
+    private readonly ImplicitPhase<TAir> _implicit;
 
     public Stepper(Scene scene, SolverSettings settings)
     {
-        _ball = scene.Ball;
-        _ground = scene.Ground;
-        _settings = settings;
-        _wind = scene.Air.Wind;
-        _upward = Gravity.Acceleration(scene) + Buoyancy.Acceleration(scene);
-        _contact = scene.Ground.Height + scene.Ball.Radius;
-        _radiusSquared = scene.Ball.Radius * scene.Ball.Radius;
-        _halfMass = 0.5 * scene.Ball.Mass;
-        _halfInertia = 0.5 * scene.Ball.MomentOfInertia;
-        _air = default;
-        _air.Prepare(scene);
-        _fast = default;
-        _fast.Prepare(scene);
-        _spun = default;
-        _spun.Prepare(scene);
+        var around = new Surroundings<TAir>(scene);
+        _air = around.Air;
         _integrator = default;
-        RateBound bound = _air.Bound;
-
-        // A ball that falls from rest is soon as fast as drag lets it: 1/√(P a) is how soon.
-        _bound = new RateBound(bound.PerSpeed, bound.PerSpin, bound.Constant + (Math.Sqrt(bound.PerSpeed) * Math.Sqrt(Math.Abs(_upward))));
-        _wholeUpTo = _fast.WholeUpTo(in _bound);
-        double restitution = Math.Min(_ground.NormalRestitution, MostElastic);
-        _piecesOfHop = 3.0 * restitution / (1.0 - restitution);
-        _spirals = _integrator.Order < 4 && _air.Lifts && !(_air.Drags && bound.PerSpeed > 0);
-        _locatesJump = _air.Jumps && settings.LocateJump && _integrator.Order > 1;
-
-        _around = new Surroundings<TAir>(scene, in _air);
-        _custom = _around.Custom.Act;
-        _flight = new FlightSystem<TAir> { Around = _around };
-        _sliding = new SlidingSystem<TAir> { Around = _around };
-        _rolling = new RollingSystem<TAir> { Around = _around };
+        _wind = around.Wind;
+        _upward = around.Upward;
+        _contactHeight = around.ContactHeight;
+        _radiusSquared = around.RadiusSquared;
+        _hasAxis = !around.HasOwnForces;
+        _limit = StabilityLimit.Of(scene, ref _air, _upward, _integrator.Order);
+        var jump = new DragJumpGuard<TAir>(around, settings.LocateJump && _integrator.Order > 1);
+        _locatesJump = jump.Acts;
+        var contact = new ContactPhase<TAir>(scene, around);
+        _implicit = new ImplicitPhase<TAir>(around, contact);
+        _flight = new FlightPhase<TAir, TIntegrator>(settings, around, in _limit, jump, contact, _implicit);
+        var ground = new GroundLimit<TAir>(around, in _limit);
+        _slide = new SlidePhase<TAir, TIntegrator>(settings, around, in ground, jump, contact, _implicit);
+        _roll = new RollPhase<TAir, TIntegrator>(scene, around, in ground, jump, contact, _implicit);
     }
 
     [MethodImpl(Hot.Path)]
-    public override void Step(ref BallState state, double dt, StepLog log)
+    public override void Step(ref BallState s, double dt, StepLog log)
     {
-        double end = state.Time + dt;
-        if (state.Motion == MotionState.Airborne && !_custom && state.Branch < DragBranch.AlongCriticalSpeed)
+        double vx = s.Flight.Velocity.X;
+        double vy = s.Flight.Velocity.Y;
+        double vz = s.Flight.Velocity.Z;
+        double spin = s.Flight.SpinRate;
+        Vector3d position = s.Position;
+        double y = position.Y;
+        DragBranch branch = s.Branch;
+        if (s.Motion != MotionState.Airborne || !_hasAxis || branch >= DragBranch.AlongCriticalSpeed || (y <= _contactHeight && vy < 0))
         {
-            // Nearly every step is a flight without an event.
-            if (FlyWhole(ref state, dt, log, true, out FlightStep step, out double h))
-            {
-                return;
-            }
-
-            if (h > 0)
-            {
-                FlyOn(ref state, end, dt, ref step, h, log);
-                return;
-            }
+            TakePieces(ref s, dt, log);
+            return;
         }
 
-        Finish(ref state, end, dt, log);
+        // Propose: the whole step, locked to one branch of the drag law, if it is short enough for the forces here.
+        double ux = vx - _wind.X;
+        double uy = vy - _wind.Y;
+        double uz = vz - _wind.Z;
+        double speedSquared = (ux * ux) + (uy * uy) + (uz * uz);
+        if (_air.Jumps && (branch == DragBranch.Unknown || !_locatesJump))
+        {
+            branch = DragJump.At(speedSquared, _radiusSquared * spin * spin).Branch;
+            s.Branch = branch;
+        }
+
+        bool covered = _air.Covers(speedSquared, spin, dt);
+        if (((_air.Drags || _air.Lifts || _air.SpinDecays) && !_limit.AllowsWhole(dt, speedSquared, spin, covered))
+            || (_integrator.GainsByHops && _limit.WithinHop(dt, y - _contactHeight, vy) < dt))
+        {
+            TakePieces(ref s, dt, log);
+            return;
+        }
+
+        if (!(_air.Drags || _air.Lifts || _air.SpinDecays))
+        {
+            Fall(ref s, dt, log);
+            return;
+        }
+
+        // Take it.
+        _air.Fly(ref _integrator, covered, speedSquared, ref s.Flight, in _wind, branch, _upward, dt, out FlightStep step);
+        log.Evaluations += _integrator.Stages;
+
+        // Guards: the ground, a dip through it, the end of the spin, the drag law's jump. Each errs towards yes.
+        double height = y + (step.Path.Y + (dt * _wind.Y));
+        double climb = step.AirVelocity.Y + _wind.Y;
+        if (height < _contactHeight || (vy < 0 && climb > 0)
+            || (_air.SpinDecays && step.SpinRate < 0)
+            || (_air.Jumps && _locatesJump && MayCrossJump(branch, ux, uy, uz, speedSquared, spin, in step, dt)))
+        {
+            s.Flight.Velocity = new Vector3d(vx, vy, vz);
+            s.Flight.SpinRate = spin;
+            FinishPieces(ref s, dt, log, in step);
+            return;
+        }
+
+        // Nothing happened: move the ball.
+        s.Position = new Vector3d(position.X + (step.Path.X + (dt * _wind.X)), height, position.Z + (step.Path.Z + (dt * _wind.Z)));
+        s.Angle += step.Turn;
+        double time = s.Time;
+        s.Time = time + dt;
+        log.Steps++;
+        if (log.Observer is { } observer)
+        {
+            Show(observer, log, in s, time, in position, new Vector3d(vx, vy, vz), in step);
+        }
     }
 
-    /// <summary>A whole step, piece by piece.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Finish(ref BallState state, double end, double dt, StepLog log)
+    public override void AirFactors(double speed, double spinRate, out double drag, out double lift)
     {
-        var run = new StepRun { Left = dt, Length = dt, End = end, Log = log };
-        Finish(ref state, ref run);
+        AirFlow flow = default;
+        flow.SpeedSquared = speed * speed;
+        flow.SpinRate = spinRate;
+        _air.Evaluate(in flow, DragJump.At(flow.SpeedSquared, _radiusSquared * spinRate * spinRate).Branch, out AirFactors factors);
+        drag = factors.Drag;
+        lift = factors.Lift;
     }
 
-    /// <summary>A step that begins with a piece of flight with something in it.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private void FlyOn(ref BallState state, double end, double dt, ref FlightStep step, double h, StepLog log)
+    /// <summary>Whether a step may have crossed the drag law's jump.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private bool MayCrossJump(DragBranch branch, double ux, double uy, double uz, double speedSquared, double spin, in FlightStep step, double h)
     {
-        // dt itself: end − time differs from it by rounding, which would leave a sliver of a step.
-        var run = new StepRun { Left = dt, Length = dt, End = end, Log = log };
-        run.Keep(h, dt);
-        FlyEventful(ref state, ref run, ref step, h);
+        var start = DragJump.At(speedSquared, _radiusSquared * spin * spin);
+        var rate = DragJump.Rate(
+            2.0 * ((ux * step.StartAcceleration.X) + (uy * step.StartAcceleration.Y) + (uz * step.StartAcceleration.Z)),
+            2.0 * _radiusSquared * spin * step.StartSpinAcceleration);
+        double wx = step.AirVelocity.X;
+        double wy = step.AirVelocity.Y;
+        double wz = step.AirVelocity.Z;
+        var end = DragJump.At((wx * wx) + (wy * wy) + (wz * wz), _radiusSquared * step.SpinRate * step.SpinRate);
+        return DragJump.MayCross(branch, in start, in rate, in end, h);
+    }
+
+    /// <summary>A step in vacuum: what the method makes of a constant acceleration, p + h (v + c h g), v + h g.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Fall(ref BallState s, double h, StepLog log)
+    {
+        double vy = s.Velocity.Y;
+        double gained = h * _upward;
+        double climb = vy + gained;
+        double height = s.Position.Y + (h * (vy + (_integrator.ShareInPath * gained)));
+        if (height < _contactHeight || (vy < 0 && climb > 0) || log.Observer is not null)
+        {
+            TakePieces(ref s, h, log);
+            return;
+        }
+
+        s.Position = new Vector3d(s.Position.X + (h * s.Velocity.X), height, s.Position.Z + (h * s.Velocity.Z));
+        s.Velocity = new Vector3d(s.Velocity.X, climb, s.Velocity.Z);
+        s.Angle += h * s.SpinRate;
+        s.Time += h;
+        log.Steps++;
+        log.Evaluations += _integrator.Stages;
+    }
+
+    /// <summary>Shows a whole step of flight to an observer.</summary>
+    /// <param name="observer">Who watches.</param>
+    /// <param name="log">The log.</param>
+    /// <param name="s">The ball at the step's end.</param>
+    /// <param name="time">When it started, s.</param>
+    /// <param name="position">Where it started, m.</param>
+    /// <param name="velocity">Velocity there, m/s.</param>
+    /// <param name="step">The step.</param>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void Show(
+        PieceObserver observer, StepLog log, in BallState s, double time, in Vector3d position, in Vector3d velocity, in FlightStep step)
+    {
+        Vector3d acceleration = default;
+        if (observer.WantsEndAcceleration)
+        {
+            FlightPoint from;
+            from.AirVelocity = step.AirVelocity;
+            from.SpinRate = step.SpinRate;
+            from.Axis = s.Flight.Axis;
+            from.Upward = _upward;
+            from.Branch = s.Branch;
+            FlightRates.Of<TAir, PointStep>(ref _air, in from, in from.AirVelocity, from.SpinRate, out acceleration, out _);
+            log.Evaluations++;
+        }
+
+        int degree = PathPiece.DegreeOf(_integrator.Order, observer.WantsEndAcceleration);
+        var piece = new PathPiece(
+            time, s.Time - time, in position, in velocity, in step.StartAcceleration, s.Position, s.Velocity, in acceleration, MotionState.Airborne, degree);
+        log.Halted |= observer.Add(in piece);
+    }
+
+    /// <summary>A step, piece by piece.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void TakePieces(ref BallState s, double dt, StepLog log)
+    {
+        var run = new StepRun { Left = dt, Length = dt, End = s.Time + dt, Log = log };
+        TakePieces(ref s, ref run);
+    }
+
+    /// <summary>The same, where the whole step has been taken as flight already and something was found in it.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void FinishPieces(ref BallState s, double dt, StepLog log, in FlightStep taken)
+    {
+        var run = new StepRun { Left = dt, Length = dt, End = s.Time + dt, Log = log };
+        _flight.Finish(ref s, ref run, in taken, dt);
         if (!log.Halted)
         {
-            Finish(ref state, ref run);
+            TakePieces(ref s, ref run);
         }
     }
 
-    /// <summary>The rest of a step, piece by piece.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Finish(ref BallState state, ref StepRun run)
+    private void TakePieces(ref BallState s, ref StepRun run)
     {
-        while (run.Left > 0 && state.Motion != MotionState.Stopped)
+        while (run.Left > 0 && s.Motion != MotionState.Stopped)
         {
-            if (++run.Pieces > MostInARow)
+            if (++run.Pieces > MostPieces)
             {
-                RelaxToEnd(ref state, ref run);
+                _implicit.TakeRest(ref s, ref run);
                 continue;
             }
 
-            switch (state.Motion)
+            switch (s.Motion)
             {
                 case MotionState.Airborne:
-                    if (_custom || state.Branch >= DragBranch.AlongCriticalSpeed)
-                    {
-                        FlyFreely(ref state, ref run);
-                    }
-                    else
-                    {
-                        Fly(ref state, ref run);
-                    }
-
+                    _flight.Take(ref s, ref run);
                     break;
                 case MotionState.Sliding:
-                    Slide(ref state, ref run);
+                    _slide.Take(ref s, ref run);
                     break;
                 default:
-                    Roll(ref state, ref run);
+                    _roll.Take(ref s, ref run);
                     break;
             }
 
@@ -170,89 +254,6 @@ internal sealed partial class Stepper<TFast, TSpun, TAir, TIntegrator> : Stepper
             }
         }
 
-        state.Time = run.End;
-    }
-
-    public override void AirFactors(double speed, double spinRate, out double drag, out double lift)
-    {
-        double speedSquared = speed * speed;
-        DragBranch branch = DragJump.At(speedSquared, _radiusSquared * spinRate * spinRate).Branch;
-        _air.Begin(spinRate, branch, out AirStep step);
-        _air.Evaluate(in step, speedSquared, spinRate, out drag, out lift, out _);
-    }
-
-    /// <summary>Shows a piece to an observer; the acceleration at its end is used only if the observer wants it.</summary>
-    private void Watch(
-        PieceObserver observer, StepLog log, in BallState from, in Vector3d startAcceleration, in BallState to, in Vector3d endAcceleration)
-    {
-        int degree = _integrator.Order <= 2 ? 2 : observer.WantsEndAcceleration ? 5 : 3;
-        var piece = new PathPiece(
-            from.Time, to.Time - from.Time, from.Position, from.Velocity, in startAcceleration, to.Position, to.Velocity, in endAcceleration, from.Motion, degree);
-        log.Halted |= observer.Add(in piece);
-    }
-
-    /// <summary>An impact where the ball is, and what becomes of the ball.</summary>
-    private void Impact(ref BallState s, ref StepRun run)
-    {
-        Vector3d v = s.Velocity;
-        Vector3d w = s.Spin;
-        ImpactResponse.Apply(_ball, _ground, in v, in w, out Vector3d velocity, out Vector3d spin);
-        run.Log.Events.Add(new BallEvent(BallEventKind.Impact, s.Time, s.Position, in v, in w, in velocity, in spin));
-        run.Log.Halted |= run.Log.StopAt == StopAt.Impact;
-        s.Branch = DragBranch.Unknown;
-        run.Part = 0;
-        run.Pieces = 0;
-        if (velocity.Y >= _ground.MinimumBounceSpeed ? velocity.Y >= 0.5 * ShortestHop * -_upward : _upward > 0 && !IsPressedDown(in s, velocity.Horizontal, in spin, ref run))
-        {
-            s.Velocity = velocity;
-            s.SetFlightSpin(in spin);
-            return;
-        }
-
-        s.Velocity = velocity.Horizontal;
-        s.SetGroundSpin(in spin);
-        if (Slip.Of(s.Velocity, in spin, _ball.Radius).Length < Slip.Rolling)
-        {
-            StartRolling(ref s, ref run);
-        }
-        else
-        {
-            s.Motion = MotionState.Sliding;
-            run.Log.Events.Add(new BallEvent(BallEventKind.Slide, s.Time, s.Position, s.Velocity, in spin, s.Velocity, in spin));
-        }
-    }
-
-    /// <summary>The slip is over: the spin becomes that of pure rolling.</summary>
-    private void StartRolling(ref BallState s, ref StepRun run)
-    {
-        Vector3d before = s.Spin;
-        Vector3d spin = Slip.RollingSpin(s.Velocity, before.Y, _ball.Radius);
-        s.SetGroundSpin(in spin);
-        s.Motion = MotionState.Rolling;
-        run.Log.Events.Add(new BallEvent(BallEventKind.Roll, s.Time, s.Position, s.Velocity, in before, s.Velocity, in spin));
-    }
-
-    /// <summary>A ball that is lighter than the air leaves the ground, unless the wind presses it down.</summary>
-    /// <returns>True when it left.</returns>
-    private bool LeavesGround(ref BallState s, ref StepRun run)
-    {
-        if (_upward <= 0 || IsPressedDown(in s, s.Velocity, s.Spin, ref run))
-        {
-            return false;
-        }
-
-        s.SetFlightSpin(s.Spin);
-        s.Motion = MotionState.Airborne;
-        s.Branch = DragBranch.Unknown;
-        return true;
-    }
-
-    /// <summary>Whether the vertical force on a ball that is lighter than the air, at contact and without vertical velocity, points down.</summary>
-    private bool IsPressedDown(in BallState s, in Vector3d velocity, in Vector3d spin, ref StepRun run)
-    {
-        var at = new Motion(s.Position, in velocity, in spin);
-        FlightSystem<TAir> system = _flight;
-        run.Log.Evaluations++;
-        return system.On(system.JumpAt(in at).Branch, s.Time, in at).Acceleration.Y <= 0;
+        s.Time = run.End;
     }
 }

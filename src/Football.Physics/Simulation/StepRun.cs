@@ -24,8 +24,8 @@ internal ref struct StepRun
     /// <summary>Pieces since the last impact.</summary>
     public int Pieces;
 
-    /// <summary>Pieces so far that relaxed to the balance of forces.</summary>
-    public int Relaxed;
+    /// <summary>Pieces so far that were taken by implicit Euler.</summary>
+    public int Implicit;
 
     /// <summary>Where events and counts go.</summary>
     public StepLog Log;
@@ -35,4 +35,52 @@ internal ref struct StepRun
 
     /// <summary>Keeps the length of a part that is shorter than what was asked for, s.</summary>
     public void Keep(double part, double asked) => Part = part < asked ? part : Part;
+
+    /// <summary>Counts a piece as done: the clock goes on, and the time left gets less.</summary>
+    public void Advance(ref BallState s, double h)
+    {
+        s.Time = Math.Min(s.Time + h, End);
+        Left -= h;
+        Log.Steps++;
+    }
+
+    /// <summary>Shows a piece to the observer, if there is one; only then is the acceleration at its end worth an evaluation.</summary>
+    /// <param name="before">The ball at the piece's start.</param>
+    /// <param name="after">The ball at its end.</param>
+    /// <param name="sweep">The piece.</param>
+    /// <param name="order">Order of the method that took it.</param>
+    public readonly void Show<TSweep>(in BallState before, in BallState after, ref TSweep sweep, int order)
+        where TSweep : struct, ISweep
+    {
+        if (Log.Observer is { } observer)
+        {
+            Vector3d end = default;
+            if (observer.WantsEndAcceleration)
+            {
+                end = sweep.EndAcceleration();
+                Log.Evaluations++;
+            }
+
+            Show(observer, in before, in after, sweep.StartAcceleration, in end, order);
+        }
+    }
+
+    /// <summary>Shows a piece to an observer.</summary>
+    public readonly void Show(
+        PieceObserver observer, in BallState before, in BallState after, in Vector3d startAcceleration, in Vector3d endAcceleration, int order)
+    {
+        int degree = PathPiece.DegreeOf(order, observer.WantsEndAcceleration);
+        var piece = new PathPiece(
+            before.Time,
+            after.Time - before.Time,
+            before.Position,
+            before.Velocity,
+            in startAcceleration,
+            after.Position,
+            after.Velocity,
+            in endAcceleration,
+            before.Motion,
+            degree);
+        Log.Halted |= observer.Add(in piece);
+    }
 }

@@ -1,86 +1,85 @@
 namespace Football.Physics;
 
-/// <summary>Chooses the compiled body for a scene: one per combination of laws and integrator.</summary>
+/// <summary>Chooses the compiled body for a scene: one per combination of laws and integrator, and none that no scene can choose.</summary>
 internal static class StepperFactory
 {
     public static Stepper Create(Scene scene, SolverSettings settings)
     {
         ForceSet forces = scene.Forces;
         bool fitted = forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical;
-        return Fusible(forces) ? FusedDrag(scene, settings)
-            : !fitted ? WithDrag<NoDragFit>(scene, settings)
-            : forces.Coefficients == CoefficientForm.Regularised ? WithDrag<RegularisedDragFit>(scene, settings)
-            : WithDrag<PublishedDragFit>(scene, settings);
+        return !fitted ? WithoutFit(scene, settings) : forces.Coefficients switch
+        {
+            CoefficientForm.Published => Published(scene, settings),
+            CoefficientForm.Regularised => Regularised(scene, settings),
+            _ => throw Check.Unknown("forces.coefficients", forces.Coefficients),
+        };
     }
 
-    /// <summary>Whether every law is the published one or left out, and the drag coefficient is used: what the fused kernel does.</summary>
-    private static bool Fusible(ForceSet forces) => forces.Coefficients == CoefficientForm.Published
-        && forces.Drag != ForceLaw.Constant
-        && forces.Magnus != ForceLaw.Constant
-        && forces.SpinDecay != ForceLaw.Constant
-        && (forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical);
+    /// <summary>Without the fitted drag coefficient.</summary>
+    private static Stepper WithoutFit(Scene scene, SolverSettings settings) => (scene.Forces.Drag, scene.Forces.Magnus) switch
+    {
+        (ForceLaw.None, ForceLaw.None) => Laws<NoDragFit, NoAirLaw, NoAirLaw>(scene, settings),
+        (ForceLaw.None, ForceLaw.Constant) => Laws<NoDragFit, NoAirLaw, ConstantMagnus>(scene, settings),
+        (ForceLaw.Constant, ForceLaw.None) => Laws<NoDragFit, ConstantDrag, NoAirLaw>(scene, settings),
+        (ForceLaw.Constant, ForceLaw.Constant) => Laws<NoDragFit, ConstantDrag, ConstantMagnus>(scene, settings),
+        _ => throw UnknownLaw(scene.Forces),
+    };
 
-    private static Stepper FusedDrag(Scene scene, SolverSettings settings) => scene.Forces.Drag == ForceLaw.Empirical
-        ? FusedMagnus<Present, EmpiricalDrag>(scene, settings)
-        : FusedMagnus<Absent, NoAirLaw>(scene, settings);
+    /// <summary>With the coefficient as published, for drag, for the Magnus force, or for both; fused where no law is of constant coefficients.</summary>
+    private static Stepper Published(Scene scene, SolverSettings settings) => (scene.Forces.Drag, scene.Forces.Magnus) switch
+    {
+        (ForceLaw.None, ForceLaw.Empirical) => Published<NoAirLaw, EmpiricalMagnus>(scene, settings),
+        (ForceLaw.Empirical, ForceLaw.None) => Published<EmpiricalDrag, NoAirLaw>(scene, settings),
+        (ForceLaw.Empirical, ForceLaw.Empirical) => Published<EmpiricalDrag, EmpiricalMagnus>(scene, settings),
+        (ForceLaw.Constant, ForceLaw.Empirical) => Laws<PublishedDragFit, ConstantDrag, EmpiricalMagnus>(scene, settings),
+        (ForceLaw.Empirical, ForceLaw.Constant) => Laws<PublishedDragFit, EmpiricalDrag, ConstantMagnus>(scene, settings),
+        _ => throw UnknownLaw(scene.Forces),
+    };
 
-    private static Stepper FusedMagnus<TDrag, TDragLaw>(Scene scene, SolverSettings settings)
-        where TDrag : struct, IPresence
-        where TDragLaw : struct, IAirLaw => scene.Forces.Magnus == ForceLaw.Empirical
-            ? FusedSpinDecay<TDrag, TDragLaw, Present, EmpiricalMagnus>(scene, settings)
-            : FusedSpinDecay<TDrag, TDragLaw, Absent, NoAirLaw>(scene, settings);
-
-    private static Stepper FusedSpinDecay<TDrag, TDragLaw, TMagnus, TMagnusLaw>(Scene scene, SolverSettings settings)
-        where TDrag : struct, IPresence
-        where TDragLaw : struct, IAirLaw
-        where TMagnus : struct, IPresence
-        where TMagnusLaw : struct, IAirLaw => scene.Forces.SpinDecay == ForceLaw.Empirical
-            ? WithFused<PublishedAir<TDrag, TMagnus, Present>, SpunAir<TDrag, TMagnus, Present>, Aerodynamics<PublishedDragFit, TDragLaw, TMagnusLaw, EmpiricalSpinDecay>>(scene, settings)
-            : WithFused<PublishedAir<TDrag, TMagnus, Absent>, SpunAir<TDrag, TMagnus, Absent>, Aerodynamics<PublishedDragFit, TDragLaw, TMagnusLaw, NoAirLaw>>(scene, settings);
-
-    private static Stepper WithDrag<TFit>(Scene scene, SolverSettings settings)
-        where TFit : struct, IDragFit => scene.Forces.Drag switch
+    private static Stepper Published<TDrag, TMagnus>(Scene scene, SolverSettings settings)
+        where TDrag : struct, IAirLaw
+        where TMagnus : struct, IAirLaw => scene.Forces.SpinDecay switch
         {
-            ForceLaw.None => WithMagnus<TFit, NoAirLaw>(scene, settings),
-            ForceLaw.Constant => WithMagnus<TFit, ConstantDrag>(scene, settings),
-            _ => WithMagnus<TFit, EmpiricalDrag>(scene, settings),
+            ForceLaw.None => WithIntegrator<PublishedAir<TDrag, TMagnus, NoAirLaw>>(scene, settings),
+            ForceLaw.Constant => WithIntegrator<AirLaws<PublishedDragFit, TDrag, TMagnus, ConstantSpinDecay>>(scene, settings),
+            ForceLaw.Empirical => WithIntegrator<PublishedAir<TDrag, TMagnus, EmpiricalSpinDecay>>(scene, settings),
+            _ => throw UnknownLaw(scene.Forces),
         };
 
-    private static Stepper WithMagnus<TFit, TDrag>(Scene scene, SolverSettings settings)
-        where TFit : struct, IDragFit
-        where TDrag : struct, IAirLaw => scene.Forces.Magnus switch
-        {
-            ForceLaw.None => WithSpinDecay<TFit, TDrag, NoAirLaw>(scene, settings),
-            ForceLaw.Constant => WithSpinDecay<TFit, TDrag, ConstantMagnus>(scene, settings),
-            _ => WithSpinDecay<TFit, TDrag, EmpiricalMagnus>(scene, settings),
-        };
+    /// <summary>With the coefficient without its jumps.</summary>
+    private static Stepper Regularised(Scene scene, SolverSettings settings) => (scene.Forces.Drag, scene.Forces.Magnus) switch
+    {
+        (ForceLaw.None, ForceLaw.Empirical) => Laws<RegularisedDragFit, NoAirLaw, EmpiricalMagnus>(scene, settings),
+        (ForceLaw.Empirical, ForceLaw.None) => Laws<RegularisedDragFit, EmpiricalDrag, NoAirLaw>(scene, settings),
+        (ForceLaw.Empirical, ForceLaw.Empirical) => Laws<RegularisedDragFit, EmpiricalDrag, EmpiricalMagnus>(scene, settings),
+        (ForceLaw.Constant, ForceLaw.Empirical) => Laws<RegularisedDragFit, ConstantDrag, EmpiricalMagnus>(scene, settings),
+        (ForceLaw.Empirical, ForceLaw.Constant) => Laws<RegularisedDragFit, EmpiricalDrag, ConstantMagnus>(scene, settings),
+        _ => throw UnknownLaw(scene.Forces),
+    };
 
-    private static Stepper WithSpinDecay<TFit, TDrag, TMagnus>(Scene scene, SolverSettings settings)
+    private static Stepper Laws<TFit, TDrag, TMagnus>(Scene scene, SolverSettings settings)
         where TFit : struct, IDragFit
         where TDrag : struct, IAirLaw
         where TMagnus : struct, IAirLaw => scene.Forces.SpinDecay switch
         {
-            ForceLaw.None => WithIntegrator<Aerodynamics<TFit, TDrag, TMagnus, NoAirLaw>>(scene, settings),
-            ForceLaw.Constant => WithIntegrator<Aerodynamics<TFit, TDrag, TMagnus, ConstantSpinDecay>>(scene, settings),
-            _ => WithIntegrator<Aerodynamics<TFit, TDrag, TMagnus, EmpiricalSpinDecay>>(scene, settings),
+            ForceLaw.None => WithIntegrator<AirLaws<TFit, TDrag, TMagnus, NoAirLaw>>(scene, settings),
+            ForceLaw.Constant => WithIntegrator<AirLaws<TFit, TDrag, TMagnus, ConstantSpinDecay>>(scene, settings),
+            ForceLaw.Empirical => WithIntegrator<AirLaws<TFit, TDrag, TMagnus, EmpiricalSpinDecay>>(scene, settings),
+            _ => throw UnknownLaw(scene.Forces),
         };
-
-    private static Stepper WithFused<TFast, TSpun, TLaws>(Scene scene, SolverSettings settings)
-        where TFast : struct, IFusedAir
-        where TSpun : struct, IAerodynamics
-        where TLaws : struct, IAerodynamics => WithIntegrator<TFast, TSpun, EitherAir<TFast, TLaws>>(scene, settings);
 
     private static Stepper WithIntegrator<TAir>(Scene scene, SolverSettings settings)
-        where TAir : struct, IAerodynamics => WithIntegrator<TAir, TAir, TAir>(scene, settings);
-
-    private static Stepper WithIntegrator<TFast, TSpun, TAir>(Scene scene, SolverSettings settings)
-        where TFast : struct, IAerodynamics
-        where TSpun : struct, IAerodynamics
-        where TAir : struct, IAerodynamics => settings.Integrator switch
+        where TAir : struct, IAir => settings.Integrator switch
         {
-            Integrator.Euler => new Stepper<TFast, TSpun, TAir, ExplicitEuler>(scene, settings),
-            Integrator.SemiImplicitEuler => new Stepper<TFast, TSpun, TAir, SemiImplicitEuler>(scene, settings),
-            Integrator.Rk2 => new Stepper<TFast, TSpun, TAir, MidpointRungeKutta>(scene, settings),
-            _ => new Stepper<TFast, TSpun, TAir, ClassicalRungeKutta>(scene, settings),
+            Integrator.Euler => new Stepper<TAir, ExplicitEuler>(scene, settings),
+            Integrator.SemiImplicitEuler => new Stepper<TAir, SemiImplicitEuler>(scene, settings),
+            Integrator.Rk2 => new Stepper<TAir, MidpointRungeKutta>(scene, settings),
+            Integrator.Rk4 => new Stepper<TAir, ClassicalRungeKutta>(scene, settings),
+            _ => throw Check.Unknown("solver.integrator", settings.Integrator),
         };
+
+    private static ArgumentOutOfRangeException UnknownLaw(ForceSet forces) =>
+        forces.Drag is not (ForceLaw.None or ForceLaw.Constant or ForceLaw.Empirical) ? Check.Unknown("forces.drag", forces.Drag)
+        : forces.Magnus is not (ForceLaw.None or ForceLaw.Constant or ForceLaw.Empirical) ? Check.Unknown("forces.magnus", forces.Magnus)
+        : Check.Unknown("forces.spinDecay", forces.SpinDecay);
 }

@@ -130,10 +130,10 @@ public sealed class AirLawTests
     private static void Finite<TFit>(double speed, double spin, DragBranch branch)
         where TFit : struct, IDragFit
     {
-        Aerodynamics<TFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> air = default;
+        AirLaws<TFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> air = default;
         air.Prepare(LawGrid.Scene);
-        air.Begin(spin, branch, out AirStep step);
-        air.Evaluate(in step, speed * speed, spin, out double drag, out double lift, out double decay);
+        air.Begin(spin, branch, out PointStep step);
+        air.AtStage(in step, speed * speed, spin, 0, out double drag, out double lift, out double decay);
         Assert.True(double.IsFinite(drag) && double.IsFinite(lift) && double.IsFinite(decay), $"{speed} m/s, {spin} rad/s, {branch}: {drag} {lift} {decay}");
     }
 
@@ -144,10 +144,10 @@ public sealed class AirLawTests
         where TMagnus : struct, IAirLaw
         where TDecay : struct, IAirLaw
     {
-        Aerodynamics<TFit, TDrag, TMagnus, TDecay> air = default;
+        AirLaws<TFit, TDrag, TMagnus, TDecay> air = default;
         air.Prepare(LawGrid.Scene with { Forces = forces });
-        air.Begin(spin, LawGrid.BranchOf(speed, LawGrid.Scene.Ball.Radius * spin / speed), out AirStep step);
-        air.Evaluate(in step, speed * speed, spin, out drag, out lift, out decay);
+        air.Begin(spin, LawGrid.BranchOf(speed, LawGrid.Scene.Ball.Radius * spin / speed), out PointStep step);
+        air.AtStage(in step, speed * speed, spin, 0, out drag, out lift, out decay);
     }
 
     /// <summary>Accelerations of the library's laws at every point of the grid against a plain force and torque.</summary>

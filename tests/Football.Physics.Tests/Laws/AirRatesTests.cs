@@ -5,10 +5,10 @@ public sealed class AirRatesTests
 {
     private static readonly Scene s_scene = LawGrid.Scene;
 
-    private static MotionRates InFlight<TAir>(in TAir air, in Vector3d u, in Vector3d w)
-        where TAir : struct, IAerodynamics
+    private static MotionRates InFlight<TAir>(in Vector3d u, in Vector3d w)
+        where TAir : struct, IAir
     {
-        var flight = new FlightSystem<TAir> { Around = new Surroundings<TAir>(s_scene, in air), Branch = DragBranch.Spinning };
+        var flight = new FlightSystem<TAir> { Around = new Surroundings<TAir>(s_scene), Branch = DragBranch.Spinning };
         flight.Rates(0, new Football.Physics.Motion(Vector3d.Zero, in u, in w), out MotionRates rates);
         return new MotionRates(rates.Acceleration - new Vector3d(0, flight.Around.Upward, 0), in rates.SpinAcceleration);
     }
@@ -16,11 +16,9 @@ public sealed class AirRatesTests
     [Fact]
     public void Drag_brakes_and_decay_acts_against_the_spin()
     {
-        Aerodynamics<PublishedDragFit, EmpiricalDrag, NoAirLaw, EmpiricalSpinDecay> air = default;
-        air.Prepare(s_scene);
         var u = new Vector3d(3, -4, 12);
         var w = new Vector3d(-20, 5, 9);
-        MotionRates rates = InFlight(in air, in u, in w);
+        MotionRates rates = InFlight<AirLaws<PublishedDragFit, EmpiricalDrag, NoAirLaw, EmpiricalSpinDecay>>(in u, in w);
         Assert.Equal(-1, Vector3d.Dot(rates.Acceleration / rates.Acceleration.Length, u / u.Length), 1e-14);
         Assert.Equal(-1, Vector3d.Dot(rates.SpinAcceleration / rates.SpinAcceleration.Length, w / w.Length), 1e-14);
     }
@@ -28,11 +26,9 @@ public sealed class AirRatesTests
     [Fact]
     public void The_Magnus_force_acts_along_spin_times_velocity()
     {
-        Aerodynamics<PublishedDragFit, NoAirLaw, EmpiricalMagnus, NoAirLaw> air = default;
-        air.Prepare(s_scene);
         var u = new Vector3d(0, 0, -20);
         var w = new Vector3d(0, 30, 0);
-        MotionRates rates = InFlight(in air, in u, in w);
+        MotionRates rates = InFlight<AirLaws<PublishedDragFit, NoAirLaw, EmpiricalMagnus, NoAirLaw>>(in u, in w);
 
         // ŷ × (−ẑ) = −x̂: to the left of a ball that flies to −z.
         Assert.True(rates.Acceleration.X < -1);
@@ -43,10 +39,8 @@ public sealed class AirRatesTests
     [Fact]
     public void Spin_along_the_flight_gives_no_lift_and_the_cross_product_is_not_normalised()
     {
-        Aerodynamics<PublishedDragFit, NoAirLaw, EmpiricalMagnus, NoAirLaw> air = default;
-        air.Prepare(s_scene);
         var u = new Vector3d(0, 0, -20);
-        double Lift(Vector3d w) => InFlight(in air, in u, in w).Acceleration.Length;
+        double Lift(Vector3d w) => InFlight<AirLaws<PublishedDragFit, NoAirLaw, EmpiricalMagnus, NoAirLaw>>(in u, in w).Acceleration.Length;
         Assert.Equal(0, Lift(new Vector3d(0, 0, 30)));
         Assert.Equal(0.5, Lift(new Vector3d(0, 15, -15 * Math.Sqrt(3))) / Lift(new Vector3d(0, 30, 0)), 1e-12);
     }
@@ -54,12 +48,10 @@ public sealed class AirRatesTests
     [Fact]
     public void Decay_at_zero_spin_acts_against_the_spin_that_is_about_to_start()
     {
-        Aerodynamics<NoDragFit, NoAirLaw, NoAirLaw, EmpiricalSpinDecay> air = default;
-        air.Prepare(s_scene);
         var u = new Vector3d(8, 0, 0);
-        var sliding = new SlidingSystem<Aerodynamics<NoDragFit, NoAirLaw, NoAirLaw, EmpiricalSpinDecay>>
+        var sliding = new SlidingSystem<AirLaws<NoDragFit, NoAirLaw, NoAirLaw, EmpiricalSpinDecay>>
         {
-            Around = new Surroundings<Aerodynamics<NoDragFit, NoAirLaw, NoAirLaw, EmpiricalSpinDecay>>(s_scene, in air),
+            Around = new Surroundings<AirLaws<NoDragFit, NoAirLaw, NoAirLaw, EmpiricalSpinDecay>>(s_scene),
             Branch = DragBranch.NoSpin,
         };
         MotionRates rates = sliding.Pushed(0, new Football.Physics.Motion(Vector3d.Zero, in u, Vector3d.Zero), new Vector3d(0, 0, -1));

@@ -8,40 +8,40 @@ public sealed class FusedLawTests
     private static readonly double s_radius = LawGrid.Scene.Ball.Radius;
 
     [Fact]
-    public void All_laws_are_the_equations() => Compare<PublishedAir<Present, Present, Present>>(1, 4e-9);
+    public void All_laws_are_the_equations() => Compare<PublishedKernel<EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>>(1, 4e-9);
 
     [Fact]
-    public void All_laws_stay_the_equations_while_the_spin_fades_within_a_step() => Compare<PublishedAir<Present, Present, Present>>(0.98, 2e-8);
+    public void All_laws_stay_the_equations_while_the_spin_fades_within_a_step() => Compare<PublishedKernel<EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>>(0.98, 2e-8);
 
     [Fact]
-    public void Drag_alone_is_the_equation() => Compare<PublishedAir<Present, Absent, Absent>>(1, 4e-9);
+    public void Drag_alone_is_the_equation() => Compare<PublishedKernel<EmpiricalDrag, NoAirLaw, NoAirLaw>>(1, 4e-9);
 
     [Fact]
-    public void Lift_alone_is_the_equation() => Compare<PublishedAir<Absent, Present, Absent>>(1, 4e-9);
+    public void Lift_alone_is_the_equation() => Compare<PublishedKernel<NoAirLaw, EmpiricalMagnus, NoAirLaw>>(1, 4e-9);
 
     [Fact]
-    public void Decay_alone_is_the_equation() => Compare<PublishedAir<Absent, Absent, Present>>(1, 4e-9);
+    public void Decay_alone_is_the_equation() => Compare<PublishedKernel<NoAirLaw, NoAirLaw, EmpiricalSpinDecay>>(1, 4e-9);
 
     /// <summary>Up to a hundred times the spin of a ball that rolls.</summary>
     [Fact]
-    public void For_spins_of_any_size_all_laws_are_the_equations() => Compare<SpunAir<Present, Present, Present>>(1, 4e-9);
+    public void For_spins_of_any_size_all_laws_are_the_equations() => Compare<HighSpinKernel<EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>>(1, 4e-9);
 
     [Fact]
     public void For_spins_of_any_size_each_law_alone_is_the_equation()
     {
-        Compare<SpunAir<Present, Absent, Absent>>(1, 4e-9);
-        Compare<SpunAir<Absent, Present, Absent>>(1, 4e-9);
-        Compare<SpunAir<Absent, Absent, Present>>(1, 4e-9);
+        Compare<HighSpinKernel<EmpiricalDrag, NoAirLaw, NoAirLaw>>(1, 4e-9);
+        Compare<HighSpinKernel<NoAirLaw, EmpiricalMagnus, NoAirLaw>>(1, 4e-9);
+        Compare<HighSpinKernel<NoAirLaw, NoAirLaw, EmpiricalSpinDecay>>(1, 4e-9);
     }
 
     /// <summary>The lift is a difference that vanishes at Sp 1.88.</summary>
     [Fact]
-    public void For_spins_of_any_size_they_stay_so_while_the_spin_fades_within_a_step() => Compare<SpunAir<Present, Present, Present>>(0.98, 5e-8);
+    public void For_spins_of_any_size_they_stay_so_while_the_spin_fades_within_a_step() => Compare<HighSpinKernel<EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>>(0.98, 5e-8);
 
     [Fact]
     public void It_holds_for_every_shot_of_a_match()
     {
-        PublishedAir<Present, Present, Present> air = default;
+        PublishedKernel<EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> air = default;
         air.Prepare(LawGrid.Scene);
         for (double speed = 3; speed <= 45; speed += 0.5)
         {
@@ -56,7 +56,7 @@ public sealed class FusedLawTests
     [Fact]
     public void It_does_not_hold_where_a_step_takes_a_large_share_of_the_spin()
     {
-        PublishedAir<Present, Present, Present> air = default;
+        PublishedKernel<EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> air = default;
         air.Prepare(LawGrid.Scene);
         int refused = 0;
         foreach ((double speed, double spin, _) in LawGrid.Points.Where(point => point.Speed is > 3 and < 110 && point.SpinParameter < 0.6))
@@ -76,12 +76,12 @@ public sealed class FusedLawTests
     [Fact]
     public void A_ball_without_spin_has_drag_and_no_lift()
     {
-        PublishedAir<Present, Present, Present> air = default;
+        PublishedKernel<EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> air = default;
         air.Prepare(LawGrid.Scene);
         foreach (double speed in LawGrid.Speeds.Where(speed => air.Covers(speed * speed, 0, 0.01)))
         {
-            air.Begin(0, DragBranch.NoSpin, out AirStep step);
-            air.Evaluate(in step, speed * speed, 0, out double drag, out double lift, out _);
+            air.Begin(0, DragBranch.NoSpin, out PublishedStep step);
+            air.AtStage(in step, speed * speed, 0, 0, out double drag, out double lift, out _);
             double expected = PlainLaws.Drag(LawGrid.Scene, PlainLaws.WithoutSpin(speed), new Vector3d(speed, 0, 0)).Length / LawGrid.Scene.Ball.Mass / speed;
             Assert.InRange(drag / expected, 1 - 4e-9, 1 + 4e-9);
             Assert.Equal(0, lift);
@@ -91,7 +91,7 @@ public sealed class FusedLawTests
     /// <param name="fade">Spin at the stage, as a share of that at the step's start.</param>
     /// <param name="tolerance">Relative to the whole acceleration.</param>
     private static void Compare<TAir>(double fade, double tolerance)
-        where TAir : struct, IAerodynamics
+        where TAir : struct, IFusedKernel<PublishedStep>
     {
         Scene scene = LawGrid.Scene;
         TAir air = default;
@@ -110,8 +110,8 @@ public sealed class FusedLawTests
                 double spin = fade * start;
                 double sp = s_radius * spin / speed;
                 DragBranch branch = LawGrid.BranchOf(speed, sp);
-                air.Begin(start, branch, out AirStep step);
-                air.Evaluate(in step, speed * speed, spin, out double drag, out double lift, out double decay);
+                air.Begin(start, branch, out PublishedStep step);
+                air.AtStage(in step, speed * speed, spin, 0, out double drag, out double lift, out double decay);
                 var u = new Vector3d(speed, 0, 0);
                 var w = new Vector3d(0, spin, 0);
                 double coefficient = PlainLaws.Published(speed, sp);

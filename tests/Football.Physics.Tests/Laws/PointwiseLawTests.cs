@@ -12,25 +12,25 @@ public sealed class PointwiseLawTests
     private static readonly double s_fast = 2 * Math.Sqrt(0.27);
 
     [Fact]
-    public void All_laws_are_the_laws_one_by_one() => Compare<Present, EmpiricalDrag, Present, EmpiricalMagnus, Present, EmpiricalSpinDecay>();
+    public void All_laws_are_the_laws_one_by_one() => Compare<EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>();
 
     [Fact]
-    public void Without_decay_they_are_the_laws_one_by_one() => Compare<Present, EmpiricalDrag, Present, EmpiricalMagnus, Absent, NoAirLaw>();
+    public void Without_decay_they_are_the_laws_one_by_one() => Compare<EmpiricalDrag, EmpiricalMagnus, NoAirLaw>();
 
     [Fact]
-    public void Drag_alone_is_the_law() => Compare<Present, EmpiricalDrag, Absent, NoAirLaw, Absent, NoAirLaw>();
+    public void Drag_alone_is_the_law() => Compare<EmpiricalDrag, NoAirLaw, NoAirLaw>();
 
     [Fact]
-    public void Drag_and_decay_are_the_laws() => Compare<Present, EmpiricalDrag, Absent, NoAirLaw, Present, EmpiricalSpinDecay>();
+    public void Drag_and_decay_are_the_laws() => Compare<EmpiricalDrag, NoAirLaw, EmpiricalSpinDecay>();
 
     [Fact]
-    public void Lift_alone_is_the_law() => Compare<Absent, NoAirLaw, Present, EmpiricalMagnus, Absent, NoAirLaw>();
+    public void Lift_alone_is_the_law() => Compare<NoAirLaw, EmpiricalMagnus, NoAirLaw>();
 
     [Fact]
-    public void Lift_and_decay_are_the_laws() => Compare<Absent, NoAirLaw, Present, EmpiricalMagnus, Present, EmpiricalSpinDecay>();
+    public void Lift_and_decay_are_the_laws() => Compare<NoAirLaw, EmpiricalMagnus, EmpiricalSpinDecay>();
 
     [Fact]
-    public void Decay_alone_is_the_law() => Compare<Absent, NoAirLaw, Absent, NoAirLaw, Present, EmpiricalSpinDecay>();
+    public void Decay_alone_is_the_law() => Compare<NoAirLaw, NoAirLaw, EmpiricalSpinDecay>();
 
     [Theory]
     [InlineData(0.5, 30)]
@@ -45,11 +45,11 @@ public sealed class PointwiseLawTests
     [InlineData(double.NaN, 30)]
     public void Elsewhere_it_does_not_answer(double speed, double spin)
     {
-        PublishedAir<Present, Present, Present> air = default;
+        PublishedKernel<EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> air = default;
         air.Prepare(LawGrid.Scene);
         foreach (DragBranch branch in Enum.GetValues<DragBranch>())
         {
-            Assert.False(air.EvaluateAt(branch, speed * speed, spin, out double drag, out double lift, out double decay));
+            Assert.False(air.TryAtPoint(branch, speed * speed, spin, out double drag, out double lift, out double decay));
             Assert.Equal((0, 0, 0), (drag, lift, decay));
         }
     }
@@ -58,9 +58,9 @@ public sealed class PointwiseLawTests
     [Fact]
     public void Either_way_every_point_has_its_forces()
     {
-        EitherAir<PublishedAir<Present, Present, Present>, Aerodynamics<PublishedDragFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>> either = default;
-        PublishedAir<Present, Present, Present> fused = default;
-        Aerodynamics<PublishedDragFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> laws = default;
+        PublishedAir<EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> either = default;
+        PublishedKernel<EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> fused = default;
+        AirLaws<PublishedDragFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> laws = default;
         either.Prepare(LawGrid.Scene);
         fused.Prepare(LawGrid.Scene);
         laws.Prepare(LawGrid.Scene);
@@ -73,15 +73,16 @@ public sealed class PointwiseLawTests
                 foreach (DragBranch branch in Enum.GetValues<DragBranch>())
                 {
                     double square = speed * speed;
-                    either.Begin(spin, branch, out AirStep step);
-                    either.Evaluate(in step, square, spin, out double drag, out double lift, out double decay);
-                    either.EvaluateStart(ref step, square, spin, out double startDrag, out double startLift, out double startDecay);
+                    either.Begin(spin, branch, out PointStep step);
+                    either.AtStage(in step, square, spin, 0, out double drag, out double lift, out double decay);
+                    either.AtStart(ref step, square, spin, 0, out double startDrag, out double startLift, out double startDecay);
                     Assert.Equal((drag, lift, decay), (startDrag, startLift, startDecay));
-                    Assert.False(either.Expand(in step, 0, 0, out _));
-                    if (!fused.EvaluateAt(branch, square, spin, out double fusedDrag, out double fusedLift, out double fusedDecay))
+                    either.Evaluate(new AirFlow { SpeedSquared = square, SpinRate = spin }, branch, out AirFactors factors);
+                    Assert.Equal((drag, lift, decay, Vector3d.Zero), (factors.Drag, factors.Lift, factors.Decay, factors.Side));
+                    if (!fused.TryAtPoint(branch, square, spin, out double fusedDrag, out double fusedLift, out double fusedDecay))
                     {
-                        laws.Begin(spin, branch, out AirStep once);
-                        laws.Evaluate(in once, square, spin, out fusedDrag, out fusedLift, out fusedDecay);
+                        laws.Begin(spin, branch, out PointStep once);
+                        laws.AtStage(in once, square, spin, 0, out fusedDrag, out fusedLift, out fusedDecay);
                         byLaws++;
                     }
 
@@ -93,17 +94,14 @@ public sealed class PointwiseLawTests
         Assert.InRange(byLaws, 500, 5000);
     }
 
-    private static void Compare<TDrag, TDragLaw, TMagnus, TMagnusLaw, TDecay, TDecayLaw>()
-        where TDrag : struct, IPresence
-        where TDragLaw : struct, IAirLaw
-        where TMagnus : struct, IPresence
-        where TMagnusLaw : struct, IAirLaw
-        where TDecay : struct, IPresence
-        where TDecayLaw : struct, IAirLaw
+    private static void Compare<TDrag, TMagnus, TDecay>()
+        where TDrag : struct, IAirLaw
+        where TMagnus : struct, IAirLaw
+        where TDecay : struct, IAirLaw
     {
-        PublishedAir<TDrag, TMagnus, TDecay> air = default;
-        Aerodynamics<PublishedDragFit, TDragLaw, TMagnusLaw, TDecayLaw> laws = default;
-        Aerodynamics<PublishedDragFit, EmpiricalDrag, NoAirLaw, NoAirLaw> drags = default;
+        PublishedKernel<TDrag, TMagnus, TDecay> air = default;
+        AirLaws<PublishedDragFit, TDrag, TMagnus, TDecay> laws = default;
+        AirLaws<PublishedDragFit, EmpiricalDrag, NoAirLaw, NoAirLaw> drags = default;
         air.Prepare(LawGrid.Scene);
         laws.Prepare(LawGrid.Scene);
         drags.Prepare(LawGrid.Scene);
@@ -116,22 +114,22 @@ public sealed class PointwiseLawTests
             double sp = LawGrid.Scene.Ball.Radius * spin / speed;
             foreach (DragBranch branch in Enum.GetValues<DragBranch>())
             {
-                Assert.True(air.EvaluateAt(branch, square, spin, out double drag, out double lift, out double decay));
-                laws.Begin(spin, branch, out AirStep once);
-                laws.Evaluate(in once, square, spin, out double expectedDrag, out double expectedLift, out double expectedDecay);
-                drags.Evaluate(in once, square, spin, out double anyDrag, out _, out _);
+                Assert.True(air.TryAtPoint(branch, square, spin, out double drag, out double lift, out double decay));
+                laws.Begin(spin, branch, out PointStep once);
+                laws.AtStage(in once, square, spin, 0, out double expectedDrag, out double expectedLift, out double expectedDecay);
+                drags.AtStage(in once, square, spin, 0, out double anyDrag, out _, out _);
                 string name = $"{speed} m/s, {spin} rad/s (Sp {sp}), {branch}";
 
                 // Of two forces that nearly cancel in a law, or of one beside another that is far larger, an error is nothing.
                 double scale = anyDrag * Math.Max(1, Math.Pow(sp, 0.83));
-                if (default(TDrag).Is)
+                if (default(TDrag).Acts)
                 {
                     forces.Add(name, Math.Abs(drag - expectedDrag) / scale);
                 }
 
                 Assert.True(lift >= 0 || branch != DragBranch.Spinning, name);
                 forces.Add(name, Math.Abs(lift - expectedLift) / scale);
-                if (default(TDecay).Is)
+                if (default(TDecay).Acts)
                 {
                     decays.Add(name, Math.Abs((decay / expectedDecay) - 1));
                 }
@@ -144,8 +142,8 @@ public sealed class PointwiseLawTests
                 {
                     // The same expressions, so the same bits.
                     starts++;
-                    air.Begin(spin, branch, out AirStep step);
-                    air.EvaluateStart(ref step, square, spin, out double startDrag, out double startLift, out double startDecay);
+                    air.Begin(spin, branch, out PublishedStep step);
+                    air.AtStart(ref step, square, spin, 0, out double startDrag, out double startLift, out double startDecay);
                     Assert.Equal((drag, lift, decay), (startDrag, startLift, startDecay));
                 }
             }
@@ -153,7 +151,7 @@ public sealed class PointwiseLawTests
 
         Assert.True(starts > 10_000);
         forces.Hold(worst: 5e-10);
-        if (default(TDecay).Is)
+        if (default(TDecay).Acts)
         {
             decays.Hold(worst: 1e-10);
         }

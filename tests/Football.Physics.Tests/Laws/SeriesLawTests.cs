@@ -14,33 +14,34 @@ public sealed class SeriesLawTests
     private static readonly double[] s_powers = [0.5 * (1 - 0.3056), 0.5 * (1 - 0.83), 0.5 * (1 - 0.83 - 0.3056), 0.9];
 
     [Fact]
-    public void All_series_are_the_laws() => Compare<Present, EmpiricalDrag, Present, EmpiricalMagnus, Present, EmpiricalSpinDecay>();
+    public void All_series_are_the_laws() => Compare<EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>();
 
     [Fact]
-    public void Series_without_decay_are_the_laws() => Compare<Present, EmpiricalDrag, Present, EmpiricalMagnus, Absent, NoAirLaw>();
+    public void Series_without_decay_are_the_laws() => Compare<EmpiricalDrag, EmpiricalMagnus, NoAirLaw>();
 
     [Fact]
-    public void Series_of_drag_alone_are_the_law() => Compare<Present, EmpiricalDrag, Absent, NoAirLaw, Absent, NoAirLaw>();
+    public void Series_of_drag_alone_are_the_law() => Compare<EmpiricalDrag, NoAirLaw, NoAirLaw>();
 
     [Fact]
-    public void Series_of_drag_and_decay_are_the_laws() => Compare<Present, EmpiricalDrag, Absent, NoAirLaw, Present, EmpiricalSpinDecay>();
+    public void Series_of_drag_and_decay_are_the_laws() => Compare<EmpiricalDrag, NoAirLaw, EmpiricalSpinDecay>();
 
     [Fact]
-    public void Series_of_lift_alone_are_the_law() => Compare<Absent, NoAirLaw, Present, EmpiricalMagnus, Absent, NoAirLaw>();
+    public void Series_of_lift_alone_are_the_law() => Compare<NoAirLaw, EmpiricalMagnus, NoAirLaw>();
 
     [Fact]
-    public void Series_of_lift_and_decay_are_the_laws() => Compare<Absent, NoAirLaw, Present, EmpiricalMagnus, Present, EmpiricalSpinDecay>();
+    public void Series_of_lift_and_decay_are_the_laws() => Compare<NoAirLaw, EmpiricalMagnus, EmpiricalSpinDecay>();
 
     /// <summary>The last coefficients hardly show in a value: so each is held to the binomial that it is.</summary>
     [Fact]
     public void Every_coefficient_is_its_binomial()
     {
-        PublishedAir<Present, Present, Present> air = default;
+        PublishedKernel<EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> air = default;
         air.Prepare(LawGrid.Scene);
         foreach ((double speed, double spin) in Starts(air))
         {
-            AirStep step = Start(ref air, speed * speed, spin);
-            Assert.True(air.Expand(in step, 0, 0, out AirSeries series));
+            PublishedStep step = Start(ref air, speed * speed, spin);
+            Assert.True(Expands(ref air, ref step, 0, 0));
+            PublishedSeries series = step.Series;
             double lift = step.StartLift;
             double byDrag = step.StartLiftByDrag;
             Same(
@@ -78,24 +79,25 @@ public sealed class SeriesLawTests
     [InlineData(0.1)]
     public void Every_power_of_the_spin_is_its_binomial_sum(double change)
     {
-        PublishedAir<Present, Present, Present> air = default;
+        PublishedKernel<EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> air = default;
         air.Prepare(LawGrid.Scene);
         foreach ((double speed, double spin) in Starts(air))
         {
             double square = speed * speed;
-            AirStep step = Start(ref air, square, spin);
-            Assert.True(air.Expand(in step, 0, 0, out AirSeries series));
+            PublishedStep step = Start(ref air, square, spin);
+            Assert.True(Expands(ref air, ref step, 0, 0));
+            PublishedSeries series = step.Series;
             double lift = step.StartLift;
             double byDrag = step.StartLiftByDrag;
             double onDrag = Sum(0.3056, change, 2);
-            air.EvaluateNear(in series, square, spin * (1 + change), out double nearDrag, out double nearLift, out double nearDecay);
+            air.AtStage(in step, square, spin * (1 + change), 0, out double nearDrag, out double nearLift, out double nearDecay);
             Same(
                 1e-12,
                 (step.StartDrag, nearDrag, step.StartDrag * onDrag),
                 (lift, nearLift, Sum(0.83, change, 2) * (lift - (onDrag * byDrag))),
                 (series.Decay0, nearDecay, series.Decay0 + (series.DecayBySpin * change)));
             onDrag = Sum(0.3056, change, 3);
-            air.Evaluate(in step, square, spin * (1 + change), out double drag, out double faded, out _);
+            air.ByTables(in step, square, spin * (1 + change), out double drag, out double faded, out _);
             Same(
                 1e-12,
                 (step.StartDrag, drag, step.StartDrag * onDrag),
@@ -106,16 +108,16 @@ public sealed class SeriesLawTests
     [Fact]
     public void There_are_no_series_for_larger_changes()
     {
-        PublishedAir<Present, Present, Present> air = default;
+        PublishedKernel<EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> air = default;
         air.Prepare(LawGrid.Scene);
         foreach ((double speed, double spin) in Starts(air))
         {
             double square = speed * speed;
-            AirStep step = Start(ref air, square, spin);
-            Assert.True(air.Expand(in step, Farthest * square, FarthestSpin * spin, out _));
-            Assert.False(air.Expand(in step, Farthest * square * (1 + 1e-15), 0, out _));
-            Assert.False(air.Expand(in step, 0, FarthestSpin * spin * (1 + 1e-15), out _));
-            Assert.False(air.Expand(in step, double.PositiveInfinity, 0, out _));
+            PublishedStep step = Start(ref air, square, spin);
+            Assert.True(Expands(ref air, ref step, Farthest * square, FarthestSpin * spin));
+            Assert.False(Expands(ref air, ref step, Farthest * square * (1 + 1e-15), 0));
+            Assert.False(Expands(ref air, ref step, 0, FarthestSpin * spin * (1 + 1e-15)));
+            Assert.False(Expands(ref air, ref step, double.PositiveInfinity, 0));
         }
     }
 
@@ -126,33 +128,30 @@ public sealed class SeriesLawTests
     [InlineData((int)DragBranch.AlongCriticalSpin)]
     public void There_are_no_series_but_on_the_branch_with_spin(int branch)
     {
-        PublishedAir<Present, Present, Present> air = default;
+        PublishedKernel<EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> air = default;
         air.Prepare(LawGrid.Scene);
-        air.Begin(30, (DragBranch)branch, out AirStep step);
-        air.EvaluateStart(ref step, 400, 30, out _, out _, out _);
-        Assert.False(air.Expand(in step, 0, 0, out _));
+        air.Begin(30, (DragBranch)branch, out PublishedStep step);
+        air.AtStart(ref step, 400, 30, 0, out _, out _, out _);
+        Assert.False(Expands(ref air, ref step, 0, 0));
     }
 
     [Fact]
     public void There_are_no_series_of_decay_alone()
     {
-        PublishedAir<Absent, Absent, Present> air = default;
+        PublishedKernel<NoAirLaw, NoAirLaw, EmpiricalSpinDecay> air = default;
         air.Prepare(LawGrid.Scene);
-        AirStep step = Start(ref air, 400, 30);
-        Assert.False(air.Expand(in step, 0, 0, out _));
+        PublishedStep step = Start(ref air, 400, 30);
+        Assert.False(Expands(ref air, ref step, 0, 0));
     }
 
-    private static void Compare<TDrag, TDragLaw, TMagnus, TMagnusLaw, TDecay, TDecayLaw>()
-        where TDrag : struct, IPresence
-        where TDragLaw : struct, IAirLaw
-        where TMagnus : struct, IPresence
-        where TMagnusLaw : struct, IAirLaw
-        where TDecay : struct, IPresence
-        where TDecayLaw : struct, IAirLaw
+    private static void Compare<TDrag, TMagnus, TDecay>()
+        where TDrag : struct, IAirLaw
+        where TMagnus : struct, IAirLaw
+        where TDecay : struct, IAirLaw
     {
-        PublishedAir<TDrag, TMagnus, TDecay> air = default;
-        Aerodynamics<PublishedDragFit, TDragLaw, TMagnusLaw, TDecayLaw> laws = default;
-        Aerodynamics<PublishedDragFit, EmpiricalDrag, NoAirLaw, NoAirLaw> drags = default;
+        PublishedKernel<TDrag, TMagnus, TDecay> air = default;
+        AirLaws<PublishedDragFit, TDrag, TMagnus, TDecay> laws = default;
+        AirLaws<PublishedDragFit, EmpiricalDrag, NoAirLaw, NoAirLaw> drags = default;
         air.Prepare(LawGrid.Scene);
         laws.Prepare(LawGrid.Scene);
         drags.Prepare(LawGrid.Scene);
@@ -163,45 +162,46 @@ public sealed class SeriesLawTests
         foreach ((double speed, double spin) in Starts(air))
         {
             double square = speed * speed;
-            AirStep step = Start(ref air, square, spin);
-            Assert.True(air.Expand(in step, Farthest * square, FarthestSpin * spin, out AirSeries series));
+            PublishedStep step = Start(ref air, square, spin);
+            Assert.True(Expands(ref air, ref step, Farthest * square, FarthestSpin * spin));
+            PublishedSeries series = step.Series;
             var points = s_shares.SelectMany(e => s_shares.Where(d => d >= 0).Select(d => (e, d)))
                 .Concat(Enumerable.Range(0, 30).Select(_ => ((2 * random.NextDouble()) - 1, random.NextDouble())));
             foreach ((double e, double d) in points)
             {
                 double nearSquare = square * (1 + (e * Farthest));
                 double nearSpin = spin * (1 - (d * FarthestSpin));
-                air.EvaluateNear(in series, nearSquare, nearSpin, out double drag, out double lift, out double decay);
-                laws.Begin(nearSpin, DragBranch.Spinning, out AirStep once);
-                laws.Evaluate(in once, nearSquare, nearSpin, out double expectedDrag, out double expectedLift, out double expectedDecay);
-                drags.Evaluate(in once, nearSquare, nearSpin, out double anyDrag, out _, out _);
+                air.AtStage(in step, nearSquare, nearSpin, 0, out double drag, out double lift, out double decay);
+                laws.Begin(nearSpin, DragBranch.Spinning, out PointStep once);
+                laws.AtStage(in once, nearSquare, nearSpin, 0, out double expectedDrag, out double expectedLift, out double expectedDecay);
+                drags.AtStage(in once, nearSquare, nearSpin, 0, out double anyDrag, out _, out _);
                 string name = $"{speed} m/s, {spin} rad/s, {e} of the way in |u|², {d} of the spin's loss";
-                if (default(TDrag).Is)
+                if (default(TDrag).Acts)
                 {
                     dragErrors.Add(name, Math.Abs((drag / expectedDrag) - 1));
                 }
 
-                if (default(TMagnus).Is)
+                if (default(TMagnus).Acts)
                 {
                     // An error is nothing beside a drag that is far larger.
                     liftErrors.Add(name, Math.Abs(lift - expectedLift) / Math.Max(expectedLift, anyDrag));
                 }
 
-                if (default(TDecay).Is)
+                if (default(TDecay).Acts)
                 {
                     decayErrors.Add(name, Math.Abs((decay / expectedDecay) - 1));
                 }
 
-                Assert.True(default(TMagnus).Is || lift == 0);
-                Assert.True(default(TDecay).Is || decay == 0);
+                Assert.True(default(TMagnus).Acts || lift == 0);
+                Assert.True(default(TDecay).Acts || decay == 0);
             }
         }
 
-        Hold(dragErrors, default(TDrag).Is, 1.2e-9);
-        Hold(liftErrors, default(TMagnus).Is, 4e-9);
+        Hold(dragErrors, default(TDrag).Acts, 1.2e-9);
+        Hold(liftErrors, default(TMagnus).Acts, 4e-9);
 
         // Of a rate that takes at most 1/1024 of the spin.
-        Hold(decayErrors, default(TDecay).Is, 2.3e-6);
+        Hold(decayErrors, default(TDecay).Acts, 2.3e-6);
     }
 
     private static void Hold(Errors errors, bool present, double worst)
@@ -223,18 +223,26 @@ public sealed class SeriesLawTests
 
     /// <summary>Where steps start: the whole domain of the fused laws, with any spin.</summary>
     private static IEnumerable<(double Speed, double Spin)> Starts<TAir>(TAir air)
-        where TAir : struct, IAerodynamics =>
+        where TAir : struct, IFusedKernel<PublishedStep> =>
         from speed in Enumerable.Range(0, 48).Select(i => 1.06 * Math.Pow(119 / 1.06, i / 47.0))
         from spin in Enumerable.Range(0, 48).Select(i => 1e-2 * Math.Pow(1000 / 1e-2, i / 47.0))
         where air.Covers(speed * speed, spin, 1e-4)
         select (speed, spin);
 
-    private static AirStep Start<TAir>(ref TAir air, double speedSquared, double spin)
-        where TAir : struct, IAerodynamics
+    private static PublishedStep Start<TAir>(ref TAir air, double speedSquared, double spin)
+        where TAir : struct, IFusedKernel<PublishedStep>
     {
-        air.Begin(spin, DragBranch.Spinning, out AirStep step);
-        air.EvaluateStart(ref step, speedSquared, spin, out _, out _, out _);
+        air.Begin(spin, DragBranch.Spinning, out PublishedStep step);
+        air.AtStart(ref step, speedSquared, spin, 0, out _, out _, out _);
         return step;
+    }
+
+    /// <summary>Whether there are series for changes of that size.</summary>
+    private static bool Expands<TAir>(ref TAir air, ref PublishedStep step, double speedChange, double spinChange)
+        where TAir : struct, IFusedKernel<PublishedStep>
+    {
+        air.Expand(ref step, speedChange, spinChange);
+        return step.Near;
     }
 
     private static double Binomial(double power, int order) => order == 0 ? 1 : Binomial(power, order - 1) * (power - order + 1) / order;

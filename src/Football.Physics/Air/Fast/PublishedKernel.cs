@@ -4,13 +4,13 @@ namespace Football.Physics;
 
 /// <summary>
 /// The published laws fused into one evaluation without a square root or a division on its critical path: powers of |u|² from one
-/// table index, powers of |ω| once a step. It holds where <see cref="Covers"/> says so; elsewhere the laws one by one are asked. <see cref="Aerodynamics{TFit, TDrag, TMagnus, TDecay}"/> with the laws one by one is its
-/// definition, and the tests compare the two over the whole domain.
+/// table index, powers of |ω| once a step. It holds where <see cref="Covers"/> says so. <see cref="AirLaws{TFit, TDrag, TMagnus, TDecay}"/>
+/// with the laws one by one is its definition, and the tests compare the two over the whole domain.
 /// </summary>
-internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
-    where TDrag : struct, IPresence
-    where TMagnus : struct, IPresence
-    where TDecay : struct, IPresence
+internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<PublishedStep>
+    where TDrag : struct, IAirLaw
+    where TMagnus : struct, IAirLaw
+    where TDecay : struct, IAirLaw
 {
     /// <summary>The slowest speed, m/s, at which the tables hold.</summary>
     private const double SlowestPoint = 0.5;
@@ -24,9 +24,9 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
     /// <summary>And for changes of |ω| by this share.</summary>
     private const double FarthestSpin = 1.0 / 1024;
 
-    private EmpiricalDrag _drag;
-    private EmpiricalMagnus _magnus;
-    private EmpiricalSpinDecay _decay;
+    private TDrag _drag;
+    private TMagnus _magnus;
+    private TDecay _decay;
     private FusedRange _range;
     private double _dragScale;   // ½ ρ A / m
     private double _liftScale;   // ½ ρ A / m · 1.15/(C_D0 − a)
@@ -37,25 +37,19 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
     public bool Drags
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => default(TDrag).Is;
+        get => default(TDrag).Acts;
     }
 
     public bool Lifts
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => default(TMagnus).Is;
-    }
-
-    public bool Jumps
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => default(TDrag).Is || default(TMagnus).Is;
+        get => default(TMagnus).Acts;
     }
 
     public bool SpinDecays
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => default(TDecay).Is;
+        get => default(TDecay).Acts;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -63,23 +57,27 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
     {
         return _range.Holds(speedSquared, spinRate, h)
             && _quarterSquare * spinRate * spinRate < LargestRatio * speedSquared
-            && (!default(TDecay).Is || _range.Keeps(speedSquared, spinRate, h, _decayScale));
+            && (!default(TDecay).Acts || _range.Keeps(speedSquared, spinRate, h, _decayScale));
     }
 
     /// <summary>The fastest spin, rad/s, that is covered at any speed.</summary>
     private double FastestSpin => Math.Sqrt(LargestRatio / _quarterSquare) * FusedRange.Fastest;
 
-    public RateBound Bound => (Drags ? _drag.Bound : default) + (Lifts ? _magnus.Bound : default) + (SpinDecays ? _decay.Bound : default);
+    /// <inheritdoc cref="IAir.Bound"/>
+    public RateBound Bound => _drag.Bound + _magnus.Bound + _decay.Bound;
 
     public void Prepare(Scene scene)
     {
+        _drag = default;
+        _magnus = default;
+        _decay = default;
         _drag.Prepare(scene);
         _magnus.Prepare(scene);
         _decay.Prepare(scene);
         SpeedTable.Make();
         _radius = scene.Ball.Radius;
         _quarterSquare = 0.25 * _radius * _radius;
-        _range.Prepare(scene, (Drags ? _drag.Bound : default) + (Lifts ? _magnus.Bound : default), FastestSpin);
+        _range.Prepare(scene, _drag.Bound + _magnus.Bound, FastestSpin);
         _dragScale = AirScale.DynamicArea(scene);
         _liftScale = _dragScale * EmpiricalMagnus.Scale;
         AirFlow unit = default;
@@ -87,20 +85,22 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
         _decayScale = _decay.Factor(in unit);
     }
 
+    /// <inheritdoc cref="IAir.WholeUpTo"/>
     public double WholeUpTo(in RateBound bound) => 0.5 / ((bound.PerSpeed * FusedRange.Fastest) + (bound.PerSpin * FastestSpin) + bound.Constant);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Begin(double spinRate, DragBranch branch, out AirStep step)
+    public void Begin(double spinRate, DragBranch branch, out PublishedStep step)
     {
         Unsafe.SkipInit(out step);
         step.Branch = branch;
+        step.Near = false;
         step.Spin = spinRate;
         step.PerSpin = spinRate > 0 ? 1.0 / spinRate : 0;
         step.Decay = spinRate > 0 ? _decayScale : 0;
         step.Drag = _dragScale;
         step.Lift = 0;
         step.LiftByDrag = 0;
-        if (default(TDrag).Is || default(TMagnus).Is)
+        if (default(TDrag).Acts || default(TMagnus).Acts)
         {
             SpeedTable.OfSpin(_radius * spinRate, out double powerForDrag, out double powerForLift);
             double forDrag = FittedDrag.C * powerForDrag;
@@ -112,12 +112,26 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Evaluate(in AirStep step, double speedSquared, double spinRate, out double drag, out double lift, out double decay)
+    public void AtStage(in PublishedStep step, double speedSquared, double spinRate, double alongSpin, out double drag, out double lift, out double decay)
+    {
+        if (step.Near)
+        {
+            BySeries(in step.Series, speedSquared, spinRate, out drag, out lift, out decay);
+        }
+        else
+        {
+            ByTables(in step, speedSquared, spinRate, out drag, out lift, out decay);
+        }
+    }
+
+    /// <summary>The factors anywhere in the domain, the spin being close to that of the step's start.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void ByTables(in PublishedStep step, double speedSquared, double spinRate, out double drag, out double lift, out double decay)
     {
         drag = 0;
         lift = 0;
         decay = 0;
-        if (default(TDrag).Is || default(TMagnus).Is)
+        if (default(TDrag).Acts || default(TMagnus).Acts)
         {
             // (1 + δ)^q to third order: the spin hardly changes within a step.
             double delta = (spinRate - step.Spin) * step.PerSpin;
@@ -130,7 +144,7 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
                 double forLift = FittedDrag.AtRest * step.Lift * onLift;
                 double forBoth = step.LiftByDrag * (onLift * onDrag);
                 SpeedTable.WithSpin(speedSquared, ref drag, ref forLift, ref forBoth);
-                if (default(TMagnus).Is)
+                if (default(TMagnus).Acts)
                 {
                     lift = forLift - forBoth;
                 }
@@ -140,14 +154,14 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
                 // D = k C_D |u|,  L = k' (r|ω|)^β (C_D0 − C_D) |u|^(1−β)
                 SpeedTable.WithoutSpin(speedSquared, out double byDrag, out double byLift);
                 drag = _dragScale * byDrag;
-                if (default(TMagnus).Is)
+                if (default(TMagnus).Acts)
                 {
                     lift = step.Lift * onLift * byLift;
                 }
             }
         }
 
-        if (default(TDecay).Is)
+        if (default(TDecay).Acts)
         {
             // (1 + x)^1.8 + (1 − x)^1.8 = 2 (1 + 0.72 x² + 0.0144 x⁴ + …), x = r|ω|/(2|u|)
             double x = _quarterSquare * spinRate * spinRate / speedSquared;
@@ -156,13 +170,13 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void EvaluateStart(ref AirStep step, double speedSquared, double spinRate, out double drag, out double lift, out double decay)
+    public void AtStart(ref PublishedStep step, double speedSquared, double spinRate, double alongSpin, out double drag, out double lift, out double decay)
     {
         drag = 0;
         lift = 0;
         decay = 0;
         step.SpeedSquared = speedSquared;
-        if (default(TDrag).Is || default(TMagnus).Is)
+        if (default(TDrag).Acts || default(TMagnus).Acts)
         {
             if (step.Branch == DragBranch.Spinning)
             {
@@ -173,7 +187,7 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
                 step.StartDrag = drag;
                 step.StartLift = forLift;
                 step.StartLiftByDrag = forBoth;
-                if (default(TMagnus).Is)
+                if (default(TMagnus).Acts)
                 {
                     lift = forLift - forBoth;
                 }
@@ -182,14 +196,14 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
             {
                 SpeedTable.WithoutSpin(speedSquared, out double byDrag, out double byLift);
                 drag = _dragScale * byDrag;
-                if (default(TMagnus).Is)
+                if (default(TMagnus).Acts)
                 {
                     lift = step.Lift * byLift;
                 }
             }
         }
 
-        if (default(TDecay).Is)
+        if (default(TDecay).Acts)
         {
             double x = _quarterSquare * spinRate * spinRate / speedSquared;
             double withoutSpin = step.Decay * SpeedTable.Decay(speedSquared);
@@ -200,15 +214,16 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool Expand(in AirStep step, double speedChange, double spinChange, out AirSeries series)
+    public void Expand(ref PublishedStep step, double speedChange, double spinChange)
     {
-        Unsafe.SkipInit(out series);
-        if (!(default(TDrag).Is || default(TMagnus).Is) || step.Branch != DragBranch.Spinning
-            || speedChange > Farthest * step.SpeedSquared || spinChange > FarthestSpin * step.Spin)
+        step.Near = (default(TDrag).Acts || default(TMagnus).Acts) && step.Branch == DragBranch.Spinning
+            && speedChange <= Farthest * step.SpeedSquared && spinChange <= FarthestSpin * step.Spin;
+        if (!step.Near)
         {
-            return false;
+            return;
         }
 
+        ref PublishedSeries series = ref step.Series;
         series.PerSpeedSquared = 1.0 / step.SpeedSquared;
         series.PerSpin = step.PerSpin;
 
@@ -218,7 +233,7 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
         series.Drag.C = OfDrag2 * step.StartDrag;
         series.Drag.D = OfDrag3 * step.StartDrag;
         series.Drag.E = OfDrag4 * step.StartDrag;
-        if (default(TMagnus).Is)
+        if (default(TMagnus).Acts)
         {
             series.Lift.A = step.StartLift - step.StartLiftByDrag;
             series.LiftByDrag1 = OfLiftByDrag1 * step.StartLiftByDrag;
@@ -230,7 +245,7 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
             series.LiftByDrag0 = step.StartLiftByDrag;
         }
 
-        if (default(TDecay).Is)
+        if (default(TDecay).Acts)
         {
             // |u|^1.8 G(X), X = X₀ (1 + δ)²/(1 + ε): G is linear enough, X G′ = 0.72 X + …
             double x = step.StartRatio;
@@ -242,12 +257,11 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
             series.Decay3 = (OfDecay3 * whole) - ((1.0 - OfDecay1 + OfDecay2) * slope);
             series.DecayBySpin = 2.0 * slope;
         }
-
-        return true;
     }
 
+    /// <summary>The factors by the series about the step's start.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void EvaluateNear(in AirSeries series, double speedSquared, double spinRate, out double drag, out double lift, out double decay)
+    private static void BySeries(in PublishedSeries series, double speedSquared, double spinRate, out double drag, out double lift, out double decay)
     {
         double e = (speedSquared * series.PerSpeedSquared) - 1.0;
         double ee = e * e;
@@ -256,19 +270,27 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
         drag = series.Drag.At(e, ee) * (1.0 + more);
         lift = 0;
         decay = 0;
-        if (default(TMagnus).Is)
+        if (default(TMagnus).Acts)
         {
             double byDrag = series.LiftByDrag0 + (series.LiftByDrag1 * e) + (series.LiftByDrag2 * ee);
             lift = (1.0 + (delta * (EmpiricalMagnus.Beta + (delta * LiftSecond)))) * (series.Lift.At(e, ee) - (more * byDrag));
         }
 
-        if (default(TDecay).Is)
+        if (default(TDecay).Acts)
         {
             decay = series.Decay0 + (series.Decay1 * e) + (ee * (series.Decay2 + (series.Decay3 * e))) + (series.DecayBySpin * delta);
         }
     }
 
-    public bool EvaluateAt(DragBranch branch, double speedSquared, double spinRate, out double drag, out double lift, out double decay)
+    /// <summary>The factors at a point by itself, at any spin.</summary>
+    /// <param name="branch">The branch of the drag law.</param>
+    /// <param name="speedSquared">|u|², m²/s².</param>
+    /// <param name="spinRate">|ω|, rad/s.</param>
+    /// <param name="drag">D, 1/s.</param>
+    /// <param name="lift">L, 1/s.</param>
+    /// <param name="decay">Angular deceleration, rad/s².</param>
+    /// <returns>False where the tables do not hold.</returns>
+    public bool TryAtPoint(DragBranch branch, double speedSquared, double spinRate, out double drag, out double lift, out double decay)
     {
         if (!(spinRate > 0 && speedSquared > SlowestPoint * SlowestPoint && speedSquared < FusedRange.Fastest * FusedRange.Fastest))
         {
@@ -278,13 +300,13 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
             return false;
         }
 
-        Begin(spinRate, branch, out AirStep step);
-        EvaluateStart(ref step, speedSquared, spinRate, out drag, out lift, out decay);
+        Begin(spinRate, branch, out PublishedStep step);
+        AtStart(ref step, speedSquared, spinRate, 0, out drag, out lift, out decay);
         if (!(_quarterSquare * spinRate * spinRate < LargestRatio * speedSquared))
         {
             // The spin of a ball that has bounced: the lift ends at Sp 1.88, and the plates are asked one by one.
             lift = lift > 0 ? lift : 0;
-            if (default(TDecay).Is)
+            if (default(TDecay).Acts)
             {
                 AirFlow flow = default;
                 flow.Speed = Math.Sqrt(speedSquared);

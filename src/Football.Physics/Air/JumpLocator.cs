@@ -8,11 +8,11 @@ internal static class JumpLocator
 
     /// <summary>Shortens a step, locked to one branch, to its first crossing.</summary>
     /// <returns>False where it does not cross after all.</returns>
-    public static bool Locate<TTrial>(ref TTrial trial, DragBranch branch, in DragJump from, in DragJump fromRate, double h)
-        where TTrial : struct, ITrial
+    public static bool Locate<TSweep>(ref TSweep sweep, DragBranch branch, in DragJump from, in DragJump fromRate, double h)
+        where TSweep : struct, IFlowSweep
     {
-        DragJump to = trial.EndJump;
-        DragJump toRate = trial.EndJumpRate();
+        DragJump to = sweep.EndJump;
+        DragJump toRate = sweep.EndJumpRate();
         double fraction = DragJump.FirstCrossing(branch, in from, in fromRate, in to, in toRate, h, out bool bySpeed);
         if (fraction > 1)
         {
@@ -23,9 +23,9 @@ internal static class JumpLocator
         double tau = fraction * h;
         for (int i = 0; i < 4; i++)
         {
-            trial.Step(tau);
-            DragJump at = trial.EndJump;
-            DragJump rate = trial.EndJumpRate();
+            sweep.Step(tau);
+            DragJump at = sweep.EndJump;
+            DragJump rate = sweep.EndJumpRate();
             double correction = bySpeed ? -at.Speed / rate.Speed : -at.Spin / rate.Spin;
             if (!(Math.Abs(correction) < 0.25 * h))
             {
@@ -36,7 +36,7 @@ internal static class JumpLocator
             {
                 if (tau + correction > 0)
                 {
-                    trial.Nudge(correction);
+                    sweep.Nudge(correction);
                 }
 
                 break;

@@ -1,7 +1,7 @@
 namespace Football.Physics;
 
-/// <summary>The aerodynamic laws as series about a step's start, in ε = |u|²/|u₀|² − 1 and δ = |ω|/|ω₀| − 1.</summary>
-internal struct AirSeries
+/// <summary>The published laws as series about a step's start, in ε = |u|²/|u₀|² − 1 and δ = |ω|/|ω₀| − 1.</summary>
+internal struct PublishedSeries
 {
     /// <summary>1/|u₀|², s²/m².</summary>
     public double PerSpeedSquared;

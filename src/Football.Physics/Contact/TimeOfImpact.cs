@@ -1,7 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>Ends a step where the ball touches the ground.</summary>
-internal static class ContactLocator
+internal static class TimeOfImpact
 {
     /// <summary>Below this correction, s, a linear one is exact to rounding.</summary>
     private const double Negligible = 1e-6;
@@ -11,8 +11,8 @@ internal static class ContactLocator
 
     /// <summary>Shortens a step to the instant of contact: the integrator's own root, one re-step, one Newton correction on it.</summary>
     /// <returns>False where the ball does not touch the ground after all.</returns>
-    public static bool Exact<TTrial, TIntegrator>(ref TTrial trial, TIntegrator integrator, in HeightArc arc, double contact)
-        where TTrial : struct, ITrial
+    public static bool Exact<TSweep, TIntegrator>(ref TSweep sweep, TIntegrator integrator, in HeightArc arc, double contact)
+        where TSweep : struct, ISweep
         where TIntegrator : struct, IIntegrator
     {
         double tau = integrator.ContactTime(in arc);
@@ -20,18 +20,18 @@ internal static class ContactLocator
         double high = arc.Length;
         for (int i = 0; i < 60; i++)
         {
-            trial.Step(tau);
-            double above = trial.Height - contact;
+            sweep.Step(tau);
+            double above = sweep.Height - contact;
             if (Math.Abs(above) <= Touching)
             {
                 break;
             }
 
-            double velocity = trial.VerticalVelocity;
+            double velocity = sweep.VerticalVelocity;
             double correction = -above / velocity;
             if (velocity < 0 && Math.Abs(correction) <= Negligible)
             {
-                trial.Nudge(correction);
+                sweep.Nudge(correction);
                 break;
             }
 
@@ -53,12 +53,12 @@ internal static class ContactLocator
         }
 
         // A step that ends below contact has touched it, even where its own velocity is zero there (a semi-implicit hop).
-        return arc.End < 0 || trial.VerticalVelocity < 0;
+        return arc.End < 0 || sweep.VerticalVelocity < 0;
     }
 
     /// <summary>Shortens a step by the thesis' recursive search (2.4.4): halve until the halving is no longer than the tolerance.</summary>
-    public static void Bisection<TTrial>(ref TTrial trial, double h, double tolerance, double contact)
-        where TTrial : struct, ITrial
+    public static void Bisection<TSweep>(ref TSweep sweep, double h, double tolerance, double contact)
+        where TSweep : struct, ISweep
     {
         double tau = h;
         double half = h;
@@ -73,10 +73,10 @@ internal static class ContactLocator
             }
 
             tau = next;
-            trial.Step(tau);
-            below = trial.Height < contact;
+            sweep.Step(tau);
+            below = sweep.Height < contact;
         }
 
-        trial.Step(tau);
+        sweep.Step(tau);
     }
 }

@@ -8,8 +8,8 @@ namespace Football.Physics;
 /// u₁ = u₀ + h (a − D u₁ + L ω̂ × u₁) with D and L at the end, u₁ in closed form for given D and L, and |u₁| by halving. Then
 /// ω₁ = ω₀ − h decay(|u₁|, ω₁), or 0. With p₁ = p₀ + h u₁ the energy changes by −½ m |u₁ − u₀|² − m h D |u₁|².
 /// </remarks>
-internal struct Relaxation<TAir>
-    where TAir : struct, IAerodynamics
+internal struct ImplicitEuler<TAir>
+    where TAir : struct, IAir
 {
     /// <summary>Factors beyond this are as good as infinite, 1/s; their products stay finite.</summary>
     private const double Infinite = 1e300;
@@ -96,8 +96,8 @@ internal struct Relaxation<TAir>
     private void Factors(double speed, double spin, out double drag, out double lift, out double decay)
     {
         double speedSquared = speed * speed;
-        Air.Begin(spin, DragJump.At(speedSquared, RadiusSquared * spin * spin).Branch, out AirStep step);
-        Air.Evaluate(in step, speedSquared, spin, out drag, out lift, out decay);
+        Air.Begin(spin, DragJump.At(speedSquared, RadiusSquared * spin * spin).Branch, out PointStep step);
+        Air.AtStart(ref step, speedSquared, spin, 0, out drag, out lift, out decay);
         drag = drag < Infinite ? drag : Infinite;
         lift = lift < Infinite ? (lift > -Infinite ? lift : -Infinite) : Infinite;
         decay = decay < Infinite ? decay : Infinite;

@@ -1,7 +1,7 @@
 namespace Football.Physics;
 
-/// <summary>What the aerodynamic laws compute once a step: the branch it is locked to, and factors of the spin.</summary>
-internal struct AirStep
+/// <summary>What the published laws compute once a step: the branch it is locked to, factors of the spin, and series about its start.</summary>
+internal struct PublishedStep
 {
     /// <summary>Branch of the drag law.</summary>
     public DragBranch Branch;
@@ -41,4 +41,10 @@ internal struct AirStep
 
     /// <summary>(r|ω|/2|u|)² at the start.</summary>
     public double StartRatio;
+
+    /// <summary>Whether the later stages are near enough to the start for the series.</summary>
+    public bool Near;
+
+    /// <summary>The series; only where <see cref="Near"/> is true.</summary>
+    public PublishedSeries Series;
 }

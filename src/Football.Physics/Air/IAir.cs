@@ -1,0 +1,58 @@
+namespace Football.Physics;
+
+/// <summary>
+/// The air of a scene: its aerodynamic laws, composed into one model that is chosen once. The model is defined by its laws, asked point
+/// by point; where it has a faster form of them for a step of flight, it takes that form in <see cref="Fly"/>.
+/// </summary>
+internal interface IAir : IFlightKernel<PointStep>
+{
+    /// <summary>Whether the drag coefficient jumps, so that a step is locked to a branch and ends where the branch does. A fact of the type.</summary>
+    bool Jumps { get; }
+
+    /// <summary>Whether the laws depend on place or time, or push aside: then flight has no constant axis, and is integrated as any motion is. A fact of the type.</summary>
+    bool Varies { get; }
+
+    /// <summary>How fast the air can change the motion.</summary>
+    RateBound Bound { get; }
+
+    /// <summary>Reads the constants of all laws from the scene.</summary>
+    void Prepare(Scene scene);
+
+    /// <summary>Whether the fastest form of the laws holds along a step from here; where there is but one form it always does.</summary>
+    /// <param name="speedSquared">|u|² at its start, m²/s².</param>
+    /// <param name="spinRate">|ω| there, rad/s.</param>
+    /// <param name="h">Length of the step, s.</param>
+    bool Covers(double speedSquared, double spinRate, double h);
+
+    /// <summary>Up to which length, s, no step that is covered changes the motion too much to be taken whole, whatever its speed and spin; 0 where that is not known.</summary>
+    /// <param name="bound">How fast the air and all else can change the motion.</param>
+    double WholeUpTo(in RateBound bound);
+
+    /// <summary>The laws at one point.</summary>
+    /// <param name="flow">The flow: |u|², |ω|, ω̂·u, and place and time for laws that vary with them.</param>
+    /// <param name="branch">The branch of the drag law.</param>
+    /// <param name="factors">What the air does.</param>
+    void Evaluate(in AirFlow flow, DragBranch branch, out AirFactors factors);
+
+    /// <summary>Takes a step of flight along a constant axis of the spin, with the fastest form of the laws that holds.</summary>
+    /// <param name="integrator">The one-step method.</param>
+    /// <param name="covered">What <see cref="Covers"/> says of the step.</param>
+    /// <param name="speedSquared">|u|² at its start, m²/s².</param>
+    /// <param name="motion">Velocity and spin; moved to the end of the step.</param>
+    /// <param name="wind">Wind, m/s.</param>
+    /// <param name="branch">Branch of the drag law that the step is locked to.</param>
+    /// <param name="upward">Upward acceleration by gravity and buoyancy, m/s².</param>
+    /// <param name="h">Length of the step, s.</param>
+    /// <param name="step">What it did.</param>
+    void Fly<TIntegrator>(
+        ref TIntegrator integrator,
+        bool covered,
+        double speedSquared,
+        ref FlightMotion motion,
+        in Vector3d wind,
+        DragBranch branch,
+        double upward,
+        double h,
+        out FlightStep step)
+        where TIntegrator : struct, IIntegrator;
+}

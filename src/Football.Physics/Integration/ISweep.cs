@@ -1,0 +1,29 @@
+namespace Football.Physics;
+
+/// <summary>The motion over a step that can be taken again, from the same start, with another length: to find what happens inside it, and when.</summary>
+internal interface ISweep
+{
+    /// <summary>Length of the step as it was last taken, s.</summary>
+    double Length { get; }
+
+    /// <summary>Height of the centre at the end, m.</summary>
+    double Height { get; }
+
+    /// <summary>Vertical velocity at the end, m/s.</summary>
+    double VerticalVelocity { get; }
+
+    /// <summary>Acceleration at the start, m/s².</summary>
+    Vector3d StartAcceleration { get; }
+
+    /// <summary>Right-hand sides evaluated so far.</summary>
+    int Evaluations { get; set; }
+
+    /// <summary>Takes the step with another length.</summary>
+    void Step(double h);
+
+    /// <summary>Moves the end by a tiny time, with the acceleration that the step itself shows.</summary>
+    void Nudge(double dt);
+
+    /// <summary>Acceleration at the end, m/s²; one evaluation.</summary>
+    Vector3d EndAcceleration();
+}

@@ -1,0 +1,163 @@
+namespace Football.Physics;
+
+/// <summary>
+/// Watches the surfaces at which the published drag law jumps. A piece of motion is locked to one branch of the law; where it crosses a
+/// surface it ends there, and the branch that leads away from the surface holds from then on (Filippov).
+/// </summary>
+internal sealed class DragJumpGuard<TAir>
+    where TAir : struct, IAir
+{
+    private readonly FlightSystem<TAir> _flight;
+
+    public DragJumpGuard(Surroundings<TAir> around, bool locates)
+    {
+        _flight = new FlightSystem<TAir> { Around = around };
+        Acts = around.Air.Jumps && locates;
+    }
+
+    /// <summary>Whether pieces end at the jump. Where they do not, each takes the branch that holds at its start.</summary>
+    public bool Acts { get; }
+
+    /// <summary>Ends a piece of flight at its first crossing, and says which branch holds from there.</summary>
+    /// <param name="sweep">The piece.</param>
+    /// <param name="s">The ball at its start.</param>
+    /// <param name="run">The step.</param>
+    /// <param name="next">The branch that holds at its end.</param>
+    /// <returns>False where the piece must be taken again, from its start, on that branch.</returns>
+    public bool EndAtCrossing<TSweep>(ref TSweep sweep, in BallState s, ref StepRun run, out DragBranch next)
+        where TSweep : struct, IFlightSweep
+    {
+        DragBranch branch = s.Branch;
+        next = branch;
+        double h = sweep.Length;
+        DragJump start = sweep.StartJump;
+        DragJump startRate = sweep.StartJumpRate;
+        DragJump end = sweep.EndJump;
+        if (run.Splits >= StepRun.MaximumSplits || !DragJump.MayCross(branch, in start, in startRate, in end, h))
+        {
+            return true;
+        }
+
+        run.Splits++;
+        if (start.Branch != branch)
+        {
+            // On the surface to rounding. The branch of the step leads away from it only if the end is on that branch too.
+            next = Resolve(s.Time, new Motion(s.Position, s.Velocity, s.Spin), branch, ref run);
+            if (next != branch)
+            {
+                return false;
+            }
+        }
+
+        TSweep whole = sweep;
+        if (!JumpLocator.Locate(ref sweep, branch, in start, in startRate, h))
+        {
+            whole.Evaluations = sweep.Evaluations;
+            sweep = whole;
+            return true;
+        }
+
+        next = Resolve(s.Time + sweep.Length, sweep.EndMotion, branch, ref run);
+        return true;
+    }
+
+    /// <summary>Ends a piece of flight along a surface where one branch alone leads off it, or where the other surface is met.</summary>
+    public DragBranch EndAlongSurface<TIntegrator>(
+        ref MotionSweep<FlightSystem<TAir>, TIntegrator> sweep, double time, in Motion from, ref StepRun run)
+        where TIntegrator : struct, IIntegrator
+    {
+        double h = sweep.Length;
+        DragBranch along = sweep.System.Branch;
+        if (run.Splits >= StepRun.MaximumSplits)
+        {
+            return along;
+        }
+
+        DragJump end = sweep.EndJump;
+        double other = along == DragBranch.AlongCriticalSpeed ? end.Spin : end.Speed;
+        if (other <= 0)
+        {
+            double start = along == DragBranch.AlongCriticalSpeed ? sweep.StartJump.Spin : sweep.StartJump.Speed;
+            run.Splits++;
+            sweep.Step(start > 0 ? h * start / (start - other) : 0);
+            return DragBranch.NoSpin;
+        }
+
+        double share = sweep.System.SpinningShare(time + h, in sweep.Taken.End, out _, out _);
+        run.Log.Evaluations += 2;
+        if (share is >= 0 and <= 1)
+        {
+            return along;
+        }
+
+        double startShare = sweep.System.SpinningShare(time, in from, out _, out _);
+        run.Log.Evaluations += 2;
+        run.Splits++;
+        double limit = share > 1 ? 1 : 0;
+        double fraction = startShare is > 0 and < 1 ? (limit - startShare) / (share - startShare) : 0;
+        sweep.Step(fraction * h);
+        return share > 1 ? DragBranch.Spinning : DragBranch.NoSpin;
+    }
+
+    /// <summary>Ends a piece on the ground at its crossing; the other branch holds from there.</summary>
+    /// <param name="sweep">The piece.</param>
+    /// <param name="branch">The branch that it is locked to; then the one that holds at its end.</param>
+    /// <param name="run">The step.</param>
+    public void EndAtCrossingOnGround<TSweep>(ref TSweep sweep, ref DragBranch branch, ref StepRun run)
+        where TSweep : struct, IFlowSweep
+    {
+        if (!Acts || run.Splits >= StepRun.MaximumSplits)
+        {
+            return;
+        }
+
+        DragJump start = sweep.StartJump;
+        DragJump startRate = sweep.StartJumpRate;
+        DragJump end = sweep.EndJump;
+        double h = sweep.Length;
+        if (!DragJump.MayCross(branch, in start, in startRate, in end, h))
+        {
+            return;
+        }
+
+        run.Splits++;
+        TSweep whole = sweep;
+        if (start.Branch == branch && JumpLocator.Locate(ref sweep, branch, in start, in startRate, h))
+        {
+            branch = branch == DragBranch.Spinning ? DragBranch.NoSpin : DragBranch.Spinning;
+            return;
+        }
+
+        whole.Evaluations = sweep.Evaluations;
+        sweep = whole;
+        branch = end.Branch;
+    }
+
+    /// <summary>The branch that a piece on the ground is locked to: the last one, unless that is not known or leads along a surface.</summary>
+    public DragBranch OnGround(DragBranch last, in Motion from)
+    {
+        bool known = Acts && (last is DragBranch.NoSpin or DragBranch.Spinning);
+        return known || !_flight.Around.Air.Jumps ? last : _flight.JumpAt(in from).Branch;
+    }
+
+    /// <summary>Which branch of the drag law holds from a point on its jump on.</summary>
+    private DragBranch Resolve(double time, in Motion at, DragBranch before, ref StepRun run)
+    {
+        FlightSystem<TAir> system = _flight;
+        DragJump here = system.JumpAt(in at);
+        DragBranch along = here.NearerToSpeed ? DragBranch.AlongCriticalSpeed : DragBranch.AlongCriticalSpin;
+        system.Branch = along;
+        double share = system.SpinningShare(time, in at, out MotionRates spinning, out MotionRates noSpin);
+        run.Log.Evaluations += 2;
+        DragJump inside = system.JumpRate(in at, in spinning);
+        DragJump outside = system.JumpRate(in at, in noSpin);
+        double a = here.NearerToSpeed ? inside.Speed : inside.Spin;
+        double b = here.NearerToSpeed ? outside.Speed : outside.Spin;
+
+        // a: how the law with spin moves across the surface towards its own side; b: how the law without does.
+        return a < 0 && b > 0 && share > 0 && share < 1 ? along
+            : a > 0 && b > 0 ? DragBranch.Spinning
+            : a < 0 && b < 0 ? DragBranch.NoSpin
+            : before == DragBranch.Spinning ? DragBranch.NoSpin : DragBranch.Spinning;
+    }
+}

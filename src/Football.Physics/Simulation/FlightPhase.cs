@@ -1,0 +1,275 @@
+namespace Football.Physics;
+
+/// <summary>
+/// Flight, piece by piece. A piece is as long as stability allows; it ends early at the drag law's jump, where the spin ends, or where the
+/// ball touches the ground, whichever is first.
+/// </summary>
+internal sealed class FlightPhase<TAir, TIntegrator>
+    where TAir : struct, IAir
+    where TIntegrator : struct, IIntegrator
+{
+    private readonly SolverSettings _settings;
+    private readonly Surroundings<TAir> _around;
+    private readonly StabilityLimit _limit;
+    private readonly DragJumpGuard<TAir> _jump;
+    private readonly ContactPhase<TAir> _contact;
+    private readonly ImplicitPhase<TAir> _implicit;
+    private readonly FlightSystem<TAir> _system;
+    private readonly TIntegrator _integrator;
+
+    public FlightPhase(
+        SolverSettings settings,
+        Surroundings<TAir> around,
+        in StabilityLimit limit,
+        DragJumpGuard<TAir> jump,
+        ContactPhase<TAir> contact,
+        ImplicitPhase<TAir> implicitPhase)
+    {
+        _settings = settings;
+        _around = around;
+        _limit = limit;
+        _jump = jump;
+        _contact = contact;
+        _implicit = implicitPhase;
+        _system = new FlightSystem<TAir> { Around = around };
+        _integrator = default;
+    }
+
+    /// <summary>The next piece of a flight.</summary>
+    public void Take(ref BallState s, ref StepRun run)
+    {
+        if (s.Position.Y <= _around.ContactHeight && s.Velocity.Y < 0)
+        {
+            _contact.Impact(ref s, ref run);
+            return;
+        }
+
+        Vector3d u = s.Velocity - _around.Wind;
+        if (_around.Air.Jumps && (s.Branch == DragBranch.Unknown || !_jump.Acts))
+        {
+            s.Branch = DragJump.At(u.LengthSquared, _around.RadiusSquared * s.SpinRate * s.SpinRate).Branch;
+        }
+
+        bool hasAxis = !_around.HasOwnForces && s.Branch < DragBranch.AlongCriticalSpeed;
+        double asked = run.Next;
+        double h = Longest(in s, in u, asked, hasAxis);
+        if (h <= 0)
+        {
+            _implicit.Fly(ref s, ref run);
+            return;
+        }
+
+        run.Keep(h, asked);
+        if (hasAxis)
+        {
+            if (!_around.AirActs && FallsQuietly(ref s, h, ref run))
+            {
+                return;
+            }
+
+            var sweep = new FlightSweep<TAir, TIntegrator>(_around, in s);
+            sweep.Step(h);
+            Finish(ref s, ref run, ref sweep);
+        }
+        else
+        {
+            TakeWithoutAxis(ref s, ref run, h);
+        }
+    }
+
+    /// <summary>The first piece of a step, already taken as a whole step, which is found to have something in it.</summary>
+    public void Finish(ref BallState s, ref StepRun run, in FlightStep taken, double h)
+    {
+        var sweep = new FlightSweep<TAir, TIntegrator>(_around, in s);
+        sweep.Take(in taken, h);
+        Finish(ref s, ref run, ref sweep);
+    }
+
+    /// <summary>Ends a piece along a constant axis at the first thing that happens in it, and moves the ball there.</summary>
+    private void Finish(ref BallState s, ref StepRun run, ref FlightSweep<TAir, TIntegrator> sweep)
+    {
+        DragBranch next = s.Branch;
+        bool goes = !_jump.Acts || _jump.EndAtCrossing(ref sweep, in s, ref run, out next);
+        if (goes && sweep.Taken.SpinRate < 0 && _around.Air.SpinDecays)
+        {
+            EndSpin(ref sweep, s.SpinRate);
+            next = s.Branch;
+        }
+
+        Finish(ref s, ref run, ref sweep, next, goes);
+    }
+
+    /// <summary>A piece with the whole spin vector: with forces of the game's own, or along the drag law's jump.</summary>
+    private void TakeWithoutAxis(ref BallState s, ref StepRun run, double h)
+    {
+        var from = new Motion(s.Position, s.Velocity, s.Spin);
+        FlightSystem<TAir> system = _system;
+        system.Branch = s.Branch;
+        var sweep = new MotionSweep<FlightSystem<TAir>, TIntegrator>(in system, s.Time, in from, _around.Wind, _around.Radius);
+        sweep.Step(h);
+        DragBranch next = s.Branch;
+        bool goes = true;
+        if (_jump.Acts)
+        {
+            if (s.Branch >= DragBranch.AlongCriticalSpeed)
+            {
+                next = _jump.EndAlongSurface(ref sweep, s.Time, in from, ref run);
+                goes = sweep.Length > 0;
+            }
+            else
+            {
+                goes = _jump.EndAtCrossing(ref sweep, in s, ref run, out next);
+            }
+        }
+
+        Finish(ref s, ref run, ref sweep, next, goes);
+    }
+
+    /// <summary>Ends a piece at the ground, if it is met, and moves the ball to its end.</summary>
+    private void Finish<TSweep>(ref BallState s, ref StepRun run, ref TSweep sweep, DragBranch next, bool goes)
+        where TSweep : struct, IFlightSweep
+    {
+        if (!goes)
+        {
+            // On the jump to rounding: the same piece again, on the branch that leads away from it.
+            run.Log.Evaluations += sweep.Evaluations;
+            s.Branch = next;
+            return;
+        }
+
+        bool hit = EndAtGround(ref sweep, in s);
+        run.Log.Evaluations += sweep.Evaluations;
+        BallState before = s;
+        sweep.MoveTo(ref s);
+        if (hit)
+        {
+            s.Position = new Vector3d(s.Position.X, _around.ContactHeight, s.Position.Z);
+        }
+
+        s.Branch = hit ? DragBranch.Unknown : next;
+        run.Advance(ref s, sweep.Length);
+        run.Show(in before, in s, ref sweep, _integrator.Order);
+        if (hit && !run.Log.Halted)
+        {
+            _contact.Impact(ref s, ref run);
+        }
+    }
+
+    /// <summary>Ends a piece where the ball touches the ground.</summary>
+    /// <returns>False where it does not.</returns>
+    private bool EndAtGround<TSweep>(ref TSweep sweep, in BallState s)
+        where TSweep : struct, IFlightSweep
+    {
+        double contact = _around.ContactHeight;
+        double height = sweep.Height;
+        double climb = sweep.VerticalVelocity;
+        bool below = height < contact;
+        if (!below && !(s.Velocity.Y < 0 && climb > 0))
+        {
+            return false;
+        }
+
+        double h = sweep.Length;
+        if (_settings.CollisionTiming == CollisionTiming.Bisection)
+        {
+            if (below)
+            {
+                TimeOfImpact.Bisection(ref sweep, h, _settings.CollisionTolerance, contact);
+            }
+
+            return below;
+        }
+
+        var arc = new HeightArc(s.Position.Y - contact, s.Velocity.Y, sweep.StartAcceleration.Y, height - contact, climb, h);
+        if (!below && !arc.Dips)
+        {
+            return false;
+        }
+
+        TSweep whole = sweep;
+        if (TimeOfImpact.Exact(ref sweep, _integrator, in arc, contact))
+        {
+            return true;
+        }
+
+        whole.Evaluations = sweep.Evaluations;
+        sweep = whole;
+        return false;
+    }
+
+    /// <summary>Ends a piece where its spin reaches zero: decay never reverses a spin.</summary>
+    private static void EndSpin(ref FlightSweep<TAir, TIntegrator> sweep, double spinRate)
+    {
+        double low = 0;
+        double high = sweep.Length;
+        double tau = sweep.Length * spinRate / (spinRate - sweep.Taken.SpinRate);
+        for (int i = 0; i < 8; i++)
+        {
+            tau = Math.Min(Math.Max(tau, low), high);
+            sweep.Step(tau);
+            double w = sweep.Taken.SpinRate;
+            if (Math.Abs(w) <= 1e-14 * spinRate || !(tau > 0))
+            {
+                break;
+            }
+
+            if (w > 0)
+            {
+                low = tau;
+            }
+            else
+            {
+                high = tau;
+            }
+
+            tau += w * tau / (spinRate - w);
+        }
+
+        sweep.EndSpin();
+    }
+
+    /// <summary>The longest piece that stability allows, s; 0 where it would be too short.</summary>
+    private double Longest(in BallState s, in Vector3d u, double asked, bool hasAxis)
+    {
+        double h = asked;
+        if (!hasAxis)
+        {
+            return _limit.PartOf(ref _around.Air, asked, u.Length, s.Spin.Length, s.Branch);
+        }
+
+        double speedSquared = u.LengthSquared;
+        if (_around.AirActs && !_limit.AllowsWhole(h, speedSquared, s.SpinRate, _around.Air.Covers(speedSquared, s.SpinRate, h)))
+        {
+            h = _limit.PartOf(ref _around.Air, asked, Math.Sqrt(speedSquared), s.SpinRate, s.Branch);
+        }
+
+        return h > 0 && _integrator.GainsByHops ? _limit.WithinHop(h, s.Position.Y - _around.ContactHeight, s.Velocity.Y) : h;
+    }
+
+    /// <summary>A piece in vacuum, done if nothing happens in it: what the method makes of a constant acceleration, p + h (v + c h g), v + h g.</summary>
+    private bool FallsQuietly(ref BallState s, double h, ref StepRun run)
+    {
+        double vy = s.Velocity.Y;
+        double gained = h * _around.Upward;
+        double climb = vy + gained;
+        double height = s.Position.Y + (h * (vy + (_integrator.ShareInPath * gained)));
+        if (height < _around.ContactHeight || (vy < 0 && climb > 0))
+        {
+            return false;
+        }
+
+        BallState before = s;
+        s.Position = new Vector3d(s.Position.X + (h * s.Velocity.X), height, s.Position.Z + (h * s.Velocity.Z));
+        s.Velocity = new Vector3d(s.Velocity.X, climb, s.Velocity.Z);
+        s.Angle += h * s.SpinRate;
+        run.Advance(ref s, h);
+        run.Log.Evaluations += _integrator.Stages;
+        if (run.Log.Observer is { } observer)
+        {
+            var gravity = new Vector3d(0, _around.Upward, 0);
+            run.Show(observer, in before, in s, in gravity, in gravity, _integrator.Order);
+        }
+
+        return true;
+    }
+}

@@ -1,0 +1,119 @@
+namespace Football.Physics;
+
+/// <summary>A step in flight along a constant axis of the spin, to be taken with several lengths.</summary>
+internal struct FlightSweep<TAir, TIntegrator> : IFlightSweep
+    where TAir : struct, IAir
+    where TIntegrator : struct, IIntegrator
+{
+    private readonly Surroundings<TAir> _around;
+    private readonly FlightPoint _from;
+    private readonly Vector3d _position;
+    private FlightStep _taken;
+    private TIntegrator _integrator;
+
+    /// <summary>A step from a state of the ball.</summary>
+    public FlightSweep(Surroundings<TAir> around, in BallState from)
+    {
+        _around = around;
+        _from.AirVelocity = from.Velocity - around.Wind;
+        _from.SpinRate = from.SpinRate;
+        _from.Axis = from.SpinAxis;
+        _from.Upward = around.Upward;
+        _from.Branch = from.Branch;
+        _position = from.Position;
+        _taken = default;
+        _integrator = default;
+        Length = 0;
+        Evaluations = 0;
+    }
+
+    /// <summary>What the step did.</summary>
+    public readonly FlightStep Taken => _taken;
+
+    public double Length { get; private set; }
+
+    public int Evaluations { get; set; }
+
+    public readonly double Height => _position.Y + (_taken.Path.Y + (Length * _around.Wind.Y));
+
+    public readonly double VerticalVelocity => _taken.AirVelocity.Y + _around.Wind.Y;
+
+    public readonly Vector3d StartAcceleration => _taken.StartAcceleration;
+
+    public readonly DragJump StartJump => JumpAt(in _from.AirVelocity, _from.SpinRate);
+
+    public readonly DragJump StartJumpRate =>
+        JumpRate(in _from.AirVelocity, _from.SpinRate, in _taken.StartAcceleration, _taken.StartSpinAcceleration);
+
+    public readonly DragJump EndJump => JumpAt(in _taken.AirVelocity, _taken.SpinRate);
+
+    public readonly Motion EndMotion => new(
+        _position + (_taken.Path + (Length * _around.Wind)), _taken.AirVelocity + _around.Wind, _from.Axis * _taken.SpinRate);
+
+    public void Step(double h)
+    {
+        FlightMotion motion;
+        motion.Velocity = _from.AirVelocity;
+        motion.Axis = _from.Axis;
+        motion.SpinRate = _from.SpinRate;
+        double speedSquared = _from.AirVelocity.LengthSquared;
+        bool covered = _around.Air.Covers(speedSquared, _from.SpinRate, h);
+        _around.Air.Fly(ref _integrator, covered, speedSquared, ref motion, Vector3d.Zero, _from.Branch, _from.Upward, h, out _taken);
+        Evaluations += _integrator.Stages;
+        Length = h;
+    }
+
+    /// <summary>Takes over a step that was taken, and counted, elsewhere.</summary>
+    public void Take(in FlightStep taken, double length)
+    {
+        _taken = taken;
+        Length = length;
+    }
+
+    public void Nudge(double dt)
+    {
+        Vector3d a = Extrapolate.Rate(in _from.AirVelocity, in _taken.AirVelocity, in _taken.StartAcceleration, Length);
+        double b = Extrapolate.Rate(_from.SpinRate, _taken.SpinRate, _taken.StartSpinAcceleration, Length);
+        _taken.Path += dt * (_taken.AirVelocity + ((0.5 * dt) * a));
+        _taken.Turn += dt * _taken.SpinRate;
+        _taken.AirVelocity += dt * a;
+        _taken.SpinRate += dt * b;
+        Length += dt;
+    }
+
+    public readonly void MoveTo(ref BallState s)
+    {
+        s.Position += _taken.Path + (Length * _around.Wind);
+        s.Velocity = _taken.AirVelocity + _around.Wind;
+        s.SpinRate = Math.Max(0, _taken.SpinRate);
+        s.Angle += _taken.Turn;
+    }
+
+    /// <summary>Says that the spin has ended at the end of the step.</summary>
+    public void EndSpin() => _taken.SpinRate = 0;
+
+    public DragJump EndJumpRate()
+    {
+        EndRates(out Vector3d a, out double b);
+        return JumpRate(in _taken.AirVelocity, _taken.SpinRate, in a, b);
+    }
+
+    public Vector3d EndAcceleration()
+    {
+        EndRates(out Vector3d acceleration, out _);
+        return acceleration;
+    }
+
+    private void EndRates(out Vector3d acceleration, out double spinAcceleration)
+    {
+        FlightRates.Of<TAir, PointStep>(ref _around.Air, in _from, in _taken.AirVelocity, _taken.SpinRate, out acceleration, out spinAcceleration);
+        Evaluations++;
+    }
+
+    private readonly DragJump JumpAt(in Vector3d airVelocity, double spinRate) =>
+        DragJump.At(airVelocity.LengthSquared, _around.RadiusSquared * spinRate * spinRate);
+
+    /// <summary>d|u|²/dt = 2 u·a, d(r|ω|)²/dt = 2 r² |ω| d|ω|/dt.</summary>
+    private readonly DragJump JumpRate(in Vector3d airVelocity, double spinRate, in Vector3d acceleration, double spinAcceleration) =>
+        DragJump.Rate(2.0 * Vector3d.Dot(in airVelocity, in acceleration), 2.0 * _around.RadiusSquared * spinRate * spinAcceleration);
+}

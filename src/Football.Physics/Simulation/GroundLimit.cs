@@ -1,0 +1,61 @@
+namespace Football.Physics;
+
+/// <summary>How long a piece of motion on the ground may be.</summary>
+internal readonly struct GroundLimit<TAir>
+    where TAir : struct, IAir
+{
+    /// <summary>
+    /// Towards the end of a slide or a roll, where the direction turns ever faster, a piece goes this share of the way for a step of
+    /// 10 ms, and more, as the root, for a longer one.
+    /// </summary>
+    public const double Approach = 0.125;
+
+    /// <summary>The largest such share.</summary>
+    private const double LargestApproach = 0.4;
+
+    private readonly Surroundings<TAir> _around;
+    private readonly StabilityLimit _limit;
+
+    public GroundLimit(Surroundings<TAir> around, in StabilityLimit limit)
+    {
+        _around = around;
+        _limit = limit;
+    }
+
+    /// <summary>A bound, 1/s, for how fast the air and the damping change the motion, without a root.</summary>
+    /// <param name="from">The ball.</param>
+    /// <param name="airSpeed">A bound of the speed relative to the air, m/s.</param>
+    public double RateAtMost(in Motion from, out double airSpeed)
+    {
+        airSpeed = SumOfSizes(from.Velocity - _around.Wind);
+        RateBound bound = _limit.Bound;
+        return (bound.PerSpeed * airSpeed) + (bound.PerSpin * SumOfSizes(in from.Spin)) + bound.Constant + _around.Ground.SpinDamping;
+    }
+
+    /// <summary>|x| + |y| + |z|, at least the length of a vector.</summary>
+    public static double SumOfSizes(in Vector3d v) => Math.Abs(v.X) + Math.Abs(v.Y) + Math.Abs(v.Z);
+
+    /// <summary>The longest of equal parts of a step for which no force overshoots, s; 0 where they would be too many.</summary>
+    /// <param name="left">Length of the step, s.</param>
+    /// <param name="rateAtMost">From <see cref="RateAtMost"/>.</param>
+    /// <param name="from">The ball.</param>
+    /// <param name="branch">The branch of the drag law.</param>
+    public double PartOf(double left, double rateAtMost, in Motion from, DragBranch branch) => left * rateAtMost <= StabilityLimit.LargestChange
+        ? left
+        : _limit.PartOf(ref _around.Air, left, (from.Velocity - _around.Wind).Length, from.Spin.Length, branch, _around.Ground.SpinDamping);
+
+    /// <summary>Shortens a piece in which a vector would lose, or turn by, more than a share of its size.</summary>
+    /// <param name="h">Length of the piece, s.</param>
+    /// <param name="step">Length of the whole step, s.</param>
+    /// <param name="direction">Direction of the vector.</param>
+    /// <param name="size">Its size.</param>
+    /// <param name="rate">Its rate of change.</param>
+    public static double Shorten(double h, double step, in Vector3d direction, double size, in Vector3d rate)
+    {
+        double along = Vector3d.Dot(in rate, in direction);
+        double acrossSquared = Math.Max(0, rate.LengthSquared - (along * along));
+        double closing = Math.Sqrt(acrossSquared + (along < 0 ? along * along : 0));
+        double share = step > 0.01 ? Math.Min(LargestApproach, Approach * Math.Sqrt(step * 100)) : Approach;
+        return closing * h > share * size ? share * size / closing : h;
+    }
+}

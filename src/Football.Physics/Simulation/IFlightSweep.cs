@@ -1,0 +1,11 @@
+namespace Football.Physics;
+
+/// <summary>A sweep of flight: along a constant axis of the spin, or of the whole motion.</summary>
+internal interface IFlightSweep : IFlowSweep
+{
+    /// <summary>Place, velocity and spin at the end.</summary>
+    Motion EndMotion { get; }
+
+    /// <summary>Moves the ball to the end: place, velocity, spin and orientation.</summary>
+    void MoveTo(ref BallState s);
+}

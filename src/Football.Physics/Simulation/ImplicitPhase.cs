@@ -1,0 +1,188 @@
+namespace Football.Physics;
+
+/// <summary>
+/// Pieces by implicit Euler, for air that is far stronger than the ball's inertia: stable at any length, they end in the balance of forces
+/// that the motion relaxes to. A step that explicit methods would have to divide too often is taken in a few of these.
+/// </summary>
+internal sealed class ImplicitPhase<TAir>
+    where TAir : struct, IAir
+{
+    /// <summary>Pieces of a step that is taken by implicit Euler.</summary>
+    private const int MostPieces = 16;
+
+    private readonly Surroundings<TAir> _around;
+    private readonly ContactPhase<TAir> _contact;
+
+    public ImplicitPhase(Surroundings<TAir> around, ContactPhase<TAir> contact)
+    {
+        _around = around;
+        _contact = contact;
+    }
+
+    /// <summary>All that is left of a step, in one piece.</summary>
+    public void TakeRest(ref BallState s, ref StepRun run)
+    {
+        run.Implicit = MostPieces;
+        if (s.Motion == MotionState.Airborne)
+        {
+            Fly(ref s, ref run);
+        }
+        else
+        {
+            Slow(ref s, ref run);
+        }
+    }
+
+    /// <summary>A piece of flight.</summary>
+    public void Fly(ref BallState s, ref StepRun run)
+    {
+        double h = run.Left / Math.Max(1, MostPieces - run.Implicit);
+        run.Implicit++;
+        MotionRates custom = default;
+        var from = new Motion(s.Position, s.Velocity, s.Spin);
+        if (_around.Custom.Act)
+        {
+            custom = _around.Custom.Rates(s.Time, in from, s.Velocity - _around.Wind, MotionState.Airborne);
+            run.Log.Evaluations++;
+        }
+
+        var euler = new ImplicitEuler<TAir> { Air = _around.Air, RadiusSquared = _around.RadiusSquared };
+        Motion end = After(ref euler, in from, in custom, h);
+        bool below = end.Position.Y < _around.ContactHeight;
+
+        // A hop that begins and ends within the piece has no height: the air presses the ball down.
+        bool pressed = below && s.Position.Y <= _around.ContactHeight;
+        if (below && !pressed)
+        {
+            h = TimeOfContact(ref euler, in from, in custom, h, ref end);
+        }
+
+        BallState before = s;
+        double y = below ? _around.ContactHeight : end.Position.Y;
+        double vy = pressed ? 0 : below ? Math.Min(end.Velocity.Y, 0) : end.Velocity.Y;
+        s.Position = new Vector3d(end.Position.X, y, end.Position.Z);
+        s.Velocity = new Vector3d(end.Velocity.X, vy, end.Velocity.Z);
+        s.Angle += 0.5 * h * (s.SpinRate + end.Spin.Length);
+        s.SetFlightSpin(end.Spin);
+        s.Branch = DragBranch.Unknown;
+        run.Advance(ref s, h);
+        run.Log.Relaxed++;
+        run.Log.Evaluations += euler.Evaluations;
+        Show(in before, in s, h, ref run);
+        if (below && !run.Log.Halted && !(pressed && _around.Upward > 0))
+        {
+            _contact.Impact(ref s, ref run);
+        }
+    }
+
+    /// <summary>Velocity, then spin, then position with the new velocity.</summary>
+    private Motion After(ref ImplicitEuler<TAir> euler, in Motion from, in MotionRates custom, double h)
+    {
+        Vector3d spin = from.Spin + (h * custom.SpinAcceleration);
+        double rate = spin.Length;
+        Vector3d axis = rate > 0 ? spin / rate : Vector3d.Up;
+        Vector3d push = custom.Acceleration + new Vector3d(0, _around.Upward, 0);
+        Vector3d u = euler.Velocity(from.Velocity - _around.Wind, in push, in axis, rate, h);
+        Vector3d velocity = u + _around.Wind;
+        return new Motion(from.Position + (h * velocity), in velocity, euler.Spin(rate, u.Length, h) * axis);
+    }
+
+    /// <summary>Shortens a piece to the instant of contact.</summary>
+    private double TimeOfContact(ref ImplicitEuler<TAir> euler, in Motion from, in MotionRates custom, double h, ref Motion end)
+    {
+        double low = 0;
+        double high = h;
+        for (int i = 0; i < 60 && end.Position.Y < _around.ContactHeight - 1e-12; i++)
+        {
+            double middle = 0.5 * (low + high);
+            Motion at = After(ref euler, in from, in custom, middle);
+            if (at.Position.Y < _around.ContactHeight)
+            {
+                high = middle;
+                end = at;
+            }
+            else
+            {
+                low = middle;
+            }
+        }
+
+        return high;
+    }
+
+    /// <summary>A piece on the ground: friction and damping first, to their end at most, then the air.</summary>
+    public void Slow(ref BallState s, ref StepRun run)
+    {
+        double h = run.Left / Math.Max(1, MostPieces - run.Implicit);
+        run.Implicit++;
+        bool slides = s.Motion == MotionState.Sliding;
+        Vector3d v = s.Velocity;
+        Vector3d w = s.Spin;
+        GroundForces ground = _around.Ground;
+        if (_around.Custom.Act)
+        {
+            MotionRates custom = _around.Custom.Rates(s.Time, new Motion(s.Position, in v, in w), v - _around.Wind, s.Motion);
+            v += h * custom.Acceleration.Horizontal;
+            w += h * custom.SpinAcceleration;
+        }
+
+        bool slipEnds = false;
+        if (slides)
+        {
+            // |s| falls by (1 + 1/α) μ_s N/m a second; its direction stays.
+            Vector3d slip = Slip.Of(in v, in w, _around.Radius);
+            double size = slip.Length;
+            double fall = ground.Sliding + (_around.Radius * ground.SlidingTorque);
+            double slowing = Math.Min(h, fall > 0 ? size / fall : h);
+            slipEnds = !(size > fall * h);
+            Vector3d direction = size > 0 ? slip / size : Vector3d.Zero;
+            v -= slowing * ground.Sliding * direction;
+            w += slowing * ground.SlidingTorque * new Vector3d(direction.Z, 0, -direction.X);
+        }
+        else
+        {
+            double speed = v.Length;
+            v = speed > ground.Rolling * h ? v * (1.0 - (ground.Rolling * h / speed)) : Vector3d.Zero;
+        }
+
+        w = new Vector3d(w.X, w.Y / (1.0 + (h * ground.SpinDamping)), w.Z);
+        var euler = new ImplicitEuler<TAir> { Air = _around.Air, RadiusSquared = _around.RadiusSquared };
+        double rate = w.Length;
+        Vector3d axis = rate > 0 ? w / rate : Vector3d.Up;
+        Vector3d u = v - _around.Wind;
+        if (_around.AirActsOnGround)
+        {
+            u = euler.Velocity(in u, Vector3d.Zero, in axis, rate, h);
+        }
+
+        w = euler.Spin(rate, u.Length, h) * axis;
+        v = (u + _around.Wind).Horizontal;
+        BallState before = s;
+        Vector3d turn = 0.5 * h * (s.Spin + w);
+        s.BaseOrientation = (Quaterniond.FromRotationVector(in turn) * s.BaseOrientation).Normalised();
+        s.Position = new Vector3d(s.Position.X + (h * v.X), _around.ContactHeight, s.Position.Z + (h * v.Z));
+        s.Velocity = v;
+        s.SpinAxis = slides ? w : Slip.RollingSpin(in v, w.Y, _around.Radius);
+        s.Branch = DragBranch.Unknown;
+        run.Advance(ref s, h);
+        run.Log.Relaxed++;
+        run.Log.Evaluations += euler.Evaluations;
+        Show(in before, in s, h, ref run);
+        if (slipEnds && !run.Log.Halted)
+        {
+            _contact.StartRolling(ref s, ref run);
+        }
+    }
+
+    /// <summary>Shows a piece as the straight line that it is.</summary>
+    private static void Show(in BallState before, in BallState after, double h, ref StepRun run)
+    {
+        if (run.Log.Observer is { } observer && h > 0)
+        {
+            Vector3d mean = (after.Position - before.Position) / h;
+            var piece = new PathPiece(
+                before.Time, h, before.Position, in mean, Vector3d.Zero, after.Position, in mean, Vector3d.Zero, before.Motion, 2);
+            run.Log.Halted |= observer.Add(in piece);
+        }
+    }
+}

@@ -1,0 +1,164 @@
+namespace Football.Physics;
+
+/// <summary>Sliding on the ground, piece by piece: up to the drag law's jump, or to the end of the slip.</summary>
+internal sealed class SlidePhase<TAir, TIntegrator>
+    where TAir : struct, IAir
+    where TIntegrator : struct, IIntegrator
+{
+    /// <summary>The last of a slide, this share of a step long, is done in closed form with the mean push of the air.</summary>
+    private const double ClosedForm = 0.04;
+
+    /// <summary>ε of the heuristic, m/s.</summary>
+    private const double HeuristicSlip = 1e-3;
+
+    private readonly Surroundings<TAir> _around;
+    private readonly GroundLimit<TAir> _limit;
+    private readonly DragJumpGuard<TAir> _jump;
+    private readonly ContactPhase<TAir> _contact;
+    private readonly ImplicitPhase<TAir> _implicit;
+    private readonly SlidingSystem<TAir> _system;
+    private readonly TIntegrator _integrator;
+    private readonly bool _exact;
+
+    public SlidePhase(
+        SolverSettings settings,
+        Surroundings<TAir> around,
+        in GroundLimit<TAir> limit,
+        DragJumpGuard<TAir> jump,
+        ContactPhase<TAir> contact,
+        ImplicitPhase<TAir> implicitPhase)
+    {
+        _around = around;
+        _limit = limit;
+        _jump = jump;
+        _contact = contact;
+        _implicit = implicitPhase;
+        _system = new SlidingSystem<TAir> { Around = around };
+        _integrator = default;
+        _exact = settings.RollingTransition == RollingTransition.Exact;
+    }
+
+    /// <summary>The next piece of a slide.</summary>
+    public void Take(ref BallState s, ref StepRun run)
+    {
+        if (_contact.LeavesGround(ref s, ref run))
+        {
+            return;
+        }
+
+        var from = new Motion(s.Position, s.Velocity, s.Spin);
+        Vector3d slip = Slip.Of(from.Velocity, from.Spin, _around.Radius);
+        double size = slip.Length;
+        if (size < Slip.Rolling)
+        {
+            _contact.StartRolling(ref s, ref run);
+            return;
+        }
+
+        s.Branch = _jump.OnGround(s.Branch, in from);
+        SlidingSystem<TAir> system = _system;
+        system.SlipDirection = slip / size;
+        system.StartSpin = from.Spin;
+        system.Branch = s.Branch;
+        double asked = run.Next;
+        double airRate = _limit.RateAtMost(in from, out double airSpeed);
+        double h = _limit.PartOf(asked, airRate, in from, s.Branch);
+        if (h <= 0)
+        {
+            _implicit.Slow(ref s, ref run);
+            return;
+        }
+
+        run.Keep(h, asked);
+        ref readonly GroundForces ground = ref _around.Ground;
+        double friction = ground.Sliding + (ground.Radius * ground.SlidingTorque);
+        double fastest = friction + (airRate * (airSpeed + (ground.Radius * GroundLimit<TAir>.SumOfSizes(in from.Spin))));
+        if (_exact && ground.Sliding > 0 && (_around.Custom.Act || fastest * h > GroundLimit<TAir>.Approach * size))
+        {
+            system.Rates(s.Time, in from, out MotionRates rates);
+            run.Log.Evaluations++;
+
+            // ṡ = v̇ + r ŷ × ω̇
+            Vector3d slipRate = Slip.Of(rates.Acceleration, rates.SpinAcceleration, ground.Radius);
+            Vector3d push = slipRate + (friction * system.SlipDirection);
+            if (size < 0.5 * friction * ClosedForm * run.Length && push.LengthSquared < 0.25 * friction * friction
+                && EndSlip(ref s, ref run, ref system, in from, in slip, in push, friction, in rates))
+            {
+                return;
+            }
+
+            h = GroundLimit<TAir>.Shorten(h, run.Length, in system.SlipDirection, size, in slipRate);
+        }
+
+        var sweep = new MotionSweep<SlidingSystem<TAir>, TIntegrator>(in system, s.Time, in from, in _around.Wind, _around.Radius);
+        sweep.Step(h);
+        _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
+        run.Log.Evaluations += sweep.Evaluations;
+        BallState before = s;
+        sweep.MoveTo(ref s);
+        run.Advance(ref s, sweep.Length);
+        run.Show(in before, in s, ref sweep, _integrator.Order);
+        if (!_exact && !run.Log.Halted)
+        {
+            // (2.27), (2.28): the slip grew, or is small.
+            double after = Slip.Of(s.Velocity, s.Spin, _around.Radius).Length;
+            if (after > size || after < HeuristicSlip)
+            {
+                _contact.StartRolling(ref s, ref run);
+            }
+        }
+    }
+
+    /// <summary>The end of a slide in closed form: the air's push is the mean of both ends.</summary>
+    /// <returns>False where the slide outlasts the step.</returns>
+    private bool EndSlip(
+        ref BallState s,
+        ref StepRun run,
+        ref SlidingSystem<TAir> system,
+        in Motion from,
+        in Vector3d slip,
+        in Vector3d push,
+        double friction,
+        in MotionRates rates)
+    {
+        ref readonly GroundForces ground = ref _around.Ground;
+        var torqueAxis = new Vector3d(system.SlipDirection.Z, 0, -system.SlipDirection.X);
+        Vector3d air = rates.Acceleration + (ground.Sliding * system.SlipDirection);
+        double turn = rates.SpinAcceleration.Y;
+        var first = new SlipDecay(in slip, in push, friction);
+        Vector3d velocity = from.Velocity + (first.Time * air) - (ground.Sliding * first.Direction);
+        Vector3d spin = Slip.RollingSpin(in velocity, from.Spin.Y + (first.Time * turn), ground.Radius);
+        MotionRates end = system.Pushed(s.Time + first.Time, new Motion(from.Position, in velocity, in spin), in torqueAxis);
+        run.Log.Evaluations++;
+        Vector3d endPush = Slip.Of(end.Acceleration, end.SpinAcceleration, ground.Radius);
+        var decay = new SlipDecay(in slip, 0.5 * (push + endPush), friction);
+        double t = decay.Time;
+        if (!(t > 0 && t <= run.Left))
+        {
+            return false;
+        }
+
+        // v = v₀ − μ_s N/m ∫ŝ + ∫a,  p = p₀ + v₀ t − μ_s N/m ∫∫ŝ + ∫∫a, a linear in time
+        velocity = from.Velocity + ((0.5 * t) * (air + end.Acceleration)) - (ground.Sliding * decay.Direction);
+        spin = Slip.RollingSpin(in velocity, from.Spin.Y + (0.5 * t * (turn + end.SpinAcceleration.Y)), ground.Radius);
+        Vector3d position = from.Position + (t * from.Velocity) + ((t * t / 6.0) * ((2.0 * air) + end.Acceleration)) - (ground.Sliding * decay.Twice);
+        BallState before = s;
+        s.BaseOrientation = s.BaseOrientation.Turned((0.5 * t) * (from.Spin + spin));
+        s.Position = new Vector3d(position.X, _around.ContactHeight, position.Z);
+        s.Velocity = velocity.Horizontal;
+        s.SpinAxis = spin;
+        run.Advance(ref s, t);
+        if (run.Log.Observer is { } observer)
+        {
+            Vector3d endAcceleration = Extrapolate.Rate(in from.Velocity, s.Velocity, in rates.Acceleration, t);
+            run.Show(observer, in before, in s, in rates.Acceleration, in endAcceleration, _integrator.Order);
+        }
+
+        if (!run.Log.Halted)
+        {
+            _contact.StartRolling(ref s, ref run);
+        }
+
+        return true;
+    }
+}

@@ -1,0 +1,125 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>How long a piece of motion may be: so short that no force changes the motion by more than itself, explicit Euler's limit of no overshoot.</summary>
+internal readonly struct StabilityLimit
+{
+    /// <summary>No force may change the motion in a piece by more than this share of itself.</summary>
+    public const double LargestChange = 1.0;
+
+    /// <summary>A ball that would be back on the ground sooner than this, s, stays down: so an impact takes time, however strong gravity is.</summary>
+    public const double ShortestHop = 1e-6;
+
+    /// <summary>Up to this restitution every ball comes to rest, whatever the method and its step.</summary>
+    private const double MostElastic = 0.95;
+
+    /// <summary>Below this many pieces the simple bound is good enough.</summary>
+    private const double FewPieces = 16;
+
+    /// <summary>A step that would have to be divided into more pieces than this is taken by implicit Euler instead.</summary>
+    private const double MostPieces = 1024;
+
+    /// <summary>|u|² above which there are drag and lift, m²/s².</summary>
+    private const double StillAir = 1e-17;
+
+    private readonly RateBound _bound;
+    private readonly double _upward;
+
+    /// <summary>Up to this length, s, no step that the fastest form of the laws covers must be divided.</summary>
+    private readonly double _wholeUpTo;
+
+    /// <summary>Into how many pieces a hop is divided at least by a method that gains by hops, 3e/(1 − e).</summary>
+    private readonly double _piecesOfHop;
+
+    /// <summary>Whether nothing but the Magnus force acts on a velocity that the method cannot turn without making it longer.</summary>
+    private readonly bool _spirals;
+
+    private StabilityLimit(in RateBound bound, double upward, double wholeUpTo, double piecesOfHop, bool spirals)
+    {
+        _bound = bound;
+        _upward = upward;
+        _wholeUpTo = wholeUpTo;
+        _piecesOfHop = piecesOfHop;
+        _spirals = spirals;
+    }
+
+    /// <summary>How fast the air and gravity can change the motion.</summary>
+    public RateBound Bound => _bound;
+
+    /// <summary>The limit of a scene for a method of an order.</summary>
+    public static StabilityLimit Of<TAir>(Scene scene, ref TAir air, double upward, int order)
+        where TAir : struct, IAir
+    {
+        RateBound ofAir = air.Bound;
+
+        // A ball that falls from rest is soon as fast as drag lets it: 1/√(P a) is how soon.
+        var bound = new RateBound(ofAir.PerSpeed, ofAir.PerSpin, ofAir.Constant + (Math.Sqrt(ofAir.PerSpeed) * Math.Sqrt(Math.Abs(upward))));
+        double restitution = Math.Min(scene.Ground.NormalRestitution, MostElastic);
+        bool spirals = order < 4 && air.Lifts && !(air.Drags && ofAir.PerSpeed > 0);
+        return new StabilityLimit(in bound, upward, air.WholeUpTo(in bound), 3.0 * restitution / (1.0 - restitution), spirals);
+    }
+
+    /// <summary>Whether a step may be taken whole: a quick test that errs towards no.</summary>
+    /// <param name="h">Length of the step, s.</param>
+    /// <param name="speedSquared">|u|², m²/s².</param>
+    /// <param name="spinRate">|ω|, rad/s.</param>
+    /// <param name="covered">Whether the fastest form of the laws covers it.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool AllowsWhole(double h, double speedSquared, double spinRate, bool covered)
+    {
+        if (covered && h <= _wholeUpTo)
+        {
+            return true;
+        }
+
+        double bySpeed = h * _bound.PerSpeed;
+        double bySpin = h * ((_bound.PerSpin * spinRate) + _bound.Constant);
+        return !(bySpeed * bySpeed * speedSquared > 0.25 * LargestChange * LargestChange || bySpin > 0.5 * LargestChange);
+    }
+
+    /// <summary>The longest of equal parts of a step for which no force overshoots, or 0 where they would be too many.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public double PartOf<TAir>(ref TAir air, double left, double speed, double spinRate, DragBranch branch, double damping = 0)
+        where TAir : struct, IAir
+    {
+        double pieces = left * ((_bound.PerSpeed * speed) + (_bound.PerSpin * spinRate) + _bound.Constant + damping);
+        if (pieces > FewPieces && branch < DragBranch.AlongCriticalSpeed)
+        {
+            // The bound adds what each law could do; twice what they do here is enough, and in still air what they are about to do.
+            air.Begin(spinRate, branch, out PointStep once);
+            air.AtStart(ref once, Math.Max(speed * speed, StillAir), spinRate, 0, out double drag, out double lift, out double decay);
+            double ofSpin = spinRate > 0 ? Math.Min(decay / spinRate, (_bound.PerSpeed * speed) + (_bound.PerSpin * spinRate)) : 0;
+            double here = 2.0 * (drag + Math.Abs(lift) + ofSpin);
+            double closer = left * (here + _bound.Constant + damping);
+            pieces = closer < pieces ? closer : pieces;
+        }
+
+        return pieces <= LargestChange ? left
+            : pieces <= MostPieces && !_spirals ? left / Math.Ceiling(pieces / LargestChange)
+            : 0;
+    }
+
+    /// <summary>
+    /// Explicit Euler comes down from a hop faster by g h than it went up: with that a bounce of less than e g h/(1 − e) would grow. So a
+    /// step is divided that is longer than (1 − e)/3e of a hop: then every bounce is lower than the one before, and the ball comes to rest.
+    /// </summary>
+    /// <param name="h">Length of the step, s.</param>
+    /// <param name="height">Height above contact, m.</param>
+    /// <param name="climb">Vertical velocity, m/s.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public double WithinHop(double h, double height, double climb)
+    {
+        // A hop up to the height that the energy is enough for takes 2 √(2 g y + v²)/g.
+        double up = (climb * climb) - (2.0 * _upward * Math.Max(0, height));
+        double least = h * -_upward * _piecesOfHop;
+        return least > 0 && least * least > 4.0 * up ? PartOfHop(h, least, up) : h;
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private double PartOfHop(double h, double least, double up)
+    {
+        double hop = Math.Max(2.0 * Math.Sqrt(up), ShortestHop * -_upward);
+        return least > hop ? h / Math.Ceiling(least / hop) : h;
+    }
+}
