@@ -1,17 +1,20 @@
 namespace Football.Physics;
 
-/// <summary>What the air does to the ball at one instant: a = −Drag · u + Lift · (ω̂ × u) + Side, ω̇ = −Decay · ω̂.</summary>
+/// <summary>What the air does to the ball at one instant: a = Lift (ω × u) − Drag u + Acceleration, ω̇ = −Decay ω + SpinAcceleration.</summary>
 internal struct AirFactors
 {
     /// <summary>D, 1/s.</summary>
     public double Drag;
 
-    /// <summary>L, 1/s.</summary>
+    /// <summary>L; without unit.</summary>
     public double Lift;
 
-    /// <summary>Angular deceleration, rad/s²; at zero spin its limit.</summary>
+    /// <summary>1/s; without spin the angular deceleration itself, rad/s².</summary>
     public double Decay;
 
-    /// <summary>Acceleration by a force that is neither along the motion nor along ω̂ × u, m/s². Only of models whose <see cref="IAir.Varies"/> is true.</summary>
-    public Vector3d Side;
+    /// <summary>By forces that are neither along the motion nor along ω × u, m/s². Zero but for models whose <see cref="IAir.Varies"/> is true.</summary>
+    public Vector3d Acceleration;
+
+    /// <summary>By torques that are not along the spin, rad/s². Zero but for models whose <see cref="IAir.Varies"/> is true.</summary>
+    public Vector3d SpinAcceleration;
 }

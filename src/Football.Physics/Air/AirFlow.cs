@@ -20,10 +20,4 @@ internal struct AirFlow
 
     /// <summary>The fitted C_D. Only where a law needs it.</summary>
     public double FittedDragCoefficient;
-
-    /// <summary>Where the ball is, m. Only of models whose <see cref="IAir.Varies"/> is true.</summary>
-    public Vector3d Position;
-
-    /// <summary>When, s since the launch. Only of models whose <see cref="IAir.Varies"/> is true.</summary>
-    public double Time;
 }

@@ -82,14 +82,8 @@ internal struct AirLaws<TFit, TDrag, TMagnus, TDecay> : IAir
         where TIntegrator : struct, IIntegrator =>
         integrator.Fly<AirLaws<TFit, TDrag, TMagnus, TDecay>, PointStep>(ref this, ref motion, in wind, branch, upward, h, out step);
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Evaluate(in AirFlow flow, DragBranch branch, out AirFactors factors)
-    {
-        AirFlow whole = flow;
-        Unsafe.SkipInit(out factors);
-        Factors(ref whole, branch, out factors.Drag, out factors.Lift, out factors.Decay);
-        factors.Side = Vector3d.Zero;
-    }
+    public double Evaluate(in ForceInput ball, DragBranch branch, out AirFactors factors) =>
+        AirRates.Evaluate(ref this, in ball, branch, out factors);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Begin(double spinRate, DragBranch branch, out PointStep step) => step.Branch = branch;

@@ -8,44 +8,64 @@ internal static class AirRates
     /// <summary>Below this, rad/s, there is no spin: a reciprocal of it would overflow.</summary>
     private const double NoSpin = 1e-100;
 
-    /// <summary>The factors of a = Lift (ω × u) − Drag u + Side, ω̇ = −Decay ω.</summary>
+    /// <summary>The factors of a = L (ω × u) − D u, ω̇ = −decay ω, by the laws of drag, lift and spin decay.</summary>
     /// <param name="air">The air.</param>
-    /// <param name="time">When, s.</param>
-    /// <param name="position">Where, m.</param>
-    /// <param name="u">Velocity relative to the air, m/s.</param>
-    /// <param name="spin">Spin, rad/s.</param>
+    /// <param name="ux">Velocity relative to the air, x, m/s.</param>
+    /// <param name="uy">The same, y.</param>
+    /// <param name="uz">The same, z.</param>
+    /// <param name="wx">Spin, x, rad/s.</param>
+    /// <param name="wy">The same, y.</param>
+    /// <param name="wz">The same, z.</param>
     /// <param name="branch">Branch of the drag law.</param>
-    /// <param name="factors">Lift without unit, decay in 1/s; without spin the angular deceleration itself, rad/s².</param>
+    /// <param name="drag">D, 1/s.</param>
+    /// <param name="lift">L.</param>
+    /// <param name="decay">1/s; without spin the angular deceleration itself, rad/s².</param>
     /// <returns>|ω|.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Factors<TAir>(
-        ref TAir air, double time, in Vector3d position, in Vector3d u, in Vector3d spin, DragBranch branch, out AirFactors factors)
+        ref TAir air,
+        double ux,
+        double uy,
+        double uz,
+        double wx,
+        double wy,
+        double wz,
+        DragBranch branch,
+        out double drag,
+        out double lift,
+        out double decay)
         where TAir : struct, IAir
     {
-        double rate = Math.Sqrt((spin.X * spin.X) + (spin.Y * spin.Y) + (spin.Z * spin.Z));
+        double rate = Math.Sqrt((wx * wx) + (wy * wy) + (wz * wz));
         rate = rate > NoSpin ? rate : 0;
-        factors = default;
-        if (air.Drags || air.Lifts || air.SpinDecays || air.Varies)
+        drag = 0;
+        lift = 0;
+        decay = 0;
+        if (air.Drags || air.Lifts || air.SpinDecays)
         {
-            AirFlow flow = default;
-            flow.SpeedSquared = (u.X * u.X) + (u.Y * u.Y) + (u.Z * u.Z);
-            flow.SpinRate = rate;
             double perRate = rate > 0 ? 1.0 / rate : 0;
-            flow.AlongSpin = perRate * Vector3d.Dot(in spin, in u);
-            if (air.Varies)
-            {
-                flow.Position = position;
-                flow.Time = time;
-            }
-
-            air.Evaluate(in flow, branch, out factors);
+            double alongSpin = perRate * ((wx * ux) + (wy * uy) + (wz * uz));
+            air.Begin(rate, branch, out PointStep step);
+            air.AtStart(ref step, (ux * ux) + (uy * uy) + (uz * uz), rate, alongSpin, out drag, out lift, out decay);
             if (rate > 0)
             {
-                factors.Lift *= perRate;
-                factors.Decay *= perRate;
+                lift *= perRate;
+                decay *= perRate;
             }
         }
 
         return rate;
+    }
+
+    /// <summary>What air that does not vary does at one instant.</summary>
+    /// <returns>|ω|.</returns>
+    public static double Evaluate<TAir>(ref TAir air, in ForceInput ball, DragBranch branch, out AirFactors factors)
+        where TAir : struct, IAir
+    {
+        Vector3d u = ball.AirVelocity;
+        Vector3d w = ball.Spin;
+        factors.Acceleration = Vector3d.Zero;
+        factors.SpinAcceleration = Vector3d.Zero;
+        return Factors(ref air, u.X, u.Y, u.Z, w.X, w.Y, w.Z, branch, out factors.Drag, out factors.Lift, out factors.Decay);
     }
 }

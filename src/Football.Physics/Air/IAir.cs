@@ -9,7 +9,10 @@ internal interface IAir : IFlightKernel<PointStep>
     /// <summary>Whether the drag coefficient jumps, so that a step is locked to a branch and ends where the branch does. A fact of the type.</summary>
     bool Jumps { get; }
 
-    /// <summary>Whether the laws depend on place or time, or push aside: then flight has no constant axis, and is integrated as any motion is. A fact of the type.</summary>
+    /// <summary>
+    /// Whether the laws depend on place or time, or on more than drag, lift and spin decay: then flight has no constant axis, is integrated as any
+    /// motion is, and asks <see cref="Evaluate"/> alone. A fact of the type.
+    /// </summary>
     bool Varies { get; }
 
     /// <summary>How fast the air can change the motion.</summary>
@@ -28,11 +31,12 @@ internal interface IAir : IFlightKernel<PointStep>
     /// <param name="bound">How fast the air and all else can change the motion.</param>
     double WholeUpTo(in RateBound bound);
 
-    /// <summary>The laws at one point.</summary>
-    /// <param name="flow">The flow: |u|², |ω|, ω̂·u, and place and time for laws that vary with them.</param>
+    /// <summary>What the air does at one instant, whatever the motion.</summary>
+    /// <param name="ball">The ball.</param>
     /// <param name="branch">The branch of the drag law.</param>
     /// <param name="factors">What the air does.</param>
-    void Evaluate(in AirFlow flow, DragBranch branch, out AirFactors factors);
+    /// <returns>|ω|, rad/s; 0 where it is too small for a reciprocal.</returns>
+    double Evaluate(in ForceInput ball, DragBranch branch, out AirFactors factors);
 
     /// <summary>Takes a step of flight along a constant axis of the spin, with the fastest form of the laws that holds.</summary>
     /// <param name="integrator">The one-step method.</param>

@@ -92,12 +92,8 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IAir
         }
     }
 
-    public void Evaluate(in AirFlow flow, DragBranch branch, out AirFactors factors)
-    {
-        Unsafe.SkipInit(out factors);
-        AtPoint(branch, flow.SpeedSquared, flow.SpinRate, out factors.Drag, out factors.Lift, out factors.Decay);
-        factors.Side = Vector3d.Zero;
-    }
+    public double Evaluate(in ForceInput ball, DragBranch branch, out AirFactors factors) =>
+        AirRates.Evaluate(ref this, in ball, branch, out factors);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Begin(double spinRate, DragBranch branch, out PointStep step) => step.Branch = branch;
@@ -115,8 +111,8 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IAir
     public void AtStage(in PointStep step, double speedSquared, double spinRate, double alongSpin, out double drag, out double lift, out double decay) =>
         AtPoint(step.Branch, speedSquared, spinRate, out drag, out lift, out decay);
 
-    // Never inlined: one body for all the callers, who are not the hot path.
-    [MethodImpl(MethodImplOptions.NoInlining)]
+    // Never inlined: one body for all the callers.
+    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
     private void AtPoint(DragBranch branch, double speedSquared, double spinRate, out double drag, out double lift, out double decay)
     {
         if (!_kernel.TryAtPoint(branch, speedSquared, spinRate, out drag, out lift, out decay))

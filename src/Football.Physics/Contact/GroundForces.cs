@@ -42,15 +42,14 @@ internal struct GroundForces
     /// <param name="s">The ball at the step's start.</param>
     /// <param name="step">The step.</param>
     /// <param name="spin">Spin at its end, rad/s.</param>
-    /// <param name="contact">Height of the centre, m.</param>
     /// <param name="mayReverse">Whether a force acts that may reverse the spin about the vertical: damping and decay end it, they never reverse it.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Move(ref BallState s, in MotionStep step, in Vector3d spin, double contact, bool mayReverse)
+    public static void Move(ref BallState s, in PlanarStep step, in Vector3d spin, bool mayReverse)
     {
         double about = s.SpinAxis.Y;
         s.BaseOrientation = s.BaseOrientation.Turned(in step.Rotation);
-        s.Position = new Vector3d(step.End.Position.X, contact, step.End.Position.Z);
-        s.Velocity = step.End.Velocity.Horizontal;
+        s.Position = new Vector3d(step.End.X, s.Position.Y, step.End.Z);
+        s.Velocity = new Vector3d(step.End.VX, 0, step.End.VZ);
         bool reversed = about > 0 ? spin.Y < 0 : about < 0 && spin.Y > 0;
         s.SpinAxis = reversed && !mayReverse ? new Vector3d(spin.X, 0, spin.Z) : spin;
     }

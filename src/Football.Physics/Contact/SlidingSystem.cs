@@ -3,92 +3,98 @@ using System.Runtime.CompilerServices;
 namespace Football.Physics;
 
 /// <summary>A ball that slides: F = −μ_s N ŝ, T = r μ_s N (ŷ × ŝ) − c_ω ω_y ŷ + T_D, and the horizontal part of the air's forces.</summary>
-internal struct SlidingSystem<TAir> : IMotionSystem
+internal struct SlidingSystem<TAir> : IPlanarSystem
     where TAir : struct, IAir
 {
     public Surroundings<TAir> Around;
     public DragBranch Branch;
 
-    /// <summary>Direction of the slip at the step's start: what friction keeps to where a stage passes zero.</summary>
-    public Vector3d SlipDirection;
+    /// <summary>Direction of the slip at the step's start, x: what friction keeps to where a stage passes zero.</summary>
+    public double SlipX;
 
-    /// <summary>The spin at the step's start.</summary>
+    /// <summary>The same, z.</summary>
+    public double SlipZ;
+
+    /// <summary>The spin at the step's start, rad/s.</summary>
     public Vector3d StartSpin;
 
-    /// <summary>Whether the air stops this ball's spin although friction turns it, and a stage has gone past that.</summary>
-    public readonly bool StopsSpin(in Vector3d spin) => !Around.Custom.Act && Decay > Around.Ground.SlidingTorque && Vector3d.Dot(in spin, in StartSpin) < 0;
-
     /// <summary>Angular deceleration by the air at the last point, rad/s².</summary>
-    public double Decay;
+    private double _decay;
 
-    public void Rates(double time, in Motion at, out MotionRates rates)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Rates(double time, in PlanarMotion at, out PlanarRates rates)
     {
+        // s = v + r ŷ × ω
         ref readonly GroundForces ground = ref Around.Ground;
-        Vector3d slip = Slip.Of(at.Velocity, at.Spin, ground.Radius);
-        double size = slip.Length;
-        Vector3d s = Vector3d.Dot(in slip, in SlipDirection) > 0 && size > 0 ? (1.0 / size) * slip : SlipDirection;
-        var torqueAxis = new Vector3d(s.Z, 0, -s.X); // ŷ × ŝ
-        Push(time, in at, in torqueAxis, out Vector3d acceleration, out Vector3d spinAcceleration);
-        spinAcceleration += ground.SlidingTorque * torqueAxis;
-        if (!Around.Custom.Act && at.Spin == Vector3d.Zero && Vector3d.Dot(in spinAcceleration, in torqueAxis) < 0)
+        double sx = at.VX + (ground.Radius * at.WZ);
+        double sz = at.VZ - (ground.Radius * at.WX);
+        double size = Math.Sqrt((sx * sx) + (sz * sz));
+        double perSize = 1.0 / size;
+        bool slips = (sx * SlipX) + (sz * SlipZ) > 0 && size > 0;
+        sx = slips ? perSize * sx : SlipX;
+        sz = slips ? perSize * sz : SlipZ;
+
+        // ŷ × ŝ = (s_z, 0, −s_x)
+        Pushed(time, in at, sz, -sx, out rates);
+        rates.AX -= ground.Sliding * sx;
+        rates.AZ -= ground.Sliding * sz;
+        rates.BX += ground.SlidingTorque * sz;
+        rates.BZ += ground.SlidingTorque * -sx;
+        if (at.WX == 0 && at.WY == 0 && at.WZ == 0 && !Around.Air.Varies && (rates.BX * sz) + (rates.BZ * -sx) < 0)
         {
             // The air holds a ball that friction is too weak to turn, but it turns none.
-            spinAcceleration = Vector3d.Zero;
+            rates.BX = 0;
+            rates.BY = 0;
+            rates.BZ = 0;
         }
-
-        rates = new MotionRates(acceleration - (ground.Sliding * s), in spinAcceleration);
-    }
-
-    public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
-    {
-        // Where friction does not turn the ball, or too weakly, its spin ends at zero.
-        Vector3d spin = StopsSpin(in step.End.Spin) ? Vector3d.Zero : step.End.Spin;
-        GroundForces.Move(ref s, in step, in spin, Around.ContactHeight, Around.HasOwnForces);
     }
 
     /// <summary>All but the friction: the air, the damping of the spin about the vertical, the game's own forces.</summary>
     /// <param name="time">Time, s.</param>
     /// <param name="at">The ball.</param>
-    /// <param name="torqueAxis">Axis of the friction's torque: a ball without spin is about to turn about it.</param>
-    public MotionRates Pushed(double time, in Motion at, in Vector3d torqueAxis)
+    /// <param name="torqueX">Axis of the friction's torque, x: a ball without spin is about to turn about it.</param>
+    /// <param name="torqueZ">The same, z.</param>
+    /// <param name="rates">What they do.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Pushed(double time, in PlanarMotion at, double torqueX, double torqueZ, out PlanarRates rates)
     {
-        Push(time, in at, in torqueAxis, out Vector3d acceleration, out Vector3d spinAcceleration);
-        return new MotionRates(in acceleration, in spinAcceleration);
+        GroundPush.On(Around, Branch, MotionState.Sliding, time, in at, out GroundPush push);
+        bool spins = push.SpinRate > 0;
+        _decay = spins ? push.Decay * push.SpinRate : push.Decay;
+        rates.AX = push.X;
+        rates.AZ = push.Z;
+        rates.BX = -push.Decay * (spins ? at.WX : torqueX);
+        rates.BY = spins ? -push.Decay * at.WY : 0;
+        rates.BZ = -push.Decay * (spins ? at.WZ : torqueZ);
+        if (StopsSpin(at.WX, at.WY, at.WZ))
+        {
+            // Past zero the decay goes on as before: at the step's end it stops there.
+            double perSpin = -_decay / StartSpin.Length;
+            rates.BX = perSpin * StartSpin.X;
+            rates.BY = perSpin * StartSpin.Y;
+            rates.BZ = perSpin * StartSpin.Z;
+        }
+
+        rates.BY -= Around.Ground.SpinDamping * at.WY;
+        if (Around.Air.Varies)
+        {
+            rates.BX += push.SpinAcceleration.X;
+            rates.BY += push.SpinAcceleration.Y;
+            rates.BZ += push.SpinAcceleration.Z;
+        }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Push(double time, in Motion at, in Vector3d torqueAxis, out Vector3d acceleration, out Vector3d spinAcceleration)
+    public readonly void Move(ref BallState s, in PlanarStep step)
     {
-        Surroundings<TAir> around = Around;
-        Vector3d u = at.Velocity - around.Wind;
-        Vector3d spin = at.Spin;
-        double rate = AirRates.Factors(ref around.Air, time, in at.Position, in u, in spin, Branch, out AirFactors air);
-        Decay = rate > 0 ? air.Decay * rate : air.Decay;
-        spinAcceleration = rate > 0 ? -air.Decay * spin : -air.Decay * torqueAxis;
-        if (StopsSpin(in spin))
-        {
-            // Past zero the decay goes on as before: at the step's end it stops there.
-            spinAcceleration = (-Decay / StartSpin.Length) * StartSpin;
-        }
-
-        spinAcceleration -= new Vector3d(0, around.Ground.SpinDamping * spin.Y, 0);
-        acceleration = Vector3d.Zero;
-        if (around.AirActsOnGround)
-        {
-            // L (ω × u) − D u
-            acceleration = new Vector3d(
-                (air.Lift * ((spin.Y * u.Z) - (spin.Z * u.Y))) - (air.Drag * u.X), 0, (air.Lift * ((spin.X * u.Y) - (spin.Y * u.X))) - (air.Drag * u.Z));
-            if (around.Air.Varies)
-            {
-                acceleration += air.Side.Horizontal;
-            }
-        }
-
-        if (around.Custom.Act)
-        {
-            MotionRates custom = around.Custom.Rates(time, in at, in u, MotionState.Sliding);
-            acceleration += custom.Acceleration.Horizontal;
-            spinAcceleration += custom.SpinAcceleration;
-        }
+        // Where friction does not turn the ball, or too weakly, its spin ends at zero.
+        bool stops = StopsSpin(step.End.WX, step.End.WY, step.End.WZ);
+        Vector3d spin = stops ? Vector3d.Zero : new Vector3d(step.End.WX, step.End.WY, step.End.WZ);
+        GroundForces.Move(ref s, in step, in spin, Around.Air.Varies);
     }
+
+    /// <summary>Whether the air stops this ball's spin although friction turns it, and a stage has gone past that.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private readonly bool StopsSpin(double wx, double wy, double wz) =>
+        _decay > Around.Ground.SlidingTorque && !Around.Air.Varies && (wx * StartSpin.X) + (wy * StartSpin.Y) + (wz * StartSpin.Z) < 0;
 }

@@ -7,12 +7,6 @@ internal sealed class Surroundings<TAir>
     /// <summary>The air. Not readonly: a call through a type parameter would copy it first.</summary>
     public TAir Air;
 
-    /// <summary>The game's own forces.</summary>
-    public readonly CustomForces Custom;
-
-    /// <summary>Whether a force acts that is not the air's about the spin's axis: then flight is integrated with the whole spin vector.</summary>
-    public readonly bool HasOwnForces;
-
     /// <summary>Whether the air acts at all.</summary>
     public readonly bool AirActs;
 
@@ -40,8 +34,6 @@ internal sealed class Surroundings<TAir>
     public Surroundings(Scene scene)
     {
         Air.Prepare(scene);
-        Custom = new CustomForces(scene);
-        HasOwnForces = Custom.Act || Air.Varies;
         AirActs = Air.Drags || Air.Lifts || Air.SpinDecays || Air.Varies;
         Ground = GroundForces.Of(scene);
         Wind = scene.Air.Wind;

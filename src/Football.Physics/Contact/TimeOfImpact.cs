@@ -21,13 +21,13 @@ internal static class TimeOfImpact
         for (int i = 0; i < 60; i++)
         {
             sweep.Step(tau);
-            double above = sweep.Height - contact;
+            double above = sweep.Position.Y - contact;
             if (Math.Abs(above) <= Touching)
             {
                 break;
             }
 
-            double velocity = sweep.VerticalVelocity;
+            double velocity = sweep.Velocity.Y;
             double correction = -above / velocity;
             if (velocity < 0 && Math.Abs(correction) <= Negligible)
             {
@@ -53,7 +53,7 @@ internal static class TimeOfImpact
         }
 
         // A step that ends below contact has touched it, even where its own velocity is zero there (a semi-implicit hop).
-        return arc.End < 0 || sweep.VerticalVelocity < 0;
+        return arc.End < 0 || sweep.Velocity.Y < 0;
     }
 
     /// <summary>Shortens a step by the thesis' recursive search (2.4.4): halve until the halving is no longer than the tolerance.</summary>
@@ -74,7 +74,7 @@ internal static class TimeOfImpact
 
             tau = next;
             sweep.Step(tau);
-            below = sweep.Height < contact;
+            below = sweep.Position.Y < contact;
         }
 
         sweep.Step(tau);

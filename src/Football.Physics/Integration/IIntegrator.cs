@@ -28,7 +28,7 @@ internal interface IIntegrator
         where TKernel : struct, IFlightKernel<TStep>
         where TStep : struct;
 
-    /// <summary>A step of any motion: on the ground, and in flight with forces of the game's own.</summary>
+    /// <summary>A step of any motion: in flight with forces of the game's own.</summary>
     /// <param name="system">Gives the rates.</param>
     /// <param name="time">Time at the start, s.</param>
     /// <param name="from">Where the step starts.</param>
@@ -36,6 +36,15 @@ internal interface IIntegrator
     /// <param name="step">Where it ends.</param>
     void Advance<TSystem>(ref TSystem system, double time, in Motion from, double h, out MotionStep step)
         where TSystem : struct, IMotionSystem;
+
+    /// <summary>A step on the flat ground.</summary>
+    /// <param name="system">Gives the rates.</param>
+    /// <param name="time">Time at the start, s.</param>
+    /// <param name="from">Where the step starts.</param>
+    /// <param name="h">Its length, s.</param>
+    /// <param name="step">Where it ends.</param>
+    void Advance<TSystem>(ref TSystem system, double time, in PlanarMotion from, double h, out PlanarStep step)
+        where TSystem : struct, IPlanarSystem;
 
     /// <summary>When, inside a step that ends below contact, the re-integrated height reaches it.</summary>
     /// <param name="arc">Height above contact over the step.</param>

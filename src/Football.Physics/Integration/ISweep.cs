@@ -6,11 +6,11 @@ internal interface ISweep
     /// <summary>Length of the step as it was last taken, s.</summary>
     double Length { get; }
 
-    /// <summary>Height of the centre at the end, m.</summary>
-    double Height { get; }
+    /// <summary>Where the centre is at the end, m.</summary>
+    Vector3d Position { get; }
 
-    /// <summary>Vertical velocity at the end, m/s.</summary>
-    double VerticalVelocity { get; }
+    /// <summary>Velocity at the end, m/s.</summary>
+    Vector3d Velocity { get; }
 
     /// <summary>Acceleration at the start, m/s².</summary>
     Vector3d StartAcceleration { get; }
@@ -26,4 +26,7 @@ internal interface ISweep
 
     /// <summary>Acceleration at the end, m/s²; one evaluation.</summary>
     Vector3d EndAcceleration();
+
+    /// <summary>Moves the ball to the end: place, velocity, spin and orientation.</summary>
+    void MoveTo(ref BallState s);
 }

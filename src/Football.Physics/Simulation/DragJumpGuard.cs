@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>
@@ -133,11 +135,28 @@ internal sealed class DragJumpGuard<TAir>
         branch = end.Branch;
     }
 
+    /// <summary>Whether a step on the ground may have crossed the jump: a quick test that errs towards yes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool MayCrossOnGround(DragBranch branch, in PlanarMotion from, in PlanarStep taken, double h)
+    {
+        if (!Acts)
+        {
+            return false;
+        }
+
+        Surroundings<TAir> around = _flight.Around;
+        DragJump start = DragJump.At(in from, in around.Wind, around.Radius);
+        DragJump startRate = DragJump.Rate(in from, in taken.StartRates, in around.Wind, around.Radius);
+        DragJump end = DragJump.At(in taken.End, in around.Wind, around.Radius);
+        return DragJump.MayCross(branch, in start, in startRate, in end, h);
+    }
+
     /// <summary>The branch that a piece on the ground is locked to: the last one, unless that is not known or leads along a surface.</summary>
-    public DragBranch OnGround(DragBranch last, in Motion from)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public DragBranch OnGround(DragBranch last, in PlanarMotion from)
     {
         bool known = Acts && (last is DragBranch.NoSpin or DragBranch.Spinning);
-        return known || !_flight.Around.Air.Jumps ? last : _flight.JumpAt(in from).Branch;
+        return known || !_flight.Around.Air.Jumps ? last : DragJump.At(in from, in _flight.Around.Wind, _flight.Around.Radius).Branch;
     }
 
     /// <summary>Which branch of the drag law holds from a point on its jump on.</summary>

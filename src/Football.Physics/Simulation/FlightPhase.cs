@@ -50,7 +50,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
             s.Branch = DragJump.At(u.LengthSquared, _around.RadiusSquared * s.SpinRate * s.SpinRate).Branch;
         }
 
-        bool hasAxis = !_around.HasOwnForces && s.Branch < DragBranch.AlongCriticalSpeed;
+        bool hasAxis = !_around.Air.Varies && s.Branch < DragBranch.AlongCriticalSpeed;
         double asked = run.Next;
         double h = Longest(in s, in u, asked, hasAxis);
         if (h <= 0)
@@ -161,8 +161,8 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         where TSweep : struct, IFlightSweep
     {
         double contact = _around.ContactHeight;
-        double height = sweep.Height;
-        double climb = sweep.VerticalVelocity;
+        double height = sweep.Position.Y;
+        double climb = sweep.Velocity.Y;
         bool below = height < contact;
         if (!below && !(s.Velocity.Y < 0 && climb > 0))
         {
@@ -264,10 +264,10 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         s.Angle += h * s.SpinRate;
         run.Advance(ref s, h);
         run.Log.Evaluations += _integrator.Stages;
-        if (run.Log.Observer is { } observer)
+        if (run.Log.Observer is not null)
         {
             var gravity = new Vector3d(0, _around.Upward, 0);
-            run.Show(observer, in before, in s, in gravity, in gravity, _integrator.Order);
+            run.Log.Show(in before, in s, in gravity, in gravity, _integrator.Order);
         }
 
         return true;

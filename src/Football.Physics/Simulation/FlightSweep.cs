@@ -34,9 +34,9 @@ internal struct FlightSweep<TAir, TIntegrator> : IFlightSweep
 
     public int Evaluations { get; set; }
 
-    public readonly double Height => _position.Y + (_taken.Path.Y + (Length * _around.Wind.Y));
+    public readonly Vector3d Position => _position + (_taken.Path + (Length * _around.Wind));
 
-    public readonly double VerticalVelocity => _taken.AirVelocity.Y + _around.Wind.Y;
+    public readonly Vector3d Velocity => _taken.AirVelocity + _around.Wind;
 
     public readonly Vector3d StartAcceleration => _taken.StartAcceleration;
 
@@ -47,8 +47,7 @@ internal struct FlightSweep<TAir, TIntegrator> : IFlightSweep
 
     public readonly DragJump EndJump => JumpAt(in _taken.AirVelocity, _taken.SpinRate);
 
-    public readonly Motion EndMotion => new(
-        _position + (_taken.Path + (Length * _around.Wind)), _taken.AirVelocity + _around.Wind, _from.Axis * _taken.SpinRate);
+    public readonly Motion EndMotion => new(Position, Velocity, _from.Axis * _taken.SpinRate);
 
     public void Step(double h)
     {
@@ -83,8 +82,8 @@ internal struct FlightSweep<TAir, TIntegrator> : IFlightSweep
 
     public readonly void MoveTo(ref BallState s)
     {
-        s.Position += _taken.Path + (Length * _around.Wind);
-        s.Velocity = _taken.AirVelocity + _around.Wind;
+        s.Position = Position;
+        s.Velocity = Velocity;
         s.SpinRate = Math.Max(0, _taken.SpinRate);
         s.Angle += _taken.Turn;
     }

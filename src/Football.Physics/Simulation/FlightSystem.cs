@@ -31,7 +31,7 @@ internal struct FlightSystem<TAir> : IMotionSystem
         s.Velocity = step.End.Velocity;
 
         // Decay never reverses a spin; a force of the game's own may.
-        bool keeps = Around.HasOwnForces || Vector3d.Dot(in step.End.Spin, in from.Spin) > 0;
+        bool keeps = Around.Air.Varies || Vector3d.Dot(in step.End.Spin, in from.Spin) > 0;
         s.SetFlightSpin(keeps ? step.End.Spin : Vector3d.Zero);
     }
 
@@ -40,19 +40,13 @@ internal struct FlightSystem<TAir> : IMotionSystem
     {
         Surroundings<TAir> around = Around;
         Vector3d u = at.Velocity - around.Wind;
-        AirRates.Factors(ref around.Air, time, in at.Position, in u, in at.Spin, branch, out AirFactors air);
+        around.Air.Evaluate(new ForceInput(time, in at.Position, in at.Velocity, in u, in at.Spin, MotionState.Airborne), branch, out AirFactors air);
         Vector3d acceleration = (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u) + new Vector3d(0, around.Upward, 0);
         Vector3d spinAcceleration = -air.Decay * at.Spin;
         if (around.Air.Varies)
         {
-            acceleration += air.Side;
-        }
-
-        if (around.Custom.Act)
-        {
-            MotionRates custom = around.Custom.Rates(time, in at, in u, MotionState.Airborne);
-            acceleration += custom.Acceleration;
-            spinAcceleration += custom.SpinAcceleration;
+            acceleration += air.Acceleration;
+            spinAcceleration += air.SpinAcceleration;
         }
 
         return new MotionRates(in acceleration, in spinAcceleration);
@@ -72,11 +66,8 @@ internal struct FlightSystem<TAir> : IMotionSystem
     }
 
     /// <summary>The jump's functions at a state.</summary>
-    public readonly DragJump JumpAt(in Motion at) =>
-        DragJump.At((at.Velocity - Around.Wind).LengthSquared, Around.Radius * Around.Radius * at.Spin.LengthSquared);
+    public readonly DragJump JumpAt(in Motion at) => DragJump.At(in at, in Around.Wind, Around.Radius);
 
-    /// <summary>Their rates of change: d|u|²/dt = 2 u·a, d(r|ω|)²/dt = 2 r² ω·ω̇.</summary>
-    public readonly DragJump JumpRate(in Motion at, in MotionRates rates) => DragJump.Rate(
-        2.0 * Vector3d.Dot(at.Velocity - Around.Wind, rates.Acceleration),
-        2.0 * Around.Radius * Around.Radius * Vector3d.Dot(at.Spin, rates.SpinAcceleration));
+    /// <summary>Their rates of change.</summary>
+    public readonly DragJump JumpRate(in Motion at, in MotionRates rates) => DragJump.Rate(in at, in rates, in Around.Wind, Around.Radius);
 }

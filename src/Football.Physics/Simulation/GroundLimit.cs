@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>How long a piece of motion on the ground may be.</summary>
@@ -15,34 +17,43 @@ internal readonly struct GroundLimit<TAir>
 
     private readonly Surroundings<TAir> _around;
     private readonly StabilityLimit _limit;
+    private readonly double _perSpeed;
+    private readonly double _perSpin;
+    private readonly double _constant;
 
     public GroundLimit(Surroundings<TAir> around, in StabilityLimit limit)
     {
         _around = around;
         _limit = limit;
+        _perSpeed = limit.Bound.PerSpeed;
+        _perSpin = limit.Bound.PerSpin;
+        _constant = limit.Bound.Constant;
     }
 
     /// <summary>A bound, 1/s, for how fast the air and the damping change the motion, without a root.</summary>
     /// <param name="from">The ball.</param>
     /// <param name="airSpeed">A bound of the speed relative to the air, m/s.</param>
-    public double RateAtMost(in Motion from, out double airSpeed)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public double RateAtMost(in PlanarMotion from, out double airSpeed)
     {
-        airSpeed = SumOfSizes(from.Velocity - _around.Wind);
-        RateBound bound = _limit.Bound;
-        return (bound.PerSpeed * airSpeed) + (bound.PerSpin * SumOfSizes(in from.Spin)) + bound.Constant + _around.Ground.SpinDamping;
+        // |x| + |y| + |z| is at least the length of a vector.
+        ref readonly Vector3d wind = ref _around.Wind;
+        airSpeed = Math.Abs(from.VX - wind.X) + Math.Abs(wind.Y) + Math.Abs(from.VZ - wind.Z);
+        return (_perSpeed * airSpeed) + (_perSpin * SpinAtMost(in from)) + _constant + _around.Ground.SpinDamping;
     }
 
-    /// <summary>|x| + |y| + |z|, at least the length of a vector.</summary>
-    public static double SumOfSizes(in Vector3d v) => Math.Abs(v.X) + Math.Abs(v.Y) + Math.Abs(v.Z);
+    /// <summary>A bound of the spin, rad/s, without a root.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double SpinAtMost(in PlanarMotion from) => Math.Abs(from.WX) + Math.Abs(from.WY) + Math.Abs(from.WZ);
 
     /// <summary>The longest of equal parts of a step for which no force overshoots, s; 0 where they would be too many.</summary>
     /// <param name="left">Length of the step, s.</param>
     /// <param name="rateAtMost">From <see cref="RateAtMost"/>.</param>
     /// <param name="from">The ball.</param>
     /// <param name="branch">The branch of the drag law.</param>
-    public double PartOf(double left, double rateAtMost, in Motion from, DragBranch branch) => left * rateAtMost <= StabilityLimit.LargestChange
+    public double PartOf(double left, double rateAtMost, in PlanarMotion from, DragBranch branch) => left * rateAtMost <= StabilityLimit.LargestChange
         ? left
-        : _limit.PartOf(ref _around.Air, left, (from.Velocity - _around.Wind).Length, from.Spin.Length, branch, _around.Ground.SpinDamping);
+        : _limit.PartOf(ref _around.Air, left, (from.Velocity - _around.Wind).Length, Math.Sqrt(from.SpinSquared), branch, _around.Ground.SpinDamping);
 
     /// <summary>Shortens a piece in which a vector would lose, or turn by, more than a share of its size.</summary>
     /// <param name="h">Length of the piece, s.</param>

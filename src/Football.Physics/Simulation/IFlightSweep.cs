@@ -5,7 +5,4 @@ internal interface IFlightSweep : IFlowSweep
 {
     /// <summary>Place, velocity and spin at the end.</summary>
     Motion EndMotion { get; }
-
-    /// <summary>Moves the ball to the end: place, velocity, spin and orientation.</summary>
-    void MoveTo(ref BallState s);
 }

@@ -38,23 +38,18 @@ internal sealed class ImplicitPhase<TAir>
     {
         double h = run.Left / Math.Max(1, MostPieces - run.Implicit);
         run.Implicit++;
-        MotionRates custom = default;
         var from = new Motion(s.Position, s.Velocity, s.Spin);
-        if (_around.Custom.Act)
-        {
-            custom = _around.Custom.Rates(s.Time, in from, s.Velocity - _around.Wind, MotionState.Airborne);
-            run.Log.Evaluations++;
-        }
+        MotionRates push = Push(in s, in from.Velocity, in from.Spin, ref run);
 
         var euler = new ImplicitEuler<TAir> { Air = _around.Air, RadiusSquared = _around.RadiusSquared };
-        Motion end = After(ref euler, in from, in custom, h);
+        Motion end = After(ref euler, in from, in push, h);
         bool below = end.Position.Y < _around.ContactHeight;
 
         // A hop that begins and ends within the piece has no height: the air presses the ball down.
         bool pressed = below && s.Position.Y <= _around.ContactHeight;
         if (below && !pressed)
         {
-            h = TimeOfContact(ref euler, in from, in custom, h, ref end);
+            h = TimeOfContact(ref euler, in from, in push, h, ref end);
         }
 
         BallState before = s;
@@ -75,27 +70,41 @@ internal sealed class ImplicitPhase<TAir>
         }
     }
 
-    /// <summary>Velocity, then spin, then position with the new velocity.</summary>
-    private Motion After(ref ImplicitEuler<TAir> euler, in Motion from, in MotionRates custom, double h)
+    /// <summary>What air that varies does beside drag, lift and spin decay, at the start of a piece.</summary>
+    private MotionRates Push(in BallState s, in Vector3d velocity, in Vector3d spin, ref StepRun run)
     {
-        Vector3d spin = from.Spin + (h * custom.SpinAcceleration);
+        if (!_around.Air.Varies)
+        {
+            return default;
+        }
+
+        run.Log.Evaluations++;
+        var ball = new ForceInput(s.Time, s.Position, in velocity, velocity - _around.Wind, in spin, s.Motion);
+        _around.Air.Evaluate(in ball, s.Branch, out AirFactors air);
+        return new MotionRates(in air.Acceleration, in air.SpinAcceleration);
+    }
+
+    /// <summary>Velocity, then spin, then position with the new velocity.</summary>
+    private Motion After(ref ImplicitEuler<TAir> euler, in Motion from, in MotionRates push, double h)
+    {
+        Vector3d spin = from.Spin + (h * push.SpinAcceleration);
         double rate = spin.Length;
         Vector3d axis = rate > 0 ? spin / rate : Vector3d.Up;
-        Vector3d push = custom.Acceleration + new Vector3d(0, _around.Upward, 0);
-        Vector3d u = euler.Velocity(from.Velocity - _around.Wind, in push, in axis, rate, h);
+        Vector3d acceleration = push.Acceleration + new Vector3d(0, _around.Upward, 0);
+        Vector3d u = euler.Velocity(from.Velocity - _around.Wind, in acceleration, in axis, rate, h);
         Vector3d velocity = u + _around.Wind;
         return new Motion(from.Position + (h * velocity), in velocity, euler.Spin(rate, u.Length, h) * axis);
     }
 
     /// <summary>Shortens a piece to the instant of contact.</summary>
-    private double TimeOfContact(ref ImplicitEuler<TAir> euler, in Motion from, in MotionRates custom, double h, ref Motion end)
+    private double TimeOfContact(ref ImplicitEuler<TAir> euler, in Motion from, in MotionRates push, double h, ref Motion end)
     {
         double low = 0;
         double high = h;
         for (int i = 0; i < 60 && end.Position.Y < _around.ContactHeight - 1e-12; i++)
         {
             double middle = 0.5 * (low + high);
-            Motion at = After(ref euler, in from, in custom, middle);
+            Motion at = After(ref euler, in from, in push, middle);
             if (at.Position.Y < _around.ContactHeight)
             {
                 high = middle;
@@ -119,12 +128,9 @@ internal sealed class ImplicitPhase<TAir>
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
         GroundForces ground = _around.Ground;
-        if (_around.Custom.Act)
-        {
-            MotionRates custom = _around.Custom.Rates(s.Time, new Motion(s.Position, in v, in w), v - _around.Wind, s.Motion);
-            v += h * custom.Acceleration.Horizontal;
-            w += h * custom.SpinAcceleration;
-        }
+        MotionRates push = Push(in s, in v, in w, ref run);
+        v += h * push.Acceleration.Horizontal;
+        w += h * push.SpinAcceleration;
 
         bool slipEnds = false;
         if (slides)

@@ -32,20 +32,22 @@ internal struct MotionSweep<TSystem, TIntegrator> : IFlightSweep
 
     public int Evaluations { get; set; }
 
-    public readonly double Height => Taken.End.Position.Y;
+    public readonly Vector3d Position => Taken.End.Position;
 
-    public readonly double VerticalVelocity => Taken.End.Velocity.Y;
+    public readonly Vector3d Velocity => Taken.End.Velocity;
 
     public readonly Vector3d StartAcceleration => Taken.StartRates.Acceleration;
 
-    public readonly DragJump StartJump => JumpAt(in _from);
+    public readonly DragJump StartJump => DragJump.At(in _from, in _wind, _radius);
 
-    public readonly DragJump StartJumpRate => JumpRate(in _from, in Taken.StartRates);
+    public readonly DragJump StartJumpRate => DragJump.Rate(in _from, in Taken.StartRates, in _wind, _radius);
 
-    public readonly DragJump EndJump => JumpAt(in Taken.End);
+    public readonly DragJump EndJump => DragJump.At(in Taken.End, in _wind, _radius);
 
     public readonly Motion EndMotion => Taken.End;
 
+    // Never inlined: one body for all who take the step again.
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public void Step(double h)
     {
         _integrator.Advance(ref System, _time, in _from, h, out Taken);
@@ -68,7 +70,7 @@ internal struct MotionSweep<TSystem, TIntegrator> : IFlightSweep
     public DragJump EndJumpRate()
     {
         MotionRates rates = EndRates();
-        return JumpRate(in Taken.End, in rates);
+        return DragJump.Rate(in Taken.End, in rates, in _wind, _radius);
     }
 
     public Vector3d EndAcceleration() => EndRates().Acceleration;
@@ -80,11 +82,4 @@ internal struct MotionSweep<TSystem, TIntegrator> : IFlightSweep
         Evaluations++;
         return rates;
     }
-
-    private readonly DragJump JumpAt(in Motion at) =>
-        DragJump.At((at.Velocity - _wind).LengthSquared, _radius * _radius * at.Spin.LengthSquared);
-
-    private readonly DragJump JumpRate(in Motion at, in MotionRates rates) => DragJump.Rate(
-        2.0 * Vector3d.Dot(at.Velocity - _wind, rates.Acceleration),
-        2.0 * _radius * _radius * Vector3d.Dot(at.Spin, rates.SpinAcceleration));
 }

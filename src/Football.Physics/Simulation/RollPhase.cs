@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>Rolling on the ground, piece by piece: up to the drag law's jump, or to rest.</summary>
@@ -12,6 +14,7 @@ internal sealed class RollPhase<TAir, TIntegrator>
     private readonly ImplicitPhase<TAir> _implicit;
     private readonly RollingSystem<TAir> _system;
     private readonly TIntegrator _integrator;
+    private readonly double _rolling;
     private readonly double _restEnergy;
     private readonly double _mass;
     private readonly double _momentOfInertia;
@@ -31,9 +34,64 @@ internal sealed class RollPhase<TAir, TIntegrator>
         _implicit = implicitPhase;
         _system = new RollingSystem<TAir> { Around = around };
         _integrator = default;
+        _rolling = around.Ground.Rolling;
         _restEnergy = scene.Ground.RestEnergy;
         _mass = scene.Ball.Mass;
         _momentOfInertia = scene.Ball.MomentOfInertia;
+    }
+
+    /// <summary>
+    /// A whole step of rolling, done if nothing happens in it: nearly every step on the ground. It is the piece that <see cref="Take"/> would
+    /// take, in one body, so that the motion stays in registers.
+    /// </summary>
+    /// <returns>False where something may happen; then nothing is done.</returns>
+    [MethodImpl(Hot.Path)]
+    public bool TryWhole(ref BallState s, double dt, StepLog log)
+    {
+        // Propose: the whole step, if the direction does not turn too fast in it, and the air is not too strong.
+        var from = new PlanarMotion(in s);
+        DragBranch branch = _jump.OnGround(s.Branch, in from);
+        double speedSquared = from.SpeedSquared;
+        double speed = Math.Sqrt(speedSquared);
+        double airRate = _limit.RateAtMost(in from, out double airSpeed);
+        if (!(dt * airRate <= StabilityLimit.LargestChange) || !(speed >= Slip.Rolling)
+            || (_rolling + (airRate * airSpeed)) * dt > GroundLimit<TAir>.Approach * speed
+            || KineticEnergy(speedSquared, from.SpinSquared) < _restEnergy)
+        {
+            return false;
+        }
+
+        // Take it.
+        RollingSystem<TAir> system;
+        system.Around = _around;
+        system.Branch = branch;
+        system.DirectionX = from.VX / speed;
+        system.DirectionZ = from.VZ / speed;
+        system.Pinned = false;
+        TIntegrator integrator = default;
+        integrator.Advance(ref system, s.Time, in from, dt, out PlanarStep taken);
+
+        // Guards: the drag law's jump, rest.
+        if (_jump.MayCrossOnGround(branch, in from, in taken, dt) || KineticEnergy(taken.End.SpeedSquared, taken.End.SpinSquared) < _restEnergy)
+        {
+            return false;
+        }
+
+        // Nothing happened: move the ball.
+        log.Evaluations += integrator.Stages;
+        log.Steps++;
+        s.Branch = branch;
+        if (log.Observer is null)
+        {
+            system.Move(ref s, in taken);
+            s.Time += dt;
+        }
+        else
+        {
+            log.MoveAndShow(ref s, ref system, in taken, dt, integrator.Order);
+        }
+
+        return true;
     }
 
     /// <summary>The next piece of a roll.</summary>
@@ -44,15 +102,15 @@ internal sealed class RollPhase<TAir, TIntegrator>
             return;
         }
 
-        double energy = KineticEnergy(s.Velocity, s.Spin);
+        var from = new PlanarMotion(in s);
+        double energy = KineticEnergy(from.SpeedSquared, from.SpinSquared);
         if (energy < _restEnergy)
         {
             _contact.Rest(ref s, ref run);
             return;
         }
 
-        var from = new Motion(s.Position, s.Velocity, s.Spin);
-        double speed = from.Velocity.Length;
+        double speed = Math.Sqrt(from.SpeedSquared);
         s.Branch = _jump.OnGround(s.Branch, in from);
         RollingSystem<TAir> system = _system;
         system.Branch = s.Branch;
@@ -68,29 +126,35 @@ internal sealed class RollPhase<TAir, TIntegrator>
         run.Keep(h, asked);
         if (speed < Slip.Rolling)
         {
-            from = new Motion(s.Position, Vector3d.Zero, new Vector3d(0, from.Spin.Y, 0));
-            Vector3d push = system.Pushed(s.Time, in from).Acceleration;
+            from.VX = 0;
+            from.VZ = 0;
+            from.WX = 0;
+            from.WZ = 0;
+            GroundPush.On(_around, s.Branch, MotionState.Rolling, s.Time, in from, out GroundPush push);
             run.Log.Evaluations++;
-            double pushSize = push.Length;
+            double pushSize = Math.Sqrt((push.X * push.X) + (push.Z * push.Z));
             system.Pinned = pushSize <= _around.Ground.Rolling;
-            system.Direction = pushSize > 0 ? push / pushSize : Vector3d.Zero;
+            system.DirectionX = pushSize > 0 ? push.X / pushSize : 0;
+            system.DirectionZ = pushSize > 0 ? push.Z / pushSize : 0;
         }
         else
         {
-            system.Direction = from.Velocity / speed;
+            system.DirectionX = from.VX / speed;
+            system.DirectionZ = from.VZ / speed;
             double fastest = _around.Ground.Rolling + (airRate * airSpeed);
-            if (_around.Custom.Act || fastest * h > GroundLimit<TAir>.Approach * speed)
+            if (_around.Air.Varies || fastest * h > GroundLimit<TAir>.Approach * speed)
             {
-                system.Rates(s.Time, in from, out MotionRates rates);
+                system.Rates(s.Time, in from, out PlanarRates rates);
                 run.Log.Evaluations++;
-                h = GroundLimit<TAir>.Shorten(h, run.Length, in system.Direction, speed, rates.Acceleration);
+                var direction = new Vector3d(system.DirectionX, 0, system.DirectionZ);
+                h = GroundLimit<TAir>.Shorten(h, run.Length, in direction, speed, rates.Acceleration);
             }
         }
 
-        var sweep = new MotionSweep<RollingSystem<TAir>, TIntegrator>(in system, s.Time, in from, in _around.Wind, _around.Radius);
+        var sweep = new PlanarSweep<RollingSystem<TAir>, TIntegrator>(in system, s.Time, in from, _around.ContactHeight, in _around.Wind, _around.Radius);
         sweep.Step(h);
         _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
-        bool rests = KineticEnergy(in sweep.Taken.End.Velocity, in sweep.Taken.End.Spin) < _restEnergy;
+        bool rests = KineticEnergy(sweep.Taken.End.SpeedSquared, sweep.Taken.End.SpinSquared) < _restEnergy;
         if (rests)
         {
             EndAtRest(ref sweep, energy);
@@ -108,25 +172,25 @@ internal sealed class RollPhase<TAir, TIntegrator>
     }
 
     /// <summary>Ends a piece where its kinetic energy falls to the rest energy.</summary>
-    private void EndAtRest(ref MotionSweep<RollingSystem<TAir>, TIntegrator> sweep, double energy)
+    private void EndAtRest(ref PlanarSweep<RollingSystem<TAir>, TIntegrator> sweep, double energy)
     {
         double low = 0;
         double high = sweep.Length;
 
         // Speeds fall about linearly, energies with their square.
         double startRoot = Math.Sqrt(energy);
-        double endRoot = Math.Sqrt(KineticEnergy(in sweep.Taken.End.Velocity, in sweep.Taken.End.Spin));
+        double endRoot = Math.Sqrt(KineticEnergy(sweep.Taken.End.SpeedSquared, sweep.Taken.End.SpinSquared));
         double tau = high * (startRoot - Math.Sqrt(_restEnergy)) / (startRoot - endRoot);
         for (int i = 0; i < 40; i++)
         {
             tau = tau > low && tau < high ? tau : 0.5 * (low + high);
             sweep.Step(tau);
-            double excess = KineticEnergy(in sweep.Taken.End.Velocity, in sweep.Taken.End.Spin) - _restEnergy;
-            MotionRates rates = sweep.EndRates();
+            double excess = KineticEnergy(sweep.Taken.End.SpeedSquared, sweep.Taken.End.SpinSquared) - _restEnergy;
+            PlanarRates rates = sweep.EndRates();
 
             // dE/dt = m v·v̇ + I ω·ω̇
-            double power = (_mass * Vector3d.Dot(in sweep.Taken.End.Velocity, in rates.Acceleration))
-                + (_momentOfInertia * Vector3d.Dot(in sweep.Taken.End.Spin, in rates.SpinAcceleration));
+            double power = (_mass * Vector3d.Dot(sweep.Taken.End.Velocity, rates.Acceleration))
+                + (_momentOfInertia * Vector3d.Dot(sweep.Taken.End.Spin, rates.SpinAcceleration));
             double correction = -excess / power;
             if (power < 0 && Math.Abs(correction) <= 1e-12)
             {
@@ -152,5 +216,5 @@ internal sealed class RollPhase<TAir, TIntegrator>
     }
 
     /// <summary>½ m v² + ½ I ω², J.</summary>
-    private double KineticEnergy(in Vector3d v, in Vector3d w) => (0.5 * _mass * v.LengthSquared) + (0.5 * _momentOfInertia * w.LengthSquared);
+    private double KineticEnergy(double speedSquared, double spinSquared) => (0.5 * _mass * speedSquared) + (0.5 * _momentOfInertia * spinSquared);
 }

@@ -27,7 +27,7 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
     private readonly double _contactHeight;
     private readonly double _radiusSquared;
     private readonly StabilityLimit _limit;
-    private readonly bool _hasAxis;
+    private readonly bool _staysDown;
     private readonly bool _locatesJump;
     private TAir _air;
     private TIntegrator _integrator;
@@ -45,7 +45,7 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
         _upward = around.Upward;
         _contactHeight = around.ContactHeight;
         _radiusSquared = around.RadiusSquared;
-        _hasAxis = !around.HasOwnForces;
+        _staysDown = _upward <= 0;
         _limit = StabilityLimit.Of(scene, ref _air, _upward, _integrator.Order);
         var jump = new DragJumpGuard<TAir>(around, settings.LocateJump && _integrator.Order > 1);
         _locatesJump = jump.Acts;
@@ -67,7 +67,21 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
         Vector3d position = s.Position;
         double y = position.Y;
         DragBranch branch = s.Branch;
-        if (s.Motion != MotionState.Airborne || !_hasAxis || branch >= DragBranch.AlongCriticalSpeed || (y <= _contactHeight && vy < 0))
+        if (s.Motion != MotionState.Airborne)
+        {
+            // A ball lighter than the air may leave the ground, and air that varies may do anything.
+            bool done = _staysDown && !_air.Varies
+                && ((s.Motion == MotionState.Rolling && _roll.TryWhole(ref s, dt, log))
+                    || (s.Motion == MotionState.Sliding && _slide.TryWhole(ref s, dt, log)));
+            if (!done)
+            {
+                TakePieces(ref s, dt, log);
+            }
+
+            return;
+        }
+
+        if (_air.Varies || branch >= DragBranch.AlongCriticalSpeed || (y <= _contactHeight && vy < 0))
         {
             TakePieces(ref s, dt, log);
             return;
@@ -121,20 +135,17 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
         double time = s.Time;
         s.Time = time + dt;
         log.Steps++;
-        if (log.Observer is { } observer)
+        if (log.Observer is not null)
         {
-            Show(observer, log, in s, time, in position, new Vector3d(vx, vy, vz), in step);
+            Show(log, in s, time, in position, new Vector3d(vx, vy, vz), in step);
         }
     }
 
     public override void AirFactors(double speed, double spinRate, out double drag, out double lift)
     {
-        AirFlow flow = default;
-        flow.SpeedSquared = speed * speed;
-        flow.SpinRate = spinRate;
-        _air.Evaluate(in flow, DragJump.At(flow.SpeedSquared, _radiusSquared * spinRate * spinRate).Branch, out AirFactors factors);
-        drag = factors.Drag;
-        lift = factors.Lift;
+        double speedSquared = speed * speed;
+        _air.Begin(spinRate, DragJump.At(speedSquared, _radiusSquared * spinRate * spinRate).Branch, out PointStep step);
+        _air.AtStart(ref step, speedSquared, spinRate, 0, out drag, out lift, out _);
     }
 
     /// <summary>Whether a step may have crossed the drag law's jump.</summary>
@@ -174,8 +185,7 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
         log.Evaluations += _integrator.Stages;
     }
 
-    /// <summary>Shows a whole step of flight to an observer.</summary>
-    /// <param name="observer">Who watches.</param>
+    /// <summary>Shows a whole step of flight to the observer.</summary>
     /// <param name="log">The log.</param>
     /// <param name="s">The ball at the step's end.</param>
     /// <param name="time">When it started, s.</param>
@@ -183,26 +193,26 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
     /// <param name="velocity">Velocity there, m/s.</param>
     /// <param name="step">The step.</param>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Show(
-        PieceObserver observer, StepLog log, in BallState s, double time, in Vector3d position, in Vector3d velocity, in FlightStep step)
+    private void Show(StepLog log, in BallState s, double time, in Vector3d position, in Vector3d velocity, in FlightStep step)
     {
+        BallState before = s;
+        before.Time = time;
+        before.Position = position;
+        before.Velocity = velocity;
         Vector3d acceleration = default;
-        if (observer.WantsEndAcceleration)
+        if (log.Observer!.WantsEndAcceleration)
         {
-            FlightPoint from;
-            from.AirVelocity = step.AirVelocity;
-            from.SpinRate = step.SpinRate;
-            from.Axis = s.Flight.Axis;
-            from.Upward = _upward;
-            from.Branch = s.Branch;
-            FlightRates.Of<TAir, PointStep>(ref _air, in from, in from.AirVelocity, from.SpinRate, out acceleration, out _);
+            FlightPoint at;
+            at.AirVelocity = step.AirVelocity;
+            at.SpinRate = step.SpinRate;
+            at.Axis = s.Flight.Axis;
+            at.Upward = _upward;
+            at.Branch = s.Branch;
+            FlightRates.Of<TAir, PointStep>(ref _air, in at, in at.AirVelocity, at.SpinRate, out acceleration, out _);
             log.Evaluations++;
         }
 
-        int degree = PathPiece.DegreeOf(_integrator.Order, observer.WantsEndAcceleration);
-        var piece = new PathPiece(
-            time, s.Time - time, in position, in velocity, in step.StartAcceleration, s.Position, s.Velocity, in acceleration, MotionState.Airborne, degree);
-        log.Halted |= observer.Add(in piece);
+        log.Show(in before, in s, in step.StartAcceleration, in acceleration, _integrator.Order);
     }
 
     /// <summary>A step, piece by piece.</summary>

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>What a step or a run reports beside the state: events in order, and counts. One a ball (or a thread); reused.</summary>
@@ -31,6 +33,47 @@ public sealed class StepLog
 
     /// <summary>Watches every piece of motion; null costs nothing.</summary>
     internal PieceObserver? Observer { get; set; }
+
+    /// <summary>Shows a piece to the observer.</summary>
+    /// <param name="before">The ball at the piece's start.</param>
+    /// <param name="after">The ball at its end.</param>
+    /// <param name="startAcceleration">Acceleration at the start, m/s².</param>
+    /// <param name="endAcceleration">Acceleration at the end, m/s²; only where the observer wants it.</param>
+    /// <param name="order">Order of the method that took it.</param>
+    internal void Show(in BallState before, in BallState after, in Vector3d startAcceleration, in Vector3d endAcceleration, int order)
+    {
+        PieceObserver observer = Observer!;
+        var piece = new PathPiece(
+            before.Time,
+            after.Time - before.Time,
+            before.Position,
+            before.Velocity,
+            in startAcceleration,
+            after.Position,
+            after.Velocity,
+            in endAcceleration,
+            before.Motion,
+            PathPiece.DegreeOf(order, observer.WantsEndAcceleration));
+        Halted |= observer.Add(in piece);
+    }
+
+    /// <summary>Moves the ball to the end of a whole step on the ground, and shows the piece to the observer.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    internal void MoveAndShow<TSystem>(ref BallState s, ref TSystem system, in PlanarStep taken, double h, int order)
+        where TSystem : struct, IPlanarSystem
+    {
+        BallState before = s;
+        system.Move(ref s, in taken);
+        s.Time += h;
+        PlanarRates end = default;
+        if (Observer!.WantsEndAcceleration)
+        {
+            system.Rates(s.Time, in taken.End, out end);
+            Evaluations++;
+        }
+
+        Show(in before, in s, taken.StartRates.Acceleration, end.Acceleration, order);
+    }
 
     /// <summary>Forgets events and counts.</summary>
     public void Clear()

@@ -61,26 +61,7 @@ internal ref struct StepRun
                 Log.Evaluations++;
             }
 
-            Show(observer, in before, in after, sweep.StartAcceleration, in end, order);
+            Log.Show(in before, in after, sweep.StartAcceleration, in end, order);
         }
-    }
-
-    /// <summary>Shows a piece to an observer.</summary>
-    public readonly void Show(
-        PieceObserver observer, in BallState before, in BallState after, in Vector3d startAcceleration, in Vector3d endAcceleration, int order)
-    {
-        int degree = PathPiece.DegreeOf(order, observer.WantsEndAcceleration);
-        var piece = new PathPiece(
-            before.Time,
-            after.Time - before.Time,
-            before.Position,
-            before.Velocity,
-            in startAcceleration,
-            after.Position,
-            after.Velocity,
-            in endAcceleration,
-            before.Motion,
-            degree);
-        Log.Halted |= observer.Add(in piece);
     }
 }

@@ -48,14 +48,13 @@ public sealed class AirRatesTests
     [Fact]
     public void Decay_at_zero_spin_acts_against_the_spin_that_is_about_to_start()
     {
-        var u = new Vector3d(8, 0, 0);
         var sliding = new SlidingSystem<AirLaws<NoDragFit, NoAirLaw, NoAirLaw, EmpiricalSpinDecay>>
         {
             Around = new Surroundings<AirLaws<NoDragFit, NoAirLaw, NoAirLaw, EmpiricalSpinDecay>>(s_scene),
             Branch = DragBranch.NoSpin,
         };
-        MotionRates rates = sliding.Pushed(0, new Football.Physics.Motion(Vector3d.Zero, in u, Vector3d.Zero), new Vector3d(0, 0, -1));
-        Assert.Equal(PlainLaws.DecayTorque(s_scene, 8, 0) / s_scene.Ball.MomentOfInertia, rates.SpinAcceleration.Z, 1e-9);
+        sliding.Pushed(0, new PlanarMotion { VX = 8 }, 0, -1, out PlanarRates rates);
+        Assert.Equal(PlainLaws.DecayTorque(s_scene, 8, 0) / s_scene.Ball.MomentOfInertia, rates.BZ, 1e-9);
     }
 
     [Fact]

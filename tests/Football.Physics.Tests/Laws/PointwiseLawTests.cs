@@ -77,8 +77,6 @@ public sealed class PointwiseLawTests
                     either.AtStage(in step, square, spin, 0, out double drag, out double lift, out double decay);
                     either.AtStart(ref step, square, spin, 0, out double startDrag, out double startLift, out double startDecay);
                     Assert.Equal((drag, lift, decay), (startDrag, startLift, startDecay));
-                    either.Evaluate(new AirFlow { SpeedSquared = square, SpinRate = spin }, branch, out AirFactors factors);
-                    Assert.Equal((drag, lift, decay, Vector3d.Zero), (factors.Drag, factors.Lift, factors.Decay, factors.Side));
                     if (!fused.TryAtPoint(branch, square, spin, out double fusedDrag, out double fusedLift, out double fusedDecay))
                     {
                         laws.Begin(spin, branch, out PointStep once);

@@ -290,6 +290,7 @@ internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<Published
     /// <param name="lift">L, 1/s.</param>
     /// <param name="decay">Angular deceleration, rad/s².</param>
     /// <returns>False where the tables do not hold.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool TryAtPoint(DragBranch branch, double speedSquared, double spinRate, out double drag, out double lift, out double decay)
     {
         if (!(spinRate > 0 && speedSquared > SlowestPoint * SlowestPoint && speedSquared < FusedRange.Fastest * FusedRange.Fastest))
@@ -300,19 +301,45 @@ internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<Published
             return false;
         }
 
-        Begin(spinRate, branch, out PublishedStep step);
-        AtStart(ref step, speedSquared, spinRate, 0, out drag, out lift, out decay);
-        if (!(_quarterSquare * spinRate * spinRate < LargestRatio * speedSquared))
+        // What Begin and AtStart do, without what only the later stages of a step need.
+        drag = 0;
+        lift = 0;
+        decay = 0;
+        if (default(TDrag).Acts || default(TMagnus).Acts)
         {
-            // The spin of a ball that has bounced: the lift ends at Sp 1.88, and the plates are asked one by one.
-            lift = lift > 0 ? lift : 0;
-            if (default(TDecay).Acts)
+            SpeedTable.OfSpin(_radius * spinRate, out double powerForDrag, out double powerForLift);
+            double forDrag = FittedDrag.C * powerForDrag;
+            double forLift = _liftScale * powerForLift;
+            if (branch == DragBranch.Spinning)
             {
-                AirFlow flow = default;
-                flow.Speed = Math.Sqrt(speedSquared);
-                flow.SpinRate = spinRate;
-                decay = _decay.Factor(in flow);
+                double forBoth = forLift * forDrag;
+                drag = _dragScale * forDrag;
+                forLift = FittedDrag.AtRest * forLift;
+                SpeedTable.WithSpin(speedSquared, ref drag, ref forLift, ref forBoth);
+                lift = default(TMagnus).Acts ? forLift - forBoth : 0;
             }
+            else
+            {
+                SpeedTable.WithoutSpin(speedSquared, out double byDrag, out double byLift);
+                drag = _dragScale * byDrag;
+                lift = default(TMagnus).Acts ? forLift * byLift : 0;
+            }
+        }
+
+        // The spin of a ball that has bounced: the lift ends at Sp 1.88, and the plates are asked one by one.
+        bool spinsFast = !(_quarterSquare * spinRate * spinRate < LargestRatio * speedSquared);
+        lift = spinsFast && !(lift > 0) ? 0 : lift;
+        if (default(TDecay).Acts && spinsFast)
+        {
+            AirFlow flow = default;
+            flow.Speed = Math.Sqrt(speedSquared);
+            flow.SpinRate = spinRate;
+            decay = _decay.Factor(in flow);
+        }
+        else if (default(TDecay).Acts)
+        {
+            double x = _quarterSquare * spinRate * spinRate / speedSquared;
+            decay = _decayScale * SpeedTable.Decay(speedSquared) * (1.0 + (x * Plates(x)));
         }
 
         return true;
