@@ -179,41 +179,11 @@ internal sealed class PassFlight : PieceObserver
         }
     }
 
-    /// <summary>The closest point inside a piece: Illinois on the rate, which is nearly linear.</summary>
-    private void Turn(in PathPiece piece, double atLow, double atHigh)
+    /// <summary>The closest point inside a piece: a root of the rate, which is nearly linear.</summary>
+    private void Turn(in PathPiece piece, double atStart, double atEnd)
     {
-        double low = piece.Time;
-        double high = piece.EndTime;
-        double width = 1e-9 * (high - low);
-        for (int i = 0; i < 30; i++)
-        {
-            double time = i % 6 == 5 ? 0.5 * (low + high) : low + ((high - low) * atLow / (atLow - atHigh));
-            Vector3d position = piece.PositionAt(time);
-            Vector3d velocity = piece.VelocityAt(time);
-            double rate = Rate(time, in position, in velocity);
-            Take(time, in position, in velocity);
-            double moved;
-            if (rate < 0)
-            {
-                moved = time - low;
-                low = time;
-                atLow = rate;
-                atHigh *= 0.5;
-            }
-            else
-            {
-                moved = high - time;
-                high = time;
-                atHigh = rate;
-                atLow *= 0.5;
-            }
-
-            // The distance is flat here: 1e-4 of it along the way is 5e-9 of it in the distance itself.
-            if (rate == 0 || moved < width || rate * rate < 1e-8 * _best * velocity.LengthSquared)
-            {
-                break;
-            }
-        }
+        var rate = new RateInside(this, in piece);
+        Roots.Illinois(ref rate, piece.Time, atStart, piece.EndTime, atEnd, 1e-9 * piece.Length, 30);
     }
 
     /// <summary>Whether a ball comes no closer any more.</summary>
@@ -257,5 +227,29 @@ internal sealed class PassFlight : PieceObserver
         pass.Gap = new Vector3d(along * _forward.X, up, along * _forward.Z);
         pass.Above = beyond && (rate * up) - (_velocity.Y * along) > 0;
         return pass;
+    }
+
+    /// <summary>The rate over a piece.</summary>
+    private readonly struct RateInside : IFunction
+    {
+        private readonly PassFlight _owner;
+        private readonly PathPiece _piece;
+
+        public RateInside(PassFlight owner, in PathPiece piece)
+        {
+            _owner = owner;
+            _piece = piece;
+        }
+
+        public bool Evaluate(double x, out double value)
+        {
+            Vector3d position = _piece.PositionAt(x);
+            Vector3d velocity = _piece.VelocityAt(x);
+            value = _owner.Rate(x, in position, in velocity);
+            _owner.Take(x, in position, in velocity);
+
+            // The distance is flat here: 1e-4 of it along the way is 5e-9 of it in the distance itself.
+            return value * value < 1e-8 * _owner._best * velocity.LengthSquared;
+        }
     }
 }

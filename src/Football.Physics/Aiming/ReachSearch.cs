@@ -226,7 +226,7 @@ internal sealed class ReachSearch
         }
 
         double least = Math.Min(Math.Min(a.Miss, b.Miss), c.Miss);
-        return above ? Roots(arc, ref a, ref b, ref c, out hit) : least > clear && least > 10 * _tolerance;
+        return above ? HitsBeside(arc, ref a, ref b, ref c, out hit) : least > clear && least > 10 * _tolerance;
     }
 
     /// <summary>Whether a wave of the drag law's jump, beside the bottom of a valley, is deeper: looks to both sides of the best.</summary>
@@ -355,7 +355,7 @@ internal sealed class ReachSearch
     }
 
     /// <summary>Hits on one arc or the other, beside three elevations of which one at least is above the target.</summary>
-    private bool Roots(AimArc arc, ref Pass a, ref Pass b, ref Pass c, out bool hit)
+    private bool HitsBeside(AimArc arc, ref Pass a, ref Pass b, ref Pass c, out bool hit)
     {
         hit = false;
         for (int i = 0; i < 2 && !hit; i++)
@@ -511,47 +511,53 @@ internal sealed class ReachSearch
     /// <summary>The hit between two elevations: Illinois on the signed miss.</summary>
     private bool Root(Pass one, Pass other)
     {
-        double atOne = one.Signed;
-        double atOther = other.Signed;
         if (Hits(in one) || Hits(in other))
         {
             return true;
         }
 
-        if (atOne < 0 == atOther < 0)
+        if (one.Signed < 0 == other.Signed < 0)
         {
             return false;
         }
 
-        for (int i = 0; i < _mostRootFlights; i++)
-        {
-            double share = i % 5 == 4 ? 0.5 : atOne / (atOne - atOther);
-            double elevation = one.Kick.Elevation + (share * (other.Kick.Elevation - one.Kick.Elevation));
-            Pass d = _flights.Near(elevation, Math.Abs(atOne) < Math.Abs(atOther) ? one : other);
-            if (Hits(in d))
-            {
-                return true;
-            }
+        var miss = new SignedMiss(this, in one, in other);
+        Roots.Illinois(ref miss, one.Kick.Elevation, one.Signed, other.Kick.Elevation, other.Signed, 1e-12, _mostRootFlights);
+        return miss.Hit;
+    }
 
-            if (d.Signed < 0 == one.Signed < 0)
+    /// <summary>The signed miss over the elevation.</summary>
+    private struct SignedMiss : IFunction
+    {
+        private readonly ReachSearch _owner;
+        private Pass _one;
+        private Pass _other;
+
+        public SignedMiss(ReachSearch owner, in Pass one, in Pass other)
+        {
+            _owner = owner;
+            _one = one;
+            _other = other;
+            Hit = false;
+        }
+
+        public bool Hit { get; private set; }
+
+        public bool Evaluate(double x, out double value)
+        {
+            Pass flown = _owner._flights.Near(x, _one.Miss < _other.Miss ? _one : _other);
+            value = flown.Signed;
+            Hit = _owner.Hits(in flown);
+            if (value < 0 == _one.Signed < 0)
             {
-                one = d;
-                atOne = d.Signed;
-                atOther *= 0.5;
+                _one = flown;
             }
             else
             {
-                other = d;
-                atOther = d.Signed;
-                atOne *= 0.5;
+                _other = flown;
             }
 
-            if (Math.Abs(other.Kick.Elevation - one.Kick.Elevation) < 1e-12)
-            {
-                break;
-            }
+            return Hit;
         }
-
-        return false;
     }
 }

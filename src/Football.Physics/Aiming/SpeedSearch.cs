@@ -5,6 +5,15 @@ internal sealed class SpeedSearch
 {
     private const int MostSpeeds = 60;
 
+    /// <summary>Halvings of all speeds that leave 1e-10 of them.</summary>
+    private const int HighArcHalvings = 34;
+
+    /// <summary>How close to its time a kick is found, s.</summary>
+    private const double TimeWidth = 1e-6;
+
+    /// <summary>Share of the square of the speed within which the slowest kick is found.</summary>
+    private const double SpeedWidth = 2e-7;
+
     /// <summary>How far off its time a kick may be, s.</summary>
     private const double LargestDelay = 1e-4;
 
@@ -16,38 +25,17 @@ internal sealed class SpeedSearch
     public AimAnswer Slowest(AimRequest request)
     {
         double high = request.Speed;
-        if (!(_direct.Certificate(request, high) >= 0))
+        double highest = _direct.Certificate(request, high);
+        if (!(highest >= 0))
         {
             return _direct.Find(request, high, request.Arc);
         }
 
-        // The certificate is nearly linear in the square of the speed: regula falsi on it, bisection now and then.
-        double low = 0;
-        double lowValue = double.NaN;
-        double highValue = double.NaN;
-        for (int i = 0; i < MostSpeeds && high - low > 1e-7 * high; i++)
-        {
-            double speed = 0.5 * (low + high);
-            if (i % 3 != 0 && lowValue < 0 && highValue > 0 && low > 0)
-            {
-                double share = -lowValue / (highValue - lowValue);
-                speed = Math.Sqrt((low * low) + (share * ((high * high) - (low * low))));
-                double margin = 0.02 * (high - low);
-                speed = Math.Min(Math.Max(speed, low + margin), high - margin);
-            }
-
-            double value = _direct.Certificate(request, speed);
-            if (value >= 0)
-            {
-                high = speed;
-                highValue = value;
-            }
-            else
-            {
-                low = speed;
-                lowValue = value;
-            }
-        }
+        // The certificate is nearly linear in the square of the speed. Nothing is known of a ball that is not kicked.
+        var reach = new CertificateOverSpeed(_direct, request);
+        double squared = high * high;
+        Roots.Illinois(ref reach, 0, double.NaN, squared, highest, SpeedWidth * squared, MostSpeeds);
+        high = reach.Slowest;
 
         // A hair above the limit, where both arcs meet; more where the limit is known less well, as near the drag law's jump.
         AimAnswer slowest = default;
@@ -81,47 +69,16 @@ internal sealed class SpeedSearch
         }
 
         AimAnswer slowest = Slowest(request);
-        AimAnswer best = slowest;
-        double low = slowest.Speed;
-        double high = request.Speed;
-        double lowError = slowest.Time - time;
-        double highError = fastest.Time - time;
-        if (slowest.Status != AimStatus.Hit || lowError < 0)
+        if (slowest.Status != AimStatus.Hit || slowest.Time < time)
         {
             // The slowest low kick is early already: the high arc takes longer.
             return HighArc(request, time);
         }
 
-        for (int i = 0; i < MostSpeeds && high - low > 1e-10 * high; i++)
-        {
-            double speed = i % 3 == 2 || i > 20 ? 0.5 * (low + high) : low + ((high - low) * lowError / (lowError - highError));
-            AimAnswer answer = _direct.Find(request, speed, request.Arc);
-            if (answer.Status != AimStatus.Hit)
-            {
-                low = speed;
-                continue;
-            }
-
-            best = answer;
-            double error = answer.Time - time;
-            if (Math.Abs(error) < 1e-6)
-            {
-                break;
-            }
-
-            if (error > 0)
-            {
-                low = speed;
-                lowError = error;
-            }
-            else
-            {
-                high = speed;
-                highError = error;
-            }
-        }
-
-        return OnTime(best, time);
+        var delay = new DelayOverSpeed(_direct, request, time, in slowest);
+        Roots.Illinois(
+            ref delay, slowest.Speed, slowest.Time - time, request.Speed, fastest.Time - time, 1e-10 * request.Speed, MostSpeeds);
+        return OnTime(delay.Last, time);
     }
 
     /// <summary>The same on the high arc, where a faster kick takes longer.</summary>
@@ -136,27 +93,9 @@ internal sealed class SpeedSearch
             return best;
         }
 
-        for (int i = 0; i < MostSpeeds && high - low > 1e-10 * high; i++)
-        {
-            double speed = 0.5 * (low + high);
-            AimAnswer answer = _direct.Find(request, speed, AimArc.High);
-            if (answer.Status != AimStatus.Hit || answer.Time < time)
-            {
-                low = speed;
-            }
-            else
-            {
-                high = speed;
-                best = answer;
-            }
-
-            if (Math.Abs(best.Time - time) < 1e-6)
-            {
-                break;
-            }
-        }
-
-        return OnTime(best, time);
+        var late = new LateOnHighArc(_direct, request, time, in best);
+        Roots.Bisect(ref late, ref low, ref high, HighArcHalvings);
+        return OnTime(late.Last, time);
     }
 
     /// <summary>Where the time jumps with the speed, as at the drag law's jump, none may be right: a hit at another time is none.</summary>
@@ -168,5 +107,92 @@ internal sealed class SpeedSearch
         }
 
         return answer;
+    }
+
+    /// <summary>The certificate of reach over the square of the speed.</summary>
+    private struct CertificateOverSpeed : IFunction
+    {
+        private readonly DirectAim _direct;
+        private readonly AimRequest _request;
+
+        public CertificateOverSpeed(DirectAim direct, AimRequest request)
+        {
+            _direct = direct;
+            _request = request;
+            Slowest = request.Speed;
+        }
+
+        /// <summary>The slowest speed so far that reaches the target.</summary>
+        public double Slowest { get; private set; }
+
+        public bool Evaluate(double x, out double value)
+        {
+            double speed = Math.Sqrt(x);
+            value = _direct.Certificate(_request, speed);
+            Slowest = value >= 0 && speed < Slowest ? speed : Slowest;
+            return false;
+        }
+    }
+
+    /// <summary>By how much a kick comes late, over its speed. One that does not hit counts as the slowest that does.</summary>
+    private struct DelayOverSpeed : IFunction
+    {
+        private readonly DirectAim _direct;
+        private readonly AimRequest _request;
+        private readonly double _time;
+        private readonly double _most;
+
+        public DelayOverSpeed(DirectAim direct, AimRequest request, double time, in AimAnswer slowest)
+        {
+            _direct = direct;
+            _request = request;
+            _time = time;
+            _most = slowest.Time - time;
+            Last = slowest;
+        }
+
+        /// <summary>The last kick that hit.</summary>
+        public AimAnswer Last { get; private set; }
+
+        public bool Evaluate(double x, out double value)
+        {
+            AimAnswer answer = _direct.Find(_request, x, _request.Arc);
+            value = _most;
+            if (answer.Status != AimStatus.Hit)
+            {
+                return false;
+            }
+
+            Last = answer;
+            value = answer.Time - _time;
+            return Math.Abs(value) < TimeWidth;
+        }
+    }
+
+    /// <summary>Whether a kick on the high arc comes late, or too late by a bit.</summary>
+    private struct LateOnHighArc : ICondition
+    {
+        private readonly DirectAim _direct;
+        private readonly AimRequest _request;
+        private readonly double _time;
+
+        public LateOnHighArc(DirectAim direct, AimRequest request, double time, in AimAnswer fastest)
+        {
+            _direct = direct;
+            _request = request;
+            _time = time;
+            Last = fastest;
+        }
+
+        /// <summary>The last kick that hit and was late.</summary>
+        public AimAnswer Last { get; private set; }
+
+        public bool Evaluate(double x, out bool holds)
+        {
+            AimAnswer answer = _direct.Find(_request, x, AimArc.High);
+            holds = answer.Status == AimStatus.Hit && answer.Time >= _time;
+            Last = holds ? answer : Last;
+            return Math.Abs(Last.Time - _time) < TimeWidth;
+        }
     }
 }
