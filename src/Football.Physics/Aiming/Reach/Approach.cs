@@ -1,7 +1,7 @@
 namespace Football.Physics;
 
-/// <summary>A kick, and how it passes the target before its first impact.</summary>
-internal struct Pass
+/// <summary>A kick, and its closest approach to the target before its first impact.</summary>
+internal struct Approach
 {
     /// <summary>The kick; in still air already turned so that it passes the target with its closest point.</summary>
     public Kick Kick;
@@ -18,6 +18,8 @@ internal struct Pass
     /// <summary>Where it is then as seen from the target, m.</summary>
     public Vector3d Gap;
 
-    /// <summary>The miss, negative where the kick is too low or too short: smooth in the elevation, and zero at a hit.</summary>
-    public readonly double Signed => Above ? Miss : -Miss;
+    /// <summary>The miss distance, negative where the kick is too low or too short: smooth in the elevation, and zero at a hit.</summary>
+    public readonly double SignedMiss => Above ? Miss : -Miss;
+
+    public readonly double Elevation => Kick.Elevation;
 }

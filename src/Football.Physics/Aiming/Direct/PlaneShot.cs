@@ -1,7 +1,7 @@
 namespace Football.Physics;
 
-/// <summary>A kick that was flown to the target's plane.</summary>
-internal struct Probe
+/// <summary>A kick that was flown to the target's plane, and its residual there.</summary>
+internal struct PlaneShot
 {
     public Kick Kick;
 

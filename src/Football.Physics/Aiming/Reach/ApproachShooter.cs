@@ -4,7 +4,7 @@ namespace Football.Physics;
 /// Flies kicks with ground, in long steps, for their closest approach to the target. In still air a flight turns with its azimuth as it
 /// is, so only distance and height of the way count, and the azimuth that goes with them is known exactly after one flight.
 /// </summary>
-internal sealed class PassFlight : PieceObserver
+internal sealed class ApproachShooter : PieceObserver
 {
     /// <summary>On the ground above this speed, m/s, where the drag law's jump is still to come, steps are shorter.</summary>
     private const double FastRoll = 11;
@@ -12,56 +12,59 @@ internal sealed class PassFlight : PieceObserver
     /// <summary>Step of a ball that is faster on the ground, s.</summary>
     private const double FastStep = 0.25;
 
+    /// <summary>Points of one piece that may be looked at for the closest.</summary>
+    private const int MostInside = 30;
+
+    private readonly AimContext _context;
     private readonly Simulator _simulator;
     private readonly Simulator _rough;
     private readonly StepLog _log = new();
     private readonly StepLog _watched = new();
-    private Vector3d _from;
-    private Vector3d _target;
+    private readonly bool _stillAir;
+    private TargetFrame _frame;
     private Vector3d _targetVelocity;
-    private Vector3d _forward;
-    private Vector3d _left;
-    private double _distance;
     private double _speed;
-    private bool _stillAir;
+    private bool _roughly;
     private double _best;
     private double _time;
     private Vector3d _position;
     private Vector3d _velocity;
 
-    public PassFlight(Simulator simulator)
+    /// <param name="context">Where flights are counted.</param>
+    /// <param name="simulator">The scene.</param>
+    public ApproachShooter(AimContext context, Simulator simulator)
     {
+        _context = context;
         _simulator = simulator;
         _rough = new Simulator(simulator.Scene, simulator.Settings with { Integrator = Integrator.Rk2 });
         _stillAir = simulator.Scene.Air.Wind == Vector3d.Zero;
         _watched.Observer = this;
     }
 
-    /// <summary>Whether flights turn with their azimuth: in still air, to a target at rest.</summary>
-    public bool Turns { get; private set; }
+    /// <summary>Whether flights turn with their azimuth as they are: in still air, to a target at rest.</summary>
+    public bool TurnWithAzimuth { get; private set; }
 
-    public override bool WantsEndAcceleration => !Roughly;
-
-    /// <summary>Whether a ball that rolls only has its direction asked for: RK2 will do then.</summary>
-    public bool Roughly { get; set; }
+    public override bool WantsEndAcceleration => !_roughly;
 
     /// <summary>Prepares for flights to a target.</summary>
-    public void Aim(in Vector3d from, in Vector3d target, in Vector3d targetVelocity, double speed)
+    public void Aim(in TargetFrame frame, in Vector3d targetVelocity, double speed)
     {
-        _from = from;
-        _target = target;
+        _frame = frame;
         _targetVelocity = targetVelocity;
-        _forward = AimContext.Forward(in from, in target, out _distance);
-        _left = new Vector3d(_forward.Z, 0, -_forward.X); // ŷ × f
         _speed = speed;
-        Turns = _stillAir && targetVelocity == Vector3d.Zero;
+        TurnWithAzimuth = _stillAir && targetVelocity == Vector3d.Zero;
     }
 
     /// <summary>Flies a kick until it can come no closer.</summary>
-    public Pass Fly(in Kick kick, double timeStep)
+    /// <param name="kick">The kick.</param>
+    /// <param name="timeStep">Step of the flight, s.</param>
+    /// <param name="roughly">Whether only the direction of a ball that rolls is asked for: RK2 will do then.</param>
+    public Approach Fly(in Kick kick, double timeStep, bool roughly)
     {
-        kick.Vectors(_speed, in _forward, out Vector3d velocity, out Vector3d spin);
-        BallState state = _simulator.Launch(_from, velocity, spin);
+        _context.Simulations++;
+        _roughly = roughly;
+        kick.Vectors(_speed, in _frame.Forward, out Vector3d velocity, out Vector3d spin);
+        BallState state = _simulator.Launch(_frame.From, velocity, spin);
         _log.Clear();
         _best = double.PositiveInfinity;
         Take(0, state.Position, state.Velocity);
@@ -74,9 +77,9 @@ internal sealed class PassFlight : PieceObserver
             {
                 _watched.Clear();
                 double step = state.Velocity.LengthSquared > FastRoll * FastRoll ? Math.Min(timeStep, FastStep) : timeStep;
-                done = (Roughly ? _rough : _simulator).StepToImpact(ref state, step, _watched);
+                done = (_roughly ? _rough : _simulator).StepToImpact(ref state, step, _watched);
                 rate = Rate(state.Time, state.Position, state.Velocity);
-                done = done || IsOver(in state, state.Position - _from, rate);
+                done = done || IsOver(in state, state.Position - _frame.From, rate);
                 continue;
             }
 
@@ -102,12 +105,12 @@ internal sealed class PassFlight : PieceObserver
             }
 
             rate = endRate;
-            Vector3d went = state.Position - _from;
-            beyond |= (went.X * went.X) + (went.Z * went.Z) >= _distance * _distance;
+            Vector3d went = state.Position - _frame.From;
+            beyond |= (went.X * went.X) + (went.Z * went.Z) >= _frame.Distance * _frame.Distance;
             done = done || IsOver(in state, in went, rate);
         }
 
-        return Passed(in kick, beyond);
+        return Found(in kick, beyond);
     }
 
     public override bool Add(in PathPiece piece)
@@ -118,12 +121,15 @@ internal sealed class PassFlight : PieceObserver
         Take(piece.EndTime, piece.EndPosition, piece.EndVelocity);
         if (start < 0 && end > 0)
         {
-            Turn(in piece, start, end);
+            // A root of the rate, which is nearly linear
+            var rate = new RateOfDistance(this, in piece);
+            Roots.Illinois(ref rate, piece.Time, start, piece.EndTime, end, 1e-9 * piece.Length, MostInside);
         }
 
         return false;
     }
 
+    /// <summary>The velocity with which the ball met the ground.</summary>
     private static Vector3d BeforeImpact(EventBuffer events)
     {
         int last = events.Count - 1;
@@ -133,41 +139,40 @@ internal sealed class PassFlight : PieceObserver
     /// <summary>Half the rate of change of the squared distance, m²/s.</summary>
     private double Rate(double time, in Vector3d position, in Vector3d velocity)
     {
-        if (!Turns)
+        if (!TurnWithAzimuth)
         {
-            Vector3d gap = position - _target - (time * _targetVelocity);
+            Vector3d gap = position - _frame.Target - (time * _targetVelocity);
             return Vector3d.Dot(in gap, velocity - _targetVelocity);
         }
 
         // (ρ − D) ρ̇ + (y − y_T) v_y
         Profile(in position, in velocity, out double along, out double alongRate);
-        return (along * alongRate) + ((position.Y - _target.Y) * velocity.Y);
+        return (along * alongRate) + ((position.Y - _frame.Target.Y) * velocity.Y);
     }
 
     /// <summary>Way beyond the target's distance, and its rate.</summary>
     private void Profile(in Vector3d position, in Vector3d velocity, out double along, out double rate)
     {
-        double x = position.X - _from.X;
-        double z = position.Z - _from.Z;
+        double x = position.X - _frame.From.X;
+        double z = position.Z - _frame.From.Z;
         double went = Math.Sqrt((x * x) + (z * z));
-        along = went - _distance;
+        along = went - _frame.Distance;
         rate = went > 1e-9 ? ((x * velocity.X) + (z * velocity.Z)) / went : velocity.Horizontal.Length;
     }
 
+    /// <summary>Takes a point of the flight for the closest if it is.</summary>
     private void Take(double time, in Vector3d position, in Vector3d velocity)
     {
         double squared;
-        if (Turns)
+        if (TurnWithAzimuth)
         {
-            double x = position.X - _from.X;
-            double z = position.Z - _from.Z;
-            double along = Math.Sqrt((x * x) + (z * z)) - _distance;
-            double up = position.Y - _target.Y;
+            Profile(in position, in velocity, out double along, out _);
+            double up = position.Y - _frame.Target.Y;
             squared = (along * along) + (up * up);
         }
         else
         {
-            squared = (position - _target - (time * _targetVelocity)).LengthSquared;
+            squared = (position - _frame.Target - (time * _targetVelocity)).LengthSquared;
         }
 
         if (squared < _best)
@@ -179,63 +184,59 @@ internal sealed class PassFlight : PieceObserver
         }
     }
 
-    /// <summary>The closest point inside a piece: a root of the rate, which is nearly linear.</summary>
-    private void Turn(in PathPiece piece, double atStart, double atEnd)
-    {
-        var rate = new RateInside(this, in piece);
-        Roots.Illinois(ref rate, piece.Time, atStart, piece.EndTime, atEnd, 1e-9 * piece.Length, 30);
-    }
-
     /// <summary>Whether a ball comes no closer any more.</summary>
     private bool IsOver(in BallState state, in Vector3d went, double rate)
     {
-        double up = state.Position.Y - _target.Y;
+        double up = state.Position.Y - _frame.Target.Y;
         if (state.Motion != MotionState.Airborne)
         {
             return state.Motion == MotionState.Stopped || (_targetVelocity == Vector3d.Zero && up * up >= _best)
-                || (Turns && state.Motion == MotionState.Rolling && rate > 0);
+                || (TurnWithAzimuth && state.Motion == MotionState.Rolling && rate > 0);
         }
 
-        if (!Turns || !(Vector3d.Dot(went.Horizontal, state.Velocity) > 0))
+        if (!TurnWithAzimuth || !(Vector3d.Dot(went.Horizontal, state.Velocity) > 0))
         {
             return false;
         }
 
-        double along = went.Horizontal.Length - _distance;
+        double along = went.Horizontal.Length - _frame.Distance;
         return along > 0 && (along * along > _best || (up < 0 && state.Velocity.Y < 0));
     }
 
-    private Pass Passed(in Kick kick, bool beyond)
+    /// <summary>The closest approach of the flight that was flown.</summary>
+    /// <param name="kick">The kick.</param>
+    /// <param name="beyond">Whether the ball got as far as the target is.</param>
+    private Approach Found(in Kick kick, bool beyond)
     {
-        var pass = new Pass { Kick = kick, Miss = Math.Sqrt(_best), Time = _time };
-        if (!Turns)
+        var approach = new Approach { Kick = kick, Miss = Math.Sqrt(_best), Time = _time };
+        if (!TurnWithAzimuth)
         {
             // The target is below the way where it lies to the right of the motion, seen in the plane of kick and height.
-            Vector3d u = kick.Direction(in _forward);
+            Vector3d u = kick.Direction(in _frame.Forward);
             Vector3d moving = _velocity - _targetVelocity;
-            pass.Gap = _position - _target - (_time * _targetVelocity);
-            pass.Above = (Vector3d.Dot(in moving, in u) * pass.Gap.Y) - (moving.Y * Vector3d.Dot(in pass.Gap, in u)) > 0;
-            return pass;
+            approach.Gap = _position - _frame.Target - (_time * _targetVelocity);
+            approach.Above = (Vector3d.Dot(in moving, in u) * approach.Gap.Y) - (moving.Y * Vector3d.Dot(in approach.Gap, in u)) > 0;
+            return approach;
         }
 
         Profile(in _position, in _velocity, out double along, out double rate);
-        double up = _position.Y - _target.Y;
-        Vector3d went = _position - _from;
-        double across = Vector3d.Dot(in went, in _left);
-        double ahead = Vector3d.Dot(in went, in _forward);
-        pass.Kick.Azimuth -= across == 0 && ahead == 0 ? 0 : Elementary.Atan2(across, ahead);
-        pass.Gap = new Vector3d(along * _forward.X, up, along * _forward.Z);
-        pass.Above = beyond && (rate * up) - (_velocity.Y * along) > 0;
-        return pass;
+        double up = _position.Y - _frame.Target.Y;
+        Vector3d went = _position - _frame.From;
+        double across = Vector3d.Dot(in went, in _frame.Left);
+        double ahead = Vector3d.Dot(in went, in _frame.Forward);
+        approach.Kick.Azimuth -= across == 0 && ahead == 0 ? 0 : Elementary.Atan2(across, ahead);
+        approach.Gap = new Vector3d(along * _frame.Forward.X, up, along * _frame.Forward.Z);
+        approach.Above = beyond && (rate * up) - (_velocity.Y * along) > 0;
+        return approach;
     }
 
-    /// <summary>The rate over a piece.</summary>
-    private readonly struct RateInside : IFunction
+    /// <summary>The rate of the distance over the time of a piece.</summary>
+    private readonly struct RateOfDistance : IFunction
     {
-        private readonly PassFlight _owner;
+        private readonly ApproachShooter _owner;
         private readonly PathPiece _piece;
 
-        public RateInside(PassFlight owner, in PathPiece piece)
+        public RateOfDistance(ApproachShooter owner, in PathPiece piece)
         {
             _owner = owner;
             _piece = piece;

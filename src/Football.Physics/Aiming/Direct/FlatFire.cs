@@ -41,6 +41,20 @@ internal struct FlatFire
         bend = x * t * t * third; // w' + k v w = v
     }
 
+    /// <summary>The time that a kick of a speed takes for a way along its path, s.</summary>
+    public readonly double TimeFor(double speed, double way) =>
+        Drag * way > 1e-6 ? (Elementary.Exp(Math.Min(Drag * way, 5.0)) - 1.0) / (Drag * speed) : way / speed;
+
+    /// <summary>Speed through the air in a direction û of a ball kicked at speed v, |x û + W| = v; not a number where it has none.</summary>
+    /// <param name="v">Speed of the kick.</param>
+    /// <param name="along">W·û.</param>
+    /// <param name="windSquared">|W|².</param>
+    public static double AirSpeed(double v, double along, double windSquared)
+    {
+        double discriminant = (along * along) + (v * v) - windSquared;
+        return discriminant > 0 ? Math.Sqrt(discriminant) - along : double.NaN;
+    }
+
     /// <summary>Launch direction and time for a target.</summary>
     /// <param name="toTarget">From the ball to the target.</param>
     /// <param name="wind">Wind less the target's own velocity.</param>
@@ -69,10 +83,8 @@ internal struct FlatFire
 
             air = a / size;
 
-            // |x û + W| = v
-            double b = Vector3d.Dot(in air, in launchWind);
-            double discriminant = (b * b) + (v * v) - launchWind.LengthSquared;
-            x = discriminant > 0 ? Math.Sqrt(discriminant) - b : x;
+            double into = AirSpeed(v, Vector3d.Dot(in air, in launchWind), launchWind.LengthSquared);
+            x = double.IsNaN(into) ? x : into;
             x = x > 1e-3 * v ? x : 1e-3 * v;
             direction = ((x * air) + launchWind) / v;
             double excess = size - along;

@@ -21,10 +21,8 @@ internal sealed class TwoPointAim : IAimMethod
     private readonly AngleAim _angle;
     private readonly BisectionAim _bisection;
     private AimRequest _request = new();
-    private Vector3d _from;
-    private Vector3d _forward;
-    private Vector3d _left;
-    private Vector3d _normal;
+    private TargetFrame _frame;
+    private ElevationBounds _bounds;
     private Kick _kick;
 
     public TwoPointAim(AimContext context, AngleAim angle, BisectionAim bisection)
@@ -34,27 +32,23 @@ internal sealed class TwoPointAim : IAimMethod
         _bisection = bisection;
     }
 
-    public AimAnswer Find(AimRequest request)
+    public AimSolution Find(AimRequest request)
     {
         Vector3d through = request.Through.GetValueOrDefault();
         _request = request;
-        _from = _context.Start(request);
-        _forward = AimContext.Forward(in _from, request.Target, out double distance);
-        _left = new Vector3d(_forward.Z, 0, -_forward.X);
-
-        // Vertical plane through the target; its normal, towards the ball in the thesis, is turned forward here.
-        _normal = _forward;
-        double throughDistance = Vector3d.Dot(through - _from, in _forward);
-        if (!(distance > 1e-6 && throughDistance > 1e-6 && throughDistance < distance))
+        _frame = _context.Frame(request);
+        _bounds = ElevationBounds.Of(request);
+        double throughDistance = Vector3d.Dot(through - _frame.From, in _frame.Forward);
+        if (!(_frame.Distance > 1e-6 && throughDistance > 1e-6 && throughDistance < _frame.Distance))
         {
             // No point between the ball and the target: the target alone.
-            AimAnswer alone = _bisection.Find(request);
+            AimSolution alone = _bisection.Find(request);
             alone.Status = alone.Status == AimStatus.Hit ? AimStatus.Hit : AimStatus.Degenerate;
             return alone;
         }
 
         _kick = default;
-        PointAt(through - _from);
+        _kick = _frame.Turned(in _kick, through - _frame.From, in _bounds);
         bool saturated = false;
         int iterations = 0;
         int idle = 0;
@@ -70,10 +64,10 @@ internal sealed class TwoPointAim : IAimMethod
             saturated |= !Scale(side: false, request.TopSpin, request.MaximumTopSpin);
 
             // One flight tells both misses, and where to turn if they are too large.
-            _kick.Vectors(request.Speed, in _forward, out Vector3d velocity, out Vector3d spin);
-            _context.FlyFramesThrough(in _from, in velocity, in spin, in through, request.Target);
-            double targetMiss = _context.Frames.Miss;
-            double throughMiss = _context.ThroughFrames.Miss;
+            _kick.Vectors(request.Speed, in _frame.Forward, out Vector3d velocity, out Vector3d spin);
+            _context.Frames.FlyThrough(in _frame.From, in velocity, in spin, in through, in _frame.Target);
+            double targetMiss = _context.Frames.Target.Miss;
+            double throughMiss = _context.Frames.Through.Miss;
             idle = targetMiss < Progress * bestMiss ? 0 : idle + 1;
             bool passes = throughMiss <= request.ThroughTolerance && targetMiss <= Margin * request.Tolerance;
             if (targetMiss < bestMiss || saturated || passes)
@@ -88,14 +82,14 @@ internal sealed class TwoPointAim : IAimMethod
                 break;
             }
 
-            Turn(in through, _context.ThroughFrames);
+            Turn(in through, _context.Frames.Through);
         }
 
-        var answer = new AimAnswer
+        var solution = new AimSolution
         {
             Status = bestMiss <= request.Tolerance ? AimStatus.Hit : AimStatus.NotConverged,
             Kick = best,
-            Forward = _forward,
+            Forward = _frame.Forward,
             Speed = request.Speed,
             Miss = bestMiss,
             ThroughMiss = bestThroughMiss,
@@ -103,14 +97,14 @@ internal sealed class TwoPointAim : IAimMethod
         };
         if (bestMiss <= request.Tolerance)
         {
-            return answer;
+            return solution;
         }
 
         // The target first: the single-target method with the spin as it is.
-        AimAnswer fallback = _angle.Refine(request, in best, Margin);
+        AimSolution fallback = _angle.Refine(request, in best, Margin);
         if (fallback.Status != AimStatus.Hit)
         {
-            AimAnswer other = _bisection.Find(request, best.Top, best.Side);
+            AimSolution other = _bisection.Find(request, best.Top, best.Side);
             fallback = other.Status == AimStatus.Hit || other.Miss < fallback.Miss ? other : fallback;
         }
 
@@ -119,34 +113,32 @@ internal sealed class TwoPointAim : IAimMethod
         return fallback;
     }
 
-    /// <summary>Where a kick crosses the target's plane; false where it does not get there.</summary>
-    private bool Crossing(in Kick kick, out Vector3d crossing)
+    /// <summary>Where a kick crosses the vertical plane through the target, or where it is closest if it does not get there.</summary>
+    private Vector3d Crossing(in Kick kick)
     {
-        kick.Vectors(_request.Speed, in _forward, out Vector3d velocity, out Vector3d spin);
-        _context.FlyFramesToPlane(in _from, in velocity, in spin, _request.Target, in _normal);
-        crossing = _context.Frames.Crossed ? _context.Frames.Crossing : _context.Frames.Closest;
-        return _context.Frames.Crossed;
+        // The plane's normal, towards the ball in the thesis, is turned forward here.
+        kick.Vectors(_request.Speed, in _frame.Forward, out Vector3d velocity, out Vector3d spin);
+        _context.Frames.FlyToPlane(in _frame.From, in velocity, in spin, in _frame.Target, in _frame.Forward);
+        FrameApproach target = _context.Frames.Target;
+        return target.Crossed ? target.Crossing : target.Closest;
     }
 
     /// <summary>Turns the velocity by the angle between where the ball went and the point on the way.</summary>
     private void TurnTowardsThrough(in Vector3d through)
     {
-        _kick.Vectors(_request.Speed, in _forward, out Vector3d velocity, out Vector3d spin);
-        _context.FlyFrames(in _from, in velocity, in spin, in through);
-        Turn(in through, _context.Frames);
+        _kick.Vectors(_request.Speed, in _frame.Forward, out Vector3d velocity, out Vector3d spin);
+        _context.Frames.Fly(in _frame.From, in velocity, in spin, in through);
+        Turn(in through, _context.Frames.Target);
     }
 
     /// <summary>The turn itself, from a flight that watched the point on the way.</summary>
-    private void Turn(in Vector3d through, FrameFlight flight)
+    private void Turn(in Vector3d through, FrameApproach approach)
     {
-        Vector3d guess = flight.Closest - _from;
-        Vector3d target = through - _from;
-        Vector3d normal = Vector3d.Cross(in guess, in target);
-        double sine = normal.Length;
-        if (sine > 0 && flight.Miss > 0.01 * _request.ThroughTolerance)
+        _kick.Vectors(1.0, in _frame.Forward, out Vector3d direction, out _);
+        if (approach.Miss > 0.01 * _request.ThroughTolerance
+            && AngleCorrection.Turn(approach.Closest - _frame.From, through - _frame.From, ref direction))
         {
-            _kick.Vectors(1.0, in _forward, out Vector3d velocity, out _);
-            PointAt(Quaterniond.FromAxisAngle(normal / sine, Elementary.Atan2(sine, Vector3d.Dot(in guess, in target))).Rotate(in velocity));
+            _kick = _frame.Turned(in _kick, in direction, in _bounds);
         }
     }
 
@@ -170,9 +162,9 @@ internal sealed class TwoPointAim : IAimMethod
             without.Top = 0;
         }
 
-        Crossing(in without, out Vector3d bare);
-        Vector3d direction = side ? _left : Vector3d.Up;
-        double wanted = Vector3d.Dot(_request.Target - bare, in direction);
+        Vector3d bare = Crossing(in without);
+        Vector3d direction = side ? _frame.Left : Vector3d.Up;
+        double wanted = Vector3d.Dot(_frame.Target - bare, in direction);
         if (spin == 0)
         {
             // Side spin bends to the left, top spin down.
@@ -182,7 +174,7 @@ internal sealed class TwoPointAim : IAimMethod
 
         Kick with = _kick;
         Set(ref with, side, spin);
-        Crossing(in with, out Vector3d bent);
+        Vector3d bent = Crossing(in with);
         double moved = Vector3d.Dot(bent - bare, in direction);
         double next = Math.Abs(moved) > 1e-9 ? spin * wanted / moved : 0;
         bool within = Math.Abs(next) < limit;
@@ -200,13 +192,5 @@ internal sealed class TwoPointAim : IAimMethod
         {
             kick.Top = spin;
         }
-    }
-
-    private void PointAt(in Vector3d direction)
-    {
-        const double Degree = Math.PI / 180.0;
-        double elevation = Elementary.Atan2(direction.Y, direction.Horizontal.Length);
-        _kick.Elevation = Math.Min(Math.Max(elevation, _request.MinimumElevation * Degree), _request.MaximumElevation * Degree);
-        _kick.Azimuth = Elementary.Atan2(Vector3d.Dot(in direction, in _left), Vector3d.Dot(in direction, in _forward));
     }
 }

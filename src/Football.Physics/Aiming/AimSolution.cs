@@ -1,20 +1,24 @@
 namespace Football.Physics;
 
-/// <summary>What a method found, in its own estimate.</summary>
-internal struct AimAnswer
+/// <summary>The kick that a method found, in its own estimate.</summary>
+internal struct AimSolution
 {
     public AimStatus Status;
     public Kick Kick;
+
+    /// <summary>Horizontal unit direction of the target, from which the kick's azimuth counts.</summary>
     public Vector3d Forward;
+
+    /// <summary>Speed of the kick, m/s.</summary>
     public double Speed;
 
-    /// <summary>The method's own estimate of the miss, m.</summary>
+    /// <summary>Miss distance at the target, m.</summary>
     public double Miss;
 
-    /// <summary>The method's own estimate of the miss at the point on the way, m.</summary>
+    /// <summary>Miss distance at the point on the way, m.</summary>
     public double ThroughMiss;
 
-    /// <summary>The method's own estimate of the time to the target, s.</summary>
+    /// <summary>Time to the target, s.</summary>
     public double Time;
 
     public int Iterations;

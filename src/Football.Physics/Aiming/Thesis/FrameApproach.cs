@@ -1,7 +1,7 @@
 namespace Football.Physics;
 
-/// <summary>Watches a flight frame by frame for the thesis' fast closest point (4.1.3): on the segment between the two nearest frames.</summary>
-internal sealed class FrameFlight
+/// <summary>A flight's closest approach to a point by the thesis' fast error (4.1.3): on the segments beside the nearest frame.</summary>
+internal sealed class FrameApproach
 {
     private Vector3d _point;
     private Vector3d _previous;
@@ -41,7 +41,7 @@ internal sealed class FrameFlight
         }
     }
 
-    /// <summary>Distance of the closest point between frames, m.</summary>
+    /// <summary>Distance of the closest point between frames from the point, m.</summary>
     public double Miss => Vector3d.Distance(Closest, in _point);
 
     /// <summary>Starts a flight.</summary>

@@ -18,27 +18,32 @@ internal sealed class SpeedSearch
     private const double LargestDelay = 1e-4;
 
     private readonly DirectAim _direct;
+    private readonly ReachBound _reach;
 
-    public SpeedSearch(DirectAim direct) => _direct = direct;
+    public SpeedSearch(DirectAim direct, ReachBound reach)
+    {
+        _direct = direct;
+        _reach = reach;
+    }
 
     /// <summary>The slowest kick: where the largest height at the target's distance, which grows with the speed, is zero.</summary>
-    public AimAnswer Slowest(AimRequest request)
+    public AimSolution Slowest(AimRequest request)
     {
         double high = request.Speed;
-        double highest = _direct.Certificate(request, high);
-        if (!(highest >= 0))
+        double atHigh = _reach.Of(request, high);
+        if (!(atHigh >= 0))
         {
             return _direct.Find(request, high, request.Arc);
         }
 
-        // The certificate is nearly linear in the square of the speed. Nothing is known of a ball that is not kicked.
-        var reach = new CertificateOverSpeed(_direct, request);
+        // The bound is nearly linear in the square of the speed. Nothing is known of a ball that is not kicked.
+        var reach = new BoundOverSpeed(_reach, request);
         double squared = high * high;
-        Roots.Illinois(ref reach, 0, double.NaN, squared, highest, SpeedWidth * squared, MostSpeeds);
+        Roots.Illinois(ref reach, 0, double.NaN, squared, atHigh, SpeedWidth * squared, MostSpeeds);
         high = reach.Slowest;
 
         // A hair above the limit, where both arcs meet; more where the limit is known less well, as near the drag law's jump.
-        AimAnswer slowest = default;
+        AimSolution slowest = default;
         for (double more = 1e-6; more < 0.1; more *= 4)
         {
             double speed = Math.Min(request.Speed, high * (1.0 + more));
@@ -53,9 +58,9 @@ internal sealed class SpeedSearch
     }
 
     /// <summary>The kick that is at the target at a time: on one arc the flight is the shorter, the faster the kick.</summary>
-    public AimAnswer AtTime(AimRequest request, double time)
+    public AimSolution AtTime(AimRequest request, double time)
     {
-        AimAnswer fastest = _direct.Find(request);
+        AimSolution fastest = _direct.Find(request);
         if (fastest.Status != AimStatus.Hit)
         {
             return fastest;
@@ -68,7 +73,7 @@ internal sealed class SpeedSearch
             return fastest;
         }
 
-        AimAnswer slowest = Slowest(request);
+        AimSolution slowest = Slowest(request);
         if (slowest.Status != AimStatus.Hit || slowest.Time < time)
         {
             // The slowest low kick is early already: the high arc takes longer.
@@ -82,9 +87,9 @@ internal sealed class SpeedSearch
     }
 
     /// <summary>The same on the high arc, where a faster kick takes longer.</summary>
-    private AimAnswer HighArc(AimRequest request, double time)
+    private AimSolution HighArc(AimRequest request, double time)
     {
-        AimAnswer best = _direct.Find(request, request.Speed, AimArc.High);
+        AimSolution best = _direct.Find(request, request.Speed, AimArc.High);
         double high = request.Speed;
         double low = 0;
         if (best.Status == AimStatus.Hit && best.Time < time)
@@ -99,25 +104,25 @@ internal sealed class SpeedSearch
     }
 
     /// <summary>Where the time jumps with the speed, as at the drag law's jump, none may be right: a hit at another time is none.</summary>
-    private static AimAnswer OnTime(AimAnswer answer, double time)
+    private static AimSolution OnTime(AimSolution solution, double time)
     {
-        if (answer.Status == AimStatus.Hit && Math.Abs(answer.Time - time) > LargestDelay)
+        if (solution.Status == AimStatus.Hit && Math.Abs(solution.Time - time) > LargestDelay)
         {
-            answer.Status = AimStatus.NotConverged;
+            solution.Status = AimStatus.NotConverged;
         }
 
-        return answer;
+        return solution;
     }
 
-    /// <summary>The certificate of reach over the square of the speed.</summary>
-    private struct CertificateOverSpeed : IFunction
+    /// <summary>The bound of reach over the square of the speed.</summary>
+    private struct BoundOverSpeed : IFunction
     {
-        private readonly DirectAim _direct;
+        private readonly ReachBound _reach;
         private readonly AimRequest _request;
 
-        public CertificateOverSpeed(DirectAim direct, AimRequest request)
+        public BoundOverSpeed(ReachBound reach, AimRequest request)
         {
-            _direct = direct;
+            _reach = reach;
             _request = request;
             Slowest = request.Speed;
         }
@@ -128,7 +133,7 @@ internal sealed class SpeedSearch
         public bool Evaluate(double x, out double value)
         {
             double speed = Math.Sqrt(x);
-            value = _direct.Certificate(_request, speed);
+            value = _reach.Of(_request, speed);
             Slowest = value >= 0 && speed < Slowest ? speed : Slowest;
             return false;
         }
@@ -142,7 +147,7 @@ internal sealed class SpeedSearch
         private readonly double _time;
         private readonly double _most;
 
-        public DelayOverSpeed(DirectAim direct, AimRequest request, double time, in AimAnswer slowest)
+        public DelayOverSpeed(DirectAim direct, AimRequest request, double time, in AimSolution slowest)
         {
             _direct = direct;
             _request = request;
@@ -152,19 +157,19 @@ internal sealed class SpeedSearch
         }
 
         /// <summary>The last kick that hit.</summary>
-        public AimAnswer Last { get; private set; }
+        public AimSolution Last { get; private set; }
 
         public bool Evaluate(double x, out double value)
         {
-            AimAnswer answer = _direct.Find(_request, x, _request.Arc);
+            AimSolution solution = _direct.Find(_request, x, _request.Arc);
             value = _most;
-            if (answer.Status != AimStatus.Hit)
+            if (solution.Status != AimStatus.Hit)
             {
                 return false;
             }
 
-            Last = answer;
-            value = answer.Time - _time;
+            Last = solution;
+            value = solution.Time - _time;
             return Math.Abs(value) < TimeWidth;
         }
     }
@@ -176,7 +181,7 @@ internal sealed class SpeedSearch
         private readonly AimRequest _request;
         private readonly double _time;
 
-        public LateOnHighArc(DirectAim direct, AimRequest request, double time, in AimAnswer fastest)
+        public LateOnHighArc(DirectAim direct, AimRequest request, double time, in AimSolution fastest)
         {
             _direct = direct;
             _request = request;
@@ -185,13 +190,13 @@ internal sealed class SpeedSearch
         }
 
         /// <summary>The last kick that hit and was late.</summary>
-        public AimAnswer Last { get; private set; }
+        public AimSolution Last { get; private set; }
 
         public bool Evaluate(double x, out bool holds)
         {
-            AimAnswer answer = _direct.Find(_request, x, AimArc.High);
-            holds = answer.Status == AimStatus.Hit && answer.Time >= _time;
-            Last = holds ? answer : Last;
+            AimSolution solution = _direct.Find(_request, x, AimArc.High);
+            holds = solution.Status == AimStatus.Hit && solution.Time >= _time;
+            Last = holds ? solution : Last;
             return Math.Abs(Last.Time - _time) < TimeWidth;
         }
     }
