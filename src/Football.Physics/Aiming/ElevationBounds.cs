@@ -15,7 +15,10 @@ internal readonly struct ElevationBounds
     }
 
     /// <summary>Those of a request.</summary>
-    public static ElevationBounds Of(AimRequest request) => new(request.MinimumElevation * Degree, request.MaximumElevation * Degree);
+    public static ElevationBounds Of(AimRequest request) => OfDegrees(request.MinimumElevation, request.MaximumElevation);
+
+    /// <summary>Those of two angles in degrees.</summary>
+    public static ElevationBounds OfDegrees(double lowest, double highest) => new(lowest * Degree, highest * Degree);
 
     /// <summary>The nearest elevation within the bounds.</summary>
     public double Clamp(double elevation) => Math.Min(Math.Max(elevation, Lowest), Highest);

@@ -8,8 +8,6 @@ internal sealed class BatchAimWorker
 
     private const int MostRounds = 8;
 
-    private const double Degree = Math.PI / 180.0;
-
     private readonly Aimer _aimer;
     private readonly BatchAimStart _start;
     private readonly BatchAimNewton _newton;
@@ -18,6 +16,8 @@ internal sealed class BatchAimWorker
     private readonly BatchAimState[] _states = new BatchAimState[LaneGroup.Size];
     private readonly int[] _active = new int[LaneGroup.Size];
     private readonly double _windUp;
+
+    /// <summary>Sines of the lowest and the highest elevation.</summary>
     private double _lowest;
     private double _highest;
 
@@ -39,8 +39,9 @@ internal sealed class BatchAimWorker
     {
         HandedOn = 0;
         Flights = 0;
-        Elementary.SinCos(aims.MinimumElevation * Degree, out _lowest, out _);
-        Elementary.SinCos(aims.MaximumElevation * Degree, out _highest, out _);
+        ElevationBounds bounds = ElevationBounds.OfDegrees(aims.MinimumElevation, aims.MaximumElevation);
+        Elementary.SinCos(bounds.Lowest, out _lowest, out _);
+        Elementary.SinCos(bounds.Highest, out _highest, out _);
     }
 
     public void Find(BatchAims aims, BatchKicks kicks, int from, int count)

@@ -29,7 +29,7 @@ internal sealed class DirectAim : IAimMethod
     private AimSolution Find(AimRequest request, double speed, AimArc arc, double top, double side)
     {
         _problem.Set(request, speed, top, side);
-        TargetFrame frame = _problem.Frame;
+        ref readonly TargetFrame frame = ref _problem.Frame;
         if (arc == AimArc.Low && frame.Distance >= 1e-6 && BroydenShooting.Solve(_problem, out PlaneShot shot) && _problem.StaysClear(in shot))
         {
             return new AimSolution

@@ -7,13 +7,14 @@ namespace Football.Physics;
 internal sealed class PlaneProblem
 {
     private readonly AimContext _context;
+    private TargetFrame _frame;
     private double _step;
 
     public PlaneProblem(AimContext context) => _context = context;
 
     public AimRequest Request { get; private set; } = new();
 
-    public TargetFrame Frame { get; private set; }
+    public ref readonly TargetFrame Frame => ref _frame;
 
     public ElevationBounds Bounds { get; private set; }
 
@@ -35,19 +36,19 @@ internal sealed class PlaneProblem
         Request = request;
         Speed = speed;
         Spins = new Kick { Top = top, Side = side };
-        Frame = _context.Frame(request);
+        _frame = _context.Frame(request);
         Bounds = ElevationBounds.Of(request);
         Tolerance = AimContext.Sharp(request.Tolerance);
         Shots = 0;
         _step = _context.Steps.HitWithin(Tolerance);
-        _context.Planes.Aim(Frame, request.TargetVelocity);
+        _context.Planes.Aim(in _frame, request.TargetVelocity);
     }
 
     /// <summary>A first kick, from the flight in closed form.</summary>
     /// <returns>False where that does not reach the target.</returns>
     public bool Guess(out Kick kick)
     {
-        TargetFrame frame = Frame;
+        ref readonly TargetFrame frame = ref _frame;
         double top = Spins.Top;
         double spinRate = Math.Sqrt((top * top) + (Spins.Side * Spins.Side));
         FlatFire model = _context.Model(Speed, spinRate, frame.Distance);
@@ -82,7 +83,7 @@ internal sealed class PlaneProblem
     /// <summary>Flies a kick to the target's plane.</summary>
     public PlaneShot Fly(in Kick kick)
     {
-        TargetFrame frame = Frame;
+        ref readonly TargetFrame frame = ref _frame;
         kick.Vectors(Speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
         PlaneShooter planes = _context.Planes;
         planes.Fly(in frame.From, in velocity, in spin, _step);
@@ -110,18 +111,18 @@ internal sealed class PlaneProblem
 
     /// <summary>How the crossing of a shot moves with elevation and azimuth.</summary>
     public CrossingJacobian Jacobian(in PlaneShot shot) =>
-        CrossingJacobian.Of(in shot, Frame, Request.TargetVelocity, _context.Scene.Air.Wind, _context.Upward);
+        CrossingJacobian.Of(in shot, in _frame, Request.TargetVelocity, _context.Scene.Air.Wind, _context.Upward);
 
     /// <summary>Whether a flight to the target leaves the ground and stays above it, so that no impact comes first.</summary>
     public bool StaysClear(in PlaneShot shot)
     {
         Elementary.SinCos(shot.Kick.Elevation, out double sine, out _);
-        if (_context.StaysDown(Frame.From, Speed * sine))
+        if (_context.StaysDown(in _frame.From, Speed * sine))
         {
             return false;
         }
 
-        double lowest = Math.Min(shot.Lowest, Frame.Target.Y + (shot.Time * Request.TargetVelocity.Y) + shot.Up);
+        double lowest = Math.Min(shot.Lowest, _frame.Target.Y + (shot.Time * Request.TargetVelocity.Y) + shot.Up);
         return lowest >= _context.Game.ContactHeight - 1e-9;
     }
 }

@@ -111,7 +111,7 @@ internal sealed class ReachBound
         if (shot.Crossed)
         {
             // The whole flight turns with the azimuth; its crossing moves along the plane by that much and a little more.
-            TargetFrame frame = _problem.Frame;
+            ref readonly TargetFrame frame = ref _problem.Frame;
             double slope = Vector3d.Dot(in shot.Velocity, in frame.Left) / Math.Max(Vector3d.Dot(in shot.Velocity, in frame.Forward), 1e-3);
             _kick.Azimuth += Elementary.Atan2(-shot.Left, Math.Max(0.2 * frame.Distance, frame.Distance + (slope * shot.Left)));
         }

@@ -10,7 +10,7 @@ internal static class TwoPointGuess
     public static void Make(AimContext context, TwoPointProblem problem, double[] x)
     {
         AimRequest request = problem.Request;
-        TargetFrame frame = problem.Frame;
+        ref readonly TargetFrame frame = ref problem.Frame;
         Vector3d wind = context.Scene.Air.Wind;
         double mostSpin = Math.Sqrt((request.MaximumTopSpin * request.MaximumTopSpin) + (request.MaximumSideSpin * request.MaximumSideSpin));
         double spinRate = Math.Max(10.0, Math.Sqrt((request.TopSpin * request.TopSpin) + (request.SideSpin * request.SideSpin)));

@@ -24,7 +24,7 @@ internal sealed class TwoPointJacobian
     {
         Kick kick = TwoPointProblem.KickOf(x);
         double speed = problem.Request.Speed;
-        TargetFrame frame = problem.Frame;
+        ref readonly TargetFrame frame = ref problem.Frame;
         Vector3d d = kick.Direction(in frame.Forward);
         var raise = new Vector3d(-d.Z, 0, d.X); // d × ŷ
         double spinRate = Math.Max(1.0, Math.Sqrt((kick.Top * kick.Top) + (kick.Side * kick.Side)));

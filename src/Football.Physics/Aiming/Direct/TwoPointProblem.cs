@@ -23,13 +23,14 @@ internal sealed class TwoPointProblem
     private const double FineThrough = 1e-2;
 
     private readonly AimContext _context;
+    private TargetFrame _frame;
     private double _step;
 
     public TwoPointProblem(AimContext context) => _context = context;
 
     public AimRequest Request { get; private set; } = new();
 
-    public TargetFrame Frame { get; private set; }
+    public ref readonly TargetFrame Frame => ref _frame;
 
     public ElevationBounds Bounds { get; private set; }
 
@@ -62,8 +63,8 @@ internal sealed class TwoPointProblem
     public bool Set(AimRequest request)
     {
         Request = request;
-        TargetFrame frame = _context.Frame(request);
-        Frame = frame;
+        _frame = _context.Frame(request);
+        ref readonly TargetFrame frame = ref _frame;
         Bounds = ElevationBounds.Of(request);
         Through = request.Through.GetValueOrDefault();
         ThroughDistance = Vector3d.Dot(Through - frame.From, in frame.Forward);
@@ -92,7 +93,7 @@ internal sealed class TwoPointProblem
     /// <returns>False where it does not reach both.</returns>
     public bool Fly(double[] x, double[] r)
     {
-        TargetFrame frame = Frame;
+        ref readonly TargetFrame frame = ref _frame;
         KickOf(x).Vectors(Request.Speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
         _context.Planes.Fly(in frame.From, in velocity, in spin, _step);
         if (!AtTarget.Crossed || !AtThrough.Crossed)
@@ -114,7 +115,7 @@ internal sealed class TwoPointProblem
     {
         Elementary.SinCos(x[Elevation], out double sine, out _);
         double lowest = _context.Planes.Lowest;
-        return !_context.StaysDown(Frame.From, Request.Speed * sine)
-            && (lowest >= _context.Game.ContactHeight - 1e-9 || lowest >= Frame.From.Y - 1e-9);
+        return !_context.StaysDown(in _frame.From, Request.Speed * sine)
+            && (lowest >= _context.Game.ContactHeight - 1e-9 || lowest >= _frame.From.Y - 1e-9);
     }
 }

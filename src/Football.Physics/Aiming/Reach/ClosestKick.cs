@@ -63,6 +63,6 @@ internal sealed class ClosestKick
             return _approaches.Accept(_approaches.At(bounds.Lowest));
         }
 
-        return _approaches.TurnWithAzimuth && _coarse.Find(problem.Frame, arc, out bool hit) ? hit : _close.Find(arc);
+        return _approaches.TurnWithAzimuth && _coarse.Find(in problem.Frame, arc, out bool hit) ? hit : _close.Find(arc);
     }
 }

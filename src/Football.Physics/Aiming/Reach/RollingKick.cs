@@ -28,7 +28,7 @@ internal sealed class RollingKick
         Elevation = bounds.Clamp(0);
         LowerBound = double.PositiveInfinity;
         Elementary.SinCos(Elevation, out double sine, out _);
-        if (!_context.StaysDown(problem.Frame.From, problem.Speed * sine))
+        if (!_context.StaysDown(in problem.Frame.From, problem.Speed * sine))
         {
             return;
         }
