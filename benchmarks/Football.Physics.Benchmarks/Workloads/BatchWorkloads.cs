@@ -83,10 +83,10 @@ internal static class BatchWorkloads
         BatchAims aims = MakeAims(Aims);
         var kicks = new BatchKicks(Aims);
         new BatchAimer(scene).Find(aims, kicks, Aims);
-        var judge = new AimContext(scene, SolverSettings.Default, ShotSets.TimeStep);
+        var meter = new MissMeter(new Simulator(scene));
         double[] misses = [.. Enumerable.Range(0, Aims)
             .Where(i => kicks.Status[i] == AimStatus.Hit)
-            .Select(i => judge.Judge(aims.Request(i), kicks.Velocity[i], kicks.Spin[i]).Miss)];
+            .Select(i => meter.Measure(aims.Request(i), kicks.Velocity[i], kicks.Spin[i]).Distance)];
         return (misses.Average(), misses.Max());
     }
 

@@ -28,8 +28,9 @@ public sealed class Aimer
         Check.Positive("solver.timeStep", timeStep);
         Check.AtLeast("solver.timeStep", timeStep, AimContext.LongestFlight * 1e-6);
         _context = new AimContext(scene ?? Scene.Default, settings ?? SolverSettings.Default, timeStep);
-        _direct = new DirectAim(_context);
-        _speed = new SpeedSearch(_direct);
+        var problem = new PlaneProblem(_context);
+        _direct = new DirectAim(_context, problem);
+        _speed = new SpeedSearch(_direct, new ReachBound(problem));
         _directTwoPoint = new DirectTwoPointAim(_context, _direct);
         _angle = new AngleAim(_context);
         _bisection = new BisectionAim(_context);
@@ -47,22 +48,23 @@ public sealed class Aimer
         Begin(request, method);
         IAimMethod finder = method switch
         {
+            AimMethod.Direct => request.Through is null ? _direct : _directTwoPoint,
             AimMethod.Angle => _angle,
             AimMethod.Bisection => _bisection,
             AimMethod.TwoPoint => _twoPoint,
-            _ => request.Through is null ? _direct : _directTwoPoint,
+            _ => throw Check.Refusal("aim.method", method.ToString(), "one that has a solver"),
         };
-        AimAnswer answer = finder.Find(request);
-        AimResult result = Report(request, in answer, measure);
-        bool astray = result.Miss > ((1.0 + Astray) * answer.Miss) + (Astray * NearMiss);
-        if (method == AimMethod.Direct && result.Status != AimStatus.Hit && (answer.Status == AimStatus.Hit || answer.Miss < NearMiss || astray))
+        AimSolution solution = finder.Find(request);
+        AimResult result = Report(request, in solution, measure);
+        bool astray = result.Miss > ((1.0 + Astray) * solution.Miss) + (Astray * NearMiss);
+        if (method == AimMethod.Direct && result.Status != AimStatus.Hit && (solution.Status == AimStatus.Hit || solution.Miss < NearMiss || astray))
         {
             // A kick that grazes the drag law's jump goes elsewhere in finer steps: once more in those.
-            _context.Fine = true;
-            AimAnswer fine = finder.Find(request);
+            _context.Steps = AimSteps.Short;
+            AimSolution fine = finder.Find(request);
             AimResult finer = Report(request, in fine, measure);
-            _context.Fine = false;
-            result = finer.Status == AimStatus.Hit || !(result.Miss < finer.Miss) ? finer : Report(request, in answer, measure);
+            _context.Steps = AimSteps.Long;
+            result = finer.Status == AimStatus.Hit || !(result.Miss < finer.Miss) ? finer : Report(request, in solution, measure);
         }
 
         return result;
@@ -77,8 +79,8 @@ public sealed class Aimer
     {
         Begin(request, AimMethod.Direct);
         RefuseThrough(request);
-        AimAnswer answer = _speed.Slowest(request);
-        return Report(request, in answer, measure: true);
+        AimSolution solution = _speed.Slowest(request);
+        return Report(request, in solution, measure: true);
     }
 
     /// <summary>Finds the kick that is at a target at a given time.</summary>
@@ -92,11 +94,11 @@ public sealed class Aimer
         Begin(request, AimMethod.Direct);
         RefuseThrough(request);
         Check.Within(nameof(time), time, 0, AimContext.LongestFlight, exclusiveLow: true);
-        AimAnswer answer = _speed.AtTime(request, time);
-        AimResult result = Report(request, in answer, measure: true);
+        AimSolution solution = _speed.AtTime(request, time);
+        AimResult result = Report(request, in solution, measure: true);
 
         // A kick that passes the target at another time is no hit.
-        return answer.Status is AimStatus.OutOfReach or AimStatus.NotConverged ? result.With(answer.Status) : result;
+        return solution.Status is AimStatus.OutOfReach or AimStatus.NotConverged ? result.With(solution.Status) : result;
     }
 
     private static void RefuseThrough(AimRequest request)
@@ -106,6 +108,9 @@ public sealed class Aimer
             throw Check.Refusal("aim.through", point.ToString(), "none, where the speed is to be found");
         }
     }
+
+    /// <summary>What the search was made with.</summary>
+    internal AimContext Context => _context;
 
     /// <summary>Checks a request before anything is done for it.</summary>
     private void Begin(AimRequest request, AimMethod method)
@@ -122,25 +127,26 @@ public sealed class Aimer
             throw Check.Refusal("aim.through", "null", "a point, with method twoPoint");
         }
 
-        _context.Simulations = 0;
+        _context.Begin();
     }
 
-    private AimResult Report(AimRequest request, in AimAnswer answer, bool measure)
+    private AimResult Report(AimRequest request, in AimSolution solution, bool measure)
     {
-        answer.Vectors(out Vector3d velocity, out Vector3d spin);
+        solution.Vectors(out Vector3d velocity, out Vector3d spin);
         int simulations = _context.Simulations;
         if (!measure)
         {
-            double? throughMiss = request.Through is null ? null : answer.ThroughMiss;
-            return new AimResult(answer.Status, in velocity, in spin, answer.Miss, throughMiss, answer.Time, request.Target, answer.Iterations, simulations);
+            double? throughMiss = request.Through is null ? null : solution.ThroughMiss;
+            return new AimResult(solution.Status, in velocity, in spin, solution.Miss, throughMiss, solution.Time, request.Target, solution.Iterations, simulations);
         }
 
-        ClosestPass pass = _context.Judge(request, in velocity, in spin);
+        MeasuredMiss measured = _context.Miss.Measure(request, in velocity, in spin);
 
         // The measured miss decides; a method may only say why there is none.
-        AimStatus status = pass.Miss <= request.Tolerance ? AimStatus.Hit
-            : answer.Status == AimStatus.Hit ? AimStatus.NotConverged
-            : answer.Status;
-        return new AimResult(status, in velocity, in spin, pass.Miss, pass.ThroughMiss, pass.Time, pass.Position, answer.Iterations, simulations);
+        AimStatus status = measured.Distance <= request.Tolerance ? AimStatus.Hit
+            : solution.Status == AimStatus.Hit ? AimStatus.NotConverged
+            : solution.Status;
+        return new AimResult(
+            status, in velocity, in spin, measured.Distance, measured.ThroughDistance, measured.Time, measured.Position, solution.Iterations, simulations);
     }
 }

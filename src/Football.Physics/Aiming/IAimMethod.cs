@@ -4,5 +4,5 @@ namespace Football.Physics;
 internal interface IAimMethod
 {
     /// <summary>Finds a kick; the request has been checked.</summary>
-    AimAnswer Find(AimRequest request);
+    AimSolution Find(AimRequest request);
 }

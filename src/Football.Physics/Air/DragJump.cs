@@ -111,19 +111,7 @@ internal readonly struct DragJump
             double high = (double)i / Samples;
             if (path.IsInside(high) != inside || (!inside && path.PassesThrough(low, ref high)))
             {
-                for (int k = 0; k < 50; k++)
-                {
-                    double middle = 0.5 * (low + high);
-                    if (path.IsInside(middle) != inside)
-                    {
-                        high = middle;
-                    }
-                    else
-                    {
-                        low = middle;
-                    }
-                }
-
+                path.Narrow(ref low, ref high, inside);
                 bySpeed = path.Speed(high) < path.Spin(high);
                 return high;
             }

@@ -4,29 +4,33 @@ namespace Football.Physics;
 internal readonly struct JumpPath
 {
     private const int Halvings = 50;
-    private readonly DragJump _from;
-    private readonly DragJump _fromRate;
-    private readonly DragJump _to;
-    private readonly DragJump _toRate;
-    private readonly double _h;
+    private readonly CubicHermite _speed;
+    private readonly CubicHermite _spin;
 
     public JumpPath(in DragJump from, in DragJump fromRate, in DragJump to, in DragJump toRate, double h)
     {
-        _from = from;
-        _fromRate = fromRate;
-        _to = to;
-        _toRate = toRate;
-        _h = h;
+        _speed = new CubicHermite(from.Speed, h * fromRate.Speed, to.Speed, h * toRate.Speed);
+        _spin = new CubicHermite(from.Spin, h * fromRate.Spin, to.Spin, h * toRate.Spin);
     }
 
     /// <summary>G at a fraction of the step.</summary>
-    public double Speed(double at) => Hermite(_from.Speed, _h * _fromRate.Speed, _to.Speed, _h * _toRate.Speed, at);
+    public double Speed(double at) => _speed.At(at);
 
     /// <summary>S at a fraction of the step.</summary>
-    public double Spin(double at) => Hermite(_from.Spin, _h * _fromRate.Spin, _to.Spin, _h * _toRate.Spin, at);
+    public double Spin(double at) => _spin.At(at);
 
     /// <summary>Whether the law with spin holds there.</summary>
     public bool IsInside(double at) => Speed(at) > 0 && Spin(at) > 0;
+
+    /// <summary>Narrows two fractions, at the later of which the ball has changed sides, down to the change.</summary>
+    /// <param name="low">Before the change.</param>
+    /// <param name="high">After it.</param>
+    /// <param name="inside">Whether the law with spin holds before it.</param>
+    public void Narrow(ref double low, ref double high, bool inside)
+    {
+        var change = new Change(in this, inside);
+        Roots.Bisect(ref change, ref low, ref high, Halvings);
+    }
 
     /// <summary>Whether one surface becomes positive between two fractions before the other ceases to be: a visit to the law with spin.</summary>
     /// <param name="low">Where the search starts; not inside.</param>
@@ -39,33 +43,53 @@ internal readonly struct JumpPath
             return false;
         }
 
+        var visit = new Visit(in this, spinRises);
         double before = low;
         double after = high;
-        for (int i = 0; i < Halvings; i++)
+        if (!Roots.Bisect(ref visit, ref before, ref after, Halvings))
         {
-            double middle = 0.5 * (before + after);
-            if (IsInside(middle))
-            {
-                high = middle;
-                return true;
-            }
-
-            if ((spinRises ? Spin(middle) : Speed(middle)) > 0)
-            {
-                after = middle;
-            }
-            else
-            {
-                before = middle;
-            }
+            return false;
         }
 
-        return false;
+        high = after;
+        return true;
     }
 
-    private static double Hermite(double f0, double d0, double f1, double d1, double s)
+    /// <summary>The law with spin has begun to hold, or ceased to.</summary>
+    private readonly struct Change : ICondition
     {
-        double rise = f1 - f0;
-        return f0 + (s * (d0 + (s * ((3.0 * rise) - (2.0 * d0) - d1 + (s * (d0 + d1 - (2.0 * rise)))))));
+        private readonly JumpPath _path;
+        private readonly bool _inside;
+
+        public Change(in JumpPath path, bool inside)
+        {
+            _path = path;
+            _inside = inside;
+        }
+
+        public bool Evaluate(double x, out bool holds)
+        {
+            holds = _path.IsInside(x) != _inside;
+            return false;
+        }
+    }
+
+    /// <summary>The rising surface is positive; done where the other one still is.</summary>
+    private readonly struct Visit : ICondition
+    {
+        private readonly JumpPath _path;
+        private readonly bool _spinRises;
+
+        public Visit(in JumpPath path, bool spinRises)
+        {
+            _path = path;
+            _spinRises = spinRises;
+        }
+
+        public bool Evaluate(double x, out bool holds)
+        {
+            holds = (_spinRises ? _path.Spin(x) : _path.Speed(x)) > 0;
+            return _path.IsInside(x);
+        }
     }
 }

@@ -28,11 +28,8 @@ internal struct BatchAimState
     /// <summary>Time to the target.</summary>
     public double Time;
 
-    /// <summary>How the crossing (up, left) moves with elevation and azimuth.</summary>
-    public double UpByElevation;
-    public double UpByAzimuth;
-    public double LeftByElevation;
-    public double LeftByAzimuth;
+    /// <summary>How the crossing moves with elevation and azimuth.</summary>
+    public CrossingJacobian Jacobian;
 
     /// <summary>The last flight's crossing, and the step that led to it.</summary>
     public double Up;

@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace Football.Physics;
 
 /// <summary>Many requests for kicks, as arrays of numbers; points are for the ball's centre. All with the low arc and targets at rest.</summary>
@@ -71,4 +73,25 @@ public sealed class BatchAims
         MaximumElevation = MaximumElevation,
         Tolerance = Tolerance,
     };
+
+    /// <summary>Checks a request.</summary>
+    internal void Validate(int index)
+    {
+        double speed = Speed[index];
+        Vector3d from = From[index];
+        Vector3d target = Target[index];
+        double size = Math.Abs(from.X) + Math.Abs(from.Y) + Math.Abs(from.Z) + Math.Abs(target.X) + Math.Abs(target.Y) + Math.Abs(target.Z);
+        double spins = Math.Abs(TopSpin[index]) + Math.Abs(SideSpin[index]);
+        if (speed > 0 && speed <= Limits.Speed && size <= Limits.Length && spins <= Limits.Spin)
+        {
+            return;
+        }
+
+        string at = string.Format(CultureInfo.InvariantCulture, "[{0}]", index);
+        Check.Place("aim.from" + at, from);
+        Check.Place("aim.target" + at, target);
+        Check.Within("aim.speed" + at, speed, 0, Limits.Speed, exclusiveLow: true);
+        Check.Within("aim.spin.top" + at, TopSpin[index], -Limits.Spin, Limits.Spin);
+        Check.Within("aim.spin.side" + at, SideSpin[index], -Limits.Spin, Limits.Spin);
+    }
 }

@@ -38,68 +38,17 @@ internal readonly struct HeightArc
     /// <param name="a">Coefficient of τ².</param>
     public double QuadraticRoot(double a)
     {
-        double v = StartVelocity;
-        double discriminant = (v * v) - (4.0 * a * Start);
-        if (discriminant < 0)
-        {
-            return Length;
-        }
-
-        // Falling at the start or accelerating down: the root that avoids cancellation.
-        double root = Math.Sqrt(discriminant);
-        double tau = v > 0 ? (v + root) / (-2.0 * a) : (2.0 * Start) / (root - v);
+        double tau = Roots.FallingQuadratic(Start, StartVelocity, a);
         return tau > 0 && tau < Length ? tau : Length;
-    }
-
-    /// <summary>Coefficients of the cubic Hermite interpolant in s = τ / length: start + c1 s + c2 s² + c3 s³.</summary>
-    public void Hermite(out double c1, out double c2, out double c3)
-    {
-        double rise = End - Start;
-        double v0 = StartVelocity * Length;
-        double v1 = EndVelocity * Length;
-        c1 = v0;
-        c2 = (3.0 * rise) - (2.0 * v0) - v1;
-        c3 = v0 + v1 - (2.0 * rise);
     }
 
     /// <summary>The first time at which the cubic Hermite interpolant comes down to zero, or the whole length where it does not.</summary>
     public double HermiteRoot()
     {
-        Hermite(out double c1, out double c2, out double c3);
-        double high = End < 0 ? 1.0 : LowestPoint(c1, c2, c3);
-
-        // A start at contact is a root already: the next one is that of the quotient by s.
-        bool onGround = Start <= 0;
-        double low = 0;
-        double s = high;
-        for (int i = 0; i < 60; i++)
-        {
-            double f = onGround ? c1 + (s * (c2 + (s * c3))) : Start + (s * (c1 + (s * (c2 + (s * c3)))));
-            double slope = onGround ? c2 + (2.0 * s * c3) : c1 + (s * ((2.0 * c2) + (3.0 * s * c3)));
-            if (f > 0)
-            {
-                low = s;
-            }
-            else
-            {
-                high = s;
-            }
-
-            double next = s - (f / slope);
-            if (!(next > low && next < high))
-            {
-                next = 0.5 * (low + high);
-            }
-
-            bool done = Math.Abs(next - s) <= Close * s;
-            s = next;
-            if (done)
-            {
-                break;
-            }
-        }
-
-        return s * Length;
+        CubicHermite curve = Curve;
+        double high = End < 0 ? 1.0 : curve.Lowest;
+        var height = new HeightOverArc(in curve);
+        return Roots.Newton(ref height, 0, high, high, Close) * Length;
     }
 
     /// <summary>Whether a ball that falls at the start and rises at the end goes below contact in between.</summary>
@@ -107,23 +56,30 @@ internal readonly struct HeightArc
     {
         get
         {
-            Hermite(out double c1, out double c2, out double c3);
-            double s = LowestPoint(c1, c2, c3);
-            return Start + (s * (c1 + (s * (c2 + (s * c3))))) < 0;
+            CubicHermite curve = Curve;
+            return curve.At(curve.Lowest) < 0;
         }
     }
 
-    /// <summary>Where in 0 … 1 the interpolant of a ball that falls and rises again is lowest.</summary>
-    public static double LowestPoint(double c1, double c2, double c3)
+    private CubicHermite Curve => new(Start, StartVelocity * Length, End, EndVelocity * Length);
+
+    /// <summary>The height over the step. A start at contact is a root already: the next one is that of the quotient by s.</summary>
+    private readonly struct HeightOverArc : IDifferentiableFunction
     {
-        // c1 + 2 c2 s + 3 c3 s² = 0 with the sign change from falling to rising
-        double discriminant = (c2 * c2) - (3.0 * c1 * c3);
-        if (discriminant <= 0)
+        private readonly CubicHermite _curve;
+        private readonly bool _onGround;
+
+        public HeightOverArc(in CubicHermite curve)
         {
-            return 1.0;
+            _curve = curve;
+            _onGround = curve.C0 <= 0;
         }
 
-        double s = -c1 / (c2 + Math.Sqrt(discriminant));
-        return s > 0 && s < 1 ? s : 1.0;
+        public bool Evaluate(double x, out double value, out double slope)
+        {
+            value = _onGround ? _curve.C1 + (x * (_curve.C2 + (x * _curve.C3))) : _curve.At(x);
+            slope = _onGround ? _curve.C2 + (2.0 * x * _curve.C3) : _curve.SlopeAt(x);
+            return false;
+        }
     }
 }

@@ -7,6 +7,10 @@ namespace Football.Physics;
 /// </remarks>
 public readonly struct PathPiece
 {
+    /// <summary>A fraction of a piece is known when the next correction is below this: a few hundred times the rounding of its ends.</summary>
+    private const double Closeness = 1e-13;
+    private const int MostEvaluations = 60;
+
     private readonly int _degree;
 
     internal PathPiece(
@@ -78,7 +82,7 @@ public readonly struct PathPiece
         get
         {
             double ends = Math.Max(StartPosition.Y, EndPosition.Y);
-            return StartVelocity.Y > 0 && EndVelocity.Y < 0 ? Math.Max(ends, PositionAt(Time + (TurningPoint(Vector3d.Up, default) * Length)).Y) : ends;
+            return StartVelocity.Y > 0 && EndVelocity.Y < 0 ? Math.Max(ends, PositionAt(TurningTime(new Climb(in this))).Y) : ends;
         }
     }
 
@@ -92,25 +96,14 @@ public readonly struct PathPiece
             return StartPosition;
         }
 
-        double h = Length;
-        double s = t / h;
-        Vector3d miss = EndPosition - StartPosition - (h * StartVelocity);
         if (_degree == 2)
         {
             // p₀ + v₀ τ + (p₁ − p₀ − v₀ h) s²
-            return StartPosition + (t * StartVelocity) + (s * s * miss);
+            double s = t / Length;
+            return StartPosition + (t * StartVelocity) + (s * s * (EndPosition - StartPosition - (Length * StartVelocity)));
         }
 
-        if (_degree == 3)
-        {
-            // Cubic Hermite
-            Vector3d turn = h * (EndVelocity - StartVelocity);
-            return StartPosition + (t * StartVelocity) + (s * s * ((3.0 * miss) - turn + (s * (turn - (2.0 * miss)))));
-        }
-
-        // Quintic Hermite: p₀ + v₀ τ + a₀ τ²/2 + s³ (c₃ + s (c₄ + s c₅))
-        QuinticTail(out Vector3d c3, out Vector3d c4, out Vector3d c5);
-        return StartPosition + (t * (StartVelocity + (0.5 * t * StartAcceleration))) + (s * s * s * (c3 + (s * (c4 + (s * c5)))));
+        return _degree == 3 ? CubicCurve.PositionAt(t) : QuinticCurve.PositionAt(t);
     }
 
     /// <summary>The velocity at a time of the piece, m/s.</summary>
@@ -123,21 +116,9 @@ public readonly struct PathPiece
             return StartVelocity;
         }
 
-        double s = t / Length;
-        if (_degree == 2)
-        {
-            return StartVelocity + (s * (EndVelocity - StartVelocity));
-        }
-
-        if (_degree == 3)
-        {
-            Vector3d miss = EndPosition - StartPosition - (Length * StartVelocity);
-            Vector3d turn = Length * (EndVelocity - StartVelocity);
-            return StartVelocity + (s / Length * ((6.0 * miss) - (2.0 * turn) + (3.0 * s * (turn - (2.0 * miss)))));
-        }
-
-        QuinticTail(out Vector3d c3, out Vector3d c4, out Vector3d c5);
-        return StartVelocity + (t * StartAcceleration) + (s * s / Length * ((3.0 * c3) + (s * ((4.0 * c4) + (5.0 * s * c5)))));
+        return _degree == 2 ? StartVelocity + (t / Length * (EndVelocity - StartVelocity))
+            : _degree == 3 ? CubicCurve.VelocityAt(t)
+            : QuinticCurve.VelocityAt(t);
     }
 
     /// <summary>The piece as seen by something that moves steadily and was at the origin at time 0.</summary>
@@ -167,38 +148,9 @@ public readonly struct PathPiece
             return false;
         }
 
-        // Newton on the dense path, kept inside its bracket; the secant is a good start.
-        double low = 0;
-        double high = 1;
-        double s = before / (before - after);
-        for (int i = 0; i < 60; i++)
-        {
-            time = Time + (s * Length);
-            double f = Vector3d.Dot(PositionAt(time) - point, in normal);
-            double slope = Vector3d.Dot(PathVelocity(time), in normal) * Length;
-            if (f < 0 == before < 0)
-            {
-                low = s;
-            }
-            else
-            {
-                high = s;
-            }
-
-            double next = s - (f / slope);
-            if (!(next >= low && next <= high))
-            {
-                next = 0.5 * (low + high);
-            }
-
-            if (Math.Abs(next - s) < 1e-15)
-            {
-                break;
-            }
-
-            s = next;
-        }
-
+        // The secant is a good start for Newton on the dense path.
+        var distance = new PlaneDistance(in this, in point, in normal, before > 0);
+        time = Time + (Roots.Newton(ref distance, 0, 1, before / (before - after)) * Length);
         return true;
     }
 
@@ -218,7 +170,7 @@ public readonly struct PathPiece
         // d|p − q|²/dt = 2 (p − q)·v changes sign from minus to plus at a nearest point.
         if (Vector3d.Dot(in start, PathVelocity(Time)) < 0 && Vector3d.Dot(in end, PathVelocity(EndTime)) > 0)
         {
-            double inside = Time + (TurningPoint(default, in point) * Length);
+            double inside = TurningTime(new Recession(in this, in point));
             double squared = (PositionAt(inside) - point).LengthSquared;
             if (squared < best)
             {
@@ -242,75 +194,74 @@ public readonly struct PathPiece
         return StartVelocity + (2.0 * s / Length * (EndPosition - StartPosition - (Length * StartVelocity)));
     }
 
-    /// <summary>Where in 0 … 1 the velocity along a direction, or the distance from a point when the direction is zero, turns.</summary>
-    private double TurningPoint(in Vector3d direction, in Vector3d point)
+    private CubicHermite3d CubicCurve => new(StartPosition, StartVelocity, EndPosition, EndVelocity, Length);
+
+    private QuinticHermite3d QuinticCurve =>
+        new(StartPosition, StartVelocity, StartAcceleration, EndPosition, EndVelocity, EndAcceleration, Length);
+
+    /// <summary>When a rate, which is nearly linear over the piece, changes its sign; the end where it does not: a straight path turns nowhere.</summary>
+    private double TurningTime<TRate>(TRate rate)
+        where TRate : struct, IFunction
     {
-        bool distance = direction == Vector3d.Zero;
-        double low = 0;
-        double high = 1;
-        double start = Turning(0, in direction, in point, distance);
-        double atLow = start;
-        double atHigh = Turning(1, in direction, in point, distance);
-        if (start < 0 == atHigh < 0)
-        {
-            // A straight path, like Euler's, turns nowhere.
-            return 1;
-        }
-
-        double s = 0.5;
-        for (int i = 0; i < 60 && high - low > 1e-15; i++)
-        {
-            // Regula falsi with a bisection now and then: the function is nearly linear.
-            s = i % 4 == 3 ? 0.5 * (low + high) : low + ((high - low) * atLow / (atLow - atHigh));
-            double f = Turning(s, in direction, in point, distance);
-            if (f == 0)
-            {
-                break;
-            }
-
-            if (f < 0 == start < 0)
-            {
-                if (s - low < 1e-15)
-                {
-                    break;
-                }
-
-                low = s;
-                atLow = f;
-            }
-            else
-            {
-                if (high - s < 1e-15)
-                {
-                    break;
-                }
-
-                high = s;
-                atHigh = f;
-            }
-        }
-
-        return s;
+        rate.Evaluate(0, out double atStart);
+        rate.Evaluate(1, out double atEnd);
+        return Time + ((atStart < 0 == atEnd < 0 ? 1 : Roots.Illinois(ref rate, 0, atStart, 1, atEnd, Closeness, MostEvaluations)) * Length);
     }
 
-    private double Turning(double s, in Vector3d direction, in Vector3d point, bool distance)
+    /// <summary>Distance from a plane over fractions of a piece, positive where the piece begins.</summary>
+    private readonly struct PlaneDistance : IDifferentiableFunction
     {
-        double time = Time + (s * Length);
-        Vector3d velocity = PathVelocity(time);
-        return distance ? Vector3d.Dot(PositionAt(time) - point, in velocity) : Vector3d.Dot(in direction, in velocity);
+        private readonly PathPiece _piece;
+        private readonly Vector3d _point;
+        private readonly Vector3d _normal;
+
+        public PlaneDistance(in PathPiece piece, in Vector3d point, in Vector3d normal, bool positive)
+        {
+            _piece = piece;
+            _point = point;
+            _normal = positive ? normal : -normal;
+        }
+
+        public bool Evaluate(double x, out double value, out double slope)
+        {
+            double time = _piece.Time + (x * _piece.Length);
+            value = Vector3d.Dot(_piece.PositionAt(time) - _point, in _normal);
+            slope = Vector3d.Dot(_piece.PathVelocity(time), in _normal) * _piece.Length;
+            return Math.Abs(value / slope) < Closeness;
+        }
     }
 
-    private void QuinticTail(out Vector3d c3, out Vector3d c4, out Vector3d c5)
+    /// <summary>Vertical velocity over fractions of a piece.</summary>
+    private readonly struct Climb : IFunction
     {
-        double h = Length;
-        double hh = h * h;
+        private readonly PathPiece _piece;
 
-        // What is left of the ends' position, velocity and acceleration after the quadratic part, in units of the step.
-        Vector3d p = EndPosition - StartPosition - (h * StartVelocity) - (0.5 * hh * StartAcceleration);
-        Vector3d v = (h * (EndVelocity - StartVelocity)) - (hh * StartAcceleration);
-        Vector3d a = hh * (EndAcceleration - StartAcceleration);
-        c3 = (10.0 * p) - (4.0 * v) + (0.5 * a);
-        c4 = (-15.0 * p) + (7.0 * v) - a;
-        c5 = (6.0 * p) - (3.0 * v) + (0.5 * a);
+        public Climb(in PathPiece piece) => _piece = piece;
+
+        public bool Evaluate(double x, out double value)
+        {
+            value = _piece.PathVelocity(_piece.Time + (x * _piece.Length)).Y;
+            return false;
+        }
+    }
+
+    /// <summary>Half the rate of change of the squared distance from a point, over fractions of a piece.</summary>
+    private readonly struct Recession : IFunction
+    {
+        private readonly PathPiece _piece;
+        private readonly Vector3d _point;
+
+        public Recession(in PathPiece piece, in Vector3d point)
+        {
+            _piece = piece;
+            _point = point;
+        }
+
+        public bool Evaluate(double x, out double value)
+        {
+            double time = _piece.Time + (x * _piece.Length);
+            value = Vector3d.Dot(_piece.PositionAt(time) - _point, _piece.PathVelocity(time));
+            return false;
+        }
     }
 }

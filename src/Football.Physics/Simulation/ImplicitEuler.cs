@@ -33,22 +33,13 @@ internal struct ImplicitEuler<TAir>
         Vector3d b = from + (h * push);
         Vector3d along = Vector3d.Dot(in b, in axis) * axis;
         Vector3d across = b - along;
+        var tooFast = new TooFast { Relaxation = this, Along = along, Across = across, Axis = axis, Spin = spin, Length = h };
+
+        // The speeds reach over hundreds of orders of magnitude.
         double low = Slowest;
         double high = Fastest;
-        for (int i = 0; i < Halvings; i++)
-        {
-            // The speeds reach over hundreds of orders of magnitude: halve their logarithm.
-            double middle = Math.Sqrt(low) * Math.Sqrt(high);
-            if (Size(At(middle, in along, in across, in axis, spin, h)) > middle)
-            {
-                low = middle;
-            }
-            else
-            {
-                high = middle;
-            }
-        }
-
+        Roots.BisectLogarithm(ref tooFast, ref low, ref high, Halvings);
+        Evaluations = tooFast.Relaxation.Evaluations;
         return At(high, in along, in across, in axis, spin, h);
     }
 
@@ -63,22 +54,11 @@ internal struct ImplicitEuler<TAir>
             return from;
         }
 
+        var tooMuch = new TooMuchSpin { Relaxation = this, From = from, Speed = speed, Length = h };
         double low = 0;
         double high = from;
-        for (int i = 0; i < Halvings && high > 0; i++)
-        {
-            double middle = 0.5 * (low + high);
-            Factors(speed, middle, out _, out _, out double decay);
-            if (middle + (h * decay) < from)
-            {
-                low = middle;
-            }
-            else
-            {
-                high = middle;
-            }
-        }
-
+        Roots.Bisect(ref tooMuch, ref low, ref high, Halvings);
+        Evaluations = tooMuch.Relaxation.Evaluations;
         return low;
     }
 
@@ -109,5 +89,38 @@ internal struct ImplicitEuler<TAir>
     {
         double largest = Math.Max(Math.Abs(v.X), Math.Max(Math.Abs(v.Y), Math.Abs(v.Z)));
         return largest is > 1e-100 and < 1e100 ? v.Length : largest > 0 ? largest * (v / largest).Length : 0;
+    }
+
+    /// <summary>The speed at which drag and lift are taken is no less than the one that they lead to.</summary>
+    private struct TooFast : ICondition
+    {
+        public Relaxation<TAir> Relaxation;
+        public Vector3d Along;
+        public Vector3d Across;
+        public Vector3d Axis;
+        public double Spin;
+        public double Length;
+
+        public bool Evaluate(double x, out bool holds)
+        {
+            holds = !(Size(Relaxation.At(x, in Along, in Across, in Axis, Spin, Length)) > x);
+            return false;
+        }
+    }
+
+    /// <summary>The spin at which the decay is taken is no less than the one that it leaves.</summary>
+    private struct TooMuchSpin : ICondition
+    {
+        public Relaxation<TAir> Relaxation;
+        public double From;
+        public double Speed;
+        public double Length;
+
+        public bool Evaluate(double x, out bool holds)
+        {
+            Relaxation.Factors(Speed, x, out _, out _, out double decay);
+            holds = !(x + (Length * decay) < From);
+            return false;
+        }
     }
 }

@@ -18,7 +18,7 @@ public sealed class BatchAimerTests
         var kicks = new BatchKicks(Count);
         var aimer = new BatchAimer(scene);
         aimer.Find(aims, kicks, Count);
-        var context = new AimContext(scene, SolverSettings.Default, 0.01);
+        var meter = new MissMeter(new Simulator(scene));
         var single = new Aimer(scene);
         for (int i = 0; i < Count; i++)
         {
@@ -28,7 +28,7 @@ public sealed class BatchAimerTests
                 continue;
             }
 
-            double miss = context.Judge(aims.Request(i), kicks.Velocity[i], kicks.Spin[i]).Miss;
+            double miss = meter.Measure(aims.Request(i), kicks.Velocity[i], kicks.Spin[i]).Distance;
             Assert.True(miss <= 1e-3, $"aim {i} misses by {miss:e2} m");
             Assert.Equal(aims.Speed[i], kicks.Velocity[i].Length, 1e-9);
         }
@@ -53,13 +53,13 @@ public sealed class BatchAimerTests
 
         var kicks = new BatchKicks(many);
         new BatchAimer().Find(aims, kicks, many);
-        var context = new AimContext(Scene.Default, SolverSettings.Default, 0.01);
+        var meter = new MissMeter(new Simulator());
         int hits = 0;
         for (int i = 0; i < many; i++)
         {
             if (kicks.Status[i] == AimStatus.Hit)
             {
-                double miss = context.Judge(aims.Request(i), kicks.Velocity[i], kicks.Spin[i]).Miss;
+                double miss = meter.Measure(aims.Request(i), kicks.Velocity[i], kicks.Spin[i]).Distance;
                 Assert.True(miss <= 1e-3, $"aim {i} misses by {miss:e2} m");
                 hits++;
             }

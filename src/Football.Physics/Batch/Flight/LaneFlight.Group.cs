@@ -106,14 +106,8 @@ internal sealed partial class LaneFlight<TLaw, TMethod> : LaneFlight
             piece = first.EndRise < 0 ? first : new LanePiece(group, at, split, first: false, time, length);
         }
 
-        // Cubic Hermite upside down, for its lowest point.
-        double v0 = piece.StartRise * piece.Length;
-        double v1 = piece.EndRise * piece.Length;
-        double rise = piece.EndHeight - piece.StartHeight;
-        double c2 = (3.0 * rise) - (2.0 * v0) - v1;
-        double c3 = v0 + v1 - (2.0 * rise);
-        double s = HeightArc.LowestPoint(-v0, -c2, -c3);
-        double top = piece.StartHeight + (s * (v0 + (s * (c2 + (s * c3)))));
+        var height = new CubicHermite(piece.StartHeight, piece.StartRise * piece.Length, piece.EndHeight, piece.EndRise * piece.Length);
+        double top = height.At(height.Highest);
         int ball = group.Ball[at];
         group.Apex[ball] = top > group.Apex[ball] ? top : group.Apex[ball];
     }

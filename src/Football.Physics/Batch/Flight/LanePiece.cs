@@ -66,12 +66,10 @@ internal readonly struct LanePiece
     /// <summary>Cubic Hermite interpolation of way and velocity; the spin linearly.</summary>
     public void At(double time, out Vector3d path, out Vector3d velocity, out double spin)
     {
+        var curve = new CubicHermite3d(in _path, in _velocity, in _endPath, in _endVelocity, Length);
+        path = curve.PositionAt(time);
+        velocity = curve.VelocityAt(time);
         double s = Length > 0 ? time / Length : 0;
-        Vector3d miss = _endPath - _path - (Length * _velocity);
-        Vector3d turn = Length * (_endVelocity - _velocity);
-        path = _path + (time * _velocity) + (s * s * ((3.0 * miss) - turn + (s * (turn - (2.0 * miss)))));
-        double perLength = Length > 0 ? s / Length : 0;
-        velocity = _velocity + (perLength * ((6.0 * miss) - (2.0 * turn) + (3.0 * s * (turn - (2.0 * miss)))));
         spin = _spin + (s * (_endSpin - _spin));
     }
 }

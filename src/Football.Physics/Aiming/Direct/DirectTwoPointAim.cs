@@ -1,0 +1,165 @@
+namespace Football.Physics;
+
+/// <summary>
+/// The library's own solver for a point on the way and a target: Newton's method in four unknowns, start and first Jacobian in closed form,
+/// Broyden's updates, spins within their limits. Where it does not converge, the target comes first: it is hit with the spins that came nearest.
+/// </summary>
+internal sealed class DirectTwoPointAim : IAimMethod
+{
+    private const int N = TwoPointProblem.Size;
+    private const int MostIterations = 20;
+
+    /// <summary>How often a step that does not reach both planes is halved.</summary>
+    private const int MostHalvings = 4;
+
+    private readonly AimContext _context;
+    private readonly DirectAim _direct;
+    private readonly TwoPointProblem _problem;
+    private readonly TwoPointJacobian _jacobian;
+    private readonly TwoPointStep _step = new();
+    private readonly double[] _x = new double[N];
+    private readonly double[] _r = new double[N];
+    private readonly double[] _nextX = new double[N];
+    private readonly double[] _nextR = new double[N];
+
+    public DirectTwoPointAim(AimContext context, DirectAim direct)
+    {
+        _context = context;
+        _direct = direct;
+        _problem = new TwoPointProblem(context);
+        _jacobian = new TwoPointJacobian(context);
+    }
+
+    public AimSolution Find(AimRequest request)
+    {
+        if (!_problem.Set(request))
+        {
+            AimSolution alone = _direct.Find(request);
+            alone.ThroughMiss = double.NaN;
+            return alone;
+        }
+
+        AimSolution solution = Solve();
+        return solution.Status == AimStatus.Hit ? solution : TargetFirst(in solution);
+    }
+
+    /// <summary>The target alone, with the spins that came nearest to both, or else with as much lift as is allowed.</summary>
+    private AimSolution TargetFirst(in AimSolution nearest)
+    {
+        AimRequest request = _problem.Request;
+        AimSolution single = _direct.FindSpun(request, nearest.Kick.Top, nearest.Kick.Side);
+        single.Iterations += nearest.Iterations;
+        single.ThroughMiss = nearest.ThroughMiss;
+        if (single.Status != AimStatus.Hit)
+        {
+            AimSolution lifted = _direct.FindSpun(request, -request.MaximumTopSpin, 0);
+            if (lifted.Status == AimStatus.Hit || lifted.Miss < single.Miss)
+            {
+                lifted.Iterations += single.Iterations;
+                lifted.ThroughMiss = single.ThroughMiss;
+                return lifted;
+            }
+        }
+
+        return single;
+    }
+
+    private AimSolution Solve()
+    {
+        TwoPointGuess.Make(_context, _problem, _x);
+        _step.Reset();
+        var solution = new AimSolution
+        {
+            Status = AimStatus.NotConverged,
+            Forward = _problem.Frame.Forward,
+            Speed = _problem.Request.Speed,
+            Kick = TwoPointProblem.KickOf(_x),
+            ThroughMiss = double.NaN,
+            Iterations = 1,
+        };
+        if (!_problem.Fly(_x, _r))
+        {
+            return solution;
+        }
+
+        _jacobian.ReadOff(_problem, _x);
+        int limit = Math.Min(_problem.Request.MaximumIterations, MostIterations);
+        double before = double.PositiveInfinity;
+        while (true)
+        {
+            double asked = _step.ThroughAsked(_r);
+            solution.Kick = TwoPointProblem.KickOf(_x);
+            solution.Miss = _problem.Miss;
+            solution.ThroughMiss = _problem.ThroughMiss;
+            solution.Time = _problem.AtTarget.Time;
+            if (_problem.Miss <= _problem.Tolerance && asked <= _problem.ThroughTolerance)
+            {
+                solution.Status = _problem.StaysClear(_x) ? AimStatus.Hit : AimStatus.NotConverged;
+                return solution;
+            }
+
+            if (solution.Iterations >= limit || !_step.Solve(_problem, _jacobian, _x, _r, out bool sameHeld))
+            {
+                return solution;
+            }
+
+            double size = Math.Sqrt((_problem.Miss * _problem.Miss) + (asked * asked));
+            if (sameHeld && Convergence.IsPlenty(size, before, _problem.Tolerance, out double contraction) && _problem.StaysClear(_x))
+            {
+                TakeStep();
+                solution.Kick = TwoPointProblem.KickOf(_nextX);
+                solution.Miss = contraction * _problem.Miss;
+                solution.Status = AimStatus.Hit;
+                return solution;
+            }
+
+            before = size;
+            if (!FlyStep())
+            {
+                return solution;
+            }
+
+            bool stale = Norm(_nextR) > 0.9 * Norm(_r);
+            _jacobian.Update(_step.Change, _r, _nextR);
+            Array.Copy(_nextX, _x, N);
+            Array.Copy(_nextR, _r, N);
+            if (stale)
+            {
+                // Broyden's matrix no longer fits: read it off the flight again.
+                _jacobian.ReadOff(_problem, _x);
+            }
+
+            solution.Iterations++;
+        }
+    }
+
+    /// <summary>Flies the kick after the step, or after a half, a quarter of it where that does not reach both planes.</summary>
+    private bool FlyStep()
+    {
+        for (int half = 0; half < MostHalvings; half++)
+        {
+            TakeStep();
+            if (_problem.Fly(_nextX, _nextR))
+            {
+                return true;
+            }
+
+            for (int i = 0; i < N; i++)
+            {
+                _step.Change[i] *= 0.5;
+            }
+        }
+
+        return false;
+    }
+
+    private void TakeStep()
+    {
+        for (int i = 0; i < N; i++)
+        {
+            _nextX[i] = _x[i] + _step.Change[i];
+        }
+    }
+
+    private static double Norm(double[] r) => Math.Sqrt((r[0] * r[0]) + (r[1] * r[1]) + (r[2] * r[2]) + (r[3] * r[3]));
+}

@@ -1,0 +1,128 @@
+namespace Football.Physics;
+
+/// <summary>
+/// The boundary-value problem for one target: which elevation and azimuth make a kick of given speed and spin cross the vertical plane through
+/// the target in the target itself.
+/// </summary>
+internal sealed class PlaneProblem
+{
+    private readonly AimContext _context;
+    private TargetFrame _frame;
+    private double _step;
+
+    public PlaneProblem(AimContext context) => _context = context;
+
+    public AimRequest Request { get; private set; } = new();
+
+    public ref readonly TargetFrame Frame => ref _frame;
+
+    public ElevationBounds Bounds { get; private set; }
+
+    /// <summary>Speed of the kicks, m/s.</summary>
+    public double Speed { get; private set; }
+
+    /// <summary>The spins of the kicks; their angles are sought.</summary>
+    public Kick Spins { get; private set; }
+
+    /// <summary>Miss distance within which the search ends, m.</summary>
+    public double Tolerance { get; private set; }
+
+    /// <summary>Kicks flown.</summary>
+    public int Shots { get; private set; }
+
+    /// <summary>Sets the problem.</summary>
+    public void Set(AimRequest request, double speed, double top, double side)
+    {
+        Request = request;
+        Speed = speed;
+        Spins = new Kick { Top = top, Side = side };
+        _frame = _context.Frame(request);
+        Bounds = ElevationBounds.Of(request);
+        Tolerance = AimContext.Sharp(request.Tolerance);
+        Shots = 0;
+        _step = _context.Steps.HitWithin(Tolerance);
+        _context.Planes.Aim(in _frame, request.TargetVelocity);
+    }
+
+    /// <summary>A first kick, from the flight in closed form.</summary>
+    /// <returns>False where that does not reach the target.</returns>
+    public bool Guess(out Kick kick)
+    {
+        ref readonly TargetFrame frame = ref _frame;
+        double top = Spins.Top;
+        double spinRate = Math.Sqrt((top * top) + (Spins.Side * Spins.Side));
+        FlatFire model = _context.Model(Speed, spinRate, frame.Distance);
+        Vector3d toTarget = frame.Target - frame.From;
+        double time = frame.Distance / Speed * (1.0 + (0.5 * model.Drag * frame.Distance));
+        Vector3d direction = toTarget / toTarget.Length;
+        Vector3d axis = Vector3d.Zero;
+        bool reached = false;
+        Vector3d wind = _context.Scene.Air.Wind;
+        for (int i = 0; i < 2; i++)
+        {
+            // The axis turns with the azimuth: once more with the right one.
+            if (spinRate > 0)
+            {
+                Vector3d d = direction.Horizontal;
+                double flat = d.Length;
+                d = flat > 0 ? d / flat : frame.Forward;
+                axis = new Vector3d(top * d.Z, Spins.Side, -(top * d.X)) / spinRate;
+            }
+
+            reached = model.Solve(in toTarget, wind - Request.TargetVelocity, in wind, Speed, in axis, ref direction, ref time);
+            if (!reached)
+            {
+                break;
+            }
+        }
+
+        kick = frame.Turned(Spins, in direction, Bounds);
+        return reached;
+    }
+
+    /// <summary>Flies a kick to the target's plane.</summary>
+    public PlaneShot Fly(in Kick kick)
+    {
+        ref readonly TargetFrame frame = ref _frame;
+        kick.Vectors(Speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
+        PlaneShooter planes = _context.Planes;
+        planes.Fly(in frame.From, in velocity, in spin, _step);
+        Shots++;
+        ref readonly PlaneCrossing crossing = ref planes.Target;
+        var shot = new PlaneShot { Kick = kick, Crossed = crossing.Crossed, Lowest = planes.Lowest };
+        if (crossing.Crossed)
+        {
+            shot.Up = crossing.Offset.Y;
+            shot.Left = Vector3d.Dot(crossing.Offset, in frame.Left);
+            shot.Time = crossing.Time;
+            shot.Velocity = crossing.Velocity;
+            shot.Miss = Math.Sqrt((shot.Up * shot.Up) + (shot.Left * shot.Left));
+        }
+        else
+        {
+            // Too short: the lower, the further it was from the plane.
+            double gap = Vector3d.Dot(frame.Target - planes.End, in frame.Forward);
+            shot.Up = -(10.0 + (2.0 * frame.Distance) + Math.Max(0, gap));
+            shot.Miss = double.PositiveInfinity;
+        }
+
+        return shot;
+    }
+
+    /// <summary>How the crossing of a shot moves with elevation and azimuth.</summary>
+    public CrossingJacobian Jacobian(in PlaneShot shot) =>
+        CrossingJacobian.Of(in shot, in _frame, Request.TargetVelocity, _context.Scene.Air.Wind, _context.Upward);
+
+    /// <summary>Whether a flight to the target leaves the ground and stays above it, so that no impact comes first.</summary>
+    public bool StaysClear(in PlaneShot shot)
+    {
+        Elementary.SinCos(shot.Kick.Elevation, out double sine, out _);
+        if (_context.StaysDown(in _frame.From, Speed * sine))
+        {
+            return false;
+        }
+
+        double lowest = Math.Min(shot.Lowest, _frame.Target.Y + (shot.Time * Request.TargetVelocity.Y) + shot.Up);
+        return lowest >= _context.Game.ContactHeight - 1e-9;
+    }
+}

@@ -1,0 +1,121 @@
+namespace Football.Physics;
+
+/// <summary>
+/// The boundary-value problem for a point on the way and a target: four unknowns (elevation, azimuth, topspin, sidespin), four equations (the
+/// crossings of both points' planes, to the left and up).
+/// </summary>
+internal sealed class TwoPointProblem
+{
+    /// <summary>Unknowns, and equations.</summary>
+    public const int Size = 4;
+
+    public const int Elevation = 0;
+    public const int Azimuth = 1;
+    public const int Top = 2;
+    public const int Side = 3;
+
+    public const int ThroughLeft = 0;
+    public const int ThroughUp = 1;
+    public const int TargetLeft = 2;
+    public const int TargetUp = 3;
+
+    /// <summary>A miss distance at the point on the way well below any tolerance worth having, m.</summary>
+    private const double FineThrough = 1e-2;
+
+    private readonly AimContext _context;
+    private TargetFrame _frame;
+    private double _step;
+
+    public TwoPointProblem(AimContext context) => _context = context;
+
+    public AimRequest Request { get; private set; } = new();
+
+    public ref readonly TargetFrame Frame => ref _frame;
+
+    public ElevationBounds Bounds { get; private set; }
+
+    /// <summary>The point on the way, m.</summary>
+    public Vector3d Through { get; private set; }
+
+    /// <summary>Its horizontal distance towards the target, m.</summary>
+    public double ThroughDistance { get; private set; }
+
+    /// <summary>Miss distance at the target within which the search ends, m.</summary>
+    public double Tolerance { get; private set; }
+
+    /// <summary>The same for the point on the way.</summary>
+    public double ThroughTolerance { get; private set; }
+
+    /// <summary>Miss distance of the last kick at the target, m.</summary>
+    public double Miss { get; private set; }
+
+    /// <summary>The same at the point on the way.</summary>
+    public double ThroughMiss { get; private set; }
+
+    /// <summary>The crossing of the target's plane by the last kick.</summary>
+    public ref readonly PlaneCrossing AtTarget => ref _context.Planes.Target;
+
+    /// <summary>The crossing of the plane of the point on the way.</summary>
+    public ref readonly PlaneCrossing AtThrough => ref _context.Planes.Through;
+
+    /// <summary>Sets the problem.</summary>
+    /// <returns>False where the point does not lie on the way to the target.</returns>
+    public bool Set(AimRequest request)
+    {
+        Request = request;
+        _frame = _context.Frame(request);
+        ref readonly TargetFrame frame = ref _frame;
+        Bounds = ElevationBounds.Of(request);
+        Through = request.Through.GetValueOrDefault();
+        ThroughDistance = Vector3d.Dot(Through - frame.From, in frame.Forward);
+        Tolerance = AimContext.Sharp(request.Tolerance);
+        ThroughTolerance = AimContext.Sharp(request.ThroughTolerance, FineThrough);
+        if (!(frame.Distance > 1e-6 && ThroughDistance > 1e-3 * frame.Distance && ThroughDistance < 0.999 * frame.Distance))
+        {
+            return false;
+        }
+
+        _step = _context.Steps.HitWithin(Tolerance);
+        _context.Planes.Aim(in frame, Vector3d.Zero);
+        _context.Planes.AimThrough(Through, in frame.Forward);
+        return true;
+    }
+
+    /// <summary>The kick that unknowns stand for.</summary>
+    public static Kick KickOf(double[] x) => new() { Elevation = x[Elevation], Azimuth = x[Azimuth], Top = x[Top], Side = x[Side] };
+
+    /// <summary>Largest size of a spin, rad/s.</summary>
+    public double Limit(int spin) => spin == Top ? Request.MaximumTopSpin : Request.MaximumSideSpin;
+
+    /// <summary>Flies a kick to both planes.</summary>
+    /// <param name="x">The unknowns.</param>
+    /// <param name="r">The residuals.</param>
+    /// <returns>False where it does not reach both.</returns>
+    public bool Fly(double[] x, double[] r)
+    {
+        ref readonly TargetFrame frame = ref _frame;
+        KickOf(x).Vectors(Request.Speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
+        _context.Planes.Fly(in frame.From, in velocity, in spin, _step);
+        if (!AtTarget.Crossed || !AtThrough.Crossed)
+        {
+            return false;
+        }
+
+        r[ThroughLeft] = Vector3d.Dot(AtThrough.Offset, in frame.Left);
+        r[ThroughUp] = AtThrough.Offset.Y;
+        r[TargetLeft] = Vector3d.Dot(AtTarget.Offset, in frame.Left);
+        r[TargetUp] = AtTarget.Offset.Y;
+        Miss = Math.Sqrt((r[TargetLeft] * r[TargetLeft]) + (r[TargetUp] * r[TargetUp]));
+        ThroughMiss = Math.Sqrt((r[ThroughLeft] * r[ThroughLeft]) + (r[ThroughUp] * r[ThroughUp]));
+        return true;
+    }
+
+    /// <summary>Whether the last flight leaves the ground and stays above it, or above where it began.</summary>
+    public bool StaysClear(double[] x)
+    {
+        Elementary.SinCos(x[Elevation], out double sine, out _);
+        double lowest = _context.Planes.Lowest;
+        return !_context.StaysDown(in _frame.From, Request.Speed * sine)
+            && (lowest >= _context.Game.ContactHeight - 1e-9 || lowest >= _frame.From.Y - 1e-9);
+    }
+}

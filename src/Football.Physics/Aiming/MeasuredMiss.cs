@@ -1,0 +1,25 @@
+namespace Football.Physics;
+
+/// <summary>The measured closest approach of a kick before its first impact.</summary>
+internal readonly struct MeasuredMiss
+{
+    public MeasuredMiss(double distance, double? throughDistance, double time, in Vector3d position)
+    {
+        Distance = distance;
+        ThroughDistance = throughDistance;
+        Time = time;
+        Position = position;
+    }
+
+    /// <summary>Distance from the target, m.</summary>
+    public double Distance { get; }
+
+    /// <summary>Distance from the point on the way, m; null without one.</summary>
+    public double? ThroughDistance { get; }
+
+    /// <summary>When the ball is closest to the target, s.</summary>
+    public double Time { get; }
+
+    /// <summary>Where it is then, m.</summary>
+    public Vector3d Position { get; }
+}

@@ -1,0 +1,203 @@
+namespace Football.Physics;
+
+/// <summary>The closest approach to a target as a function of the elevation: each kick with the azimuth that brings it closest.</summary>
+internal sealed class ApproachByElevation
+{
+    /// <summary>Flights that may be spent on the azimuth of one elevation.</summary>
+    private const int MostTurns = 12;
+
+    /// <summary>Share of its miss by which a kick may be off to the side: the miss is known to a millionth then.</summary>
+    private const double SmallOffset = 2e-3;
+
+    /// <summary>Where no wind is known yet, the drift of a ball is about this share of the wind's own way.</summary>
+    private const double Drift = 0.3;
+
+    /// <summary>Up to so many tolerances off, a flight is taken again in shorter steps.</summary>
+    private const double NearHit = 10;
+
+    private readonly AimContext _context;
+    private TargetFrame _frame;
+    private Vector3d _targetVelocity;
+    private Kick _kick;
+
+    public ApproachByElevation(AimContext context) => _context = context;
+
+    /// <summary>The elevations that are searched.</summary>
+    public ElevationBounds Bounds { get; set; }
+
+    /// <summary>Miss distance of a hit that is sharp enough, m.</summary>
+    public double Tolerance { get; private set; }
+
+    /// <summary>The closest approach so far.</summary>
+    public Approach Best { get; private set; }
+
+    /// <summary>The hit that was accepted.</summary>
+    public Approach Hit { get; private set; }
+
+    /// <summary>Kicks flown.</summary>
+    public int Shots { get; private set; }
+
+    /// <summary>Whether flights turn with their azimuth, so that the azimuth of an elevation is known after one.</summary>
+    public bool TurnWithAzimuth => _context.Approaches.TurnWithAzimuth;
+
+    /// <summary>Prepares for a target.</summary>
+    public void Aim(PlaneProblem problem)
+    {
+        _frame = problem.Frame;
+        _targetVelocity = problem.Request.TargetVelocity;
+        _context.Approaches.Aim(in _frame, in _targetVelocity, problem.Speed);
+        _kick = problem.Spins;
+        Tolerance = problem.Tolerance;
+        Bounds = problem.Bounds;
+        Shots = 0;
+        Best = new Approach { Kick = _kick, Miss = double.PositiveInfinity };
+    }
+
+    /// <summary>Takes an approach for the answer, if it hits.</summary>
+    public bool Accept(in Approach approach)
+    {
+        if (!(approach.Miss <= Tolerance))
+        {
+            return false;
+        }
+
+        Hit = approach;
+        return true;
+    }
+
+    /// <summary>Flies an elevation, beginning with the azimuth of the last one.</summary>
+    public Approach At(double elevation) => At(elevation, _context.Steps.Search, roughly: false);
+
+    /// <summary>Flies an elevation, beginning with the azimuth of another.</summary>
+    public Approach At(double elevation, in Approach near)
+    {
+        _kick.Azimuth = near.Kick.Azimuth;
+        return At(elevation);
+    }
+
+    /// <summary>The same in the shorter steps of a hit.</summary>
+    public Approach HitAt(double elevation, in Approach near)
+    {
+        _kick.Azimuth = near.Kick.Azimuth;
+        return At(elevation, _context.Steps.Hit, roughly: false);
+    }
+
+    /// <summary>Flies a kick as it is.</summary>
+    public Approach Of(in Kick kick)
+    {
+        _kick.Elevation = kick.Elevation;
+        _kick.Azimuth = kick.Azimuth;
+        return Fly(_context.Steps.Search, roughly: false);
+    }
+
+    /// <summary>Rolls along the ground, straight at the target at first.</summary>
+    public Approach Roll(double elevation)
+    {
+        _kick.Azimuth = 0;
+        return At(elevation, _context.Steps.Search, roughly: false);
+    }
+
+    /// <summary>The same where only the direction of the roll counts.</summary>
+    /// <param name="elevation">The elevation.</param>
+    /// <param name="step">Step of the roll, s.</param>
+    public Approach RollRoughly(double elevation, double step)
+    {
+        _kick.Azimuth = 0;
+        return At(elevation, step, roughly: true);
+    }
+
+    private Approach At(double elevation, double step, bool roughly)
+    {
+        _kick.Elevation = elevation;
+        Approach approach = Fly(step, roughly);
+        if (approach.Miss < NearHit * Tolerance && step > _context.Steps.Hit)
+        {
+            // A hit is not said from long steps.
+            step = _context.Steps.Hit;
+            approach = Fly(step, roughly);
+        }
+
+        if (TurnWithAzimuth)
+        {
+            _kick.Azimuth = approach.Kick.Azimuth;
+            return approach;
+        }
+
+        approach = Turned(approach, step);
+        if (approach.Time == 0 && approach.Kick.Azimuth != 0)
+        {
+            // Kicked the wrong way, it was never closer than at the start, which says nothing of where to turn.
+            _kick.Azimuth = 0;
+            Approach straight = Turned(Fly(step, roughly), step);
+            approach = straight.Miss < approach.Miss ? straight : approach;
+        }
+
+        return approach;
+    }
+
+    /// <summary>In a wind: turns a kick until it passes the target as closely as that allows.</summary>
+    private Approach Turned(Approach approach, double step)
+    {
+        // Turning a kick turns its way about a point c that the wind carries along: the target is to be seen from c where the ball is.
+        Vector3d toTarget = _frame.Target - _frame.From;
+        Vector3d c = approach.Time * ((Drift * _context.Scene.Air.Wind) - _targetVelocity);
+        for (int i = 0; i < MostTurns; i++)
+        {
+            Vector3d at = approach.Gap + toTarget;
+            double turn = Bearing(toTarget - c) - Bearing(at - c);
+            turn = turn > Math.PI ? turn - (2 * Math.PI) : turn < -Math.PI ? turn + (2 * Math.PI) : turn;
+            double offset = Math.Abs(turn) * (at - c).Horizontal.Length;
+            if (!(offset > SmallOffset * approach.Miss && offset > 0.1 * Tolerance))
+            {
+                break;
+            }
+
+            _kick.Azimuth = approach.Kick.Azimuth + turn;
+            Approach next = Fly(step, roughly: false);
+            Centre(at, next.Gap + toTarget, next.Kick.Azimuth - approach.Kick.Azimuth, ref c);
+            approach = next;
+        }
+
+        return approach;
+    }
+
+    /// <summary>The point about which a turn moved the closest point: p₂ − c = R (p₁ − c).</summary>
+    private void Centre(in Vector3d one, in Vector3d other, double turn, ref Vector3d c)
+    {
+        if (!(Math.Abs(turn) > 1e-3))
+        {
+            return;
+        }
+
+        Elementary.SinCos(turn, out double sin, out double cos);
+        double f1 = Vector3d.Dot(in one, in _frame.Forward);
+        double l1 = Vector3d.Dot(in one, in _frame.Left);
+        double f2 = Vector3d.Dot(in other, in _frame.Forward);
+        double l2 = Vector3d.Dot(in other, in _frame.Left);
+
+        // c = (p₂ − e^{iφ} p₁) / (1 − e^{iφ}), with 1/(1 − e^{iφ}) = ½ (1 + i cot(φ/2))
+        double f = f2 - ((cos * f1) - (sin * l1));
+        double l = l2 - ((sin * f1) + (cos * l1));
+        double cot = sin / (1.0 - cos);
+        c = (0.5 * (f - (cot * l)) * _frame.Forward) + (0.5 * (l + (cot * f)) * _frame.Left);
+    }
+
+    private double Bearing(in Vector3d way)
+    {
+        double f = Vector3d.Dot(in way, in _frame.Forward);
+        double l = Vector3d.Dot(in way, in _frame.Left);
+        return f == 0 && l == 0 ? 0 : Elementary.Atan2(l, f);
+    }
+
+    private Approach Fly(double step, bool roughly)
+    {
+        Shots++;
+        Approach approach = _context.Approaches.Fly(in _kick, step, roughly);
+        if (approach.Miss < Best.Miss)
+        {
+            Best = approach;
+        }
+
+        return approach;
+    }
+}

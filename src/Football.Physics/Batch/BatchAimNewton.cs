@@ -1,0 +1,115 @@
+namespace Football.Physics;
+
+/// <summary>
+/// Newton's method on the crossing of the target's plane, as <see cref="BroydenShooting"/>, for kicks of a batch: one iteration, read off a flight
+/// in the lanes.
+/// </summary>
+internal sealed class BatchAimNewton
+{
+    /// <summary>An iteration must shrink the miss to this share of it.</summary>
+    private const double Progress = 0.7;
+
+    /// <summary>Largest corrections of elevation and azimuth, rad.</summary>
+    private const double LargestTurn = 0.2;
+
+    /// <summary>Least part of its speed that a kick has towards the target.</summary>
+    private const double LeastForward = 0.5;
+
+    private readonly double _windUp;
+    private readonly double _upward;
+
+    /// <param name="context">The scene, compiled for aiming.</param>
+    public BatchAimNewton(AimContext context)
+    {
+        _windUp = context.Scene.Air.Wind.Y;
+        _upward = context.Upward;
+    }
+
+    /// <summary>Reads the crossing off a flight, and turns the kick by what it asks for.</summary>
+    /// <param name="s">The kick.</param>
+    /// <param name="group">The flights.</param>
+    /// <param name="i">Which of them is the kick's.</param>
+    /// <param name="isFirst">Whether it is the kick's first flight.</param>
+    /// <param name="tolerance">The miss distance that is good enough, m.</param>
+    public BatchAimOutcome Improve(ref BatchAimState s, LaneGroup group, int i, bool isFirst, double tolerance)
+    {
+        if (!group.Reached[i])
+        {
+            return BatchAimOutcome.Fails;
+        }
+
+        double t = group.EndTime[i];
+        Vector3d path = group.EndPath[i];
+        Vector3d velocity = group.EndVelocity[i];
+        double up = path.X + (t * _windUp) - s.Rise;
+        double left = (t * s.WindLeft) - path.Z;
+        double miss = Math.Sqrt((up * up) + (left * left));
+        double before = isFirst ? double.PositiveInfinity : s.Miss;
+        s.Time = t;
+        if (miss <= tolerance)
+        {
+            s.Miss = miss;
+            return BatchAimOutcome.Hits;
+        }
+
+        if (!(miss < Progress * before))
+        {
+            return BatchAimOutcome.Fails;
+        }
+
+        if (isFirst)
+        {
+            s.Jacobian = Jacobian(in s, t, up, left, s.WindForward - velocity.Y, velocity.X + _windUp, s.WindLeft - velocity.Z);
+        }
+        else
+        {
+            s.Jacobian.Update(s.StepElevation, s.StepAzimuth, up - s.Up, left - s.Left);
+        }
+
+        s.Up = up;
+        s.Left = left;
+        s.Miss = miss;
+        s.Jacobian.Solve(up, left, out s.StepElevation, out s.StepAzimuth);
+        if (!(Math.Abs(s.StepElevation) < LargestTurn && Math.Abs(s.StepAzimuth) < LargestTurn))
+        {
+            return BatchAimOutcome.Fails;
+        }
+
+        s.Turn(s.StepElevation, s.StepAzimuth);
+        if (!(s.DirectionForward > LeastForward))
+        {
+            return BatchAimOutcome.Fails;
+        }
+
+        if (Convergence.IsPlenty(miss, before, tolerance, out double contraction))
+        {
+            s.Miss *= contraction;
+            return BatchAimOutcome.Hits;
+        }
+
+        return BatchAimOutcome.Corrected;
+    }
+
+    /// <summary>As <see cref="CrossingJacobian.Of"/>, in numbers: the way turns with the kick, but for the displacements by gravity and wind.</summary>
+    private CrossingJacobian Jacobian(in BatchAimState s, double t, double up, double left, double vf, double vu, double vl)
+    {
+        double flat = Math.Sqrt((s.DirectionForward * s.DirectionForward) + (s.DirectionLeft * s.DirectionLeft));
+        double df = s.DirectionForward / flat;
+        double dl = s.DirectionLeft / flat;
+        double qf = s.Distance - (0.3 * t * s.WindForward);
+        double qu = s.Rise + up - (0.45 * _upward * t * t) - (0.3 * t * _windUp);
+        double ql = left - (0.3 * t * s.WindLeft);
+
+        // Raising turns the plane of d and up; the azimuth turns forward to left.
+        double ef = -(df * qu);
+        double eu = (qf * df) + (ql * dl);
+        double el = -(dl * qu);
+        double af = -ql;
+        double al = qf;
+
+        // Back along the velocity to the plane.
+        double slopeUp = vf > 1e-3 ? vu / vf : 0;
+        double slopeLeft = vf > 1e-3 ? vl / vf : 0;
+        return new CrossingJacobian(eu - (ef * slopeUp), -(af * slopeUp), el - (ef * slopeLeft), al - (af * slopeLeft));
+    }
+}

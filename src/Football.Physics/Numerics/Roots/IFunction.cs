@@ -1,0 +1,11 @@
+namespace Football.Physics;
+
+/// <summary>A function of which a root is sought. A struct, so that a search is compiled for it and allocates nothing.</summary>
+internal interface IFunction
+{
+    /// <summary>Evaluates it.</summary>
+    /// <param name="x">Where.</param>
+    /// <param name="value">Its value there.</param>
+    /// <returns>True where <paramref name="x"/> is close enough to the root: the search ends there.</returns>
+    bool Evaluate(double x, out double value);
+}

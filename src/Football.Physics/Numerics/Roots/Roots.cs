@@ -1,0 +1,187 @@
+namespace Football.Physics;
+
+/// <summary>Root finders that never leave the bracket they are given. What they evaluate is a struct that they are compiled for.</summary>
+internal static class Roots
+{
+    /// <summary>Evaluations of <see cref="Newton"/> at most: enough to halve any bracket of doubles of one size down to its last bits.</summary>
+    private const int MostNewton = 60;
+
+    /// <summary>One step in so many of <see cref="Illinois"/> bisects: it guards against functions that are all but flat at one end.</summary>
+    private const int BisectionEvery = 6;
+
+    /// <summary>
+    /// Newton's method inside a bracket: every value narrows it, and where the tangent leads out of it, it is bisected instead. The function is
+    /// positive at its lower end, and not at its upper one.
+    /// </summary>
+    /// <param name="function">The function.</param>
+    /// <param name="low">Lower end of the bracket.</param>
+    /// <param name="high">Upper end.</param>
+    /// <param name="start">The first guess, inside the bracket or at one of its ends.</param>
+    /// <param name="closeness">It ends when a step is no longer than this share of where it starts.</param>
+    /// <param name="width">It ends when the bracket is no wider than this.</param>
+    public static double Newton<TFunction>(
+        ref TFunction function, double low, double high, double start, double closeness = 0, double width = 0)
+        where TFunction : struct, IDifferentiableFunction
+    {
+        double x = start;
+        for (int i = 0; i < MostNewton; i++)
+        {
+            if (function.Evaluate(x, out double value, out double slope))
+            {
+                break;
+            }
+
+            if (value > 0)
+            {
+                low = x;
+            }
+            else
+            {
+                high = x;
+            }
+
+            // x' = x − f/f'
+            double next = x - (value / slope);
+            if (!(next > low && next < high))
+            {
+                next = 0.5 * (low + high);
+            }
+
+            bool done = Math.Abs(next - x) <= closeness * x || high - low <= width;
+            x = next;
+            if (done)
+            {
+                break;
+            }
+        }
+
+        return x;
+    }
+
+    /// <summary>
+    /// The Illinois method: regula falsi, in which an end that stays twice in a row counts with half its value, so that it moves too; and a
+    /// bisection now and then. The function has opposite signs at the ends; its value at the lower one need not be known.
+    /// </summary>
+    /// <param name="function">The function.</param>
+    /// <param name="low">One end of the bracket.</param>
+    /// <param name="atLow">The function there, or not a number: then the bracket is bisected until it is known.</param>
+    /// <param name="high">The other end.</param>
+    /// <param name="atHigh">The function there.</param>
+    /// <param name="width">It ends when an end moves by less than this.</param>
+    /// <param name="most">Evaluations at most.</param>
+    /// <returns>Where it was evaluated last.</returns>
+    public static double Illinois<TFunction>(
+        ref TFunction function, double low, double atLow, double high, double atHigh, double width, int most)
+        where TFunction : struct, IFunction
+    {
+        double x = low;
+        bool wasBelow = false;
+        for (int i = 1; i <= most; i++)
+        {
+            double secant = low + ((high - low) * atLow / (atLow - atHigh));
+            x = i % BisectionEvery == 0 || double.IsNaN(secant) ? 0.5 * (low + high) : secant;
+            if (function.Evaluate(x, out double value) || value == 0)
+            {
+                break;
+            }
+
+            bool below = value < 0 != atHigh < 0;
+            double stays = i > 1 && below == wasBelow ? 0.5 : 1.0;
+            double moved;
+            if (below)
+            {
+                moved = x - low;
+                low = x;
+                atLow = value;
+                atHigh *= stays;
+            }
+            else
+            {
+                moved = high - x;
+                high = x;
+                atHigh = value;
+                atLow *= stays;
+            }
+
+            wasBelow = below;
+            if (Math.Abs(moved) < width)
+            {
+                break;
+            }
+        }
+
+        return x;
+    }
+
+    /// <summary>Bisection: halves the bracket at whose lower end a condition does not hold, and at whose upper end it does.</summary>
+    /// <param name="condition">The condition.</param>
+    /// <param name="low">The lower end, moved up.</param>
+    /// <param name="high">The upper end, moved down.</param>
+    /// <param name="halvings">How often.</param>
+    /// <returns>True where the condition ended the search; the end that moved last is where.</returns>
+    public static bool Bisect<TCondition>(ref TCondition condition, ref double low, ref double high, int halvings)
+        where TCondition : struct, ICondition
+    {
+        for (int i = 0; i < halvings; i++)
+        {
+            double middle = 0.5 * (low + high);
+            bool ends = condition.Evaluate(middle, out bool holds);
+            if (holds)
+            {
+                high = middle;
+            }
+            else
+            {
+                low = middle;
+            }
+
+            if (ends)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>The same for ends of very different size, both positive: halves the logarithm.</summary>
+    /// <param name="condition">The condition.</param>
+    /// <param name="low">The lower end, moved up.</param>
+    /// <param name="high">The upper end, moved down.</param>
+    /// <param name="halvings">How often.</param>
+    public static void BisectLogarithm<TCondition>(ref TCondition condition, ref double low, ref double high, int halvings)
+        where TCondition : struct, ICondition
+    {
+        for (int i = 0; i < halvings; i++)
+        {
+            // √low √high, since their product may be more than a double holds.
+            double middle = Math.Sqrt(low) * Math.Sqrt(high);
+            condition.Evaluate(middle, out bool holds);
+            if (holds)
+            {
+                high = middle;
+            }
+            else
+            {
+                low = middle;
+            }
+        }
+    }
+
+    /// <summary>The root of a + b x + c x² at which it falls, without cancellation; not a number where there is none.</summary>
+    /// <param name="a">Constant coefficient.</param>
+    /// <param name="b">Coefficient of x.</param>
+    /// <param name="c">Coefficient of x².</param>
+    public static double FallingQuadratic(double a, double b, double c)
+    {
+        double discriminant = (b * b) - (4.0 * c * a);
+        if (discriminant < 0)
+        {
+            return double.NaN;
+        }
+
+        // x = −(b + √D)/(2 c) = 2 a/(√D − b): whichever adds.
+        double root = Math.Sqrt(discriminant);
+        return b > 0 ? (b + root) / (-2.0 * c) : (2.0 * a) / (root - b);
+    }
+}

@@ -1,0 +1,193 @@
+using Football.Physics.Tests.Support;
+
+namespace Football.Physics.Tests.Numerics;
+
+/// <summary>The root finders on functions whose roots are known, kind ones and unkind ones.</summary>
+public sealed class RootsTests
+{
+    [Fact]
+    public void Newton_finds_the_root_of_a_falling_cubic_to_rounding()
+    {
+        var random = new Shots(21);
+        for (int i = 0; i < 1000; i++)
+        {
+            // (r − x)(x² + b) is positive below r.
+            double r = random.Uniform(0.05, 0.95);
+            var f = new Cubic { Root = r, B = random.Uniform(0.1, 2) };
+            double found = Roots.Newton(ref f, 0, 1, random.Uniform(0, 1));
+            Assert.Equal(r, found, 1e-13);
+            Assert.InRange(f.Evaluations, 1, 12);
+        }
+    }
+
+    [Fact]
+    public void Newton_stays_in_its_bracket_where_the_tangent_leads_out_of_it()
+    {
+        // Far from the root the tangent of atan is flat: Newton alone diverges.
+        var f = new Arctangent { Root = 3 };
+        double found = Roots.Newton(ref f, -1000, 1000, -999, closeness: 1e-12);
+        Assert.Equal(3, found, 1e-11);
+        Assert.InRange(f.Lowest, -1000, 1000);
+        Assert.InRange(f.Highest, -1000, 1000);
+    }
+
+    [Fact]
+    public void Newton_bisects_where_there_is_no_slope()
+    {
+        var f = new Jump { At = 0.3 };
+        Assert.Equal(0.3, Roots.Newton(ref f, 0, 1, 1, width: 1e-12), 1e-11);
+    }
+
+    [Fact]
+    public void Newton_ends_where_the_function_says_so()
+    {
+        var f = new Jump { At = 0.3, CloseEnough = 0.1 };
+        double found = Roots.Newton(ref f, 0, 1, 1);
+        Assert.InRange(found, 0.2, 0.4);
+        Assert.Equal(found, f.Last);
+    }
+
+    [Fact]
+    public void Illinois_finds_roots_that_regula_falsi_alone_creeps_towards()
+    {
+        var random = new Shots(22);
+        for (int i = 0; i < 1000; i++)
+        {
+            // x⁵ − r⁵ is so curved that plain regula falsi keeps one end for good.
+            double r = random.Uniform(0.1, 0.9);
+            var f = new FifthPower { Root = r };
+            double found = Roots.Illinois(ref f, 0, f.Value(0), 1, f.Value(1), 1e-14, 100);
+            Assert.Equal(r, found, 1e-13);
+            Assert.InRange(f.Evaluations, 1, 35);
+
+            f = new FifthPower { Root = r };
+            Assert.Equal(r, Roots.Illinois(ref f, 1, f.Value(1), 0, f.Value(0), 1e-14, 100), 1e-13);
+        }
+    }
+
+    [Fact]
+    public void Illinois_begins_with_an_end_whose_value_nobody_knows()
+    {
+        var f = new FifthPower { Root = 0.37 };
+        Assert.Equal(0.37, Roots.Illinois(ref f, 0, double.NaN, 1, f.Value(1), 1e-13, 100), 1e-12);
+    }
+
+    [Fact]
+    public void Bisection_halves_down_to_the_place_from_which_a_condition_holds()
+    {
+        double low = 0;
+        double high = 1;
+        var from = new From { Place = 0.7 };
+        Assert.False(Roots.Bisect(ref from, ref low, ref high, 40));
+        Assert.InRange(0.7, low, high);
+        Assert.Equal(Math.Pow(2, -40), high - low, 1e-15);
+
+        (low, high) = (1e-12, 1e150);
+        from = new From { Place = 7e60 };
+        Roots.BisectLogarithm(ref from, ref low, ref high, 60);
+        Assert.Equal(1, low / 7e60, 1e-12);
+        Assert.Equal(1, high / 7e60, 1e-12);
+    }
+
+    [Fact]
+    public void Bisection_ends_where_the_condition_says_so()
+    {
+        double low = 0;
+        double high = 1;
+        var from = new From { Place = 0.7, Until = 3 };
+        Assert.True(Roots.Bisect(ref from, ref low, ref high, 40));
+        Assert.Equal(0.125, high - low);
+    }
+
+    [Theory]
+    [InlineData(2, 3, -4)]
+    [InlineData(2, -3, -4)]
+    [InlineData(2, -3, 1)]
+    [InlineData(1e-12, -5, -5)]
+    [InlineData(1e-12, 5, -5)]
+    [InlineData(4, -2, 0)]
+    public void A_quadratic_is_zero_where_it_falls(double a, double b, double c)
+    {
+        double x = Roots.FallingQuadratic(a, b, c);
+        double size = Math.Abs(a) + Math.Abs(b * x) + Math.Abs(c * x * x);
+        Assert.Equal(0, (a + (x * (b + (x * c)))) / size, 1e-15);
+        Assert.True(b + (2 * c * x) < 0);
+    }
+
+    [Fact]
+    public void A_quadratic_without_a_root_has_none() => Assert.True(double.IsNaN(Roots.FallingQuadratic(1, 1, 1)));
+
+    private struct Cubic : IDifferentiableFunction
+    {
+        public double Root;
+        public double B;
+        public int Evaluations;
+
+        public bool Evaluate(double x, out double value, out double slope)
+        {
+            Evaluations++;
+            value = (Root - x) * ((x * x) + B);
+            slope = (2 * x * (Root - x)) - (x * x) - B;
+            return Math.Abs(value) < 1e-14;
+        }
+    }
+
+    private struct Arctangent : IDifferentiableFunction
+    {
+        public double Root;
+        public double Lowest;
+        public double Highest;
+
+        public bool Evaluate(double x, out double value, out double slope)
+        {
+            Lowest = Math.Min(Lowest, x);
+            Highest = Math.Max(Highest, x);
+            value = -Math.Atan(x - Root);
+            slope = -1 / (1 + ((x - Root) * (x - Root)));
+            return false;
+        }
+    }
+
+    private struct Jump : IDifferentiableFunction
+    {
+        public double At;
+        public double CloseEnough;
+        public double Last;
+
+        public bool Evaluate(double x, out double value, out double slope)
+        {
+            Last = x;
+            value = x < At ? 1 : -1;
+            slope = double.NaN;
+            return Math.Abs(x - At) < CloseEnough;
+        }
+    }
+
+    private struct FifthPower : IFunction
+    {
+        public double Root;
+        public int Evaluations;
+
+        public readonly double Value(double x) => Math.Pow(x, 5) - Math.Pow(Root, 5);
+
+        public bool Evaluate(double x, out double value)
+        {
+            Evaluations++;
+            value = Value(x);
+            return false;
+        }
+    }
+
+    private struct From : ICondition
+    {
+        public double Place;
+        public int Until;
+        private int _evaluations;
+
+        public bool Evaluate(double x, out bool holds)
+        {
+            holds = x >= Place;
+            return ++_evaluations == Until;
+        }
+    }
+}
