@@ -64,8 +64,14 @@ internal readonly struct DoubleDouble
     /// <param name="value">The fraction; at most 15 digits.</param>
     public static DoubleDouble Of(decimal value)
     {
-        const decimal Shift = 1_000_000_000_000_000m;
-        return new DoubleDouble((double)decimal.Round(value * Shift), 0) / (double)Shift;
+        double scale = 1;
+        while (value != decimal.Truncate(value))
+        {
+            value *= 10;
+            scale *= 10;
+        }
+
+        return (DoubleDouble)(double)value / scale;
     }
 
     /// <summary>e^x for |x| ≤ 700.</summary>

@@ -11,7 +11,9 @@ internal struct EmpiricalSpinDecay : IAirLaw
     /// <summary>Exponent of a plate's speed in the torque, U² C ∝ U^1.8.</summary>
     public const decimal SpeedExponent = 2m - ReynoldsExponent;
 
-    private const double SkinFriction = 0.0074;
+    /// <summary>Factor of the skin friction.</summary>
+    public const double SkinFriction = 0.0074;
+
     private static readonly PowerTable SpeedPower = new((double)SpeedExponent);
 
     private double _k; // (r/2) ρ π r² 0.0074 (2r/ν)^(−0.2) / I

@@ -1,8 +1,14 @@
 namespace Football.Physics;
 
-/// <summary>Which balls of a scene may fly in lanes: those that keep within the domain of the powers and the reach of float; others fly alone.</summary>
+/// <summary>Which balls of a scene may fly in lanes: those that keep within the domain of the laws there and the reach of float; others fly alone.</summary>
 internal readonly struct LaneDomain
 {
+    /// <summary>Greatest speed |u|, m/s.</summary>
+    public const double GreatestSpeed = 128;
+
+    /// <summary>Greatest surface speed r|ω|, m/s: beyond, the spin decay by two plates is not a parabola in the spin any more.</summary>
+    public const double GreatestSurfaceSpeed = 14;
+
     /// <summary>Greatest height above where a flight ends, m: float then places that end within 4e-6 m.</summary>
     private const double GreatestDrop = 100;
 
@@ -13,54 +19,16 @@ internal readonly struct LaneDomain
     private readonly double _gravity;
     private readonly double _step;
     private readonly RateBound _bound;
-    private readonly bool _covers;
 
+    /// <param name="scene">The scene.</param>
+    /// <param name="timeStep">Length of a step, s.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>
     public LaneDomain(Scene scene, double timeStep)
     {
-        ForceSet forces = scene.Forces;
-        _covers = LaneFlight.Covers(scene);
         _radius = scene.Ball.Radius;
-        _gravity = Math.Abs(Gravity.Acceleration(scene) + Buoyancy.Acceleration(scene));
+        _gravity = Math.Abs(Weight.UpwardAcceleration(scene));
         _step = timeStep;
-        _bound = default;
-        if (forces.Drag == ForceLaw.Empirical)
-        {
-            EmpiricalDrag law = default;
-            law.Prepare(scene);
-            _bound += law.Bound;
-        }
-        else if (forces.Drag == ForceLaw.Constant)
-        {
-            ConstantDrag law = default;
-            law.Prepare(scene);
-            _bound += law.Bound;
-        }
-
-        if (forces.Magnus == ForceLaw.Empirical)
-        {
-            EmpiricalMagnus law = default;
-            law.Prepare(scene);
-            _bound += law.Bound;
-        }
-        else if (forces.Magnus == ForceLaw.Constant)
-        {
-            ConstantMagnus law = default;
-            law.Prepare(scene);
-            _bound += law.Bound;
-        }
-
-        if (forces.SpinDecay == ForceLaw.Empirical)
-        {
-            EmpiricalSpinDecay law = default;
-            law.Prepare(scene);
-            _bound += law.Bound;
-        }
-        else if (forces.SpinDecay == ForceLaw.Constant)
-        {
-            ConstantSpinDecay law = default;
-            law.Prepare(scene);
-            _bound += law.Bound;
-        }
+        _bound = SceneLaws.Drag(scene).Bound + SceneLaws.Magnus(scene).Bound + SceneLaws.SpinDecay(scene).Bound;
     }
 
     /// <summary>Whether a flight stays within the domain.</summary>
@@ -75,10 +43,9 @@ internal readonly struct LaneDomain
         double most = airSpeedSquared + (2.0 * _gravity * (drop + (Math.Abs(windSpeed) * duration)));
         double bySpin = _step * ((_bound.PerSpin * spinRate) + _bound.Constant);
         double bySpeed = _step * _bound.PerSpeed;
-        return _covers
-            && drop <= GreatestDrop
-            && most < LanePowers.GreatestSpeed * LanePowers.GreatestSpeed
-            && _radius * spinRate < LanePowers.GreatestSurfaceSpeed
+        return drop <= GreatestDrop
+            && most < GreatestSpeed * GreatestSpeed
+            && _radius * spinRate < GreatestSurfaceSpeed
             && bySpin <= LargestChange && bySpeed * bySpeed * most <= LargestChange * LargestChange;
     }
 }
