@@ -20,7 +20,7 @@ internal sealed class AimContext
         _simulator = new Simulator(scene, SolverSettings.Default);
         Scene = scene;
         Game = new Simulator(scene, settings);
-        Upward = Gravity.Acceleration(scene) + Buoyancy.Acceleration(scene);
+        Upward = Weight.UpwardAcceleration(scene);
         Steps = AimSteps.Long;
         Planes = new PlaneShooter(this, new Simulator(WithoutGround(scene), SolverSettings.Default));
         Approaches = new ApproachShooter(this, _simulator);

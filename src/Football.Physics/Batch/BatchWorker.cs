@@ -22,7 +22,7 @@ internal sealed class BatchWorker
         _scene = scene;
         _settings = settings;
         _simulator = new Simulator(scene, new SolverSettings { Integrator = settings.Integrator });
-        _upward = Gravity.Acceleration(scene) + Buoyancy.Acceleration(scene);
+        _upward = Weight.UpwardAcceleration(scene);
         _domain = new LaneDomain(scene, settings.TimeStep);
         if (settings.Precision == BatchPrecision.Single && LaneFlight.Covers(scene))
         {

@@ -56,5 +56,5 @@ internal struct GroundForces
 
     /// <summary>N/m = max(0, g − |F_B|/m), m/s²: gravity and buoyancy only.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static double NormalForce(Scene scene) => Math.Max(0, -(Gravity.Acceleration(scene) + Buoyancy.Acceleration(scene)));
+    private static double NormalForce(Scene scene) => Math.Max(0, -Weight.UpwardAcceleration(scene));
 }

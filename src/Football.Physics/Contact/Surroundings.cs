@@ -38,7 +38,7 @@ internal sealed class Surroundings<TAir>
         Ground = GroundForces.Of(scene);
         Wind = scene.Air.Wind;
         AirActsOnGround = scene.Ground.Aerodynamics == GroundAerodynamics.Horizontal;
-        Upward = Gravity.Acceleration(scene) + Buoyancy.Acceleration(scene);
+        Upward = Weight.UpwardAcceleration(scene);
         Radius = scene.Ball.Radius;
         RadiusSquared = scene.Ball.Radius * scene.Ball.Radius;
         ContactHeight = scene.Ground.Height + scene.Ball.Radius;

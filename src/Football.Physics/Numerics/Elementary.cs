@@ -4,7 +4,9 @@ namespace Football.Physics;
 /// <remarks>The C runtime's functions differ by operating system; these do not. Errors are measured in the tests.</remarks>
 internal static class Elementary
 {
-    private const double Log2E = 1.4426950408889634;
+    /// <summary>log₂ e.</summary>
+    public const double Log2E = 1.4426950408889634;
+
     private const double Ln2High = 6.93147180369123816490e-01; // ln 2 with the low 32 bits cleared: k · Ln2High is exact
     private const double Ln2Low = 1.90821492927058770002e-10;
     private const double TwoOverPi = 0.63661977236758134308;

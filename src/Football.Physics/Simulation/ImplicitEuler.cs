@@ -94,7 +94,7 @@ internal struct ImplicitEuler<TAir>
     /// <summary>The speed at which drag and lift are taken is no less than the one that they lead to.</summary>
     private struct TooFast : ICondition
     {
-        public Relaxation<TAir> Relaxation;
+        public ImplicitEuler<TAir> Relaxation;
         public Vector3d Along;
         public Vector3d Across;
         public Vector3d Axis;
@@ -111,7 +111,7 @@ internal struct ImplicitEuler<TAir>
     /// <summary>The spin at which the decay is taken is no less than the one that it leaves.</summary>
     private struct TooMuchSpin : ICondition
     {
-        public Relaxation<TAir> Relaxation;
+        public ImplicitEuler<TAir> Relaxation;
         public double From;
         public double Speed;
         public double Length;

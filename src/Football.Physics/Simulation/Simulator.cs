@@ -22,7 +22,7 @@ public sealed class Simulator
         Settings.Validate();
         _stepper = StepperFactory.Create(Scene, Settings);
         _contact = Scene.Ground.Height + Scene.Ball.Radius;
-        _lighterThanAir = Gravity.Acceleration(Scene) + Buoyancy.Acceleration(Scene) > 0;
+        _lighterThanAir = Weight.UpwardAcceleration(Scene) > 0;
     }
 
     /// <summary>The scene.</summary>

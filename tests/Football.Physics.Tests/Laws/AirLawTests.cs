@@ -80,9 +80,10 @@ public sealed class AirLawTests
     [Fact]
     public void Lift_vanishes_where_spin_makes_the_drag_coefficient_larger_than_at_rest()
     {
-        // c Sp^d passes C_D0 at Sp = 1.88.
-        AirRatesAt<PublishedDragFit, NoAirLaw, EmpiricalMagnus, NoAirLaw>(new ForceSet(), 20, 1.87 * 20 / LawGrid.Scene.Ball.Radius, out _, out double below, out _);
-        AirRatesAt<PublishedDragFit, NoAirLaw, EmpiricalMagnus, NoAirLaw>(new ForceSet(), 20, 1.90 * 20 / LawGrid.Scene.Ball.Radius, out _, out double above, out _);
+        // c Sp^d passes C_D0 there.
+        double spin = Math.Pow(PlainLaws.AtRest / FittedDrag.C, 1 / FittedDrag.D) * 20 / LawGrid.Scene.Ball.Radius;
+        AirRatesAt<PublishedDragFit, NoAirLaw, EmpiricalMagnus, NoAirLaw>(new ForceSet(), 20, 0.999 * spin, out _, out double below, out _);
+        AirRatesAt<PublishedDragFit, NoAirLaw, EmpiricalMagnus, NoAirLaw>(new ForceSet(), 20, 1.001 * spin, out _, out double above, out _);
         Assert.True(below > 0);
         Assert.Equal(0, above);
     }
@@ -105,8 +106,29 @@ public sealed class AirLawTests
         }
     }
 
+    /// <summary>The numbers of the thesis, 2.6 to 2.15, and the widths of the regularised form.</summary>
+    [Fact]
+    [Trait("Constants", "Published")]
+    public void The_constants_are_the_published_ones()
+    {
+        Assert.Equal(0.155, FittedDrag.A);
+        Assert.Equal(0.346, FittedDrag.B);
+        Assert.Equal(12.19, FittedDrag.CriticalSpeed);
+        Assert.Equal(1.309, FittedDrag.SpeedScale);
+        Assert.Equal(0.4127, FittedDrag.C);
+        Assert.Equal(0.3056, FittedDrag.D);
+        Assert.Equal(0.05, FittedDrag.CriticalSpin);
+        Assert.Equal(1.15, EmpiricalMagnus.Alpha);
+        Assert.Equal(0.83, EmpiricalMagnus.Beta);
+        Assert.Equal(0.0074, EmpiricalSpinDecay.SkinFriction);
+        Assert.Equal(0.2m, EmpiricalSpinDecay.ReynoldsExponent);
+        Assert.Equal(0.25, RegularisedDragFit.SpeedWidth);
+        Assert.Equal(0.0025, RegularisedDragFit.SpinWidth);
+    }
+
     /// <summary>Points worked out with another calculator.</summary>
     [Theory]
+    [Trait("Constants", "Published")]
     [InlineData(0, 0, 0.500968761494)]
     [InlineData(10, 0.5, 0.446324996944)]
     [InlineData(12.19, 0, 0.328)]

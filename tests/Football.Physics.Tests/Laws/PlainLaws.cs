@@ -1,27 +1,31 @@
 namespace Football.Physics.Tests.Laws;
 
-/// <summary>The aerodynamic laws written down once more, plainly and slowly, from the equations: what the library's are compared with.</summary>
+/// <summary>
+/// The aerodynamic laws written down once more, plainly and slowly, from the equations: what the library's are compared with. The numbers
+/// are the library's, which <see cref="AirLawTests"/> holds to the published ones.
+/// </summary>
 internal static class PlainLaws
 {
-    public const double CriticalSpeed = 12.19;
-    public const double CriticalSpin = 0.05;
+    public const double CriticalSpeed = FittedDrag.CriticalSpeed;
+    public const double CriticalSpin = FittedDrag.CriticalSpin;
 
-    public static double AtRest => 0.155 + (0.346 / (1 + Math.Exp(-12.19 / 1.309)));
+    public static double AtRest => WithoutSpin(0);
 
-    public static double WithoutSpin(double speed) => 0.155 + (0.346 / (1 + Math.Exp((speed - 12.19) / 1.309)));
+    public static double WithoutSpin(double speed) =>
+        FittedDrag.A + (FittedDrag.B / (1 + Math.Exp((speed - CriticalSpeed) / FittedDrag.SpeedScale)));
 
-    public static double WithSpin(double sp) => 0.4127 * Math.Pow(sp, 0.3056);
+    public static double WithSpin(double sp) => FittedDrag.C * Math.Pow(sp, FittedDrag.D);
 
     public static double Published(double speed, double sp) => speed > CriticalSpeed && sp > CriticalSpin ? WithSpin(sp) : WithoutSpin(speed);
 
     public static double Regularised(double speed, double sp)
     {
-        double w = Sigma((speed - 12.19) / 0.25) * Sigma((sp - 0.05) / 0.0025);
+        double w = Sigma((speed - CriticalSpeed) / RegularisedDragFit.SpeedWidth) * Sigma((sp - CriticalSpin) / RegularisedDragFit.SpinWidth);
         return (w * WithSpin(sp)) + ((1 - w) * WithoutSpin(speed));
     }
 
     public static double Lift(double dragCoefficient, double sp) =>
-        1.15 * Math.Pow(sp, 0.83) * (AtRest - Math.Min(dragCoefficient, AtRest)) / (AtRest - 0.155);
+        EmpiricalMagnus.Alpha * Math.Pow(sp, EmpiricalMagnus.Beta) * (AtRest - Math.Min(dragCoefficient, AtRest)) / (AtRest - FittedDrag.A);
 
     /// <summary>F_D = −½ ρ C_D A |u| u.</summary>
     public static Vector3d Drag(Scene scene, double coefficient, Vector3d u)
@@ -49,7 +53,8 @@ internal static class PlainLaws
     }
 
     private static double Plate(Scene scene, double u) =>
-        u == 0 ? 0 : u * u * 0.0074 * Math.Pow(u * 2 * scene.Ball.Radius / scene.Air.KinematicViscosity, -1.0 / 5.0);
+        u == 0 ? 0 : u * u * EmpiricalSpinDecay.SkinFriction
+        * Math.Pow(u * 2 * scene.Ball.Radius / scene.Air.KinematicViscosity, -(double)EmpiricalSpinDecay.ReynoldsExponent);
 
     private static double Sigma(double x) => 1 / (1 + Math.Exp(-x));
 

@@ -119,7 +119,7 @@ public sealed class PointwiseLawTests
                 string name = $"{speed} m/s, {spin} rad/s (Sp {sp}), {branch}";
 
                 // Of two forces that nearly cancel in a law, or of one beside another that is far larger, an error is nothing.
-                double scale = anyDrag * Math.Max(1, Math.Pow(sp, 0.83));
+                double scale = anyDrag * Math.Max(1, Math.Pow(sp, EmpiricalMagnus.Beta));
                 if (default(TDrag).Acts)
                 {
                     forces.Add(name, Math.Abs(drag - expectedDrag) / scale);

@@ -7,11 +7,14 @@ public sealed class SeriesLawTests
 {
     private const double Farthest = 1.0 / 32;
     private const double FarthestSpin = 1.0 / 1024;
+    private const double D = FittedDrag.D;
+    private const double Beta = EmpiricalMagnus.Beta;
+    private const double Plate = (double)EmpiricalSpinDecay.SpeedExponent;
 
     private static readonly double[] s_shares = [-1, -0.7, -0.3, -0.05, 0, 0.05, 0.3, 0.7, 1];
 
     /// <summary>Exponents of |u|² of the drag, of both parts of the lift, and of the decay.</summary>
-    private static readonly double[] s_powers = [0.5 * (1 - 0.3056), 0.5 * (1 - 0.83), 0.5 * (1 - 0.83 - 0.3056), 0.9];
+    private static readonly double[] s_powers = [0.5 * (1 - D), 0.5 * (1 - Beta), 0.5 * (1 - Beta - D), 0.5 * Plate];
 
     [Fact]
     public void All_series_are_the_laws() => Compare<EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>();
@@ -89,19 +92,19 @@ public sealed class SeriesLawTests
             PublishedSeries series = step.Series;
             double lift = step.StartLift;
             double byDrag = step.StartLiftByDrag;
-            double onDrag = Sum(0.3056, change, 2);
+            double onDrag = Sum(D, change, 2);
             air.AtStage(in step, square, spin * (1 + change), 0, out double nearDrag, out double nearLift, out double nearDecay);
             Same(
                 1e-12,
                 (step.StartDrag, nearDrag, step.StartDrag * onDrag),
-                (lift, nearLift, Sum(0.83, change, 2) * (lift - (onDrag * byDrag))),
+                (lift, nearLift, Sum(Beta, change, 2) * (lift - (onDrag * byDrag))),
                 (series.Decay0, nearDecay, series.Decay0 + (series.DecayBySpin * change)));
-            onDrag = Sum(0.3056, change, 3);
+            onDrag = Sum(D, change, 3);
             air.ByTables(in step, square, spin * (1 + change), out double drag, out double faded, out _);
             Same(
                 1e-12,
                 (step.StartDrag, drag, step.StartDrag * onDrag),
-                (lift, faded, Sum(0.83, change, 3) * (lift - (onDrag * byDrag))));
+                (lift, faded, Sum(Beta, change, 3) * (lift - (onDrag * byDrag))));
         }
     }
 
@@ -252,12 +255,12 @@ public sealed class SeriesLawTests
         Enumerable.Range(0, order + 1).Sum(i => Binomial(power, i) * Math.Pow(x, i));
 
     /// <summary>G = ((1 + x)^1.8 + (1 − x)^1.8)/2, X = x².</summary>
-    private static double PlateSum(double ratio) => 0.5 * (Math.Pow(1 + Math.Sqrt(ratio), 1.8) + Math.Pow(1 - Math.Sqrt(ratio), 1.8));
+    private static double PlateSum(double ratio) => 0.5 * (Math.Pow(1 + Math.Sqrt(ratio), Plate) + Math.Pow(1 - Math.Sqrt(ratio), Plate));
 
     /// <summary>dG/dX.</summary>
     private static double PlateSlope(double ratio)
     {
         double x = Math.Sqrt(ratio);
-        return 0.45 * (Math.Pow(1 + x, 0.8) - Math.Pow(1 - x, 0.8)) / x;
+        return 0.25 * Plate * (Math.Pow(1 + x, Plate - 1) - Math.Pow(1 - x, Plate - 1)) / x;
     }
 }

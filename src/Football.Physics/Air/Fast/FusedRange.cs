@@ -38,7 +38,7 @@ internal struct FusedRange
     /// <param name="fastestSpin">The fastest spin, rad/s, that the laws are asked about; without end where there is none.</param>
     public void Prepare(Scene scene, in RateBound forces, double fastestSpin)
     {
-        _gravity = Math.Abs(Gravity.Acceleration(scene) + Buoyancy.Acceleration(scene));
+        _gravity = Math.Abs(Weight.UpwardAcceleration(scene));
         _perSpeed = forces.PerSpeed;
         _perSpin = forces.PerSpin;
         _short = Math.Min(LargestChange / (_perSpeed * Fastest), LargestChange / (_perSpin * fastestSpin));

@@ -75,6 +75,7 @@ internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<Published
         _magnus.Prepare(scene);
         _decay.Prepare(scene);
         SpeedTable.Make();
+        PlateSeries.Make();
         _radius = scene.Ball.Radius;
         _quarterSquare = 0.25 * _radius * _radius;
         _range.Prepare(scene, _drag.Bound + _magnus.Bound, FastestSpin);
@@ -165,7 +166,7 @@ internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<Published
         {
             // (1 + x)^1.8 + (1 − x)^1.8 = 2 (1 + 0.72 x² + 0.0144 x⁴ + …), x = r|ω|/(2|u|)
             double x = _quarterSquare * spinRate * spinRate / speedSquared;
-            decay = step.Decay * SpeedTable.Decay(speedSquared) * (1.0 + (x * Plates(x)));
+            decay = step.Decay * SpeedTable.Decay(speedSquared) * (1.0 + (x * PlateSeries.At(x)));
         }
     }
 
@@ -209,7 +210,7 @@ internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<Published
             double withoutSpin = step.Decay * SpeedTable.Decay(speedSquared);
             step.StartRatio = x;
             step.StartDecay = withoutSpin;
-            decay = withoutSpin * (1.0 + (x * Plates(x)));
+            decay = withoutSpin * (1.0 + (x * PlateSeries.At(x)));
         }
     }
 
@@ -247,10 +248,10 @@ internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<Published
 
         if (default(TDecay).Acts)
         {
-            // |u|^1.8 G(X), X = X₀ (1 + δ)²/(1 + ε): G is linear enough, X G′ = 0.72 X + …
+            // |u|^1.8 G(X), X = X₀ (1 + δ)²/(1 + ε): G is linear enough
             double x = step.StartRatio;
-            double whole = step.StartDecay * (1.0 + (x * Plates(x)));
-            double slope = step.StartDecay * (x * (C2 + (x * ((2.0 * C4) + (x * ((3.0 * C6) + (x * (4.0 * C8))))))));
+            double whole = step.StartDecay * (1.0 + (x * PlateSeries.At(x)));
+            double slope = step.StartDecay * (x * PlateSeries.SlopeAt(x));
             series.Decay0 = whole;
             series.Decay1 = (OfDecay1 * whole) - slope;
             series.Decay2 = (OfDecay2 * whole) + ((1.0 - OfDecay1) * slope);
@@ -339,15 +340,11 @@ internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<Published
         else if (default(TDecay).Acts)
         {
             double x = _quarterSquare * spinRate * spinRate / speedSquared;
-            decay = _decayScale * SpeedTable.Decay(speedSquared) * (1.0 + (x * Plates(x)));
+            decay = _decayScale * SpeedTable.Decay(speedSquared) * (1.0 + (x * PlateSeries.At(x)));
         }
 
         return true;
     }
-
-    // ((1 + x)^1.8 + (1 − x)^1.8)/2 = 1 + X Plates(X), X = x²
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static double Plates(double x) => C2 + (x * (C4 + (x * (C6 + (x * (C8 + (x * (C10 + (x * C12)))))))));
 
     private const double DragSecond = FittedDrag.D * (FittedDrag.D - 1) / 2;
     private const double DragThird = DragSecond * (FittedDrag.D - 2) / 3;
@@ -367,15 +364,7 @@ internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<Published
     private const double OfLiftByDrag2 = OfLiftByDrag1 * (OfLiftByDrag1 - 1) / 2;
     private const double OfLiftByDrag3 = OfLiftByDrag2 * (OfLiftByDrag1 - 2) / 3;
     private const double OfLiftByDrag4 = OfLiftByDrag3 * (OfLiftByDrag1 - 3) / 4;
-    private const double OfDecay1 = 0.9;
+    private const double OfDecay1 = 0.5 * (double)EmpiricalSpinDecay.SpeedExponent;
     private const double OfDecay2 = OfDecay1 * (OfDecay1 - 1) / 2;
     private const double OfDecay3 = OfDecay2 * (OfDecay1 - 2) / 3;
-
-    // The polynomial nearest to ((1 + x)^1.8 + (1 − x)^1.8)/2 on x² ≤ 0.28.
-    private const double C2 = 0.71999999989725775;
-    private const double C4 = 0.014400026348252387;
-    private const double C6 = 0.0033781174427958852;
-    private const double C8 = 0.0013339127871791346;
-    private const double C10 = 0.00054921490398316016;
-    private const double C12 = 0.00066832896408168519;
 }

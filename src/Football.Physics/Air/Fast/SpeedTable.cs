@@ -20,6 +20,7 @@ internal static class SpeedTable
 
     private const double D = FittedDrag.D;
     private const double Beta = EmpiricalMagnus.Beta;
+    private const double OfDecay = 0.5 * (double)EmpiricalSpinDecay.SpeedExponent;
 
     private static readonly Segment[] Powers = MakePowers();
     private static readonly Scale[] Scales = MakeScales();
@@ -93,7 +94,7 @@ internal static class SpeedTable
                 Drag = Cubic.Through(static m => Elementary.Pow(m, 0.5 * (1.0 - D)), low, high),
                 Lift = Cubic.Through(static m => Elementary.Pow(m, 0.5 * (1.0 - Beta)), low, high),
                 LiftByDrag = Cubic.Through(static m => Elementary.Pow(m, 0.5 * (1.0 - Beta - D)), low, high),
-                Decay = Cubic.Through(static m => Elementary.Pow(m, 0.9), low, high),
+                Decay = Cubic.Through(static m => Elementary.Pow(m, OfDecay), low, high),
             };
         }
 
@@ -112,7 +113,7 @@ internal static class SpeedTable
                 Drag = Elementary.Exp(0.5 * (1.0 - D) * ln),
                 Lift = Elementary.Exp(0.5 * (1.0 - Beta) * ln),
                 LiftByDrag = Elementary.Exp(0.5 * (1.0 - Beta - D) * ln),
-                Decay = Elementary.Exp(0.9 * ln),
+                Decay = Elementary.Exp(OfDecay * ln),
             };
         }
 

@@ -8,10 +8,13 @@ internal struct EmpiricalMagnus : IAirLaw
     /// <summary>Exponent of the spin parameter.</summary>
     public const double Beta = 0.83;
 
-    private const double Alpha = 1.15;
-    private static readonly PowerTable PowerBeta = new(Beta);
+    /// <summary>Factor of the law.</summary>
+    public const double Alpha = 1.15;
+
     /// <summary>1.15 / (C_D0 − a).</summary>
     public static readonly double Scale = Alpha / (FittedDrag.AtRest - FittedDrag.A);
+
+    private static readonly PowerTable PowerBeta = new(Beta);
 
     private double _k; // ½ ρ A / m, 1/m
     private double _radius;

@@ -5,9 +5,18 @@ namespace Football.Physics;
 /// <summary>Spin decay by skin friction on two plates (Tuplin; thesis 2.11 to 2.15, with |U±|).</summary>
 internal struct EmpiricalSpinDecay : IAirLaw
 {
-    private static readonly PowerTable Power18 = new(1.8);
+    /// <summary>Exponent of the Reynolds number in the skin friction of a plate, C = 0.0074 Re^(−0.2), as published.</summary>
+    public const decimal ReynoldsExponent = 0.2m;
 
-    private double _k; // (r/2) ρ π r² 0.0074 (2r/ν)^(−1/5) / I
+    /// <summary>Exponent of a plate's speed in the torque, U² C ∝ U^1.8.</summary>
+    public const decimal SpeedExponent = 2m - ReynoldsExponent;
+
+    /// <summary>Factor of the skin friction.</summary>
+    public const double SkinFriction = 0.0074;
+
+    private static readonly PowerTable SpeedPower = new((double)SpeedExponent);
+
+    private double _k; // (r/2) ρ π r² 0.0074 (2r/ν)^(−0.2) / I
     private double _halfRadius;
 
     public readonly bool Acts
@@ -35,15 +44,15 @@ internal struct EmpiricalSpinDecay : IAirLaw
     {
         double r = scene.Ball.Radius;
         _halfRadius = 0.5 * r;
-        _k = 0.5 * r * scene.Air.Density * Math.PI * r * r * 0.0074
-            * Elementary.Pow(2.0 * r / scene.Air.KinematicViscosity, -0.2) / scene.Ball.MomentOfInertia;
+        _k = 0.5 * r * scene.Air.Density * Math.PI * r * r * SkinFriction
+            * Elementary.Pow(2.0 * r / scene.Air.KinematicViscosity, -(double)ReynoldsExponent) / scene.Ball.MomentOfInertia;
     }
 
-    // T_D = (r/2) ρ π r² (U₊² C₊ + U₋² C₋), U± = abs(|u| ± r|ω|/2), C± = 0.0074 (U± 2r/ν)^(−1/5), so U² C ∝ U^1.8
+    // T_D = (r/2) ρ π r² (U₊² C₊ + U₋² C₋), U± = abs(|u| ± r|ω|/2), C± = 0.0074 (U± 2r/ν)^(−0.2), so U² C ∝ U^1.8
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly double Factor(in AirFlow flow)
     {
         double plate = _halfRadius * flow.SpinRate;
-        return _k * (Power18.Of(flow.Speed + plate) + Power18.Of(Math.Abs(flow.Speed - plate)));
+        return _k * (SpeedPower.Of(flow.Speed + plate) + SpeedPower.Of(Math.Abs(flow.Speed - plate)));
     }
 }

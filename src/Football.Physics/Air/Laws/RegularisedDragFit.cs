@@ -5,8 +5,11 @@ namespace Football.Physics;
 /// <summary>The fitted C_D with its jumps smoothed over 0.25 m/s and 0.0025 of spin parameter.</summary>
 internal readonly struct RegularisedDragFit : IDragFit
 {
-    private const double SpeedWidth = 0.25;
-    private const double SpinWidth = 0.0025;
+    /// <summary>Width over which the jump at the critical speed is smoothed, m/s.</summary>
+    public const double SpeedWidth = 0.25;
+
+    /// <summary>Width over which the jump at the critical spin parameter is smoothed.</summary>
+    public const double SpinWidth = 0.0025;
 
     public bool Jumps
     {

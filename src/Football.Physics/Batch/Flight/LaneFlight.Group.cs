@@ -1,27 +1,33 @@
-using System.Runtime.CompilerServices;
-
 namespace Football.Physics;
 
 /// <summary>The flight of a group: step by step, in each all balls, so that the processor always has independent work.</summary>
 #if NET8_0_OR_GREATER
 internal sealed partial class LaneFlight<F, TLaw, TMethod> : LaneFlight
     where F : struct, ILane<F>
-    where TLaw : struct, ILaneLaw
+    where TLaw : struct, ILaneLaw<F>
     where TMethod : struct, ILaneMethod
 #else
-internal sealed partial class LaneFlight<TLaw, TMethod> : LaneFlight
-    where TLaw : struct, ILaneLaw
+internal sealed partial class LaneFlight<TLane, TLaw, TMethod> : LaneFlight
+    where TLaw : struct, ILaneLaw<TLane>
     where TMethod : struct, ILaneMethod
 #endif
 {
-    private readonly LaneAir _air;
+    private readonly LaneWeight _weight;
+    private readonly LaneJump _jump;
 
-    public LaneFlight(in LaneAir air) => _air = air;
+    // Not readonly: a call through a type parameter would copy the law first.
+    private TLaw _law;
 
-    private static bool Jumps
+    /// <param name="scene">The scene.</param>
+    /// <param name="timeStep">Length of a step, s.</param>
+    /// <param name="upAlongX">Whether up is along x of the lanes, else y.</param>
+    /// <param name="findsApex">Whether the highest point of each way is wanted.</param>
+    public LaneFlight(Scene scene, double timeStep, bool upAlongX, bool findsApex)
+        : base(timeStep, findsApex)
     {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => default(TLaw).Fitted && !default(TLaw).Regularised;
+        _weight = new LaneWeight(scene, upAlongX);
+        _jump = new LaneJump(scene);
+        _law.Prepare(scene);
     }
 
     public override void Fly(LaneGroup group, double duration)
@@ -29,7 +35,7 @@ internal sealed partial class LaneFlight<TLaw, TMethod> : LaneFlight
         double h = TimeStep;
         double time = 0;
         double last = duration - (1e-9 * h);
-        if (Jumps)
+        if (_law.Jumps)
         {
             FindBranch(group);
         }
@@ -82,10 +88,10 @@ internal sealed partial class LaneFlight<TLaw, TMethod> : LaneFlight
     {
         double limit = group.Limit[at];
         var piece = new LanePiece(group, at, time, length);
-        if (group.SplitOf(at) is >= 0 and int split)
+        if (group.CrossingOf(at) is >= 0 and int crossing)
         {
-            var first = new LanePiece(group, at, split, first: true, time, length);
-            piece = first.EndHeight < limit ? first : new LanePiece(group, at, split, first: false, time, length);
+            var first = new LanePiece(group, at, crossing, first: true, time, length);
+            piece = first.EndHeight < limit ? first : new LanePiece(group, at, crossing, first: false, time, length);
         }
 
         double start = piece.StartHeight - limit;
@@ -100,10 +106,10 @@ internal sealed partial class LaneFlight<TLaw, TMethod> : LaneFlight
     private static void Top(LaneGroup group, int at, double time, double length)
     {
         var piece = new LanePiece(group, at, time, length);
-        if (group.SplitOf(at) is >= 0 and int split)
+        if (group.CrossingOf(at) is >= 0 and int crossing)
         {
-            var first = new LanePiece(group, at, split, first: true, time, length);
-            piece = first.EndRise < 0 ? first : new LanePiece(group, at, split, first: false, time, length);
+            var first = new LanePiece(group, at, crossing, first: true, time, length);
+            piece = first.EndRise < 0 ? first : new LanePiece(group, at, crossing, first: false, time, length);
         }
 
         var height = new CubicHermite(piece.StartHeight, piece.StartRise * piece.Length, piece.EndHeight, piece.EndRise * piece.Length);

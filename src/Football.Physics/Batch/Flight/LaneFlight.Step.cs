@@ -1,7 +1,4 @@
 using System.Runtime.CompilerServices;
-#if !NET8_0_OR_GREATER
-using F = Football.Physics.Lanes1;
-#endif
 
 namespace Football.Physics;
 
@@ -9,7 +6,7 @@ namespace Football.Physics;
 #if NET8_0_OR_GREATER
 internal sealed partial class LaneFlight<F, TLaw, TMethod>
 #else
-internal sealed partial class LaneFlight<TLaw, TMethod>
+internal sealed partial class LaneFlight<TLane, TLaw, TMethod>
 #endif
 {
     /// <summary>A step of all balls of a group.</summary>
@@ -22,7 +19,7 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
         group.CrossingCount = 0;
 
         // Near its extreme, where u · a = 0, the law's distance from its jump bends by 2 a · g: in a step by no more than g h |Δu|. Twice that is near.
-        float reach = 2f * length * _air.Along;
+        float reach = 2f * length * _jump.Gravity;
         F reachSquared = F.Of((float)(reach * reach));
         for (int i = 0; i < group.Flying; i += F.Count)
         {
@@ -30,7 +27,7 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
             F uy = F.Load(now.Uy, i);
             F uz = F.Load(now.Uz, i);
             F w = F.Load(now.W, i);
-            F inside = Jumps ? F.Load(group.Inside, i) : default;
+            F inside = _law.Jumps ? F.Load(group.Inside, i) : default;
             F nx = F.Load(group.Nx, i);
             F ny = F.Load(group.Ny, i);
             F nz = F.Load(group.Nz, i);
@@ -41,15 +38,17 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
             F dpx;
             F dpy;
             F dpz;
-            if (Jumps && F.All(inside))
+            if (_law.Jumps && F.All(inside))
             {
-                Integrate<LanesWithSpin>(
-                    in _air, inside, nx, ny, nz, h, ux, uy, uz, w, out dux, out duy, out duz, out dw, out dpx, out dpy, out dpz);
+                Integrate(
+                    ref _law, in _weight, default(LanesWithSpin<F>), nx, ny, nz, h, ux, uy, uz, w,
+                    out dux, out duy, out duz, out dw, out dpx, out dpy, out dpz);
             }
             else
             {
-                Integrate<LanesOnEither>(
-                    in _air, inside, nx, ny, nz, h, ux, uy, uz, w, out dux, out duy, out duz, out dw, out dpx, out dpy, out dpz);
+                Integrate(
+                    ref _law, in _weight, new LanesOnEither<F>(inside), nx, ny, nz, h, ux, uy, uz, w,
+                    out dux, out duy, out duz, out dw, out dpx, out dpy, out dpz);
             }
 
             // Compensated sums.
@@ -74,12 +73,12 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
             F spin = F.AtLeast(w + dw, default);
             F.Store(spin, next.W, i);
 
-            if (Jumps)
+            if (_law.Jumps)
             {
                 F squared = F.Squares(x, y, z);
                 F changed = F.Squares(dux, duy, duz);
-                F bySpeed = squared - F.Of((float)(FittedDrag.CriticalSpeed * FittedDrag.CriticalSpeed));
-                F bySpin = (F.Of(_air.Jump) * (spin * spin)) - squared;
+                F bySpeed = squared - F.Of(LaneJump.SpeedSquared);
+                F bySpin = (F.Of(_jump.PerSpinSquared) * (spin * spin)) - squared;
                 F least = F.AtMost(bySpeed, bySpin);
                 F width = bySpeed + bySpin;
                 F after = F.Less(default, least);
@@ -88,7 +87,7 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
                 {
                     F.Store(after, group.InsideAfter, i);
                     F.Store(near, group.Near, i);
-                    group.NoteCrossings(i, F.Count, in _air, length);
+                    group.NoteCrossings(i, F.Count, in _jump, length);
                 }
             }
         }
@@ -97,10 +96,10 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
         {
             for (int i = 0; i < group.CrossingCount; i += F.Count)
             {
-                SplitAtJump(group.Split, i, h);
+                CutAtJump(group.Crossed, i, h);
             }
 
-            group.Rejoin(in _air, length);
+            group.Rejoin(in _jump, length);
         }
     }
 
@@ -135,7 +134,7 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
         LaneState now = group.Now;
         for (int i = 0; i < group.Flying; i += F.Count)
         {
-            F inside = InsideOf(in _air, F.Load(now.Ux, i), F.Load(now.Uy, i), F.Load(now.Uz, i), F.Load(now.W, i));
+            F inside = InsideOf(in _jump, F.Load(now.Ux, i), F.Load(now.Uy, i), F.Load(now.Uz, i), F.Load(now.W, i));
             F.Store(inside, group.Inside, i);
         }
     }
@@ -145,7 +144,7 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
     /// on the other. The crossing is the root of a parabola through the function that changes sign there.
     /// </summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void SplitAtJump(LaneSplit balls, int i, F h)
+    private void CutAtJump(LaneCrossings balls, int i, F h)
     {
         LaneState now = balls.Now;
         LaneState next = balls.Next;
@@ -157,19 +156,21 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
         F nx = F.Load(balls.Nx, i);
         F ny = F.Load(balls.Ny, i);
         F nz = F.Load(balls.Nz, i);
-        F inside = F.Load(balls.Inside, i);
+        var before = new LanesOnEither<F>(F.Load(balls.Inside, i));
         F endX = F.Load(next.Ux, i);
         F endY = F.Load(next.Uy, i);
         F endZ = F.Load(next.Uz, i);
         F endSpin = F.Load(next.W, i);
         F after = F.Load(balls.InsideAfter, i);
-        F start = LeastOf(in _air, ux, uy, uz, w);
-        F end = LeastOf(in _air, endX, endY, endZ, endSpin);
+        F start = LeastOf(in _jump, ux, uy, uz, w);
+        F end = LeastOf(in _jump, endX, endY, endZ, endSpin);
 
         // First guess on the chord.
         F share = Within01(start / (start - end));
-        Integrate<LanesOnEither>(in _air, inside, nx, ny, nz, share * h, ux, uy, uz, w, out F dux, out F duy, out F duz, out F dw, out F dpx, out F dpy, out F dpz);
-        F between = LeastOf(in _air, ux + dux, uy + duy, uz + duz, F.AtLeast(w + dw, default));
+        Integrate(
+            ref _law, in _weight, before, nx, ny, nz, share * h, ux, uy, uz, w,
+            out F dux, out F duy, out F duz, out F dw, out F dpx, out F dpy, out F dpz);
+        F between = LeastOf(in _jump, ux + dux, uy + duy, uz + duz, F.AtLeast(w + dw, default));
 
         // The root of the parabola through the three: start + b s + c s², turned so that it comes down from above.
         F sign = F.Select(F.Less(start, default), F.Of(-1f), one);
@@ -180,7 +181,8 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
         F root = F.Sqrt(F.AtLeast((down * down) - ((F.Of(4f) * c) * start), default));
         F better = ((F.Of(2f) * sign) * start) / (down + root);
         share = F.Select(F.And(F.Less(F.Of(0.001f), share), F.Less(share, F.Of(0.999f))), Within01(better), share);
-        Integrate<LanesOnEither>(in _air, inside, nx, ny, nz, share * h, ux, uy, uz, w, out dux, out duy, out duz, out dw, out dpx, out dpy, out dpz);
+        Integrate(
+            ref _law, in _weight, before, nx, ny, nz, share * h, ux, uy, uz, w, out dux, out duy, out duz, out dw, out dpx, out dpy, out dpz);
         LaneState middle = balls.Middle;
         F.Store(share, balls.Share, i);
         Add(ux, now.UxRest, dux, middle.Ux, middle.UxRest, i);
@@ -190,8 +192,8 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
         Add(F.Load(now.Py, i), now.PyRest, dpy, middle.Py, middle.PyRest, i);
         Add(F.Load(now.Pz, i), now.PzRest, dpz, middle.Pz, middle.PzRest, i);
         F.Store(F.AtLeast(w + dw, default), middle.W, i);
-        Integrate<LanesOnEither>(
-            in _air, after, nx, ny, nz, (one - share) * h, ux + dux, uy + duy, uz + duz, F.AtLeast(w + dw, default),
+        Integrate(
+            ref _law, in _weight, new LanesOnEither<F>(after), nx, ny, nz, (one - share) * h, ux + dux, uy + duy, uz + duz, F.AtLeast(w + dw, default),
             out F eux, out F euy, out F euz, out F ew, out F epx, out F epy, out F epz);
 
         Add(ux, now.UxRest, dux + eux, next.Ux, next.UxRest, i);
@@ -204,7 +206,7 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
         F.Store(spin, next.W, i);
 
         // Back on the side it came from: along the jump, or too close to it.
-        F side = InsideOf(in _air, F.Load(next.Ux, i), F.Load(next.Uy, i), F.Load(next.Uz, i), spin);
+        F side = InsideOf(in _jump, F.Load(next.Ux, i), F.Load(next.Uy, i), F.Load(next.Uz, i), spin);
         F.Store(F.Differs(side, after), balls.Astray, i);
     }
 
@@ -229,4 +231,18 @@ internal sealed partial class LaneFlight<TLaw, TMethod>
     /// <summary>0 … 1; 0 where it is not a number.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static F Within01(F x) => F.AtMost(F.AtLeast(x, default), F.Of(1f));
+
+    /// <summary>Whether the published drag law's branch with spin holds: |u| &gt; v_c and Sp &gt; 0.05.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static F InsideOf(in LaneJump jump, F ux, F uy, F uz, F spin) => F.Less(default, LeastOf(in jump, ux, uy, uz, spin));
+
+    /// <summary>The lesser of |u|² − v_c² and (r|ω|/0.05)² − |u|².</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static F LeastOf(in LaneJump jump, F ux, F uy, F uz, F spin)
+    {
+        F squared = F.Squares(ux, uy, uz);
+        F bySpeed = squared - F.Of(LaneJump.SpeedSquared);
+        F bySpin = (F.Of(jump.PerSpinSquared) * (spin * spin)) - squared;
+        return F.AtMost(bySpeed, bySpin);
+    }
 }

@@ -3,23 +3,24 @@ namespace Football.Physics;
 /// <summary>Flies groups of balls, several at once in wide registers. Immutable: threads may share it.</summary>
 internal abstract class LaneFlight
 {
+    private protected LaneFlight(double timeStep, bool findsApex)
+    {
+        TimeStep = (float)timeStep;
+        FindsApex = findsApex;
+    }
+
     /// <summary>Length of a step, s: the float next to what was asked for.</summary>
-    public float TimeStep { get; private protected set; }
+    public float TimeStep { get; }
 
     /// <summary>Whether the highest point of each way is wanted.</summary>
-    public bool FindsApex { get; private protected set; }
+    public bool FindsApex { get; }
 
     /// <summary>Flies all balls of a group until their limits or a time.</summary>
     public abstract void Fly(LaneGroup group, double duration);
 
     /// <summary>Whether there is a flight in lanes for the laws of a scene: those of one kind, or none, and no force of the game's own.</summary>
-    public static bool Covers(Scene scene)
-    {
-        ForceSet forces = scene.Forces;
-        bool constant = forces.Drag == ForceLaw.Constant || forces.Magnus == ForceLaw.Constant || forces.SpinDecay == ForceLaw.Constant;
-        bool empirical = forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical || forces.SpinDecay == ForceLaw.Empirical;
-        return forces.Custom.Count == 0 && !(constant && empirical);
-    }
+    /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>
+    public static bool Covers(Scene scene) => scene.Forces.Custom.Count == 0 && KindOf(scene.Forces) is not null;
 
     /// <summary>Compiles a scene.</summary>
     /// <param name="scene">The scene.</param>
@@ -28,26 +29,11 @@ internal abstract class LaneFlight
     /// <param name="lanes">Floats in a register: 1, 4, 8 or 16.</param>
     /// <param name="upAlongX">Whether up is along x of the lanes, else y.</param>
     /// <param name="findsApex">Whether the highest point of each way is wanted.</param>
-    public static LaneFlight Create(Scene scene, bool fourthOrder, double timeStep, int lanes, bool upAlongX = false, bool findsApex = false)
-    {
-        var air = new LaneAir(scene, upAlongX);
-        LaneFlight flight = fourthOrder ? WithMethod<LaneRk4>(scene, in air, lanes) : WithMethod<LaneRk2>(scene, in air, lanes);
-        flight.TimeStep = (float)timeStep;
-        flight.FindsApex = findsApex;
-        return flight;
-    }
-
-    private static LaneFlight WithMethod<TMethod>(Scene scene, in LaneAir air, int lanes)
-        where TMethod : struct, ILaneMethod
-    {
-        ForceSet forces = scene.Forces;
-        bool fitted = forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical || forces.SpinDecay == ForceLaw.Empirical;
-        bool constant = forces.Drag == ForceLaw.Constant || forces.Magnus == ForceLaw.Constant || forces.SpinDecay == ForceLaw.Constant;
-        return fitted && forces.Coefficients == CoefficientForm.Published ? WithLanes<PublishedLaneLaw, TMethod>(in air, lanes)
-            : fitted ? WithLanes<RegularisedLaneLaw, TMethod>(in air, lanes)
-            : constant ? WithLanes<ConstantLaneLaw, TMethod>(in air, lanes)
-            : WithLanes<VacuumLaneLaw, TMethod>(in air, lanes);
-    }
+    /// <exception cref="ArgumentOutOfRangeException">The scene is not covered, or there is no such register.</exception>
+    public static LaneFlight Create(Scene scene, bool fourthOrder, double timeStep, int lanes, bool upAlongX = false, bool findsApex = false) =>
+        fourthOrder
+            ? WithMethod<LaneRk4>(scene, timeStep, lanes, upAlongX, findsApex)
+            : WithMethod<LaneRk2>(scene, timeStep, lanes, upAlongX, findsApex);
 
 #if NET8_0_OR_GREATER
     /// <summary>How many floats are best put side by side here.</summary>
@@ -57,21 +43,60 @@ internal abstract class LaneFlight
         : System.Runtime.Intrinsics.Vector128.IsHardwareAccelerated ? 4
         : 1;
 
-    private static LaneFlight WithLanes<TLaw, TMethod>(in LaneAir air, int lanes)
-        where TLaw : struct, ILaneLaw
+    private static LaneFlight WithMethod<TMethod>(Scene scene, double timeStep, int lanes, bool upAlongX, bool findsApex)
         where TMethod : struct, ILaneMethod => lanes switch
         {
-            16 => new LaneFlight<Lanes16, TLaw, TMethod>(in air),
-            8 => new LaneFlight<Lanes8, TLaw, TMethod>(in air),
-            4 => new LaneFlight<Lanes4, TLaw, TMethod>(in air),
-            _ => new LaneFlight<Lanes1, TLaw, TMethod>(in air),
+            16 => WithLanes<Lanes16, TMethod>(scene, timeStep, upAlongX, findsApex),
+            8 => WithLanes<Lanes8, TMethod>(scene, timeStep, upAlongX, findsApex),
+            4 => WithLanes<Lanes4, TMethod>(scene, timeStep, upAlongX, findsApex),
+            1 => WithLanes<Lanes1, TMethod>(scene, timeStep, upAlongX, findsApex),
+            _ => throw new ArgumentOutOfRangeException(nameof(lanes)),
         };
 #else
     /// <summary>How many floats are best put side by side here.</summary>
     public static int BestLanes => 1;
 
-    private static LaneFlight WithLanes<TLaw, TMethod>(in LaneAir air, int lanes)
-        where TLaw : struct, ILaneLaw
-        where TMethod : struct, ILaneMethod => lanes >= 1 ? new LaneFlight<TLaw, TMethod>(in air) : throw new ArgumentOutOfRangeException(nameof(lanes));
+    private static LaneFlight WithMethod<TMethod>(Scene scene, double timeStep, int lanes, bool upAlongX, bool findsApex)
+        where TMethod : struct, ILaneMethod =>
+        lanes >= 1 ? WithLanes<Lanes1, TMethod>(scene, timeStep, upAlongX, findsApex) : throw new ArgumentOutOfRangeException(nameof(lanes));
 #endif
+
+    /// <summary>With the law of the scene: the one place that names them.</summary>
+    private static LaneFlight WithLanes<F, TMethod>(Scene scene, double timeStep, bool upAlongX, bool findsApex)
+#if NET8_0_OR_GREATER
+        where F : struct, ILane<F>
+#endif
+        where TMethod : struct, ILaneMethod
+    {
+        CoefficientForm form = scene.Forces.Coefficients;
+        return KindOf(scene.Forces) switch
+        {
+            ForceLaw.None => new LaneFlight<F, VacuumLaneLaw<F>, TMethod>(scene, timeStep, upAlongX, findsApex),
+            ForceLaw.Constant => new LaneFlight<F, ConstantLaneLaw<F>, TMethod>(scene, timeStep, upAlongX, findsApex),
+            ForceLaw.Empirical when form == CoefficientForm.Published =>
+                new LaneFlight<F, FittedLaneLaw<F, PublishedLaneFit<F>>, TMethod>(scene, timeStep, upAlongX, findsApex),
+            ForceLaw.Empirical when form == CoefficientForm.Regularised =>
+                new LaneFlight<F, FittedLaneLaw<F, RegularisedLaneFit<F>>, TMethod>(scene, timeStep, upAlongX, findsApex),
+            ForceLaw.Empirical => throw Check.Refusal("forces.coefficients", form.ToString(), "Published | Regularised"),
+            _ => throw new ArgumentOutOfRangeException(nameof(scene), "Laws of several kinds are not flown in lanes."),
+        };
+    }
+
+    /// <summary>Of which kind the laws that act are; null where they are of several.</summary>
+    private static ForceLaw? KindOf(ForceSet forces)
+    {
+        ForceLaw kind = ForceLaw.None;
+        foreach (ForceLaw law in (ReadOnlySpan<ForceLaw>)[forces.Drag, forces.Magnus, forces.SpinDecay])
+        {
+            Check.Defined("forces", law, (int)law, 3);
+            if (law != ForceLaw.None && kind != ForceLaw.None && law != kind)
+            {
+                return null;
+            }
+
+            kind = law == ForceLaw.None ? kind : law;
+        }
+
+        return kind;
+    }
 }

@@ -45,7 +45,7 @@ internal sealed class LaneGroup
     /// <summary>Places whose balls crossed the drag law's jump in the step, and those balls side by side.</summary>
     public readonly int[] Crossing = new int[Size];
     public int CrossingCount;
-    public readonly LaneSplit Split = new(Room);
+    public readonly LaneCrossings Crossed = new(Room);
 
     /// <summary>Places whose balls ended in the last step, ascending.</summary>
     public readonly int[] Ended = new int[Size];
@@ -125,36 +125,40 @@ internal sealed class LaneGroup
     }
 
     /// <summary>Notes the places of one register whose balls crossed the drag law's jump, and gives up those that graze it.</summary>
-    public void NoteCrossings(int at, int count, in LaneAir air, float length)
+    /// <param name="at">The register's first place.</param>
+    /// <param name="count">How many balls it holds.</param>
+    /// <param name="jump">Where the law jumps.</param>
+    /// <param name="length">Length of the step, s.</param>
+    public void NoteCrossings(int at, int count, in LaneJump jump, float length)
     {
         int end = at + count < Flying ? at + count : Flying;
         for (int i = at; i < end; i++)
         {
             // A mask that is set is not a number, or 1.
             bool crosses = (Inside[i] == 0) != (InsideAfter[i] == 0);
-            if ((crosses || Near[i] != 0) && LaneGraze.Grazes(_now, _next, i, in air, Inside[i] != 0, crosses, length))
+            if ((crosses || Near[i] != 0) && LaneJumpCheck.Grazes(_now, _next, i, in jump, Inside[i] != 0, crosses, length))
             {
                 GiveUp(i);
             }
             else if (crosses)
             {
-                Split.Take(this, i, CrossingCount);
+                Crossed.Take(this, i, CrossingCount);
                 Crossing[CrossingCount++] = i;
             }
         }
     }
 
     /// <summary>Puts the balls that crossed the jump back in their places.</summary>
-    public void Rejoin(in LaneAir air, float length)
+    public void Rejoin(in LaneJump jump, float length)
     {
         for (int i = 0; i < CrossingCount; i++)
         {
             int place = Crossing[i];
-            _next.Take(Split.Next, i, place);
+            _next.Take(Crossed.Next, i, place);
             Inside[place] = InsideAfter[place];
-            double rest = (1.0 - Split.Share[i]) * length;
-            if (Split.Astray[i] != 0
-                || LaneGraze.Slides(Split.Middle, i, _next, place, in air, InsideAfter[place] != 0, rest)
+            double rest = (1.0 - Crossed.Share[i]) * length;
+            if (Crossed.Astray[i] != 0
+                || LaneJumpCheck.Slides(Crossed.Middle, i, _next, place, in jump, InsideAfter[place] != 0, rest)
                 || ++Crossings[place] > MostCrossings)
             {
                 GiveUp(place);
@@ -162,8 +166,8 @@ internal sealed class LaneGroup
         }
     }
 
-    /// <summary>Where in <see cref="Split"/> the ball at a place is, if it crossed the jump in this step; else −1.</summary>
-    public int SplitOf(int at) => CrossingCount > 0 ? Array.IndexOf(Crossing, at, 0, CrossingCount) : -1;
+    /// <summary>Where in <see cref="Crossed"/> the ball at a place is, if it crossed the jump in this step; else −1.</summary>
+    public int CrossingOf(int at) => CrossingCount > 0 ? Array.IndexOf(Crossing, at, 0, CrossingCount) : -1;
 
     /// <summary>Leaves a ball to the single ball's flight. It is taken out with those that end in this step.</summary>
     private void GiveUp(int at)

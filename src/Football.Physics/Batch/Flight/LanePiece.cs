@@ -17,15 +17,15 @@ internal readonly struct LanePiece
     }
 
     /// <summary>The part before the jump, or after it.</summary>
-    public LanePiece(LaneGroup group, int at, int split, bool first, double time, double length)
+    public LanePiece(LaneGroup group, int at, int crossing, bool first, double time, double length)
         : this(
-            first ? group.Now : group.Split.Middle,
-            first ? at : split,
-            first ? group.Split.Middle : group.Next,
-            first ? split : at,
+            first ? group.Now : group.Crossed.Middle,
+            first ? at : crossing,
+            first ? group.Crossed.Middle : group.Next,
+            first ? crossing : at,
             group.Drift[at],
-            first ? time : time + (group.Split.Share[split] * length),
-            first ? group.Split.Share[split] * length : (1.0 - group.Split.Share[split]) * length)
+            first ? time : time + (group.Crossed.Share[crossing] * length),
+            first ? group.Crossed.Share[crossing] * length : (1.0 - group.Crossed.Share[crossing]) * length)
     {
     }
 

@@ -1,9 +1,9 @@
 namespace Football.Physics;
 
 /// <summary>The balls that cross the drag law's jump in a step, side by side, so that registers are full of them.</summary>
-internal sealed class LaneSplit
+internal sealed class LaneCrossings
 {
-    public LaneSplit(int size)
+    public LaneCrossings(int size)
     {
         Now = new LaneState(size);
         Middle = new LaneState(size);

@@ -5,7 +5,7 @@ namespace Football.Physics;
 /// The branch with spin holds where both |u|² − v_c² and (r|ω|/0.05)² − |u|² are positive. Of each a parabola over the step is known, through
 /// both ends and the middle: the mean velocity of the step by Simpson's rule gives the middle one.
 /// </remarks>
-internal static class LaneGraze
+internal static class LaneJumpCheck
 {
     /// <summary>What a parabola may hide, of the most that the distance from the jump bends by in a step.</summary>
     private const double Margin = 0.05;
@@ -17,13 +17,13 @@ internal static class LaneGraze
     /// <param name="now">Before the step.</param>
     /// <param name="next">After the step.</param>
     /// <param name="at">The ball's place.</param>
-    /// <param name="air">The scene.</param>
+    /// <param name="jump">Where the law jumps.</param>
     /// <param name="inside">Whether the step began on the branch with spin.</param>
     /// <param name="crosses">Whether it ended on the other.</param>
     /// <param name="length">Length of the step, s.</param>
-    public static bool Grazes(LaneState now, LaneState next, int at, in LaneAir air, bool inside, bool crosses, double length)
+    public static bool Grazes(LaneState now, LaneState next, int at, in LaneJump jump, bool inside, bool crosses, double length)
     {
-        double bend = Distances(now, at, next, at, in air, length, out LaneParabola bySpeed, out LaneParabola bySpin);
+        double bend = Distances(now, at, next, at, in jump, length, out LaneParabola bySpeed, out LaneParabola bySpin);
         double margin = Margin * bend;
         if (crosses)
         {
@@ -42,17 +42,17 @@ internal static class LaneGraze
     /// <param name="from">The ball's place there.</param>
     /// <param name="next">After the step.</param>
     /// <param name="to">The ball's place there.</param>
-    /// <param name="air">The scene.</param>
+    /// <param name="jump">Where the law jumps.</param>
     /// <param name="inside">Whether it enters the branch with spin.</param>
     /// <param name="length">Length of the rest of the step, s.</param>
-    public static bool Slides(LaneState middle, int from, LaneState next, int to, in LaneAir air, bool inside, double length)
+    public static bool Slides(LaneState middle, int from, LaneState next, int to, in LaneJump jump, bool inside, double length)
     {
         if (!(length > 0))
         {
             return false;
         }
 
-        double bend = Distances(middle, from, next, to, in air, length, out LaneParabola bySpeed, out LaneParabola bySpin);
+        double bend = Distances(middle, from, next, to, in jump, length, out LaneParabola bySpeed, out LaneParabola bySpin);
         LaneParabola nearer = Math.Abs(bySpeed.Start) < Math.Abs(bySpin.Start) ? bySpeed : bySpin;
         return (inside ? nearer.StartSlope : -nearer.StartSlope) < LeastSlope * bend;
     }
@@ -60,7 +60,7 @@ internal static class LaneGraze
     /// <summary>|u|² − v_c² and (r|ω|/0.05)² − |u|² over a time.</summary>
     /// <returns>Twice the most that they can bend by in that time.</returns>
     private static double Distances(
-        LaneState start, int from, LaneState end, int to, in LaneAir air, double length, out LaneParabola bySpeed, out LaneParabola bySpin)
+        LaneState start, int from, LaneState end, int to, in LaneJump jump, double length, out LaneParabola bySpeed, out LaneParabola bySpin)
     {
         Vector3d u0 = start.Velocity(from);
         Vector3d u1 = end.Velocity(to);
@@ -68,12 +68,12 @@ internal static class LaneGraze
         double w0 = start.W[from];
         double w1 = end.W[to];
         double w = 0.5 * (w0 + w1);
-        double least = FittedDrag.CriticalSpeed * FittedDrag.CriticalSpeed;
+        const double Least = FittedDrag.CriticalSpeed * FittedDrag.CriticalSpeed;
         double s0 = u0.LengthSquared;
         double sm = middle.LengthSquared;
         double s1 = u1.LengthSquared;
-        bySpeed = new LaneParabola(s0 - least, sm - least, s1 - least);
-        bySpin = new LaneParabola((air.Jump * w0 * w0) - s0, (air.Jump * w * w) - sm, (air.Jump * w1 * w1) - s1);
-        return 2.0 * length * air.Along * (u1 - u0).Length;
+        bySpeed = new LaneParabola(s0 - Least, sm - Least, s1 - Least);
+        bySpin = new LaneParabola((jump.PerSpinSquared * w0 * w0) - s0, (jump.PerSpinSquared * w * w) - sm, (jump.PerSpinSquared * w1 * w1) - s1);
+        return 2.0 * length * jump.Gravity * (u1 - u0).Length;
     }
 }

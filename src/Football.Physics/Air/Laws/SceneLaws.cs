@@ -1,0 +1,31 @@
+namespace Football.Physics;
+
+/// <summary>The laws that a scene names, prepared for it: for what is computed once a scene.</summary>
+internal static class SceneLaws
+{
+    /// <summary>The law of the drag force.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>
+    public static IAirLaw Drag(Scene scene) => Prepared(scene, "forces.drag", scene.Forces.Drag, default(ConstantDrag), default(EmpiricalDrag));
+
+    /// <summary>The law of the Magnus force.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>
+    public static IAirLaw Magnus(Scene scene) => Prepared(scene, "forces.magnus", scene.Forces.Magnus, default(ConstantMagnus), default(EmpiricalMagnus));
+
+    /// <summary>The law of the spin decay.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>
+    public static IAirLaw SpinDecay(Scene scene) =>
+        Prepared(scene, "forces.spinDecay", scene.Forces.SpinDecay, default(ConstantSpinDecay), default(EmpiricalSpinDecay));
+
+    private static IAirLaw Prepared(Scene scene, string field, ForceLaw kind, IAirLaw constant, IAirLaw empirical)
+    {
+        IAirLaw law = kind switch
+        {
+            ForceLaw.None => default(NoAirLaw),
+            ForceLaw.Constant => constant,
+            ForceLaw.Empirical => empirical,
+            _ => throw Check.Refusal(field, kind.ToString(), "None | Constant | Empirical"),
+        };
+        law.Prepare(scene);
+        return law;
+    }
+}

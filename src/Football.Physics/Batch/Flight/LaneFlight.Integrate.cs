@@ -1,0 +1,110 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <content>The integrators.</content>
+#if NET8_0_OR_GREATER
+internal sealed partial class LaneFlight<F, TLaw, TMethod>
+#else
+internal sealed partial class LaneFlight<TLane, TLaw, TMethod>
+#endif
+{
+    /// <summary>The changes of velocity, spin and place in a step.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void Integrate<TBranch>(
+        ref TLaw law, in LaneWeight weight, TBranch branch, F nx, F ny, F nz, F h, F ux, F uy, F uz, F w,
+        out F dux, out F duy, out F duz, out F dw, out F dpx, out F dpy, out F dpz)
+        where TBranch : struct, ILaneBranch<F>
+    {
+        F gx = F.Of(weight.AlongX);
+        F gy = F.Of(weight.AlongY);
+        F ax = default;
+        F ay = default;
+        F az = default;
+        F b = default;
+        F vx = ux;
+        F vy = uy;
+        F vz = uz;
+        F firstX = default; // k1
+        F firstY = default;
+        F firstZ = default;
+        F firstB = default;
+        F middleX = default; // k2 + k3
+        F middleY = default;
+        F middleZ = default;
+        F middleB = default;
+        F spins = F.Less(default, w);
+        law.Begin(w, out LaneSpin<F> step);
+        F half = F.Of(0.5f) * h;
+        for (int stage = 0; stage < default(TMethod).Stages; stage++)
+        {
+            // Rk4: f(y), f(y + h/2 k1), f(y + h/2 k2), f(y + h k3). Rk2: f(y), f(y + h/2 k1).
+            F ahead = stage < 3 ? half : h;
+            vx = F.Plus(ux, ahead, ax);
+            vy = F.Plus(uy, ahead, ay);
+            vz = F.Plus(uz, ahead, az);
+            F vw = F.Plus(w, ahead, b);
+            if (law.Acts)
+            {
+                law.Evaluate(in step, in branch, F.Squares(vx, vy, vz), vw, out F drag, out F lift, out F decay);
+
+                // L (ω̂ × u) − D u + g
+                ax = F.Minus(lift, F.Minus(ny, vz, nz, vy), drag, vx) + gx;
+                ay = F.Minus(lift, F.Minus(nz, vx, nx, vz), drag, vy) + gy;
+                az = F.Minus(lift, F.Minus(nx, vy, ny, vx), drag, vz);
+                b = F.Select(spins, default(F) - decay, default);
+            }
+            else
+            {
+                ax = gx;
+                ay = gy;
+            }
+
+            if (default(TMethod).Stages == 4 && stage == 0)
+            {
+                firstX = ax;
+                firstY = ay;
+                firstZ = az;
+                firstB = b;
+            }
+            else if (default(TMethod).Stages == 4 && stage < 3)
+            {
+                middleX += ax;
+                middleY += ay;
+                middleZ += az;
+                middleB += b;
+            }
+        }
+
+        if (default(TMethod).Stages == 4)
+        {
+            // (k1 + 2 k2 + 2 k3 + k4)/6 = m + (k1 + k4 − 2 m)/6 and (k1 + k2 + k3)/3 = m + (k1 − m)/3 with m = (k2 + k3)/2: the thirds and
+            // sixths, which no float is, meet small numbers only. The sum of the velocities, u + h/2 (k1 + k2 + k3)/3, is rounded apart likewise.
+            F halves = F.Of(0.5f);
+            F third = F.Of(1f / 3f);
+            F sixth = F.Of(1f / 6f);
+            F squared = h * half;
+            F mean = halves * middleX;
+            dux = h * F.Plus(mean, sixth, (firstX + ax) - middleX);
+            dpx = F.Plus(h * ux, squared, F.Plus(mean, third, firstX - mean));
+            mean = halves * middleY;
+            duy = h * F.Plus(mean, sixth, (firstY + ay) - middleY);
+            dpy = F.Plus(h * uy, squared, F.Plus(mean, third, firstY - mean));
+            mean = halves * middleZ;
+            duz = h * F.Plus(mean, sixth, (firstZ + az) - middleZ);
+            dpz = F.Plus(h * uz, squared, F.Plus(mean, third, firstZ - mean));
+            mean = halves * middleB;
+            dw = h * F.Plus(mean, sixth, (firstB + b) - middleB);
+        }
+        else
+        {
+            dux = h * ax;
+            duy = h * ay;
+            duz = h * az;
+            dw = h * b;
+            dpx = h * vx;
+            dpy = h * vy;
+            dpz = h * vz;
+        }
+    }
+}

@@ -1,0 +1,22 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>The fitted C_D as published, side by side: it jumps from one branch to the other (<see cref="PublishedDragFit"/>).</summary>
+#if NET8_0_OR_GREATER
+internal readonly struct PublishedLaneFit<F> : ILaneDragFit<F>
+    where F : struct, ILane<F>
+#else
+internal readonly struct PublishedLaneFit<TLane> : ILaneDragFit<TLane>
+#endif
+{
+    public bool Jumps
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => true;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public F Join<TBranch>(in TBranch branch, F speed, F surfaceSpeed, F withSpin, F withoutSpin)
+        where TBranch : struct, ILaneBranch<F> => branch.Choose(withSpin, withoutSpin);
+}

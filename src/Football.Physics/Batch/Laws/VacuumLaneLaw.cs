@@ -1,0 +1,40 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>No air.</summary>
+#if NET8_0_OR_GREATER
+internal struct VacuumLaneLaw<F> : ILaneLaw<F>
+    where F : struct, ILane<F>
+#else
+internal struct VacuumLaneLaw<TLane> : ILaneLaw<TLane>
+#endif
+{
+    public readonly bool Acts
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
+
+    public readonly bool Jumps
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
+
+    public readonly void Prepare(Scene scene)
+    {
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void Begin(F spin, out LaneSpin<F> step) => step = default;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void Evaluate<TBranch>(in LaneSpin<F> step, in TBranch branch, F speedSquared, F spin, out F drag, out F lift, out F decay)
+        where TBranch : struct, ILaneBranch<F>
+    {
+        drag = default;
+        lift = default;
+        decay = default;
+    }
+}
