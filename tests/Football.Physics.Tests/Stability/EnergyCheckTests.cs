@@ -53,7 +53,7 @@ public sealed class EnergyCheckTests
         foreach (double dt in s_frames)
         {
             Frame frame = Frame.Play(ball, method, dt);
-            FrameEnergy bound = frame.Judge(frame.Forged(1));
+            FrameEnergy bound = frame.Judge(frame.Forged(1e-9));
 
             // Where only rounding is left, forging rounds as well.
             double margin = bound.ByMethod > 1e3 * bound.ByRounding ? 1.02 : 2;

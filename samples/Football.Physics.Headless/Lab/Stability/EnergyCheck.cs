@@ -157,7 +157,7 @@ internal sealed class EnergyCheck : PieceObserver
         double speed = Math.Max(before.Velocity.Length, after.Velocity.Length) + Wind.Length + (Math.Abs(_scene.Upward) * dt);
         double surface = Math.Max(before.Spin.Length, after.Spin.Length) * _radius;
         double height = Math.Abs(before.Position.Y) + Math.Abs(after.Position.Y) + Math.Abs(_simulator.ContactHeight);
-        return 4 * Rounding * ((_mass * ((speed * speed) + (_inertiaFactor * surface * surface))) + (_weight * height)) + 1e-300;
+        return 8 * Rounding * ((_mass * ((speed * speed) + (_inertiaFactor * surface * surface))) + (_weight * height)) + 1e-300;
     }
 
     /// <summary>½ m u² + m g y as one sees it who goes with the wind, J: the air cannot make any, and spin has no way into it.</summary>

@@ -166,7 +166,7 @@ internal sealed class StressRun
         }
 
         _energyShare = Math.Max(_energyShare, frame.Share);
-        return frame.Holds ? null : Fail("energy", $"gained {frame.Gained} J, allowed {frame.Allowed} J, {before.Motion} to {_state.Motion}");
+        return frame.Holds ? null : Fail("energy", $"gained {frame.Gained} J in {dt} s; method {frame.ByMethod} J, contact {frame.ByContact} J, rounding {frame.ByRounding} J; {_log.Steps} pieces, {_log.Events.Count} events, {before.Motion} to {_state.Motion}");
     }
 
     private StressFailure? Reversal(in BallState before)
