@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Writes anew what is generated from the code: the golden hashes, docs/api.md, what the programs in README.md and docs/ print, and the
-# tables of README.md.
+# Writes anew what is generated from the code: the golden hashes, docs/api.md, what the programs in README.md and docs/ print, the
+# tables of README.md, and the errors of the reference cases.
 # Look at the differences before committing them.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 FOOTBALL_REGENERATE=1 dotnet test -c Release tests/Package.Tests
-FOOTBALL_REGENERATE=1 dotnet test -c Release tests/Football.Physics.Tests --filter FullyQualifiedName~ReadmeTests
-git --no-pager diff --stat -- tests/Golden docs README.md
+FOOTBALL_REGENERATE=1 dotnet test -c Release tests/Football.Physics.Tests --filter "FullyQualifiedName~ReadmeTests|FullyQualifiedName~ReferenceBoundTests"
+git --no-pager diff --stat -- tests/Golden tests/Football.Physics.Tests/Reference docs README.md

@@ -66,6 +66,13 @@ internal static class StabilityLab
         }
 
         report.Tables.Add(table);
+        LabTable energy = new("most energy made in a frame, as a share of what the method's own error can be", ["scenes", .. StressGenerator.Integrators.Select(method => method.ToString())]);
+        foreach (StressKind kind in StressGenerator.Kinds)
+        {
+            energy.Add([kind.ToString(), .. StressGenerator.Integrators.Select(method => (object?)matrix[kind, method].EnergyShare)]);
+        }
+
+        report.Tables.Add(energy);
         report.Tables.Add(Overshoot.Table());
         report.Picture = () => Figure.Stack("", [Overshoot.Draw()]);
         LabTable failures = new("failures", "scene", "kind", "method", "check", "detail");

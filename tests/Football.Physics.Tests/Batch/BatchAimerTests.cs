@@ -20,6 +20,7 @@ public sealed class BatchAimerTests
         aimer.Find(aims, kicks, Count);
         var meter = new MissMeter(new Simulator(scene));
         var single = new Aimer(scene);
+        int hits = 0;
         for (int i = 0; i < Count; i++)
         {
             if (kicks.Status[i] != AimStatus.Hit)
@@ -28,11 +29,13 @@ public sealed class BatchAimerTests
                 continue;
             }
 
+            hits++;
             double miss = meter.Measure(aims.Request(i), kicks.Velocity[i], kicks.Spin[i]).Distance;
             Assert.True(miss <= 1e-3, $"aim {i} misses by {miss:e2} m");
             Assert.Equal(aims.Speed[i], kicks.Velocity[i].Length, 1e-9);
         }
 
+        Assert.InRange(hits, Count / 2, Count);
         Assert.True(aimer.HandedOn < Count / 20, $"{aimer.HandedOn} handed on");
     }
 

@@ -63,10 +63,14 @@ public sealed class AimTests
     [Fact]
     public void The_studio_setting_takes_at_most_five_iterations_of_method_a()
     {
-        foreach ((JsonElement wanted, JsonElement got) in Aim("angle", "--set", "solver.integrator=semiImplicitEuler", "--set", $"solver.timeStep={1.0 / 60.0:R}"))
-        {
-            Assert.True(!wanted.GetProperty("name").GetString()!.Contains("gattini") || got.GetProperty("iterations").GetInt32() <= 5, got.ToString());
-        }
+        JsonElement[] studio =
+        [
+            .. Aim("angle", "--set", "solver.integrator=semiImplicitEuler", "--set", $"solver.timeStep={1.0 / 60.0:R}")
+                .Where(pair => pair.Wanted.GetProperty("name").GetString()!.Contains("gattini"))
+                .Select(pair => pair.Got),
+        ];
+        Assert.NotEmpty(studio);
+        Assert.All(studio, got => Assert.InRange(got.GetProperty("iterations").GetInt32(), 1, 5));
     }
 
     [Fact]

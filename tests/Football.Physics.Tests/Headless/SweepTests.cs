@@ -28,7 +28,9 @@ public sealed class SweepTests
     [Fact]
     public void A_row_is_the_shot_that_simulate_plays()
     {
-        foreach (JsonElement row in FootballCommand.Run("", "sweep", "--count", "25", "--set", "air.wind=[3,0,1]", "--set", "solver.timeStep=0.01").Lines)
+        IReadOnlyList<JsonElement> rows = FootballCommand.Run("", "sweep", "--count", "25", "--set", "air.wind=[3,0,1]", "--set", "solver.timeStep=0.01").Lines;
+        Assert.Equal(25, rows.Count);
+        foreach (JsonElement row in rows)
         {
             double elevation = row.GetProperty("elevation").GetDouble() * Math.PI / 180;
             double azimuth = row.GetProperty("azimuth").GetDouble() * Math.PI / 180;
@@ -51,7 +53,10 @@ public sealed class SweepTests
     [Fact]
     public void Ranges_and_numbers_are_kept()
     {
-        foreach (JsonElement row in FootballCommand.Run("{\"launch\":{\"speed\":[20,21],\"elevation\":12,\"topSpin\":0}}", "sweep", "-", "--count", "50").Lines)
+        IReadOnlyList<JsonElement> rows = FootballCommand.Run("{\"launch\":{\"speed\":[20,21],\"elevation\":12,\"topSpin\":0}}", "sweep", "-", "--count", "50").Lines;
+        Assert.Equal(50, rows.Count);
+        Assert.True(rows.Max(row => row.GetProperty("speed").GetDouble()) - rows.Min(row => row.GetProperty("speed").GetDouble()) > 0.5);
+        foreach (JsonElement row in rows)
         {
             Assert.InRange(row.GetProperty("speed").GetDouble(), 20, 21);
             Assert.Equal(12, row.GetProperty("elevation").GetDouble());

@@ -61,6 +61,22 @@ public sealed class CustomForceTests
         }
     }
 
+    /// <summary>The Magnus force alone does no work, whatever way a ball with forces of the game is integrated.</summary>
+    [Theory]
+    [InlineData(CoefficientForm.Published)]
+    [InlineData(CoefficientForm.Regularised)]
+    public void A_law_that_is_left_out_does_not_act_beside_a_force_of_the_game(CoefficientForm form)
+    {
+        var scene = new Scene
+        {
+            Gravity = 0,
+            Forces = new ForceSet { Drag = ForceLaw.None, Coefficients = form, Custom = [Force.From((in ForceInput _) => Vector3d.Zero)] },
+        };
+        BallState end = Flight.Play(scene, SolverSettings.Default, 0.01, 1, StopAt.Time, s_high, new Vector3d(20, 5, 3), new Vector3d(3, 30, -9), out _);
+        Assert.Equal(new Vector3d(20, 5, 3).Length, end.Velocity.Length, 1e-6);
+        Assert.True(end.Velocity.X < 19.9);
+    }
+
     [Fact]
     public void A_torque_of_the_game_turns_the_spin()
     {

@@ -107,6 +107,24 @@ public sealed class RollTests
         Assert.Equal(Flight.Radius, horizontal.Position.Y);
     }
 
+    /// <summary>The Magnus force does no work, and drag does not bend a roll: neither does what the other would.</summary>
+    [Theory]
+    [InlineData(CoefficientForm.Published)]
+    [InlineData(CoefficientForm.Regularised)]
+    public void A_law_that_is_left_out_does_not_act_on_the_ground(CoefficientForm form)
+    {
+        Scene scene = new() { Ground = Ground.Turf with { RollingFriction = 0 } };
+        var spin = new Vector3d(0, 50, -20 / Flight.Radius);
+        BallState Roll(ForceSet forces) => Flight.Play(
+            scene with { Forces = forces with { Coefficients = form } }, SolverSettings.Default, 0.01, 1, StopAt.Time, s_start, new Vector3d(20, 0, 0), spin, out _);
+        BallState lifted = Roll(new ForceSet { Drag = ForceLaw.None });
+        Assert.Equal(20, lifted.Velocity.Length, 1e-6);
+        Assert.True(lifted.Velocity.Z < -1);
+        BallState braked = Roll(new ForceSet { Magnus = ForceLaw.None });
+        Assert.Equal(0, braked.Velocity.Z);
+        Assert.True(braked.Velocity.X < 15);
+    }
+
     [Fact]
     public void Friction_never_turns_a_roll_back_whatever_the_step()
     {

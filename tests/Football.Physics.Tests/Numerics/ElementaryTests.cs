@@ -113,7 +113,7 @@ public sealed class ElementaryTests
         }
 
         Assert.Equal(q == 0 ? 1 : 0, table.Of(0));
-        Assert.True(table.Of(double.Epsilon) <= 1);
+        Assert.Equal(q == 0 ? 1 : 0, table.Of(double.Epsilon)); // The power of anything that small is taken as zero.
     }
 
     private static IEnumerable<double> Small() => Enumerable.Range(0, 400).Select(i => Math.Pow(10, -i / 20.0));

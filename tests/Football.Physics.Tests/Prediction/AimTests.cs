@@ -14,12 +14,16 @@ public sealed class AimTests
     {
         var random = new Shots(1);
         var aimer = new Aimer(timeStep: 0.02);
+        int hits = 0;
         for (int i = 0; i < 300; i++)
         {
             AimRequest request = AimCheck.Any(random);
             AimResult result = aimer.Find(request, method);
             AimCheck.Holds(request, in result);
+            hits += result.Status == AimStatus.Hit ? 1 : 0;
         }
+
+        Assert.InRange(hits, 100, 299);
     }
 
     [Fact]

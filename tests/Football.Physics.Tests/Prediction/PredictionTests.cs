@@ -88,11 +88,16 @@ public sealed class PredictionTests
         var prediction = new Prediction(simulator, new LookAheadRequest { TimeStep = Step, Duration = 5, StopAt = StopAt.Impact });
         var log = new StepLog();
         BallState ball = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(10, 6, 0), default);
-        for (int i = 0; i < 300; i++)
+        int impacts = 0;
+        while (impacts < 4)
         {
             prediction.Update(in ball);
             Assert.True(Vector3d.Distance(prediction.Path.PositionAt(ball.Time), ball.Position) <= prediction.Tolerance);
+            Assert.Equal(impacts + 1, prediction.Recomputations);
+            log.Clear();
             simulator.Step(ref ball, Step, log);
+            impacts += log.Events.Count;
+            Assert.True(ball.Time < 10);
         }
     }
 

@@ -18,6 +18,9 @@ internal sealed class StressCell
 
     public long Impacts { get; private set; }
 
+    /// <summary>The highest share of the energy that the method may make in a frame that it has made.</summary>
+    public double EnergyShare { get; private set; }
+
     /// <summary>The first failures: number of the scene, and what was wrong.</summary>
     public List<(long Index, StressFailure Failure)> Failures { get; } = [];
 
@@ -30,6 +33,7 @@ internal sealed class StressCell
         Frames += outcome.Frames;
         Relaxed += outcome.Relaxed;
         Impacts += outcome.Impacts;
+        EnergyShare = Math.Max(EnergyShare, outcome.EnergyShare);
         if (outcome.Failure is not null)
         {
             Failed++;

@@ -10,6 +10,12 @@ internal static class StressGenerator
 
     public static IReadOnlyList<Integrator> Integrators { get; } = Enum.GetValues<Integrator>();
 
+    /// <summary>The number of a scene of a kind with a method.</summary>
+    /// <param name="kind">The kind.</param>
+    /// <param name="integrator">The method.</param>
+    /// <param name="round">Which of them, from 0 on.</param>
+    public static long Index(StressKind kind, Integrator integrator, long round) => (int)kind + (Kinds.Count * ((int)integrator + (Integrators.Count * round)));
+
     /// <summary>The scene with a number: kinds and methods take turns.</summary>
     public static StressScene Make(long seed, long index)
     {
@@ -40,9 +46,10 @@ internal static class StressGenerator
             forces = forces with { Buoyancy = false };
         }
 
-        if (kind == StressKind.ComesToRest && integrator != Integrator.Rk4 && forces.Magnus == ForceLaw.Constant)
+        if (kind == StressKind.ComesToRest && forces.Magnus == ForceLaw.Constant)
         {
-            // Methods of low order make a velocity longer that they turn. What drag cannot take of that keeps a ball bouncing.
+            // A lift that goes with the speed, while drag goes with its square, lets a ball sink as slowly as it likes; and methods of low order
+            // make a velocity longer that they turn, which keeps a ball bouncing.
             forces = forces with { Magnus = ForceLaw.Empirical };
         }
 

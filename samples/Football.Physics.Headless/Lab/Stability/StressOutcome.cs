@@ -6,4 +6,5 @@ namespace Football.Physics.Headless.Lab.Stability;
 /// <param name="Frames">Frames asked for.</param>
 /// <param name="Relaxed">Pieces that relaxed to the balance of forces.</param>
 /// <param name="Impacts">Impacts.</param>
-internal readonly record struct StressOutcome(StressFailure? Failure, long Steps, long Frames, long Relaxed, long Impacts);
+/// <param name="EnergyShare">The highest share of the energy that the method may make in a frame that it has made.</param>
+internal readonly record struct StressOutcome(StressFailure? Failure, long Steps, long Frames, long Relaxed, long Impacts, double EnergyShare);

@@ -1,0 +1,187 @@
+namespace Football.Physics.Headless.Lab.Stability;
+
+/// <summary>Says of a frame, from the states before and after it, how much energy the ball gained and how much the method can have made.</summary>
+/// <remarks>A frame that gains more than rounding is stepped again from the state before it, to see its pieces: the bound is the sum of theirs.</remarks>
+internal sealed class EnergyCheck : PieceObserver
+{
+    /// <summary>Rounding of a sum, as a share.</summary>
+    private const double Rounding = 2.3e-16;
+
+    /// <summary>How close to contact height contact is found, m, and in a piece that relaxes.</summary>
+    private const double Touching = 1e-14;
+    private const double TouchingRelaxed = 1e-12;
+
+    /// <summary>How closely the time of contact is bracketed, as a share of the step.</summary>
+    private const double Bracket = 1e-15;
+
+    /// <summary>The last correction of its time, s, is linear if it is shorter than this.</summary>
+    private const double LinearCorrection = 1e-6;
+
+    /// <summary>Slip that is left, m/s, when a ball is taken to roll.</summary>
+    private const double LastSlip = 1e-9;
+
+    private readonly StressScene _scene;
+    private readonly Simulator _simulator;
+    private readonly MethodError _method;
+    private readonly StepLog _log = new();
+    private readonly double _mass;
+    private readonly double _inertiaFactor;
+    private readonly double _radius;
+    private readonly double _weight;
+    private double _slowSurface;
+    private double _fastSurface;
+    private int _seen;
+    private long _relaxed;
+    private double _made;
+    private double _corrected;
+
+    public EnergyCheck(StressScene scene, Simulator simulator)
+    {
+        _scene = scene;
+        _simulator = simulator;
+        _method = new MethodError(scene.Integrator, scene.Scene);
+        _mass = scene.Scene.Ball.Mass;
+        _inertiaFactor = scene.Scene.Ball.InertiaFactor;
+        _radius = scene.Scene.Ball.Radius;
+        _weight = _mass * Math.Abs(scene.Upward);
+        _log.Observer = this;
+    }
+
+    public override bool WantsEndAcceleration => false;
+
+    /// <summary>Wind, m/s.</summary>
+    public Vector3d Wind => _scene.Scene.Air.Wind;
+
+    /// <summary>Judges a frame.</summary>
+    /// <param name="before">The ball before it.</param>
+    /// <param name="dt">Its length, s.</param>
+    /// <param name="after">The ball after it.</param>
+    /// <param name="events">What happened in it.</param>
+    /// <returns>Null where nothing is promised: where wind pushes a ball on the ground, and where the heuristic makes a ball roll that slips.</returns>
+    public FrameEnergy? Of(in BallState before, double dt, in BallState after, ReadOnlySpan<BallEvent> events)
+    {
+        bool flies = before.Motion == MotionState.Airborne && after.Motion == MotionState.Airborne && events.Length == 0;
+        if (!flies && (_scene.Windy || (_scene.Settings.RollingTransition == RollingTransition.Heuristic && Rolls(events))))
+        {
+            return null;
+        }
+
+        double gained = flies ? InFlight(in after, after.Time - before.Time) - InFlight(in before, 0) : Total(in after) - Total(in before);
+        double rounding = OfRounding(in before, dt, in after);
+        if (gained <= rounding)
+        {
+            return new FrameEnergy(gained, 0, 0, rounding);
+        }
+
+        Again(in before, dt);
+        return new FrameEnergy(gained, _made, OfContact(events, dt) + (_log.Steps > 1 ? _corrected : 0), rounding * (1 + _log.Steps));
+    }
+
+    /// <summary>A piece of the frame that is stepped again.</summary>
+    public override bool Add(in PathPiece piece)
+    {
+        ReadOnlySpan<BallEvent> events = _log.Events.Span;
+        if (events.Length > _seen)
+        {
+            _seen = events.Length;
+            _slowSurface = _fastSurface = _radius * events[^1].Spin.Length;
+        }
+
+        if (_log.Relaxed > _relaxed)
+        {
+            // Implicit Euler: ΔE = −½ m |u₁ − u₀|² − m h D |u₁|².
+            _relaxed = _log.Relaxed;
+            _slowSurface = 0;
+            _made += _weight * TouchingRelaxed;
+            return false;
+        }
+
+        // The length is what the clock says, which is rounded at both ends.
+        double length = piece.Length + (2 * Rounding * piece.EndTime);
+        if (piece.Motion == MotionState.Airborne)
+        {
+            double speed = (piece.StartVelocity - Wind).Length;
+            double g = Math.Abs(_scene.Upward);
+            _made += _mass * _method.Of(length, g, speed, _slowSurface, _fastSurface);
+            _corrected += _mass * _method.OfCorrection(LinearCorrection, length, g, speed, _slowSurface, _fastSurface);
+        }
+        else
+        {
+            // Friction may turn a sliding ball the faster, by r ω̇ = μ g/α; a rolling one has the spin of its speed, and inertia of it too.
+            double speed = piece.StartVelocity.Length;
+            bool rolls = piece.Motion == MotionState.Rolling;
+            double faster = _scene.Scene.Ground.SlidingFriction * Math.Abs(_scene.Upward) / _inertiaFactor * length;
+            _slowSurface = 0;
+            _fastSurface = rolls ? Math.Max(_fastSurface, speed) : _fastSurface + faster;
+            if (_scene.Scene.Ground.Aerodynamics == GroundAerodynamics.Horizontal)
+            {
+                _made += (rolls ? 1 + _inertiaFactor : 1) * _mass * _method.Of(length, 0, speed, _slowSurface, _fastSurface);
+            }
+        }
+
+        double lost = _method.SpinLoss(length, piece.StartVelocity.Length, _fastSurface);
+        _slowSurface = Math.Max(0, _slowSurface - lost);
+        return false;
+    }
+
+    private void Again(in BallState before, double dt)
+    {
+        BallState state = before;
+        _seen = 0;
+        _relaxed = 0;
+        _made = 0;
+        _corrected = 0;
+        _slowSurface = _fastSurface = _radius * before.Spin.Length;
+        _log.Clear();
+        _simulator.Step(ref state, dt, _log);
+    }
+
+    /// <summary>What finding an event can make, J: the weight times the height by which contact is missed, or the end of the slip.</summary>
+    private double OfContact(ReadOnlySpan<BallEvent> events, double dt)
+    {
+        double made = 0;
+        foreach (ref readonly BallEvent item in events)
+        {
+            made += item.Kind == BallEventKind.Roll ? _inertiaFactor * _mass * LastSlip * ((_radius * item.Spin.Length) + LastSlip)
+                : item.Kind != BallEventKind.Impact ? 0
+                : _scene.Settings.CollisionTiming == CollisionTiming.Bisection ? _weight * _scene.Settings.CollisionTolerance * Math.Abs(item.VelocityBefore.Y)
+                : _weight * (Touching + (Bracket * dt * Math.Abs(item.VelocityBefore.Y)) + (0.5 * Math.Abs(_scene.Upward) * LinearCorrection * LinearCorrection));
+        }
+
+        return made;
+    }
+
+    /// <summary>What rounding can make, J: of the speeds, the spin and the height, which are sums.</summary>
+    private double OfRounding(in BallState before, double dt, in BallState after)
+    {
+        double speed = Math.Max(before.Velocity.Length, after.Velocity.Length) + Wind.Length + (Math.Abs(_scene.Upward) * dt);
+        double surface = Math.Max(before.Spin.Length, after.Spin.Length) * _radius;
+        double height = Math.Abs(before.Position.Y) + Math.Abs(after.Position.Y) + Math.Abs(_simulator.ContactHeight);
+        return 8 * Rounding * ((_mass * ((speed * speed) + (_inertiaFactor * surface * surface))) + (_weight * height)) + 1e-300;
+    }
+
+    /// <summary>½ m u² + m g y as one sees it who goes with the wind, J: the air cannot make any, and spin has no way into it.</summary>
+    private double InFlight(in BallState s, double time)
+    {
+        double climb = s.Position.Y - _simulator.ContactHeight - (Wind.Y * time);
+        return (0.5 * _mass * (s.Velocity - Wind).LengthSquared) - (_mass * _scene.Upward * climb);
+    }
+
+    /// <summary>½ m v² + ½ I ω² + m g y, J.</summary>
+    private double Total(in BallState s) =>
+        (0.5 * ((_mass * s.Velocity.LengthSquared) + (_scene.Scene.Ball.MomentOfInertia * s.Spin.LengthSquared)))
+        - (_mass * _scene.Upward * (s.Position.Y - _simulator.ContactHeight));
+
+    private static bool Rolls(ReadOnlySpan<BallEvent> events)
+    {
+        foreach (ref readonly BallEvent item in events)
+        {
+            if (item.Kind == BallEventKind.Roll)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+}

@@ -1,0 +1,58 @@
+namespace Football.Physics.Tests.Architecture;
+
+/// <summary>The house rules that a text can show, of the library and of small trees that break them.</summary>
+public sealed class HouseRuleTests
+{
+    [Fact]
+    public void No_file_is_longer_than_350_lines() => Assert.Empty(HouseRules.LongFiles(SourceFile.Library));
+
+    [Fact]
+    public void No_type_is_longer_than_450_lines_in_all_its_parts() => Assert.Empty(HouseRules.LongTypes(SourceFile.Library));
+
+    [Fact]
+    public void Nothing_asks_what_a_type_parameter_is() => Assert.Empty(HouseRules.QuestionsOfType(SourceFile.Library));
+
+    [Fact]
+    public void No_switch_takes_an_unknown_value_of_an_enumeration_for_a_known_one() => Assert.Empty(HouseRules.OpenSwitches(SourceFile.Library));
+
+    [Fact]
+    public void A_long_file_is_found()
+    {
+        Assert.Empty(HouseRules.LongFiles([File("Air/A.cs", Lines(350))]));
+        Assert.Equal(["Air/A.cs: 351 lines"], HouseRules.LongFiles([File("Air/A.cs", Lines(351))]));
+    }
+
+    [Fact]
+    public void A_long_type_is_found_also_in_parts()
+    {
+        string Part(int lines) => $"namespace N;\n\ninternal partial class A<T>\n    where T : struct\n{{\n{Lines(lines - 4)}}}\n";
+        Assert.Empty(HouseRules.LongTypes([File("Air/A.cs", Part(225)), File("Air/A.More.cs", Part(225)), File("Game/A.cs", Part(40))]));
+        Assert.Equal(["A: 451 lines in 2 parts"], HouseRules.LongTypes([File("Air/A.cs", Part(225)), File("Air/A.More.cs", Part(226))]));
+    }
+
+    [Theory]
+    [InlineData("bool B => typeof(T) == typeof(A);", true)]
+    [InlineData("bool B => x.GetType() == typeof(A);", true)]
+    [InlineData("bool B => typeof(List<T>) != y;", true)]
+    [InlineData("string B => Enum.GetNames(typeof(T));", false)]
+    [InlineData("string B => \"typeof(T) == typeof(A)\"; // typeof(T) == typeof(A)", false)]
+    public void A_question_for_a_type_is_found(string member, bool wrong) =>
+        Assert.Equal(wrong, HouseRules.QuestionsOfType([File("Air/A.cs", $"class A<T> {{ {member} }}")]).Count > 0);
+
+    [Theory]
+    [InlineData("E.One => 1, _ => 2", true)]
+    [InlineData("E.One => 1, E.Two or E.Three => Two(E.Two), _ => x switch { _ => 2 }", true)]
+    [InlineData("(E.One, true) => 1, _ => 2", false)] // A pair is more than its enumeration.
+    [InlineData("E.One => 1, E.Two => 2, _ => throw Unknown(x)", false)]
+    [InlineData("1 => E.One, _ => E.Two", false)]
+    [InlineData("F.One => 1, _ => 2", false)] // Not one of ours.
+    public void A_switch_that_answers_for_values_to_come_is_found(string arms, bool wrong)
+    {
+        SourceFile[] tree = [File("Scenes/E.cs", "public enum E { One, Two }"), File("Air/A.cs", $"class A {{ int B(E x) => x switch {{ {arms} }}; }}")];
+        Assert.Equal(wrong, HouseRules.OpenSwitches(tree).Count > 0);
+    }
+
+    private static SourceFile File(string path, string text) => new(path, text);
+
+    private static string Lines(int count) => string.Concat(Enumerable.Repeat("// A line.\n", count));
+}

@@ -1,0 +1,117 @@
+namespace Football.Physics.Tests.Architecture;
+
+/// <summary>What the house rules ask of the text of a source tree, and where it is broken.</summary>
+internal static class HouseRules
+{
+    public const int LongestFile = 350;
+    public const int LongestType = 450;
+
+    public static IReadOnlyList<string> LongFiles(IReadOnlyList<SourceFile> tree) =>
+        [.. tree.Where(file => file.Lines > LongestFile).Select(file => $"{file.Path}: {file.Lines} lines")];
+
+    /// <summary>The parts of a type are summed.</summary>
+    public static IReadOnlyList<string> LongTypes(IReadOnlyList<SourceFile> tree) =>
+    [
+        .. from file in tree
+           from type in file.Types
+           group type.LastLine - type.FirstLine + 1 by (Folder(file), type.Name) into parts
+           where parts.Sum() > LongestType
+           select $"{parts.Key.Name}: {parts.Sum()} lines in {parts.Count()} parts",
+    ];
+
+    /// <summary>typeof(…) == or != something: a question that a type parameter's own members answer.</summary>
+    public static IReadOnlyList<string> QuestionsOfType(IReadOnlyList<SourceFile> tree)
+    {
+        var found = new List<string>();
+        foreach (SourceFile file in tree)
+        {
+            for (int i = 0; i < file.Tokens.Count; i++)
+            {
+                if (Text(file, i) != "typeof")
+                {
+                    continue;
+                }
+
+                int end = Closing(file, i + 1, "(", ")");
+                bool asksAfter = Text(file, end + 1) is "=" or "!" && Text(file, end + 2) == "=";
+                bool asksBefore = Text(file, i - 1) == "=" && Text(file, i - 2) is "=" or "!";
+                if (asksAfter || asksBefore)
+                {
+                    found.Add($"{file.Path}({file.Tokens[i].Line}): asks for a type");
+                }
+            }
+        }
+
+        return found;
+    }
+
+    /// <summary>Switch expressions over an enumeration of the tree whose last arm takes every value to come for one of those that there are.</summary>
+    public static IReadOnlyList<string> OpenSwitches(IReadOnlyList<SourceFile> tree)
+    {
+        HashSet<string> enums = [.. tree.SelectMany(file => file.Types).Where(type => type.Kind == "enum").Select(type => type.Name)];
+        var found = new List<string>();
+        foreach (SourceFile file in tree)
+        {
+            for (int i = 0; i < file.Tokens.Count; i++)
+            {
+                if (Text(file, i) == "switch" && Text(file, i + 1) == "{" && IsOpen(file, i + 1, enums))
+                {
+                    found.Add($"{file.Path}({file.Tokens[i].Line}): _ => is an answer");
+                }
+            }
+        }
+
+        return found;
+    }
+
+    private static bool IsOpen(SourceFile file, int brace, HashSet<string> enums)
+    {
+        int end = Closing(file, brace, "{", "}");
+        bool overEnum = false;
+        bool answers = false;
+        bool pattern = true;
+        for (int i = brace + 1; i < end; i++)
+        {
+            string text = Text(file, i);
+            if (text is "{" or "(" or "[")
+            {
+                i = Closing(file, i, text, text == "{" ? "}" : text == "(" ? ")" : "]");
+            }
+            else if (text == ",")
+            {
+                pattern = true;
+            }
+            else if (text == "=" && Text(file, i + 1) == ">")
+            {
+                answers |= Text(file, i - 1) == "_" && Text(file, i + 2) != "throw";
+                pattern = false;
+            }
+            else
+            {
+                overEnum |= pattern && enums.Contains(text) && Text(file, i + 1) == ".";
+            }
+        }
+
+        return overEnum && answers;
+    }
+
+    /// <summary>Where the bracket closes that opens at a place.</summary>
+    private static int Closing(SourceFile file, int from, string open, string close)
+    {
+        int depth = 0;
+        for (int i = from; i < file.Tokens.Count; i++)
+        {
+            depth += Text(file, i) == open ? 1 : Text(file, i) == close ? -1 : 0;
+            if (depth == 0)
+            {
+                return i;
+            }
+        }
+
+        return file.Tokens.Count - 1;
+    }
+
+    private static string Text(SourceFile file, int i) => i >= 0 && i < file.Tokens.Count ? file.Tokens[i].Text : "";
+
+    private static string Folder(SourceFile file) => file.Path[..(file.Path.LastIndexOf('/') + 1)];
+}
