@@ -1,27 +1,20 @@
+using Football.Physics.Yardsticks;
+
 namespace Football.Physics.Tests.Laws;
 
-/// <summary>The aerodynamic laws written down once more, plainly and slowly, from the equations: what the library's are compared with.</summary>
+/// <summary>Forces and torques by the yardsticks' laws, plainly and slowly: what the library's are compared with.</summary>
 internal static class PlainLaws
 {
-    public const double CriticalSpeed = 12.19;
-    public const double CriticalSpin = 0.05;
+    public const double CriticalSpeed = FittedLaws.CriticalSpeed;
+    public const double CriticalSpin = FittedLaws.CriticalSpin;
 
-    public static double AtRest => 0.155 + (0.346 / (1 + Math.Exp(-12.19 / 1.309)));
+    public static double WithoutSpin(double speed) => FittedLaws.WithoutSpin(speed);
 
-    public static double WithoutSpin(double speed) => 0.155 + (0.346 / (1 + Math.Exp((speed - 12.19) / 1.309)));
+    public static double Published(double speed, double sp) => FittedLaws.Published(speed, sp);
 
-    public static double WithSpin(double sp) => 0.4127 * Math.Pow(sp, 0.3056);
+    public static double Regularised(double speed, double sp) => FittedLaws.Regularised(speed, sp);
 
-    public static double Published(double speed, double sp) => speed > CriticalSpeed && sp > CriticalSpin ? WithSpin(sp) : WithoutSpin(speed);
-
-    public static double Regularised(double speed, double sp)
-    {
-        double w = Sigma((speed - 12.19) / 0.25) * Sigma((sp - 0.05) / 0.0025);
-        return (w * WithSpin(sp)) + ((1 - w) * WithoutSpin(speed));
-    }
-
-    public static double Lift(double dragCoefficient, double sp) =>
-        1.15 * Math.Pow(sp, 0.83) * (AtRest - Math.Min(dragCoefficient, AtRest)) / (AtRest - 0.155);
+    public static double Lift(double dragCoefficient, double sp) => FittedLaws.Lift(dragCoefficient, sp);
 
     /// <summary>F_D = −½ ρ C_D A |u| u.</summary>
     public static Vector3d Drag(Scene scene, double coefficient, Vector3d u)
@@ -48,10 +41,7 @@ internal static class PlainLaws
         return r / 2 * scene.Air.Density * Math.PI * r * r * (Plate(scene, speed + (r * spin / 2)) + Plate(scene, Math.Abs(speed - (r * spin / 2))));
     }
 
-    private static double Plate(Scene scene, double u) =>
-        u == 0 ? 0 : u * u * 0.0074 * Math.Pow(u * 2 * scene.Ball.Radius / scene.Air.KinematicViscosity, -1.0 / 5.0);
-
-    private static double Sigma(double x) => 1 / (1 + Math.Exp(-x));
+    private static double Plate(Scene scene, double u) => FittedLaws.Plate(u, 2 * scene.Ball.Radius / scene.Air.KinematicViscosity);
 
     private static double Size(Vector3d v) => Math.Sqrt((v.X * v.X) + (v.Y * v.Y) + (v.Z * v.Z));
 }
