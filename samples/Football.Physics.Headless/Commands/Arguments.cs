@@ -14,9 +14,10 @@ internal static class Arguments
         HelpName = "N",
         Description = description,
         DefaultValueFactory = _ => fallback,
-        CustomParser = result => Parse(
-            result, name, long.TryParse(result.Tokens[0].Value, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out long number) && number >= low && number <= high, number,
-            string.Create(CultureInfo.InvariantCulture, $"a whole number from {low} to {high}")),
+        CustomParser = result =>
+            long.TryParse(result.Tokens[0].Value, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out long number) && number >= low && number <= high
+                ? number
+                : Refuse<long>(result, name, string.Create(CultureInfo.InvariantCulture, $"a whole number from {low} to {high}")),
     };
 
     /// <summary>Threads.</summary>
@@ -28,8 +29,10 @@ internal static class Arguments
         HelpName = "X",
         Description = FormattableString.Invariant($"{description}; {range}."),
         DefaultValueFactory = _ => fallback,
-        CustomParser = result => Parse(
-            result, name, double.TryParse(result.Tokens[0].Value, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) && range.Contains(number), number, range.ToString()),
+        CustomParser = result =>
+            double.TryParse(result.Tokens[0].Value, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) && range.Contains(number)
+                ? number
+                : Refuse<double>(result, name, range.ToString()),
     };
 
     /// <summary>--set path=value, any number of times.</summary>
@@ -39,7 +42,8 @@ internal static class Arguments
         Description = $"Sets a field before anything is checked, like {example}; can be given several times.",
         Arity = ArgumentArity.OneOrMore,
         DefaultValueFactory = _ => [],
-        CustomParser = result => [.. result.Tokens.Select(token => FieldOverride.Parse(token.Value) ?? Refuse<FieldOverride>(result, "--set", token.Value, $"path=value, like {example}")!)],
+        CustomParser = result =>
+            [.. result.Tokens.Select((token, i) => FieldOverride.Parse(token.Value) ?? Refuse<FieldOverride>(result, "--set", $"path=value, like {example}", i)!)],
     };
 
     /// <summary>Opens a file to read, or the standard input for -.</summary>
@@ -56,12 +60,9 @@ internal static class Arguments
         }
     }
 
-    private static T? Refuse<T>(ArgumentResult result, string name, string value, string allowed)
+    private static T? Refuse<T>(ArgumentResult result, string name, string allowed, int token = 0)
     {
-        result.AddError($"{name} is {Quote.Short(value)}; allowed: {allowed}.");
+        result.AddError($"{name} is {Quote.Short(result.Tokens[token].Value)}; allowed: {allowed}.");
         return default;
     }
-
-    private static T Parse<T>(ArgumentResult result, string name, bool allowed, T value, string what)
-        where T : struct => allowed ? value : Refuse<T>(result, name, result.Tokens[0].Value, what);
 }

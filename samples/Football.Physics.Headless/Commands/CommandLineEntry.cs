@@ -82,8 +82,8 @@ internal static class CommandLineEntry
         Command command = parsed.CommandResult.Command;
         foreach (string unknown in parsed.UnmatchedTokens.Take(1))
         {
-            IEnumerable<string> names = unknown.StartsWith('-') ? command.Options.Concat(parsed.RootCommandResult.Command.Options).Select(option => option.Name) : command.Subcommands.Select(sub => sub.Name);
-            string hint = Spelling.Closest(unknown, names) is { } meant ? $"; did you mean {meant}?" : ".";
+            IEnumerable<Symbol> known = unknown.StartsWith('-') ? command.Options.Concat(parsed.RootCommandResult.Command.Options) : command.Subcommands;
+            string hint = Spelling.Closest(unknown, known.Select(symbol => symbol.Name)) is { } meant ? $"; did you mean {meant}?" : ".";
             terminal.Error.WriteLine($"football: {Quote.Short(unknown)} is unknown to {Path(parsed.CommandResult)}{hint}");
         }
 

@@ -19,7 +19,8 @@ internal sealed class Progress
             ? work(new Progress(null))
             : terminal.ErrorConsole.Progress()
                 .AutoClear(true)
-                .Columns(new SpinnerColumn(), new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(), new RateColumn(), new RemainingTimeColumn())
+                .Columns(
+                    new SpinnerColumn(), new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(), new RateColumn(), new RemainingTimeColumn())
                 .Start(context =>
                 {
                     ProgressTask task = context.AddTask(Markup.Escape(what));

@@ -47,7 +47,11 @@ internal sealed class Terminal
 
     /// <summary>The process' own.</summary>
     public static Terminal OfProcess() => new(
-        Open(System.Console.OpenStandardInput), OpenOutput(), Open(System.Console.OpenStandardError), System.Console.IsOutputRedirected, System.Console.IsErrorRedirected);
+        Open(System.Console.OpenStandardInput),
+        OpenOutput(),
+        Open(System.Console.OpenStandardError),
+        System.Console.IsOutputRedirected,
+        System.Console.IsErrorRedirected);
 
     /// <summary>
     /// A console stream hides that nobody reads its pipe any more; a file stream tells. It does not move the offset that a file shares
@@ -86,7 +90,8 @@ internal sealed class Terminal
         }
     }
 
-    private static StreamWriter Writer(Stream stream) => new(stream, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false)) { AutoFlush = true, NewLine = "\n" };
+    private static StreamWriter Writer(Stream stream) =>
+        new(stream, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false)) { AutoFlush = true, NewLine = "\n" };
 
     private static IAnsiConsole Console(TextWriter writer, bool redirected)
     {

@@ -44,7 +44,9 @@ internal sealed record InputCase(string? Name, InputFields? Scenario, RefusedExc
     }
 
     private static string? NameOf(JsonElement root) =>
-        root.ValueKind == JsonValueKind.Object && root.TryGetProperty(NameMember, out JsonElement name) && name.ValueKind == JsonValueKind.String ? name.GetString() : null;
+        root.ValueKind == JsonValueKind.Object && root.TryGetProperty(NameMember, out JsonElement name) && name.ValueKind == JsonValueKind.String
+            ? name.GetString()
+            : null;
 
     private static JsonElement Unwrapped(JsonElement root)
     {

@@ -69,7 +69,9 @@ internal sealed class InputFields
         return there;
     }
 
-    private static string Text(JsonElement value) => Quote.Short(string.Join(' ', value.GetRawText().Split((char[])[' ', '\t', '\r', '\n'], StringSplitOptions.RemoveEmptyEntries)));
+    /// <summary>As it was written, on one line.</summary>
+    private static string Text(JsonElement value) =>
+        Quote.Short(string.Join(' ', value.GetRawText().Split((char[])[' ', '\t', '\r', '\n'], StringSplitOptions.RemoveEmptyEntries)));
 
     private void CheckMembers(string path, JsonElement value)
     {

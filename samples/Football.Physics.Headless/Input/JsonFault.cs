@@ -68,7 +68,8 @@ internal sealed record JsonFault(string Path, string Value, string Expected, str
 
         string token = Quote.Short(Encoding.UTF8.GetString(text[Math.Min(at, text.Length)..Math.Min(end, text.Length)]));
         string where = string.Create(CultureInfo.InvariantCulture, $"byte {Math.Min(at, text.Length - 1) + 1}");
-        return place.Ended ? place.Fault($"more than one value ({(token.Length > 0 ? token : "a separator")} at {where})", "one JSON object; one a line with --batch")
+        string more = token.Length > 0 ? token : "a separator";
+        return place.Ended ? place.Fault($"more than one value ({more} at {where})", "one JSON object; one a line with --batch")
             : place.Depth >= JsonText.Deepest ? place.Fault($"nested too deep ({where})", $"{JsonText.Deepest} levels at most")
             : place.Fault($"{token}, which is not JSON ({where})", Allowed);
     }

@@ -9,7 +9,8 @@ internal static class Spelling
     /// <summary>The name nearest to the one given, or null where none is near.</summary>
     public static string? Closest(string given, IEnumerable<string> names) => given.Length > Longest ? null : names
         .Select(name => (Name: name, Distance: Distance(given.ToUpperInvariant(), name.ToUpperInvariant())))
-        .Where(item => item.Distance <= Math.Max(1, item.Name.Length / 3) || (given.Length >= 3 && item.Name.StartsWith(given, StringComparison.OrdinalIgnoreCase)))
+        .Where(item => item.Distance <= Math.Max(1, item.Name.Length / 3)
+            || (given.Length >= 3 && item.Name.StartsWith(given, StringComparison.OrdinalIgnoreCase)))
         .OrderBy(item => item.Distance)
         .Select(item => item.Name)
         .FirstOrDefault();

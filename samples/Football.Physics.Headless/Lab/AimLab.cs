@@ -14,7 +14,10 @@ internal static class AimLab
     public static Command Create(Terminal terminal)
     {
         Option<bool> quick = LabOptions.Quick();
-        var full = new Option<bool>("--full") { Description = "Holds every one of the 10 000 random requests that was not hit against the dense scan, not one in four." };
+        var full = new Option<bool>("--full")
+        {
+            Description = "Holds every one of the 10 000 random requests that was not hit against the dense scan, not one in four.",
+        };
         return LabOptions.Create(
             "aim",
             "The predictors: 4.1.3, 4.2.3, 4.3.2, and 10 000 random requests against a dense scan. The CSV has every kick.",
@@ -56,8 +59,10 @@ internal static class AimLab
             Seed = seed,
             Failed = !verdicts.Hold || sections.Any(section => section.Rows.Any(row => row.Reach is { Reached: false })),
             Rows = new LabTable(
-                "kick", "section", "method", "distance", "speed", "status", "miss", "throughMiss", "elevation", "top", "side", "iterations", "simulations", "microseconds"),
-            Picture = () => Figure.Stack("Aiming", [.. sections.Where(section => section.Charts.Count > 0).Select(section => Figure.Stack(section.Title, section.Charts))]),
+                "kick",
+                "section", "method", "distance", "speed", "status", "miss", "throughMiss", "elevation", "top", "side", "iterations", "simulations", "microseconds"),
+            Picture = () => Figure.Stack(
+                "Aiming", [.. sections.Where(section => section.Charts.Count > 0).Select(section => Figure.Stack(section.Title, section.Charts))]),
         };
         foreach (AimSection section in sections)
         {
@@ -69,8 +74,8 @@ internal static class AimLab
                 foreach (AimShot shot in row.Shots)
                 {
                     report.Rows.Add(
-                        section.Title, row.Name, shot.Distance, shot.Request.Speed, Words.Of(shot.Result.Status), shot.Miss, shot.Result.ThroughMiss, shot.Elevation,
-                        shot.TopSpin, shot.SideSpin, shot.Result.Iterations, shot.Result.Simulations, shot.Microseconds);
+                        section.Title, row.Name, shot.Distance, shot.Request.Speed, Words.Of(shot.Result.Status), shot.Miss, shot.Result.ThroughMiss,
+                        shot.Elevation, shot.TopSpin, shot.SideSpin, shot.Result.Iterations, shot.Result.Simulations, shot.Microseconds);
                 }
             }
 
