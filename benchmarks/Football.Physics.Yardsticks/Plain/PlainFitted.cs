@@ -3,12 +3,6 @@ namespace Football.Physics.Yardsticks;
 /// <summary>All forces by the fitted laws, with Math.Pow and Math.Exp; |u|, |ω|, Sp and C_D once an evaluation.</summary>
 public readonly struct PlainFitted : IPlainLaw
 {
-    private const double A = 0.155;
-    private const double B = 0.346;
-    private const double CriticalSpeed = 12.19;
-    private const double SpeedScale = 1.309;
-    private static readonly double AtRest = A + (B / (1.0 + Math.Exp(-CriticalSpeed / SpeedScale)));
-
     private readonly double _radius;
     private readonly double _upward;
     private readonly double _dynamic;
@@ -37,39 +31,18 @@ public readonly struct PlainFitted : IPlainLaw
         if (speed >= 1e-9)
         {
             double sp = _radius * rate / speed;
-            double cd = DragCoefficient(speed, sp);
+            double cd = _regularised ? FittedLaws.Regularised(speed, sp) : FittedLaws.Published(speed, sp);
             acceleration -= (_dynamic * cd * speed) * u;
             if (rate > 0)
             {
-                double cl = 1.15 * Math.Pow(sp, 0.83) * (AtRest - Math.Min(cd, AtRest)) / (AtRest - A);
-                acceleration += (_dynamic * cl * speed / rate) * PlainVector.Cross(spin, u);
+                acceleration += (_dynamic * FittedLaws.Lift(cd, sp) * speed / rate) * PlainVector.Cross(spin, u);
             }
         }
 
         if (rate > 0)
         {
-            double torque = _plates * (Plate(speed + (0.5 * _radius * rate)) + Plate(Math.Abs(speed - (0.5 * _radius * rate))));
+            double torque = _plates * (FittedLaws.Plate(speed + (0.5 * _radius * rate), _reynolds) + FittedLaws.Plate(Math.Abs(speed - (0.5 * _radius * rate)), _reynolds));
             spinAcceleration = (-torque / rate) * spin;
         }
     }
-
-    private double DragCoefficient(double speed, double sp)
-    {
-        if (_regularised)
-        {
-            double w = Logistic((speed - CriticalSpeed) / 0.25) * Logistic((sp - 0.05) / 0.0025);
-            return (w * WithSpin(sp)) + ((1.0 - w) * WithoutSpin(speed));
-        }
-
-        return speed > CriticalSpeed && sp > 0.05 ? WithSpin(sp) : WithoutSpin(speed);
-    }
-
-    // U² C with C = 0.0074 (U 2r/ν)^(−1/5)
-    private double Plate(double u) => u > 0 ? u * u * 0.0074 * Math.Pow(u * _reynolds, -0.2) : 0;
-
-    private static double WithSpin(double sp) => 0.4127 * Math.Pow(sp, 0.3056);
-
-    private static double WithoutSpin(double speed) => A + (B / (1.0 + Math.Exp((speed - CriticalSpeed) / SpeedScale)));
-
-    private static double Logistic(double x) => 1.0 / (1.0 + Math.Exp(-x));
 }

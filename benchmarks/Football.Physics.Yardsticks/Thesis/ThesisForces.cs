@@ -6,6 +6,18 @@ namespace Football.Physics.Yardsticks;
 /// <remarks>The signs and brackets that its listings get wrong are corrected, so that it can be compared with the truth.</remarks>
 public sealed class ThesisForces
 {
+    private const float FastDrag = (float)FittedLaws.FastDrag;
+    private const float DragDrop = (float)FittedLaws.DragDrop;
+    private const float CriticalSpeed = (float)FittedLaws.CriticalSpeed;
+    private const float SpeedScale = (float)FittedLaws.SpeedScale;
+    private const float CriticalSpin = (float)FittedLaws.CriticalSpin;
+    private const float SpinFactor = (float)FittedLaws.SpinFactor;
+    private const float SpinPower = (float)FittedLaws.SpinPower;
+    private const float LiftFactor = (float)FittedLaws.LiftFactor;
+    private const float LiftPower = (float)FittedLaws.LiftPower;
+    private const float PlateFactor = (float)FittedLaws.PlateFactor;
+    private const float PlatePower = (float)FittedLaws.PlatePower;
+
     private readonly float _mass;
     private readonly float _radius;
     private readonly float _inertia;
@@ -57,9 +69,9 @@ public sealed class ThesisForces
         }
 
         float s = angularVelocity.Length() * _radius / velocity.Length();
-        float dragCoefficient = velocity.Length() > 12.19f && s > 0.05f
-            ? 0.4127f * MathF.Pow(s, 0.3056f)
-            : 0.155f + (0.346f / (1f + MathF.Exp((velocity.Length() - 12.19f) / 1.309f)));
+        float dragCoefficient = velocity.Length() > CriticalSpeed && s > CriticalSpin
+            ? SpinFactor * MathF.Pow(s, SpinPower)
+            : FastDrag + (DragDrop / (1f + MathF.Exp((velocity.Length() - CriticalSpeed) / SpeedScale)));
         return -0.5f * _airDensity * dragCoefficient * MathF.PI * MathF.Pow(_radius, 2) * velocity.Length() * velocity;
     }
 
@@ -72,12 +84,12 @@ public sealed class ThesisForces
 
         var direction = Vector3.Cross(Vector3.Normalize(angularVelocity), Vector3.Normalize(velocity));
         float s = angularVelocity.Length() * _radius / velocity.Length();
-        float cdRe0 = 0.155f + (0.346f / (1f + MathF.Exp(-12.19f / 1.309f)));
-        float cdReRef = 0.155f;
-        float dragCoefficient = velocity.Length() > 12.19f && s > 0.05f
-            ? 0.4127f * MathF.Pow(s, 0.3056f)
-            : 0.155f + (0.346f / (1f + MathF.Exp((velocity.Length() - 12.19f) / 1.309f)));
-        float liftCoefficient = 1.15f * MathF.Pow(s, 0.83f) * (cdRe0 - MathF.Min(dragCoefficient, cdRe0)) / (cdRe0 - cdReRef);
+        float cdRe0 = FastDrag + (DragDrop / (1f + MathF.Exp(-CriticalSpeed / SpeedScale)));
+        float cdReRef = FastDrag;
+        float dragCoefficient = velocity.Length() > CriticalSpeed && s > CriticalSpin
+            ? SpinFactor * MathF.Pow(s, SpinPower)
+            : FastDrag + (DragDrop / (1f + MathF.Exp((velocity.Length() - CriticalSpeed) / SpeedScale)));
+        float liftCoefficient = LiftFactor * MathF.Pow(s, LiftPower) * (cdRe0 - MathF.Min(dragCoefficient, cdRe0)) / (cdRe0 - cdReRef);
         Vector3 magnusForce = 0.5f * _airDensity * liftCoefficient * MathF.PI * MathF.Pow(_radius, 2) * MathF.Pow(velocity.Length(), 2) * direction;
         if (state != ThesisState.Bouncing)
         {
@@ -132,8 +144,8 @@ public sealed class ThesisForces
         float rh = _radius / 2f;
         float up = MathF.Abs(velocity.Length() + (rh * angularVelocity.Length()));
         float down = MathF.Abs(velocity.Length() - (rh * angularVelocity.Length()));
-        float cUp = 0.0074f * MathF.Pow(up * 2f * _radius / _viscosity, -0.2f);
-        float cDown = down > 0f ? 0.0074f * MathF.Pow(down * 2f * _radius / _viscosity, -0.2f) : 0f;
+        float cUp = PlateFactor * MathF.Pow(up * 2f * _radius / _viscosity, PlatePower);
+        float cDown = down > 0f ? PlateFactor * MathF.Pow(down * 2f * _radius / _viscosity, PlatePower) : 0f;
         float force = _airDensity * MathF.PI * MathF.Pow(_radius, 2) * ((MathF.Pow(up, 2) * cUp) + (MathF.Pow(down, 2) * cDown));
         return -force * rh * Vector3.Normalize(angularVelocity);
     }

@@ -1,4 +1,4 @@
-using Football.Physics.Headless.Json;
+using Football.Physics.Headless.Input;
 
 namespace Football.Physics.Headless.Aim;
 

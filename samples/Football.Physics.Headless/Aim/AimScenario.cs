@@ -1,17 +1,11 @@
-using Football.Physics.Headless.Json;
-using Football.Physics.Headless.Schema;
+using Football.Physics.Headless.Input;
+using Football.Physics.Headless.Simulate;
 
 namespace Football.Physics.Headless.Aim;
 
-/// <summary>One request for a kick, checked: scene, what the kick is to do, by which method, in which steps.</summary>
+/// <summary>One request for a kick: scene, what the kick is to do, by which method, in which steps.</summary>
 internal sealed record AimScenario
 {
-    /// <summary>The shortest step of the thesis' methods, s: flights that reach nothing are followed for 30 s.</summary>
-    private const double ShortestStep = 30e-6;
-
-    /// <summary>All fields of a scenario with an aim in the place of a launch.</summary>
-    public static FieldSet Fields { get; } = new(SceneFields.All, AimFields.All, SolverFields.All, StopFields.All);
-
     public required Scene Scene { get; init; }
 
     public required SolverSettings Settings { get; init; }
@@ -22,31 +16,51 @@ internal sealed record AimScenario
 
     public required AimRequest Request { get; init; }
 
-    /// <summary>Reads and checks a scenario.</summary>
-    /// <exception cref="RefusedException">A field is not as it should be.</exception>
-    public static AimScenario Read(JsonValue root)
+    /// <summary>Reads a scenario; what its numbers may be the library says when the kick is looked for.</summary>
+    /// <exception cref="RefusedException">A field is unknown, missing or of the wrong type.</exception>
+    public static AimScenario Read(InputFields fields)
     {
-        FieldValues values = Fields.Read(root);
-        AimMethod method = values.Get(AimFields.Method);
-        double timeStep = values.Get(SolverFields.TimeStep);
-        if (method == AimMethod.Direct)
+        InputObject root = fields.Root;
+        Scene scene = SceneInput.Scene(root);
+        InputObject aim = root.Object("aim");
+        SolverSettings settings = SceneInput.Solver(root, out double timeStep);
+        SceneInput.Stop(root);
+        AimMethod method = aim.Choice("method", AimMethod.Direct);
+        var scenario = new AimScenario
         {
-            // Its steps are its own.
-            timeStep = SolverFields.TimeStep.Default;
-        }
-        else if (timeStep < ShortestStep)
-        {
-            throw new RefusedException(FormattableString.Invariant(
-                $"{SolverFields.TimeStep.Path} is {timeStep}; allowed: {ShortestStep} s or more, for any aim.method but direct."));
-        }
+            Scene = scene,
+            Settings = settings,
 
-        return new AimScenario
-        {
-            Scene = SceneFields.Build(values),
-            Settings = SolverFields.Build(values),
-            TimeStep = timeStep,
+            // The direct method's steps are its own.
+            TimeStep = method == AimMethod.Direct ? Scenario.DefaultTimeStep : timeStep,
             Method = method,
-            Request = AimFields.Build(values),
+            Request = ReadRequest(aim),
+        };
+        fields.Check();
+        return scenario;
+    }
+
+    private static AimRequest ReadRequest(InputObject aim)
+    {
+        var request = new AimRequest();
+        InputObject spin = aim.Object("spin");
+        InputObject elevation = aim.Object("elevation");
+        InputObject maxSpin = aim.Object("maxSpin");
+        return new AimRequest
+        {
+            From = aim.Vector("from"),
+            Target = aim.Vector("target"),
+            Through = aim.OptionalVector("through"),
+            Speed = aim.Number("speed"),
+            TopSpin = spin.Number("top", request.TopSpin),
+            SideSpin = spin.Number("side", request.SideSpin),
+            MinimumElevation = elevation.Number("min", request.MinimumElevation),
+            MaximumElevation = elevation.Number("max", request.MaximumElevation),
+            MaximumTopSpin = maxSpin.Number("top", request.MaximumTopSpin),
+            MaximumSideSpin = maxSpin.Number("side", request.MaximumSideSpin),
+            Tolerance = aim.Number("tolerance", request.Tolerance),
+            ThroughTolerance = aim.Number("throughTolerance", request.ThroughTolerance),
+            MaximumIterations = aim.Whole("maxIterations", request.MaximumIterations),
         };
     }
 }

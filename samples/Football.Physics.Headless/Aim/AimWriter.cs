@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Football.Physics.Headless.Input;
 using Football.Physics.Headless.Simulate;
 
 namespace Football.Physics.Headless.Aim;
@@ -10,7 +11,7 @@ internal static class AimWriter
     public static ReadOnlyMemory<byte> Result(string? name, AimResult result) => ResultWriter.Line(json =>
     {
         json.WriteString("name", name);
-        json.WriteString("status", Word(result.Status));
+        json.WriteString("status", Words.Of(result.Status));
         WriteVector(json, "velocity", result.Velocity);
         WriteVector(json, "spin", result.Spin);
         json.WriteNumber("miss", result.Miss);
@@ -28,15 +29,6 @@ internal static class AimWriter
         json.WriteNumber("iterations", result.Iterations);
         json.WriteNumber("simulations", result.Simulations);
     });
-
-    /// <summary>The word for a status.</summary>
-    public static string Word(AimStatus status) => status switch
-    {
-        AimStatus.Hit => "hit",
-        AimStatus.OutOfReach => "outOfReach",
-        AimStatus.NotConverged => "notConverged",
-        _ => "degenerate",
-    };
 
     private static void WriteVector(Utf8JsonWriter json, string name, in Vector3d vector)
     {

@@ -1,73 +1,102 @@
 using System.CommandLine;
 using System.Globalization;
 using Football.Physics.Headless.Input;
-using Football.Physics.Headless.Json;
-using Football.Physics.Headless.Schema;
 using Football.Physics.Headless.Simulate;
 
 namespace Football.Physics.Headless.Commands;
 
 /// <summary>Reads one scenario or a batch of them, has each answered, and writes the answers.</summary>
-/// <param name="fields">The fields that a scenario may have.</param>
-/// <param name="answer">Checks a scenario and makes its result line; throws <see cref="RefusedException"/> where it is not as it should be.</param>
-internal sealed class BatchRunner(FieldSet fields, Func<string?, JsonValue, ReadOnlyMemory<byte>> answer)
+/// <typeparam name="T">What becomes of a scenario.</typeparam>
+/// <param name="work">Reads a scenario and does what it asks for; throws <see cref="RefusedException"/> where it is not as it should be.</param>
+/// <param name="write">The line for it.</param>
+/// <param name="show">Shows it to a person in a terminal.</param>
+internal sealed class BatchRunner<T>(Func<InputFields, T> work, Func<string?, T, ReadOnlyMemory<byte>> write, Action<T, Terminal> show)
 {
-    /// <summary>Runs with the arguments given.</summary>
-    public int Run(BatchOptions options, ParseResult parsed, Terminal terminal)
+    private readonly Argument<string> _file = new("FILE") { Description = "The scenario, as JSON; - is the standard input." };
+
+    private readonly Option<bool> _batch = new("--batch")
     {
-        string file = parsed.GetRequiredValue(options.File);
-        FieldOverride[] overrides = parsed.GetValue(options.Set) ?? [];
-        using Stream input = file == "-" ? terminal.Input : Open(file);
+        Description = "FILE holds one object a line, a scenario or {\"name\", \"scenario\"}; the results come one a line, in the same order.",
+    };
+
+    private readonly Option<bool> _json = new("--json") { Description = "Writes JSON in a terminal too." };
+    private readonly Option<long> _jobs = Arguments.Jobs("Threads for a batch; default: one a processor.");
+    private readonly Option<FieldOverride[]> _set = Arguments.Set("solver.timeStep=0.04");
+
+    /// <summary>Makes it what a command does.</summary>
+    public Command Of(ExampleCommand command, Terminal terminal)
+    {
+        command.Add(_file);
+        command.Add(_batch);
+        command.Add(_json);
+        command.Add(_jobs);
+        command.Add(_set);
+        command.SetAction(parsed => Run(parsed, terminal));
+        return command;
+    }
+
+    private int Run(ParseResult parsed, Terminal terminal)
+    {
+        FieldOverride[] overrides = parsed.GetRequiredValue(_set);
+        using Stream input = Arguments.OpenInput(parsed.GetRequiredValue(_file), terminal);
         var reader = new LineReader(input);
-        return parsed.GetValue(options.Batch)
-            ? RunBatch(reader, overrides, parsed.GetValue(options.Jobs), terminal)
-            : RunOne(reader.ReadToEnd(), overrides, terminal);
+        return parsed.GetValue(_batch)
+            ? RunBatch(reader, input.CanSeek ? input.Length : null, overrides, (int)parsed.GetValue(_jobs), terminal)
+            : RunOne(reader.ReadToEnd(), overrides, terminal, parsed.GetValue(_json) || terminal.OutputRedirected);
     }
 
-    private static FileStream Open(string file)
+    private int RunOne(InputLine text, FieldOverride[] overrides, Terminal terminal, bool json)
     {
-        try
-        {
-            return File.OpenRead(file);
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
-        {
-            throw new RefusedException("FILE", $"{Quote.Short(file)}, which cannot be read", "a file that can be read, or - for the standard input");
-        }
-    }
-
-    private int RunOne(InputLine text, FieldOverride[] overrides, Terminal terminal)
-    {
-        Answer answered = AnswerTo(text, overrides);
+        T? done = default;
+        Answer answered = AnswerTo(text, overrides, result => done = result);
         if (answered.Refusal is not null)
         {
             terminal.Error.WriteLine($"football: {answered.Refusal}");
             return ExitCode.Refused;
         }
 
-        Write(terminal, answered);
+        if (json)
+        {
+            terminal.Output.Write(answered.Line.Span);
+        }
+        else
+        {
+            show(done!, terminal);
+        }
+
         return ExitCode.Done;
     }
 
-    private int RunBatch(LineReader reader, FieldOverride[] overrides, int jobs, Terminal terminal)
+    private int RunBatch(LineReader reader, long? length, FieldOverride[] overrides, int jobs, Terminal terminal)
     {
         long done = 0;
         long refused = 0;
-        using (var progress = new Progress(terminal))
-        {
-            var pipeline = new BatchPipeline(jobs, line => AnswerTo(line, overrides));
-            pipeline.RunAsync(
-                reader,
-                answered =>
+        Progress.Show(
+            terminal,
+            "batch",
+            progress =>
+            {
+                void Write(Answer answered)
                 {
                     done++;
                     refused += answered.Refusal is null ? 0 : 1;
-                    Write(terminal, answered);
-                    progress.Report(() => string.Create(CultureInfo.InvariantCulture, $"{done} done, {refused} refused"));
-                },
-                CancellationToken.None).GetAwaiter().GetResult();
-        }
+                    terminal.Output.Write(answered.Line.Span);
+                    terminal.Output.Flush();
+                    string What() => string.Create(CultureInfo.InvariantCulture, $"{done} done, {refused} refused");
+                    if (length is { } bytes)
+                    {
+                        progress.Report(reader.BytesRead, bytes, What);
+                    }
+                    else
+                    {
+                        progress.Report(What);
+                    }
+                }
 
+                BatchPipeline.RunAsync(reader, jobs, line => AnswerTo(line, overrides), Write).GetAwaiter().GetResult();
+                return done;
+            },
+            writes: true);
         if (refused == 0)
         {
             return ExitCode.Done;
@@ -77,29 +106,30 @@ internal sealed class BatchRunner(FieldSet fields, Func<string?, JsonValue, Read
         return ExitCode.Refused;
     }
 
-    private static void Write(Terminal terminal, Answer answered)
+    private Answer AnswerTo(InputLine line, FieldOverride[] overrides, Action<T>? result = null)
     {
-        terminal.Output.Write(answered.Line.Span);
-        terminal.Output.Flush();
-    }
-
-    private Answer AnswerTo(InputLine line, FieldOverride[] overrides)
-    {
-        var input = InputCase.Read(line.Text, line.Length, fields, overrides);
+        InputCase input = InputCase.Read(line, overrides);
+        string message;
         try
         {
-            return new Answer(answer(input.Name, input.Scenario ?? throw input.Refusal!), null);
+            T done = work(input.Scenario ?? throw input.Refusal!);
+            result?.Invoke(done);
+            return new Answer(write(input.Name, done), null);
         }
         catch (RefusedException refusal)
         {
-            return Refuse(input.Name, refusal.Message);
+            message = refusal.Message;
+        }
+        catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, input.Scenario!) is { } said)
+        {
+            message = said.Message;
         }
         catch (Exception e)
         {
             // A fault of this program, not of the input: the other lines of a batch must come out all the same.
-            return Refuse(input.Name, $"internal error, {e.GetType().Name}: {Quote.Short(e.Message)}");
+            message = $"internal error, {e.GetType().Name}: {Quote.Short(e.Message)}";
         }
-    }
 
-    private static Answer Refuse(string? name, string message) => new(ResultWriter.Error(name, message), message);
+        return new Answer(ResultWriter.Error(input.Name, message), message);
+    }
 }

@@ -10,4 +10,7 @@ internal static class ExitCode
 
     /// <summary>Wrong usage.</summary>
     public const int Usage = 2;
+
+    /// <summary>Whoever read the output closed it: what a program that SIGPIPE (13) ends is reported with.</summary>
+    public const int OutputClosed = 128 + 13;
 }

@@ -1,8 +1,6 @@
 using System.CommandLine;
-using System.Globalization;
-using System.Text;
-using System.Xml.Linq;
 using Football.Physics.Headless.Gallery;
+using Football.Physics.Headless.Input;
 using Football.Physics.Headless.Simulate;
 
 namespace Football.Physics.Headless.Commands;
@@ -20,8 +18,10 @@ internal static class GalleryCommand
             Description = "Where the drawings go.",
             DefaultValueFactory = _ => DefaultFolder,
         };
-        var command = new Command(
-            "gallery", "Plays a gallery of shots to rest, tells what they did, and draws them; with the output redirected the figures go there as JSON.")
+        var command = new ExampleCommand(
+            "gallery",
+            "Plays a gallery of shots to rest, tells what they did, and draws them; with the output redirected the figures go there as JSON.",
+            "football gallery --out pictures")
         {
             folder,
         };
@@ -32,27 +32,25 @@ internal static class GalleryCommand
     /// <summary>Plays and draws all shots into a folder.</summary>
     public static int Run(string folder, Terminal terminal)
     {
-        string full = Directory.CreateDirectory(folder).FullName;
+        string full = Create(folder);
         IReadOnlyList<GalleryShot> shots = GalleryShots.All;
-        var table = new FigureTable(shots.Select(shot => shot.Name));
-        terminal.Person.WriteLine(table.Header);
-        var shown = new List<ShownShot>();
-        using (var progress = new Progress(terminal))
+        string[] names = [.. shots.Select(shot => shot.Id + ".svg"), "index.html"];
+        OutputFile[] files = [.. names.Select(name => OutputFile.Open("--out", Path.Combine(full, name))!)];
+        ShownShot[] shown = Progress.Show(terminal, "shots", progress => shots.Select((shot, i) =>
         {
-            foreach (GalleryShot shot in shots)
-            {
-                progress.Report(() => string.Create(CultureInfo.InvariantCulture, $"shot {shown.Count + 1} of {shots.Count}: {shot.Name}"));
-                var made = ShownShot.Make(shot);
-                shown.Add(made);
-                Save(Path.Combine(full, shot.Id + ".svg"), made.Drawing.ToString(SaveOptions.DisableFormatting) + "\n");
-                progress.Clear();
-                terminal.Person.WriteLine(table.Line(shot.Name, made.Figures.Texts));
-            }
+            progress.Report(i, shots.Count, () => shot.Name);
+            var made = ShownShot.Make(shot);
+            files[i].Write(made.Drawing);
+            return made;
+        }).ToArray());
+        files[^1].Write(ContactSheet.Html(shown));
+        foreach (OutputFile file in files)
+        {
+            file.Dispose();
         }
 
-        string sheet = Path.Combine(full, "index.html");
-        Save(sheet, ContactSheet.Html(shown));
-        terminal.Person.WriteLine($"Drawings: {sheet}");
+        terminal.PersonConsole.Write(ShotReport.Figures([.. shown.Select(made => ((string?)made.Shot.Name, made.Figures))]));
+        terminal.Person.WriteLine($"Drawings: {files[^1].Path}");
         if (terminal.OutputRedirected)
         {
             foreach (ShownShot made in shown)
@@ -64,7 +62,17 @@ internal static class GalleryCommand
         return ExitCode.Done;
     }
 
-    private static void Save(string file, string text) => File.WriteAllText(file, text, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false));
+    private static string Create(string folder)
+    {
+        try
+        {
+            return Directory.CreateDirectory(folder).FullName;
+        }
+        catch (Exception e) when (OutputFile.IsFileFault(e))
+        {
+            throw new RefusedException("--out", $"{Quote.File(folder)}, which cannot be made", "a folder that can be written");
+        }
+    }
 
     private static ReadOnlyMemory<byte> Line(ShownShot shown) => ResultWriter.Line(json =>
     {

@@ -6,7 +6,11 @@ namespace Football.Physics.Headless.Commands;
 /// <summary>football lab: the thesis' experiments.</summary>
 internal static class LabCommand
 {
-    public static Command Create(Terminal terminal) => new("lab", "Experiments, the thesis' own and more: accuracy, run time against error, stability under stress, aiming.")
+    public static Command Create(Terminal terminal) => new ExampleCommand(
+        "lab",
+        "Experiments, the thesis' own and more: accuracy, run time against error, stability under stress, aiming.",
+        "football lab",
+        "football lab vacuum --seed 7 --csv vacuum.csv --plot vacuum.svg")
     {
         VacuumLab.Create(terminal),
         ConsistencyLab.Create(terminal),

@@ -10,7 +10,7 @@ internal sealed class Flight
         Outcome = ScenarioRun.Play(scenario with { Samples = true });
         Start = Outcome.Samples![0].Position;
         Events = Outcome.Events;
-        Legs = [.. Split(Outcome)];
+        Legs = [.. LegsOf(Outcome)];
     }
 
     public Outcome Outcome { get; }
@@ -32,7 +32,8 @@ internal sealed class Flight
         }
     }
 
-    private static IEnumerable<(MotionState Motion, IReadOnlyList<Vector3d> Points)> Split(Outcome outcome)
+    /// <summary>The legs of a shot whose path was kept.</summary>
+    public static IEnumerable<(MotionState Motion, IReadOnlyList<Vector3d> Points)> LegsOf(Outcome outcome)
     {
         // Steps end between the events, so the events' own places make the corners sharp.
         IReadOnlyList<Moment> samples = outcome.Samples!;

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Football.Physics.Headless.Simulate;
 
 namespace Football.Physics.Headless.Gallery;
 
@@ -24,35 +25,25 @@ internal sealed record ShotFigures(
         Bounces.ToString(CultureInfo.InvariantCulture), Text(RestTime, "0.0"), Text(Distance, "0.00"),
     ];
 
-    public static ShotFigures Of(Flight flight)
+    /// <summary>The figures of a shot whose path was kept.</summary>
+    public static ShotFigures Of(Outcome outcome)
     {
-        BallEvent? touchdown = First(flight, BallEventKind.Impact);
-        BallEvent? rest = First(flight, BallEventKind.Rest);
-        Vector3d? way = touchdown?.Position - flight.Start;
-        Vector3d direction = flight.Outcome.Samples![0].Velocity.Horizontal;
+        BallEvent? touchdown = First(outcome, BallEventKind.Impact);
+        Moment launch = outcome.Samples![0];
+        Vector3d? way = touchdown?.Position - launch.Position;
+        Vector3d direction = launch.Velocity.Horizontal;
         double speed = direction.Length;
         return new ShotFigures(
             way?.Horizontal.Length,
-            flight.Outcome.Apex,
+            outcome.Apex,
             touchdown?.Time,
             way is null ? null : speed > 0 ? Vector3d.Dot(way.Value, Vector3d.Cross(Vector3d.Up, direction)) / speed : 0,
-            flight.Outcome.Bounces,
-            rest?.Time,
-            (flight.Outcome.Final.Position - flight.Start).Horizontal.Length);
+            outcome.Bounces,
+            First(outcome, BallEventKind.Rest)?.Time,
+            (outcome.Final.Position - launch.Position).Horizontal.Length);
     }
 
-    private static BallEvent? First(Flight flight, BallEventKind kind)
-    {
-        foreach (BallEvent item in flight.Events)
-        {
-            if (item.Kind == kind)
-            {
-                return item;
-            }
-        }
-
-        return null;
-    }
+    private static BallEvent? First(Outcome outcome, BallEventKind kind) => outcome.Events.Where(item => item.Kind == kind).Cast<BallEvent?>().FirstOrDefault();
 
     private static string Text(double? value, string format) => value is null ? "–" : value.Value.ToString(format, CultureInfo.InvariantCulture);
 }

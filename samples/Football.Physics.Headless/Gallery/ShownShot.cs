@@ -16,6 +16,6 @@ internal sealed record ShownShot(GalleryShot Shot, ShotFigures Figures, string R
             remark += FormattableString.Invariant($" It rests beyond the drawing, {end:0} m along.");
         }
 
-        return new ShownShot(shot, ShotFigures.Of(flight), remark, ShotDrawing.Draw(shot, flight, comparison));
+        return new ShownShot(shot, ShotFigures.Of(flight.Outcome), remark, ShotDrawing.Draw(shot, flight, comparison));
     }
 }

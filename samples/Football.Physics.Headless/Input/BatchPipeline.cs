@@ -1,80 +1,52 @@
-using System.Threading.Channels;
+using System.Threading.Tasks.Dataflow;
 
 namespace Football.Physics.Headless.Input;
 
 /// <summary>Answers lines on several threads, in input order, without holding more than a few of them.</summary>
-internal sealed class BatchPipeline(int jobs, Func<InputLine, Answer> answer)
+internal static class BatchPipeline
 {
     /// <summary>Answers that may wait for one before them, per job.</summary>
     private const int Ahead = 16;
 
     /// <summary>Answers every line that is not blank.</summary>
     /// <param name="input">Where lines come from.</param>
+    /// <param name="jobs">How many lines are answered at a time.</param>
+    /// <param name="answer">Answers a line; throws nothing.</param>
     /// <param name="onAnswer">Called with each answer, in input order, from one thread at a time.</param>
-    /// <param name="cancel">Ends early.</param>
-    public async Task RunAsync(LineReader input, Action<Answer> onAnswer, CancellationToken cancel)
+    public static async Task RunAsync(LineReader input, int jobs, Func<InputLine, Answer> answer, Action<Answer> onAnswer)
     {
-        using var stop = CancellationTokenSource.CreateLinkedTokenSource(cancel);
-        Channel<Task<Answer>> order = Channel.CreateBounded<Task<Answer>>(jobs * Ahead);
-        Task reading = Task.Run(() => ReadAsync(input, order.Writer, stop.Token), CancellationToken.None);
+        var work = new TransformBlock<InputLine, Answer>(
+            answer, new ExecutionDataflowBlockOptions { MaxDegreeOfParallelism = jobs, BoundedCapacity = jobs * Ahead, SingleProducerConstrained = true });
+        Task reading = Task.Run(() => ReadAsync(input, work));
         try
         {
-            await foreach (Task<Answer> next in order.Reader.ReadAllAsync(stop.Token).ConfigureAwait(false))
+            await foreach (Answer next in work.ReceiveAllAsync().ConfigureAwait(false))
             {
-                onAnswer(await next.ConfigureAwait(false));
+                onAnswer(next);
             }
         }
         finally
         {
-            await stop.CancelAsync().ConfigureAwait(false);
+            // Nobody wants more, where writing failed: the reader's next line is declined.
+            work.Complete();
         }
 
+        await work.Completion.ConfigureAwait(false);
         await reading.ConfigureAwait(false);
     }
 
-    /// <summary>Of a line that was cut nobody knows what came later.</summary>
-    private static bool IsBlank(InputLine line) => line.Length == line.Text.Length && line.Text.AsSpan().IndexOfAnyExcept(" \t\r"u8) < 0;
-
-    private async Task ReadAsync(LineReader input, ChannelWriter<Task<Answer>> order, CancellationToken cancel)
+    /// <summary>What fails here is told only after all that was read before it has been answered.</summary>
+    private static async Task ReadAsync(LineReader input, TransformBlock<InputLine, Answer> work)
     {
-        using var free = new SemaphoreSlim(jobs);
-        var running = new List<Task>();
-        Exception? failure = null;
         try
         {
-            while (input.ReadLine() is { } line)
+            while (input.ReadLine() is { } line && (line.IsBlank || await work.SendAsync(line).ConfigureAwait(false)))
             {
-                if (IsBlank(line))
-                {
-                    continue;
-                }
-
-                await free.WaitAsync(cancel).ConfigureAwait(false);
-                Task<Answer> task = Task.Run(() => AnswerOne(line, free), CancellationToken.None);
-                running.RemoveAll(done => done.IsCompleted);
-                running.Add(task);
-                await order.WriteAsync(task, cancel).ConfigureAwait(false);
             }
-        }
-        catch (Exception e) when (e is IOException or OperationCanceledException)
-        {
-            failure = e;
-        }
-
-        // The semaphore must outlive those that release it.
-        await Task.WhenAll(running).ConfigureAwait(false);
-        order.Complete(failure);
-    }
-
-    private Answer AnswerOne(InputLine line, SemaphoreSlim free)
-    {
-        try
-        {
-            return answer(line);
         }
         finally
         {
-            free.Release();
+            work.Complete();
         }
     }
 }

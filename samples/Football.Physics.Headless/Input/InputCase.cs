@@ -1,123 +1,68 @@
 using System.Globalization;
-using Football.Physics.Headless.Json;
-using Football.Physics.Headless.Schema;
+using System.Text.Json;
 
 namespace Football.Physics.Headless.Input;
 
 /// <summary>One object of the input, bare or as {"name", "scenario"}, with its overrides; its fields are not yet checked.</summary>
-internal sealed class InputCase
+/// <param name="Name">The name, where there is one; a refused input may have one too.</param>
+/// <param name="Scenario">The scenario's fields; null where the input was refused.</param>
+/// <param name="Refusal">Why there is no scenario.</param>
+internal sealed record InputCase(string? Name, InputFields? Scenario, RefusedException? Refusal)
 {
-    /// <summary>Bytes that one object may have: far more than a scenario can need, far less than would hurt.</summary>
-    public const int LongestInput = 1 << 20;
-
     private const string ScenarioMember = "scenario";
     private const string NameMember = "name";
 
-    private InputCase(string? name, JsonValue? scenario, RefusedException? refusal)
-    {
-        Name = name;
-        Scenario = scenario;
-        Refusal = refusal;
-    }
-
-    /// <summary>The name, where there is one; a refused input may have one too.</summary>
-    public string? Name { get; }
-
-    /// <summary>The scenario; null where the input was refused.</summary>
-    public JsonValue? Scenario { get; }
-
-    /// <summary>Why there is no scenario.</summary>
-    public RefusedException? Refusal { get; }
-
     /// <summary>Reads the object.</summary>
-    /// <param name="text">Its text, at most its first <see cref="LongestInput"/> bytes.</param>
-    /// <param name="length">How long it was.</param>
-    /// <param name="fields">The fields it may have, for messages.</param>
+    /// <param name="line">Its text.</param>
     /// <param name="overrides">Values to put in before anything is checked.</param>
-    public static InputCase Read(ReadOnlySpan<byte> text, long length, FieldSet fields, IReadOnlyList<FieldOverride> overrides)
+    public static InputCase Read(InputLine line, IReadOnlyList<FieldOverride> overrides)
     {
-        JsonValue root;
+        JsonFault? fault = JsonText.Parse(line.Text, out JsonElement root);
+        string? name = fault is null ? NameOf(root) : fault.Name;
         try
         {
-            root = JsonLoader.Load(text);
-        }
-        catch (JsonFaultException fault)
-        {
-            return new InputCase(NameOf(fault.Root), null, length > text.Length ? TooLong(length) : Explain(fault, fields));
-        }
-
-        if (length > text.Length)
-        {
-            return new InputCase(NameOf(root), null, TooLong(length));
-        }
-
-        try
-        {
-            (string? name, JsonValue scenario) = Unwrap(root, fields);
-            foreach (FieldOverride item in overrides)
+            if (line.IsCut)
             {
-                item.Apply(scenario);
+                throw new RefusedException(
+                    "the input", "too long", string.Create(CultureInfo.InvariantCulture, $"at most {LineReader.LongestInput} bytes an object"));
             }
 
-            return new InputCase(name, scenario, null);
+            return fault is null
+                ? new InputCase(name, new InputFields(FieldOverride.Apply(Unwrapped(root), overrides)), null)
+                : throw new RefusedException(FieldOf(fault), fault.Value, fault.Expected);
         }
         catch (RefusedException refusal)
         {
-            return new InputCase(NameOf(root), null, refusal);
+            return new InputCase(name, null, refusal);
         }
     }
 
-    private static (string? Name, JsonValue Scenario) Unwrap(JsonValue root, FieldSet fields)
-    {
-        if (root.Kind != JsonKind.Object)
-        {
-            throw new RefusedException("the input", root.ToString(), "an object: a scenario, or {\"name\", \"scenario\"}");
-        }
-
-        bool named = root.Find(NameMember) is not null;
-        bool bare = root.Find(ScenarioMember) is null && !(named && !root.Members.Exists(member => fields.HasRootMember(member.Name)));
-        if (bare)
-        {
-            return (null, root);
-        }
-
-        foreach (string once in (string[])[NameMember, ScenarioMember])
-        {
-            if (root.Members.Count(member => member.Name == once) > 1)
-            {
-                throw new RefusedException(once, "given twice", "once");
-            }
-        }
-
-        JsonValue? name = root.Find(NameMember);
-        if (name is not null && name.Kind is not (JsonKind.String or JsonKind.Null))
-        {
-            throw new RefusedException(NameMember, name.ToString(), "a string");
-        }
-
-        JsonValue scenario = root.Find(ScenarioMember) ?? throw new RefusedException(ScenarioMember, "missing", "an object beside \"name\"");
-        return (NameOf(root), scenario);
-    }
-
-    private static string? NameOf(JsonValue? root) => root?.Find(NameMember) is { Kind: JsonKind.String } name ? name.Text : null;
-
-    private static RefusedException TooLong(long length) => new(
-        "the input", string.Create(CultureInfo.InvariantCulture, $"{length} bytes long"), string.Create(CultureInfo.InvariantCulture, $"at most {LongestInput} bytes an object"));
-
-    private static RefusedException Explain(JsonFaultException fault, FieldSet fields)
+    private static string FieldOf(JsonFault fault)
     {
         string path = fault.Path.StartsWith(ScenarioMember + ".", StringComparison.Ordinal) ? fault.Path[(ScenarioMember.Length + 1)..] : fault.Path;
-        string field = path.Length > 0 ? path : "the input";
-        string allowed = path.Length > 0 ? fields.Allowed(path) ?? "JSON" : $"a JSON object {fields.Allowed(path)}";
-        string at = fault.Position.ToString(CultureInfo.InvariantCulture);
-        return fault.Fault switch
+        return path.Length > 0 ? path : "the input";
+    }
+
+    private static string? NameOf(JsonElement root) =>
+        root.ValueKind == JsonValueKind.Object && root.TryGetProperty(NameMember, out JsonElement name) && name.ValueKind == JsonValueKind.String
+            ? name.GetString()
+            : null;
+
+    private static JsonElement Unwrapped(JsonElement root)
+    {
+        if (root.ValueKind != JsonValueKind.Object)
         {
-            JsonFault.Empty => new RefusedException("the input", "empty", "a JSON object"),
-            JsonFault.CutOff => new RefusedException(field, $"cut off: the JSON ends too early, after byte {fault.Position - 1}", allowed),
-            JsonFault.NotFinite => new RefusedException(field, fault.Token, allowed),
-            JsonFault.MoreFollows => new RefusedException("the input", $"more than one value ({fault.Token} at byte {at})", "one JSON object; one a line with --batch"),
-            JsonFault.TooDeep => new RefusedException(field, $"nested too deep (byte {at})", allowed),
-            _ => new RefusedException(field, $"not JSON at byte {at} ({fault.Token})", allowed),
-        };
+            throw new RefusedException("the input", Quote.Short(root.GetRawText()), "an object: a scenario, or {\"name\", \"scenario\"}");
+        }
+
+        bool named = root.TryGetProperty(NameMember, out JsonElement name);
+        if (root.TryGetProperty(ScenarioMember, out JsonElement scenario))
+        {
+            return !named || name.ValueKind is JsonValueKind.String or JsonValueKind.Null
+                ? scenario
+                : throw new RefusedException(NameMember, Quote.Short(name.GetRawText()), "a string");
+        }
+
+        return named ? throw new RefusedException(ScenarioMember, "missing", "an object beside \"name\"") : root;
     }
 }

@@ -1,4 +1,8 @@
 namespace Football.Physics.Headless.Input;
 
-/// <summary>A line of the input: its text, cut where it gets too long, and its true length in bytes.</summary>
-internal readonly record struct InputLine(byte[] Text, long Length);
+/// <summary>A line of the input: its text, and whether that was cut because it got too long.</summary>
+internal readonly record struct InputLine(byte[] Text, bool IsCut)
+{
+    /// <summary>Whether there is nothing in it; of a line that was cut nobody knows what came later.</summary>
+    public bool IsBlank => !IsCut && Text.AsSpan().IndexOfAnyExcept(" \t\r"u8) < 0;
+}

@@ -1,7 +1,7 @@
 using System.CommandLine;
-using System.Globalization;
-using System.Text;
 using Football.Physics.Headless.Commands;
+using Football.Physics.Headless.Drawing;
+using Football.Physics.Headless.Input;
 
 namespace Football.Physics.Headless.Lab;
 
@@ -13,62 +13,80 @@ internal static class AimLab
 
     public static Command Create(Terminal terminal)
     {
-        var seed = new Option<int>("--seed") { HelpName = "N", Description = "Seed of everything random; default 1.", DefaultValueFactory = _ => 1 };
-        var json = new Option<string?>("--json") { HelpName = "FILE", Description = "Writes the tables as JSON." };
-        var csv = new Option<string?>("--csv") { HelpName = "FILE", Description = "Writes every kick as a line." };
-        var plot = new Option<string?>("--plot") { HelpName = "FILE", Description = PlotFile.Help };
-        var quick = new Option<bool>("--quick") { Description = "Fewer kicks of everything." };
-        var full = new Option<bool>("--full") { Description = "Holds every one of the 10 000 random requests that was not hit against the dense scan, not one in four." };
-        var command = new Command("aim", "The predictors: 4.1.3, 4.2.3, 4.3.2, and 10 000 random requests against a dense scan.") { seed, json, csv, plot, quick, full };
-        command.SetAction(parsed =>
+        Option<bool> quick = LabOptions.Quick();
+        var full = new Option<bool>("--full")
         {
-            PlotFile? picture = parsed.GetValue(plot) is { } file ? PlotFile.For(file) : null;
-            AimReport report = Run(parsed.GetValue(seed), parsed.GetValue(quick), parsed.GetValue(full), terminal);
-            report.Print(terminal.Person);
-            Save(parsed.GetValue(json), () => Encoding.UTF8.GetString(report.Json().Span));
-            Save(parsed.GetValue(csv), report.Csv);
-            picture?.Write(report.Plot());
-            if (terminal.OutputRedirected)
-            {
-                terminal.Output.Write(report.Json().Span);
-            }
-
-            return report.Reached ? ExitCode.Done : ExitCode.Refused;
-        });
-        return command;
+            Description = "Holds every one of the 10 000 random requests that was not hit against the dense scan, not one in four.",
+        };
+        return LabOptions.Create(
+            "aim",
+            "The predictors: 4.1.3, 4.2.3, 4.3.2, and 10 000 random requests against a dense scan. The CSV has every kick.",
+            ["football lab aim --quick --csv kicks.csv"],
+            terminal,
+            (parsed, seed, progress) => Run(unchecked((int)seed), parsed.GetValue(quick), parsed.GetValue(full), progress),
+            quick,
+            full);
     }
 
-    private static AimReport Run(int seed, bool quick, bool full, Terminal terminal)
+    private static LabReport Run(int seed, bool quick, bool full, Progress progress)
     {
-        using var progress = new Progress(terminal);
         var experiments = new AimExperiments(seed, quick);
         var sections = new List<AimSection>();
-        void Add(string name, Func<AimSection> make)
+        foreach ((string name, Func<IEnumerable<AimSection>> make) in new (string, Func<IEnumerable<AimSection>>)[]
+        {
+            ("4.1.3, Method A", () => [experiments.MethodA()]),
+            ("4.1.3, high elevations", () => [experiments.HighElevations()]),
+            ("4.1.3, the studio's setting", () => [experiments.Studio()]),
+            ("4.2.3, Method B", () => [experiments.MethodB()]),
+            ("4.3.2, two points", experiments.TwoPoints),
+            ("two points, out of reach", () => [experiments.Targets()]),
+        })
         {
             progress.Report(() => name);
-            sections.Add(make());
+            sections.AddRange(make());
         }
 
-        Add("4.1.3, Method A", experiments.MethodA);
-        Add("4.1.3, high elevations", experiments.HighElevations);
-        Add("4.1.3, the studio's setting", experiments.Studio);
-        Add("4.2.3, Method B", experiments.MethodB);
-        progress.Report(() => "4.3.2, two points");
-        sections.AddRange(experiments.TwoPoints());
-        Add("two points, out of reach", experiments.Targets);
-        AimVerdicts verdicts = AimVerdicts.Of(
-            seed,
-            quick ? Requests / 10 : Requests,
-            full ? 1 : ScanEvery,
-            done => progress.Report(() => string.Create(CultureInfo.InvariantCulture, $"{done} random requests")));
-        return new AimReport(seed, sections, verdicts);
+        int count = quick ? Requests / 20 : Requests;
+        var verdicts = AimVerdicts.Of(seed, count, full ? 1 : ScanEvery, done => progress.Report(done, count, () => "random requests"));
+        return Report(seed, sections, verdicts);
     }
 
-    private static void Save(string? file, Func<string> text)
+    private static LabReport Report(int seed, List<AimSection> sections, AimVerdicts verdicts)
     {
-        if (file is not null)
+        var report = new LabReport
         {
-            File.WriteAllText(file, text(), new UTF8Encoding(encoderShouldEmitUTF8Identifier: false));
+            Name = "aim",
+            Seed = seed,
+            Failed = !verdicts.Hold || sections.Any(section => section.Rows.Any(row => row.Reach is { Reached: false })),
+            Rows = new LabTable(
+                "kick",
+                "section", "method", "distance", "speed", "status", "miss", "throughMiss", "elevation", "top", "side", "iterations", "simulations", "microseconds"),
+            Picture = () => Figure.Stack(
+                "Aiming", [.. sections.Where(section => section.Charts.Count > 0).Select(section => Figure.Stack(section.Title, section.Charts))]),
+        };
+        foreach (AimSection section in sections)
+        {
+            var table = new LabTable(section.Title, AimRow.Columns);
+            report.Tables.Add(table);
+            foreach (AimRow row in section.Rows)
+            {
+                table.Add(row.Cells);
+                foreach (AimShot shot in row.Shots)
+                {
+                    report.Rows.Add(
+                        section.Title, row.Name, shot.Distance, shot.Request.Speed, Words.Of(shot.Result.Status), shot.Miss, shot.Result.ThroughMiss,
+                        shot.Elevation, shot.TopSpin, shot.SideSpin, shot.Result.Iterations, shot.Result.Simulations, shot.Microseconds);
+                }
+            }
+
+            if (section.Remark.Length > 0)
+            {
+                report.Notes.Add($"{section.Title}: {section.Remark}");
+            }
         }
+
+        report.Tables.Add(verdicts.Table());
+        report.Notes.AddRange(verdicts.Examples);
+        return report;
     }
 }

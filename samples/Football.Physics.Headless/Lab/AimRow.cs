@@ -1,6 +1,3 @@
-using System.Globalization;
-using System.Text.Json;
-
 namespace Football.Physics.Headless.Lab;
 
 /// <summary>A line of a table: what a method did with a set of requests.</summary>
@@ -13,13 +10,13 @@ internal sealed class AimRow
         Hits = shots.Count(shot => shot.Miss <= shot.Request.Tolerance);
         OutOfReach = shots.Count(shot => shot.Result.Status == AimStatus.OutOfReach);
         IReadOnlyList<AimShot> counted = Hits > 0 ? [.. shots.Where(shot => shot.Result.Status != AimStatus.OutOfReach)] : shots;
-        Miss = Spread.Of(counted.Select(shot => shot.Miss));
+        Miss = new Spread(counted.Select(shot => shot.Miss));
         ThroughMiss = shots.Any(shot => shot.Result.ThroughMiss is not null && shot.Request.Through is not null)
-            ? Spread.Of(counted.Select(shot => shot.Result.ThroughMiss ?? 0))
+            ? new Spread(counted.Select(shot => shot.Result.ThroughMiss ?? 0))
             : null;
-        Iterations = Spread.Of(shots.Select(shot => (double)shot.Result.Iterations));
-        Simulations = Spread.Of(shots.Select(shot => (double)shot.Result.Simulations));
-        Microseconds = Spread.Of(shots.Select(shot => shot.Microseconds));
+        Iterations = new Spread(shots.Select(shot => (double)shot.Result.Iterations));
+        Simulations = new Spread(shots.Select(shot => (double)shot.Result.Simulations));
+        Microseconds = new Spread(shots.Select(shot => shot.Microseconds));
     }
 
     public string Name { get; }
@@ -48,40 +45,16 @@ internal sealed class AimRow
     /// <summary>What was to be reached, and whether it was; null where nothing was.</summary>
     public (string Text, bool Reached)? Reach { get; init; }
 
-    public static IReadOnlyList<string> Columns { get; } =
-        ["", "kicks", "hit", "out of reach", "miss mm: mean", "p95", "worst", "point mm: mean", "worst", "iterations", "most", "simulations", "median µs", "mean", "thesis", "to reach"];
-
-    public IReadOnlyList<string> Cells =>
+    public static string[] Columns { get; } =
     [
-        Name, Text(Shots.Count, "0"), Text(Hits, "0"), Text(OutOfReach, "0"),
-        Text(1e3 * Miss.Mean, "0.000"), Text(1e3 * Miss.P95, "0.000"), Text(1e3 * Miss.Worst, "0.000"),
-        ThroughMiss is null ? "" : Text(1e3 * ThroughMiss.Mean, "0.00"), ThroughMiss is null ? "" : Text(1e3 * ThroughMiss.Worst, "0.00"),
-        Text(Iterations.Mean, "0.0"), Text(Iterations.Worst, "0"), Text(Simulations.Mean, "0.00"),
-        Text(Microseconds.Median, "0.0"), Text(Microseconds.Mean, "0.0"), Thesis,
-        Reach is { } reach ? reach.Text + (reach.Reached ? ": yes" : ": NO") : "",
+        "method", "kicks", "hit", "out of reach", "miss mm: mean", "miss: p95", "miss: worst", "point mm: mean", "point: worst",
+        "iterations", "most", "simulations", "median µs", "mean µs", "thesis", "to reach",
     ];
 
-    public void Write(Utf8JsonWriter json)
-    {
-        json.WriteStartObject();
-        json.WriteString("name", Name);
-        json.WriteNumber("kicks", Shots.Count);
-        json.WriteNumber("hits", Hits);
-        json.WriteNumber("outOfReach", OutOfReach);
-        Miss.Write(json, "miss");
-        ThroughMiss?.Write(json, "throughMiss");
-        Iterations.Write(json, "iterations");
-        Simulations.Write(json, "simulations");
-        Microseconds.Write(json, "microseconds");
-        json.WriteString("thesis", Thesis);
-        if (Reach is { } reach)
-        {
-            json.WriteString("reach", reach.Text);
-            json.WriteBoolean("reached", reach.Reached);
-        }
-
-        json.WriteEndObject();
-    }
-
-    private static string Text(double value, string format) => value.ToString(format, CultureInfo.InvariantCulture);
+    public object?[] Cells =>
+    [
+        Name, Shots.Count, Hits, OutOfReach, 1e3 * Miss.Mean, 1e3 * Miss.P95, 1e3 * Miss.Worst, 1e3 * ThroughMiss?.Mean, 1e3 * ThroughMiss?.Worst,
+        Iterations.Mean, (int)Iterations.Worst, Simulations.Mean, Microseconds.Median, Microseconds.Mean,
+        Thesis, Reach is { } reach ? reach.Text + (reach.Reached ? ": yes" : ": NO") : "",
+    ];
 }

@@ -38,6 +38,9 @@ internal sealed class AimVerdicts
     /// <summary>The first few that are wrong, or not the closest.</summary>
     public IEnumerable<string> Examples => _examples.Order(StringComparer.Ordinal).Take(5);
 
+    /// <summary>Whether the scan contradicts no verdict, and every request has one.</summary>
+    public bool Hold => Wrong == 0 && NotClosest == 0 && WithoutAnswer == 0 && NotConverged == 0;
+
     /// <summary>Answers all requests, on all processors.</summary>
     /// <param name="seed">Seed of the requests.</param>
     /// <param name="count">How many.</param>
@@ -49,6 +52,19 @@ internal sealed class AimVerdicts
         int perScene = (count + AimAnything.Scenes - 1) / AimAnything.Scenes;
         Parallel.For(0, AimAnything.Scenes, index => verdicts.Run(seed, index, Math.Min(perScene, count - (index * perScene)), scanEvery, report));
         return verdicts;
+    }
+
+    /// <summary>All of it in a row.</summary>
+    public LabTable Table()
+    {
+        var table = new LabTable(
+            "Random requests (5 to 40 m/s, spins, winds, laws, 1 to 70 m, heights, elevation bounds; 1 mm), direct, held against a dense scan",
+            "requests", "hit", "out of reach", "not converged", "without an answer", "worst hit, mm", "simulations: hit", "simulations: others", "scanned", "can be hit", "can be closer");
+        int others = Requests - Hits;
+        table.Add(
+            Requests, Hits, OutOfReach, NotConverged, WithoutAnswer, 1e3 * WorstHit, Hits > 0 ? (double)HitSimulations / Hits : null,
+            others > 0 ? (double)OtherSimulations / others : null, Scanned, Wrong, NotClosest);
+        return table;
     }
 
     private void Run(int seed, int index, int count, int scanEvery, Action<int> report)

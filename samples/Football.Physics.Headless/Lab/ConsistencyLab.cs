@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.Xml.Linq;
 using Football.Physics.Headless.Commands;
 using Football.Physics.Headless.Drawing;
+using Football.Physics.Yardsticks;
 
 namespace Football.Physics.Headless.Lab;
 
@@ -15,6 +16,7 @@ internal static class ConsistencyLab
     public static Command Create(Terminal terminal) => LabOptions.Create(
         "consistency",
         "Test 3.4.2: 250 shots with all forces, each with three steps: how far apart they land.",
+        ["football lab consistency --seed 3 --json consistency.json"],
         terminal,
         (_, seed, progress) => Run(seed, progress));
 
@@ -25,7 +27,7 @@ internal static class ConsistencyLab
             "set", "law", "method", "steps", "mean", "p95", "worst", "thesis mean", "reach", "verdict");
         var report = new LabReport { Name = "consistency", Seed = seed, Tables = { table } };
         var charts = new List<Func<XElement>>();
-        foreach ((string set, LabShot[] shots) in new[] { ("usual", LabShot.Usual(seed, Shots)), ("slow", LabShot.Slow(seed, Shots)) })
+        foreach ((string set, Shot[] shots) in new[] { ("usual", ShotSets.Usual(seed, Shots)), ("slow", ShotSets.Slow(seed, Shots)) })
         {
             foreach ((string law, ForceSet forces, bool locate) in new[]
             {
@@ -34,14 +36,14 @@ internal static class ConsistencyLab
             {
                 foreach (Integrator method in new[] { Integrator.Rk2, Integrator.Rk4 })
                 {
-                    progress.Report(() => $"{set} set, {law}, {method}");
+                    progress.Report(charts.Count, 12, () => $"{set} set, {law}, {method}");
                     double[][] gaps = Measure(shots, forces, locate, method);
                     for (int i = 0; i < gaps.Length; i++)
                     {
-                        var spread = new Spreads(gaps[i]);
+                        var spread = new Spread(gaps[i]);
                         (string reach, bool? reached) = Judge(set, law, method, i, spread);
                         table.Add(
-                            set, law, method, Gaps[i], spread.Mean, spread.Percentile(0.95), spread.Worst,
+                            set, law, method, Gaps[i], spread.Mean, spread.P95, spread.Worst,
                             set == "usual" && law.StartsWith("published", StringComparison.Ordinal) ? Thesis(method)[i] : null,
                             reach,
                             reached is { } yes ? Verdict.Of(yes) : "-");
@@ -58,7 +60,7 @@ internal static class ConsistencyLab
 
     private static double[] Thesis(Integrator method) => method == Integrator.Rk2 ? [3.1, 7.1, 7.0] : [1.8, 3.8, 3.2];
 
-    private static (string Reach, bool? Reached) Judge(string set, string law, Integrator method, int gap, Spreads spread)
+    private static (string Reach, bool? Reached) Judge(string set, string law, Integrator method, int gap, Spread spread)
     {
         if (law != "published, jump located")
         {
@@ -71,19 +73,19 @@ internal static class ConsistencyLab
         {
             ("usual", Integrator.Rk2) => ($"mean {Text(rk2[gap])}", spread.Mean <= rk2[gap]),
             ("usual", _) => ($"mean {Text(rk4[gap])}", spread.Mean <= rk4[gap]),
-            (_, Integrator.Rk4) => ($"p95 {Text(rk4[gap])}, mean 0.03", spread.Percentile(0.95) <= rk4[gap] && spread.Mean <= 0.03),
+            (_, Integrator.Rk4) => ($"p95 {Text(rk4[gap])}, mean 0.03", spread.P95 <= rk4[gap] && spread.Mean <= 0.03),
             _ => ("-", null),
         };
     }
 
     private static string Text(double value) => value.ToString(value < 0.01 ? "0e0" : "0.##", System.Globalization.CultureInfo.InvariantCulture);
 
-    private static double[][] Measure(LabShot[] shots, ForceSet forces, bool locate, Integrator method)
+    private static double[][] Measure(Shot[] shots, ForceSet forces, bool locate, Integrator method)
     {
         var simulator = new Simulator(new Scene { Forces = forces }, new SolverSettings { Integrator = method, LocateJump = locate });
         Vector3d[][] landings = [.. new[] { 0.01, 0.02, 0.04 }.Select(step => shots.Select(shot =>
         {
-            BallState state = simulator.Launch(LabShot.From, shot.Velocity, shot.Spin);
+            BallState state = simulator.Launch(Shot.Spot, shot.Velocity, shot.Spin);
             simulator.Run(ref state, step, 30, StopAt.Impact, new StepLog());
             return state.Position;
         }).ToArray())];

@@ -3,6 +3,7 @@ using System.Diagnostics;
 using System.Xml.Linq;
 using Football.Physics.Headless.Commands;
 using Football.Physics.Headless.Drawing;
+using Football.Physics.Yardsticks;
 
 namespace Football.Physics.Headless.Lab;
 
@@ -17,40 +18,46 @@ internal static class CostLab
 
     private const int WarmUp = 60;
 
-    public static Command Create(Terminal terminal) => LabOptions.Create(
-        "cost",
-        "Test 3.4.3: the time of a 10 ms step by method and motion, over 20 000 frames each from kick to rest.",
-        terminal,
-        (_, seed, progress) => Run(seed, progress));
+    public static Command Create(Terminal terminal)
+    {
+        Option<bool> quick = LabOptions.Quick();
+        return LabOptions.Create(
+            "cost",
+            "Test 3.4.3: the time of a 10 ms step by method and motion, over 20 000 frames each from kick to rest.",
+            ["football lab cost --quick"],
+            terminal,
+            (parsed, seed, progress) => Run(seed, parsed.GetValue(quick) ? Frames / 100 : Frames, parsed.GetValue(quick) ? 1 : WarmUp, progress),
+            quick);
+    }
 
-    private static LabReport Run(long seed, Progress progress)
+    private static LabReport Run(long seed, int frames, int warmUp, Progress progress)
     {
         var table = new LabTable(
-            "Time of a step (3.4.3), 20 000 frames a row without an event, ns",
+            $"Time of a step (3.4.3), {frames} frames a row without an event, ns",
             "method", "motion", "p5", "median", "p95", "p99", "mean to p99", "thesis, all motions", "times faster");
         var report = new LabReport { Name = "cost", Seed = seed, Tables = { table } };
         var charts = new List<Func<XElement>>();
         foreach (Integrator method in Enum.GetValues<Integrator>())
         {
             var simulator = new Simulator(null, new SolverSettings { Integrator = method });
-            Dictionary<MotionState, BallState[]> frames = Collect(simulator, seed);
+            Dictionary<MotionState, BallState[]> before = Collect(simulator, seed, frames);
             var log = new StepLog();
-            foreach ((MotionState motion, BallState[] states) in frames)
+            foreach ((MotionState motion, BallState[] states) in before)
             {
-                progress.Report(() => $"{method}, {motion}");
-                for (int i = 0; i < WarmUp; i++)
+                progress.Report(table.Rows.Count, 16, () => $"{method}, {motion}");
+                for (int i = 0; i < warmUp; i++)
                 {
-                    Time(simulator, states, log, states.Length / WarmUp, []);
+                    Time(simulator, states, log, states.Length / warmUp, []);
                     Thread.Sleep(i % 20 == 0 ? 130 : 0);
                 }
 
                 var times = new double[states.Length];
                 Time(simulator, states, log, states.Length, times);
-                var spread = new Spreads(times);
+                var spread = new Spread(times);
                 double top = spread.Percentile(0.99);
                 double mean = times.Where(time => time <= top).Average();
                 double thesis = Thesis(method);
-                table.Add(method, motion, spread.Percentile(0.05), spread.Percentile(0.5), spread.Percentile(0.95), top, mean, thesis, motion == MotionState.Stopped ? null : thesis / mean);
+                table.Add(method, motion, spread.Percentile(0.05), spread.Median, spread.P95, top, mean, thesis, motion == MotionState.Stopped ? null : thesis / mean);
                 if (motion == MotionState.Airborne)
                 {
                     charts.Add(() => Histogram(method, [.. times.Where(time => time <= top)]));
@@ -72,26 +79,26 @@ internal static class CostLab
         _ => 20_900,
     };
 
-    /// <summary>The states before 20 000 steps of each motion in which nothing happens, from kick to rest and kicked again.</summary>
-    private static Dictionary<MotionState, BallState[]> Collect(Simulator simulator, long seed)
+    /// <summary>The states before so many steps of each motion in which nothing happens, from kick to rest and kicked again.</summary>
+    private static Dictionary<MotionState, BallState[]> Collect(Simulator simulator, long seed, int frames)
     {
-        var found = Enum.GetValues<MotionState>().ToDictionary(motion => motion, _ => new List<BallState>(Frames));
-        var random = new LabRandom(LabRandom.Mix(seed, 343));
+        var found = Enum.GetValues<MotionState>().ToDictionary(motion => motion, _ => new List<BallState>(frames));
+        var random = new SeededRandom(SeededRandom.Mix(seed, 343));
         var log = new StepLog();
-        while (found.Values.Any(list => list.Count < Frames))
+        while (found.Values.Any(list => list.Count < frames))
         {
             // Kicks along the ground, up to where they roll, once only slides are still wanted.
-            bool onlySlides = found.All(list => list.Key == MotionState.Sliding || list.Value.Count >= Frames);
+            bool onlySlides = found.All(list => list.Key == MotionState.Sliding || list.Value.Count >= frames);
             double steepest = onlySlides ? 0 : 35;
             BallState state = simulator.Launch(
-                LabShot.From, random.Velocity(15, 35, Math.Min(5, steepest), steepest), random.Uniform(2, 60) * random.Direction());
+                Shot.Spot, random.Velocity(15, 35, Math.Min(5, steepest), steepest), random.Uniform(2, 60) * random.Direction());
             for (int stopped = 0; stopped < 100;)
             {
                 BallState before = state;
                 log.Clear();
                 simulator.Step(ref state, Step, log);
                 List<BallState> list = found[before.Motion];
-                if (log.Events.Count == 0 && list.Count < Frames)
+                if (log.Events.Count == 0 && list.Count < frames)
                 {
                     list.Add(before);
                 }

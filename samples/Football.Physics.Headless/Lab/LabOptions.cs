@@ -3,51 +3,45 @@ using System.CommandLine;
 using System.Text;
 using System.Text.Json;
 using Football.Physics.Headless.Commands;
-using Football.Physics.Headless.Json;
+using Football.Physics.Headless.Input;
 
 namespace Football.Physics.Headless.Lab;
 
 /// <summary>The options of every experiment, and what becomes of its report.</summary>
 internal sealed class LabOptions
 {
-    public Option<long> Seed { get; } = new("--seed") { HelpName = "N", Description = "Seed of the random shots; default 1.", DefaultValueFactory = _ => 1 };
+    private readonly Option<long> _seed = Arguments.Whole("--seed", "Seed of the random shots.", long.MinValue, long.MaxValue, 1);
+    private readonly Option<string?> _json = new("--json") { HelpName = "FILE", Description = "Writes the tables as JSON." };
+    private readonly Option<string?> _csv = new("--csv") { HelpName = "FILE", Description = "Writes the tables as CSV." };
+    private readonly Option<string?> _plot = new("--plot") { HelpName = "FILE", Description = "Draws FILE.svg, or FILE.png where Chromium is installed." };
 
-    public Option<string?> Json { get; } = new("--json") { HelpName = "FILE", Description = "Writes the tables as JSON." };
-
-    public Option<string?> Csv { get; } = new("--csv") { HelpName = "FILE", Description = "Writes the tables as CSV." };
-
-    public Option<string?> Plot { get; } = new("--plot") { HelpName = "FILE", Description = PlotFile.Help };
+    /// <summary>Does less of everything.</summary>
+    public static Option<bool> Quick() => new("--quick") { Description = "Less of everything: to see that it works, not what it measures." };
 
     /// <summary>Makes an experiment's command.</summary>
-    public static Command Create(string name, string description, Terminal terminal, Func<ParseResult, long, Progress, LabReport> run, params Option[] more)
+    public static Command Create(
+        string name, string description, string[] examples, Terminal terminal, Func<ParseResult, long, Progress, LabReport> run, params Option[] more)
     {
         var options = new LabOptions();
-        var command = new Command(name, description) { options.Seed, options.Json, options.Csv, options.Plot };
+        var command = new ExampleCommand(name, description, examples) { options._seed, options._json, options._csv, options._plot };
         foreach (Option option in more)
         {
             command.Add(option);
         }
 
-        command.SetAction(parsed =>
-        {
-            PlotFile? plot = parsed.GetValue(options.Plot) is { } file ? PlotFile.For(file) : null;
-            LabReport report;
-            using (var progress = new Progress(terminal))
-            {
-                report = run(parsed, parsed.GetValue(options.Seed), progress);
-            }
-
-            Write(report, terminal, parsed.GetValue(options.Json), parsed.GetValue(options.Csv), plot);
-            return report.Failed ? ExitCode.Refused : ExitCode.Done;
-        });
+        command.SetAction(parsed => options.Run(name, parsed, terminal, run));
         return command;
     }
 
-    private static void Write(LabReport report, Terminal terminal, string? json, string? csv, PlotFile? plot)
+    private int Run(string name, ParseResult parsed, Terminal terminal, Func<ParseResult, long, Progress, LabReport> run)
     {
+        using PlotFile? plot = parsed.GetValue(_plot) is { } picture ? PlotFile.For(picture) : null;
+        using var json = OutputFile.Open("--json", parsed.GetValue(_json));
+        using var csv = OutputFile.Open("--csv", parsed.GetValue(_csv));
+        LabReport report = Progress.Show(terminal, name, progress => run(parsed, parsed.GetValue(_seed), progress));
         foreach (LabTable table in report.Tables)
         {
-            table.Print(terminal.Person);
+            table.Print(terminal.PersonConsole);
         }
 
         foreach (string note in report.Notes)
@@ -61,28 +55,27 @@ internal sealed class LabOptions
             terminal.Output.Write(document.Span);
         }
 
-        if (json is not null)
-        {
-            File.WriteAllBytes(json, document.Span);
-        }
-
-        if (csv is not null)
-        {
-            var text = new StringBuilder();
-            foreach (LabTable table in report.Tables)
-            {
-                table.WriteCsv(text);
-                text.AppendLine();
-            }
-
-            File.WriteAllText(csv, text.ToString(), new UTF8Encoding(encoderShouldEmitUTF8Identifier: false));
-        }
-
+        json?.Write(document.Span);
+        csv?.Write(Csv(report.Rows is { } rows ? [rows] : report.Tables));
         if (plot is not null)
         {
             plot.Write(report.Picture?.Invoke() ?? throw new RefusedException($"--plot: there is nothing to draw of {report.Tables[0].Name}."));
             terminal.Person.WriteLine($"Picture: {plot.Path}");
         }
+
+        return report.Failed ? ExitCode.Refused : ExitCode.Done;
+    }
+
+    private static string Csv(IEnumerable<LabTable> tables)
+    {
+        var text = new StringBuilder();
+        foreach (LabTable table in tables)
+        {
+            table.WriteCsv(text);
+            text.Append('\n');
+        }
+
+        return text.ToString();
     }
 
     private static ReadOnlyMemory<byte> Document(LabReport report)

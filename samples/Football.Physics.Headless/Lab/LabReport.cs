@@ -14,6 +14,9 @@ internal sealed class LabReport
     /// <summary>Lines below the tables.</summary>
     public List<string> Notes { get; } = [];
 
+    /// <summary>What the CSV has instead of the tables; null where it has the tables.</summary>
+    public LabTable? Rows { get; set; }
+
     /// <summary>Draws the picture.</summary>
     public Func<XElement>? Picture { get; set; }
 

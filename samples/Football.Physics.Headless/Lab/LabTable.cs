@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text;
 using System.Text.Json;
+using Spectre.Console;
 
 namespace Football.Physics.Headless.Lab;
 
@@ -13,27 +14,31 @@ internal sealed class LabTable(string name, params string[] columns)
 
     public void Add(params object?[] cells) => Rows.Add(cells);
 
-    /// <summary>The table in aligned columns.</summary>
-    public void Print(TextWriter to)
+    /// <summary>The table for a person.</summary>
+    public void Print(IAnsiConsole to)
     {
-        string[][] texts = [columns, .. Rows.Select(row => row.Select(Short).ToArray())];
-        int[] widths = [.. columns.Select((_, i) => texts.Max(row => i < row.Length ? row[i].Length : 0))];
-        bool[] numbers = [.. columns.Select((_, i) => Rows.Any(row => i < row.Length && row[i] is double or long or int))];
-        to.WriteLine(Name);
-        foreach (string[] row in texts)
+        Table table = new Table().Border(TableBorder.Simple);
+        table.Title = new TableTitle(Markup.Escape(Name));
+        for (int i = 0; i < columns.Length; i++)
         {
-            to.WriteLine("  " + string.Join("  ", row.Select((text, i) => numbers[i] ? text.PadLeft(widths[i]) : text.PadRight(widths[i]))).TrimEnd());
+            bool numbers = Rows.Any(row => i < row.Length && row[i] is double or long or int);
+            table.AddColumn(new TableColumn(Markup.Escape(columns[i])) { Alignment = numbers ? Justify.Right : Justify.Left });
         }
 
-        to.WriteLine();
+        foreach (object?[] row in Rows)
+        {
+            table.AddRow([.. row.Select(cell => Markup.Escape(Short(cell)))]);
+        }
+
+        to.Write(table);
     }
 
     public void WriteCsv(StringBuilder to)
     {
-        to.AppendLine(string.Join(',', columns.Prepend("table").Select(Quoted)));
+        to.Append(string.Join(',', columns.Prepend("table").Select(Quoted))).Append('\n');
         foreach (object?[] row in Rows)
         {
-            to.AppendLine(string.Join(',', row.Select(Exact).Prepend(Name).Select(Quoted)));
+            to.Append(string.Join(',', row.Select(Exact).Prepend(Name).Select(Quoted))).Append('\n');
         }
     }
 

@@ -1,44 +1,43 @@
 using System.Diagnostics;
 using System.Text;
 using System.Xml.Linq;
-using Football.Physics.Headless.Json;
+using Football.Physics.Headless.Commands;
+using Football.Physics.Headless.Input;
 
 namespace Football.Physics.Headless.Lab;
 
 /// <summary>A file for a picture: SVG, or PNG where a program that renders it is installed.</summary>
-internal sealed class PlotFile
+internal sealed class PlotFile : IDisposable
 {
-    /// <summary>What a command says of its option.</summary>
-    public const string Help = "Draws FILE.svg, or FILE.png where Chromium is installed.";
-
     private static readonly string[] Renderers = ["chromium", "chromium-browser", "google-chrome"];
 
     private readonly string? _renderer;
 
+    private readonly OutputFile _file;
+
     private PlotFile(string path, string? renderer)
     {
-        Path = path;
         _renderer = renderer;
+        _file = OutputFile.Open("--plot", path)!;
     }
 
-    public string Path { get; }
+    public string Path => _file.Path;
 
     /// <summary>Checks that the picture can be made before anything is computed.</summary>
-    /// <exception cref="RefusedException">Another ending, or no renderer.</exception>
+    /// <exception cref="RefusedException">Another ending, no renderer, or a file that cannot be written.</exception>
     public static PlotFile For(string path) => System.IO.Path.GetExtension(path).ToLowerInvariant() switch
     {
         ".svg" => new PlotFile(path, null),
         ".png" => new PlotFile(path, Renderers.Select(Find).FirstOrDefault(found => found is not null)
-            ?? throw new RefusedException("--plot", $"{Quote.Short(path)}, and no Chromium is installed to render it", "a file that ends in .svg")),
-        _ => throw new RefusedException("--plot", Quote.Short(path), "a file that ends in .svg or .png"),
+            ?? throw new RefusedException("--plot", $"{Quote.File(path)}, and no Chromium is installed to render it", "a file that ends in .svg")),
+        _ => throw new RefusedException("--plot", Quote.File(path), "a file that ends in .svg or .png"),
     };
 
     public void Write(XElement drawing)
     {
-        string svg = drawing.ToString(SaveOptions.DisableFormatting) + "\n";
         if (_renderer is null)
         {
-            File.WriteAllText(Path, svg, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false));
+            _file.Write(drawing);
             return;
         }
 
@@ -46,7 +45,7 @@ internal sealed class PlotFile
         try
         {
             string page = System.IO.Path.Combine(folder.FullName, "picture.html");
-            File.WriteAllText(page, $"<!doctype html><meta charset=\"utf-8\"><style>body{{margin:0}}svg{{display:block}}</style>{svg}", Encoding.UTF8);
+            File.WriteAllText(page, $"<!doctype html><meta charset=\"utf-8\"><style>body{{margin:0}}svg{{display:block}}</style>{drawing}", Encoding.UTF8);
             int width = (int)Math.Ceiling((double)drawing.Attribute("width")!);
             int height = (int)Math.Ceiling((double)drawing.Attribute("height")!);
             string picture = System.IO.Path.GetFullPath(Path);
@@ -74,6 +73,8 @@ internal sealed class PlotFile
             folder.Delete(recursive: true);
         }
     }
+
+    public void Dispose() => _file.Dispose();
 
     private static string? Find(string program) => (Environment.GetEnvironmentVariable("PATH") ?? "")
         .Split(System.IO.Path.PathSeparator, StringSplitOptions.RemoveEmptyEntries)

@@ -3,6 +3,7 @@ using System.Diagnostics;
 using System.Xml.Linq;
 using Football.Physics.Headless.Commands;
 using Football.Physics.Headless.Drawing;
+using Football.Physics.Yardsticks;
 
 namespace Football.Physics.Headless.Lab;
 
@@ -10,6 +11,10 @@ namespace Football.Physics.Headless.Lab;
 internal static class PrecisionLab
 {
     private const double ReferenceStep = 0.0002;
+
+    /// <summary>How long a row is measured, s.</summary>
+    private const double MeasuredFor = 0.15;
+
     private static readonly double[] Steps = [0.001, 0.002, 0.005, 0.01, 0.02, 0.04, 0.08, 0.16, 0.32];
 
     private static readonly SolverSettings ThesisWay = new()
@@ -19,25 +24,32 @@ internal static class PrecisionLab
         LocateJump = false,
     };
 
-    public static Command Create(Terminal terminal) => LabOptions.Create(
-        "precision",
-        "Error against evaluations and time: every method with steps of 1 to 320 ms, from kick to impact and from kick to rest.",
-        terminal,
-        (_, seed, progress) => Run(seed, progress));
-
-    private static LabReport Run(long seed, Progress progress)
+    public static Command Create(Terminal terminal)
     {
+        Option<bool> quick = LabOptions.Quick();
+        return LabOptions.Create(
+            "precision",
+            "Error against evaluations and time: every method with steps of 1 to 320 ms, from kick to impact and from kick to rest.",
+            ["football lab precision --quick --plot precision.svg"],
+            terminal,
+            (parsed, seed, progress) => Run(seed, parsed.GetValue(quick), progress),
+            quick);
+    }
+
+    private static LabReport Run(long seed, bool quick, Progress progress)
+    {
+        double seconds = quick ? 0 : MeasuredFor;
         var report = new LabReport { Name = "precision", Seed = seed };
         var charts = new List<Func<XElement>>();
-        foreach ((string name, LabShot[] shots, StopAt stop) in new[]
+        foreach ((string name, Shot[] shots, StopAt stop) in new[]
         {
-            ("kick to impact", LabShot.Make(seed, 100, 14, 35, 0, 60), StopAt.Impact),
-            ("kick to rest", LabShot.Make(seed, 50, 13, 30, 0, 60), StopAt.Rest),
+            ("kick to impact", ShotSets.Make(seed, 14, 35, 0, 60, count: quick ? 10 : 100), StopAt.Impact),
+            ("kick to rest", ShotSets.Make(seed, 13, 30, 0, 60, count: quick ? 5 : 50), StopAt.Rest),
         })
         {
             progress.Report(() => $"{name}: reference");
             PrecisionPoint[] reference = Reference(shots, stop, report, name);
-            foreach (Integrator method in Enum.GetValues<Integrator>())
+            foreach (Integrator method in quick ? [] : Enum.GetValues<Integrator>())
             {
                 progress.Report(() => $"{name}: warming up, {method}");
                 WarmUp(new SolverSettings { Integrator = method }, shots, stop);
@@ -49,13 +61,13 @@ internal static class PrecisionLab
             {
                 foreach (double step in Steps)
                 {
-                    progress.Report(() => $"{name}: {method}, {1e3 * step} ms");
-                    points.Add(Measure(new SolverSettings { Integrator = method }, step, shots, stop, reference, thesis: false));
+                    progress.Report(points.Count, 48, () => $"{name}: {method}, {1e3 * step} ms");
+                    points.Add(Measure(new SolverSettings { Integrator = method }, step, shots, stop, reference, thesis: false, seconds));
                 }
 
                 foreach (double step in new[] { 0.01, 0.02, 0.04 })
                 {
-                    points.Add(Measure(ThesisWay with { Integrator = method }, step, shots, stop, reference, thesis: true));
+                    points.Add(Measure(ThesisWay with { Integrator = method }, step, shots, stop, reference, thesis: true, seconds));
                 }
             }
 
@@ -63,7 +75,7 @@ internal static class PrecisionLab
             report.Tables.Add(Needed(name, points));
             if (stop == StopAt.Impact)
             {
-                report.Tables.Add(Wanted(name, shots, reference));
+                report.Tables.Add(Wanted(name, shots, reference, seconds));
             }
 
             charts.Add(() => Draw($"{name}: error against evaluations", "evaluations a second of motion", points, row => row.Evaluations));
@@ -75,19 +87,19 @@ internal static class PrecisionLab
     }
 
     /// <summary>RK4 with 0.1 ms, and how far 0.2 ms is from it.</summary>
-    private static PrecisionPoint[] Reference(LabShot[] shots, StopAt stop, LabReport report, string name)
+    private static PrecisionPoint[] Reference(Shot[] shots, StopAt stop, LabReport report, string name)
     {
         var simulator = new Simulator();
         PrecisionPoint[] coarse = Play(simulator, shots, stop, ReferenceStep, out _);
         PrecisionPoint[] fine = Play(simulator, shots, stop, 0.5 * ReferenceStep, out _);
-        var gaps = new Spreads(coarse.Zip(fine, (a, b) => Vector3d.Distance(a.Place, b.Place)));
+        var gaps = new Spread(coarse.Zip(fine, (a, b) => Vector3d.Distance(a.Place, b.Place)));
         report.Notes.Add(FormattableString.Invariant(
             $"Reference, {name}: RK4, 0.1 ms; 0.2 ms is within {gaps.Percentile(0.95):0.0e0} m of it (p95), at worst {gaps.Worst:0.0e0} m; good to 1e-10 m in {coarse.Zip(fine, (a, b) => Vector3d.Distance(a.Place, b.Place)).Count(gap => gap <= 1e-10)} of {shots.Length}."));
         return fine;
     }
 
     /// <summary>Plays until the runtime has compiled everything for good: it counts calls, and waits for a tenth of a second without new ones.</summary>
-    private static void WarmUp(SolverSettings settings, LabShot[] shots, StopAt stop)
+    private static void WarmUp(SolverSettings settings, Shot[] shots, StopAt stop)
     {
         var simulator = new Simulator(null, settings);
         for (int pass = 0; pass < 4; pass++)
@@ -101,14 +113,14 @@ internal static class PrecisionLab
         }
     }
 
-    private static PrecisionRow Measure(SolverSettings settings, double step, LabShot[] shots, StopAt stop, PrecisionPoint[] reference, bool thesis)
+    private static PrecisionRow Measure(SolverSettings settings, double step, Shot[] shots, StopAt stop, PrecisionPoint[] reference, bool thesis, double atLeast)
     {
         var simulator = new Simulator(null, settings);
         double fastest = double.PositiveInfinity;
         PrecisionPoint[] played = [];
         long evaluations = 0;
         long begin = Stopwatch.GetTimestamp();
-        for (int i = 0; i < 40 && (i < 2 || Stopwatch.GetElapsedTime(begin).TotalSeconds < 0.15); i++)
+        for (int i = 0; i < 40 && (i < 2 || Stopwatch.GetElapsedTime(begin).TotalSeconds < atLeast); i++)
         {
             long start = Stopwatch.GetTimestamp();
             played = Play(simulator, shots, stop, step, out evaluations);
@@ -116,18 +128,18 @@ internal static class PrecisionLab
         }
 
         double seconds = played.Sum(point => point.Time);
-        var errors = new Spreads(played.Zip(reference, (a, b) => Vector3d.Distance(a.Place, b.Place)));
+        var errors = new Spread(played.Zip(reference, (a, b) => Vector3d.Distance(a.Place, b.Place)));
         return new PrecisionRow(settings.Integrator, step, thesis, errors.Mean, errors.Percentile(0.95), errors.Worst, evaluations / seconds, fastest / seconds);
     }
 
-    private static PrecisionPoint[] Play(Simulator simulator, LabShot[] shots, StopAt stop, double step, out long evaluations)
+    private static PrecisionPoint[] Play(Simulator simulator, Shot[] shots, StopAt stop, double step, out long evaluations)
     {
         var log = new StepLog();
         var points = new PrecisionPoint[shots.Length];
         for (int i = 0; i < shots.Length; i++)
         {
             log.Events.Clear();
-            BallState state = simulator.Launch(LabShot.From, shots[i].Velocity, shots[i].Spin);
+            BallState state = simulator.Launch(Shot.Spot, shots[i].Velocity, shots[i].Spin);
             simulator.Run(ref state, step, 120, stop, log);
             points[i] = new PrecisionPoint(state.Position, state.Time);
         }
@@ -154,7 +166,7 @@ internal static class PrecisionLab
     {
         var table = new LabTable(
             $"{name}: needed a second of motion for a mean error",
-            "method", "1 mm: evaluations", "ns", "0.1 mm: evaluations", "ns", "1 µm: evaluations", "ns");
+            "method", "1 mm: evaluations", "1 mm: ns", "0.1 mm: evaluations", "0.1 mm: ns", "1 µm: evaluations", "1 µm: ns");
         foreach (Integrator method in Enum.GetValues<Integrator>())
         {
             PrecisionRow[] rows = [.. points.Where(row => row.Method == method && !row.Thesis).OrderByDescending(row => row.Step)];
@@ -172,7 +184,7 @@ internal static class PrecisionLab
     }
 
     /// <summary>What is picked for a wanted accuracy, what it costs and how accurate it is.</summary>
-    private static LabTable Wanted(string name, LabShot[] shots, PrecisionPoint[] reference)
+    private static LabTable Wanted(string name, Shot[] shots, PrecisionPoint[] reference, double seconds)
     {
         var table = new LabTable(
             $"{name}: picked for the accuracy wanted",
@@ -180,7 +192,7 @@ internal static class PrecisionLab
         foreach (Accuracy wanted in Enum.GetValues<Accuracy>())
         {
             SolverSettings settings = SolverSettings.For(wanted, out double step);
-            PrecisionRow row = Measure(settings, step, shots, StopAt.Impact, reference, thesis: false);
+            PrecisionRow row = Measure(settings, step, shots, StopAt.Impact, reference, thesis: false, seconds);
             table.Add(wanted, row.Method, 1e3 * row.Step, row.Mean, row.P95, row.Worst, row.Evaluations, row.Nanoseconds);
         }
 

@@ -1,25 +1,18 @@
-using System.Text.Json;
-
 namespace Football.Physics.Headless.Lab;
 
-/// <summary>Mean, median, 95th percentile and largest of some values.</summary>
-internal sealed record Spread(double Mean, double Median, double P95, double Worst)
+/// <summary>Mean, percentiles and worst of some values; of none all are 0.</summary>
+internal sealed class Spread(IEnumerable<double> values)
 {
-    public static Spread Of(IEnumerable<double> values)
-    {
-        double[] sorted = [.. values.Order()];
-        return sorted.Length == 0 ? new Spread(0, 0, 0, 0) : new Spread(sorted.Average(), At(sorted, 0.5), At(sorted, 0.95), sorted[^1]);
-    }
+    private readonly double[] _sorted = [.. values.Order().DefaultIfEmpty()];
 
-    public void Write(Utf8JsonWriter json, string name)
-    {
-        json.WriteStartObject(name);
-        json.WriteNumber("mean", Mean);
-        json.WriteNumber("median", Median);
-        json.WriteNumber("p95", P95);
-        json.WriteNumber("worst", Worst);
-        json.WriteEndObject();
-    }
+    public double Mean => _sorted.Average();
 
-    private static double At(double[] sorted, double share) => sorted[Math.Max(0, (int)Math.Ceiling(share * sorted.Length) - 1)];
+    public double Median => Percentile(0.5);
+
+    public double P95 => Percentile(0.95);
+
+    public double Worst => _sorted[^1];
+
+    /// <summary>The smallest value that is not exceeded by the given share.</summary>
+    public double Percentile(double share) => _sorted[Math.Max(0, (int)Math.Ceiling(share * _sorted.Length) - 1)];
 }

@@ -11,20 +11,22 @@ internal static class StabilityLab
 {
     private const long ByDefault = 60_000;
     private const long Full = 1_040_000;
+    private const long MostScenes = 1_000_000_000_000;
 
     public static Command Create(Terminal terminal)
     {
-        var scenes = new Option<long?>("--scenes") { HelpName = "N", Description = $"How many scenes to play; default {ByDefault}." };
+        Option<long> scenes = Arguments.Whole("--scenes", $"How many scenes to play; default {ByDefault}.", 1, MostScenes, ByDefault);
         var full = new Option<bool>("--full") { Description = $"Plays {Full} scenes." };
-        var jobs = new Option<int?>("--jobs") { HelpName = "N", Description = "Threads; default: one a processor." };
+        Option<long> jobs = Arguments.Jobs("Threads; default: one a processor.");
         var scene = new Option<long?>("--scene") { HelpName = "I", Description = "Plays one scene by its number, and shows it as a scenario." };
         return LabOptions.Create(
             "stability",
             "Random and adversarial scenes with every method: what must always hold, with a verdict a cell.",
+            ["football lab stability --scenes 100", "football lab stability --scene 7"],
             terminal,
             (parsed, seed, progress) => parsed.GetValue(scene) is { } one
                 ? One(terminal, seed, one)
-                : Run(terminal, seed, parsed.GetValue(scenes) ?? (parsed.GetValue(full) ? Full : ByDefault), parsed.GetValue(jobs) ?? Environment.ProcessorCount, progress),
+                : Run(terminal, seed, parsed.GetValue(full) ? Full : parsed.GetValue(scenes), (int)parsed.GetValue(jobs), progress),
             scenes,
             full,
             jobs,
@@ -48,10 +50,8 @@ internal static class StabilityLab
         var matrix = new StressMatrix(seed);
         matrix.Play(
             scenes,
-            Math.Max(1, jobs),
-            done => progress.Report(() => string.Create(
-            CultureInfo.InvariantCulture,
-            $"{done} of {scenes} scenes, {matrix.Cells.Sum(cell => cell.Failed)} failed")),
+            jobs,
+            done => progress.Report(done, scenes, () => string.Create(CultureInfo.InvariantCulture, $"scenes, {matrix.Cells.Sum(cell => cell.Failed)} failed")),
             stuck => terminal.Error.WriteLine(string.Create(CultureInfo.InvariantCulture, $"scene {stuck} of seed {seed} has been running for more than 10 s")));
         var report = new LabReport { Name = "stability", Seed = seed, Failed = matrix.Cells.Any(cell => cell.Failed > 0) };
         var table = new LabTable(

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using Football.Physics.Headless.Commands;
 using Football.Physics.Headless.Drawing;
+using Football.Physics.Yardsticks;
 
 namespace Football.Physics.Headless.Lab;
 
@@ -22,12 +23,13 @@ internal static class VacuumLab
     public static Command Create(Terminal terminal) => LabOptions.Create(
         "vacuum",
         "Table 3.1: where 50 shots in vacuum land, against the closed form.",
+        ["football lab vacuum", "football lab vacuum --seed 7 --csv vacuum.csv --plot vacuum.svg"],
         terminal,
         (_, seed, progress) => Run(seed, progress));
 
     private static LabReport Run(long seed, Progress progress)
     {
-        var random = new LabRandom(LabRandom.Mix(seed, 31));
+        var random = new SeededRandom(SeededRandom.Mix(seed, 31));
         (double X, double Y)[] kicks = [.. Enumerable.Range(0, Shots).Select(_ => (random.Uniform(5, 20), random.Uniform(5, 20)))];
         var table = new LabTable(
             "Vacuum landing (3.4.1), 50 shots: mean error, mm",
@@ -38,7 +40,7 @@ internal static class VacuumLab
         {
             foreach (CollisionTiming timing in Enum.GetValues<CollisionTiming>())
             {
-                progress.Report(() => $"{method}, {timing}");
+                progress.Report(lines.Count, 8, () => $"{method}, {timing}");
                 bool euler = method is Integrator.Euler or Integrator.SemiImplicitEuler;
                 var means = new double[Steps.Length];
                 double worst = 0;
@@ -84,7 +86,7 @@ internal static class VacuumLab
     private static double Error(Integrator method, CollisionTiming timing, double step, double x, double y)
     {
         var simulator = new Simulator(Scene.Vacuum, new SolverSettings { Integrator = method, CollisionTiming = timing });
-        BallState state = simulator.Launch(LabShot.From, new Vector3d(x, y, 0), Vector3d.Zero);
+        BallState state = simulator.Launch(Shot.Spot, new Vector3d(x, y, 0), Vector3d.Zero);
         simulator.Run(ref state, step, 20, StopAt.Impact, new StepLog());
         return Math.Abs(state.Position.X - (2 * x * y / Gravity));
     }

@@ -1,25 +1,24 @@
-using Football.Physics.Headless.Json;
-using Football.Physics.Headless.Schema;
+using Football.Physics.Headless.Input;
 
 namespace Football.Physics.Headless.Simulate;
 
-/// <summary>One shot, checked: scene, launch, how to integrate it and when to stop.</summary>
+/// <summary>One shot: scene, launch, how to integrate it and when to stop.</summary>
 internal sealed record Scenario
 {
-    /// <summary>Steps that a run may have: with more, the time would no longer advance. The library's own limit.</summary>
-    private const double MostSteps = 1e12;
+    /// <summary>Step of the single ball, s.</summary>
+    public const double DefaultTimeStep = 0.01;
+
+    /// <summary>When a run ends, s.</summary>
+    public const double DefaultDuration = 20;
 
     /// <summary>Steps that a run may keep samples of; more would fill the memory.</summary>
     private const double MostSamples = 1e6;
-
-    /// <summary>All fields of a scenario.</summary>
-    public static FieldSet Fields { get; } = new(SceneFields.All, LaunchFields.All, SolverFields.All, StopFields.All);
 
     public Scene Scene { get; init; } = Scene.Default;
 
     public SolverSettings Settings { get; init; } = SolverSettings.Default;
 
-    public double TimeStep { get; init; } = SolverFields.TimeStep.Default;
+    public double TimeStep { get; init; } = DefaultTimeStep;
 
     public required Vector3d Position { get; init; }
 
@@ -29,46 +28,51 @@ internal sealed record Scenario
 
     public Quaterniond Orientation { get; init; } = Quaterniond.Identity;
 
-    public StopAt StopAt { get; init; } = StopFields.At.Default;
+    public StopAt StopAt { get; init; } = StopAt.Impact;
 
-    public double Duration { get; init; } = StopFields.Time.Default;
+    public double Duration { get; init; } = DefaultDuration;
 
     /// <summary>Whether to keep the path.</summary>
     public bool Samples { get; init; }
 
-    /// <summary>Reads and checks a scenario.</summary>
-    /// <exception cref="RefusedException">A field is not as it should be.</exception>
-    public static Scenario Read(JsonValue root)
+    /// <summary>Whether there is room for a sample of every step.</summary>
+    public bool CanKeepPath => Duration / TimeStep <= MostSamples;
+
+    /// <summary>Reads a scenario; what its numbers may be the library says when it is played.</summary>
+    /// <exception cref="RefusedException">A field is unknown, missing or of the wrong type.</exception>
+    public static Scenario Read(InputFields fields)
     {
-        FieldValues values = Fields.Read(root);
+        InputObject root = fields.Root;
+        Scene scene = SceneInput.Scene(root);
+        InputObject launch = root.Object("launch");
+        SolverSettings settings = SceneInput.Solver(root, out double timeStep);
+        (StopAt stopAt, double duration, bool samples) = SceneInput.Stop(root);
         var scenario = new Scenario
         {
-            Scene = SceneFields.Build(values),
-            Settings = SolverFields.Build(values),
-            TimeStep = values.Get(SolverFields.TimeStep),
-            Position = values.Get(LaunchFields.Position),
-            Velocity = values.Get(LaunchFields.Velocity),
-            Spin = values.Get(LaunchFields.Spin),
-            Orientation = values.Get(LaunchFields.Orientation),
-            StopAt = values.Get(StopFields.At),
-            Duration = values.Get(StopFields.Time),
-            Samples = values.Get(StopFields.Samples),
+            Scene = scene,
+            Settings = settings,
+            TimeStep = timeStep,
+            Position = launch.Vector("position"),
+            Velocity = launch.Vector("velocity"),
+            Spin = launch.Vector("spin", Vector3d.Zero),
+            Orientation = ReadOrientation(launch),
+            StopAt = stopAt,
+            Duration = duration,
+            Samples = samples,
         };
-        double steps = scenario.Duration / scenario.TimeStep;
-        if (!(steps <= MostSteps))
-        {
-            throw new RefusedException(
-                SolverFields.TimeStep.Path,
-                FormattableString.Invariant($"{scenario.TimeStep} with stop.time {scenario.Duration}"),
-                FormattableString.Invariant($"above 0 s, and at least {1 / MostSteps} of stop.time"));
-        }
+        fields.Check();
+        return !samples || scenario.CanKeepPath ? scenario : throw new RefusedException(FormattableString.Invariant(
+            $"samples is true with {duration / timeStep:0} steps (stop.time / solver.timeStep); allowed: samples of at most {MostSamples:0} steps."));
+    }
 
-        if (scenario.Samples && !(steps <= MostSamples))
-        {
-            throw new RefusedException(FormattableString.Invariant(
-                $"samples is true with {steps:0} steps (stop.time / solver.timeStep); allowed: samples of at most {MostSamples:0} steps."));
-        }
+    private static Quaterniond ReadOrientation(InputObject launch)
+    {
+        Quaterniond none = Quaterniond.Identity;
+        double[] parts = launch.Numbers("orientation", "[x, y, z, w]", [none.X, none.Y, none.Z, none.W]);
 
-        return scenario;
+        // Scaled first, so that the square of a very large or very small one is neither infinite nor zero.
+        double largest = parts.Max(Math.Abs);
+        double scale = largest > 0 ? largest : 1;
+        return new Quaterniond(parts[0] / scale, parts[1] / scale, parts[2] / scale, parts[3] / scale);
     }
 }

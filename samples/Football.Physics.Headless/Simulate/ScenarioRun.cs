@@ -1,4 +1,4 @@
-using Football.Physics.Headless.Json;
+using Football.Physics.Headless.Input;
 
 namespace Football.Physics.Headless.Simulate;
 
@@ -6,6 +6,7 @@ namespace Football.Physics.Headless.Simulate;
 internal static class ScenarioRun
 {
     /// <summary>Plays it to its end.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of the library's range.</exception>
     /// <exception cref="RefusedException">Its numbers, though each allowed, grew beyond what a double can hold.</exception>
     public static Outcome Play(Scenario scenario)
     {
@@ -15,9 +16,10 @@ internal static class ScenarioRun
         highest.Reset(in state);
         var log = new StepLog { Observer = highest };
         List<Moment>? samples = scenario.Samples ? [Moment.Of(in state)] : null;
-        Simulator.StepCallback? onStep = samples is null ? null : (in BallState at) => samples.Add(Moment.Of(in at));
 
-        bool ended = simulator.Run(ref state, scenario.TimeStep, scenario.Duration, scenario.StopAt, log, onStep);
+        bool ended = samples is null
+            ? simulator.Run(ref state, scenario.TimeStep, scenario.Duration, scenario.StopAt, log)
+            : simulator.Run(ref state, scenario.TimeStep, scenario.Duration, scenario.StopAt, log, (in BallState at) => samples.Add(Moment.Of(in at)));
 
         Moment final = Final(scenario, in state, log.Events, ended);
         if (!ended)

@@ -1,32 +1,12 @@
-using Football.Physics.Headless.Json;
-using Football.Physics.Headless.Schema;
+using Football.Physics.Headless.Input;
+using Football.Physics.Headless.Simulate;
+using Football.Physics.Yardsticks;
 
 namespace Football.Physics.Headless.Sweep;
 
-/// <summary>A sweep, checked: the scene, the ranges that launches are drawn from, and how to fly them.</summary>
+/// <summary>A sweep: the scene, the ranges that launches are drawn from, and how to fly them.</summary>
 internal sealed record SweepScenario
 {
-    private static readonly VectorField Position = new("launch.position", VectorBound.Position);
-    private static readonly RangeField Speed = new("launch.speed", (15, 35), NumberRange.Within(0, Limits.Speed), "m/s");
-    private static readonly RangeField Elevation = new("launch.elevation", (5, 35), NumberRange.Within(-90, 90), "degrees");
-    private static readonly RangeField Azimuth = new("launch.azimuth", (0, 0), NumberRange.Within(-360, 360), "degrees");
-    private static readonly RangeField TopSpin = new("launch.topSpin", (-40, 40), NumberRange.Within(-Limits.Spin / 2, Limits.Spin / 2), "rad/s");
-    private static readonly RangeField SideSpin = new("launch.sideSpin", (-40, 40), NumberRange.Within(-Limits.Spin / 2, Limits.Spin / 2), "rad/s");
-
-    private static readonly ChoiceField<Integrator> Method = new(
-        "solver.integrator", BatchSettings.Default.Integrator, ("rk2", Integrator.Rk2), ("rk4", Integrator.Rk4));
-
-    private static readonly NumberField TimeStep = new("solver.timeStep", BatchSettings.Default.TimeStep, NumberRange.Within(1e-5, 1), "s");
-
-    private static readonly ChoiceField<BatchPrecision> Precision = new(
-        "solver.precision", BatchPrecision.Single, ("single", BatchPrecision.Single), ("double", BatchPrecision.Double));
-
-    private static readonly NumberField Time = new("stop.time", 20, NumberRange.AboveZeroTo(600), "s");
-
-    /// <summary>All fields of a sweep.</summary>
-    public static FieldSet Fields { get; } = new(
-        SceneFields.All, [Position, Speed, Elevation, Azimuth, TopSpin, SideSpin], [Method, TimeStep, Precision], [Time]);
-
     public required Scene Scene { get; init; }
 
     public required BatchSettings Settings { get; init; }
@@ -35,40 +15,55 @@ internal sealed record SweepScenario
 
     public Vector3d From { get; init; }
 
-    public (double Low, double High) Speeds { get; init; }
-
-    /// <summary>Degrees above the horizontal.</summary>
-    public (double Low, double High) Elevations { get; init; }
-
-    /// <summary>Degrees from −z, counter-clockwise seen from above.</summary>
-    public (double Low, double High) Azimuths { get; init; }
-
-    public (double Low, double High) TopSpins { get; init; }
-
-    public (double Low, double High) SideSpins { get; init; }
+    /// <summary>The ranges of speed, elevation, azimuth, topspin and sidespin.</summary>
+    public required (double Low, double High)[] Ranges { get; init; }
 
     /// <summary>Reads and checks a sweep.</summary>
-    /// <exception cref="RefusedException">A field is not as it should be.</exception>
-    public static SweepScenario Read(JsonValue root)
+    /// <exception cref="RefusedException">A field is unknown, missing or of the wrong type.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of the library's range.</exception>
+    public static SweepScenario Read(InputFields fields)
     {
-        FieldValues values = Fields.Read(root);
-        return new SweepScenario
+        InputObject root = fields.Root;
+        Scene scene = SceneInput.Scene(root);
+        InputObject launch = root.Object("launch");
+        InputObject solver = root.Object("solver");
+        var sweep = new SweepScenario
         {
-            Scene = SceneFields.Build(values),
+            Scene = scene,
             Settings = new BatchSettings
             {
-                Integrator = values.Get(Method),
-                TimeStep = values.Get(TimeStep),
-                Precision = values.Get(Precision),
+                Integrator = solver.Choice("integrator", BatchSettings.Default.Integrator),
+                TimeStep = solver.Number("timeStep", BatchSettings.Default.TimeStep),
+                Precision = solver.Choice("precision", BatchSettings.Default.Precision),
                 FindApex = true,
             },
-            Duration = values.Get(Time),
-            From = values.Get(Position),
-            Speeds = values.Get(Speed),
-            Elevations = values.Get(Elevation),
-            Azimuths = values.Get(Azimuth),
-            TopSpins = values.Get(TopSpin),
-            SideSpins = values.Get(SideSpin),
+            Duration = root.Object("stop").Number("time", Scenario.DefaultDuration),
+            From = launch.Vector("position", Vector3d.Zero),
+            Ranges =
+            [
+                launch.Range("speed", (15, 35), KickNumbers.Speeds),
+                launch.Range("elevation", (5, 35), KickNumbers.Elevations),
+                launch.Range("azimuth", (0, 0), KickNumbers.Azimuths),
+                launch.Range("topSpin", (-40, 40), KickNumbers.Spins),
+                launch.Range("sideSpin", (-40, 40), KickNumbers.Spins),
+            ],
         };
+        fields.Check();
+
+        // No launch flies yet, but everything that is the same for all of them is checked.
+        new Simulator(scene).Launch(sweep.From, Vector3d.Zero, Vector3d.Zero);
+        new BallBatch(scene, sweep.Settings).Fly(new BatchLaunches(1), new BatchFlights(1), 0, sweep.Duration);
+        return sweep;
     }
+
+    /// <summary>One launch: it depends on the seed and its index only.</summary>
+    public KickNumbers Draw(long seed, long index)
+    {
+        var random = new SeededRandom(SeededRandom.Mix(seed, index));
+
+        // A number is drawn for every range, so that narrowing one does not change the others.
+        return new KickNumbers(Between(random, 0), Between(random, 1), Between(random, 2), Between(random, 3), Between(random, 4));
+    }
+
+    private double Between(SeededRandom random, int range) => Math.Min(random.Uniform(Ranges[range].Low, Ranges[range].High), Ranges[range].High);
 }

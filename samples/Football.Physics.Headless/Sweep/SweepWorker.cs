@@ -1,5 +1,6 @@
 using System.Buffers;
 using System.Text.Json;
+using Football.Physics.Headless.Simulate;
 
 namespace Football.Physics.Headless.Sweep;
 
@@ -9,7 +10,7 @@ internal sealed class SweepWorker
     private readonly SweepScenario _sweep;
     private readonly long _seed;
     private readonly BallBatch _batch;
-    private readonly SweepKick[] _kicks;
+    private readonly KickNumbers[] _kicks;
     private readonly BatchLaunches _launches;
     private readonly BatchFlights _flights;
     private readonly ArrayBufferWriter<byte> _rows = new(1 << 16);
@@ -19,7 +20,7 @@ internal sealed class SweepWorker
         _sweep = sweep;
         _seed = seed;
         _batch = new BallBatch(sweep.Scene, sweep.Settings);
-        _kicks = new SweepKick[capacity];
+        _kicks = new KickNumbers[capacity];
         _launches = new BatchLaunches(capacity);
         _flights = new BatchFlights(capacity);
     }
@@ -31,7 +32,7 @@ internal sealed class SweepWorker
     {
         for (int i = 0; i < count; i++)
         {
-            _kicks[i] = SweepKick.Draw(_sweep, _seed, from + i);
+            _kicks[i] = _sweep.Draw(_seed, from + i);
             _kicks[i].Vectors(out Vector3d velocity, out Vector3d spin);
             _launches.Set(i, _sweep.From, velocity, spin);
         }
@@ -50,7 +51,7 @@ internal sealed class SweepWorker
 
     private void WriteRow(Utf8JsonWriter json, long index, int i)
     {
-        ref readonly SweepKick kick = ref _kicks[i];
+        ref readonly KickNumbers kick = ref _kicks[i];
         json.WriteStartObject();
         json.WriteNumber("index", index);
         json.WriteNumber("speed", kick.Speed);

@@ -44,8 +44,8 @@ public sealed record Scene
         Check.NotNegative("gravity", Gravity);
         Forces.Validate();
         Check.Within("ground.normalRestitution", Ground.NormalRestitution, 0, 1);
-        Check.Within("ground.tangentialRestitution", Ground.TangentialRestitutionX, -1, 1);
-        Check.Within("ground.tangentialRestitution", Ground.TangentialRestitutionZ, -1, 1);
+        Check.Within("ground.tangentialRestitution[0]", Ground.TangentialRestitutionX, -1, 1);
+        Check.Within("ground.tangentialRestitution[1]", Ground.TangentialRestitutionZ, -1, 1);
         Check.Within("ground.spinRestitution", Ground.SpinRestitution, 0, 1);
         Check.NotNegative("ground.slidingFriction", Ground.SlidingFriction);
         Check.NotNegative("ground.rollingFriction", Ground.RollingFriction);

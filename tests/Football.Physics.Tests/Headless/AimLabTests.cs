@@ -18,12 +18,13 @@ public sealed class AimLabTests
         JsonElement result = done.Result;
         Assert.Equal(result.GetRawText(), JsonDocument.Parse(File.ReadAllText(json)).RootElement.GetRawText());
         Assert.Equal(7, result.GetProperty("seed").GetInt32());
-        JsonElement verdicts = result.GetProperty("verdicts");
-        Assert.Equal(1000, verdicts.GetProperty("requests").GetInt32());
-        Assert.Equal(0, verdicts.GetProperty("withoutAnswer").GetInt32());
-        Assert.Equal(0, verdicts.GetProperty("wrong").GetInt32());
-        int kicks = result.GetProperty("sections").EnumerateArray().Sum(section => section.GetProperty("rows").EnumerateArray().Sum(row => row.GetProperty("kicks").GetInt32()));
-        Assert.Equal(kicks + 1, File.ReadAllLines(csv).Length);
+        JsonElement[] tables = [.. result.GetProperty("tables").EnumerateArray()];
+        JsonElement verdicts = tables[^1].GetProperty("rows")[0];
+        Assert.Equal(500, verdicts.GetProperty("requests").GetInt32());
+        Assert.Equal(0, verdicts.GetProperty("without an answer").GetInt32());
+        Assert.Equal(0, verdicts.GetProperty("can be hit").GetInt32());
+        int kicks = tables[..^1].Sum(section => section.GetProperty("rows").EnumerateArray().Sum(row => row.GetProperty("kicks").GetInt32()));
+        Assert.Equal(kicks + 1, File.ReadAllLines(csv).Count(line => line.Length > 0));
         Assert.DoesNotContain("NaN", XDocument.Load(plot).ToString());
         foreach (string thesis in (string[])["4.1.3", "4.2.3", "4.3.2"])
         {

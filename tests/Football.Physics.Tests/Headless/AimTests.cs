@@ -85,7 +85,7 @@ public sealed class AimTests
             }
             else
             {
-                Assert.Equal("aim.through is missing; allowed: a point [x, y, z], as aim.method is twoPoint.", got.GetProperty("error").GetString());
+                Assert.Equal("aim.through is null; allowed: a point, with method twoPoint.", got.GetProperty("error").GetString());
             }
         }
     }

@@ -21,9 +21,22 @@ internal sealed record FootballCommand(int ExitCode, string Output, string Error
     public static FootballCommand Run(byte[] input, params string[] args)
     {
         using var output = new MemoryStream();
-        using var error = new StringWriter { NewLine = "\n" };
-        int exitCode = CommandLineEntry.Run(args, new Terminal(new MemoryStream(input), output, error, outputRedirected: true, errorRedirected: true));
-        return new FootballCommand(exitCode, Encoding.UTF8.GetString(output.ToArray()), error.ToString());
+        return Run(new MemoryStream(input), output, redirected: true, args) with { Output = Encoding.UTF8.GetString(output.ToArray()) };
+    }
+
+    /// <summary>Runs it as in a terminal that shows both outputs.</summary>
+    public static FootballCommand InTerminal(string input, params string[] args)
+    {
+        using var output = new MemoryStream();
+        return Run(new MemoryStream(Encoding.UTF8.GetBytes(input)), output, redirected: false, args) with { Output = Encoding.UTF8.GetString(output.ToArray()) };
+    }
+
+    /// <summary>Runs it with streams of one's own; what it writes is the caller's to look at.</summary>
+    public static FootballCommand Run(Stream input, Stream output, bool redirected, params string[] args)
+    {
+        using var error = new MemoryStream();
+        int exitCode = CommandLineEntry.Run(args, new Terminal(input, output, error, outputRedirected: redirected, errorRedirected: redirected));
+        return new FootballCommand(exitCode, "", Encoding.UTF8.GetString(error.ToArray()));
     }
 
     public static FootballCommand Simulate(string input, params string[] args) => Run(input, ["simulate", "-", .. args]);

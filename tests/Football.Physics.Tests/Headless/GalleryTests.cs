@@ -36,7 +36,7 @@ public sealed class GalleryTests
     {
         foreach (GalleryShot shot in GalleryShots.All)
         {
-            var figures = ShotFigures.Of(new Flight(shot.Scenario));
+            var figures = ShotFigures.Of(new Flight(shot.Scenario).Outcome);
             Assert.NotNull(figures.RestTime);
             Assert.InRange(figures.Apex, shot.Scenario.Position.Y, 40);
             Assert.Equal(figures.Bounces > 0, figures.Carry is not null);
@@ -47,7 +47,7 @@ public sealed class GalleryTests
     [Fact]
     public void Sidespin_deflects_to_its_side_and_none_does_not()
     {
-        ShotFigures Figures(string id) => ShotFigures.Of(new Flight(GalleryShots.All.Single(shot => shot.Id == id).Scenario));
+        ShotFigures Figures(string id) => ShotFigures.Of(new Flight(GalleryShots.All.Single(shot => shot.Id == id).Scenario).Outcome);
         Assert.InRange(Figures("free-kick").Deflection!.Value, 2, 10);
         Assert.InRange(Figures("corner").Deflection!.Value, -15, -4);
         Assert.Equal(0, Figures("no-spin-drive").Deflection!.Value, 1e-9);

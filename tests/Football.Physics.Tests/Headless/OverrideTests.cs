@@ -27,6 +27,12 @@ public sealed class OverrideTests
             FootballCommand.Play($"{{{L}}}").GetRawText(),
             FootballCommand.Play("{}", "--set", "launch.position=[0,1,0]", "--set", "launch.velocity=[1,0,0]").GetRawText());
 
+    [Theory]
+    [InlineData("launch.velocity.0=5", "[5,0,0]")]
+    [InlineData("launch.velocity[2]=-5", "[1,0,-5]")]
+    public void An_element_of_an_array_is_replaced(string set, string velocity) =>
+        Assert.Equal(FootballCommand.Play($"{{{L}}}", "--set", $"launch.velocity={velocity}").GetRawText(), FootballCommand.Play($"{{{L}}}", "--set", set).GetRawText());
+
     [Fact]
     public void The_last_of_two_counts() =>
         Assert.Equal(
@@ -41,6 +47,13 @@ public sealed class OverrideTests
     [InlineData("solver=5", "solver is 5", "an object")]
     [InlineData("wind=[0,0,0]", "wind is unknown", "did you mean air.wind?")]
     [InlineData("a..b=1", "a is unknown", "allowed at the top")]
+    [InlineData("solver.timeStep=0.04,", "solver.timeStep is \"0.04,\"", "above 0")]
+    [InlineData("solver.timeStep={},", "solver.timeStep is \"{},\"", "above 0")]
+    [InlineData("launch.velocity.0=fast", "launch.velocity[0] is \"fast\"", "a finite number")]
+    [InlineData("launch.velocity.3=5", "--set launch.velocity.3 is no place: launch.velocity has no 3", "an element from 0 to 2")]
+    [InlineData("launch.velocity.x=5", "--set launch.velocity.x is no place: launch.velocity has no x", "an element from 0 to 2")]
+    [InlineData("launch.velocity.0.1=5", "--set launch.velocity.0.1 is no place: launch.velocity.0 has no 1", "a member of an object, or an element of an array")]
+    [InlineData("launch.spin.0=5", "launch.spin is {\"0\":5}", "[x, y, z]")]
     public void It_is_checked_like_any_other(string set, string begins, string contains)
     {
         FootballCommand refused = FootballCommand.Simulate($"{{{L}}}", "--set", set);

@@ -65,10 +65,14 @@ public sealed class SweepTests
     }
 
     [Theory]
-    [InlineData("{\"launch\":{\"speed\":[21,20]}}", "launch.speed is [21, 20]; allowed: a number from 0 to 1000 m/s, or [low, high] of such.")]
-    [InlineData("{\"launch\":{\"speed\":-1}}", "launch.speed is -1; allowed: a number from 0 to 1000 m/s, or [low, high] of such.")]
+    [InlineData("{\"launch\":{\"speed\":[21,20]}}", "launch.speed is [21,20]; allowed: 0 … 1000 m/s, or [low, high] of such.")]
+    [InlineData("{\"launch\":{\"speed\":-1}}", "launch.speed is -1; allowed: 0 … 1000 m/s, or [low, high] of such.")]
     [InlineData("{\"launch\":{\"sped\":1}}", "launch.sped is unknown")]
-    [InlineData("{\"solver\":{\"integrator\":\"euler\"}}", "solver.integrator is \"euler\"; allowed: ")]
+    [InlineData("{\"solver\":{\"integrator\":\"euler\"}}", "solver.integrator is \"euler\"; allowed: rk2 | rk4.")]
+    [InlineData("{\"solver\":{\"timeStep\":2}}", "solver.timeStep is 2; allowed: 1E-05 … 1.")]
+    [InlineData("{\"stop\":{\"time\":601}}", "stop.time is 601; allowed: above 0, at most 600.")]
+    [InlineData("{\"launch\":{\"position\":[0,2e6,0]}}", "launch.position is [0,2e6,0]; allowed: finite components within ±1000000 m.")]
+    [InlineData("{\"ball\":{\"mass\":-1}}", "ball.mass is -1; allowed: a finite number above 0.")]
     [InlineData("", "the input is empty; allowed: a JSON object")]
     public void What_is_wrong_is_refused(string input, string message)
     {

@@ -1,8 +1,0 @@
-namespace Football.Physics.Yardsticks;
-
-/// <summary>One launch: where from, how fast, with what spin (SI units).</summary>
-public readonly record struct Shot(Vector3d Position, Vector3d Velocity, Vector3d Spin)
-{
-    /// <summary>The same shot from another height of the centre, m.</summary>
-    public Shot From(double height) => this with { Position = new Vector3d(Position.X, height, Position.Z) };
-}

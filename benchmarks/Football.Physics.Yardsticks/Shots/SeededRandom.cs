@@ -1,0 +1,67 @@
+namespace Football.Physics.Yardsticks;
+
+/// <summary>Seeded random numbers: the same in every run and on every machine, but for the last bit of logarithms.</summary>
+public class SeededRandom(ulong seed)
+{
+    private ulong _state = seed;
+
+    /// <summary>Begins with a small number.</summary>
+    public SeededRandom(long seed)
+        : this(Mix(seed, 0))
+    {
+    }
+
+    /// <summary>A seed from two numbers.</summary>
+    public static ulong Mix(long seed, long index) => unchecked(((ulong)seed * 0x9E3779B97F4A7C15UL) ^ ((ulong)index * 0xD1B54A32D192ED03UL));
+
+    /// <summary>0 … 1, 1 excluded.</summary>
+    public double Next() => (Bits() >> 11) * (1.0 / (1UL << 53));
+
+    public double Uniform(double low, double high) => low + ((high - low) * Next());
+
+    /// <summary>Uniform in the logarithm.</summary>
+    public double Log(double low, double high) => low * Math.Pow(high / low, Next());
+
+    public bool Chance(double share) => Next() < share;
+
+    public int Below(int count) => (int)(Next() * count);
+
+    public T Any<T>(params ReadOnlySpan<T> values) => values[Below(values.Length)];
+
+    /// <summary>A direction, every one as likely as any other.</summary>
+    public Vector3d Direction()
+    {
+        double y = Uniform(-1, 1);
+        double angle = Uniform(0, 2 * Math.PI);
+        double flat = Math.Sqrt(1 - (y * y));
+        return new Vector3d(flat * Math.Cos(angle), y, flat * Math.Sin(angle));
+    }
+
+    /// <summary>A direction along the ground.</summary>
+    public Vector3d Heading()
+    {
+        double angle = Uniform(0, 2 * Math.PI);
+        return new Vector3d(Math.Cos(angle), 0, Math.Sin(angle));
+    }
+
+    /// <summary>A velocity from the ground: any azimuth, an elevation in degrees.</summary>
+    public Vector3d Velocity(double slow, double fast, double low, double high)
+    {
+        double speed = Uniform(slow, fast);
+        double elevation = Uniform(low, high) * Math.PI / 180;
+        return speed * ((Math.Cos(elevation) * Heading()) + new Vector3d(0, Math.Sin(elevation), 0));
+    }
+
+    // SplitMix64
+    private ulong Bits()
+    {
+        unchecked
+        {
+            _state += 0x9E3779B97F4A7C15UL;
+            ulong z = _state;
+            z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9UL;
+            z = (z ^ (z >> 27)) * 0x94D049BB133111EBUL;
+            return z ^ (z >> 31);
+        }
+    }
+}

@@ -1,0 +1,132 @@
+using System.Text.Json;
+
+namespace Football.Physics.Headless.Input;
+
+/// <summary>
+/// An object of the input whose members are taken one by one, each with its default. What was asked for is known, all else is unknown;
+/// what is wrong is kept until <see cref="InputFields.Check"/>. A number that is none is NaN, which whoever takes it refuses with its range.
+/// </summary>
+/// <param name="fields">All fields of the input.</param>
+/// <param name="path">Where it is.</param>
+/// <param name="element">What it is; null where it is not given, or no object.</param>
+internal sealed class InputObject(InputFields fields, string path, JsonElement? element)
+{
+    private const string FiniteNumber = "a finite number";
+
+    private readonly List<string> _known = fields.NamesIn(path);
+
+    /// <summary>A member that is an object; empty where it is missing.</summary>
+    public InputObject Object(string name) => new(fields, Join(name), Take(name) is { ValueKind: JsonValueKind.Object } member ? member : null);
+
+    /// <summary>A number.</summary>
+    public double Number(string name, double fallback) => Take(name) is { } value ? NumberOf(value) : fallback;
+
+    /// <summary>A number that must be given.</summary>
+    public double Number(string name) => Take(name) is { } value ? NumberOf(value) : Refuse(name, FiniteNumber, double.NaN);
+
+    /// <summary>A number above 0.</summary>
+    public double Positive(string name, double fallback)
+    {
+        double number = Number(name, fallback);
+        return number > 0 && double.IsFinite(number) ? number : Refuse(name, $"{FiniteNumber} above 0", fallback);
+    }
+
+    /// <summary>A whole number.</summary>
+    public int Whole(string name, int fallback) => Take(name) is not { } value ? fallback
+        : NumberOf(value) is var number && number == Math.Floor(number) && Math.Abs(number) <= int.MaxValue ? (int)number
+        : Refuse(name, $"a whole number, at most {int.MaxValue}", fallback);
+
+    /// <summary>true or false.</summary>
+    public bool Flag(string name, bool fallback) => Take(name) is not { } value ? fallback
+        : value.ValueKind is JsonValueKind.True or JsonValueKind.False ? value.GetBoolean()
+        : Refuse(name, "true | false", fallback);
+
+    /// <summary>One of an enumeration, in camel case.</summary>
+    public T Choice<T>(string name, T fallback)
+        where T : struct, Enum
+    {
+        if (Take(name) is not { } value)
+        {
+            return fallback;
+        }
+
+        T[] values = Enum.GetValues<T>();
+        int found = value.ValueKind == JsonValueKind.String ? Array.FindIndex(values, item => value.ValueEquals(Words.Of(item))) : -1;
+        return found >= 0 ? values[found] : Refuse(name, string.Join(" | ", values.Select(Words.Of)), fallback);
+    }
+
+    /// <summary>Three numbers.</summary>
+    public Vector3d Vector(string name, Vector3d fallback)
+    {
+        double[] v = Numbers(name, "[x, y, z]", [fallback.X, fallback.Y, fallback.Z]);
+        return new Vector3d(v[0], v[1], v[2]);
+    }
+
+    /// <summary>Three numbers that must be given.</summary>
+    public Vector3d Vector(string name) => Has(name) ? Vector(name, Vector3d.Zero) : Refuse(name, "[x, y, z], 3 finite numbers", Vector3d.Zero);
+
+    /// <summary>Three numbers, or null.</summary>
+    public Vector3d? OptionalVector(string name) => Take(name) is { ValueKind: not JsonValueKind.Null } ? Vector(name, Vector3d.Zero) : null;
+
+    /// <summary>So many finite numbers as there are by default.</summary>
+    /// <param name="name">The member.</param>
+    /// <param name="form">What they are, like [x, y, z].</param>
+    /// <param name="fallback">The default.</param>
+    public double[] Numbers(string name, string form, double[] fallback)
+    {
+        if (Take(name) is not { } value)
+        {
+            return fallback;
+        }
+
+        string allowed = $"{form}, {fallback.Length} finite numbers";
+        if (value.ValueKind != JsonValueKind.Array || value.GetArrayLength() != fallback.Length)
+        {
+            return Refuse(name, allowed, fallback);
+        }
+
+        double[] numbers = [.. value.EnumerateArray().Select(NumberOf)];
+        int wrong = Array.FindIndex(numbers, number => !double.IsFinite(number));
+        return wrong < 0 ? numbers : Refuse($"{name}[{wrong}]", $"{FiniteNumber} ({Join(name)}: {allowed})", fallback);
+    }
+
+    /// <summary>A number, or the two ends [low, high] of a range.</summary>
+    public (double Low, double High) Range(string name, (double Low, double High) fallback, NumberRange allowed)
+    {
+        if (Take(name) is not { } value)
+        {
+            return fallback;
+        }
+
+        string text = $"{allowed}, or [low, high] of such";
+        (double low, double high) = value.ValueKind != JsonValueKind.Array ? (NumberOf(value), NumberOf(value))
+            : value.GetArrayLength() == 2 ? (NumberOf(value[0]), NumberOf(value[1]))
+            : (double.NaN, double.NaN);
+        return allowed.Contains(low) && allowed.Contains(high) && low <= high ? (low, high) : Refuse(name, text, fallback);
+    }
+
+    /// <summary>Whether the member is given.</summary>
+    public bool Has(string name) => Take(name) is not null;
+
+    private static double NumberOf(JsonElement value) =>
+        value.ValueKind == JsonValueKind.Number && value.TryGetDouble(out double number) ? number : double.NaN;
+
+    private string Join(string name) => path.Length > 0 ? $"{path}.{name}" : name;
+
+    private JsonElement? Take(string name)
+    {
+        if (!_known.Contains(name))
+        {
+            _known.Add(name);
+        }
+
+        return element is { } from && from.TryGetProperty(name, out JsonElement member) ? member : null;
+    }
+
+    private T Refuse<T>(string name, string allowed, T instead)
+    {
+        string at = Join(name);
+        fields.Refuse(new RefusedException(at, fields.Text(at) ?? "missing", allowed));
+        return instead;
+    }
+}

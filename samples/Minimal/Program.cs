@@ -1,0 +1,45 @@
+// A free kick in fifty lines: scene, kick, look-ahead, step loop, events, aim. Metres, seconds, rad/s; y is up, −z is forwards.
+using Football.Physics;
+
+// The scene: ball, air, forces and ground, each with numbers of its own. What is left out is a football over turf in still air.
+var scene = new Scene
+{
+    Air = new Air { Wind = new Vector3d(2, 0, 0) },
+    Ground = Ground.WetTurf,
+};
+var ball = new Ball(scene);
+
+// The kick: 27 m/s, slightly to the right and up, with backspin, and sidespin that bends it to the left.
+ball.Kick(speed: 27, direction: new Vector3d(0.25, 0.3, -1), topSpin: -10, sideSpin: 60);
+
+// Look ahead before it happens: a path that can be asked where it crosses the goal line, 22 m away.
+var path = new Trajectory();
+ball.Simulator.LookAhead(ball.State, new LookAheadRequest { Duration = 5 }, path);
+var goalLine = new Plane3d(point: new Vector3d(0, 0, -22), normal: new Vector3d(0, 0, -1));
+if (path.TryGetCrossing(goalLine, out PathPoint crossing))
+{
+    Console.WriteLine($"will cross the goal line after {crossing.Time:F2} s, {crossing.Position.Y:F2} m high");
+}
+
+// The loop of a game: a step a frame, and what happened in it.
+while (ball.Motion != MotionState.Stopped)
+{
+    ball.Step(1.0 / 60.0);
+    foreach (BallEvent happened in ball.Events)
+    {
+        Console.WriteLine($"{happened.Time,6:F2} s  {happened.Kind,-6}  at {happened.Position}, {happened.Velocity.Length:F1} m/s");
+    }
+}
+
+// Aim: which kick of 27 m/s with that sidespin goes over the wall's place and into the corner?
+AimResult kick = new Aimer(scene).Find(new AimRequest
+{
+    From = new Vector3d(0, 0.11, 0),
+    Target = new Vector3d(-3.2, 1.8, -22),
+    Speed = 27,
+    SideSpin = 60,
+});
+Console.WriteLine($"{kick.Status}: velocity {kick.Velocity}, passes the corner at {1000 * kick.Miss:F1} mm after {kick.Time:F2} s");
+
+ball.Place(new Vector3d(0, 0.11, 0));
+ball.Kick(kick.Velocity, kick.Spin);
