@@ -13,7 +13,7 @@ public sealed class LaneLawPointTests
     public void The_published_law_is_the_law_on_both_branches()
     {
         FittedLaneLaw<Lanes1, PublishedLaneFit<Lanes1>> law = default;
-        Compare<FittedLaneLaw<Lanes1, PublishedLaneFit<Lanes1>>, Aerodynamics<PublishedDragFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>>(
+        Compare<FittedLaneLaw<Lanes1, PublishedLaneFit<Lanes1>>, AirLaws<PublishedDragFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>>(
             ref law, new ForceSet(), Tolerance, DecayBound);
     }
 
@@ -22,7 +22,7 @@ public sealed class LaneLawPointTests
     {
         // Its weight changes by e within 0.25 m/s: of a speed of 12 m/s in float by 2e-6.
         FittedLaneLaw<Lanes1, RegularisedLaneFit<Lanes1>> law = default;
-        Compare<FittedLaneLaw<Lanes1, RegularisedLaneFit<Lanes1>>, Aerodynamics<RegularisedDragFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>>(
+        Compare<FittedLaneLaw<Lanes1, RegularisedLaneFit<Lanes1>>, AirLaws<RegularisedDragFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>>(
             ref law, ForceSet.Regularised, 4e-6, DecayBound);
     }
 
@@ -30,7 +30,7 @@ public sealed class LaneLawPointTests
     public void The_constant_law_is_the_law()
     {
         ConstantLaneLaw<Lanes1> law = default;
-        Compare<ConstantLaneLaw<Lanes1>, Aerodynamics<NoDragFit, ConstantDrag, ConstantMagnus, ConstantSpinDecay>>(
+        Compare<ConstantLaneLaw<Lanes1>, AirLaws<NoDragFit, ConstantDrag, ConstantMagnus, ConstantSpinDecay>>(
             ref law, ForceSet.Constant with { SpinDecayCoefficient = 3e-5 }, Tolerance, _ => Tolerance);
     }
 
@@ -39,7 +39,7 @@ public sealed class LaneLawPointTests
 
     private static void Compare<TLaw, TAir>(ref TLaw law, ForceSet forces, double tolerance, Func<double, double> decayTolerance)
         where TLaw : struct, ILaneLaw<Lanes1>
-        where TAir : struct, IAerodynamics
+        where TAir : struct, IAir
     {
         Scene scene = LawGrid.Scene with { Forces = forces };
         TAir air = default;
@@ -61,8 +61,8 @@ public sealed class LaneLawPointTests
                     continue;
                 }
 
-                air.Begin(rate, branch, out AirStep whole);
-                air.Evaluate(in whole, speedSquared, rate, out double expectedDrag, out double expectedLift, out double expectedDecay);
+                air.Begin(rate, branch, out PointStep whole);
+                air.AtStage(in whole, speedSquared, rate, 0, out double expectedDrag, out double expectedLift, out double expectedDecay);
                 law.Begin(Lanes1.Of(rate), out LaneSpin<Lanes1> step);
                 Lanes1 mask = Lanes1.Of(branch == DragBranch.Spinning ? 1 : 0);
                 law.Evaluate(
