@@ -31,6 +31,12 @@ internal struct Aerodynamics<TFit, TDrag, TMagnus, TDecay> : IAerodynamics
         get => _magnus.Acts;
     }
 
+    public bool NeedsSpinAcross
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
+
     public bool Jumps
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -70,7 +76,7 @@ internal struct Aerodynamics<TFit, TDrag, TMagnus, TDecay> : IAerodynamics
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Evaluate(in AirStep step, double speedSquared, double spinRate, out double drag, out double lift, out double decay)
+    public void Evaluate(in AirStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay)
     {
         AirFlow flow = default;
         flow.SpeedSquared = speedSquared;
@@ -103,8 +109,8 @@ internal struct Aerodynamics<TFit, TDrag, TMagnus, TDecay> : IAerodynamics
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void EvaluateStart(ref AirStep step, double speedSquared, double spinRate, out double drag, out double lift, out double decay) =>
-        Evaluate(in step, speedSquared, spinRate, out drag, out lift, out decay);
+    public void EvaluateStart(ref AirStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay) =>
+        Evaluate(in step, speedSquared, spinRate, acrossSquared, out drag, out lift, out decay);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Expand(in AirStep step, double speedChange, double spinChange, out AirSeries series)

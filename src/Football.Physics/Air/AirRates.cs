@@ -30,7 +30,8 @@ internal static class AirRates
         if (air.Drags || air.Lifts || air.SpinDecays)
         {
             air.Begin(rate, branch, out AirStep step);
-            air.Evaluate(in step, (u.X * u.X) + (u.Y * u.Y) + (u.Z * u.Z), rate, out drag, out lift, out decay);
+            double acrossSquared = air.NeedsSpinAcross && rate > 0 ? Vector3d.Cross((1.0 / rate) * spin, in u).LengthSquared : 0;
+            air.Evaluate(in step, (u.X * u.X) + (u.Y * u.Y) + (u.Z * u.Z), rate, acrossSquared, out drag, out lift, out decay);
             if (rate > 0)
             {
                 double perRate = 1.0 / rate;

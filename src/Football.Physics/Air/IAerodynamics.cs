@@ -9,6 +9,9 @@ internal interface IAerodynamics
     /// <summary>Whether the Magnus force acts.</summary>
     bool Lifts { get; }
 
+    /// <summary>Whether the laws read |ω̂ × u|², the spin across the motion; others are handed 0.</summary>
+    bool NeedsSpinAcross { get; }
+
     /// <summary>Whether the fitted drag coefficient is used and jumps.</summary>
     bool Jumps { get; }
 
@@ -41,19 +44,21 @@ internal interface IAerodynamics
     /// <param name="step">From <see cref="Begin"/>.</param>
     /// <param name="speedSquared">|u|².</param>
     /// <param name="spinRate">|ω|; slightly negative in a stage that overshoots zero.</param>
+    /// <param name="acrossSquared">|ω̂ × u|².</param>
     /// <param name="drag">D.</param>
     /// <param name="lift">L.</param>
     /// <param name="decay">Angular deceleration.</param>
-    void Evaluate(in AirStep step, double speedSquared, double spinRate, out double drag, out double lift, out double decay);
+    void Evaluate(in AirStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay);
 
     /// <summary>Evaluates all laws at a step's start, and keeps what <see cref="Expand"/> needs of it.</summary>
     /// <param name="step">From <see cref="Begin"/>.</param>
     /// <param name="speedSquared">|u|².</param>
     /// <param name="spinRate">|ω|, that of <see cref="Begin"/>.</param>
+    /// <param name="acrossSquared">|ω̂ × u|².</param>
     /// <param name="drag">D.</param>
     /// <param name="lift">L.</param>
     /// <param name="decay">Angular deceleration.</param>
-    void EvaluateStart(ref AirStep step, double speedSquared, double spinRate, out double drag, out double lift, out double decay);
+    void EvaluateStart(ref AirStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay);
 
     /// <summary>Makes series about a step's start for its other stages.</summary>
     /// <param name="step">From <see cref="EvaluateStart"/>.</param>

@@ -43,7 +43,8 @@ internal static class FlightRates
         double decay = 0;
         if (air.Drags || air.Lifts || air.SpinDecays)
         {
-            air.EvaluateStart(ref once, (ux * ux) + (uy * uy) + (uz * uz), spin, out drag, out lift, out decay);
+            double acrossSquared = air.NeedsSpinAcross ? AcrossSquared(nx, ny, nz, ux, uy, uz) : 0;
+            air.EvaluateStart(ref once, (ux * ux) + (uy * uy) + (uz * uz), spin, acrossSquared, out drag, out lift, out decay);
         }
 
         Combine(ref air, nx, ny, nz, upward, ux, uy, uz, spin, drag, lift, decay, out ax, out ay, out az, out spinRate);
@@ -131,11 +132,22 @@ internal static class FlightRates
             }
             else
             {
-                air.Evaluate(in once, speedSquared, spin, out drag, out lift, out decay);
+                double acrossSquared = air.NeedsSpinAcross ? AcrossSquared(nx, ny, nz, ux, uy, uz) : 0;
+                air.Evaluate(in once, speedSquared, spin, acrossSquared, out drag, out lift, out decay);
             }
         }
 
         Combine(ref air, nx, ny, nz, upward, ux, uy, uz, spin, drag, lift, decay, out ax, out ay, out az, out spinRate);
+    }
+
+    /// <summary>|ω̂ × u|².</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static double AcrossSquared(double nx, double ny, double nz, double ux, double uy, double uz)
+    {
+        double x = (ny * uz) - (nz * uy);
+        double y = (nz * ux) - (nx * uz);
+        double z = (nx * uy) - (ny * ux);
+        return (x * x) + (y * y) + (z * z);
     }
 
     /// <summary>a = L (ω̂ × u) − D u + g, ω̇ = −decay.</summary>

@@ -97,7 +97,7 @@ internal struct Relaxation<TAir>
     {
         double speedSquared = speed * speed;
         Air.Begin(spin, DragJump.At(speedSquared, RadiusSquared * spin * spin).Branch, out AirStep step);
-        Air.Evaluate(in step, speedSquared, spin, out drag, out lift, out decay);
+        Air.Evaluate(in step, speedSquared, spin, speedSquared, out drag, out lift, out decay);
         drag = drag < Infinite ? drag : Infinite;
         lift = lift < Infinite ? (lift > -Infinite ? lift : -Infinite) : Infinite;
         decay = decay < Infinite ? decay : Infinite;

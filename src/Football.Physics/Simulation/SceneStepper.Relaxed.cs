@@ -29,7 +29,7 @@ internal sealed partial class Stepper<TFast, TSpun, TAir, TIntegrator>
         {
             // The bound adds what each law could do; twice what they do here is enough, and in still air what they are about to do.
             _air.Begin(spin, branch, out AirStep once);
-            _air.Evaluate(in once, Math.Max(speed * speed, StillAir), spin, out double drag, out double lift, out double decay);
+            _air.Evaluate(in once, Math.Max(speed * speed, StillAir), spin, Math.Max(speed * speed, StillAir), out double drag, out double lift, out double decay);
             double ofSpin = spin > 0 ? Math.Min(decay / spin, (_bound.PerSpeed * speed) + (_bound.PerSpin * spin)) : 0;
             double here = 2.0 * (drag + Math.Abs(lift) + ofSpin);
             double closer = left * (here + _bound.Constant + damping);

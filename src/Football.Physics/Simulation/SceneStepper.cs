@@ -178,7 +178,7 @@ internal sealed partial class Stepper<TFast, TSpun, TAir, TIntegrator> : Stepper
         double speedSquared = speed * speed;
         DragBranch branch = DragJump.At(speedSquared, _radiusSquared * spinRate * spinRate).Branch;
         _air.Begin(spinRate, branch, out AirStep step);
-        _air.Evaluate(in step, speedSquared, spinRate, out drag, out lift, out _);
+        _air.Evaluate(in step, speedSquared, spinRate, speedSquared, out drag, out lift, out _);
     }
 
     /// <summary>Shows a piece to an observer; the acceleration at its end is used only if the observer wants it.</summary>

@@ -13,9 +13,8 @@ internal static class StepperFactory
             : WithDrag<PublishedDragFit>(scene, settings);
     }
 
-    /// <summary>Whether every law is the published one or left out, and the drag coefficient is used: what the fused kernel does.</summary>
-    private static bool Fusible(ForceSet forces) => forces.Coefficients == CoefficientForm.Published
-        && forces.Drag != ForceLaw.Constant
+    /// <summary>Whether every law is the fitted one or left out, and the drag coefficient is used: what the fused kernels do.</summary>
+    private static bool Fusible(ForceSet forces) => forces.Drag != ForceLaw.Constant
         && forces.Magnus != ForceLaw.Constant
         && forces.SpinDecay != ForceLaw.Constant
         && (forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical);
@@ -35,8 +34,25 @@ internal static class StepperFactory
         where TDragLaw : struct, IAirLaw
         where TMagnus : struct, IPresence
         where TMagnusLaw : struct, IAirLaw => scene.Forces.SpinDecay == ForceLaw.Empirical
-            ? WithFused<PublishedAir<TDrag, TMagnus, Present>, SpunAir<TDrag, TMagnus, Present>, Aerodynamics<PublishedDragFit, TDragLaw, TMagnusLaw, EmpiricalSpinDecay>>(scene, settings)
-            : WithFused<PublishedAir<TDrag, TMagnus, Absent>, SpunAir<TDrag, TMagnus, Absent>, Aerodynamics<PublishedDragFit, TDragLaw, TMagnusLaw, NoAirLaw>>(scene, settings);
+            ? FusedCoefficients<TDrag, TDragLaw, TMagnus, TMagnusLaw, Present, EmpiricalSpinDecay>(scene, settings)
+            : FusedCoefficients<TDrag, TDragLaw, TMagnus, TMagnusLaw, Absent, NoAirLaw>(scene, settings);
+
+    private static Stepper FusedCoefficients<TDrag, TDragLaw, TMagnus, TMagnusLaw, TDecay, TDecayLaw>(Scene scene, SolverSettings settings)
+        where TDrag : struct, IPresence
+        where TDragLaw : struct, IAirLaw
+        where TMagnus : struct, IPresence
+        where TMagnusLaw : struct, IAirLaw
+        where TDecay : struct, IPresence
+        where TDecayLaw : struct, IAirLaw => scene.Forces.Coefficients == CoefficientForm.Regularised
+            ? Smooth<RegularisedLaw, TDrag, TMagnus, TDecay>(scene, settings)
+            : WithFused<PublishedAir<TDrag, TMagnus, TDecay>, SpunAir<TDrag, TMagnus, TDecay>, Aerodynamics<PublishedDragFit, TDragLaw, TMagnusLaw, TDecayLaw>>(scene, settings);
+
+    private static Stepper Smooth<TLaw, TDrag, TMagnus, TDecay>(Scene scene, SolverSettings settings)
+        where TLaw : struct, ISmoothLaw
+        where TDrag : struct, IPresence
+        where TMagnus : struct, IPresence
+        where TDecay : struct, IPresence =>
+        WithFused<SmoothAir<TLaw, TDrag, TMagnus, TDecay>, SmoothAir<TLaw, TDrag, TMagnus, TDecay>, SmoothLaws<TLaw, TDrag, TMagnus, TDecay>>(scene, settings);
 
     private static Stepper WithDrag<TFit>(Scene scene, SolverSettings settings)
         where TFit : struct, IDragFit => scene.Forces.Drag switch

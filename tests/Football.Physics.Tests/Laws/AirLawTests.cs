@@ -133,7 +133,7 @@ public sealed class AirLawTests
         Aerodynamics<TFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> air = default;
         air.Prepare(LawGrid.Scene);
         air.Begin(spin, branch, out AirStep step);
-        air.Evaluate(in step, speed * speed, spin, out double drag, out double lift, out double decay);
+        air.Evaluate(in step, speed * speed, spin, speed * speed, out double drag, out double lift, out double decay);
         Assert.True(double.IsFinite(drag) && double.IsFinite(lift) && double.IsFinite(decay), $"{speed} m/s, {spin} rad/s, {branch}: {drag} {lift} {decay}");
     }
 
@@ -147,7 +147,7 @@ public sealed class AirLawTests
         Aerodynamics<TFit, TDrag, TMagnus, TDecay> air = default;
         air.Prepare(LawGrid.Scene with { Forces = forces });
         air.Begin(spin, LawGrid.BranchOf(speed, LawGrid.Scene.Ball.Radius * spin / speed), out AirStep step);
-        air.Evaluate(in step, speed * speed, spin, out drag, out lift, out decay);
+        air.Evaluate(in step, speed * speed, spin, speed * speed, out drag, out lift, out decay);
     }
 
     /// <summary>Accelerations of the library's laws at every point of the grid against a plain force and torque.</summary>

@@ -81,7 +81,7 @@ public sealed class FusedLawTests
         foreach (double speed in LawGrid.Speeds.Where(speed => air.Covers(speed * speed, 0, 0.01)))
         {
             air.Begin(0, DragBranch.NoSpin, out AirStep step);
-            air.Evaluate(in step, speed * speed, 0, out double drag, out double lift, out _);
+            air.Evaluate(in step, speed * speed, 0, speed * speed, out double drag, out double lift, out _);
             double expected = PlainLaws.Drag(LawGrid.Scene, PlainLaws.WithoutSpin(speed), new Vector3d(speed, 0, 0)).Length / LawGrid.Scene.Ball.Mass / speed;
             Assert.InRange(drag / expected, 1 - 4e-9, 1 + 4e-9);
             Assert.Equal(0, lift);
@@ -111,7 +111,7 @@ public sealed class FusedLawTests
                 double sp = s_radius * spin / speed;
                 DragBranch branch = LawGrid.BranchOf(speed, sp);
                 air.Begin(start, branch, out AirStep step);
-                air.Evaluate(in step, speed * speed, spin, out double drag, out double lift, out double decay);
+                air.Evaluate(in step, speed * speed, spin, speed * speed, out double drag, out double lift, out double decay);
                 var u = new Vector3d(speed, 0, 0);
                 var w = new Vector3d(0, spin, 0);
                 double coefficient = PlainLaws.Published(speed, sp);

@@ -49,7 +49,7 @@ public sealed class PointwiseLawTests
         air.Prepare(LawGrid.Scene);
         foreach (DragBranch branch in Enum.GetValues<DragBranch>())
         {
-            Assert.False(air.EvaluateAt(branch, speed * speed, spin, out double drag, out double lift, out double decay));
+            Assert.False(air.EvaluateAt(branch, speed * speed, spin, speed * speed, out double drag, out double lift, out double decay));
             Assert.Equal((0, 0, 0), (drag, lift, decay));
         }
     }
@@ -74,14 +74,14 @@ public sealed class PointwiseLawTests
                 {
                     double square = speed * speed;
                     either.Begin(spin, branch, out AirStep step);
-                    either.Evaluate(in step, square, spin, out double drag, out double lift, out double decay);
-                    either.EvaluateStart(ref step, square, spin, out double startDrag, out double startLift, out double startDecay);
+                    either.Evaluate(in step, square, spin, square, out double drag, out double lift, out double decay);
+                    either.EvaluateStart(ref step, square, spin, square, out double startDrag, out double startLift, out double startDecay);
                     Assert.Equal((drag, lift, decay), (startDrag, startLift, startDecay));
                     Assert.False(either.Expand(in step, 0, 0, out _));
-                    if (!fused.EvaluateAt(branch, square, spin, out double fusedDrag, out double fusedLift, out double fusedDecay))
+                    if (!fused.EvaluateAt(branch, square, spin, square, out double fusedDrag, out double fusedLift, out double fusedDecay))
                     {
                         laws.Begin(spin, branch, out AirStep once);
-                        laws.Evaluate(in once, square, spin, out fusedDrag, out fusedLift, out fusedDecay);
+                        laws.Evaluate(in once, square, spin, square, out fusedDrag, out fusedLift, out fusedDecay);
                         byLaws++;
                     }
 
@@ -116,10 +116,10 @@ public sealed class PointwiseLawTests
             double sp = LawGrid.Scene.Ball.Radius * spin / speed;
             foreach (DragBranch branch in Enum.GetValues<DragBranch>())
             {
-                Assert.True(air.EvaluateAt(branch, square, spin, out double drag, out double lift, out double decay));
+                Assert.True(air.EvaluateAt(branch, square, spin, square, out double drag, out double lift, out double decay));
                 laws.Begin(spin, branch, out AirStep once);
-                laws.Evaluate(in once, square, spin, out double expectedDrag, out double expectedLift, out double expectedDecay);
-                drags.Evaluate(in once, square, spin, out double anyDrag, out _, out _);
+                laws.Evaluate(in once, square, spin, square, out double expectedDrag, out double expectedLift, out double expectedDecay);
+                drags.Evaluate(in once, square, spin, square, out double anyDrag, out _, out _);
                 string name = $"{speed} m/s, {spin} rad/s (Sp {sp}), {branch}";
 
                 // Of two forces that nearly cancel in a law, or of one beside another that is far larger, an error is nothing.
@@ -145,7 +145,7 @@ public sealed class PointwiseLawTests
                     // The same expressions, so the same bits.
                     starts++;
                     air.Begin(spin, branch, out AirStep step);
-                    air.EvaluateStart(ref step, square, spin, out double startDrag, out double startLift, out double startDecay);
+                    air.EvaluateStart(ref step, square, spin, square, out double startDrag, out double startLift, out double startDecay);
                     Assert.Equal((drag, lift, decay), (startDrag, startLift, startDecay));
                 }
             }

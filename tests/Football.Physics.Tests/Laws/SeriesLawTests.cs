@@ -95,7 +95,7 @@ public sealed class SeriesLawTests
                 (lift, nearLift, Sum(0.83, change, 2) * (lift - (onDrag * byDrag))),
                 (series.Decay0, nearDecay, series.Decay0 + (series.DecayBySpin * change)));
             onDrag = Sum(0.3056, change, 3);
-            air.Evaluate(in step, square, spin * (1 + change), out double drag, out double faded, out _);
+            air.Evaluate(in step, square, spin * (1 + change), square, out double drag, out double faded, out _);
             Same(
                 1e-12,
                 (step.StartDrag, drag, step.StartDrag * onDrag),
@@ -129,7 +129,7 @@ public sealed class SeriesLawTests
         PublishedAir<Present, Present, Present> air = default;
         air.Prepare(LawGrid.Scene);
         air.Begin(30, (DragBranch)branch, out AirStep step);
-        air.EvaluateStart(ref step, 400, 30, out _, out _, out _);
+        air.EvaluateStart(ref step, 400, 30, 400, out _, out _, out _);
         Assert.False(air.Expand(in step, 0, 0, out _));
     }
 
@@ -173,8 +173,8 @@ public sealed class SeriesLawTests
                 double nearSpin = spin * (1 - (d * FarthestSpin));
                 air.EvaluateNear(in series, nearSquare, nearSpin, out double drag, out double lift, out double decay);
                 laws.Begin(nearSpin, DragBranch.Spinning, out AirStep once);
-                laws.Evaluate(in once, nearSquare, nearSpin, out double expectedDrag, out double expectedLift, out double expectedDecay);
-                drags.Evaluate(in once, nearSquare, nearSpin, out double anyDrag, out _, out _);
+                laws.Evaluate(in once, nearSquare, nearSpin, nearSquare, out double expectedDrag, out double expectedLift, out double expectedDecay);
+                drags.Evaluate(in once, nearSquare, nearSpin, nearSquare, out double anyDrag, out _, out _);
                 string name = $"{speed} m/s, {spin} rad/s, {e} of the way in |u|², {d} of the spin's loss";
                 if (default(TDrag).Is)
                 {
@@ -233,7 +233,7 @@ public sealed class SeriesLawTests
         where TAir : struct, IAerodynamics
     {
         air.Begin(spin, DragBranch.Spinning, out AirStep step);
-        air.EvaluateStart(ref step, speedSquared, spin, out _, out _, out _);
+        air.EvaluateStart(ref step, speedSquared, spin, speedSquared, out _, out _, out _);
         return step;
     }
 

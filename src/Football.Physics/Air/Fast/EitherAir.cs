@@ -27,6 +27,12 @@ internal struct EitherAir<TFast, TLaws> : IAerodynamics
         get => _laws.Lifts;
     }
 
+    public bool NeedsSpinAcross
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => _laws.NeedsSpinAcross;
+    }
+
     public bool Jumps
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -63,21 +69,21 @@ internal struct EitherAir<TFast, TLaws> : IAerodynamics
 
     // Never inlined: one body for all the callers, who are not the hot path.
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public void Evaluate(in AirStep step, double speedSquared, double spinRate, out double drag, out double lift, out double decay)
+    public void Evaluate(in AirStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay)
     {
-        if (!_fast.EvaluateAt(step.Branch, speedSquared, spinRate, out drag, out lift, out decay))
+        if (!_fast.EvaluateAt(step.Branch, speedSquared, spinRate, acrossSquared, out drag, out lift, out decay))
         {
-            EvaluateLaws(in step, speedSquared, spinRate, out drag, out lift, out decay);
+            EvaluateLaws(in step, speedSquared, spinRate, acrossSquared, out drag, out lift, out decay);
         }
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void EvaluateLaws(in AirStep step, double speedSquared, double spinRate, out double drag, out double lift, out double decay) =>
-        _laws.Evaluate(in step, speedSquared, spinRate, out drag, out lift, out decay);
+    private void EvaluateLaws(in AirStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay) =>
+        _laws.Evaluate(in step, speedSquared, spinRate, acrossSquared, out drag, out lift, out decay);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void EvaluateStart(ref AirStep step, double speedSquared, double spinRate, out double drag, out double lift, out double decay) =>
-        Evaluate(in step, speedSquared, spinRate, out drag, out lift, out decay);
+    public void EvaluateStart(ref AirStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay) =>
+        Evaluate(in step, speedSquared, spinRate, acrossSquared, out drag, out lift, out decay);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Expand(in AirStep step, double speedChange, double spinChange, out AirSeries series)

@@ -46,6 +46,12 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
         get => default(TMagnus).Is;
     }
 
+    public bool NeedsSpinAcross
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
+
     public bool Jumps
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -112,7 +118,7 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Evaluate(in AirStep step, double speedSquared, double spinRate, out double drag, out double lift, out double decay)
+    public void Evaluate(in AirStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay)
     {
         drag = 0;
         lift = 0;
@@ -156,7 +162,7 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void EvaluateStart(ref AirStep step, double speedSquared, double spinRate, out double drag, out double lift, out double decay)
+    public void EvaluateStart(ref AirStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay)
     {
         drag = 0;
         lift = 0;
@@ -268,7 +274,8 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
         }
     }
 
-    public bool EvaluateAt(DragBranch branch, double speedSquared, double spinRate, out double drag, out double lift, out double decay)
+    public bool EvaluateAt(
+        DragBranch branch, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay)
     {
         if (!(spinRate > 0 && speedSquared > SlowestPoint * SlowestPoint && speedSquared < FusedRange.Fastest * FusedRange.Fastest))
         {
@@ -279,7 +286,7 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IFusedAir
         }
 
         Begin(spinRate, branch, out AirStep step);
-        EvaluateStart(ref step, speedSquared, spinRate, out drag, out lift, out decay);
+        EvaluateStart(ref step, speedSquared, spinRate, acrossSquared, out drag, out lift, out decay);
         if (!(_quarterSquare * spinRate * spinRate < LargestRatio * speedSquared))
         {
             // The spin of a ball that has bounced: the lift ends at Sp 1.88, and the plates are asked one by one.

@@ -29,6 +29,12 @@ internal struct SpunAir<TDrag, TMagnus, TDecay> : IAerodynamics
         get => _forces.Lifts;
     }
 
+    public bool NeedsSpinAcross
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
+
     public bool Jumps
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -68,9 +74,9 @@ internal struct SpunAir<TDrag, TMagnus, TDecay> : IAerodynamics
     public void Begin(double spinRate, DragBranch branch, out AirStep step) => _forces.Begin(spinRate, branch, out step);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Evaluate(in AirStep step, double speedSquared, double spinRate, out double drag, out double lift, out double decay)
+    public void Evaluate(in AirStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay)
     {
-        _forces.Evaluate(in step, speedSquared, spinRate, out drag, out lift, out _);
+        _forces.Evaluate(in step, speedSquared, spinRate, acrossSquared, out drag, out lift, out _);
         lift = lift > 0 ? lift : 0;
         decay = 0;
         if (default(TDecay).Is)
@@ -83,8 +89,8 @@ internal struct SpunAir<TDrag, TMagnus, TDecay> : IAerodynamics
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void EvaluateStart(ref AirStep step, double speedSquared, double spinRate, out double drag, out double lift, out double decay) =>
-        Evaluate(in step, speedSquared, spinRate, out drag, out lift, out decay);
+    public void EvaluateStart(ref AirStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay) =>
+        Evaluate(in step, speedSquared, spinRate, acrossSquared, out drag, out lift, out decay);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Expand(in AirStep step, double speedChange, double spinChange, out AirSeries series)
