@@ -41,6 +41,10 @@ internal static class TargetTable
         Independent("RK4", Integrator.Rk4),
         Regularised("RK2", Integrator.Rk2),
         Regularised("RK4", Integrator.Rk4),
+        OfPublished("fast: RK2", Integrator.Rk2, Fast),
+        OfPublished("fast: RK4", Integrator.Rk4, Fast),
+        OfPublished("mixed: RK2", Integrator.Rk2, Mixed),
+        OfPublished("mixed: RK4", Integrator.Rk4, Mixed),
         Thesis("Euler", Integrator.Euler, "11.2 µs"),
         Thesis("RK2", Integrator.Rk2, "14.7 µs"),
         Thesis("RK4", Integrator.Rk4, "20.9 µs"),
@@ -82,6 +86,15 @@ internal static class TargetTable
             () => Workloads.Plain(PlainLawKind.Regularised, integrator, Mixed))
         {
             Error = () => Errors.Landing(integrator, PlainLawKind.Regularised, H, Mixed),
+        };
+
+    private static TargetRow OfPublished(string name, Integrator integrator, IReadOnlyList<Shot> shots) =>
+        new(
+            $"regularised law, of the published law, {name}",
+            () => Workloads.Flight(PlainFlight.SceneOf(PlainLawKind.Regularised), integrator, shots),
+            () => Workloads.Flight(Scene.Default, integrator, shots))
+        {
+            Target = 1.3,
         };
 
     private static TargetRow Thesis(string name, Integrator integrator, string thesis) =>

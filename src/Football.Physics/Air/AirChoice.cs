@@ -51,17 +51,28 @@ internal static class AirChoice
             _ => throw UnknownLaw(scene.Forces),
         };
 
-    /// <summary>With the coefficient without its jumps.</summary>
+    /// <summary>With the coefficient without its jumps; by tables where no law is of constant coefficients.</summary>
     private static TResult Regularised<TVisitor, TResult>(Scene scene, ref TVisitor visitor)
         where TVisitor : struct, IAirVisitor<TResult> => (scene.Forces.Drag, scene.Forces.Magnus) switch
-    {
-        (ForceLaw.None, ForceLaw.Empirical) => Laws<TVisitor, TResult, RegularisedDragFit, NoAirLaw, EmpiricalMagnus>(scene, ref visitor),
-        (ForceLaw.Empirical, ForceLaw.None) => Laws<TVisitor, TResult, RegularisedDragFit, EmpiricalDrag, NoAirLaw>(scene, ref visitor),
-        (ForceLaw.Empirical, ForceLaw.Empirical) => Laws<TVisitor, TResult, RegularisedDragFit, EmpiricalDrag, EmpiricalMagnus>(scene, ref visitor),
-        (ForceLaw.Constant, ForceLaw.Empirical) => Laws<TVisitor, TResult, RegularisedDragFit, ConstantDrag, EmpiricalMagnus>(scene, ref visitor),
-        (ForceLaw.Empirical, ForceLaw.Constant) => Laws<TVisitor, TResult, RegularisedDragFit, EmpiricalDrag, ConstantMagnus>(scene, ref visitor),
-        _ => throw UnknownLaw(scene.Forces),
-    };
+        {
+            (ForceLaw.None, ForceLaw.Empirical) => Regularised<TVisitor, TResult, NoAirLaw, EmpiricalMagnus>(scene, ref visitor),
+            (ForceLaw.Empirical, ForceLaw.None) => Regularised<TVisitor, TResult, EmpiricalDrag, NoAirLaw>(scene, ref visitor),
+            (ForceLaw.Empirical, ForceLaw.Empirical) => Regularised<TVisitor, TResult, EmpiricalDrag, EmpiricalMagnus>(scene, ref visitor),
+            (ForceLaw.Constant, ForceLaw.Empirical) => Laws<TVisitor, TResult, RegularisedDragFit, ConstantDrag, EmpiricalMagnus>(scene, ref visitor),
+            (ForceLaw.Empirical, ForceLaw.Constant) => Laws<TVisitor, TResult, RegularisedDragFit, EmpiricalDrag, ConstantMagnus>(scene, ref visitor),
+            _ => throw UnknownLaw(scene.Forces),
+        };
+
+    private static TResult Regularised<TVisitor, TResult, TDrag, TMagnus>(Scene scene, ref TVisitor visitor)
+        where TDrag : struct, IAirLaw
+        where TMagnus : struct, IAirLaw
+        where TVisitor : struct, IAirVisitor<TResult> => scene.Forces.SpinDecay switch
+        {
+            ForceLaw.None => visitor.Visit<SmoothAir<RegularisedLaw, TDrag, TMagnus, NoAirLaw>>(scene),
+            ForceLaw.Constant => visitor.Visit<AirLaws<RegularisedDragFit, TDrag, TMagnus, ConstantSpinDecay>>(scene),
+            ForceLaw.Empirical => visitor.Visit<SmoothAir<RegularisedLaw, TDrag, TMagnus, EmpiricalSpinDecay>>(scene),
+            _ => throw UnknownLaw(scene.Forces),
+        };
 
     private static TResult Laws<TVisitor, TResult, TFit, TDrag, TMagnus>(Scene scene, ref TVisitor visitor)
         where TFit : struct, IDragFit

@@ -12,8 +12,8 @@ internal struct AirFlow
     /// <summary>|ω|, rad/s, not negative.</summary>
     public double SpinRate;
 
-    /// <summary>ω̂·u, m/s: the spin across the motion is |ω| √(1 − (ω̂·û)²).</summary>
-    public double AlongSpin;
+    /// <summary>|ω̂ × u|², m²/s²: the spin across the motion is |ω| |ω̂ × û|.</summary>
+    public double AcrossSquared;
 
     /// <summary>Spin parameter Sp = r|ω|/|u|. Only where a law needs it.</summary>
     public double SpinParameter;

@@ -89,8 +89,8 @@ internal struct AirLaws<TFit, TDrag, TMagnus, TDecay> : IAir
     public void Begin(double spinRate, DragBranch branch, out PointStep step) => step.Branch = branch;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void AtStart(ref PointStep step, double speedSquared, double spinRate, double alongSpin, out double drag, out double lift, out double decay) =>
-        AtStage(in step, speedSquared, spinRate, alongSpin, out drag, out lift, out decay);
+    public void AtStart(ref PointStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay) =>
+        AtStage(in step, speedSquared, spinRate, acrossSquared, out drag, out lift, out decay);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Expand(ref PointStep step, double speedChange, double spinChange)
@@ -98,12 +98,12 @@ internal struct AirLaws<TFit, TDrag, TMagnus, TDecay> : IAir
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void AtStage(in PointStep step, double speedSquared, double spinRate, double alongSpin, out double drag, out double lift, out double decay)
+    public void AtStage(in PointStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay)
     {
         AirFlow flow = default;
         flow.SpeedSquared = speedSquared;
         flow.SpinRate = spinRate;
-        flow.AlongSpin = alongSpin;
+        flow.AcrossSquared = acrossSquared;
         Factors(ref flow, step.Branch, out drag, out lift, out decay);
     }
 

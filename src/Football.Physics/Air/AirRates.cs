@@ -44,9 +44,12 @@ internal static class AirRates
         if (air.Drags || air.Lifts || air.SpinDecays)
         {
             double perRate = rate > 0 ? 1.0 / rate : 0;
-            double alongSpin = perRate * ((wx * ux) + (wy * uy) + (wz * uz));
+            double x = (wy * uz) - (wz * uy);
+            double y = (wz * ux) - (wx * uz);
+            double z = (wx * uy) - (wy * ux);
+            double acrossSquared = perRate * perRate * ((x * x) + (y * y) + (z * z));
             air.Begin(rate, branch, out PointStep step);
-            air.AtStart(ref step, (ux * ux) + (uy * uy) + (uz * uz), rate, alongSpin, out drag, out lift, out decay);
+            air.AtStart(ref step, (ux * ux) + (uy * uy) + (uz * uz), rate, acrossSquared, out drag, out lift, out decay);
             if (rate > 0)
             {
                 lift *= perRate;

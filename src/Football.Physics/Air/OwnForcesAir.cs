@@ -43,15 +43,15 @@ internal struct OwnForcesAir : IAir
 
     public readonly void Begin(double spinRate, DragBranch branch, out PointStep step) => step.Branch = branch;
 
-    public readonly void AtStart(ref PointStep step, double speedSquared, double spinRate, double alongSpin, out double drag, out double lift, out double decay) =>
-        _air.AtPoint(step, speedSquared, spinRate, alongSpin, out drag, out lift, out decay);
+    public readonly void AtStart(ref PointStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay) =>
+        _air.AtPoint(step, speedSquared, spinRate, acrossSquared, out drag, out lift, out decay);
 
     public readonly void Expand(ref PointStep step, double speedChange, double spinChange)
     {
     }
 
-    public readonly void AtStage(in PointStep step, double speedSquared, double spinRate, double alongSpin, out double drag, out double lift, out double decay) =>
-        _air.AtPoint(step, speedSquared, spinRate, alongSpin, out drag, out lift, out decay);
+    public readonly void AtStage(in PointStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay) =>
+        _air.AtPoint(step, speedSquared, spinRate, acrossSquared, out drag, out lift, out decay);
 
     public void Fly<TIntegrator>(
         ref TIntegrator integrator,

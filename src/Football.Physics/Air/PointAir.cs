@@ -29,7 +29,7 @@ internal abstract class PointAir
     public abstract double Evaluate(in ForceInput ball, DragBranch branch, out AirFactors factors);
 
     /// <inheritdoc cref="IFlightKernel{TStep}.AtStart"/>
-    public abstract void AtPoint(PointStep step, double speedSquared, double spinRate, double alongSpin, out double drag, out double lift, out double decay);
+    public abstract void AtPoint(PointStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay);
 
     private struct Maker : IAirVisitor<PointAir>
     {
@@ -61,7 +61,7 @@ internal abstract class PointAir
         public override double Evaluate(in ForceInput ball, DragBranch branch, out AirFactors factors) => _air.Evaluate(in ball, branch, out factors);
 
         public override void AtPoint(
-            PointStep step, double speedSquared, double spinRate, double alongSpin, out double drag, out double lift, out double decay) =>
-            _air.AtStart(ref step, speedSquared, spinRate, alongSpin, out drag, out lift, out decay);
+            PointStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay) =>
+            _air.AtStart(ref step, speedSquared, spinRate, acrossSquared, out drag, out lift, out decay);
     }
 }

@@ -99,7 +99,7 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IAir
     public void Begin(double spinRate, DragBranch branch, out PointStep step) => step.Branch = branch;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void AtStart(ref PointStep step, double speedSquared, double spinRate, double alongSpin, out double drag, out double lift, out double decay) =>
+    public void AtStart(ref PointStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay) =>
         AtPoint(step.Branch, speedSquared, spinRate, out drag, out lift, out decay);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -108,7 +108,7 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IAir
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void AtStage(in PointStep step, double speedSquared, double spinRate, double alongSpin, out double drag, out double lift, out double decay) =>
+    public void AtStage(in PointStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay) =>
         AtPoint(step.Branch, speedSquared, spinRate, out drag, out lift, out decay);
 
     // Never inlined: one body for all the callers.

@@ -44,8 +44,8 @@ internal static class FlightRates
         double decay = 0;
         if (kernel.Drags || kernel.Lifts || kernel.SpinDecays)
         {
-            double alongSpin = (nx * ux) + (ny * uy) + (nz * uz);
-            kernel.AtStart(ref once, (ux * ux) + (uy * uy) + (uz * uz), spin, alongSpin, out drag, out lift, out decay);
+            double acrossSquared = AcrossSquared(nx, ny, nz, ux, uy, uz);
+            kernel.AtStart(ref once, (ux * ux) + (uy * uy) + (uz * uz), spin, acrossSquared, out drag, out lift, out decay);
         }
 
         Combine<TKernel, TStep>(ref kernel, nx, ny, nz, upward, ux, uy, uz, spin, drag, lift, decay, out ax, out ay, out az, out spinRate);
@@ -100,11 +100,21 @@ internal static class FlightRates
         double decay = 0;
         if (kernel.Drags || kernel.Lifts || kernel.SpinDecays)
         {
-            double alongSpin = (nx * ux) + (ny * uy) + (nz * uz);
-            kernel.AtStage(in once, (ux * ux) + (uy * uy) + (uz * uz), spin, alongSpin, out drag, out lift, out decay);
+            double acrossSquared = AcrossSquared(nx, ny, nz, ux, uy, uz);
+            kernel.AtStage(in once, (ux * ux) + (uy * uy) + (uz * uz), spin, acrossSquared, out drag, out lift, out decay);
         }
 
         Combine<TKernel, TStep>(ref kernel, nx, ny, nz, upward, ux, uy, uz, spin, drag, lift, decay, out ax, out ay, out az, out spinRate);
+    }
+
+    /// <summary>|ω̂ × u|²; where the air does not ask for it, no code remains of it.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static double AcrossSquared(double nx, double ny, double nz, double ux, double uy, double uz)
+    {
+        double x = (ny * uz) - (nz * uy);
+        double y = (nz * ux) - (nx * uz);
+        double z = (nx * uy) - (ny * ux);
+        return (x * x) + (y * y) + (z * z);
     }
 
     /// <summary>a = L (ω̂ × u) − D u + g, ω̇ = −decay.</summary>

@@ -24,11 +24,11 @@ internal interface IFlightKernel<TStep>
     /// <param name="step">From <see cref="Begin"/>.</param>
     /// <param name="speedSquared">|u|², m²/s².</param>
     /// <param name="spinRate">|ω|, that of <see cref="Begin"/>, rad/s.</param>
-    /// <param name="alongSpin">ω̂·u, m/s.</param>
+    /// <param name="acrossSquared">|ω̂ × u|², m²/s².</param>
     /// <param name="drag">D, 1/s.</param>
     /// <param name="lift">L, 1/s.</param>
     /// <param name="decay">Angular deceleration, rad/s²; at zero spin its limit.</param>
-    void AtStart(ref TStep step, double speedSquared, double spinRate, double alongSpin, out double drag, out double lift, out double decay);
+    void AtStart(ref TStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay);
 
     /// <summary>Says how far the later stages go, so that the kernel can make series about the start for them.</summary>
     /// <param name="step">From <see cref="AtStart"/>.</param>
@@ -40,9 +40,9 @@ internal interface IFlightKernel<TStep>
     /// <param name="step">From <see cref="Expand"/>.</param>
     /// <param name="speedSquared">|u|², m²/s².</param>
     /// <param name="spinRate">|ω|, rad/s; slightly negative in a stage that overshoots zero.</param>
-    /// <param name="alongSpin">ω̂·u, m/s.</param>
+    /// <param name="acrossSquared">|ω̂ × u|², m²/s².</param>
     /// <param name="drag">D, 1/s.</param>
     /// <param name="lift">L, 1/s.</param>
     /// <param name="decay">Angular deceleration, rad/s².</param>
-    void AtStage(in TStep step, double speedSquared, double spinRate, double alongSpin, out double drag, out double lift, out double decay);
+    void AtStage(in TStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay);
 }

@@ -18,21 +18,20 @@ internal readonly struct Cubic
         D = d;
     }
 
-    /// <summary>The cubic through a function at the four Chebyshev points of an interval, by divided differences.</summary>
+    /// <summary>The cubic through a function at the four Chebyshev points of an interval.</summary>
     public static Cubic Through(Func<double, double> f, double low, double high)
     {
-        const double Outer = 0.92387953251128673848; // cos(π/8)
-        const double Inner = 0.38268343236508978178; // cos(3π/8)
-        double mid = 0.5 * (low + high);
-        double half = 0.5 * (high - low);
-        double x0 = mid - (half * Outer);
-        double x1 = mid - (half * Inner);
-        double x2 = mid + (half * Inner);
-        double x3 = mid + (half * Outer);
-        double f0 = f(x0);
-        double f1 = f(x1);
-        double f2 = f(x2);
-        double f3 = f(x3);
+        var at = new ChebyshevPoints(low, high);
+        return Through(in at, f(at.X0), f(at.X1), f(at.X2), f(at.X3));
+    }
+
+    /// <summary>The cubic through the values at the four Chebyshev points of an interval, by divided differences.</summary>
+    public static Cubic Through(in ChebyshevPoints at, double f0, double f1, double f2, double f3)
+    {
+        double x0 = at.X0;
+        double x1 = at.X1;
+        double x2 = at.X2;
+        double x3 = at.X3;
         double f01 = (f1 - f0) / (x1 - x0);
         double f12 = (f2 - f1) / (x2 - x1);
         double f23 = (f3 - f2) / (x3 - x2);

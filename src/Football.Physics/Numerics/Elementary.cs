@@ -72,6 +72,9 @@ internal static class Elementary
     /// <summary>x^q for positive normal x. Relative error below (1 + |q ln x|) · 4e-16.</summary>
     public static double Pow(double x, double q) => Exp(q * Log(x));
 
+    /// <summary>The logistic function 1/(1 + e^−x). Relative error below 1e-15.</summary>
+    public static double Logistic(double x) => 1.0 / (1.0 + Exp(-x));
+
     /// <summary>Sine and cosine. Absolute error below 2e-16 for |x| ≤ 1e5; finite for every finite x.</summary>
     public static void SinCos(double x, out double sin, out double cos)
     {

@@ -77,7 +77,7 @@ internal struct ImplicitEuler<TAir>
     {
         double speedSquared = speed * speed;
         Air.Begin(spin, DragJump.At(speedSquared, RadiusSquared * spin * spin).Branch, out PointStep step);
-        Air.AtStart(ref step, speedSquared, spin, 0, out drag, out lift, out decay);
+        Air.AtStart(ref step, speedSquared, spin, speedSquared, out drag, out lift, out decay);
         drag = drag < Infinite ? drag : Infinite;
         lift = lift < Infinite ? (lift > -Infinite ? lift : -Infinite) : Infinite;
         decay = decay < Infinite ? decay : Infinite;

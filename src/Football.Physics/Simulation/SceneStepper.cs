@@ -145,7 +145,7 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
     {
         double speedSquared = speed * speed;
         _air.Begin(spinRate, DragJump.At(speedSquared, _radiusSquared * spinRate * spinRate).Branch, out PointStep step);
-        _air.AtStart(ref step, speedSquared, spinRate, 0, out drag, out lift, out _);
+        _air.AtStart(ref step, speedSquared, spinRate, speedSquared, out drag, out lift, out _);
     }
 
     /// <summary>Whether a step may have crossed the drag law's jump.</summary>

@@ -88,7 +88,7 @@ internal readonly struct StabilityLimit
         {
             // The bound adds what each law could do; twice what they do here is enough, and in still air what they are about to do.
             air.Begin(spinRate, branch, out PointStep once);
-            air.AtStart(ref once, Math.Max(speed * speed, StillAir), spinRate, 0, out double drag, out double lift, out double decay);
+            air.AtStart(ref once, Math.Max(speed * speed, StillAir), spinRate, Math.Max(speed * speed, StillAir), out double drag, out double lift, out double decay);
             double ofSpin = spinRate > 0 ? Math.Min(decay / spinRate, (_bound.PerSpeed * speed) + (_bound.PerSpin * spinRate)) : 0;
             double here = 2.0 * (drag + Math.Abs(lift) + ofSpin);
             double closer = left * (here + _bound.Constant + damping);

@@ -8,6 +8,9 @@ internal struct FusedRange
     /// <summary>The fastest speed, m/s, at which the tables hold, with something in hand.</summary>
     public const double Fastest = 120;
 
+    /// <summary>The largest spin parameter with which a step of a smooth law may begin. At 2 one plate of the empirical spin decay stands still.</summary>
+    public const double LargestSpinParameter = 1.9;
+
     /// <summary>And the slowest.</summary>
     private const double Slowest = 0.75;
 
@@ -23,6 +26,8 @@ internal struct FusedRange
     /// <summary>A spin may lose this share within a step, for its powers are then good to 5e-9.</summary>
     private const double LargestLoss = 0.02;
 
+    private double _slowest;  // m/s
+    private double _fastest;
     private double _gravity;  // upward or downward, m/s²
     private double _perSpeed; // bound for drag and lift, 1/m
     private double _perSpin;
@@ -36,17 +41,26 @@ internal struct FusedRange
     /// <param name="scene">The scene.</param>
     /// <param name="forces">How fast drag and lift change the velocity.</param>
     /// <param name="fastestSpin">The fastest spin, rad/s, that the laws are asked about; without end where there is none.</param>
-    public void Prepare(Scene scene, in RateBound forces, double fastestSpin)
+    public void Prepare(Scene scene, in RateBound forces, double fastestSpin) => Prepare(scene, in forces, fastestSpin, Slowest, Fastest);
+
+    /// <param name="scene">The scene.</param>
+    /// <param name="forces">How fast drag and lift change the velocity.</param>
+    /// <param name="fastestSpin">The fastest spin, rad/s, that the laws are asked about; without end where there is none.</param>
+    /// <param name="slowest">The slowest speed, m/s, at which the tables hold.</param>
+    /// <param name="fastest">The fastest speed, m/s, at which the tables hold.</param>
+    public void Prepare(Scene scene, in RateBound forces, double fastestSpin, double slowest, double fastest)
     {
+        _slowest = slowest;
+        _fastest = fastest;
         _gravity = Math.Abs(Weight.UpwardAcceleration(scene));
         _perSpeed = forces.PerSpeed;
         _perSpin = forces.PerSpin;
-        _short = Math.Min(LargestChange / (_perSpeed * Fastest), LargestChange / (_perSpin * fastestSpin));
+        _short = Math.Min(LargestChange / (_perSpeed * fastest), LargestChange / (_perSpin * fastestSpin));
         _short = Math.Min(_short, ShortFall / Math.Max(1, _gravity));
         double fall = _short * _gravity;
         _fallSquare = 9.0 * fall * fall;
-        _leastSquare = Slower * (Slowest + fall) * Slower * (Slowest + fall);
-        _mostSquare = (Fastest - fall) * (Fastest - fall);
+        _leastSquare = Slower * (slowest + fall) * Slower * (slowest + fall);
+        _mostSquare = fastest > fall ? (fastest - fall) * (fastest - fall) : 0;
     }
 
     /// <summary>Whether the speed stays within the tables.</summary>
@@ -59,11 +73,23 @@ internal struct FusedRange
         }
 
         double fall = h * _gravity;
-        double least = Slower * (Slowest + fall);
-        double most = Fastest - fall;
+        double least = Slower * (_slowest + fall);
+        double most = _fastest - fall;
         double bySpeed = h * _perSpeed;
         return speedSquared > least * least && most > 0 && speedSquared < most * most
             && bySpeed * bySpeed * speedSquared < LargestChange * LargestChange && h * _perSpin * spinRate < LargestChange;
+    }
+
+    /// <summary>Whether the spin parameter stays below √8 at every stage, and begins below <see cref="LargestSpinParameter"/>.</summary>
+    /// <param name="speedSquared">|u|².</param>
+    /// <param name="surfaceSquared">(r|ω|)².</param>
+    /// <param name="h">Length of the step, s.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly bool HoldsSpin(double speedSquared, double surfaceSquared, double h)
+    {
+        // (7/8 |u| − h g)² ≥ 7/8 (7/8 |u|)² − 7 (h g)²
+        double fall = h * _gravity;
+        return surfaceSquared + (56.0 * fall * fall) < LargestSpinParameter * LargestSpinParameter * speedSquared;
     }
 
     /// <summary>Whether the spin loses little enough; a ball without spin has none to lose.</summary>

@@ -60,8 +60,8 @@ internal struct HighSpinKernel<TDrag, TMagnus, TDecay> : IFusedKernel<PublishedS
     public void Begin(double spinRate, DragBranch branch, out PublishedStep step) => _forces.Begin(spinRate, branch, out step);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void AtStart(ref PublishedStep step, double speedSquared, double spinRate, double alongSpin, out double drag, out double lift, out double decay) =>
-        AtStage(in step, speedSquared, spinRate, alongSpin, out drag, out lift, out decay);
+    public void AtStart(ref PublishedStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay) =>
+        AtStage(in step, speedSquared, spinRate, acrossSquared, out drag, out lift, out decay);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Expand(ref PublishedStep step, double speedChange, double spinChange)
@@ -69,7 +69,7 @@ internal struct HighSpinKernel<TDrag, TMagnus, TDecay> : IFusedKernel<PublishedS
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void AtStage(in PublishedStep step, double speedSquared, double spinRate, double alongSpin, out double drag, out double lift, out double decay)
+    public void AtStage(in PublishedStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay)
     {
         _forces.ByTables(in step, speedSquared, spinRate, out drag, out lift, out _);
         lift = lift > 0 ? lift : 0;

@@ -113,7 +113,7 @@ internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<Published
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void AtStage(in PublishedStep step, double speedSquared, double spinRate, double alongSpin, out double drag, out double lift, out double decay)
+    public void AtStage(in PublishedStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay)
     {
         if (step.Near)
         {
@@ -171,7 +171,7 @@ internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<Published
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void AtStart(ref PublishedStep step, double speedSquared, double spinRate, double alongSpin, out double drag, out double lift, out double decay)
+    public void AtStart(ref PublishedStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay)
     {
         drag = 0;
         lift = 0;

@@ -43,6 +43,9 @@ internal struct EmpiricalMagnus : IAirLaw
         _k * Scale * FittedDrag.AtRest * Beta * _radius,
         0);
 
+    /// <summary>1.15 Sp^β / (C_D0 − a).</summary>
+    public static double OfSpin(double spinParameter) => Scale * PowerBeta.Of(spinParameter);
+
     public void Prepare(Scene scene)
     {
         _k = AirScale.DynamicArea(scene);

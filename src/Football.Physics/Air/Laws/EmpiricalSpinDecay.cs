@@ -40,6 +40,19 @@ internal struct EmpiricalSpinDecay : IAirLaw
     // Near zero spin the torque does not fade: what it could reverse is caught where it happens. Fast spins decay at a rate below 1.8 k U^0.8.
     public readonly RateBound Bound => new(_k * _halfRadius, _k * _halfRadius, 0);
 
+    /// <summary>Angular deceleration by one plate at 1 m/s, rad/s².</summary>
+    public readonly double Plate => _k;
+
+    /// <summary>|u|^1.8.</summary>
+    public static double OfSpeed(double speed) => SpeedPower.Of(speed);
+
+    /// <summary>Both plates over that, (1 + Sp/2)^1.8 + |1 − Sp/2|^1.8.</summary>
+    public static double OfSpin(double spinParameter)
+    {
+        double plate = 0.5 * spinParameter;
+        return SpeedPower.Of(1.0 + plate) + SpeedPower.Of(Math.Abs(1.0 - plate));
+    }
+
     public void Prepare(Scene scene)
     {
         double r = scene.Ball.Radius;

@@ -20,10 +20,13 @@ internal readonly struct RegularisedDragFit : IDragFit
     // w = σ((|u| − v_c)/0.25) · σ((Sp − 0.05)/0.0025),  C_D = w c Sp^d + (1 − w) C_D,no spin
     public double Coefficient(in AirFlow flow, DragBranch branch)
     {
-        double weight = Logistic((flow.Speed - FittedDrag.CriticalSpeed) / SpeedWidth)
-            * Logistic((flow.SpinParameter - FittedDrag.CriticalSpin) / SpinWidth);
+        double weight = SpeedWeight(flow.Speed) * SpinWeight(flow.SpinParameter);
         return (weight * FittedDrag.WithSpin(flow.SpinParameter)) + ((1.0 - weight) * FittedDrag.WithoutSpin(flow.Speed));
     }
 
-    private static double Logistic(double x) => 1.0 / (1.0 + Elementary.Exp(-x));
+    /// <summary>σ((|u| − v_c)/0.25), the weight of the law with spin by speed.</summary>
+    public static double SpeedWeight(double speed) => Elementary.Logistic((speed - FittedDrag.CriticalSpeed) / SpeedWidth);
+
+    /// <summary>σ((Sp − 0.05)/0.0025), the weight of the law with spin by spin.</summary>
+    public static double SpinWeight(double spinParameter) => Elementary.Logistic((spinParameter - FittedDrag.CriticalSpin) / SpinWidth);
 }

@@ -1,0 +1,90 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>
+/// The measured laws: <see cref="ReynoldsDrag"/> and <see cref="SpinDrag"/>, <see cref="SaturatingLift"/>, <see cref="ProportionalSpinDecay"/>.
+/// Functions of the Reynolds number stand for those of the speed, so that a ball has the same tables in every weather.
+/// </summary>
+internal struct MeasuredLaw : ISmoothLaw
+{
+    /// <summary>A ball's tables, for as long as something knows the ball.</summary>
+    private static readonly ConditionalWeakTable<ReynoldsDrag, SmoothTables> Shared = new();
+
+    /// <summary>Reynolds numbers 4 096 to 4.2e6.</summary>
+    private static readonly Octaves Reynolds = new(24, 44, 6);
+
+    /// <summary>65 000 to 740 000, with segments fine enough for a drag crisis of the width 14 000.</summary>
+    private static readonly Octaves Crisis = new(32, 39, 7);
+
+    private ReynoldsDrag _ball;
+    private ProportionalSpinDecay _decay;
+    private double _k; // ½ ρ A / m, 1/m
+    private double _radius;
+    private double _perSpeed; // 2r/ν, s/m
+
+    public readonly bool NeedsSpinAcross
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => true;
+    }
+
+    public readonly double SpeedScale
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => _perSpeed;
+    }
+
+    public readonly SmoothTables Tables =>
+        Shared.GetValue(_ball, static ball => new SmoothTables(new MeasuredLaw { _ball = ball }, Reynolds, Crisis));
+
+    // C_L |u| ≤ L |u|
+    public readonly RateBound LiftBound => new(_k * SaturatingLift.Limit, 0, 0);
+
+    public readonly RateBound DecayBound => _decay.Bound;
+
+    public readonly RateBound DragBound(double fastest) =>
+        new(_k * (_ball.Largest(_perSpeed * fastest) + SpinDrag.Limit), 0, 0);
+
+    public void Prepare(Scene scene)
+    {
+        _ball = ReynoldsDrag.Generic;
+        _decay.Prepare(scene);
+        _k = AirScale.DynamicArea(scene);
+        _radius = scene.Ball.Radius;
+        _perSpeed = 2.0 * _radius / scene.Air.KinematicViscosity;
+    }
+
+    // C_D without spin, what the crisis leaves of the drag by spin, and of the lift
+    public readonly void OfSpeed(double speed, out LawFactors factors)
+    {
+        double share = _ball.SubcriticalShare(speed);
+        factors.First = _ball.Coefficient(speed);
+        factors.Second = SpinDrag.OfShare(share);
+        factors.Third = SaturatingLift.OfShare(share);
+        factors.Fourth = 0;
+    }
+
+    // C_D by spin above the crisis, C_L/S there
+    public readonly void OfSpin(double spinParameter, out LawFactors factors)
+    {
+        factors.First = SpinDrag.OfSpin(spinParameter);
+        factors.Second = SaturatingLift.PerSpin(spinParameter);
+        factors.Third = 0;
+        factors.Fourth = 0;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void Combine(
+        in LawFactors bySpeed, in LawFactors bySpin, double speed, double spinRate, out double drag, out double lift, out double decay)
+    {
+        // D = ½ρA/m |u| C_D
+        double scale = _k * speed;
+        drag = (scale * bySpeed.First) + (scale * bySpeed.Second * bySpin.First);
+
+        // L = ½ρA/m |u|² C_L/(|u| sin) = ½ρA/m r|ω| C_L/S, for S|u| = r|ω| sin and |ω̂ × u| = |u| sin
+        lift = _k * _radius * spinRate * bySpeed.Third * bySpin.Second;
+
+        decay = _decay.PerSpin(speed) * spinRate;
+    }
+}

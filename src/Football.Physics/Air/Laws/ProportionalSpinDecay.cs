@@ -1,0 +1,29 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>Spin decay by speed times spin, T_D = −(β π ρ r⁴ |u| + I ε ρ/1.2) ω, which never reverses a spin.</summary>
+internal struct ProportionalSpinDecay
+{
+    /// <summary>β. Measured on golf balls (Smits and Smith 1994), scaled: for footballs a guess, 0.003 … 0.012.</summary>
+    private const double Beta = 0.0096;
+
+    /// <summary>ε, 1/s, the decay in still air of density 1.2. Guess, 0.003 … 0.006.</summary>
+    private const double AtRest = 0.004;
+
+    private double _perMetre; // β π ρ r⁴ / I, 1/m
+    private double _atRest; // ε ρ/1.2, 1/s
+
+    public readonly RateBound Bound => new(_perMetre, 0, _atRest);
+
+    public void Prepare(Scene scene)
+    {
+        double r = scene.Ball.Radius;
+        _perMetre = Beta * Math.PI * scene.Air.Density * r * r * r * r / scene.Ball.MomentOfInertia;
+        _atRest = AtRest * scene.Air.Density / 1.2;
+    }
+
+    /// <summary>The decay's rate, 1/s: ω̇ = −(β π ρ r⁴/I |u| + ε ρ/1.2) ω.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly double PerSpin(double speed) => (_perMetre * speed) + _atRest;
+}

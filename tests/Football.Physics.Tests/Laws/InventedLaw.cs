@@ -1,0 +1,45 @@
+namespace Football.Physics.Tests.Laws;
+
+/// <summary>A smooth law that is nobody's: what the tables are made of must be this law's own functions.</summary>
+internal struct InventedLaw : ISmoothLaw
+{
+    private double _k;
+
+    public readonly bool NeedsSpinAcross => false;
+
+    public readonly double SpeedScale => 0.5;
+
+    public readonly SmoothTables Tables => new(this, new Octaves(-6, 14, 6), new Octaves(0, 8, 7));
+
+    public readonly RateBound LiftBound => new(0, 2 * _k, 0);
+
+    public readonly RateBound DecayBound => new(0, 0, 1);
+
+    public readonly RateBound DragBound(double fastest) => new(_k, 0, 0);
+
+    public void Prepare(Scene scene) => _k = AirScale.DynamicArea(scene);
+
+    public readonly void OfSpeed(double speed, out LawFactors factors)
+    {
+        factors.First = 0.3 + (0.2 / (1 + (0.01 * speed * speed)));
+        factors.Second = Math.Sqrt(speed);
+        factors.Third = 1 / (1 + speed);
+        factors.Fourth = speed / (10 + speed);
+    }
+
+    public readonly void OfSpin(double spinParameter, out LawFactors factors)
+    {
+        factors.First = spinParameter * spinParameter;
+        factors.Second = spinParameter / (1 + spinParameter);
+        factors.Third = 1 / (1 + (spinParameter * spinParameter));
+        factors.Fourth = 1 + spinParameter;
+    }
+
+    public readonly void Combine(
+        in LawFactors bySpeed, in LawFactors bySpin, double speed, double spinRate, out double drag, out double lift, out double decay)
+    {
+        drag = _k * speed * (bySpeed.First + (bySpeed.Fourth * bySpin.First));
+        lift = _k * speed * (bySpeed.Second * bySpin.Second);
+        decay = spinRate * ((bySpeed.Third * bySpin.Third) + bySpin.Fourth);
+    }
+}

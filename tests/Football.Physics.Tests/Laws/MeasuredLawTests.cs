@@ -1,0 +1,138 @@
+namespace Football.Physics.Tests.Laws;
+
+/// <summary>The measured laws against values worked out with another calculator.</summary>
+public sealed class MeasuredLawTests
+{
+    private static readonly double[] s_reynolds = [0, 5e4, 1e5, 1.5e5, 2e5, 2.5e5, 3e5, 4e5, 5e5];
+    private static readonly double[] s_spinParameters = [0, 0.05, 0.1, 0.2, 0.4, 1];
+
+    private static readonly Scene s_scene = new() { Air = new Air { Density = 1.2, KinematicViscosity = 1.5e-5 } };
+
+    public static TheoryData<string, double[]> Balls => new()
+    {
+        { nameof(ReynoldsDrag.Tango12), [.545180, .544922, .541354, .497671, .291744, .179855, .173414, .183522, .194366] },
+        { nameof(ReynoldsDrag.Teamgeist), [.492697, .492631, .491003, .454930, .230783, .148570, .144003, .147621, .153499] },
+        { nameof(ReynoldsDrag.Jabulani), [.483900, .483895, .483835, .483112, .474562, .396778, .206964, .154549, .176136] },
+        { nameof(ReynoldsDrag.Brazuca), [.473999, .473976, .473259, .452510, .257900, .175279, .179270, .194522, .209878] },
+        { nameof(ReynoldsDrag.Generic), [.489994, .489887, .487879, .453946, .256710, .164225, .162789, .173215, .183929] },
+    };
+
+    [Theory]
+    [MemberData(nameof(Balls))]
+    public void Without_spin_every_ball_has_its_drag_coefficient(string ball, double[] expected)
+    {
+        var drag = (ReynoldsDrag)typeof(ReynoldsDrag).GetProperty(ball)!.GetValue(null)!;
+        Assert.All(s_reynolds.Zip(expected), pair => Assert.Equal(pair.Second, drag.Coefficient(pair.First), 1.1e-6));
+    }
+
+    [Theory]
+    [InlineData(1e5, new[] { .487879, .500910, .513655, .537314, .573877, .618622 }, new[] { 0, .043459, .075103, .105855, .121958, .127964 })]
+    [InlineData(2.5e5, new[] { .164225, .189832, .214875, .261364, .333208, .421130 }, new[] { 0, .106165, .183469, .258592, .297930, .312603 })]
+    [InlineData(4e5, new[] { .173215, .199114, .224444, .271466, .344133, .433061 }, new[] { 0, .107627, .185996, .262154, .302034, .316909 })]
+    public void With_spin_across_the_motion_drag_and_lift_have_theirs(double reynolds, double[] drags, double[] lifts)
+    {
+        double r = s_scene.Ball.Radius;
+        double speed = reynolds * s_scene.Air.KinematicViscosity / (2 * r);
+        double scale = AirScale.DynamicArea(s_scene) * speed;
+        foreach (IAerodynamics air in Both())
+        {
+            for (int i = 0; i < s_spinParameters.Length; i++)
+            {
+                double spin = s_spinParameters[i] * speed / r;
+                air.Begin(spin, DragBranch.NoSpin, out AirStep step);
+                air.Evaluate(in step, speed * speed, spin, speed * speed, out double drag, out double lift, out _);
+                Assert.Equal(drags[i], drag / scale, 1.1e-6);
+                Assert.Equal(lifts[i], lift / scale, 1.1e-6);
+            }
+        }
+    }
+
+    [Fact]
+    public void A_shot_with_spin_has_its_force_and_torque()
+    {
+        var u = new Vector3d(24, 7, 1);
+        var w = new Vector3d(1, 20, 15);
+        foreach (IAerodynamics air in Both())
+        {
+            air.Begin(w.Length, DragBranch.NoSpin, out AirStep step);
+            double across = Vector3d.Cross(w / w.Length, in u).LengthSquared;
+            air.Evaluate(in step, u.LengthSquared, w.Length, across, out double drag, out double lift, out double decay);
+            Vector3d force = s_scene.Ball.Mass * ((lift * Vector3d.Cross(w / w.Length, in u)) - (drag * u));
+            Vector3d torque = -s_scene.Ball.MomentOfInertia * decay / w.Length * w;
+            Near(new Vector3d(-3.45161595, 0.75150132, -2.29449527), force, 5e-8);
+            Near(new Vector3d(-1.4645e-4, -2.92898e-3, -2.19674e-3), torque, 1e-8);
+        }
+    }
+
+    [Fact]
+    public void Spin_along_the_motion_neither_lifts_nor_drags()
+    {
+        foreach (IAerodynamics air in Both())
+        {
+            air.Begin(60, DragBranch.NoSpin, out AirStep step);
+            air.Evaluate(in step, 400, 60, 0, out double gyro, out _, out double decay);
+            air.Evaluate(in step, 400, 0, 400, out double none, out _, out double still);
+            Assert.Equal(none, gyro, 1e-9 * none);
+            Assert.True(decay > 0);
+            Assert.Equal(0, still);
+        }
+    }
+
+    [Fact]
+    public void Spin_decays_by_speed_and_density_and_at_rest_too()
+    {
+        SmoothLaws<MeasuredLaw, Present, Present, Present> air = default;
+        air.Prepare(s_scene);
+        air.Begin(30, DragBranch.NoSpin, out AirStep step);
+        air.Evaluate(in step, 0, 30, 0, out double drag, out double lift, out double decay);
+        Assert.Equal((0, 0), (drag, lift));
+        Assert.Equal(0.004 * 30, decay, 1e-9);
+        air.Evaluate(in step, 400, 30, 400, out _, out _, out decay);
+
+        // β π ρ r²/(α m) is 1.53e-3 1/m for a football.
+        Assert.Equal((0.004 + (1.5276e-3 * 20)) * 30, decay, 1e-4);
+    }
+
+    [Fact]
+    public void No_speed_and_no_spin_gives_a_number_that_is_not_finite()
+    {
+        SmoothLaws<MeasuredLaw, Present, Present, Present> air = default;
+        air.Prepare(s_scene);
+        foreach (double speed in new[] { 0, double.Epsilon, 1e-160, 1e-10, 1e-9, 1, 1000, 2000 })
+        {
+            foreach (double spin in new[] { 0, double.Epsilon, 1e-160, 1, 10_000, -1e-12, -1 })
+            {
+                air.Begin(spin, DragBranch.NoSpin, out AirStep step);
+                air.Evaluate(in step, speed * speed, spin, speed * speed, out double drag, out double lift, out double decay);
+                Assert.True(double.IsFinite(drag) && double.IsFinite(lift) && double.IsFinite(decay), $"{speed} m/s, {spin} rad/s");
+                Assert.True(drag >= 0);
+            }
+        }
+    }
+
+    /// <summary>What steps are divided by.</summary>
+    [Fact]
+    public void No_force_is_stronger_than_its_bound()
+    {
+        SmoothLaws<MeasuredLaw, Present, Present, Present> air = default;
+        air.Prepare(LawGrid.Scene);
+        foreach ((double speed, double spin, _) in LawGrid.Points)
+        {
+            air.Begin(spin, DragBranch.NoSpin, out AirStep step);
+            air.Evaluate(in step, speed * speed, spin, speed * speed, out double drag, out double lift, out double decay);
+            Assert.InRange(drag + lift + (decay / spin), 0, (air.Bound.PerSpeed * speed) + (air.Bound.PerSpin * spin) + air.Bound.Constant);
+        }
+    }
+
+    /// <summary>Point by point and by table.</summary>
+    private static IEnumerable<IAerodynamics> Both()
+    {
+        SmoothLaws<MeasuredLaw, Present, Present, Present> laws = default;
+        SmoothAir<MeasuredLaw, Present, Present, Present> table = default;
+        laws.Prepare(s_scene);
+        table.Prepare(s_scene);
+        return [laws, table];
+    }
+
+    private static void Near(Vector3d expected, Vector3d actual, double tolerance) => Assert.InRange(Vector3d.Distance(actual, expected), 0, tolerance);
+}

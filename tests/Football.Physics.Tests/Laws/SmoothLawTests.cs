@@ -1,0 +1,250 @@
+using Football.Physics.Tests.Support;
+
+namespace Football.Physics.Tests.Laws;
+
+/// <summary>The smooth laws by table against the laws point by point, wherever the tables say that they hold.</summary>
+public sealed class SmoothLawTests
+{
+    private static readonly double s_radius = LawGrid.Scene.Ball.Radius;
+
+    /// <summary>Relative to the whole acceleration: the segments about the critical speed are the limit.</summary>
+    [Fact]
+    public void The_regularised_law_by_table_is_the_law() => Compare<RegularisedLaw, Present, Present, Present>(4e-9, 1e-9);
+
+    [Fact]
+    public void Each_part_of_the_regularised_law_alone_is_the_law()
+    {
+        Compare<RegularisedLaw, Present, Absent, Absent>(4e-9, 1e-9);
+        Compare<RegularisedLaw, Absent, Present, Absent>(4e-9, 1e-9);
+        Compare<RegularisedLaw, Absent, Present, Present>(4e-9, 1e-9);
+    }
+
+    [Fact]
+    public void The_measured_law_by_table_is_the_law() => Compare<MeasuredLaw, Present, Present, Present>(2e-9, 1e-12);
+
+    /// <summary>A law that has nothing in common with the others but its form.</summary>
+    [Fact]
+    public void Any_law_by_table_is_the_law() => Compare<InventedLaw, Present, Present, Present>(3e-9, 1e-9);
+
+    [Fact]
+    public void The_regularised_law_point_by_point_is_the_laws_one_by_one()
+    {
+        SmoothLaws<RegularisedLaw, Present, Present, Present> whole = default;
+        Aerodynamics<RegularisedDragFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> laws = default;
+        whole.Prepare(LawGrid.Scene);
+        laws.Prepare(LawGrid.Scene);
+        Assert.Equal((laws.Bound.PerSpeed, laws.Bound.PerSpin, laws.Bound.Constant), (whole.Bound.PerSpeed, whole.Bound.PerSpin, whole.Bound.Constant));
+        foreach (double speed in LawGrid.Speeds.Prepend(0.99e-9).Prepend(0))
+        {
+            foreach (double spin in LawGrid.Spins.Append(0).Append(-1e-3))
+            {
+                double square = speed * speed;
+                laws.Begin(spin, DragBranch.NoSpin, out AirStep step);
+                laws.Evaluate(in step, square, spin, square, out double expectedDrag, out double expectedLift, out double expectedDecay);
+                whole.Evaluate(in step, square, spin, square, out double drag, out double lift, out double decay);
+                Assert.InRange(drag - expectedDrag, -1e-11 * expectedDrag, 1e-11 * expectedDrag);
+
+                // The lift is a difference that vanishes at Sp 1.88.
+                double scale = Math.Max(expectedLift, expectedDrag * Math.Pow(s_radius * Math.Abs(spin) / Math.Max(speed, 1e-9), 0.83));
+                Assert.InRange(lift - expectedLift, -1e-11 * scale, 1e-11 * scale);
+                if (spin > 0)
+                {
+                    // Below a nanometre a second it is the decay at a nanometre a second.
+                    double least = 1e-15 + (1e-8 * expectedDecay);
+                    Assert.InRange(decay - expectedDecay, -least, least);
+                }
+            }
+        }
+    }
+
+    [Theory]
+    [InlineData(0)]
+    [InlineData(1e-9)]
+    [InlineData(1e-6)]
+    [InlineData(1e-3)]
+    public void A_ball_with_next_to_no_spin_is_by_table_too(double spin)
+    {
+        Covers<RegularisedLaw>(spin);
+        Covers<MeasuredLaw>(spin);
+    }
+
+    [Fact]
+    public void They_hold_for_every_shot_of_a_match_and_for_a_ball_that_rolls()
+    {
+        SmoothAir<MeasuredLaw, Present, Present, Present> air = default;
+        air.Prepare(LawGrid.Scene);
+        for (double speed = 2; speed <= 45; speed += 0.5)
+        {
+            for (double spin = 0; s_radius * spin < 1.6 * speed; spin += 2)
+            {
+                Assert.True(air.Covers(speed * speed, spin, 0.01), $"{speed} m/s, {spin} rad/s");
+            }
+        }
+    }
+
+    /// <summary>Beyond the tables' ends there would be no segment: whatever pulls at a ball within a step that is covered.</summary>
+    [Fact]
+    public void A_step_that_is_covered_never_leaves_the_tables()
+    {
+        int covered = Steps<RegularisedLaw>() + Steps<MeasuredLaw>();
+        Assert.InRange(covered, 100_000, 300_000);
+    }
+
+    [Theory]
+    [InlineData(0.5, 3)]
+    [InlineData(0.01, 0)]
+    [InlineData(0, 0)]
+    [InlineData(120, 30)]
+    [InlineData(1e6, 30)]
+    [InlineData(20, 360)]
+    [InlineData(20, double.NaN)]
+    [InlineData(double.NaN, 30)]
+    public void Elsewhere_the_tables_do_not_answer(double speed, double spin)
+    {
+        SmoothAir<RegularisedLaw, Present, Present, Present> air = default;
+        air.Prepare(LawGrid.Scene);
+        Assert.False(air.Covers(speed * speed, spin, 0.01));
+        Assert.False(air.EvaluateAt(DragBranch.NoSpin, speed * speed, spin, speed * speed, out double drag, out double lift, out double decay));
+        Assert.Equal((0, 0, 0), (drag, lift, decay));
+    }
+
+    /// <summary>Its axis means nothing: to the bit, not to an error.</summary>
+    [Fact]
+    public void A_ball_without_spin_has_drag_and_no_lift()
+    {
+        SmoothAir<RegularisedLaw, Present, Present, Present> air = default;
+        air.Prepare(LawGrid.Scene);
+        foreach (double speed in Speeds())
+        {
+            Assert.True(air.EvaluateAt(DragBranch.NoSpin, speed * speed, 0, speed * speed, out double drag, out double lift, out _));
+            Assert.True(drag > 0);
+            Assert.Equal(0, lift);
+        }
+    }
+
+    [Fact]
+    public void Scenes_with_the_same_functions_have_the_same_tables()
+    {
+        MeasuredLaw one = default;
+        MeasuredLaw other = default;
+        one.Prepare(LawGrid.Scene);
+        other.Prepare(Scene.HighAltitude);
+        Assert.NotEqual(one.SpeedScale, other.SpeedScale);
+        Assert.Same(one.Tables, other.Tables);
+        Assert.Same(default(RegularisedLaw).Tables, default(RegularisedLaw).Tables);
+    }
+
+    private static void Covers<TLaw>(double spin)
+        where TLaw : struct, ISmoothLaw
+    {
+        SmoothAir<TLaw, Present, Present, Present> air = default;
+        air.Prepare(LawGrid.Scene);
+        foreach (double speed in new[] { 1.5, 5, 12.19, 20, 40, 110 })
+        {
+            Assert.True(air.Covers(speed * speed, spin, 0.001));
+        }
+    }
+
+    /// <summary>Steps of every length from the edges of what is covered, in light and heavy air, with strong and weak gravity.</summary>
+    private static int Steps<TLaw>()
+        where TLaw : struct, ISmoothLaw
+    {
+        var random = new Random(11);
+        int covered = 0;
+        for (int i = 0; i < 400; i++)
+        {
+            Scene scene = LawGrid.Scene with
+            {
+                Gravity = 100 * Math.Pow(random.NextDouble(), 3),
+                Air = new Air { Density = 20 * Math.Pow(random.NextDouble(), 4), KinematicViscosity = 1e-5 * (1 + random.NextDouble()) },
+            };
+            SmoothAir<TLaw, Present, Present, Present> air = default;
+            air.Prepare(scene);
+            for (int k = 0; k < 400; k++)
+            {
+                double speed = 0.5 * Math.Pow(300, random.NextDouble());
+                double spin = 2 * random.NextDouble() * speed / s_radius;
+                double h = Math.Pow(10, -4 + (3.5 * random.NextDouble()));
+                if (!air.Covers(speed * speed, spin, h))
+                {
+                    continue;
+                }
+
+                FlightMotion motion;
+                motion.Velocity = speed * Direction(random);
+                motion.Axis = Direction(random);
+                motion.SpinRate = spin;
+                default(ClassicalRungeKutta).Fly(ref air, ref motion, Vector3d.Zero, DragBranch.NoSpin, -scene.Gravity, h, out FlightStep step);
+                Assert.True(double.IsFinite(step.AirVelocity.LengthSquared) && double.IsFinite(step.SpinRate));
+                covered++;
+            }
+        }
+
+        return covered;
+    }
+
+    private static Vector3d Direction(Random random)
+    {
+        double up = (2 * random.NextDouble()) - 1;
+        double around = 2 * Math.PI * random.NextDouble();
+        double across = Math.Sqrt(1 - (up * up));
+        return new Vector3d(across * Math.Cos(around), up, across * Math.Sin(around));
+    }
+
+    /// <param name="forceTolerance">Relative to the whole acceleration.</param>
+    /// <param name="decayTolerance">Relative to the spin decay.</param>
+    private static void Compare<TLaw, TDrag, TMagnus, TDecay>(double forceTolerance, double decayTolerance)
+        where TLaw : struct, ISmoothLaw
+        where TDrag : struct, IPresence
+        where TMagnus : struct, IPresence
+        where TDecay : struct, IPresence
+    {
+        SmoothAir<TLaw, TDrag, TMagnus, TDecay> air = default;
+        SmoothLaws<TLaw, TDrag, TMagnus, TDecay> laws = default;
+        air.Prepare(LawGrid.Scene);
+        laws.Prepare(LawGrid.Scene);
+        Assert.Equal((laws.Drags, laws.Lifts, laws.SpinDecays, laws.NeedsSpinAcross), (air.Drags, air.Lifts, air.SpinDecays, air.NeedsSpinAcross));
+        Assert.False(air.Jumps || laws.Jumps);
+        Assert.False(air.Expand(default, 0, 0, out _));
+        double[] sines = air.NeedsSpinAcross ? [1, 0.7, 0.1, 0] : [1];
+        var forces = new Errors("acceleration");
+        var decays = new Errors("spin deceleration");
+        foreach (double speed in Speeds())
+        {
+            foreach (double spinParameter in SpinParameters())
+            {
+                foreach (double sine in sines)
+                {
+                    double square = speed * speed;
+                    double spin = spinParameter * speed / s_radius;
+                    double across = square * sine * sine;
+                    Assert.True(air.EvaluateAt(DragBranch.NoSpin, square, spin, across, out double drag, out double lift, out double decay));
+                    laws.Begin(spin, DragBranch.NoSpin, out AirStep once);
+                    laws.Evaluate(in once, square, spin, across, out double expectedDrag, out double expectedLift, out double expectedDecay);
+                    string name = $"{speed} m/s, {spin} rad/s (S {spinParameter}), sine {sine}";
+                    double scale = Math.Sqrt((expectedDrag * expectedDrag) + (sine * sine * expectedLift * expectedLift));
+                    forces.Add(name, Math.Abs(drag - expectedDrag) / scale);
+                    forces.Add(name, sine * Math.Abs(lift - expectedLift) / scale);
+                    if (spin > 0)
+                    {
+                        decays.Add(name, Math.Abs((decay / expectedDecay) - 1));
+                    }
+                }
+            }
+        }
+
+        Assert.True(forces.Count > 50_000);
+        forces.Hold(worst: forceTolerance);
+        decays.Hold(worst: decayTolerance);
+    }
+
+    private static IEnumerable<double> Speeds() =>
+        Enumerable.Range(0, 300).Select(i => 0.51 * Math.Pow(119.9 / 0.51, i / 299.0)).Concat(Enumerable.Range(0, 150).Select(i => 11 + (i * 0.02)));
+
+    private static IEnumerable<double> SpinParameters() =>
+    [
+        0, 1e-9, 1e-6, 1e-4, 1e-3, 0.0038, 0.0039, 0.004, 0.01, 0.02, 0.03,
+        .. Enumerable.Range(0, 61).Select(i => 0.035 + (i * 0.0005)),
+        .. Enumerable.Range(0, 80).Select(i => 0.066 * Math.Pow(1.899 / 0.066, i / 79.0)),
+    ];
+}
