@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.Globalization;
 using Football.Physics.Headless.Commands;
 using Football.Physics.Headless.Drawing;
+using Football.Physics.Headless.Lab.Hostile;
 using Football.Physics.Headless.Lab.Stability;
 
 namespace Football.Physics.Headless.Lab;
@@ -15,22 +16,35 @@ internal static class StabilityLab
 
     public static Command Create(Terminal terminal)
     {
-        Option<long> scenes = Arguments.Whole("--scenes", $"How many scenes to play; default {ByDefault}.", 1, MostScenes, ByDefault);
-        var full = new Option<bool>("--full") { Description = $"Plays {Full} scenes." };
+        Option<long> scenes = Arguments.Whole("--scenes", $"How many scenes to play; of hostile ones {HostileLab.ByDefault} by default.", 1, MostScenes, ByDefault);
+        var full = new Option<bool>("--full") { Description = $"Plays {Full} scenes, or {HostileLab.Full} hostile ones." };
         Option<long> jobs = Arguments.Jobs("Threads; default: one a processor.");
         var scene = new Option<long?>("--scene") { HelpName = "I", Description = "Plays one scene by its number, and shows it as a scenario." };
+        var hostile = new Option<bool>("--hostile") { Description = "Plays scenes from far outside football, drawn and checked in another way." };
         return LabOptions.Create(
             "stability",
             "Random and adversarial scenes with every method: what must always hold, with a verdict a cell.",
-            ["football lab stability --scenes 100", "football lab stability --scene 7"],
+            ["football lab stability --scenes 100", "football lab stability --scene 7", "football lab stability --hostile --scenes 100"],
             terminal,
-            (parsed, seed, progress) => parsed.GetValue(scene) is { } one
-                ? One(terminal, seed, one)
-                : Run(terminal, seed, parsed.GetValue(full) ? Full : parsed.GetValue(scenes), (int)parsed.GetValue(jobs), progress),
+            (parsed, seed, progress) =>
+            {
+                bool isHostile = parsed.GetValue(hostile);
+                bool asked = parsed.GetResult(scenes) is { Implicit: false };
+                long count = parsed.GetValue(full) ? (isHostile ? HostileLab.Full : Full) : isHostile && !asked ? HostileLab.ByDefault : parsed.GetValue(scenes);
+                int threads = (int)parsed.GetValue(jobs);
+                return (isHostile, parsed.GetValue(scene)) switch
+                {
+                    (true, { } one) => HostileLab.One(terminal, one),
+                    (true, null) => HostileLab.Run(seed, count, threads, progress),
+                    (false, { } one) => One(terminal, seed, one),
+                    (false, null) => Run(terminal, seed, count, threads, progress),
+                };
+            },
             scenes,
             full,
             jobs,
-            scene);
+            scene,
+            hostile);
     }
 
     private static LabReport One(Terminal terminal, long seed, long index)

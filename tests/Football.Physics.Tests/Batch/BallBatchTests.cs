@@ -212,8 +212,8 @@ public sealed class BallBatchTests
         return flights;
     }
 
-    /// <summary>Flown alone they would be what they are compared with: of those that are sorted here nine in ten are not.</summary>
-    private static void FlewInLanes(IReadOnlyList<double> apart) => Assert.True(apart[apart.Count / 10] > 0, "flown alone");
+    /// <summary>Flown alone they would be what they are compared with, to the bit: most of these, sorted, are not.</summary>
+    private static void FlewInLanes(IReadOnlyList<double> apart) => Assert.True(apart[apart.Count / 2] > 0, "flown alone");
 
     private static void ImpactIsApplied(Scene scene, BatchFlights flights, int i)
     {

@@ -127,16 +127,16 @@ internal sealed class AirBounds
         {
             // The weight's: u w′ |C₁ − C₀|/(C_D0 − a).
             deficit = Math.Min(LargestDeficit, deficit + Logistic((fast - CriticalSpeed) / 0.25));
-            change += crisis ? 9 : fast < CrisisFrom ? 1e-5 : 0.4;
-            bend += crisis ? 150 : fast < CrisisFrom ? 1e-3 : 3;
+            change += crisis ? 16 : fast < CrisisFrom ? 1e-5 : 0.4;
+            bend += crisis ? 330 : fast < CrisisFrom ? 1e-3 : 3;
             perSpin += crisis ? 2.4 : fast < CrisisFrom ? 1e-5 : 0.4;
         }
 
         double lift = 1.15 * Math.Pow(s, 0.83) * Math.Pow(fast, 0.17);
         double atSlow = 1.15 * Math.Pow(Share(s, slow), 0.83);
 
-        // Where C_D reaches C_D0, at Sp = 1.886, the lift ends in a kink: no curvature bounds it.
-        bool kink = fast > CrisisFrom && s > 1.8 * slow && slowSurface < 1.95 * fast;
+        // Where C_D reaches C_D0 the lift ends in a kink, which no curvature bounds: with spin at Sp = 1.886, and later the less of that law is mixed in.
+        bool kink = fast > CrisisFrom && s > 1.8 * slow && (_regularised || slowSurface < 1.95 * fast);
         return new AirBound(
             lift * fast * deficit,
             lift * ((1.17 * deficit) + change),

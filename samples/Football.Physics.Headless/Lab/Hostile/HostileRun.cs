@@ -1,0 +1,159 @@
+using System.Diagnostics;
+
+namespace Football.Physics.Headless.Lab.Hostile;
+
+/// <summary>Plays hostile scenes and looks for what must not be.</summary>
+internal sealed class HostileRun
+{
+    /// <summary>A frame that takes longer than this, ms, is played again, and found if it still takes that long.</summary>
+    private const double Slow = 50;
+    private const double Suspicious = 20;
+
+    private readonly Lock _lock = new();
+
+    public HostileFindings Findings { get; } = new();
+
+    public long Frames { get; private set; }
+
+    public long Events { get; private set; }
+
+    /// <summary>Frames in which something relaxed.</summary>
+    public long Relaxed { get; private set; }
+
+    public long Rests { get; private set; }
+
+    /// <summary>The frame that took longest, ms, and its scene.</summary>
+    public (double Milliseconds, ulong Scene) Slowest { get; private set; }
+
+    /// <summary>Plays a scene to its end, and to the same end once more, and from a snapshot.</summary>
+    public void Play(ulong number)
+    {
+        HostileScene scene = HostileGenerator.Make(number);
+        double absurdity = Absurdity.Of(scene);
+        try
+        {
+            Play(scene, absurdity);
+        }
+        catch (Exception e)
+        {
+            string message = e.Message.Split('\n')[0];
+            Findings.Add($"{e.GetType().Name}: {message[..Math.Min(60, message.Length)]}", new HostileSighting(number, 1, absurdity, e.StackTrace?.Split('\n')[0].Trim() ?? ""));
+        }
+    }
+
+    private void Play(HostileScene scene, double absurdity)
+    {
+        Simulator simulator;
+        try
+        {
+            simulator = new Simulator(scene.Scene, scene.Settings);
+        }
+        catch (ArgumentOutOfRangeException e)
+        {
+            Findings.AddRefusal(e.ParamName ?? "", new HostileSighting(scene.Number, 1, absurdity, e.Message));
+            return;
+        }
+
+        var frame = new HostileFrame(scene, simulator, absurdity, Findings);
+        BallState state = simulator.Launch(scene.Position, scene.Velocity, scene.Spin);
+        var hashes = new ulong[scene.Frames.Length];
+        int savedAt = new HostileRandom(scene.Number ^ 0xABCDEF).Below(scene.Frames.Length);
+        BallState saved = default;
+        for (int i = 0; i < scene.Frames.Length; i++)
+        {
+            if (i == savedAt)
+            {
+                saved = Saved(frame, in state);
+            }
+
+            double milliseconds = Timed(() => frame.Play(i, ref state, scene.Frames[i]));
+            Clock(frame, simulator, milliseconds);
+            Count(frame);
+            hashes[i] = Snapshot.Hash(state);
+            if (!HostileStateCheck.Holds(frame))
+            {
+                return;
+            }
+
+            HostileEventCheck.Events(frame);
+            HostileStateCheck.Energy(frame);
+            HostileStateCheck.Reversal(frame);
+        }
+
+        var again = new Simulator(scene.Scene, scene.Settings);
+        Repeat(frame, again, again.Launch(scene.Position, scene.Velocity, scene.Spin), 0, hashes, "not repeatable");
+        Repeat(frame, simulator, saved, savedAt, hashes, "a snapshot diverges");
+    }
+
+    private static BallState Saved(HostileFrame frame, in BallState state)
+    {
+        var bytes = new byte[Snapshot.Size];
+        Snapshot.Write(state, bytes);
+        BallState read = Snapshot.Read(bytes);
+        if (!Snapshot.Same(read, state))
+        {
+            frame.Find("a snapshot is another state", 1, $"{state.Position} to {read.Position}");
+        }
+
+        return read;
+    }
+
+    private static void Repeat(HostileFrame frame, Simulator simulator, BallState state, int from, ulong[] hashes, string kind)
+    {
+        var log = new StepLog(1);
+        for (int i = from; i < hashes.Length; i++)
+        {
+            log.Clear();
+            simulator.Step(ref state, frame.Scene.Frames[i], log);
+            if (Snapshot.Hash(state) != hashes[i])
+            {
+                frame.Find(kind, 1, $"from frame {from} in frame {i}");
+                return;
+            }
+        }
+    }
+
+    private void Clock(HostileFrame frame, Simulator simulator, double milliseconds)
+    {
+        if (milliseconds > Suspicious)
+        {
+            // Once more, so that what else runs on the machine is not the frame's.
+            BallState state = frame.Before;
+            var log = new StepLog();
+            milliseconds = Math.Min(milliseconds, Timed(() => simulator.Step(ref state, frame.Length, log)));
+            if (milliseconds > Slow)
+            {
+                frame.FindMild($"slow frame of {(frame.Length >= 1 ? "a second or more" : "less than a second")}", milliseconds, $"{frame.Log.Steps} pieces, {frame.Log.Events.Count} events");
+            }
+        }
+
+        lock (_lock)
+        {
+            Slowest = milliseconds > Slowest.Milliseconds ? (milliseconds, frame.Scene.Number) : Slowest;
+        }
+    }
+
+    private void Count(HostileFrame frame)
+    {
+        long rests = 0;
+        foreach (ref readonly BallEvent item in frame.Log.Events)
+        {
+            rests += item.Kind == BallEventKind.Rest ? 1 : 0;
+        }
+
+        lock (_lock)
+        {
+            Frames++;
+            Events += frame.Log.Events.Count;
+            Relaxed += frame.Log.Relaxed > 0 ? 1 : 0;
+            Rests += rests;
+        }
+    }
+
+    private static double Timed(Action what)
+    {
+        long start = Stopwatch.GetTimestamp();
+        what();
+        return Stopwatch.GetElapsedTime(start).TotalMilliseconds;
+    }
+}

@@ -1,0 +1,135 @@
+namespace Football.Physics.Headless.Lab.Hostile;
+
+/// <summary>What must hold of the state after every frame.</summary>
+internal static class HostileStateCheck
+{
+    /// <summary>Finite, a rotation, above the ground or on it, at the right time.</summary>
+    /// <returns>False where the state is not finite: nothing more can be asked of it.</returns>
+    public static bool Holds(HostileFrame frame)
+    {
+        ref readonly BallState before = ref frame.Before;
+        ref readonly BallState after = ref frame.After;
+        string method = $"{frame.Scene.Settings.Integrator}{(frame.Scene.HasOwnForces ? ", own force" : "")}";
+        if (!(after.Position.IsFinite && after.Velocity.IsFinite && after.Spin.IsFinite && after.Orientation.IsFinite && double.IsFinite(after.Time)))
+        {
+            frame.FindMild($"not finite, {method}", 1, $"{before.Motion} at {before.Velocity}, {before.Spin} to {after.Velocity}, {after.Spin}");
+            return false;
+        }
+
+        double size = Math.Abs(after.Orientation.LengthSquared - 1);
+        if (size > 1e-9)
+        {
+            frame.Find("orientation", size, $"size² {after.Orientation.LengthSquared}");
+        }
+
+        double depth = frame.Contact - after.Position.Y;
+        if (depth > frame.Touching)
+        {
+            frame.FindMild($"penetration, {method}", depth, $"{before.Motion} to {after.Motion}");
+        }
+
+        if (after.Motion != MotionState.Airborne && (depth != 0 || after.Velocity.Y != 0))
+        {
+            frame.Find("on the ground but not at it", 1, $"{after.Motion}, {-depth} m above, {after.Velocity.Y} m/s");
+        }
+
+        double late = Math.Abs(after.Time - (before.Time + frame.Length));
+        if (late > 4 * HostileFrame.Ulp(after.Time))
+        {
+            frame.Find("clock", late, $"{before.Time} to {after.Time}");
+        }
+
+        return true;
+    }
+
+    /// <summary>What brakes never reverses, and what decays never grows.</summary>
+    public static void Reversal(HostileFrame frame)
+    {
+        HostileScene scene = frame.Scene;
+        if (frame.Log.Events.Count > 0 || scene.HasOwnForces)
+        {
+            return;
+        }
+
+        ref readonly BallState before = ref frame.Before;
+        ref readonly BallState after = ref frame.After;
+        ForceSet forces = scene.Scene.Forces;
+        bool flies = before.Motion == MotionState.Airborne && after.Motion == MotionState.Airborne;
+        if (flies && Vector3d.Dot(before.Spin, after.Spin) < 0)
+        {
+            frame.Find("spin reversed in flight", 1, $"{before.Spin} to {after.Spin}");
+        }
+
+        if (before.Spin.Y * after.Spin.Y < 0)
+        {
+            frame.Find("spin about the vertical reversed", 1, $"{before.Motion} to {after.Motion}, {before.Spin.Y} to {after.Spin.Y}");
+        }
+
+        if (scene.Windy)
+        {
+            return;
+        }
+
+        if (flies && scene.Upward == 0 && forces.Magnus == ForceLaw.None && Vector3d.Dot(before.Velocity, after.Velocity) < 0)
+        {
+            frame.Find("velocity reversed by drag", 1, $"{before.Velocity} to {after.Velocity}, {scene.Settings.Integrator}");
+        }
+
+        bool straight = forces.Magnus == ForceLaw.None || scene.Scene.Ground.Aerodynamics == GroundAerodynamics.None;
+        if (straight && before.Motion == MotionState.Rolling && after.Motion == MotionState.Rolling && Vector3d.Dot(before.Velocity, after.Velocity) < -1e-20)
+        {
+            frame.Find("roll reversed", 1, $"{before.Velocity} to {after.Velocity}");
+        }
+
+        double growth = (after.Spin.Length / before.Spin.Length) - 1;
+        if (before.Motion == MotionState.Airborne && forces.SpinDecay != ForceLaw.None && growth > 1e-14)
+        {
+            frame.Find("spin grew in flight", growth, $"{before.Spin} to {after.Spin}");
+        }
+    }
+
+    /// <summary>Without wind and forces of a game's own a frame ends with the energy it began with, or less.</summary>
+    public static void Energy(HostileFrame frame)
+    {
+        HostileScene scene = frame.Scene;
+        if (scene.Windy || scene.HasOwnForces)
+        {
+            return;
+        }
+
+        ref readonly BallState before = ref frame.Before;
+        ref readonly BallState after = ref frame.After;
+        SolverSettings settings = scene.Settings;
+        BallProperties ball = scene.Scene.Ball;
+        double weight = ball.Mass * Math.Abs(scene.Upward);
+        double start = scene.Energy(in before, frame.Contact);
+        double end = scene.Energy(in after, frame.Contact);
+        double scale = (0.5 * ball.Mass * Math.Max(before.Velocity.LengthSquared, after.Velocity.LengthSquared))
+            + (0.5 * ball.MomentOfInertia * Math.Max(before.Spin.LengthSquared, after.Spin.LengthSquared))
+            + (weight * (Math.Max(before.Position.Y, after.Position.Y) - frame.Contact));
+
+        // Both Eulers gain m g² h² a step, and half of what there is where the air is strong; a late impact falls on; the heuristic rolls a ball that slips.
+        bool euler = settings.Integrator is Integrator.Euler or Integrator.SemiImplicitEuler;
+        double allowed = euler ? (ball.Mass * scene.Upward * scene.Upward * frame.Length * frame.Length) + (0.5 * scale) : 0;
+        if (settings.CollisionTiming == CollisionTiming.Bisection)
+        {
+            double fall = frame.Fastest + (Math.Abs(scene.Upward) * frame.Length);
+            allowed += weight * fall * (1 + frame.Log.Events.Count) * ((2 * settings.CollisionTolerance) + Math.Min(frame.Length, 2 * settings.CollisionTolerance));
+        }
+
+        allowed += settings.RollingTransition == RollingTransition.Heuristic && frame.Log.Events.Count > 0 ? scale : 0;
+        double rounding = 4e-16 * weight * (Math.Abs(before.Position.Y) + Math.Abs(frame.Contact));
+        double rise = end - start - allowed - rounding;
+        if (rise > 1e-9 * (scale + 1e-290))
+        {
+            double share = rise / (scale + 1e-290);
+            string size = share > 0.01 ? "more than 1 %" : share > 1e-4 ? "more than 0.01 %" : "little";
+            ForceSet forces = scene.Scene.Forces;
+            frame.FindMild(
+                $"energy made, {size}, {settings.Integrator}, {before.Motion} to {after.Motion}, {(frame.Log.Events.Count > 0 ? "events, " : "")}"
+                + $"{(frame.Log.Relaxed > 0 ? "relaxed, " : "")}drag {forces.Drag}, Magnus {forces.Magnus}",
+                share,
+                $"{start} J to {end} J");
+        }
+    }
+}
