@@ -15,7 +15,7 @@ public class SeededRandom(ulong seed)
     public static ulong Mix(long seed, long index) => unchecked(((ulong)seed * 0x9E3779B97F4A7C15UL) ^ ((ulong)index * 0xD1B54A32D192ED03UL));
 
     /// <summary>0 … 1, 1 excluded.</summary>
-    public double Next() => (Bits() >> 11) * (1.0 / (1UL << 53));
+    public virtual double Next() => (Bits() >> 11) * (1.0 / (1UL << 53));
 
     public double Uniform(double low, double high) => low + ((high - low) * Next());
 

@@ -21,9 +21,9 @@ public sealed class ValidationTests
     [InlineData("forces.spinDecayCoefficient", -1e-9)]
     [InlineData("ground.normalRestitution", 1.001)]
     [InlineData("ground.normalRestitution", -0.001)]
-    [InlineData("ground.tangentialRestitution", 1.1)]
-    [InlineData("ground.tangentialRestitution", -1.1)]
-    [InlineData("ground.tangentialRestitution.z", -1.1)]
+    [InlineData("ground.tangentialRestitution[0]", 1.1)]
+    [InlineData("ground.tangentialRestitution[0]", -1.1)]
+    [InlineData("ground.tangentialRestitution[1]", -1.1)]
     [InlineData("ground.spinRestitution", 1.5)]
     [InlineData("ground.spinRestitution", -0.5)]
     [InlineData("ground.slidingFriction", -0.1)]
@@ -51,8 +51,8 @@ public sealed class ValidationTests
     [InlineData("forces.magnusCoefficient", -3)]
     [InlineData("ground.normalRestitution", 0)]
     [InlineData("ground.normalRestitution", 1)]
-    [InlineData("ground.tangentialRestitution", -1)]
-    [InlineData("ground.tangentialRestitution", 1)]
+    [InlineData("ground.tangentialRestitution[0]", -1)]
+    [InlineData("ground.tangentialRestitution[0]", 1)]
     [InlineData("ground.slidingFriction", 0)]
     [InlineData("ground.minimumBounceSpeed", 0.001)]
     [InlineData("ground.height", -1e6)]
@@ -127,7 +127,7 @@ public sealed class ValidationTests
 
     private static void Refused(string field, double value) =>
         Refused(
-            field.Replace(".z", string.Empty, StringComparison.Ordinal),
+            field,
             value.ToString("R", System.Globalization.CultureInfo.InvariantCulture),
             () => Build(field, value));
 
@@ -158,8 +158,8 @@ public sealed class ValidationTests
             "forces.magnusCoefficient" => new Simulator(s_scene with { Forces = forces with { MagnusCoefficient = value } }),
             "forces.spinDecayCoefficient" => new Simulator(s_scene with { Forces = forces with { SpinDecayCoefficient = value } }),
             "ground.normalRestitution" => new Simulator(s_scene with { Ground = ground with { NormalRestitution = value } }),
-            "ground.tangentialRestitution" => new Simulator(s_scene with { Ground = ground with { TangentialRestitutionX = value } }),
-            "ground.tangentialRestitution.z" => new Simulator(s_scene with { Ground = ground with { TangentialRestitutionZ = value } }),
+            "ground.tangentialRestitution[0]" => new Simulator(s_scene with { Ground = ground with { TangentialRestitutionX = value } }),
+            "ground.tangentialRestitution[1]" => new Simulator(s_scene with { Ground = ground with { TangentialRestitutionZ = value } }),
             "ground.spinRestitution" => new Simulator(s_scene with { Ground = ground with { SpinRestitution = value } }),
             "ground.slidingFriction" => new Simulator(s_scene with { Ground = ground with { SlidingFriction = value } }),
             "ground.rollingFriction" => new Simulator(s_scene with { Ground = ground with { RollingFriction = value } }),

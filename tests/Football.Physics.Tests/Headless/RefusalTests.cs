@@ -58,6 +58,13 @@ public sealed class RefusalTests
     }
 
     [Theory]
+    [InlineData("\"ground\":{\"tangentialRestitution\":[0.5,1.5]}", "ground.tangentialRestitution[1] is 1.5; allowed: -1 … 1.")]
+    [InlineData("\"ground\":{\"tangentialRestitution\":[-2,0]}", "ground.tangentialRestitution[0] is -2; allowed: -1 … 1.")]
+    [InlineData("\"air\":{\"wind\":[0,\"x\",0]}", "air.wind[1] is \"x\"; allowed: a finite number")]
+    [InlineData("\"air\":{\"wind\":[0,0,1e400]}", "air.wind[2] is 1e400; allowed: a finite number")]
+    public void An_element_of_an_array_is_named_with_its_index(string member, string begins) => Refused($"{{{L},{member}}}", begins, "allowed");
+
+    [Theory]
     [InlineData("\"position\":[0,1,0]", "launch.velocity is missing; allowed: ", "[x, y, z], 3 finite numbers")]
     [InlineData("\"velocity\":[0,1,0]", "launch.position is missing; allowed: ", "[x, y, z], 3 finite numbers")]
     [InlineData("\"position\":[0,1e7,0],\"velocity\":[1,0,0]", "launch.position is [0,1e7,0]; allowed: ", "within ±1000000 m")]
