@@ -31,7 +31,8 @@ public sealed record BatchSettings
         {
             Accuracy.Millimetre => new BatchSettings { TimeStep = 0.04 },
             Accuracy.TenthOfMillimetre => new BatchSettings { TimeStep = 0.02 },
-            _ => new BatchSettings { TimeStep = 0.005, Precision = BatchPrecision.Double },
+            Accuracy.Micrometre => new BatchSettings { TimeStep = 0.005, Precision = BatchPrecision.Double },
+            _ => throw Check.Unknown(nameof(accuracy), accuracy),
         };
     }
 

@@ -32,7 +32,8 @@ public sealed record SolverSettings
         {
             Accuracy.Millimetre => 0.08,
             Accuracy.TenthOfMillimetre => 0.04,
-            _ => 0.005,
+            Accuracy.Micrometre => 0.005,
+            _ => throw Check.Unknown(nameof(accuracy), accuracy),
         };
         return Default;
     }

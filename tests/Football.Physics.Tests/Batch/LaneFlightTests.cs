@@ -15,8 +15,8 @@ public sealed class LaneFlightTests
         Scene scene = Scene.Default;
         LaneGroup one = Launch(out Vector3d[] velocities, out Vector3d[] spins);
         LaneGroup eight = Launch(out _, out _);
-        new LaneFlight<Lanes1, MeasuredLaneLaw<Lanes1>, LaneRk4>(scene, 0.01, upAlongX: false, findsApex: false).Fly(one, Duration);
-        new LaneFlight<Lanes8, MeasuredLaneLaw<Lanes8>, LaneRk4>(scene, 0.01, upAlongX: false, findsApex: false).Fly(eight, Duration);
+        new LaneKernel<Lanes1, MeasuredLaneLaw<Lanes1>, LaneRk4>(scene, 0.01, upAlongX: false, findsApex: false).Fly(one, Duration);
+        new LaneKernel<Lanes8, MeasuredLaneLaw<Lanes8>, LaneRk4>(scene, 0.01, upAlongX: false, findsApex: false).Fly(eight, Duration);
         for (int i = 0; i < Balls; i++)
         {
             Vector3d place = Vector3d.Zero;

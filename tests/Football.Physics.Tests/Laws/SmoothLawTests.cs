@@ -9,28 +9,28 @@ public sealed class SmoothLawTests
 
     /// <summary>Relative to the whole acceleration: the segments about the critical speed are the limit.</summary>
     [Fact]
-    public void The_regularised_law_by_table_is_the_law() => Compare<RegularisedLaw, Present, Present, Present>(4e-9, 1e-9);
+    public void The_regularised_law_by_table_is_the_law() => Compare<RegularisedLaw, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>(4e-9, 1e-9);
 
     [Fact]
     public void Each_part_of_the_regularised_law_alone_is_the_law()
     {
-        Compare<RegularisedLaw, Present, Absent, Absent>(4e-9, 1e-9);
-        Compare<RegularisedLaw, Absent, Present, Absent>(4e-9, 1e-9);
-        Compare<RegularisedLaw, Absent, Present, Present>(4e-9, 1e-9);
+        Compare<RegularisedLaw, EmpiricalDrag, NoAirLaw, NoAirLaw>(4e-9, 1e-9);
+        Compare<RegularisedLaw, NoAirLaw, EmpiricalMagnus, NoAirLaw>(4e-9, 1e-9);
+        Compare<RegularisedLaw, NoAirLaw, EmpiricalMagnus, EmpiricalSpinDecay>(4e-9, 1e-9);
     }
 
     [Fact]
-    public void The_measured_law_by_table_is_the_law() => Compare<MeasuredLaw, Present, Present, Present>(2e-9, 1e-12);
+    public void The_measured_law_by_table_is_the_law() => Compare<MeasuredLaw, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>(2e-9, 1e-12);
 
     /// <summary>A law that has nothing in common with the others but its form.</summary>
     [Fact]
-    public void Any_law_by_table_is_the_law() => Compare<InventedLaw, Present, Present, Present>(3e-9, 1e-9);
+    public void Any_law_by_table_is_the_law() => Compare<InventedLaw, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>(3e-9, 1e-9);
 
     [Fact]
     public void The_regularised_law_point_by_point_is_the_laws_one_by_one()
     {
-        SmoothLaws<RegularisedLaw, Present, Present, Present> whole = default;
-        Aerodynamics<RegularisedDragFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> laws = default;
+        SmoothAir<RegularisedLaw, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> whole = default;
+        AirLaws<RegularisedDragFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> laws = default;
         whole.Prepare(LawGrid.Scene);
         laws.Prepare(LawGrid.Scene);
         Assert.Equal((laws.Bound.PerSpeed, laws.Bound.PerSpin, laws.Bound.Constant), (whole.Bound.PerSpeed, whole.Bound.PerSpin, whole.Bound.Constant));
@@ -39,9 +39,9 @@ public sealed class SmoothLawTests
             foreach (double spin in LawGrid.Spins.Append(0).Append(-1e-3))
             {
                 double square = speed * speed;
-                laws.Begin(spin, DragBranch.NoSpin, out AirStep step);
-                laws.Evaluate(in step, square, spin, square, out double expectedDrag, out double expectedLift, out double expectedDecay);
-                whole.Evaluate(in step, square, spin, square, out double drag, out double lift, out double decay);
+                laws.Begin(spin, DragBranch.NoSpin, out PointStep step);
+                laws.AtStage(in step, square, spin, square, out double expectedDrag, out double expectedLift, out double expectedDecay);
+                whole.ByFunctions(square, spin, square, out double drag, out double lift, out double decay);
                 Assert.InRange(drag - expectedDrag, -1e-11 * expectedDrag, 1e-11 * expectedDrag);
 
                 // The lift is a difference that vanishes at Sp 1.88.
@@ -71,7 +71,7 @@ public sealed class SmoothLawTests
     [Fact]
     public void They_hold_for_every_shot_of_a_match_and_for_a_ball_that_rolls()
     {
-        SmoothAir<MeasuredLaw, Present, Present, Present> air = default;
+        SmoothKernel<MeasuredLaw, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> air = default;
         air.Prepare(LawGrid.Scene);
         for (double speed = 2; speed <= 45; speed += 0.5)
         {
@@ -101,10 +101,10 @@ public sealed class SmoothLawTests
     [InlineData(double.NaN, 30)]
     public void Elsewhere_the_tables_do_not_answer(double speed, double spin)
     {
-        SmoothAir<RegularisedLaw, Present, Present, Present> air = default;
+        SmoothKernel<RegularisedLaw, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> air = default;
         air.Prepare(LawGrid.Scene);
         Assert.False(air.Covers(speed * speed, spin, 0.01));
-        Assert.False(air.EvaluateAt(DragBranch.NoSpin, speed * speed, spin, speed * speed, out double drag, out double lift, out double decay));
+        Assert.False(air.TryAtPoint(default(PointStep), speed * speed, spin, speed * speed, out double drag, out double lift, out double decay));
         Assert.Equal((0, 0, 0), (drag, lift, decay));
     }
 
@@ -112,11 +112,11 @@ public sealed class SmoothLawTests
     [Fact]
     public void A_ball_without_spin_has_drag_and_no_lift()
     {
-        SmoothAir<RegularisedLaw, Present, Present, Present> air = default;
+        SmoothKernel<RegularisedLaw, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> air = default;
         air.Prepare(LawGrid.Scene);
         foreach (double speed in Speeds())
         {
-            Assert.True(air.EvaluateAt(DragBranch.NoSpin, speed * speed, 0, speed * speed, out double drag, out double lift, out _));
+            Assert.True(air.TryAtPoint(default(PointStep), speed * speed, 0, speed * speed, out double drag, out double lift, out _));
             Assert.True(drag > 0);
             Assert.Equal(0, lift);
         }
@@ -137,7 +137,7 @@ public sealed class SmoothLawTests
     private static void Covers<TLaw>(double spin)
         where TLaw : struct, ISmoothLaw
     {
-        SmoothAir<TLaw, Present, Present, Present> air = default;
+        SmoothKernel<TLaw, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> air = default;
         air.Prepare(LawGrid.Scene);
         foreach (double speed in new[] { 1.5, 5, 12.19, 20, 40, 110 })
         {
@@ -158,7 +158,7 @@ public sealed class SmoothLawTests
                 Gravity = 100 * Math.Pow(random.NextDouble(), 3),
                 Air = new Air { Density = 20 * Math.Pow(random.NextDouble(), 4), KinematicViscosity = 1e-5 * (1 + random.NextDouble()) },
             };
-            SmoothAir<TLaw, Present, Present, Present> air = default;
+            SmoothKernel<TLaw, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> air = default;
             air.Prepare(scene);
             for (int k = 0; k < 400; k++)
             {
@@ -174,7 +174,8 @@ public sealed class SmoothLawTests
                 motion.Velocity = speed * Direction(random);
                 motion.Axis = Direction(random);
                 motion.SpinRate = spin;
-                default(ClassicalRungeKutta).Fly(ref air, ref motion, Vector3d.Zero, DragBranch.NoSpin, -scene.Gravity, h, out FlightStep step);
+                default(ClassicalRungeKutta).Fly<SmoothKernel<TLaw, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>, PointStep>(
+                    ref air, ref motion, Vector3d.Zero, DragBranch.NoSpin, -scene.Gravity, h, out FlightStep step);
                 Assert.True(double.IsFinite(step.AirVelocity.LengthSquared) && double.IsFinite(step.SpinRate));
                 covered++;
             }
@@ -195,18 +196,17 @@ public sealed class SmoothLawTests
     /// <param name="decayTolerance">Relative to the spin decay.</param>
     private static void Compare<TLaw, TDrag, TMagnus, TDecay>(double forceTolerance, double decayTolerance)
         where TLaw : struct, ISmoothLaw
-        where TDrag : struct, IPresence
-        where TMagnus : struct, IPresence
-        where TDecay : struct, IPresence
+        where TDrag : struct, IAirLaw
+        where TMagnus : struct, IAirLaw
+        where TDecay : struct, IAirLaw
     {
-        SmoothAir<TLaw, TDrag, TMagnus, TDecay> air = default;
-        SmoothLaws<TLaw, TDrag, TMagnus, TDecay> laws = default;
+        SmoothKernel<TLaw, TDrag, TMagnus, TDecay> air = default;
+        SmoothAir<TLaw, TDrag, TMagnus, TDecay> laws = default;
         air.Prepare(LawGrid.Scene);
         laws.Prepare(LawGrid.Scene);
-        Assert.Equal((laws.Drags, laws.Lifts, laws.SpinDecays, laws.NeedsSpinAcross), (air.Drags, air.Lifts, air.SpinDecays, air.NeedsSpinAcross));
-        Assert.False(air.Jumps || laws.Jumps);
-        Assert.False(air.Expand(default, 0, 0, out _));
-        double[] sines = air.NeedsSpinAcross ? [1, 0.7, 0.1, 0] : [1];
+        Assert.Equal((laws.Drags, laws.Lifts, laws.SpinDecays), (air.Drags, air.Lifts, air.SpinDecays));
+        Assert.False(laws.Jumps);
+        double[] sines = default(TLaw).NeedsSpinAcross ? [1, 0.7, 0.1, 0] : [1];
         var forces = new Errors("acceleration");
         var decays = new Errors("spin deceleration");
         foreach (double speed in Speeds())
@@ -218,9 +218,8 @@ public sealed class SmoothLawTests
                     double square = speed * speed;
                     double spin = spinParameter * speed / s_radius;
                     double across = square * sine * sine;
-                    Assert.True(air.EvaluateAt(DragBranch.NoSpin, square, spin, across, out double drag, out double lift, out double decay));
-                    laws.Begin(spin, DragBranch.NoSpin, out AirStep once);
-                    laws.Evaluate(in once, square, spin, across, out double expectedDrag, out double expectedLift, out double expectedDecay);
+                    Assert.True(air.TryAtPoint(default(PointStep), square, spin, across, out double drag, out double lift, out double decay));
+                    laws.ByFunctions(square, spin, across, out double expectedDrag, out double expectedLift, out double expectedDecay);
                     string name = $"{speed} m/s, {spin} rad/s (S {spinParameter}), sine {sine}";
                     double scale = Math.Sqrt((expectedDrag * expectedDrag) + (sine * sine * expectedLift * expectedLift));
                     forces.Add(name, Math.Abs(drag - expectedDrag) / scale);

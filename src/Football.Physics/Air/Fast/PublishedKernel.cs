@@ -136,11 +136,11 @@ internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<Published
         {
             // (1 + δ)^q to third order: the spin hardly changes within a step.
             double delta = (spinRate - step.Spin) * step.PerSpin;
-            double onLift = 1.0 + (delta * (EmpiricalMagnus.Beta + (delta * (LiftSecond + (delta * LiftThird)))));
+            double onLift = 1.0 + (delta * (EmpiricalMagnus.Beta + (delta * (PublishedBinomials.LiftSecond + (delta * PublishedBinomials.LiftThird)))));
             if (step.Branch == DragBranch.Spinning)
             {
                 // D = k c (r|ω|)^d |u|^(1−d),  L = k' (r|ω|)^β (C_D0 |u|^(1−β) − c (r|ω|)^d |u|^(1−β−d))
-                double onDrag = 1.0 + (delta * (FittedDrag.D + (delta * (DragSecond + (delta * DragThird)))));
+                double onDrag = 1.0 + (delta * (FittedDrag.D + (delta * (PublishedBinomials.DragSecond + (delta * PublishedBinomials.DragThird)))));
                 drag = step.Drag * onDrag;
                 double forLift = FittedDrag.AtRest * step.Lift * onLift;
                 double forBoth = step.LiftByDrag * (onLift * onDrag);
@@ -230,19 +230,19 @@ internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<Published
 
         // |u|^(1−d) and so on: (1 + ε)^p with p = (1 − d)/2
         series.Drag.A = step.StartDrag;
-        series.Drag.B = OfDrag1 * step.StartDrag;
-        series.Drag.C = OfDrag2 * step.StartDrag;
-        series.Drag.D = OfDrag3 * step.StartDrag;
-        series.Drag.E = OfDrag4 * step.StartDrag;
+        series.Drag.B = PublishedBinomials.OfDrag1 * step.StartDrag;
+        series.Drag.C = PublishedBinomials.OfDrag2 * step.StartDrag;
+        series.Drag.D = PublishedBinomials.OfDrag3 * step.StartDrag;
+        series.Drag.E = PublishedBinomials.OfDrag4 * step.StartDrag;
         if (default(TMagnus).Acts)
         {
             series.Lift.A = step.StartLift - step.StartLiftByDrag;
-            series.LiftByDrag1 = OfLiftByDrag1 * step.StartLiftByDrag;
-            series.LiftByDrag2 = OfLiftByDrag2 * step.StartLiftByDrag;
-            series.Lift.B = (OfLift1 * step.StartLift) - series.LiftByDrag1;
-            series.Lift.C = (OfLift2 * step.StartLift) - series.LiftByDrag2;
-            series.Lift.D = (OfLift3 * step.StartLift) - (OfLiftByDrag3 * step.StartLiftByDrag);
-            series.Lift.E = (OfLift4 * step.StartLift) - (OfLiftByDrag4 * step.StartLiftByDrag);
+            series.LiftByDrag1 = PublishedBinomials.OfLiftByDrag1 * step.StartLiftByDrag;
+            series.LiftByDrag2 = PublishedBinomials.OfLiftByDrag2 * step.StartLiftByDrag;
+            series.Lift.B = (PublishedBinomials.OfLift1 * step.StartLift) - series.LiftByDrag1;
+            series.Lift.C = (PublishedBinomials.OfLift2 * step.StartLift) - series.LiftByDrag2;
+            series.Lift.D = (PublishedBinomials.OfLift3 * step.StartLift) - (PublishedBinomials.OfLiftByDrag3 * step.StartLiftByDrag);
+            series.Lift.E = (PublishedBinomials.OfLift4 * step.StartLift) - (PublishedBinomials.OfLiftByDrag4 * step.StartLiftByDrag);
             series.LiftByDrag0 = step.StartLiftByDrag;
         }
 
@@ -253,9 +253,9 @@ internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<Published
             double whole = step.StartDecay * (1.0 + (x * PlateSeries.At(x)));
             double slope = step.StartDecay * (x * PlateSeries.SlopeAt(x));
             series.Decay0 = whole;
-            series.Decay1 = (OfDecay1 * whole) - slope;
-            series.Decay2 = (OfDecay2 * whole) + ((1.0 - OfDecay1) * slope);
-            series.Decay3 = (OfDecay3 * whole) - ((1.0 - OfDecay1 + OfDecay2) * slope);
+            series.Decay1 = (PublishedBinomials.OfDecay1 * whole) - slope;
+            series.Decay2 = (PublishedBinomials.OfDecay2 * whole) + ((1.0 - PublishedBinomials.OfDecay1) * slope);
+            series.Decay3 = (PublishedBinomials.OfDecay3 * whole) - ((1.0 - PublishedBinomials.OfDecay1 + PublishedBinomials.OfDecay2) * slope);
             series.DecayBySpin = 2.0 * slope;
         }
     }
@@ -267,14 +267,14 @@ internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<Published
         double e = (speedSquared * series.PerSpeedSquared) - 1.0;
         double ee = e * e;
         double delta = (spinRate * series.PerSpin) - 1.0;
-        double more = delta * (FittedDrag.D + (delta * DragSecond)); // (1 + δ)^d − 1
+        double more = delta * (FittedDrag.D + (delta * PublishedBinomials.DragSecond)); // (1 + δ)^d − 1
         drag = series.Drag.At(e, ee) * (1.0 + more);
         lift = 0;
         decay = 0;
         if (default(TMagnus).Acts)
         {
             double byDrag = series.LiftByDrag0 + (series.LiftByDrag1 * e) + (series.LiftByDrag2 * ee);
-            lift = (1.0 + (delta * (EmpiricalMagnus.Beta + (delta * LiftSecond)))) * (series.Lift.At(e, ee) - (more * byDrag));
+            lift = (1.0 + (delta * (EmpiricalMagnus.Beta + (delta * PublishedBinomials.LiftSecond)))) * (series.Lift.At(e, ee) - (more * byDrag));
         }
 
         if (default(TDecay).Acts)
@@ -345,26 +345,4 @@ internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<Published
 
         return true;
     }
-
-    private const double DragSecond = FittedDrag.D * (FittedDrag.D - 1) / 2;
-    private const double DragThird = DragSecond * (FittedDrag.D - 2) / 3;
-    private const double LiftSecond = EmpiricalMagnus.Beta * (EmpiricalMagnus.Beta - 1) / 2;
-    private const double LiftThird = LiftSecond * (EmpiricalMagnus.Beta - 2) / 3;
-
-    // Binomial coefficients of the powers of |u|².
-    private const double OfDrag1 = 0.5 * (1 - FittedDrag.D);
-    private const double OfDrag2 = OfDrag1 * (OfDrag1 - 1) / 2;
-    private const double OfDrag3 = OfDrag2 * (OfDrag1 - 2) / 3;
-    private const double OfDrag4 = OfDrag3 * (OfDrag1 - 3) / 4;
-    private const double OfLift1 = 0.5 * (1 - EmpiricalMagnus.Beta);
-    private const double OfLift2 = OfLift1 * (OfLift1 - 1) / 2;
-    private const double OfLift3 = OfLift2 * (OfLift1 - 2) / 3;
-    private const double OfLift4 = OfLift3 * (OfLift1 - 3) / 4;
-    private const double OfLiftByDrag1 = 0.5 * (1 - EmpiricalMagnus.Beta - FittedDrag.D);
-    private const double OfLiftByDrag2 = OfLiftByDrag1 * (OfLiftByDrag1 - 1) / 2;
-    private const double OfLiftByDrag3 = OfLiftByDrag2 * (OfLiftByDrag1 - 2) / 3;
-    private const double OfLiftByDrag4 = OfLiftByDrag3 * (OfLiftByDrag1 - 3) / 4;
-    private const double OfDecay1 = 0.5 * (double)EmpiricalSpinDecay.SpeedExponent;
-    private const double OfDecay2 = OfDecay1 * (OfDecay1 - 1) / 2;
-    private const double OfDecay3 = OfDecay2 * (OfDecay1 - 2) / 3;
 }

@@ -71,12 +71,12 @@ internal abstract class LaneFlight
         CoefficientForm form = scene.Forces.Coefficients;
         return KindOf(scene.Forces) switch
         {
-            ForceLaw.None => new LaneFlight<F, VacuumLaneLaw<F>, TMethod>(scene, timeStep, upAlongX, findsApex),
-            ForceLaw.Constant => new LaneFlight<F, ConstantLaneLaw<F>, TMethod>(scene, timeStep, upAlongX, findsApex),
+            ForceLaw.None => new LaneKernel<F, VacuumLaneLaw<F>, TMethod>(scene, timeStep, upAlongX, findsApex),
+            ForceLaw.Constant => new LaneKernel<F, ConstantLaneLaw<F>, TMethod>(scene, timeStep, upAlongX, findsApex),
             ForceLaw.Empirical when form == CoefficientForm.Published =>
-                new LaneFlight<F, FittedLaneLaw<F, PublishedLaneFit<F>>, TMethod>(scene, timeStep, upAlongX, findsApex),
+                new LaneKernel<F, FittedLaneLaw<F, PublishedLaneFit<F>>, TMethod>(scene, timeStep, upAlongX, findsApex),
             ForceLaw.Empirical when form == CoefficientForm.Regularised =>
-                new LaneFlight<F, FittedLaneLaw<F, RegularisedLaneFit<F>>, TMethod>(scene, timeStep, upAlongX, findsApex),
+                new LaneKernel<F, FittedLaneLaw<F, RegularisedLaneFit<F>>, TMethod>(scene, timeStep, upAlongX, findsApex),
             ForceLaw.Empirical => throw Check.Refusal("forces.coefficients", form.ToString(), "Published | Regularised"),
             _ => throw new ArgumentOutOfRangeException(nameof(scene), "Laws of several kinds are not flown in lanes."),
         };

@@ -4,9 +4,9 @@ namespace Football.Physics;
 
 /// <content>The integrators.</content>
 #if NET8_0_OR_GREATER
-internal sealed partial class LaneFlight<F, TLaw, TMethod>
+internal sealed partial class LaneKernel<F, TLaw, TMethod>
 #else
-internal sealed partial class LaneFlight<TLane, TLaw, TMethod>
+internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
 #endif
 {
     /// <summary>The changes of velocity, spin and place in a step.</summary>

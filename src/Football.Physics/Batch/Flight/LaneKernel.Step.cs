@@ -4,9 +4,9 @@ namespace Football.Physics;
 
 /// <content>One step of a group, and of one register.</content>
 #if NET8_0_OR_GREATER
-internal sealed partial class LaneFlight<F, TLaw, TMethod>
+internal sealed partial class LaneKernel<F, TLaw, TMethod>
 #else
-internal sealed partial class LaneFlight<TLane, TLaw, TMethod>
+internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
 #endif
 {
     /// <summary>A step of all balls of a group.</summary>

@@ -1,0 +1,40 @@
+namespace Football.Physics;
+
+/// <summary>Finds what happens inside the last step of a ball in lanes, in double: where it comes to its limit, and its highest point.</summary>
+internal static class LaneLocator
+{
+    /// <summary>Ends a flight where its cubic Hermite interpolant comes to the limit.</summary>
+    public static void Reach(LaneGroup group, int at, double time, double length)
+    {
+        double limit = group.Limit[at];
+        var piece = new LanePiece(group, at, time, length);
+        if (group.CrossingOf(at) is >= 0 and int crossing)
+        {
+            var first = new LanePiece(group, at, crossing, first: true, time, length);
+            piece = first.EndHeight < limit ? first : new LanePiece(group, at, crossing, first: false, time, length);
+        }
+
+        double start = piece.StartHeight - limit;
+        double end = piece.EndHeight - limit;
+        var arc = new HeightArc(start > 0 ? start : 0, piece.StartRise, 0, end < 0 ? end : 0, piece.EndRise, piece.Length);
+        double tau = arc.HermiteRoot();
+        piece.At(tau, out Vector3d path, out Vector3d velocity, out double spin);
+        group.End(at, piece.Start + tau, reached: true, in path, in velocity, spin);
+    }
+
+    /// <summary>Notes the highest point of the last step.</summary>
+    public static void Top(LaneGroup group, int at, double time, double length)
+    {
+        var piece = new LanePiece(group, at, time, length);
+        if (group.CrossingOf(at) is >= 0 and int crossing)
+        {
+            var first = new LanePiece(group, at, crossing, first: true, time, length);
+            piece = first.EndRise < 0 ? first : new LanePiece(group, at, crossing, first: false, time, length);
+        }
+
+        var height = new CubicHermite(piece.StartHeight, piece.StartRise * piece.Length, piece.EndHeight, piece.EndRise * piece.Length);
+        double top = height.At(height.Highest);
+        int ball = group.Ball[at];
+        group.Apex[ball] = top > group.Apex[ball] ? top : group.Apex[ball];
+    }
+}
