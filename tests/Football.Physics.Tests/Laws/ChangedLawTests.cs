@@ -64,7 +64,7 @@ public sealed class ChangedLawTests : IDisposable
 
         string[] sources =
         [
-            .. Files("src/Football.Physics"), .. Files(Tests + "/Laws"), .. Files(Tests + "/Support"),
+            .. Files("src/Football.Physics"), .. Files("benchmarks/Football.Physics.Yardsticks"), .. Files(Tests + "/Laws"), .. Files(Tests + "/Support"),
             Tests + "/Batch/BatchScenes.cs", Tests + "/Batch/LaneLawTests.cs", Tests + "/Batch/LaneLawPointTests.cs",
         ];
         foreach (string file in sources.Where(file => Path.GetFileNameWithoutExtension(file) != nameof(ChangedLawTests)))
@@ -76,7 +76,9 @@ public sealed class ChangedLawTests : IDisposable
         Write(Library, RepositoryFiles.Text(Library).Replace(
             "<TargetFrameworks>netstandard2.1;net8.0;net10.0</TargetFrameworks>", "<TargetFramework>net10.0</TargetFramework>", StringComparison.Ordinal));
         const string Project = Tests + "/Football.Physics.Tests.csproj";
-        Write(Project, string.Join('\n', RepositoryFiles.Text(Project).Split('\n').Where(line => !line.Contains("Headless", StringComparison.Ordinal))));
+        const string OwnCompile = "<Compile Include=\"../../benchmarks/Football.Physics.Yardsticks/Plain/FittedLaws.cs\" Link=\"Laws/FittedLaws.cs\" />";
+        Write(Project, string.Join('\n', RepositoryFiles.Text(Project).Split('\n').Where(line => !line.Contains("samples/", StringComparison.Ordinal)))
+            .Replace(OwnCompile, OwnCompile + "<Compile Include=\"../../benchmarks/Football.Physics.Yardsticks/Shots/SeededRandom.cs\" />", StringComparison.Ordinal));
     }
 
     private static IEnumerable<string> Files(string folder) =>

@@ -12,7 +12,6 @@ internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<Published
     where TMagnus : struct, IAirLaw
     where TDecay : struct, IAirLaw
 {
-    /// <summary>The slowest speed, m/s, at which the tables hold.</summary>
     private const double SlowestPoint = 0.5;
 
     /// <summary>Up to this (r|ω|/2|u|)², Sp 1.04, a little more than that of a ball that rolls, the polynomial of the decay is good to 5e-11; there the lift is above 0.</summary>
@@ -145,6 +144,7 @@ internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<Published
                 double forLift = FittedDrag.AtRest * step.Lift * onLift;
                 double forBoth = step.LiftByDrag * (onLift * onDrag);
                 SpeedTable.WithSpin(speedSquared, ref drag, ref forLift, ref forBoth);
+                drag = default(TDrag).Acts ? drag : 0;
                 if (default(TMagnus).Acts)
                 {
                     lift = forLift - forBoth;
@@ -154,7 +154,7 @@ internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<Published
             {
                 // D = k C_D |u|,  L = k' (r|ω|)^β (C_D0 − C_D) |u|^(1−β)
                 SpeedTable.WithoutSpin(speedSquared, out double byDrag, out double byLift);
-                drag = _dragScale * byDrag;
+                drag = default(TDrag).Acts ? _dragScale * byDrag : 0;
                 if (default(TMagnus).Acts)
                 {
                     lift = step.Lift * onLift * byLift;
@@ -186,6 +186,7 @@ internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<Published
                 double forBoth = step.LiftByDrag;
                 SpeedTable.WithSpin(speedSquared, ref drag, ref forLift, ref forBoth);
                 step.StartDrag = drag;
+                drag = default(TDrag).Acts ? drag : 0;
                 step.StartLift = forLift;
                 step.StartLiftByDrag = forBoth;
                 if (default(TMagnus).Acts)
@@ -196,7 +197,7 @@ internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<Published
             else
             {
                 SpeedTable.WithoutSpin(speedSquared, out double byDrag, out double byLift);
-                drag = _dragScale * byDrag;
+                drag = default(TDrag).Acts ? _dragScale * byDrag : 0;
                 if (default(TMagnus).Acts)
                 {
                     lift = step.Lift * byLift;
@@ -268,7 +269,7 @@ internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<Published
         double ee = e * e;
         double delta = (spinRate * series.PerSpin) - 1.0;
         double more = delta * (FittedDrag.D + (delta * PublishedBinomials.DragSecond)); // (1 + δ)^d − 1
-        drag = series.Drag.At(e, ee) * (1.0 + more);
+        drag = default(TDrag).Acts ? series.Drag.At(e, ee) * (1.0 + more) : 0;
         lift = 0;
         decay = 0;
         if (default(TMagnus).Acts)
@@ -317,12 +318,13 @@ internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<Published
                 drag = _dragScale * forDrag;
                 forLift = FittedDrag.AtRest * forLift;
                 SpeedTable.WithSpin(speedSquared, ref drag, ref forLift, ref forBoth);
+                drag = default(TDrag).Acts ? drag : 0;
                 lift = default(TMagnus).Acts ? forLift - forBoth : 0;
             }
             else
             {
                 SpeedTable.WithoutSpin(speedSquared, out double byDrag, out double byLift);
-                drag = _dragScale * byDrag;
+                drag = default(TDrag).Acts ? _dragScale * byDrag : 0;
                 lift = default(TMagnus).Acts ? forLift * byLift : 0;
             }
         }
