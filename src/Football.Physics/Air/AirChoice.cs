@@ -20,25 +20,25 @@ internal static class AirChoice
     /// <summary>Without the fitted drag coefficient.</summary>
     private static TResult WithoutFit<TVisitor, TResult>(Scene scene, ref TVisitor visitor)
         where TVisitor : struct, IAirVisitor<TResult> => (scene.Forces.Drag, scene.Forces.Magnus) switch
-    {
-        (ForceLaw.None, ForceLaw.None) => Laws<TVisitor, TResult, NoDragFit, NoAirLaw, NoAirLaw>(scene, ref visitor),
-        (ForceLaw.None, ForceLaw.Constant) => Laws<TVisitor, TResult, NoDragFit, NoAirLaw, ConstantMagnus>(scene, ref visitor),
-        (ForceLaw.Constant, ForceLaw.None) => Laws<TVisitor, TResult, NoDragFit, ConstantDrag, NoAirLaw>(scene, ref visitor),
-        (ForceLaw.Constant, ForceLaw.Constant) => Laws<TVisitor, TResult, NoDragFit, ConstantDrag, ConstantMagnus>(scene, ref visitor),
-        _ => throw UnknownLaw(scene.Forces),
-    };
+        {
+            (ForceLaw.None, ForceLaw.None) => Laws<TVisitor, TResult, NoDragFit, NoAirLaw, NoAirLaw>(scene, ref visitor),
+            (ForceLaw.None, ForceLaw.Constant) => Laws<TVisitor, TResult, NoDragFit, NoAirLaw, ConstantMagnus>(scene, ref visitor),
+            (ForceLaw.Constant, ForceLaw.None) => Laws<TVisitor, TResult, NoDragFit, ConstantDrag, NoAirLaw>(scene, ref visitor),
+            (ForceLaw.Constant, ForceLaw.Constant) => Laws<TVisitor, TResult, NoDragFit, ConstantDrag, ConstantMagnus>(scene, ref visitor),
+            _ => throw UnknownLaw(scene.Forces),
+        };
 
     /// <summary>With the coefficient as published, for drag, for the Magnus force, or for both; fused where no law is of constant coefficients.</summary>
     private static TResult Published<TVisitor, TResult>(Scene scene, ref TVisitor visitor)
         where TVisitor : struct, IAirVisitor<TResult> => (scene.Forces.Drag, scene.Forces.Magnus) switch
-    {
-        (ForceLaw.None, ForceLaw.Empirical) => Published<TVisitor, TResult, NoAirLaw, EmpiricalMagnus>(scene, ref visitor),
-        (ForceLaw.Empirical, ForceLaw.None) => Published<TVisitor, TResult, EmpiricalDrag, NoAirLaw>(scene, ref visitor),
-        (ForceLaw.Empirical, ForceLaw.Empirical) => Published<TVisitor, TResult, EmpiricalDrag, EmpiricalMagnus>(scene, ref visitor),
-        (ForceLaw.Constant, ForceLaw.Empirical) => Laws<TVisitor, TResult, PublishedDragFit, ConstantDrag, EmpiricalMagnus>(scene, ref visitor),
-        (ForceLaw.Empirical, ForceLaw.Constant) => Laws<TVisitor, TResult, PublishedDragFit, EmpiricalDrag, ConstantMagnus>(scene, ref visitor),
-        _ => throw UnknownLaw(scene.Forces),
-    };
+        {
+            (ForceLaw.None, ForceLaw.Empirical) => Published<TVisitor, TResult, NoAirLaw, EmpiricalMagnus>(scene, ref visitor),
+            (ForceLaw.Empirical, ForceLaw.None) => Published<TVisitor, TResult, EmpiricalDrag, NoAirLaw>(scene, ref visitor),
+            (ForceLaw.Empirical, ForceLaw.Empirical) => Published<TVisitor, TResult, EmpiricalDrag, EmpiricalMagnus>(scene, ref visitor),
+            (ForceLaw.Constant, ForceLaw.Empirical) => Laws<TVisitor, TResult, PublishedDragFit, ConstantDrag, EmpiricalMagnus>(scene, ref visitor),
+            (ForceLaw.Empirical, ForceLaw.Constant) => Laws<TVisitor, TResult, PublishedDragFit, EmpiricalDrag, ConstantMagnus>(scene, ref visitor),
+            _ => throw UnknownLaw(scene.Forces),
+        };
 
     private static TResult Published<TVisitor, TResult, TDrag, TMagnus>(Scene scene, ref TVisitor visitor)
         where TDrag : struct, IAirLaw
