@@ -48,6 +48,9 @@ internal sealed class HostileFrame(HostileScene scene, Simulator simulator, doub
         }
     }
 
+    /// <summary>Puts another end in the place of that which was played, to see that the checks find it.</summary>
+    public void Forge(BallState after) => _after = after;
+
     /// <summary>Something that must not be.</summary>
     /// <param name="kind">What.</param>
     /// <param name="size">How bad.</param>
