@@ -24,6 +24,61 @@ internal sealed class InputObject(InputFields fields, string path, JsonElement? 
     /// <summary>A number that must be given.</summary>
     public double Number(string name) => Take(name) is { } value ? NumberOf(value) : Refuse(name, FiniteNumber, double.NaN);
 
+    /// <summary>A number, or null for no limit.</summary>
+    public double Limit(string name, double fallback) => Take(name) is not { } value ? fallback
+        : value.ValueKind == JsonValueKind.Null ? double.PositiveInfinity
+        : NumberOf(value);
+
+    /// <summary>A text.</summary>
+    public string Text(string name, string fallback) => Take(name) is not { } value ? fallback
+        : value.ValueKind == JsonValueKind.String ? value.GetString()!
+        : Refuse(name, "a text", fallback);
+
+    /// <summary>A text that must be one of some.</summary>
+    public string OneOf(string name, params string[] allowed) =>
+        Take(name) is { ValueKind: JsonValueKind.String } value && allowed.Contains(value.GetString()) ? value.GetString()!
+        : Refuse(name, string.Join(" | ", allowed), allowed[0]);
+
+    /// <summary>The objects of a list; none where it is missing.</summary>
+    public IReadOnlyList<InputObject> Objects(string name)
+    {
+        if (Take(name) is not { } value)
+        {
+            return [];
+        }
+
+        return value.ValueKind == JsonValueKind.Array
+            ? [.. value.EnumerateArray().Select((item, i) => fields.Item($"{Join(name)}[{i}]", item))]
+            : Refuse<IReadOnlyList<InputObject>>(name, "a list of objects", []);
+    }
+
+    /// <summary>A table of numbers, rows of one length; null where it is not one.</summary>
+    public double[,]? Table(string name)
+    {
+        const string Allowed = "a table [[…], …] of finite numbers, with rows of one length";
+        if (Take(name) is not { ValueKind: JsonValueKind.Array } value
+            || !value.EnumerateArray().All(row => row.ValueKind == JsonValueKind.Array && row.GetArrayLength() == value[0].GetArrayLength())
+            || value.GetArrayLength() == 0 || value[0].GetArrayLength() == 0)
+        {
+            return Refuse<double[,]?>(name, Allowed, null);
+        }
+
+        var table = new double[value.GetArrayLength(), value[0].GetArrayLength()];
+        for (int i = 0; i < table.GetLength(0); i++)
+        {
+            for (int j = 0; j < table.GetLength(1); j++)
+            {
+                table[i, j] = NumberOf(value[i][j]);
+                if (!double.IsFinite(table[i, j]))
+                {
+                    return Refuse<double[,]?>($"{name}[{i}][{j}]", FiniteNumber, null);
+                }
+            }
+        }
+
+        return table;
+    }
+
     /// <summary>A number above 0.</summary>
     public double Positive(string name, double fallback)
     {
@@ -103,6 +158,21 @@ internal sealed class InputObject(InputFields fields, string path, JsonElement? 
             : value.GetArrayLength() == 2 ? (NumberOf(value[0]), NumberOf(value[1]))
             : (double.NaN, double.NaN);
         return allowed.Contains(low) && allowed.Contains(high) && low <= high ? (low, high) : Refuse(name, text, fallback);
+    }
+
+    /// <summary>What the library makes of members of this object; null, and refused, where it does not take them.</summary>
+    public T? Make<T>(Func<T> make)
+        where T : class
+    {
+        try
+        {
+            return make();
+        }
+        catch (ArgumentException e)
+        {
+            fields.Refuse(LibraryRefusal.Of(e, fields, path) ?? new RefusedException(path, e.Message, "what the library takes"));
+            return null;
+        }
     }
 
     /// <summary>Whether the member is given.</summary>

@@ -41,6 +41,7 @@ internal static class ScenarioRun
             Steps = log.Steps,
             Evaluations = log.Evaluations,
             Samples = samples,
+            NameOf = simulator.NameOf,
         };
         return IsFinite(outcome)
             ? outcome
@@ -66,7 +67,7 @@ internal static class ScenarioRun
                 continue;
             }
 
-            bool bounces = kind == BallEventKind.Impact && last.Velocity.Y >= scenario.Scene.Ground.MinimumBounceSpeed;
+            bool bounces = kind == BallEventKind.Impact && last.Thing == 0 && Vector3d.Dot(last.Velocity, last.Normal) >= scenario.Scene.Ground.MinimumBounceSpeed;
             return final with
             {
                 State = bounces ? MotionState.Airborne : final.State,

@@ -16,6 +16,9 @@ internal static class SceneInput
             Gravity = root.Number("gravity", scene.Gravity),
             Forces = Forces(root.Object("forces"), scene.Forces),
             Ground = Ground(root.Object("ground"), scene.Ground),
+            Obstacles = WorldInput.Obstacles(root),
+            Nets = WorldInput.Nets(root),
+            Goals = WorldInput.Goals(root),
         };
     }
 
@@ -73,6 +76,12 @@ internal static class SceneInput
         return new Ground
         {
             NormalRestitution = ground.Number("normalRestitution", defaults.NormalRestitution),
+            RestitutionSpeed = ground.Limit("restitutionSpeed", defaults.RestitutionSpeed),
+            ImpactFriction = ground.Limit("impactFriction", defaults.ImpactFriction),
+            RollingFrictionBySpeed = ground.Number("rollingFrictionBySpeed", defaults.RollingFrictionBySpeed),
+            DrillingLength = ground.Number("drillingLength", defaults.DrillingLength),
+            Normal = ground.Vector("normal", defaults.Normal),
+            Heights = WorldInput.Heights(ground),
             TangentialRestitutionX = tangential[0],
             TangentialRestitutionZ = tangential[1],
             SpinRestitution = ground.Number("spinRestitution", defaults.SpinRestitution),

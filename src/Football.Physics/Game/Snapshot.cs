@@ -86,6 +86,8 @@ public static class Snapshot
 
         public ulong Hash;
 
+        private ulong _slot;
+
         public readonly ulong Result
         {
             get
@@ -103,6 +105,17 @@ public static class Snapshot
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public void Member(ref int value) => Mix((ulong)(uint)value);
+
+        /// <remarks>All zero for a ball on a level pitch with nothing else, which then costs nothing; else its place in the list is mixed in too.</remarks>
+        public void Bits(ref ulong value)
+        {
+            _slot++;
+            if (value != 0)
+            {
+                Mix(_slot);
+                Mix(value);
+            }
+        }
 
         private void Mix(ulong word)
         {

@@ -8,13 +8,16 @@ internal interface IFieldVisitor
 
     /// <summary>A member of an enumeration.</summary>
     void Member(ref int value);
+
+    /// <summary>A set of flags, or an index.</summary>
+    void Bits(ref ulong value);
 }
 
 /// <summary>The one list of what a <see cref="BallState"/> consists of; hash, comparison and bytes all go through it.</summary>
 internal static class StateFields
 {
     /// <summary>How many scalars there are; a test compares it with the struct itself.</summary>
-    public const int Count = 18;
+    public const int Count = 22;
 
     /// <summary>Visits every scalar, in a fixed order.</summary>
     public static void Visit<TVisitor>(ref BallState state, ref TVisitor visitor)
@@ -35,6 +38,12 @@ internal static class StateFields
         int branch = (int)state.Branch;
         visitor.Member(ref branch);
         state.Branch = (DragBranch)branch;
+        ulong carrier = (ulong)state.Carrier;
+        visitor.Bits(ref carrier);
+        state.Carrier = (long)carrier;
+        visitor.Bits(ref state.Nets);
+        visitor.Bits(ref state.NetSides);
+        visitor.Bits(ref state.GoalsPassed);
     }
 
     /// <summary>Takes the bits of a state out.</summary>
@@ -65,6 +74,7 @@ internal static class StateFields
             && state.SpinAxis.IsFinite
             && double.IsFinite(state.SpinRate)
             && double.IsFinite(state.Angle)
+            && state.Carrier >= 0
             && Math.Abs(state.BaseOrientation.LengthSquared - 1) < 1e-6;
     }
 
@@ -101,6 +111,8 @@ internal static class StateFields
         public void Number(ref double value) => *Next++ = (ulong)BitConverter.DoubleToInt64Bits(value);
 
         public void Member(ref int value) => *Next++ = (uint)value;
+
+        public void Bits(ref ulong value) => *Next++ = value;
     }
 
     private unsafe struct Writer : IFieldVisitor
@@ -114,5 +126,7 @@ internal static class StateFields
             ulong word = *Next++;
             value = word <= int.MaxValue ? (int)word : -1;
         }
+
+        public void Bits(ref ulong value) => value = *Next++;
     }
 }

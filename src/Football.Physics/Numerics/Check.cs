@@ -71,6 +71,21 @@ internal static class Check
         }
     }
 
+    /// <summary>A direction: the vector with length 1.</summary>
+    public static Vector3d Direction(string field, in Vector3d value)
+    {
+        // Scaled first, so that the square of a very large or very small one is neither infinite nor zero.
+        double largest = Math.Max(Math.Abs(value.X), Math.Max(Math.Abs(value.Y), Math.Abs(value.Z)));
+        if (!(value.IsFinite && largest > 0))
+        {
+            throw Refusal(field, value.ToString(), "a finite vector other than zero");
+        }
+
+        // One that has length 1 to rounding stays as it is.
+        Vector3d scaled = value / largest;
+        return Math.Abs(value.LengthSquared - 1.0) <= 1e-15 ? value : scaled / scaled.Length;
+    }
+
     /// <summary>Checks an enumeration whose values count up from 0; without boxing, for checks on the way to a run.</summary>
     /// <param name="field">Its name.</param>
     /// <param name="value">Its value.</param>

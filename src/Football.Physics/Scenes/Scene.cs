@@ -3,6 +3,9 @@ namespace Football.Physics;
 /// <summary>Everything a flight depends on but the kick: ball, air, gravity, forces, ground. Built once; immutable.</summary>
 public sealed record Scene
 {
+    /// <summary>Nets, and goals, of a scene at most: a state says of each in one bit whether the ball is in it.</summary>
+    private const int MostNets = 64;
+
     /// <summary>The ball. Default <see cref="BallProperties.Football"/>.</summary>
     public BallProperties Ball { get; init; } = BallProperties.Football;
 
@@ -17,6 +20,15 @@ public sealed record Scene
 
     /// <summary>The ground. Default <see cref="Ground.Turf"/>.</summary>
     public Ground Ground { get; init; } = Ground.Turf;
+
+    /// <summary>Things that can be hit: walls, posts, players. Default none.</summary>
+    public IReadOnlyList<Obstacle> Obstacles { get; init; } = [];
+
+    /// <summary>Nets, apart from those of the goals; at most 64 nets in all. Default none.</summary>
+    public IReadOnlyList<Net> Nets { get; init; } = [];
+
+    /// <summary>Goals, with their frames and nets; at most 64. Default none.</summary>
+    public IReadOnlyList<Goal> Goals { get; init; } = [];
 
     /// <summary>A football over turf in still air at sea level, with all forces.</summary>
     public static Scene Default { get; } = new();
@@ -43,6 +55,12 @@ public sealed record Scene
         Check.Size("air.wind", Air.Wind, Limits.Speed, "m/s");
         Check.NotNegative("gravity", Gravity);
         Forces.Validate();
+        ValidateGround();
+        ValidateThings();
+    }
+
+    private void ValidateGround()
+    {
         Check.Within("ground.normalRestitution", Ground.NormalRestitution, 0, 1);
         Check.Within("ground.tangentialRestitution[0]", Ground.TangentialRestitutionX, -1, 1);
         Check.Within("ground.tangentialRestitution[1]", Ground.TangentialRestitutionZ, -1, 1);
@@ -52,7 +70,57 @@ public sealed record Scene
         Check.NotNegative("ground.spinDamping", Ground.SpinDamping);
         Check.AtLeast("ground.minimumBounceSpeed", Ground.MinimumBounceSpeed, 0.001);
         Check.Positive("ground.restEnergy", Ground.RestEnergy);
-        Check.Within("ground.height", Ground.Height, -Limits.Length, Limits.Length);
-        Check.Defined("ground.aerodynamics", Ground.Aerodynamics, (int)Ground.Aerodynamics, 2);
+        Check.Within("ground.restitutionSpeed", Ground.RestitutionSpeed, 0, double.PositiveInfinity, exclusiveLow: true);
+        Check.Within("ground.impactFriction", Ground.ImpactFriction, 0, double.PositiveInfinity);
+        Check.NotNegative("ground.rollingFrictionBySpeed", Ground.RollingFrictionBySpeed);
+        Check.NotNegative("ground.drillingLength", Ground.DrillingLength);
+        if (!Ground.IsNone)
+        {
+            Check.Within("ground.height", Ground.Height, -Limits.Length, Limits.Length);
+        }
+
+        Check.Defined("ground.aerodynamics", Ground.Aerodynamics, (int)Ground.Aerodynamics, 3);
+        Vector3d normal = Check.Direction("ground.normal", Ground.Normal);
+        Check.Within("ground.normal[1]", normal.Y, 0, 1, exclusiveLow: true);
+        if (!Ground.IsLevel && Ground.TangentialRestitutionX != Ground.TangentialRestitutionZ)
+        {
+            throw Check.Refusal(
+                "ground.tangentialRestitution",
+                FormattableString.Invariant($"[{Ground.TangentialRestitutionX}, {Ground.TangentialRestitutionZ}]"),
+                "two equal numbers on ground that is not level");
+        }
+
+        if (Ground.Heights is { } heights)
+        {
+            Check.Within("ground.heights (its steepest slope)", heights.SteepestSlope, 0, 1);
+            Check.Within("ground.heights (its strongest curvature, 1/m)", heights.StrongestCurvature, 0, 0.5 / Ball.Radius);
+            if (normal != Vector3d.Up)
+            {
+                throw Check.Refusal("ground.normal", Ground.Normal.ToString(), "straight up where there are heights");
+            }
+        }
+    }
+
+    private void ValidateThings()
+    {
+        for (int i = 0; i < Obstacles.Count; i++)
+        {
+            Obstacles[i].Validate(FormattableString.Invariant($"obstacles[{i}]"), Ball.Radius);
+        }
+
+        int nets = Nets.Count;
+        for (int i = 0; i < Nets.Count; i++)
+        {
+            Nets[i].Validate(FormattableString.Invariant($"nets[{i}]"));
+        }
+
+        for (int i = 0; i < Goals.Count; i++)
+        {
+            Goals[i].Validate(FormattableString.Invariant($"goals[{i}]"));
+            nets += Goals[i].Nets().Count();
+        }
+
+        Check.Within("nets (those of the goals included)", nets, 0, MostNets);
+        Check.Within("goals", Goals.Count, 0, MostNets);
     }
 }

@@ -16,6 +16,8 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     private readonly ImplicitPhase<TAir> _implicit;
     private readonly FlightSystem<TAir> _system;
     private readonly TIntegrator _integrator;
+    private readonly WorldGuard<TAir>? _world;
+    private readonly NetGuard? _nets;
 
     public FlightPhase(
         SolverSettings settings,
@@ -23,8 +25,11 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         in StabilityLimit limit,
         DragJumpGuard<TAir> jump,
         ContactPhase<TAir> contact,
-        ImplicitPhase<TAir> implicitPhase)
+        ImplicitPhase<TAir> implicitPhase,
+        WorldGuard<TAir>? world)
     {
+        _world = world;
+        _nets = around.World is null ? null : new NetGuard(around.World);
         _settings = settings;
         _around = around;
         _limit = limit;
@@ -44,13 +49,19 @@ internal sealed class FlightPhase<TAir, TIntegrator>
             return;
         }
 
+        if (_world is not null && _world.HitsAtOnce(ref s, ref run))
+        {
+            return;
+        }
+
+        Guides guides = _world is null ? default : Guides.Of(_around.World!, s.Position, s.Velocity, s.Time);
         Vector3d u = s.Velocity - _around.Wind;
         if (_around.Air.Jumps && (s.Branch == DragBranch.Unknown || !_jump.Acts))
         {
             s.Branch = DragJump.At(u.LengthSquared, _around.RadiusSquared * s.SpinRate * s.SpinRate).Branch;
         }
 
-        bool hasAxis = !_around.Air.Varies && s.Branch < DragBranch.AlongCriticalSpeed;
+        bool hasAxis = !_around.Air.Varies && s.Branch < DragBranch.AlongCriticalSpeed && s.Nets == 0 && guides.Count == 0;
         double asked = run.Next;
         double h = Longest(in s, in u, asked, hasAxis);
         if (h <= 0)
@@ -73,7 +84,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         }
         else
         {
-            TakeWithoutAxis(ref s, ref run, h);
+            TakeWithoutAxis(ref s, ref run, h, in guides);
         }
     }
 
@@ -99,12 +110,15 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         Finish(ref s, ref run, ref sweep, next, goes);
     }
 
-    /// <summary>A piece with the whole spin vector: with forces of the game's own, or along the drag law's jump.</summary>
-    private void TakeWithoutAxis(ref BallState s, ref StepRun run, double h)
+    /// <summary>A piece with the whole spin vector: with forces of the game's own, along the drag law's jump, in a net, or along what guides the ball.</summary>
+    private void TakeWithoutAxis(ref BallState s, ref StepRun run, double h, in Guides guides)
     {
         var from = new Motion(s.Position, s.Velocity, s.Spin);
         FlightSystem<TAir> system = _system;
         system.Branch = s.Branch;
+        system.Nets = s.Nets;
+        system.NetSides = s.NetSides;
+        system.Guides = guides;
         var sweep = new MotionSweep<FlightSystem<TAir>, TIntegrator>(in system, s.Time, in from, _around.Wind, _around.Radius);
         sweep.Step(h);
         DragBranch next = s.Branch;
@@ -122,7 +136,21 @@ internal sealed class FlightPhase<TAir, TIntegrator>
             }
         }
 
+        if (goes && s.Nets != 0)
+        {
+            double length = sweep.Length;
+            _nets!.EndWhereSlack(ref sweep, in s);
+            next = sweep.Length < length ? s.Branch : next;
+        }
+
         Finish(ref s, ref run, ref sweep, next, goes);
+        if (guides.Count > 0 && s.Motion == MotionState.Airborne)
+        {
+            var end = new Motion(s.Position, s.Velocity, s.Spin);
+            system.Guides = default;
+            system.Rates(s.Time, in end, out MotionRates pressed);
+            guides.Hold(_around.World!, ref s, in pressed.Acceleration, guides.Free(_around.World!, s.Position, s.Velocity, s.Time, in pressed.Acceleration));
+        }
     }
 
     /// <summary>Ends a piece at the ground, if it is met, and moves the ball to its end.</summary>
@@ -137,7 +165,9 @@ internal sealed class FlightPhase<TAir, TIntegrator>
             return;
         }
 
-        bool hit = EndAtGround(ref sweep, in s);
+        Gap met = default;
+        bool meets = _world is not null && _world.EndAtFirst(ref sweep, in s, _integrator.Order, out met);
+        bool hit = !meets && EndAtGround(ref sweep, in s);
         run.Log.Evaluations += sweep.Evaluations;
         BallState before = s;
         sweep.MoveTo(ref s);
@@ -152,6 +182,11 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         if (hit && !run.Log.Halted)
         {
             _contact.Impact(ref s, ref run);
+        }
+
+        if (meets && !run.Log.Halted)
+        {
+            _world!.Meet(ref s, in met, ref run);
         }
     }
 
@@ -234,7 +269,8 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         double h = asked;
         if (!hasAxis)
         {
-            return _limit.PartOf(ref _around.Air, asked, u.Length, s.Spin.Length, s.Branch);
+            h = _limit.PartOf(ref _around.Air, asked, u.Length, s.Spin.Length, s.Branch);
+            return h > 0 && _nets is not null ? _nets.LongestPiece(in s, h) : h;
         }
 
         double speedSquared = u.LengthSquared;

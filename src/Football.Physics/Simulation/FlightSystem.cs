@@ -7,20 +7,27 @@ internal struct FlightSystem<TAir> : IMotionSystem
     public Surroundings<TAir> Around;
     public DragBranch Branch;
 
+    /// <summary>The nets that the ball is in, and on which side of each.</summary>
+    public ulong Nets;
+    public ulong NetSides;
+
+    /// <summary>What it slides along.</summary>
+    public Guides Guides;
+
     public readonly void Rates(double time, in Motion at, out MotionRates rates)
     {
         if (Branch is not (DragBranch.AlongCriticalSpeed or DragBranch.AlongCriticalSpin))
         {
-            rates = On(Branch, time, in at);
+            rates = Guided(time, in at, On(Branch, time, in at));
             return;
         }
 
         // Filippov: on the surface the motion is the mean of both branches that stays on it.
         double share = SpinningShare(time, in at, out MotionRates spinning, out MotionRates noSpin);
         share = share < 0 ? 0 : share > 1 ? 1 : share;
-        rates = new MotionRates(
+        rates = Guided(time, in at, new MotionRates(
             noSpin.Acceleration + (share * (spinning.Acceleration - noSpin.Acceleration)),
-            noSpin.SpinAcceleration + (share * (spinning.SpinAcceleration - noSpin.SpinAcceleration)));
+            noSpin.SpinAcceleration + (share * (spinning.SpinAcceleration - noSpin.SpinAcceleration))));
     }
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
@@ -31,7 +38,7 @@ internal struct FlightSystem<TAir> : IMotionSystem
         s.Velocity = step.End.Velocity;
 
         // Decay never reverses a spin; a force of the game's own may.
-        bool keeps = Around.Air.Varies || Vector3d.Dot(in step.End.Spin, in from.Spin) > 0;
+        bool keeps = Around.Air.Varies || Nets != 0 || Vector3d.Dot(in step.End.Spin, in from.Spin) > 0;
         s.SetFlightSpin(keeps ? step.End.Spin : Vector3d.Zero);
     }
 
@@ -49,8 +56,19 @@ internal struct FlightSystem<TAir> : IMotionSystem
             spinAcceleration += air.SpinAcceleration;
         }
 
+        if (Nets != 0)
+        {
+            MotionRates nets = around.World!.PushOfNets(Nets, NetSides, in at);
+            acceleration += nets.Acceleration;
+            spinAcceleration += nets.SpinAcceleration;
+        }
+
         return new MotionRates(in acceleration, in spinAcceleration);
     }
+
+    private readonly MotionRates Guided(double time, in Motion at, in MotionRates rates) => Guides.Count == 0
+        ? rates
+        : new MotionRates(Guides.Free(Around.World!, in at.Position, in at.Velocity, time, in rates.Acceleration), in rates.SpinAcceleration);
 
     /// <summary>The share of the branch with spin for which the surface that <see cref="Branch"/> names is not left: outside 0 … 1 it is.</summary>
     public readonly double SpinningShare(double time, in Motion at, out MotionRates spinning, out MotionRates noSpin)

@@ -35,6 +35,10 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
     private readonly SlidePhase<TAir, TIntegrator> _slide;
     private readonly RollPhase<TAir, TIntegrator> _roll;
     private readonly ImplicitPhase<TAir> _implicit;
+    private readonly World? _world;
+    private readonly CarriedPhase<TAir, TIntegrator>? _carried;
+    private readonly RestPhase<TAir>? _rest;
+    private readonly WorldContact<TAir>? _worldContact;
 
     public Stepper(Scene scene, SolverSettings settings)
     {
@@ -45,13 +49,23 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
         _upward = around.Upward;
         _contactHeight = around.ContactHeight;
         _radiusSquared = around.RadiusSquared;
-        _staysDown = _upward <= 0;
+        _staysDown = _upward <= 0 && around.World is null;
         _limit = StabilityLimit.Of(scene, ref _air, _upward, _integrator.Order);
         var jump = new DragJumpGuard<TAir>(around, settings.LocateJump && _integrator.Order > 1);
         _locatesJump = jump.Acts;
         var contact = new ContactPhase<TAir>(scene, around);
         _implicit = new ImplicitPhase<TAir>(around, contact);
-        _flight = new FlightPhase<TAir, TIntegrator>(settings, around, in _limit, jump, contact, _implicit);
+        WorldGuard<TAir>? guard = null;
+        _world = around.World;
+        if (_world is not null)
+        {
+            _worldContact = new WorldContact<TAir>(around, scene.Ground.IsLevel);
+            guard = new WorldGuard<TAir>(_world, _worldContact);
+            _carried = new CarriedPhase<TAir, TIntegrator>(around, in _limit, jump, guard, _worldContact, _implicit);
+            _rest = new RestPhase<TAir>(_world, guard);
+        }
+
+        _flight = new FlightPhase<TAir, TIntegrator>(settings, around, in _limit, jump, contact, _implicit, guard);
         var ground = new GroundLimit<TAir>(around, in _limit);
         _slide = new SlidePhase<TAir, TIntegrator>(settings, around, in ground, jump, contact, _implicit);
         _roll = new RollPhase<TAir, TIntegrator>(scene, around, in ground, jump, contact, _implicit);
@@ -81,7 +95,7 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
             return;
         }
 
-        if (_air.Varies || branch >= DragBranch.AlongCriticalSpeed || (y <= _contactHeight && vy < 0))
+        if (_air.Varies || _world is not null || branch >= DragBranch.AlongCriticalSpeed || (y <= _contactHeight && vy < 0))
         {
             TakePieces(ref s, dt, log);
             return;
@@ -140,6 +154,8 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
             Show(log, in s, time, in position, new Vector3d(vx, vy, vz), in step);
         }
     }
+
+    public override void Settle(ref BallState s) => _worldContact!.Settle(ref s);
 
     public override void AirFactors(double speed, double spinRate, out double drag, out double lift)
     {
@@ -237,7 +253,7 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
 
     private void TakePieces(ref BallState s, ref StepRun run)
     {
-        while (run.Left > 0 && s.Motion != MotionState.Stopped)
+        while (run.Left > 0 && (s.Motion != MotionState.Stopped || _rest is not null))
         {
             if (++run.Pieces > MostPieces)
             {
@@ -249,6 +265,12 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
             {
                 case MotionState.Airborne:
                     _flight.Take(ref s, ref run);
+                    break;
+                case MotionState.Stopped:
+                    _rest!.Take(ref s, ref run);
+                    break;
+                case MotionState.Sliding or MotionState.Rolling when _carried is not null:
+                    _carried.Take(ref s, ref run);
                     break;
                 case MotionState.Sliding:
                     _slide.Take(ref s, ref run);

@@ -9,6 +9,7 @@ public sealed class Simulator
     private readonly Stepper _stepper;
     private readonly double _contact;
     private readonly bool _lighterThanAir;
+    private readonly World? _world;
 
     /// <summary>Checks a scene and compiles it.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
@@ -22,6 +23,7 @@ public sealed class Simulator
         Settings.Validate();
         _stepper = StepperFactory.Create(Scene, Settings);
         _contact = Scene.Ground.Height + Scene.Ball.Radius;
+        _world = World.Of(Scene);
         _lighterThanAir = Weight.UpwardAcceleration(Scene) > 0;
     }
 
@@ -61,7 +63,12 @@ public sealed class Simulator
         state.BaseOrientation = orientation.Normalised();
         state.SetFlightSpin(spin);
         state.Motion = MotionState.Airborne;
-        if (position.Y <= _contact)
+        if (_world is not null)
+        {
+            Raise(ref state);
+            _stepper.Settle(ref state);
+        }
+        else if (position.Y <= _contact)
         {
             state.Position = new Vector3d(position.X, _contact, position.Z);
             double threshold = Scene.Ground.MinimumBounceSpeed;
@@ -75,6 +82,10 @@ public sealed class Simulator
 
         return state;
     }
+
+    /// <summary>The name of what an event tells of: an obstacle's, a net's, "ground", "left post", "goal" …; null for none.</summary>
+    /// <param name="thing"><see cref="BallEvent.Thing"/>.</param>
+    public string? NameOf(int thing) => thing < 0 ? null : _world is null ? "ground" : _world.NameOf(thing);
 
     /// <summary>Kicks a ball where it is: new velocity and spin, same place, time and orientation.</summary>
     /// <param name="state">The ball; unchanged when an exception is thrown.</param>
@@ -108,7 +119,7 @@ public sealed class Simulator
             RefuseStep(dt, log);
         }
 
-        if (state.Motion == MotionState.Stopped)
+        if (state.Motion == MotionState.Stopped && _world is not { Moves: true })
         {
             state.Time += dt;
             return;
@@ -117,6 +128,22 @@ public sealed class Simulator
         log!.Halted = false;
         log.StopAt = StopAt.Time;
         _stepper.Step(ref state, dt, log);
+    }
+
+    /// <summary>A ball that starts inside the ground is raised to it.</summary>
+    private void Raise(ref BallState state)
+    {
+        for (int i = 0; i < 4 && _world!.Ground is { } ground; i++)
+        {
+            ShapePoint at = ground.At(state.Position, 0);
+            double below = Scene.Ball.Radius - at.Distance;
+            if (!(below > 0))
+            {
+                break;
+            }
+
+            state.Position += below * at.Normal;
+        }
     }
 
     private static void RefuseStep(double dt, StepLog? log)

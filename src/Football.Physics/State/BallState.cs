@@ -57,6 +57,18 @@ public struct BallState
     /// <summary>Orientation when <see cref="Angle"/> was last zero.</summary>
     internal Quaterniond BaseOrientation;
 
+    /// <summary>What carries a ball that slides, rolls or rests: its index among the things of the scene; 0 is the ground.</summary>
+    internal long Carrier;
+
+    /// <summary>The nets that the ball is in, a bit each.</summary>
+    internal ulong Nets;
+
+    /// <summary>On which side of its plane it met each of them: a bit is set for the side that the normal points to.</summary>
+    internal ulong NetSides;
+
+    /// <summary>The goals whose plane the ball has passed since it was placed or kicked, a bit each.</summary>
+    internal ulong GoalsPassed;
+
     /// <summary>Sets the spin of a ball in the air.</summary>
     internal void SetFlightSpin(in Vector3d spin)
     {
