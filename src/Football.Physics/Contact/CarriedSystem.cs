@@ -16,6 +16,9 @@ internal struct CarriedSystem<TAir> : IMotionSystem
     public ulong Nets;
     public ulong NetSides;
 
+    /// <summary>What else it slides or rolls along.</summary>
+    public Guides Guides;
+
     /// <summary>Whether it rolls; else it slides.</summary>
     public bool Rolls;
 
@@ -31,7 +34,7 @@ internal struct CarriedSystem<TAir> : IMotionSystem
     public readonly void Rates(double time, in Motion at, out MotionRates rates)
     {
         CarriedForces on = ForcesOn(time, in at);
-        rates = Rolls ? Rolling(in at, in on) : Sliding(in at, in on);
+        rates = Rolls ? Rolling(time, in at, in on) : Sliding(time, in at, in on);
     }
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
@@ -117,21 +120,22 @@ internal struct CarriedSystem<TAir> : IMotionSystem
     /// <summary>The part of a vector along the surface.</summary>
     public static Vector3d Tangential(in Vector3d vector, in Vector3d normal) => vector - (Vector3d.Dot(in vector, in normal) * normal);
 
-    private readonly MotionRates Sliding(in Motion at, in CarriedForces on)
+    private readonly MotionRates Sliding(double time, in Motion at, in CarriedForces on)
     {
         Vector3d n = on.Normal;
         Vector3d slip = Slip(in at, in n);
         double size = slip.Length;
         Vector3d s = size > 0 && Vector3d.Dot(in slip, in Direction) > 0 ? slip / size : Direction;
         double friction = SlidingFriction(in on);
-        Vector3d acceleration = on.Body + on.Air - (friction * s) - (on.Centripetal * n);
+        Vector3d along = Guided(time, in at, on.Body + on.Air - (friction * s), in n);
+        Vector3d acceleration = along - (on.Centripetal * n);
         Vector3d spin = on.Torque
             + (friction / (World.Ball.InertiaFactor * World.Ball.Radius) * Vector3d.Cross(in n, in s))
             + (AboutNormal(Vector3d.Dot(in at.Spin, in n), in on) * n);
         return new MotionRates(in acceleration, in spin);
     }
 
-    private readonly MotionRates Rolling(in Motion at, in CarriedForces on)
+    private readonly MotionRates Rolling(double time, in Motion at, in CarriedForces on)
     {
         Vector3d n = on.Normal;
         double r = World.Ball.Radius;
@@ -152,11 +156,15 @@ internal struct CarriedSystem<TAir> : IMotionSystem
         Vector3d along = Drive(in on)
             + (alpha * r * about / (1.0 + alpha) * Vector3d.Cross(in n, in on.Turning))
             - (RollingFriction(in on, speed) * direction);
+        along = Guided(time, in at, in along, in n);
 
         // ω = n × (v−V)/r + ω_n n, and so ω̇
         Vector3d spin = ((Vector3d.Cross(in on.Turning, in on.Velocity) + Vector3d.Cross(in n, in along)) / r) + (aboutRate * n) + (about * on.Turning);
         return new MotionRates(along - (on.Centripetal * n), in spin);
     }
+
+    private readonly Vector3d Guided(double time, in Motion at, in Vector3d along, in Vector3d n) =>
+        Guides.Count == 0 ? along : Guides.FreeAlong(World, in at.Position, in at.Velocity, time, in along, in n);
 
     /// <summary>What the surface does to the spin about the normal, rad/s²: −(c_ω/I) ω_n − sign(ω_n) b μ_s N/I.</summary>
     private readonly double AboutNormal(double about, in CarriedForces on)

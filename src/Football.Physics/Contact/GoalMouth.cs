@@ -26,6 +26,18 @@ internal sealed class GoalMouth
     /// <summary>Normal of the plane: towards the pitch.</summary>
     public ref readonly Vector3d Out => ref _out;
 
+    /// <summary>A box around the opening of the plane.</summary>
+    public Bounds3d Bounds
+    {
+        get
+        {
+            Vector3d low = _center - (_behind * _out);
+            Vector3d left = low - (_halfWidth * _right);
+            Vector3d right = low + (_halfWidth * _right) + new Vector3d(0, _height, 0);
+            return Bounds3d.Around(left, 0, 0, 0).With(Bounds3d.Around(right, 0, 0, 0));
+        }
+    }
+
     /// <summary>Distance before the plane, m; negative behind it.</summary>
     public double Before(in Vector3d position) => Vector3d.Dot(position - _center, in _out) + _behind;
 

@@ -40,6 +40,13 @@ internal sealed class NetSheet
     /// <summary>Half its size in its second direction, m.</summary>
     public double HalfWidth { get; }
 
+    /// <summary>A box around it.</summary>
+    public Bounds3d Bounds => Bounds3d.Around(
+        _center,
+        (HalfLength * Math.Abs(_along.X)) + (HalfWidth * Math.Abs(_across.X)),
+        (HalfLength * Math.Abs(_along.Y)) + (HalfWidth * Math.Abs(_across.Y)),
+        (HalfLength * Math.Abs(_along.Z)) + (HalfWidth * Math.Abs(_across.Z)));
+
     /// <summary>A point, or a velocity where it is no place, in the sheet's own axes: along, across, off its plane.</summary>
     public Vector3d InFrame(in Vector3d vector) =>
         new(Vector3d.Dot(in vector, in _along), Vector3d.Dot(in vector, in _across), Vector3d.Dot(in vector, Normal));

@@ -7,6 +7,12 @@ internal sealed class World
 {
     private readonly string[] _names;
 
+    /// <summary>Boxes around all that has one and stands still.</summary>
+    private readonly Bounds3d[] _boxes;
+
+    /// <summary>What has no box, or moves; but not level ground.</summary>
+    private readonly Collider[] _others;
+
     private World(Scene scene)
     {
         Ball = scene.Ball;
@@ -29,6 +35,17 @@ internal sealed class World
         Nets = [.. scene.Nets.Concat(scene.Goals.SelectMany(goal => goal.Nets())).Select(net => new NetSheet(net, Ball))];
         Goals = [.. scene.Goals.Select(goal => new GoalMouth(goal, Ball))];
         FirstCollider = scene.Ground.IsNone ? 1 : 0;
+        LevelContact = scene.Ground.IsNone || !scene.Ground.IsLevel ? double.NegativeInfinity : scene.Ground.Height + Ball.Radius;
+        bool IsOther(Collider collider) =>
+            (collider.Velocity != Vector3d.Zero || !(collider.Bounds.Max - collider.Bounds.Min).IsFinite) && !(collider == Ground && scene.Ground.IsLevel);
+        _others = Array.FindAll(Colliders, IsOther);
+        _boxes =
+        [
+            .. Colliders.Where(collider => !IsOther(collider) && collider != Ground).Select(collider => collider.Bounds),
+            .. Nets.Select(net => net.Bounds),
+            .. Goals.Select(goal => goal.Bounds),
+        ];
+        FastestSpeed = Colliders.Select(collider => collider.Velocity.Length).DefaultIfEmpty(0).Max();
         Moves = Array.Exists(Colliders, collider => collider.Velocity != Vector3d.Zero);
         _names =
         [
@@ -60,6 +77,12 @@ internal sealed class World
     /// <summary>Whether anything moves.</summary>
     public bool Moves { get; }
 
+    /// <summary>Height of the centre of a ball on level ground, m; −∞ where there is none.</summary>
+    public double LevelContact { get; }
+
+    /// <summary>The speed of the fastest thing, m/s.</summary>
+    public double FastestSpeed { get; }
+
     /// <summary>A ball that leaves a contact slower than this stays, m/s.</summary>
     public double MinimumBounceSpeed { get; }
 
@@ -83,6 +106,24 @@ internal sealed class World
             && ground.DrillingLength == 0
             && ground.Aerodynamics != GroundAerodynamics.Full;
         return plain && scene.Obstacles.Count == 0 && scene.Nets.Count == 0 && scene.Goals.Count == 0 ? null : new World(scene);
+    }
+
+    /// <summary>A distance, m, within which the ball can go without meeting anything but level ground; 0 where it touches something.</summary>
+    public double ClearanceAt(in Vector3d position, double time)
+    {
+        double nearest = double.PositiveInfinity;
+        foreach (ref readonly Bounds3d box in _boxes.AsSpan())
+        {
+            nearest = Math.Min(nearest, box.DistanceSquared(in position));
+        }
+
+        nearest = Math.Sqrt(nearest);
+        foreach (Collider other in _others)
+        {
+            nearest = Math.Min(nearest, other.At(in position, time).Distance);
+        }
+
+        return Math.Max(0, nearest - Ball.Radius);
     }
 
     /// <summary>The name of a thing.</summary>

@@ -9,7 +9,7 @@ internal interface IFieldVisitor
     /// <summary>A member of an enumeration.</summary>
     void Member(ref int value);
 
-    /// <summary>A set of flags, or an index.</summary>
+    /// <summary>A set of flags, an index, or a number that is 0 for a ball on a level pitch with nothing else.</summary>
     void Bits(ref ulong value);
 }
 
@@ -17,7 +17,7 @@ internal interface IFieldVisitor
 internal static class StateFields
 {
     /// <summary>How many scalars there are; a test compares it with the struct itself.</summary>
-    public const int Count = 22;
+    public const int Count = 23;
 
     /// <summary>Visits every scalar, in a fixed order.</summary>
     public static void Visit<TVisitor>(ref BallState state, ref TVisitor visitor)
@@ -44,6 +44,9 @@ internal static class StateFields
         visitor.Bits(ref state.Nets);
         visitor.Bits(ref state.NetSides);
         visitor.Bits(ref state.GoalsPassed);
+        ulong clearance = (ulong)BitConverter.DoubleToInt64Bits(state.Clearance);
+        visitor.Bits(ref clearance);
+        state.Clearance = BitConverter.Int64BitsToDouble((long)clearance);
     }
 
     /// <summary>Takes the bits of a state out.</summary>
@@ -75,6 +78,7 @@ internal static class StateFields
             && double.IsFinite(state.SpinRate)
             && double.IsFinite(state.Angle)
             && state.Carrier >= 0
+            && state.Clearance >= 0
             && Math.Abs(state.BaseOrientation.LengthSquared - 1) < 1e-6;
     }
 

@@ -115,7 +115,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
             run.Log.Evaluations++;
             double most = rolls ? system.RollingFriction(in on, size) : (1.0 + (1.0 / _alpha)) * sliding;
             Vector3d rate = rolls ? rates.Acceleration + (on.Centripetal * on.Normal) : SlipRate(in on, in rates);
-            if (!rolls && sliding > 0 && EndSlip(ref s, ref run, ref system, in from, in on, in moving, in rate, most, h))
+            if (!rolls && sliding > 0 && system.Guides.Count == 0 && EndSlip(ref s, ref run, ref system, in from, in on, in moving, in rate, most, h))
             {
                 return;
             }
@@ -269,6 +269,11 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         Vector3d n = at.Normal;
         s.Position += (_world.Ball.Radius - at.Distance) * n;
         s.Velocity -= Vector3d.Dot(s.Velocity - system.Carrier.Velocity, in n) * n;
+        if (system.Guides.Count > 0)
+        {
+            system.Guides.HoldAlong(_world, ref s, in n);
+        }
+
         if (system.Rolls)
         {
             Vector3d spin = s.SpinAxis;
@@ -288,6 +293,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
             Branch = _jump.OnSurface(s.Branch, in from),
             Nets = s.Nets,
             NetSides = s.NetSides,
+            Guides = Guides.Of(_world, s.Position, s.Velocity, s.Time, (int)s.Carrier - _world.FirstCollider),
             Rolls = rolls,
             SpinSign = about > 0 ? 1.0 : about < 0 ? -1.0 : 0.0,
         };

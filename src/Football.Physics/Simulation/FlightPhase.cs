@@ -54,7 +54,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
             return;
         }
 
-        Guides guides = _world is null ? default : Guides.Of(_around.World!, s.Position, s.Velocity, s.Time);
+        Guides guides = _world is null ? default : Guides.Of(_around.World!, s.Position, s.Velocity, s.Time, -1);
         Vector3d u = s.Velocity - _around.Wind;
         if (_around.Air.Jumps && (s.Branch == DragBranch.Unknown || !_jump.Acts))
         {

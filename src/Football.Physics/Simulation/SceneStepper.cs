@@ -36,6 +36,7 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
     private readonly RollPhase<TAir, TIntegrator> _roll;
     private readonly ImplicitPhase<TAir> _implicit;
     private readonly World? _world;
+    private readonly double _reachOfWorld;
     private readonly CarriedPhase<TAir, TIntegrator>? _carried;
     private readonly RestPhase<TAir>? _rest;
     private readonly WorldContact<TAir>? _worldContact;
@@ -47,7 +48,7 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
         _integrator = default;
         _wind = around.Wind;
         _upward = around.Upward;
-        _contactHeight = around.ContactHeight;
+        _contactHeight = around.World?.LevelContact ?? around.ContactHeight;
         _radiusSquared = around.RadiusSquared;
         _staysDown = _upward <= 0 && around.World is null;
         _limit = StabilityLimit.Of(scene, ref _air, _upward, _integrator.Order);
@@ -57,6 +58,7 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
         _implicit = new ImplicitPhase<TAir>(around, contact);
         WorldGuard<TAir>? guard = null;
         _world = around.World;
+        _reachOfWorld = _world is null ? 0 : _world.FastestSpeed + _wind.Length;
         if (_world is not null)
         {
             _worldContact = new WorldContact<TAir>(around, scene.Ground.IsLevel);
@@ -95,7 +97,7 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
             return;
         }
 
-        if (_air.Varies || _world is not null || branch >= DragBranch.AlongCriticalSpeed || (y <= _contactHeight && vy < 0))
+        if (_air.Varies || branch >= DragBranch.AlongCriticalSpeed || (y <= _contactHeight && vy < 0))
         {
             TakePieces(ref s, dt, log);
             return;
@@ -110,6 +112,12 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
         {
             branch = DragJump.At(speedSquared, _radiusSquared * spin * spin).Branch;
             s.Branch = branch;
+        }
+
+        if (_world is not null && !IsClear(ref s, dt))
+        {
+            TakePieces(ref s, dt, log);
+            return;
         }
 
         bool covered = _air.Covers(speedSquared, spin, dt);
@@ -153,6 +161,31 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
         {
             Show(log, in s, time, in position, new Vector3d(vx, vy, vz), in step);
         }
+    }
+
+    /// <summary>
+    /// Whether a step can meet nothing but level ground. How far it goes is bounded by the speed at its start: forces change it by no more than itself
+    /// in a whole step, and gravity by g h.
+    /// </summary>
+    private bool IsClear(ref BallState s, double dt)
+    {
+        if (s.Nets != 0)
+        {
+            return false;
+        }
+
+        double reach = dt * ((2.0 * (Math.Abs(s.Velocity.X) + Math.Abs(s.Velocity.Y) + Math.Abs(s.Velocity.Z))) + (dt * Math.Abs(_upward)) + _reachOfWorld);
+        if (s.Clearance < reach)
+        {
+            s.Clearance = _world!.ClearanceAt(s.Position, s.Time);
+            if (s.Clearance < reach)
+            {
+                return false;
+            }
+        }
+
+        s.Clearance -= reach;
+        return true;
     }
 
     public override void Settle(ref BallState s) => _worldContact!.Settle(ref s);
@@ -253,6 +286,7 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
 
     private void TakePieces(ref BallState s, ref StepRun run)
     {
+        s.Clearance = 0;
         while (run.Left > 0 && (s.Motion != MotionState.Stopped || _rest is not null))
         {
             if (++run.Pieces > MostPieces)

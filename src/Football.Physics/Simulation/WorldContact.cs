@@ -53,7 +53,7 @@ internal sealed class WorldContact<TAir>
         velocity = bounces ? velocity : velocity - (off * n);
         if (carried && s.Carrier != thing)
         {
-            KeepCarrier(ref s, in velocity, in spin, ref run);
+            KeepCarrier(ref s, in velocity, in spin, hit.Velocity, in n, bounces, ref run);
             return;
         }
 
@@ -139,7 +139,8 @@ internal sealed class WorldContact<TAir>
     }
 
     /// <summary>A carried ball was hit by something else: it keeps its carrier unless the impulse lifts it.</summary>
-    private void KeepCarrier(ref BallState s, in Vector3d velocity, in Vector3d spin, ref StepRun run)
+    private void KeepCarrier(
+        ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d hitVelocity, in Vector3d hitNormal, bool bounces, ref StepRun run)
     {
         Collider carrier = _world.CarrierOf(in s);
         Vector3d n = carrier.At(s.Position, s.Time).Normal;
@@ -159,7 +160,16 @@ internal sealed class WorldContact<TAir>
             return;
         }
 
-        Stay(ref s, (int)s.Carrier, velocity - (off * n), in spin, ref run);
+        Vector3d kept = velocity - (off * n);
+        Vector3d along = hitNormal - (Vector3d.Dot(in hitNormal, in n) * n);
+        double share = along.LengthSquared;
+        if (!bounces && share > 1e-12)
+        {
+            // Neither off the carrier nor into what it hit.
+            kept -= Vector3d.Dot(kept - hitVelocity, in hitNormal) / share * along;
+        }
+
+        Stay(ref s, (int)s.Carrier, in kept, in spin, ref run);
     }
 
     /// <summary>The ball stays on a thing: it slides, or rolls.</summary>

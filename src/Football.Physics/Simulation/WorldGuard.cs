@@ -10,6 +10,9 @@ internal sealed class WorldGuard<TAir>
     /// <summary>Below this, m, a gap needs no correction.</summary>
     private const double Closed = 1e-14;
 
+    /// <summary>A piece that ends where something is grazed is at least this share of what it was.</summary>
+    private const double ShortestPiece = 1e-6;
+
     /// <summary>How often the search is repeated on the piece that it has shortened: its path is then known better.</summary>
     private const int MostSearches = 8;
 
@@ -35,7 +38,9 @@ internal sealed class WorldGuard<TAir>
             }
 
             Gap.OfContact(_world, i).Evaluate(s.Position, s.Velocity, s.Time, out double gap, out double rate);
-            if (gap <= ContactSearch.Touching && (rate < -ContactSearch.Approaching || (rate < 0 && _contact.IsPressed(in s, i))))
+            // What touches a ball in flight and presses it carries it, even where nothing comes closer.
+            if (gap <= ContactSearch.Touching
+                && (rate < -ContactSearch.Approaching || (rate <= ContactSearch.Approaching && carrier < 0 && _contact.IsPressed(in s, i))))
             {
                 _contact.Impact(ref s, i, ref run);
                 return true;
@@ -66,11 +71,11 @@ internal sealed class WorldGuard<TAir>
                 break;
             }
 
-            TSweep whole = sweep;
             if (!Locate(ref sweep, in found, s.Time, at, path.Length))
             {
-                whole.Evaluations = sweep.Evaluations;
-                sweep = whole;
+                // It only grazes: the piece ends there all the same, and the next one sees what is ahead.
+                sweep.Step(Math.Max(sweep.Length, ShortestPiece * path.Length));
+                met = default;
                 break;
             }
 

@@ -69,6 +69,9 @@ public struct BallState
     /// <summary>The goals whose plane the ball has passed since it was placed or kicked, a bit each.</summary>
     internal ulong GoalsPassed;
 
+    /// <summary>Nothing but level ground is nearer to the ball than this, m: until it has gone so far, no thing need be asked. 0 where that is not known.</summary>
+    internal double Clearance;
+
     /// <summary>Sets the spin of a ball in the air.</summary>
     internal void SetFlightSpin(in Vector3d spin)
     {
