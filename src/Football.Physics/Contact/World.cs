@@ -139,6 +139,10 @@ internal sealed class World
     /// <summary>What carries the ball.</summary>
     public Collider CarrierOf(in BallState s) => Colliders[s.Carrier - FirstCollider];
 
+    /// <summary>½ m |v−V|² + ½ I ω², J.</summary>
+    public double Energy(in Motion at, Collider carrier) =>
+        (0.5 * Ball.Mass * (at.Velocity - carrier.Velocity).LengthSquared) + (0.5 * Ball.MomentOfInertia * at.Spin.LengthSquared);
+
     /// <summary>What the nets that the ball is in do to it.</summary>
     public MotionRates PushOfNets(ulong nets, ulong sides, in Motion at)
     {

@@ -11,8 +11,11 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
     /// <summary>Below this slip, or speed, m/s, there is none.</summary>
     private const double Still = 1e-9;
 
+    /// <summary>A load, or a friction to spare, of less than this, m/s², is none.</summary>
+    private const double Least = 1e-9;
+
     /// <summary>The last of a slide, this share of a step long, is done in closed form.</summary>
-    private const double ClosedForm = 0.01;
+    private const double ClosedForm = 0.0025;
 
     /// <summary>The normal turns by no more than this in a piece, rad.</summary>
     private const double LargestTurn = 0.05;
@@ -59,7 +62,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         CarriedSystem<TAir> system = System(in s, in from, rolls);
         CarriedForces on = system.ForcesOn(s.Time, in from);
         run.Log.Evaluations++;
-        if (on.FreeLoad <= 0)
+        if (on.FreeLoad <= Least)
         {
             _contact.Leave(ref s, s.Velocity, s.Spin, ref run);
             return;
@@ -67,7 +70,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
 
         double sliding = system.SlidingFriction(in on);
         Vector3d traction = system.Traction(in on);
-        bool grips = traction.Length <= sliding;
+        bool grips = traction.Length + Least <= sliding;
         Vector3d moving = rolls ? on.Velocity : system.Slip(in from, in on.Normal);
         double size = moving.Length;
         if (rolls && !grips)
@@ -86,7 +89,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         {
             Vector3d drive = system.Drive(in on);
             bool held = drive.Length <= system.RollingFriction(in on, 0);
-            if (held && Energy(in from, system.Carrier) < _world.RestEnergy)
+            if (held && _world.Energy(in from, system.Carrier) < _world.RestEnergy)
             {
                 _contact.Rest(ref s, ref run);
                 return;
@@ -151,7 +154,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
     /// Ends a piece where the load or the grip ends, where a rolling ball comes to rest, or where the spin about the normal reaches zero under drilling
     /// friction: each is a number that is positive until then.
     /// </summary>
-    private void EndWhereItChanges(ref MotionSweep<CarriedSystem<TAir>, TIntegrator> sweep, in BallState s, bool rolls)
+    private static void EndWhereItChanges(ref MotionSweep<CarriedSystem<TAir>, TIntegrator> sweep, in BallState s, bool rolls)
     {
         for (var what = CarriedLimit.Load; what <= CarriedLimit.Spin; what++)
         {
@@ -160,7 +163,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
                 continue;
             }
 
-            var margin = new Margin(this, what, in sweep, s.Time);
+            var margin = new Margin(what, in sweep, s.Time);
             double end = margin.Of(in sweep.Taken.End, sweep.Length);
             if (end >= 0)
             {
@@ -235,7 +238,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         {
             CarriedForces there = system.ForcesOn(s.Time, new Motion(s.Position, s.Velocity, s.Spin));
             run.Log.Evaluations++;
-            if (system.Traction(in there).Length <= system.SlidingFriction(in there))
+            if (system.Traction(in there).Length + Least <= system.SlidingFriction(in there))
             {
                 _contact.StartRolling(ref s, ref run);
             }
@@ -299,21 +302,15 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         };
     }
 
-    /// <summary>½ m |v−V|² + ½ I ω², J.</summary>
-    private double Energy(in Motion at, Collider carrier) =>
-        (0.5 * _world.Ball.Mass * (at.Velocity - carrier.Velocity).LengthSquared) + (0.5 * _inertia * at.Spin.LengthSquared);
-
     /// <summary>A number along a piece that is positive until something changes.</summary>
     private struct Margin : IFunction
     {
         public MotionSweep<CarriedSystem<TAir>, TIntegrator> Sweep;
-        private readonly CarriedPhase<TAir, TIntegrator> _phase;
         private readonly CarriedLimit _what;
         private readonly double _time;
 
-        public Margin(CarriedPhase<TAir, TIntegrator> phase, CarriedLimit what, in MotionSweep<CarriedSystem<TAir>, TIntegrator> sweep, double time)
+        public Margin(CarriedLimit what, in MotionSweep<CarriedSystem<TAir>, TIntegrator> sweep, double time)
         {
-            _phase = phase;
             _what = what;
             _time = time;
             Sweep = sweep;
@@ -347,7 +344,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
                     return system.SlidingFriction(in on) - system.Traction(in on).Length;
                 default:
                     bool held = system.Drive(in on).Length <= system.RollingFriction(in on, 0);
-                    return held ? _phase.Energy(in at, system.Carrier) - _phase._world.RestEnergy : 1;
+                    return held ? system.World.Energy(in at, system.Carrier) - system.World.RestEnergy : 1;
             }
         }
     }

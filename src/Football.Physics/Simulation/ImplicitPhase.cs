@@ -12,9 +12,11 @@ internal sealed class ImplicitPhase<TAir>
 
     private readonly Surroundings<TAir> _around;
     private readonly ContactPhase<TAir> _contact;
+    private readonly WorldGuard<TAir>? _world;
 
-    public ImplicitPhase(Surroundings<TAir> around, ContactPhase<TAir> contact)
+    public ImplicitPhase(Surroundings<TAir> around, ContactPhase<TAir> contact, WorldGuard<TAir>? world)
     {
+        _world = world;
         _around = around;
         _contact = contact;
     }
@@ -53,6 +55,12 @@ internal sealed class ImplicitPhase<TAir>
         }
 
         BallState before = s;
+        if (_world is not null)
+        {
+            FlyInWorld(ref s, ref run, ref euler, in from, in end, h);
+            return;
+        }
+
         double y = below ? _around.ContactHeight : end.Position.Y;
         double vy = pressed ? 0 : below ? Math.Min(end.Velocity.Y, 0) : end.Velocity.Y;
         s.Position = new Vector3d(end.Position.X, y, end.Position.Z);
@@ -67,6 +75,76 @@ internal sealed class ImplicitPhase<TAir>
         if (below && !run.Log.Halted && !(pressed && _around.Upward > 0))
         {
             _contact.Impact(ref s, ref run);
+        }
+    }
+
+    /// <summary>The same where things can be met: along the straight line of the piece, up to the first of them.</summary>
+    private void FlyInWorld(ref BallState s, ref StepRun run, ref ImplicitEuler<TAir> euler, in Motion from, in Motion end, double h)
+    {
+        var path = PathCubic.Line(from.Position, end.Velocity, h);
+        double at = new ContactSearch(_around.World!, in path, s.Time).First(in s, -1, out Gap met);
+        bool meets = at <= h;
+        h = meets ? at : h;
+        BallState before = s;
+        s.Position = path.At(h);
+        s.Velocity = end.Velocity;
+        s.Angle += 0.5 * h * (s.SpinRate + end.Spin.Length);
+        s.SetFlightSpin(end.Spin);
+        s.Branch = DragBranch.Unknown;
+        run.Advance(ref s, h);
+        run.Log.Relaxed++;
+        run.Log.Evaluations += euler.Evaluations;
+        Show(in before, in s, h, ref run);
+        if (meets && !run.Log.Halted)
+        {
+            _world!.Meet(ref s, in met, ref run);
+        }
+    }
+
+    /// <summary>A carried ball of the world: it goes with the air along the surface, and what carries it keeps it.</summary>
+    private void SlowInWorld(ref BallState s, ref StepRun run)
+    {
+        World world = _around.World!;
+        double h = run.Left / Math.Max(1, MostPieces - run.Implicit);
+        run.Implicit++;
+        Collider carrier = world.CarrierOf(in s);
+        Vector3d n = carrier.At(s.Position, s.Time).Normal;
+        MotionRates push = Push(in s, s.Velocity, s.Spin, ref run);
+        var euler = new ImplicitEuler<TAir> { Air = _around.Air, RadiusSquared = _around.RadiusSquared };
+        double rate = s.Spin.Length;
+        Vector3d axis = rate > 0 ? s.Spin / rate : Vector3d.Up;
+        Vector3d u = s.Velocity - _around.Wind;
+        if (_around.AirActsOnGround)
+        {
+            u = euler.Velocity(in u, push.Acceleration, in axis, rate, h);
+        }
+
+        Vector3d relative = u + _around.Wind - carrier.Velocity;
+        relative -= Vector3d.Dot(in relative, in n) * n;
+        double friction = h * (s.Motion == MotionState.Sliding ? carrier.Material.SlidingFriction : carrier.Material.RollingFriction)
+            * Math.Max(0, -_around.Upward * n.Y);
+        double speed = relative.Length;
+        relative = speed > friction ? relative * (1.0 - (friction / speed)) : Vector3d.Zero;
+        Vector3d velocity = relative + carrier.Velocity;
+        var path = PathCubic.Line(s.Position, in velocity, h);
+        double at = new ContactSearch(world, in path, s.Time).First(in s, (int)s.Carrier - world.FirstCollider, out Gap met);
+        bool meets = at <= h;
+        h = meets ? at : h;
+        BallState before = s;
+        double about = Vector3d.Dot(euler.Spin(rate, u.Length, h) * axis, in n) / (1.0 + (h * carrier.Material.SpinDamping / world.Ball.MomentOfInertia));
+        s.Position = path.At(h);
+        s.Velocity = velocity;
+        s.SetGroundSpin((Vector3d.Cross(in n, in relative) / _around.Radius) + (about * n));
+        s.Branch = DragBranch.Unknown;
+        run.Advance(ref s, h);
+        ShapePoint there = carrier.At(s.Position, s.Time);
+        s.Position += (_around.Radius - there.Distance) * there.Normal;
+        run.Log.Relaxed++;
+        run.Log.Evaluations += euler.Evaluations;
+        Show(in before, in s, h, ref run);
+        if (meets && !run.Log.Halted)
+        {
+            _world!.Meet(ref s, in met, ref run);
         }
     }
 
@@ -122,6 +200,12 @@ internal sealed class ImplicitPhase<TAir>
     /// <summary>A piece on the ground: friction and damping first, to their end at most, then the air.</summary>
     public void Slow(ref BallState s, ref StepRun run)
     {
+        if (_world is not null)
+        {
+            SlowInWorld(ref s, ref run);
+            return;
+        }
+
         double h = run.Left / Math.Max(1, MostPieces - run.Implicit);
         run.Implicit++;
         bool slides = s.Motion == MotionState.Sliding;

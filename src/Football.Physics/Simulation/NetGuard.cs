@@ -4,7 +4,7 @@ namespace Football.Physics;
 internal sealed class NetGuard
 {
     /// <summary>A net changes the motion in a piece by no more than this share.</summary>
-    private const double LargestChange = 0.05;
+    private const double LargestChange = 0.04;
 
     private readonly World _world;
 

@@ -55,7 +55,6 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
         var jump = new DragJumpGuard<TAir>(around, settings.LocateJump && _integrator.Order > 1);
         _locatesJump = jump.Acts;
         var contact = new ContactPhase<TAir>(scene, around);
-        _implicit = new ImplicitPhase<TAir>(around, contact);
         WorldGuard<TAir>? guard = null;
         _world = around.World;
         _reachOfWorld = _world is null ? 0 : _world.FastestSpeed + _wind.Length;
@@ -63,8 +62,13 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
         {
             _worldContact = new WorldContact<TAir>(around, scene.Ground.IsLevel);
             guard = new WorldGuard<TAir>(_world, _worldContact);
-            _carried = new CarriedPhase<TAir, TIntegrator>(around, in _limit, jump, guard, _worldContact, _implicit);
-            _rest = new RestPhase<TAir>(_world, guard);
+        }
+
+        _implicit = new ImplicitPhase<TAir>(around, contact, guard);
+        if (_world is not null)
+        {
+            _carried = new CarriedPhase<TAir, TIntegrator>(around, in _limit, jump, guard!, _worldContact!, _implicit);
+            _rest = new RestPhase<TAir>(_world, guard!);
         }
 
         _flight = new FlightPhase<TAir, TIntegrator>(settings, around, in _limit, jump, contact, _implicit, guard);

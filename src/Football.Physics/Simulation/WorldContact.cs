@@ -7,6 +7,9 @@ internal sealed class WorldContact<TAir>
     /// <summary>Below this slip, m/s, a carried ball rolls.</summary>
     private const double RollingSlip = 1e-9;
 
+    /// <summary>A friction to spare of less than this, m/s², is none.</summary>
+    private const double Least = 1e-9;
+
     /// <summary>More impacts than this at one instant, and the ball is wedged: it goes along with what pushes it.</summary>
     private const int MostAtOnce = 64;
 
@@ -197,7 +200,7 @@ internal sealed class WorldContact<TAir>
         CarriedSystem<TAir> system = System(in s, carrier);
         CarriedForces on = system.ForcesOn(s.Time, new Motion(s.Position, s.Velocity, s.Spin));
         run.Log.Evaluations++;
-        return system.Traction(in on).Length <= system.SlidingFriction(in on);
+        return system.Traction(in on).Length + Least <= system.SlidingFriction(in on);
     }
 
     /// <summary>N/m, m/s², were the ball to follow the surface.</summary>

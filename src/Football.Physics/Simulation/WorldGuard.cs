@@ -38,9 +38,9 @@ internal sealed class WorldGuard<TAir>
             }
 
             Gap.OfContact(_world, i).Evaluate(s.Position, s.Velocity, s.Time, out double gap, out double rate);
-            // What touches a ball in flight and presses it carries it, even where nothing comes closer.
-            if (gap <= ContactSearch.Touching
-                && (rate < -ContactSearch.Approaching || (rate <= ContactSearch.Approaching && carrier < 0 && _contact.IsPressed(in s, i))))
+            // The ground takes a ball that it presses at any speed, even where nothing comes closer.
+            bool hits = rate < -ContactSearch.Approaching || (rate <= ContactSearch.Approaching && carrier < 0 && _world.Colliders[i] == _world.Ground && _contact.IsPressed(in s, i));
+            if (gap <= ContactSearch.Touching && hits)
             {
                 _contact.Impact(ref s, i, ref run);
                 return true;
@@ -68,6 +68,13 @@ internal sealed class WorldGuard<TAir>
             double at = search.First(in s, carrier, out Gap found);
             if (!(at <= path.Length) || (met.What != Happening.None && at >= path.Length * (1.0 - 1e-9)))
             {
+                break;
+            }
+
+            if (at == 0)
+            {
+                sweep.Step(0);
+                met = found;
                 break;
             }
 
@@ -122,6 +129,7 @@ internal sealed class WorldGuard<TAir>
     {
         double low = 0;
         double high = length;
+        sought.Evaluate(sweep.Position, sweep.Velocity, time + length, out double atEnd, out _);
         for (int i = 0; i < 60; i++)
         {
             sweep.Step(tau);
@@ -155,6 +163,8 @@ internal sealed class WorldGuard<TAir>
         }
 
         sought.Evaluate(sweep.Position, sweep.Velocity, time + sweep.Length, out double left, out double coming);
-        return left <= ContactSearch.Touching && coming < 0;
+
+        // A step that ends inside has touched it, even where its own velocity is zero there (a semi-implicit hop).
+        return left <= ContactSearch.Touching && (coming < 0 || atEnd < 0);
     }
 }
