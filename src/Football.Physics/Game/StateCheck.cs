@@ -9,6 +9,9 @@ internal static class StateCheck
     /// </summary>
     private const double Beyond = 1000;
 
+    /// <summary>The fastest spin, rad/s: of the smallest ball that rolls at the fastest speed.</summary>
+    private const double FastestSpin = 1e15;
+
     /// <summary>The largest angle since the spin last changed, rad.</summary>
     private const double LargestAngle = 1e15;
 
@@ -30,12 +33,12 @@ internal static class StateCheck
         if (state.Motion == MotionState.Airborne)
         {
             Check.Within("state.spinAxis", state.SpinAxis.LengthSquared, 1 - Rounding, 1 + Rounding);
-            Check.Within("state.spinRate", state.SpinRate, 0, Beyond * Limits.Spin);
+            Check.Within("state.spinRate", state.SpinRate, 0, FastestSpin);
         }
         else
         {
             // On the ground the axis is the spin.
-            Check.Size("state.spin", state.SpinAxis, state.Motion == MotionState.Stopped ? 0 : Beyond * Limits.Spin, "rad/s");
+            Check.Size("state.spin", state.SpinAxis, state.Motion == MotionState.Stopped ? 0 : FastestSpin, "rad/s");
             Check.Within("state.spinRate", state.SpinRate, 1, 1);
             Check.Within("state.angle", state.Angle, 0, 0);
         }

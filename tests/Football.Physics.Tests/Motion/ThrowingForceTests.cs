@@ -69,7 +69,7 @@ public sealed class ThrowingForceTests
                 {
                     tick = runner.Tick;
                     Assert.InRange(runner.Fraction, 0, 1);
-                    Assert.InRange(runner.DroppedTime, 0, 0.04);
+                    Assert.InRange(runner.DroppedTime, 0, 0.04 + runner.TimeStep);
                     force.Begin(int.MaxValue);
                 }
 

@@ -7,7 +7,7 @@ namespace Football.Physics.Headless.Lab.Fuzz;
 internal sealed class FuzzRun(FuzzTarget target, long seed)
 {
     /// <summary>An input that takes longer, ms, is tried again, and found if it still does.</summary>
-    private const double Slow = 200;
+    private const double Slow = 10_000;
 
     /// <summary>Bytes that an input may make the program ask for: some for every byte of it, and a few megabytes for what it says.</summary>
     private const long MostMemory = 64L << 20;
