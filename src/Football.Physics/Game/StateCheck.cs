@@ -4,13 +4,14 @@ namespace Football.Physics;
 internal static class StateCheck
 {
     /// <summary>
-    /// How far beyond <see cref="Limits"/> a ball may have got since it was launched within them: it falls, and it flies on. From there
-    /// every step is finite.
+    /// What a ball that was launched within <see cref="Limits"/> may get to: it falls without drag, flies on, and rolls however small it is.
+    /// From there every step is finite. In m, m/s, rad/s and s.
     /// </summary>
-    private const double Beyond = 1000;
+    private const double Farthest = 1e20;
 
-    /// <summary>The fastest spin, rad/s: of the smallest ball that rolls at the fastest speed.</summary>
+    private const double FastestSpeed = 1e15;
     private const double FastestSpin = 1e15;
+    private const double LatestTime = 1e15;
 
     /// <summary>The largest angle since the spin last changed, rad.</summary>
     private const double LargestAngle = 1e15;
@@ -22,12 +23,12 @@ internal static class StateCheck
     /// <exception cref="ArgumentOutOfRangeException">It is none; the message names field, value and range.</exception>
     public static void Validate(in BallState state)
     {
-        Check.Within("state.time", state.Time, 0, Beyond * Limits.Time);
+        Check.Within("state.time", state.Time, 0, LatestTime);
         Check.Defined("state.motion", state.Motion, (int)state.Motion, 4);
         Check.Defined("state.branch", state.Branch, (int)state.Branch, 5);
         double size = Math.Max(Math.Max(Math.Abs(state.Position.X), Math.Abs(state.Position.Y)), Math.Abs(state.Position.Z));
-        Check.Within("state.position", state.Position.IsFinite ? size : double.NaN, 0, Beyond * Limits.Length);
-        Check.Size("state.velocity", state.Velocity, Beyond * Limits.Speed, "m/s");
+        Check.Within("state.position", state.Position.IsFinite ? size : double.NaN, 0, Farthest);
+        Check.Size("state.velocity", state.Velocity, FastestSpeed, "m/s");
         Check.Within("state.orientation", state.BaseOrientation.LengthSquared, 1 - Rounding, 1 + Rounding);
         Check.Within("state.angle", state.Angle, -LargestAngle, LargestAngle);
         if (state.Motion == MotionState.Airborne)

@@ -45,9 +45,9 @@ public sealed record ForceSet
         Check.Defined("forces.magnus", Magnus, (int)Magnus, 3);
         Check.Defined("forces.spinDecay", SpinDecay, (int)SpinDecay, 3);
         Check.Defined("forces.coefficients", Coefficients, (int)Coefficients, 2);
-        Check.Within("forces.dragCoefficient", DragCoefficient, 0, 1e15);
-        Check.Within("forces.magnusCoefficient", MagnusCoefficient, -1e15, 1e15);
-        Check.Within("forces.spinDecayCoefficient", SpinDecayCoefficient, 0, 1e15);
+        Check.NotNegative("forces.dragCoefficient", DragCoefficient);
+        Check.Finite("forces.magnusCoefficient", MagnusCoefficient);
+        Check.NotNegative("forces.spinDecayCoefficient", SpinDecayCoefficient);
         foreach (IForce force in Custom)
         {
             if (force is null)

@@ -9,7 +9,7 @@ public sealed record Scene
     /// <summary>The air. Default still air at sea level.</summary>
     public Air Air { get; init; } = new();
 
-    /// <summary>Gravitational acceleration g, m/s². 0 … 1e9; default 9.81.</summary>
+    /// <summary>Gravitational acceleration g, m/s². Not negative, at most 1e9; default 9.81.</summary>
     public double Gravity { get; init; } = 9.81;
 
     /// <summary>Which forces act, and by which law. Default all of them, as published.</summary>
@@ -35,25 +35,25 @@ public sealed record Scene
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public void Validate()
     {
-        // Where no football is any more, but squares, products and quotients of all these numbers are still finite.
-        Check.Within("ball.mass", Ball.Mass, 1e-12, 1e12);
-        Check.Within("ball.radius", Ball.Radius, 1e-9, Limits.Length);
-        Check.Within("ball.inertiaFactor", Ball.InertiaFactor, 1e-12, 1);
-        Check.Within("air.density", Air.Density, 0, 1e12);
-        Check.Within("air.kinematicViscosity", Air.KinematicViscosity, 1e-15, 1e15);
+        Check.Positive("ball.mass", Ball.Mass);
+        Check.Within("ball.radius", Ball.Radius, 0, Limits.Length, exclusiveLow: true);
+        Check.Within("ball.inertiaFactor", Ball.InertiaFactor, 0, 1, exclusiveLow: true);
+        Check.NotNegative("air.density", Air.Density);
+        Check.Positive("air.kinematicViscosity", Air.KinematicViscosity);
         Check.Size("air.wind", Air.Wind, Limits.Speed, "m/s");
-        Check.Within("gravity", Gravity, 0, 1e9);
+        Check.NotNegative("gravity", Gravity);
         Forces.Validate();
         Check.Within("ground.normalRestitution", Ground.NormalRestitution, 0, 1);
         Check.Within("ground.tangentialRestitution[0]", Ground.TangentialRestitutionX, -1, 1);
         Check.Within("ground.tangentialRestitution[1]", Ground.TangentialRestitutionZ, -1, 1);
         Check.Within("ground.spinRestitution", Ground.SpinRestitution, 0, 1);
-        Check.Within("ground.slidingFriction", Ground.SlidingFriction, 0, 1e9);
-        Check.Within("ground.rollingFriction", Ground.RollingFriction, 0, 1e9);
-        Check.Within("ground.spinDamping", Ground.SpinDamping, 0, 1e12);
-        Check.Within("ground.minimumBounceSpeed", Ground.MinimumBounceSpeed, 0.001, 1e12);
+        Check.NotNegative("ground.slidingFriction", Ground.SlidingFriction);
+        Check.NotNegative("ground.rollingFriction", Ground.RollingFriction);
+        Check.NotNegative("ground.spinDamping", Ground.SpinDamping);
+        Check.AtLeast("ground.minimumBounceSpeed", Ground.MinimumBounceSpeed, 0.001);
         Check.Positive("ground.restEnergy", Ground.RestEnergy);
         Check.Within("ground.height", Ground.Height, -Limits.Length, Limits.Length);
         Check.Defined("ground.aerodynamics", Ground.Aerodynamics, (int)Ground.Aerodynamics, 2);
+        SceneRange.Validate(this);
     }
 }

@@ -38,13 +38,14 @@ public sealed class ExtremeNumberTests
     public void Scenes_at_the_ends_of_all_ranges_stay_finite(Integrator integrator)
     {
         var random = new Football.Physics.Yardsticks.SeededRandom((int)integrator);
-        for (int i = 0; i < 1500; i++)
+        int refused = 0;
+        for (int i = 0; i < 500; i++)
         {
             double Any(double low, double usual, double high) => random.Chance(0.4) ? usual : random.Any(low, high);
             ForceLaw Law() => (ForceLaw)random.Below(3);
             var scene = new Scene
             {
-                Ball = new BallProperties { Mass = Any(1e-12, 0.43, 1e12), Radius = Any(1e-9, 0.11, 1e6), InertiaFactor = Any(1e-12, 0.4, 1) },
+                Ball = new BallProperties { Mass = random.Any(1e-300, 1e-200, 1e-12, 0.43, 0.43, 1e12, 1e100), Radius = Any(1e-9, 0.11, 1e6), InertiaFactor = Any(1e-12, 0.4, 1) },
                 Air = new Air { Density = Any(0, 1.2, 1e12), KinematicViscosity = Any(1e-15, 1.5e-5, 1e15), Wind = new Vector3d(Any(-500, 0, 500), Any(-500, 0, 500), 0) },
                 Gravity = Any(0, 9.81, 1e9),
                 Forces = new ForceSet
@@ -58,12 +59,25 @@ public sealed class ExtremeNumberTests
                     SpinDamping = Any(0, 0.002, 1e12), MinimumBounceSpeed = Any(0.001, 0.2, 1e12), RestEnergy = Any(double.Epsilon, 1e-4, double.MaxValue), Height = Any(-9e5, 0, 9e5),
                 },
             };
-            var simulator = new Simulator(scene, new SolverSettings { Integrator = integrator });
+            Simulator simulator;
+            try
+            {
+                simulator = new Simulator(scene, new SolverSettings { Integrator = integrator });
+            }
+            catch (ArgumentOutOfRangeException)
+            {
+                // Each number is allowed, but not with the others.
+                refused++;
+                continue;
+            }
+
             double up = random.Any(0.0, 1e-9, 3, 900);
             BallState state = simulator.Launch(
                 new Vector3d(0, Math.Min(1e6, simulator.ContactHeight + up), 0), Any(1e-200, 20, 999) * random.Direction(), Any(1e-200, 50, 9999) * random.Direction());
             Stays(simulator, state, [0.01, 0.1, 1]);
         }
+
+        Assert.InRange(refused, 1, 250);
     }
 
     /// <summary>One scene of each kind that a ball with a spin of 1e-200 rad/s once left as NaN.</summary>
