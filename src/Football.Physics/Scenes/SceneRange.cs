@@ -13,7 +13,7 @@ internal static class SceneRange
     private const double StrongestDamping = 1e304;
 
     /// <summary>The most that a ball without drag may be accelerated by gravity and buoyancy, m/s².</summary>
-    private const double FastestFall = 1e12;
+    private const double FastestFall = 1e55;
 
     /// <summary>The smallest moment of inertia, kg m².</summary>
     private const double LeastInertia = 1e-303;
@@ -55,7 +55,7 @@ internal static class SceneRange
         bool drags = forces.Drag == ForceLaw.Empirical || Drags(forces) > 0;
         if (!drags && !(Math.Abs(Weight.UpwardAcceleration(scene)) <= FastestFall))
         {
-            Refuse("ball.mass", ball.Mass, "a buoyancy that accelerates a ball without drag by at most 1E+12 m/s²");
+            Refuse("ball.mass", ball.Mass, "a buoyancy that accelerates a ball without drag by at most 1E+55 m/s²");
         }
 
         if (forces.SpinDecay == ForceLaw.Constant && !(forces.SpinDecayCoefficient / inertia <= StrongestDamping))
