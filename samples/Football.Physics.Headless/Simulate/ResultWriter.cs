@@ -22,6 +22,11 @@ internal static class ResultWriter
         }
 
         json.WriteEndArray();
+        if (outcome.Missed > 0)
+        {
+            json.WriteNumber("missed", outcome.Missed);
+        }
+
         json.WriteNumber("apex", outcome.Apex);
         json.WriteNumber("bounces", outcome.Bounces);
         json.WriteNumber("steps", outcome.Steps);

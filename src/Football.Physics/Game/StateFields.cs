@@ -60,26 +60,14 @@ internal static class StateFields
         }
     }
 
-    /// <summary>Makes a state of its bits; false when they are none.</summary>
-    public static unsafe bool TryWrite(Span<ulong> words, ref BallState state)
+    /// <summary>Puts the bits of a state in, whatever they say; see <see cref="StateCheck"/>.</summary>
+    public static unsafe void Write(Span<ulong> words, ref BallState state)
     {
         fixed (ulong* first = words)
         {
             var writer = new Writer { Next = first };
             Visit(ref state, ref writer);
         }
-
-        return Enum.IsDefined(typeof(MotionState), state.Motion)
-            && Enum.IsDefined(typeof(DragBranch), state.Branch)
-            && double.IsFinite(state.Time)
-            && state.Position.IsFinite
-            && state.Velocity.IsFinite
-            && state.SpinAxis.IsFinite
-            && double.IsFinite(state.SpinRate)
-            && double.IsFinite(state.Angle)
-            && state.Carrier >= 0
-            && state.Clearance >= 0
-            && Math.Abs(state.BaseOrientation.LengthSquared - 1) < 1e-6;
     }
 
     private static Vector3d Vector<TVisitor>(Vector3d value, ref TVisitor visitor)

@@ -46,6 +46,18 @@ internal static class Check
         }
     }
 
+    /// <summary>Refuses a step that the clock's rounding would swallow: time would stand still.</summary>
+    /// <param name="field">Its name.</param>
+    /// <param name="step">The step, s.</param>
+    /// <param name="time">The latest time that the clock must go on from, s.</param>
+    public static void Advances(string field, double step, double time)
+    {
+        if (!(time + (0.25 * step) > time && time <= double.MaxValue))
+        {
+            throw Refusal(field, Text(step), $"more than the rounding of a clock at {Text(time)} s");
+        }
+    }
+
     public static void Size(string field, in Vector3d value, double high, string unit)
     {
         if (!(value.IsFinite && value.Length <= high))

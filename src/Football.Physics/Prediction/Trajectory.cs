@@ -46,7 +46,7 @@ public sealed class Trajectory
     /// <summary>When it ends, s since the launch.</summary>
     public double EndTime => Count > 0 ? Math.Max(_pieces[Count - 1].EndTime, _final.Time) : _final.Time;
 
-    /// <summary>False where the memory was full before the look-ahead was over.</summary>
+    /// <summary>False where the memory was full, or a force of the game's own threw, before the look-ahead was over.</summary>
     public bool IsComplete { get; private set; }
 
     /// <summary>Right-hand sides evaluated.</summary>
@@ -174,6 +174,18 @@ public sealed class Trajectory
     }
 
     internal void End(in BallState final) => _final = final;
+
+    /// <summary>Ends it with the state before a step that failed: the pieces of that step are none.</summary>
+    internal void Break(in BallState final)
+    {
+        while (Count > 0 && _pieces[Count - 1].Time >= final.Time)
+        {
+            Count--;
+        }
+
+        IsComplete = false;
+        _final = final;
+    }
 
     /// <summary>Forgets the pieces and events before a time.</summary>
     internal void Forget(double before)

@@ -3,13 +3,13 @@ namespace Football.Physics;
 /// <summary>What the ball is made of.</summary>
 public sealed record BallProperties
 {
-    /// <summary>Mass, kg. Above 0; default 0.43.</summary>
+    /// <summary>Mass, kg. Above 0, 1e-300 … 1e100; default 0.43.</summary>
     public double Mass { get; init; } = 0.43;
 
-    /// <summary>Radius, m. Above 0, at most 1e6; default 0.11.</summary>
+    /// <summary>Radius, m. Above 0, 1e-9 … 1e6; default 0.11.</summary>
     public double Radius { get; init; } = 0.11;
 
-    /// <summary>Inertia factor α in I = α m r². Above 0, at most 1; default 2/3, a thin shell.</summary>
+    /// <summary>Inertia factor α in I = α m r². Above 0, 1e-12 … 1; default 2/3, a thin shell.</summary>
     public double InertiaFactor { get; init; } = 2.0 / 3.0;
 
     /// <summary>A match football, size 5.</summary>

@@ -18,13 +18,13 @@ public sealed record ForceSet
     /// <summary>Form of the fitted drag coefficient. Default <see cref="CoefficientForm.Published"/>.</summary>
     public CoefficientForm Coefficients { get; init; } = CoefficientForm.Published;
 
-    /// <summary>C_D of the constant drag law. Not negative; default 0.25.</summary>
+    /// <summary>C_D of the constant drag law. 0 … 1e15; default 0.25.</summary>
     public double DragCoefficient { get; init; } = 0.25;
 
-    /// <summary>C_M of the constant Magnus law. Any finite number; default 0.25.</summary>
+    /// <summary>C_M of the constant Magnus law. Within ±1e15; default 0.25.</summary>
     public double MagnusCoefficient { get; init; } = 0.25;
 
-    /// <summary>k of the constant spin decay T = −k ω, N m s. Not negative; default 0.</summary>
+    /// <summary>k of the constant spin decay T = −k ω, N m s. 0 … 1e15; default 0.</summary>
     public double SpinDecayCoefficient { get; init; }
 
     /// <summary>Forces of the game's own, added to the others in this order. Default none.</summary>

@@ -21,22 +21,22 @@ public sealed record Ground
     /// <summary>Coefficient of friction of an impact: the tangential impulse is at most so many times the normal one. Not negative; default infinite: no limit.</summary>
     public double ImpactFriction { get; init; } = double.PositiveInfinity;
 
-    /// <summary>Coefficient of sliding friction μ_s. Not negative; default 0.5.</summary>
+    /// <summary>Coefficient of sliding friction μ_s. 0 … 1e9; default 0.5.</summary>
     public double SlidingFriction { get; init; } = 0.5;
 
-    /// <summary>Coefficient of rolling friction μ_r. Not negative; default 0.05.</summary>
+    /// <summary>Coefficient of rolling friction μ_r. 0 … 1e9; default 0.05.</summary>
     public double RollingFriction { get; init; } = 0.05;
 
     /// <summary>What rolling friction gains by speed, c₁, s/m. Not negative; default 0.</summary>
     public double RollingFrictionBySpeed { get; init; }
 
-    /// <summary>Damping c_ω of the spin about the vertical on the ground, N m s. Not negative; default 0.002.</summary>
+    /// <summary>Damping c_ω of the spin about the vertical on the ground, N m s. 0 … 1e12; default 0.002.</summary>
     public double SpinDamping { get; init; } = 0.002;
 
     /// <summary>Lever b of the drilling friction about the normal, which takes b μ_s of the normal force as torque, m. Not negative; default 0.</summary>
     public double DrillingLength { get; init; }
 
-    /// <summary>A ball that leaves an impact slower than this, upwards, stays down, m/s. At least 0.001; default 0.2.</summary>
+    /// <summary>A ball that leaves an impact slower than this, upwards, stays down, m/s. 0.001 … 1e12; default 0.2.</summary>
     public double MinimumBounceSpeed { get; init; } = 0.2;
 
     /// <summary>A rolling ball with less kinetic energy than this is at rest, J. Above 0; default 1e-4.</summary>

@@ -12,7 +12,7 @@ public sealed record Scene
     /// <summary>The air. Default still air at sea level.</summary>
     public Air Air { get; init; } = new();
 
-    /// <summary>Gravitational acceleration g, m/s². Not negative; default 9.81.</summary>
+    /// <summary>Gravitational acceleration g, m/s². Not negative, at most 1e9; default 9.81.</summary>
     public double Gravity { get; init; } = 9.81;
 
     /// <summary>Which forces act, and by which law. Default all of them, as published.</summary>
@@ -57,6 +57,7 @@ public sealed record Scene
         Forces.Validate();
         ValidateGround();
         ValidateThings();
+        SceneRange.Validate(this);
     }
 
     private void ValidateGround()

@@ -8,6 +8,9 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     where TAir : struct, IAir
     where TIntegrator : struct, IIntegrator
 {
+    /// <summary>A spin that is none, rad/s: what is left of one that has no digits any more.</summary>
+    private const double Vanishing = 1e-300;
+
     private readonly SolverSettings _settings;
     private readonly Surroundings<TAir> _around;
     private readonly StabilityLimit _limit;
@@ -243,7 +246,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
             tau = Math.Min(Math.Max(tau, low), high);
             sweep.Step(tau);
             double w = sweep.Taken.SpinRate;
-            if (Math.Abs(w) <= 1e-14 * spinRate || !(tau > 0))
+            if (Math.Abs(w) <= (1e-14 * spinRate) + Vanishing || !(tau > 0))
             {
                 break;
             }

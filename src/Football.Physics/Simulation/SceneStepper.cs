@@ -272,8 +272,33 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
     [MethodImpl(MethodImplOptions.NoInlining)]
     private void TakePieces(ref BallState s, double dt, StepLog log)
     {
+        if (_air.Varies)
+        {
+            TakePiecesOrNone(ref s, dt, log);
+            return;
+        }
+
         var run = new StepRun { Left = dt, Length = dt, End = s.Time + dt, Log = log };
         TakePieces(ref s, ref run);
+    }
+
+    /// <summary>The same with forces of the game's own, which may throw, or take the ball beyond what a number can hold: then nothing has happened.</summary>
+    private void TakePiecesOrNone(ref BallState s, double dt, StepLog log)
+    {
+        BallState before = s;
+        StepLogMark mark = log.Mark();
+        try
+        {
+            var run = new StepRun { Left = dt, Length = dt, End = s.Time + dt, Log = log };
+            TakePieces(ref s, ref run);
+            OwnForces.CheckOutcome(in s);
+        }
+        catch
+        {
+            s = before;
+            log.TakeBack(in mark);
+            throw;
+        }
     }
 
     /// <summary>The same, where the whole step has been taken as flight already and something was found in it.</summary>

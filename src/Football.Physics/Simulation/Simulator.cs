@@ -57,6 +57,12 @@ public sealed class Simulator
         Check.Size("launch.velocity", velocity, Limits.Speed, "m/s");
         Check.Size("launch.spin", spin, Limits.Spin, "rad/s");
         Check.Rotation("launch.orientation", orientation);
+        return Start(in position, in velocity, in spin, in orientation);
+    }
+
+    /// <summary>The same with numbers that are known to be in range.</summary>
+    private BallState Start(in Vector3d position, in Vector3d velocity, in Vector3d spin, in Quaterniond orientation)
+    {
         BallState state = default;
         state.Position = position;
         state.Velocity = velocity;
@@ -94,7 +100,10 @@ public sealed class Simulator
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public void Kick(ref BallState state, Vector3d velocity, Vector3d spin)
     {
-        BallState kicked = Launch(state.Position, velocity, spin, state.Orientation);
+        // The place is the ball's own, wherever it has got to.
+        Check.Size("launch.velocity", velocity, Limits.Speed, "m/s");
+        Check.Size("launch.spin", spin, Limits.Spin, "rad/s");
+        BallState kicked = Start(state.Position, in velocity, in spin, state.Orientation);
         kicked.Time = state.Time;
         state = kicked;
     }
@@ -108,13 +117,14 @@ public sealed class Simulator
     /// <see cref="StepLog.Relaxed"/>. Nothing is ever clamped. A ball that leaves an impact to be back within a microsecond stays down.
     /// </remarks>
     /// <param name="state">The ball.</param>
-    /// <param name="dt">Time to advance by, s: finite, not negative. All of it is one step of the integrator, split only at events.</param>
+    /// <param name="dt">Time to advance by, s: 0 … 1e12. All of it is one step of the integrator, split only at events.</param>
     /// <param name="log">Where events and counts are added.</param>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is negative or not finite; nothing has changed.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is out of range; nothing has changed.</exception>
     /// <exception cref="ArgumentNullException"><paramref name="log"/> is null.</exception>
+    /// <exception cref="InvalidOperationException">A force of the game's own is not finite; the message names it. Whatever such a force throws, nothing has changed.</exception>
     public void Step(ref BallState state, double dt, StepLog log)
     {
-        if (!(dt >= 0 && dt <= double.MaxValue) || log is null)
+        if (!(dt >= 0 && dt <= Limits.Time) || log is null)
         {
             RefuseStep(dt, log);
         }
@@ -148,14 +158,16 @@ public sealed class Simulator
 
     private static void RefuseStep(double dt, StepLog? log)
     {
-        Check.NotNegative("dt", dt);
+        Check.Within("dt", dt, 0, Limits.Time);
         throw new ArgumentNullException(nameof(log));
     }
 
     /// <summary>Advances a ball in equal steps until an event or a time.</summary>
     /// <param name="state">The ball. After an early end it is as it was just after the event.</param>
-    /// <param name="timeStep">Length of a step, s; above 0, and at least 1e-12 of the duration. The last one is shortened.</param>
-    /// <param name="duration">How long to go on at most, s; above 0.</param>
+    /// <param name="timeStep">
+    /// Length of a step, s; above 0, at most 1e12, at least 1e-12 of the duration, and more than the rounding of the ball's clock. The last one is shortened.
+    /// </param>
+    /// <param name="duration">How long to go on at most, s; above 0, at most 1e12.</param>
     /// <param name="stopAt">The event that ends the run.</param>
     /// <param name="log">Where events and counts are added.</param>
     /// <returns>True when the event ended the run, false when its time did.</returns>
@@ -163,8 +175,8 @@ public sealed class Simulator
     /// <exception cref="ArgumentNullException"><paramref name="log"/> is null.</exception>
     public bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt, StepLog log)
     {
-        Check.Positive("timeStep", timeStep);
-        Check.Positive("duration", duration);
+        Check.Within("timeStep", timeStep, 0, Limits.Time, exclusiveLow: true);
+        Check.Within("duration", duration, 0, Limits.Time, exclusiveLow: true);
         Check.AtLeast("timeStep", timeStep, duration / MostSteps);
         Check.Defined("stopAt", stopAt, (int)stopAt, 3);
         if (log is null)
@@ -172,6 +184,7 @@ public sealed class Simulator
             throw new ArgumentNullException(nameof(log));
         }
 
+        Check.Advances("timeStep", timeStep, state.Time + duration);
         return Run(ref state, timeStep, duration, stopAt, log, null);
     }
 

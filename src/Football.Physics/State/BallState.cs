@@ -7,6 +7,9 @@ namespace Football.Physics;
 /// </remarks>
 public struct BallState
 {
+    /// <summary>A spin without an axis, rad/s: the squares of its components vanish, and with them its direction.</summary>
+    private const double NoSpin = 1e-140;
+
     /// <summary>Time since the launch, s.</summary>
     public double Time { get; internal set; }
 
@@ -77,8 +80,9 @@ public struct BallState
     {
         FoldRotation();
         double rate = spin.Length;
-        SpinAxis = rate > 0 ? spin / rate : Vector3d.Up;
-        SpinRate = rate;
+        bool spins = rate > NoSpin;
+        SpinAxis = spins ? spin / rate : Vector3d.Up;
+        SpinRate = spins ? rate : 0;
     }
 
     /// <summary>Sets the spin of a ball on the ground.</summary>
