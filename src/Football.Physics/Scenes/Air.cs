@@ -11,4 +11,11 @@ public sealed record Air
 
     /// <summary>Wind velocity, m/s. Speed at most 1000; default none.</summary>
     public Vector3d Wind { get; init; }
+
+    internal void Validate()
+    {
+        Check.NotNegative("air.density", Density);
+        Check.Positive("air.kinematicViscosity", KinematicViscosity);
+        Check.Size("air.wind", Wind, Limits.Speed, "m/s");
+    }
 }

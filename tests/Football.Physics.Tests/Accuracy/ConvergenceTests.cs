@@ -67,6 +67,18 @@ public sealed class ConvergenceTests
     [Theory]
     [InlineData(Integrator.Euler, 0.02, 0.85, 1.2)]
     [InlineData(Integrator.SemiImplicitEuler, 0.02, 0.85, 1.2)]
+    [InlineData(Integrator.Rk2, 0.04, 1.85, 2.2)]
+    [InlineData(Integrator.Rk4, 0.08, 3.7, 4.5)]
+    public void Flights_by_the_measured_laws_keep_the_order(Integrator integrator, double coarsest, double low, double high)
+    {
+        var random = new Shots(78);
+        Order.Hold(integrator.ToString(), [.. Enumerable.Range(0, 16).Select(_ =>
+            OrderOf(Scene.Measured, integrator, coarsest, random.Velocity(15, 30, 15, 35), random.Uniform(10, 60) * random.Direction()))], low, high);
+    }
+
+    [Theory]
+    [InlineData(Integrator.Euler, 0.02, 0.85, 1.2)]
+    [InlineData(Integrator.SemiImplicitEuler, 0.02, 0.85, 1.2)]
     [InlineData(Integrator.Rk2, 0.04, 1.9, 2.2)]
     [InlineData(Integrator.Rk4, 0.16, 3.8, 4.5)]
     public void Flights_with_a_force_of_the_game_keep_the_order(Integrator integrator, double coarsest, double low, double high)
