@@ -18,9 +18,10 @@ internal readonly struct OwnForces
     public void AddTo(in ForceInput ball, ref AirFactors factors)
     {
         ForceSum sum = default;
+        ForceInput seen = ball.In(in factors.AirVelocity);
         foreach (IForce force in _forces)
         {
-            force.Apply(in ball, ref sum);
+            force.Apply(in seen, ref sum);
         }
 
         factors.Acceleration += sum.Force * _perMass;

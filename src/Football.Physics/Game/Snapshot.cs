@@ -86,6 +86,8 @@ public static class Snapshot
 
         public ulong Hash;
 
+        private ulong _place;
+
         public readonly ulong Result
         {
             get
@@ -103,6 +105,17 @@ public static class Snapshot
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public void Member(ref int value) => Mix((ulong)(uint)value);
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Bits(ref ulong value)
+        {
+            // Without a set bit it is as if the field were not there: its place counts instead, with the bits.
+            _place++;
+            if (value != 0)
+            {
+                Mix(value ^ (_place * 0xD6E8FEB86659FD93UL));
+            }
+        }
 
         private void Mix(ulong word)
         {

@@ -8,13 +8,16 @@ internal interface IFieldVisitor
 
     /// <summary>A member of an enumeration.</summary>
     void Member(ref int value);
+
+    /// <summary>Any bits; none of them set in most states.</summary>
+    void Bits(ref ulong value);
 }
 
 /// <summary>The one list of what a <see cref="BallState"/> consists of; hash, comparison and bytes all go through it.</summary>
 internal static class StateFields
 {
     /// <summary>How many scalars there are; a test compares it with the struct itself.</summary>
-    public const int Count = 18;
+    public const int Count = 19;
 
     /// <summary>Visits every scalar, in a fixed order.</summary>
     public static void Visit<TVisitor>(ref BallState state, ref TVisitor visitor)
@@ -35,6 +38,9 @@ internal static class StateFields
         int branch = (int)state.Branch;
         visitor.Member(ref branch);
         state.Branch = (DragBranch)branch;
+        ulong airDistance = (ulong)BitConverter.DoubleToInt64Bits(state.AirDistance);
+        visitor.Bits(ref airDistance);
+        state.AirDistance = BitConverter.Int64BitsToDouble((long)airDistance);
     }
 
     /// <summary>Takes the bits of a state out.</summary>
@@ -65,6 +71,7 @@ internal static class StateFields
             && state.SpinAxis.IsFinite
             && double.IsFinite(state.SpinRate)
             && double.IsFinite(state.Angle)
+            && double.IsFinite(state.AirDistance)
             && Math.Abs(state.BaseOrientation.LengthSquared - 1) < 1e-6;
     }
 
@@ -101,6 +108,8 @@ internal static class StateFields
         public void Number(ref double value) => *Next++ = (ulong)BitConverter.DoubleToInt64Bits(value);
 
         public void Member(ref int value) => *Next++ = (uint)value;
+
+        public void Bits(ref ulong value) => *Next++ = value;
     }
 
     private unsafe struct Writer : IFieldVisitor
@@ -114,5 +123,7 @@ internal static class StateFields
             ulong word = *Next++;
             value = word <= int.MaxValue ? (int)word : -1;
         }
+
+        public void Bits(ref ulong value) => value = *Next++;
     }
 }

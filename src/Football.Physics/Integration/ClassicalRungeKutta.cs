@@ -92,7 +92,8 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         step.End = new Motion(
             from.Position + (sixth * velocity),
             from.Velocity + (sixth * acceleration),
-            from.Spin + (sixth * spinAcceleration));
+            from.Spin + (sixth * spinAcceleration),
+            from.AirDistance + (sixth * (k1.AirSpeed + (2.0 * (k2.AirSpeed + k3.AirSpeed)) + k4.AirSpeed)));
 
         step.Rotation = RotationVector.Of(in from.Spin, 0.5 * (second.Spin + third.Spin), in step.End.Spin, h);
         step.StartRates = k1;

@@ -17,7 +17,7 @@ public sealed record BallProperties
     public DragCurve DragCurve { get; init; } = DragCurve.Generic;
 
     /// <summary>
-    /// K, standard deviation of the knuckle force across the motion at 30 m/s without spin, N.
+    /// K, standard deviation of the knuckle force across the motion at 30 m/s without spin, N; see <see cref="ForceSet.KnuckleSeed"/>.
     /// Not negative; default 1.5 (guess, within what Hong and Asai 2014 measured on other balls, 0.6 … 3.1).
     /// </summary>
     public double KnuckleForce { get; init; } = 1.5;

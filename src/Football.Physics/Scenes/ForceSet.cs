@@ -27,6 +27,12 @@ public sealed record ForceSet
     /// <summary>k of the constant spin decay T = −k ω, N m s. Not negative; default 0.</summary>
     public double SpinDecayCoefficient { get; init; }
 
+    /// <summary>
+    /// Seed of the knuckle force on a ball with little spin, whatever the laws are; another seed, another way to wobble. Acts in flight alone, from
+    /// anew after each kick. Default null: none.
+    /// </summary>
+    public long? KnuckleSeed { get; init; }
+
     /// <summary>Forces of the game's own, added to the others in this order. Default none.</summary>
     public IReadOnlyList<IForce> Custom { get; init; } = [];
 

@@ -16,6 +16,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     private readonly ImplicitPhase<TAir> _implicit;
     private readonly FlightSystem<TAir> _system;
     private readonly TIntegrator _integrator;
+    private readonly double _fastestWind;
 
     public FlightPhase(
         SolverSettings settings,
@@ -33,6 +34,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         _implicit = implicitPhase;
         _system = new FlightSystem<TAir> { Around = around };
         _integrator = default;
+        _fastestWind = around.Air.FastestWind;
     }
 
     /// <summary>The next piece of a flight.</summary>
@@ -99,10 +101,10 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         Finish(ref s, ref run, ref sweep, next, goes);
     }
 
-    /// <summary>A piece with the whole spin vector: with forces of the game's own, or along the drag law's jump.</summary>
+    /// <summary>A piece with the whole spin vector: in air that varies, or along the drag law's jump.</summary>
     private void TakeWithoutAxis(ref BallState s, ref StepRun run, double h)
     {
-        var from = new Motion(s.Position, s.Velocity, s.Spin);
+        var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
         FlightSystem<TAir> system = _system;
         system.Branch = s.Branch;
         var sweep = new MotionSweep<FlightSystem<TAir>, TIntegrator>(in system, s.Time, in from, _around.Wind, _around.Radius);
@@ -232,18 +234,28 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     private double Longest(in BallState s, in Vector3d u, double asked, bool hasAxis)
     {
         double h = asked;
+        double speedSquared = u.LengthSquared;
         if (!hasAxis)
         {
-            return _limit.PartOf(ref _around.Air, asked, u.Length, s.Spin.Length, s.Branch);
+            double spin = s.Spin.Length;
+            double most = Math.Sqrt(speedSquared) + _fastestWind;
+            h = asked * _limit.RateAtMost(most, spin) <= StabilityLimit.LargestChange
+                ? asked
+                : _limit.PartOf(ref _around.Air, asked, _fastestWind > 0 ? AirSpeed(in s, in u) : most, spin, s.Branch);
         }
-
-        double speedSquared = u.LengthSquared;
-        if (_around.AirActs && !_limit.AllowsWhole(h, speedSquared, s.SpinRate, _around.Air.Covers(speedSquared, s.SpinRate, h)))
+        else if (_around.AirActs && !_limit.AllowsWhole(h, speedSquared, s.SpinRate, _around.Air.Covers(speedSquared, s.SpinRate, h)))
         {
             h = _limit.PartOf(ref _around.Air, asked, Math.Sqrt(speedSquared), s.SpinRate, s.Branch);
         }
 
         return h > 0 && _integrator.GainsByHops ? _limit.WithinHop(h, s.Position.Y - _around.ContactHeight, s.Velocity.Y) : h;
+    }
+
+    /// <summary>The speed relative to the air in wind by place and time, m/s.</summary>
+    private double AirSpeed(in BallState s, in Vector3d u)
+    {
+        _around.Air.Evaluate(new ForceInput(s.Time, s.Position, s.Velocity, in u, s.Spin, s.Motion, s.AirDistance), s.Branch, out AirFactors air);
+        return air.AirVelocity.Length;
     }
 
     /// <summary>A piece in vacuum, done if nothing happens in it: what the method makes of a constant acceleration, p + h (v + c h g), v + h g.</summary>

@@ -6,7 +6,9 @@ internal static class StepperFactory
     public static Stepper Create(Scene scene, SolverSettings settings)
     {
         var maker = new Maker { Settings = settings };
-        return scene.Forces.Custom.Count > 0 ? maker.Visit<OwnForcesAir>(scene) : AirChoice.Choose<Maker, Stepper>(scene, ref maker);
+        return scene.Forces.Custom.Count > 0 ? maker.Visit<OwnForcesAir>(scene)
+            : FieldAir.IsOf(scene) ? maker.Visit<FieldAir>(scene)
+            : AirChoice.Choose<Maker, Stepper>(scene, ref maker);
     }
 
     private struct Maker : IAirVisitor<Stepper>

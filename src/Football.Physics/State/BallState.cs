@@ -57,6 +57,9 @@ public struct BallState
     /// <summary>Orientation when <see cref="Angle"/> was last zero.</summary>
     internal Quaterniond BaseOrientation;
 
+    /// <summary>Distance flown through the air since the kick, m, where a knuckle force depends on it; else 0.</summary>
+    internal double AirDistance;
+
     /// <summary>Sets the spin of a ball in the air.</summary>
     internal void SetFlightSpin(in Vector3d spin)
     {

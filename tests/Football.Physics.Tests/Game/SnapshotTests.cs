@@ -49,7 +49,7 @@ public sealed class SnapshotTests
             }
         }
 
-        Assert.InRange(seen.Count, 64 * 16, 64 * 18);
+        Assert.InRange(seen.Count, 64 * 16, 64 * 19);
     }
 
     [Fact]
