@@ -18,5 +18,6 @@ internal static class LabCommand
         PrecisionLab.Create(terminal),
         StabilityLab.Create(terminal),
         AimLab.Create(terminal),
+        BallsLab.Create(terminal),
     };
 }

@@ -10,6 +10,7 @@ internal struct FieldAir : IAir
     private IWind? _wind;
     private KnuckleForce? _knuckle;
     private double _radiusSquared;
+    private bool _jumps;
 
     public readonly bool Drags => _air.Drags;
 
@@ -45,6 +46,7 @@ internal struct FieldAir : IAir
     public void Prepare(Scene scene)
     {
         _air = PointAir.OfLaws(scene);
+        _jumps = _air.Jumps;
         _wind = scene.Air.WindField;
         _knuckle = KnuckleForce.Of(scene);
         _radiusSquared = scene.Ball.Radius * scene.Ball.Radius;
@@ -57,7 +59,7 @@ internal struct FieldAir : IAir
     public readonly double Evaluate(in ForceInput ball, DragBranch branch, out AirFactors factors)
     {
         Vector3d u = _wind is null ? ball.AirVelocity : ball.AirVelocity - _wind.At(ball.Time, ball.Position);
-        DragBranch here = _air.Jumps ? DragJump.At(u.LengthSquared, _radiusSquared * ball.Spin.LengthSquared).Branch : branch;
+        DragBranch here = _jumps ? DragJump.At(u.LengthSquared, _radiusSquared * ball.Spin.LengthSquared).Branch : branch;
         double rate = _air.Evaluate(ball.In(in u), here, out factors);
         if (_knuckle is not null && ball.Motion == MotionState.Airborne)
         {
@@ -66,6 +68,50 @@ internal struct FieldAir : IAir
         }
 
         return rate;
+    }
+
+    /// <summary>What the air does to a ball in flight, by the axis and the size of its spin: a = lift (n × u) − drag u + side.</summary>
+    /// <param name="time">Time, s.</param>
+    /// <param name="position">The place, m.</param>
+    /// <param name="u">Velocity relative to the steady wind; made that relative to the air, m/s.</param>
+    /// <param name="axis">Unit axis of the spin, n.</param>
+    /// <param name="spinRate">Spin about it, rad/s.</param>
+    /// <param name="distance">Distance flown through the air, m.</param>
+    /// <param name="drag">D, 1/s.</param>
+    /// <param name="lift">L |ω|, 1/s.</param>
+    /// <param name="decay">Angular deceleration, rad/s².</param>
+    /// <param name="side">Acceleration by the knuckle force, m/s².</param>
+    /// <param name="airSpeed">|u| where there is a knuckle force; else 0.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void AlongAxis(
+        double time,
+        in Vector3d position,
+        ref Vector3d u,
+        in Vector3d axis,
+        double spinRate,
+        double distance,
+        out double drag,
+        out double lift,
+        out double decay,
+        out Vector3d side,
+        out double airSpeed)
+    {
+        if (_wind is not null)
+        {
+            u -= _wind.At(time, in position);
+        }
+
+        double speedSquared = u.LengthSquared;
+        PointStep step;
+        step.Branch = _jumps ? DragJump.At(speedSquared, _radiusSquared * spinRate * spinRate).Branch : DragBranch.Unknown;
+        _air.AtPoint(step, speedSquared, spinRate, Vector3d.Cross(in axis, in u).LengthSquared, out drag, out lift, out decay);
+        side = Vector3d.Zero;
+        airSpeed = 0;
+        if (_knuckle is not null)
+        {
+            side = _knuckle.Acceleration(in u, spinRate * axis, distance);
+            airSpeed = Math.Sqrt(speedSquared);
+        }
     }
 
     public readonly void Begin(double spinRate, DragBranch branch, out PointStep step) => step.Branch = branch;

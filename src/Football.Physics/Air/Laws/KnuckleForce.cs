@@ -22,9 +22,9 @@ internal sealed class KnuckleForce
     private static readonly double[] Weight = [0.70, 0.95, 1, 0.60];
     private static readonly PowerTable Power = new(2.9);
 
-    private readonly double[] _turnsPerMetre = new double[2 * Waves];
-    private readonly double[] _phase = new double[2 * Waves];
-    private readonly double[] _amplitude = new double[Waves];
+    private readonly Quad _amplitude;
+    private readonly FourWaves _first;
+    private readonly FourWaves _second;
     private readonly double _perMass;
     private readonly double _radius;
 
@@ -37,18 +37,10 @@ internal sealed class KnuckleForce
             sum += 0.5 * w * w;
         }
 
-        // f_i = c Σ_k w_k sin 2π(0.0183 g_k (1 + 0.2 (R(8i+2k+1) − ½)) s/(2r) + R(8i+2k)),  c = 1/√(Σ w²/2)
-        for (int k = 0; k < Waves; k++)
-        {
-            _amplitude[k] = Weight[k] / Math.Sqrt(sum);
-            for (int i = 0; i < 2; i++)
-            {
-                int counter = (8 * i) + (2 * k);
-                _turnsPerMetre[(Waves * i) + k] = Strouhal * Frequency[k] * (1.0 + (0.2 * (SplitMix64.At(seed, counter + 1) - 0.5))) / (2.0 * r);
-                _phase[(Waves * i) + k] = SplitMix64.At(seed, counter);
-            }
-        }
-
+        double scale = 1.0 / Math.Sqrt(sum);
+        _amplitude = new Quad(scale * Weight[0], scale * Weight[1], scale * Weight[2], scale * Weight[3]);
+        _first = new FourWaves(seed, 0, r);
+        _second = new FourWaves(seed, 8, r);
         _radius = r;
         _perMass = scene.Ball.KnuckleForce * (scene.Air.Density / 1.2) * (r / 0.11) * (r / 0.11) / scene.Ball.Mass;
     }
@@ -83,18 +75,33 @@ internal sealed class KnuckleForce
         var level = new Vector3d(-along.Z, 0, along.X);
         double across = level.Length;
         Vector3d first = across > 0 ? level / across : new Vector3d(0, 0, 1);
-        return (strength * Wobble(0, distance) * first) + (strength * Wobble(Waves, distance) * Vector3d.Cross(in first, in along));
+        return (strength * Wobble(in _first, distance) * first) + (strength * Wobble(in _second, distance) * Vector3d.Cross(in first, in along));
     }
 
-    private double Wobble(int from, double distance)
+    // f_i = c Σ_k w_k sin 2π(0.0183 g_k (1 + 0.2 (R(8i+2k+1) − ½)) s/(2r) + R(8i+2k)),  c = 1/√(Σ w²/2)
+    private double Wobble(in FourWaves waves, double distance)
     {
-        double sum = 0;
-        for (int k = 0; k < Waves; k++)
-        {
-            SineTable.SinCos((_turnsPerMetre[from + k] * distance) + _phase[from + k], out double sin, out _);
-            sum += _amplitude[k] * sin;
-        }
+        QuadSine.SinCos((waves.TurnsPerMetre * Quad.Of(distance)) + waves.Phase, out Quad sin, out _);
+        return (_amplitude * sin).Sum;
+    }
 
-        return sum;
+    private readonly struct FourWaves
+    {
+        public readonly Quad TurnsPerMetre;
+        public readonly Quad Phase;
+
+        public FourWaves(long seed, int first, double radius)
+        {
+            Span<double> turns = stackalloc double[Waves];
+            Span<double> phase = stackalloc double[Waves];
+            for (int k = 0; k < Waves; k++)
+            {
+                turns[k] = Strouhal * Frequency[k] * (1.0 + (0.2 * (SplitMix64.At(seed, first + (2 * k) + 1) - 0.5))) / (2.0 * radius);
+                phase[k] = SplitMix64.At(seed, first + (2 * k));
+            }
+
+            TurnsPerMetre = new Quad(turns[0], turns[1], turns[2], turns[3]);
+            Phase = new Quad(phase[0], phase[1], phase[2], phase[3]);
+        }
     }
 }

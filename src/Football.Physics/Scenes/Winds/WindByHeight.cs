@@ -103,5 +103,5 @@ public sealed class WindByHeight : IWind
     }
 
     /// <summary>u(y), m/s.</summary>
-    private double MeanAt(double height) => _perLogarithm * Elementary.Log((height * _perRoughness) + 1.0);
+    private double MeanAt(double height) => _perLogarithm * LogarithmTable.Of((height * _perRoughness) + 1.0);
 }
