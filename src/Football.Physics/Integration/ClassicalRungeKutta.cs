@@ -105,6 +105,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
     {
         double half = 0.5 * h;
         system.Rates(time, in from, out FieldRates k1);
+        step.StartAcceleration = k1.Acceleration;
         from.After(half, in from.Velocity, in k1, out FieldMotion second);
         system.Rates(time + half, in second, out FieldRates k2);
         from.After(half, in second.Velocity, in k2, out FieldMotion third);

@@ -53,6 +53,7 @@ internal readonly struct ExplicitEuler : IIntegrator
         where TSystem : struct, IFieldSystem
     {
         system.Rates(time, in from, out FieldRates k1);
+        step.StartAcceleration = k1.Acceleration;
         from.After(h, in from.Velocity, in k1, out step.End);
         step.Turn = h * from.SpinRate;
     }

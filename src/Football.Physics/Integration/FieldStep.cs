@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>Where a step of a <see cref="FieldMotion"/> ends, and the angle that the ball turned.</summary>
+/// <summary>Where a step of a <see cref="FieldMotion"/> ends, the angle that the ball turned, and the acceleration at its start.</summary>
 internal struct FieldStep
 {
     /// <summary>The motion at the end.</summary>
@@ -8,4 +8,7 @@ internal struct FieldStep
 
     /// <summary>Angle turned about the axis, rad.</summary>
     public double Turn;
+
+    /// <summary>Acceleration at the start, m/s².</summary>
+    public Vector3d StartAcceleration;
 }

@@ -54,6 +54,7 @@ internal readonly struct SemiImplicitEuler : IIntegrator
         where TSystem : struct, IFieldSystem
     {
         system.Rates(time, in from, out FieldRates k1);
+        step.StartAcceleration = k1.Acceleration;
         from.After(h, from.Velocity + (h * k1.Acceleration), in k1, out step.End);
         step.Turn = h * step.End.SpinRate;
     }

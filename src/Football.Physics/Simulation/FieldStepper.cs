@@ -30,7 +30,7 @@ internal sealed class FieldStepper<TIntegrator> : Stepper<FieldAir, TIntegrator>
     [MethodImpl(Hot.Path)]
     public override void Step(ref BallState s, double dt, StepLog log)
     {
-        if (s.Motion != MotionState.Airborne || log.Observer is not null || _integrator.GainsByHops || !TryWhole(ref s, dt, log))
+        if (s.Motion != MotionState.Airborne || _integrator.GainsByHops || !TryWhole(ref s, dt, log))
         {
             base.Step(ref s, dt, log);
         }
@@ -61,6 +61,22 @@ internal sealed class FieldStepper<TIntegrator> : Stepper<FieldAir, TIntegrator>
             return false;
         }
 
+        if (log.Observer is null)
+        {
+            Move(ref s, in step, dt);
+        }
+        else
+        {
+            MoveAndShow(ref s, in system, in step, dt, log);
+        }
+
+        log.Steps++;
+        return true;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Move(ref BallState s, in FieldStep step, double dt)
+    {
         s.Position = step.End.Position;
         s.Flight.Velocity = step.End.Velocity;
         s.Flight.SpinRate = step.End.SpinRate;
@@ -68,7 +84,22 @@ internal sealed class FieldStepper<TIntegrator> : Stepper<FieldAir, TIntegrator>
         s.Angle += step.Turn;
         s.Branch = DragBranch.Unknown;
         s.Time += dt;
-        log.Steps++;
-        return true;
+    }
+
+    /// <summary>Moves the ball to the end of a whole step, and shows that to the observer.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void MoveAndShow(ref BallState s, in FieldSystem system, in FieldStep step, double dt, StepLog log)
+    {
+        BallState before = s;
+        Move(ref s, in step, dt);
+        Vector3d acceleration = default;
+        if (log.Observer!.WantsEndAcceleration)
+        {
+            system.Rates(s.Time, in step.End, out FieldRates end);
+            acceleration = end.Acceleration;
+            log.Evaluations++;
+        }
+
+        log.Show(in before, in s, in step.StartAcceleration, in acceleration, _integrator.Order);
     }
 }

@@ -69,9 +69,11 @@ public sealed class LaneFlightTests
     }
 
     [Fact]
-    public void The_measured_laws_are_left_to_the_single_ball()
+    public void The_measured_laws_and_air_by_place_and_time_are_left_to_the_single_ball()
     {
         Assert.False(LaneFlight.Covers(Scene.Measured));
+        Assert.False(LaneFlight.Covers(new Scene { Air = new Air { WindField = new WindByHeight(5, 1, 0) } }));
+        Assert.False(LaneFlight.Covers(new Scene { Forces = new ForceSet { KnuckleSeed = 1 } }));
         var launches = new BatchLaunches(2);
         var flights = new BatchFlights(2);
         var velocity = new Vector3d(22, 6, -3);

@@ -77,6 +77,26 @@ public sealed class WindFieldTests
         Assert.Equal(1, state.Orientation.LengthSquared, 1e-12);
     }
 
+    /// <summary>Whoever looks ahead sees the bits that the game will have.</summary>
+    [Fact]
+    public void A_ball_that_is_watched_flies_to_the_bit_as_one_that_is_not()
+    {
+        Scene scene = Scene.Measured with
+        {
+            Air = new Air { WindField = new WindByHeight(8, 1, 2, gusts: new Gusts { Seed = 4 }) },
+            Forces = ForceSet.Measured with { KnuckleSeed = 8 },
+        };
+        foreach (Integrator integrator in Flight.Integrators)
+        {
+            var simulator = new Simulator(scene, Flight.With(integrator));
+            BallState alone = simulator.Launch(s_start, s_velocity, new Vector3d(0, 3, 2));
+            BallState watched = alone;
+            simulator.Run(ref alone, 0.01, 6, StopAt.Time, new StepLog());
+            simulator.Run(ref watched, 0.01, 6, StopAt.Time, new StepLog { Observer = new ApexObserver(s_start.Y) });
+            Assert.True(Snapshot.Same(alone, watched), integrator.ToString());
+        }
+    }
+
     [Fact]
     public void A_field_and_a_force_of_the_game_act_together()
     {
