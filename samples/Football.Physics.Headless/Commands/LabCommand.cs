@@ -19,5 +19,6 @@ internal static class LabCommand
         StabilityLab.Create(terminal),
         AimLab.Create(terminal),
         FuzzLab.Create(terminal),
+        BallsLab.Create(terminal),
     };
 }

@@ -91,6 +91,12 @@ internal sealed class InputObject(InputFields fields, string path, JsonElement? 
         : NumberOf(value) is var number && number == Math.Floor(number) && Math.Abs(number) <= int.MaxValue ? (int)number
         : Refuse(name, $"a whole number, at most {int.MaxValue}", fallback);
 
+    /// <summary>A whole number of 64 bits, or null.</summary>
+    public long? OptionalWhole(string name, long? fallback = null) => Take(name) is not { } value ? fallback
+        : value.ValueKind == JsonValueKind.Null ? null
+        : value.ValueKind == JsonValueKind.Number && value.TryGetInt64(out long number) ? number
+        : Refuse<long?>(name, $"a whole number, {long.MinValue} … {long.MaxValue}, or null", fallback);
+
     /// <summary>true or false.</summary>
     public bool Flag(string name, bool fallback) => Take(name) is not { } value ? fallback
         : value.ValueKind is JsonValueKind.True or JsonValueKind.False ? value.GetBoolean()
@@ -123,6 +129,10 @@ internal sealed class InputObject(InputFields fields, string path, JsonElement? 
     /// <summary>Three numbers, or null.</summary>
     public Vector3d? OptionalVector(string name) => Take(name) is { ValueKind: not JsonValueKind.Null } ? Vector(name, Vector3d.Zero) : null;
 
+    /// <summary>So many finite numbers, which must be given.</summary>
+    public double[] Numbers(string name, string form, int count) =>
+        Has(name) ? Numbers(name, form, new double[count]) : Refuse(name, $"{form}, {count} finite numbers", new double[count]);
+
     /// <summary>So many finite numbers as there are by default.</summary>
     /// <param name="name">The member.</param>
     /// <param name="form">What they are, like [x, y, z].</param>
@@ -144,6 +154,10 @@ internal sealed class InputObject(InputFields fields, string path, JsonElement? 
         int wrong = Array.FindIndex(numbers, number => !double.IsFinite(number));
         return wrong < 0 ? numbers : Refuse($"{name}[{wrong}]", $"{FiniteNumber} ({Join(name)}: {allowed})", fallback);
     }
+
+    /// <summary>One number for both of two, or the two.</summary>
+    public double[] OneOrTwo(string name, string form, double[] fallback) =>
+        Take(name) is { ValueKind: JsonValueKind.Number } value ? [NumberOf(value), NumberOf(value)] : Numbers(name, form, fallback);
 
     /// <summary>A number, or the two ends [low, high] of a range.</summary>
     public (double Low, double High) Range(string name, (double Low, double High) fallback, NumberRange allowed)
@@ -177,6 +191,18 @@ internal sealed class InputObject(InputFields fields, string path, JsonElement? 
 
     /// <summary>Whether the member is given.</summary>
     public bool Has(string name) => Take(name) is not null;
+
+    /// <summary>Whether the member is an object.</summary>
+    public bool IsObject(string name) => Take(name) is { ValueKind: JsonValueKind.Object };
+
+    /// <summary>Refuses a member that another one stands for.</summary>
+    public void Exclude(string name, string other)
+    {
+        if (Has(name) && Has(other))
+        {
+            Refuse(name, $"{name} or {other}, not both", 0);
+        }
+    }
 
     private static double NumberOf(JsonElement value) =>
         value.ValueKind == JsonValueKind.Number && value.TryGetDouble(out double number) ? number : double.NaN;

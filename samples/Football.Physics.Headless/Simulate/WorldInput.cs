@@ -6,14 +6,14 @@ namespace Football.Physics.Headless.Simulate;
 internal static class WorldInput
 {
     /// <summary>The obstacles.</summary>
-    public static IReadOnlyList<Obstacle> Obstacles(InputObject root) =>
-        [.. root.Objects("obstacles").Select((item, i) => Obstacle(item, i)).OfType<Obstacle>()];
+    public static IReadOnlyList<Obstacle> Obstacles(InputObject root, Surface frame) =>
+        [.. root.Objects("obstacles").Select((item, i) => Obstacle(item, i, frame)).OfType<Obstacle>()];
 
     /// <summary>The nets that stand by themselves.</summary>
     public static IReadOnlyList<Net> Nets(InputObject root) => [.. root.Objects("nets").Select((item, i) => Net(item, i))];
 
     /// <summary>The goals.</summary>
-    public static IReadOnlyList<Goal> Goals(InputObject root) => [.. root.Objects("goals").Select(Goal)];
+    public static IReadOnlyList<Goal> Goals(InputObject root, Surface frame) => [.. root.Objects("goals").Select(item => Goal(item, frame))];
 
     /// <summary>Uneven ground; null where none is given.</summary>
     public static HeightField? Heights(InputObject ground)
@@ -31,11 +31,11 @@ internal static class WorldInput
             : null;
     }
 
-    private static Obstacle? Obstacle(InputObject item, int index)
+    private static Obstacle? Obstacle(InputObject item, int index, Surface frame)
     {
         string name = item.Text("name", FormattableString.Invariant($"obstacle {index}"));
         IShape? shape = Shape(item);
-        Surface surface = Surface(item);
+        Surface surface = Surface(item, frame);
         Vector3d velocity = item.Vector("velocity", Vector3d.Zero);
         Vector3d spin = item.Vector("spin", Vector3d.Zero);
         Vector3d pivot = item.Vector("pivot", Vector3d.Zero);
@@ -67,9 +67,8 @@ internal static class WorldInput
         }
     }
 
-    private static Surface Surface(InputObject item)
+    private static Surface Surface(InputObject item, Surface defaults)
     {
-        Surface defaults = Physics.Surface.GoalFrame;
         InputObject surface = item.Object("surface");
         return new Surface
         {
@@ -107,7 +106,7 @@ internal static class WorldInput
         };
     }
 
-    private static Goal Goal(InputObject item)
+    private static Goal Goal(InputObject item, Surface frame)
     {
         var goal = new Goal { Center = item.Vector("center"), Facing = item.Vector("facing") };
         double[] depth = item.Numbers("depth", "[at the bar, on the ground]", [goal.DepthAtBar, goal.DepthOnGround]);
@@ -119,7 +118,7 @@ internal static class WorldInput
             DepthAtBar = depth[0],
             DepthOnGround = depth[1],
             HasNet = item.Flag("net", true),
-            Surface = Surface(item),
+            Surface = Surface(item, frame),
         };
     }
 }

@@ -20,7 +20,7 @@ internal sealed class MissMeter : PieceObserver
     public MissMeter(Simulator simulator)
     {
         _simulator = simulator;
-        _stillAir = simulator.Scene.Air.Wind == Vector3d.Zero;
+        _stillAir = simulator.Scene.Air.IsStill;
         _log.Observer = this;
     }
 

@@ -67,6 +67,8 @@ internal static class AirRates
     {
         Vector3d u = ball.AirVelocity;
         Vector3d w = ball.Spin;
+        factors.AirVelocity = u;
+        factors.AirSpeed = 0;
         factors.Acceleration = Vector3d.Zero;
         factors.SpinAcceleration = Vector3d.Zero;
         return Factors(ref air, u.X, u.Y, u.Z, w.X, w.Y, w.Z, branch, out factors.Drag, out factors.Lift, out factors.Decay);

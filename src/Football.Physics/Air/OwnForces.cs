@@ -32,12 +32,13 @@ internal readonly struct OwnForces
     public void AddTo(in ForceInput ball, ref AirFactors factors)
     {
         ForceSum sum = default;
+        ForceInput seen = ball.In(in factors.AirVelocity);
         for (int i = 0; i < _forces.Length; i++)
         {
-            _forces[i].Apply(in ball, ref sum);
+            _forces[i].Apply(in seen, ref sum);
             if (!(sum.Force.IsFinite && sum.Torque.IsFinite))
             {
-                Refuse(i, in ball, in sum);
+                Refuse(i, in seen, in sum);
             }
         }
 

@@ -61,6 +61,7 @@ internal struct CarriedSystem<TAir> : IMotionSystem
         Vector3d u = at.Velocity - Around.Wind;
         var ball = new ForceInput(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding);
         Around.Air.Evaluate(in ball, Branch, out AirFactors air);
+        u = air.AirVelocity;
         Vector3d push = air.Acceleration;
         if (World.AirActs)
         {

@@ -104,7 +104,7 @@ public static class Snapshot
 
         public ulong Hash;
 
-        private ulong _slot;
+        private ulong _place;
 
         public readonly ulong Result
         {
@@ -124,14 +124,14 @@ public static class Snapshot
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public void Member(ref int value) => Mix((ulong)(uint)value);
 
-        /// <remarks>All zero for a ball on a level pitch with nothing else, which then costs nothing; else its place in the list is mixed in too.</remarks>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public void Bits(ref ulong value)
         {
-            _slot++;
+            // Without a set bit it is as if the field were not there: its place counts instead, with the bits.
+            _place++;
             if (value != 0)
             {
-                Mix(_slot);
-                Mix(value);
+                Mix(value ^ (_place * 0xD6E8FEB86659FD93UL));
             }
         }
 

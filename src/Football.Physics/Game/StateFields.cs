@@ -17,7 +17,7 @@ internal interface IFieldVisitor
 internal static class StateFields
 {
     /// <summary>How many scalars there are; a test compares it with the struct itself.</summary>
-    public const int Count = 23;
+    public const int Count = 24;
 
     /// <summary>Visits every scalar, in a fixed order.</summary>
     public static void Visit<TVisitor>(ref BallState state, ref TVisitor visitor)
@@ -47,6 +47,9 @@ internal static class StateFields
         ulong clearance = (ulong)BitConverter.DoubleToInt64Bits(state.Clearance);
         visitor.Bits(ref clearance);
         state.Clearance = BitConverter.Int64BitsToDouble((long)clearance);
+        ulong airDistance = (ulong)BitConverter.DoubleToInt64Bits(state.AirDistance);
+        visitor.Bits(ref airDistance);
+        state.AirDistance = BitConverter.Int64BitsToDouble((long)airDistance);
     }
 
     /// <summary>Takes the bits of a state out.</summary>

@@ -33,11 +33,17 @@ public sealed record Scene
     /// <summary>A football over turf in still air at sea level, with all forces.</summary>
     public static Scene Default { get; } = new();
 
+    /// <summary>The same by the laws and numbers of the thesis, as published.</summary>
+    public static Scene Published => Default;
+
+    /// <summary>The same by the measured laws of the air.</summary>
+    public static Scene Measured { get; } = new() { Forces = ForceSet.Measured, Ground = Ground.DryTurf };
+
     /// <summary>The same without air: no buoyancy, drag, Magnus force or spin decay.</summary>
     public static Scene Vacuum { get; } = new() { Forces = ForceSet.None };
 
-    /// <summary>A stadium at 2 240 m (Mexico City): air of 0.96 kg/m³, kinematic viscosity 1.87e-5 m²/s.</summary>
-    public static Scene HighAltitude { get; } = new() { Air = new Air { Density = 0.96, KinematicViscosity = 1.87e-5 } };
+    /// <summary>A stadium at 2 240 m (Mexico City) at 20 °C and 40 % humidity: air of 0.913 kg/m³, kinematic viscosity 1.99e-5 m²/s.</summary>
+    public static Scene HighAltitude { get; } = new() { Air = Weather.AtAltitude(2240, 20, 0.4).ToAir() };
 
     /// <summary>Default scene with a steady wind.</summary>
     /// <param name="wind">Wind velocity, m/s.</param>
@@ -47,12 +53,8 @@ public sealed record Scene
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public void Validate()
     {
-        Check.Positive("ball.mass", Ball.Mass);
-        Check.Within("ball.radius", Ball.Radius, 0, Limits.Length, exclusiveLow: true);
-        Check.Within("ball.inertiaFactor", Ball.InertiaFactor, 0, 1, exclusiveLow: true);
-        Check.NotNegative("air.density", Air.Density);
-        Check.Positive("air.kinematicViscosity", Air.KinematicViscosity);
-        Check.Size("air.wind", Air.Wind, Limits.Speed, "m/s");
+        Ball.Validate();
+        Air.Validate();
         Check.NotNegative("gravity", Gravity);
         Forces.Validate();
         ValidateGround();

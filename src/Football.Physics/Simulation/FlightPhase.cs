@@ -21,6 +21,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     private readonly TIntegrator _integrator;
     private readonly WorldGuard<TAir>? _world;
     private readonly NetGuard? _nets;
+    private readonly double _fastestWind;
 
     public FlightPhase(
         SolverSettings settings,
@@ -41,6 +42,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         _implicit = implicitPhase;
         _system = new FlightSystem<TAir> { Around = around };
         _integrator = default;
+        _fastestWind = around.Air.FastestWind;
     }
 
     /// <summary>The next piece of a flight.</summary>
@@ -116,7 +118,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     /// <summary>A piece with the whole spin vector: with forces of the game's own, along the drag law's jump, in a net, or along what guides the ball.</summary>
     private void TakeWithoutAxis(ref BallState s, ref StepRun run, double h, in Guides guides)
     {
-        var from = new Motion(s.Position, s.Velocity, s.Spin);
+        var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
         FlightSystem<TAir> system = _system;
         system.Branch = s.Branch;
         system.Nets = s.Nets;
@@ -270,19 +272,29 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     private double Longest(in BallState s, in Vector3d u, double asked, bool hasAxis)
     {
         double h = asked;
+        double speedSquared = u.LengthSquared;
         if (!hasAxis)
         {
-            h = _limit.PartOf(ref _around.Air, asked, u.Length, s.Spin.Length, s.Branch);
-            return h > 0 && _nets is not null ? _nets.LongestPiece(in s, h) : h;
+            double spin = s.Spin.Length;
+            double most = Math.Sqrt(speedSquared) + _fastestWind;
+            h = asked * _limit.RateAtMost(most, spin) <= StabilityLimit.LargestChange
+                ? asked
+                : _limit.PartOf(ref _around.Air, asked, _fastestWind > 0 ? AirSpeed(in s, in u) : most, spin, s.Branch);
+            h = h > 0 && _nets is not null ? _nets.LongestPiece(in s, h) : h;
         }
-
-        double speedSquared = u.LengthSquared;
-        if (_around.AirActs && !_limit.AllowsWhole(h, speedSquared, s.SpinRate, _around.Air.Covers(speedSquared, s.SpinRate, h)))
+        else if (_around.AirActs && !_limit.AllowsWhole(h, speedSquared, s.SpinRate, _around.Air.Covers(speedSquared, s.SpinRate, h)))
         {
             h = _limit.PartOf(ref _around.Air, asked, Math.Sqrt(speedSquared), s.SpinRate, s.Branch);
         }
 
         return h > 0 && _integrator.GainsByHops ? _limit.WithinHop(h, s.Position.Y - _around.ContactHeight, s.Velocity.Y) : h;
+    }
+
+    /// <summary>The speed relative to the air in wind by place and time, m/s.</summary>
+    private double AirSpeed(in BallState s, in Vector3d u)
+    {
+        _around.Air.Evaluate(new ForceInput(s.Time, s.Position, s.Velocity, in u, s.Spin, s.Motion, s.AirDistance), s.Branch, out AirFactors air);
+        return air.AirVelocity.Length;
     }
 
     /// <summary>A piece in vacuum, done if nothing happens in it: what the method makes of a constant acceleration, p + h (v + c h g), v + h g.</summary>

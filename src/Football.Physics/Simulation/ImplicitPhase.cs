@@ -41,17 +41,17 @@ internal sealed class ImplicitPhase<TAir>
         double h = run.Left / Math.Max(1, MostPieces - run.Implicit);
         run.Implicit++;
         var from = new Motion(s.Position, s.Velocity, s.Spin);
-        MotionRates push = Push(in s, in from.Velocity, in from.Spin, ref run);
+        MotionRates push = Push(in s, in from.Velocity, in from.Spin, ref run, out Vector3d wind);
 
         var euler = new ImplicitEuler<TAir> { Air = _around.Air, RadiusSquared = _around.RadiusSquared };
-        Motion end = After(ref euler, in from, in push, h);
+        Motion end = After(ref euler, in from, in push, in wind, h);
         bool below = end.Position.Y < _around.ContactHeight;
 
         // A hop that begins and ends within the piece has no height: the air presses the ball down.
         bool pressed = below && s.Position.Y <= _around.ContactHeight;
         if (below && !pressed)
         {
-            h = TimeOfContact(ref euler, in from, in push, h, ref end);
+            h = TimeOfContact(ref euler, in from, in push, in wind, h, ref end);
         }
 
         BallState before = s;
@@ -67,6 +67,7 @@ internal sealed class ImplicitPhase<TAir>
         s.Velocity = new Vector3d(end.Velocity.X, vy, end.Velocity.Z);
         s.Angle += 0.5 * h * (s.SpinRate + end.Spin.Length);
         s.SetFlightSpin(end.Spin);
+        s.AirDistance += h * push.AirSpeed;
         s.Branch = DragBranch.Unknown;
         run.Advance(ref s, h);
         run.Log.Relaxed++;
@@ -109,17 +110,17 @@ internal sealed class ImplicitPhase<TAir>
         run.Implicit++;
         Collider carrier = world.CarrierOf(in s);
         Vector3d n = carrier.At(s.Position, s.Time).Normal;
-        MotionRates push = Push(in s, s.Velocity, s.Spin, ref run);
+        MotionRates push = Push(in s, s.Velocity, s.Spin, ref run, out Vector3d wind);
         var euler = new ImplicitEuler<TAir> { Air = _around.Air, RadiusSquared = _around.RadiusSquared };
         double rate = s.Spin.Length;
         Vector3d axis = rate > 0 ? s.Spin / rate : Vector3d.Up;
-        Vector3d u = s.Velocity - _around.Wind;
+        Vector3d u = s.Velocity - wind;
         if (_around.AirActsOnGround)
         {
             u = euler.Velocity(in u, push.Acceleration, in axis, rate, h);
         }
 
-        Vector3d relative = u + _around.Wind - carrier.Velocity;
+        Vector3d relative = u + wind - carrier.Velocity;
         relative -= Vector3d.Dot(in relative, in n) * n;
         double friction = h * (s.Motion == MotionState.Sliding ? carrier.Material.SlidingFriction : carrier.Material.RollingFriction)
             * Math.Max(0, -_around.Upward * n.Y);
@@ -148,41 +149,43 @@ internal sealed class ImplicitPhase<TAir>
         }
     }
 
-    /// <summary>What air that varies does beside drag, lift and spin decay, at the start of a piece.</summary>
-    private MotionRates Push(in BallState s, in Vector3d velocity, in Vector3d spin, ref StepRun run)
+    /// <summary>What air that varies does beside drag, lift and spin decay, at the start of a piece, and the wind there.</summary>
+    private MotionRates Push(in BallState s, in Vector3d velocity, in Vector3d spin, ref StepRun run, out Vector3d wind)
     {
+        wind = _around.Wind;
         if (!_around.Air.Varies)
         {
             return default;
         }
 
         run.Log.Evaluations++;
-        var ball = new ForceInput(s.Time, s.Position, in velocity, velocity - _around.Wind, in spin, s.Motion);
+        var ball = new ForceInput(s.Time, s.Position, in velocity, velocity - wind, in spin, s.Motion, s.AirDistance);
         _around.Air.Evaluate(in ball, s.Branch, out AirFactors air);
-        return new MotionRates(in air.Acceleration, in air.SpinAcceleration);
+        wind = velocity - air.AirVelocity;
+        return new MotionRates(in air.Acceleration, in air.SpinAcceleration, air.AirSpeed);
     }
 
     /// <summary>Velocity, then spin, then position with the new velocity.</summary>
-    private Motion After(ref ImplicitEuler<TAir> euler, in Motion from, in MotionRates push, double h)
+    private Motion After(ref ImplicitEuler<TAir> euler, in Motion from, in MotionRates push, in Vector3d wind, double h)
     {
         Vector3d spin = from.Spin + (h * push.SpinAcceleration);
         double rate = spin.Length;
         Vector3d axis = rate > 0 ? spin / rate : Vector3d.Up;
         Vector3d acceleration = push.Acceleration + new Vector3d(0, _around.Upward, 0);
-        Vector3d u = euler.Velocity(from.Velocity - _around.Wind, in acceleration, in axis, rate, h);
-        Vector3d velocity = u + _around.Wind;
+        Vector3d u = euler.Velocity(from.Velocity - wind, in acceleration, in axis, rate, h);
+        Vector3d velocity = u + wind;
         return new Motion(from.Position + (h * velocity), in velocity, euler.Spin(rate, u.Length, h) * axis);
     }
 
     /// <summary>Shortens a piece to the instant of contact.</summary>
-    private double TimeOfContact(ref ImplicitEuler<TAir> euler, in Motion from, in MotionRates push, double h, ref Motion end)
+    private double TimeOfContact(ref ImplicitEuler<TAir> euler, in Motion from, in MotionRates push, in Vector3d wind, double h, ref Motion end)
     {
         double low = 0;
         double high = h;
         for (int i = 0; i < 60 && end.Position.Y < _around.ContactHeight - 1e-12; i++)
         {
             double middle = 0.5 * (low + high);
-            Motion at = After(ref euler, in from, in push, middle);
+            Motion at = After(ref euler, in from, in push, in wind, middle);
             if (at.Position.Y < _around.ContactHeight)
             {
                 high = middle;
@@ -212,7 +215,7 @@ internal sealed class ImplicitPhase<TAir>
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
         GroundForces ground = _around.Ground;
-        MotionRates push = Push(in s, in v, in w, ref run);
+        MotionRates push = Push(in s, in v, in w, ref run, out Vector3d wind);
         v += h * push.Acceleration.Horizontal;
         w += h * push.SpinAcceleration;
 
@@ -239,14 +242,14 @@ internal sealed class ImplicitPhase<TAir>
         var euler = new ImplicitEuler<TAir> { Air = _around.Air, RadiusSquared = _around.RadiusSquared };
         double rate = w.Length;
         Vector3d axis = rate > 0 ? w / rate : Vector3d.Up;
-        Vector3d u = v - _around.Wind;
+        Vector3d u = v - wind;
         if (_around.AirActsOnGround)
         {
             u = euler.Velocity(in u, Vector3d.Zero, in axis, rate, h);
         }
 
         w = euler.Spin(rate, u.Length, h) * axis;
-        v = (u + _around.Wind).Horizontal;
+        v = (u + wind).Horizontal;
         BallState before = s;
         Vector3d turn = 0.5 * h * (s.Spin + w);
         s.BaseOrientation = (Quaterniond.FromRotationVector(in turn) * s.BaseOrientation).Normalised();

@@ -15,7 +15,7 @@ namespace Football.Physics;
 /// </summary>
 /// <typeparam name="TAir">The air.</typeparam>
 /// <typeparam name="TIntegrator">The one-step method.</typeparam>
-internal sealed class Stepper<TAir, TIntegrator> : Stepper
+internal class Stepper<TAir, TIntegrator> : Stepper
     where TAir : struct, IAir
     where TIntegrator : struct, IIntegrator
 {

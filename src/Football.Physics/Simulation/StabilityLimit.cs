@@ -78,12 +78,17 @@ internal readonly struct StabilityLimit
         return !(bySpeed * bySpeed * speedSquared > 0.25 * LargestChange * LargestChange || bySpin > 0.5 * LargestChange);
     }
 
+    /// <summary>A bound, 1/s, for how fast anything changes the motion.</summary>
+    /// <param name="speed">|u|, or a bound of it, m/s.</param>
+    /// <param name="spinRate">|ω|, rad/s.</param>
+    public double RateAtMost(double speed, double spinRate) => (_bound.PerSpeed * speed) + (_bound.PerSpin * spinRate) + _bound.Constant;
+
     /// <summary>The longest of equal parts of a step for which no force overshoots, or 0 where they would be too many.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public double PartOf<TAir>(ref TAir air, double left, double speed, double spinRate, DragBranch branch, double damping = 0)
         where TAir : struct, IAir
     {
-        double pieces = left * ((_bound.PerSpeed * speed) + (_bound.PerSpin * spinRate) + _bound.Constant + damping);
+        double pieces = left * (RateAtMost(speed, spinRate) + damping);
         if (pieces > FewPieces && branch < DragBranch.AlongCriticalSpeed)
         {
             // The bound adds what each law could do; twice what they do here is enough, and in still air what they are about to do.

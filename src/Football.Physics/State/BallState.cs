@@ -75,6 +75,9 @@ public struct BallState
     /// <summary>Nothing but level ground is nearer to the ball than this, m: until it has gone so far, no thing need be asked. 0 where that is not known.</summary>
     internal double Clearance;
 
+    /// <summary>Distance flown through the air since the kick, m, where a knuckle force depends on it; else 0.</summary>
+    internal double AirDistance;
+
     /// <summary>Sets the spin of a ball in the air.</summary>
     internal void SetFlightSpin(in Vector3d spin)
     {

@@ -139,11 +139,14 @@ public sealed class ValidationTests
     [Fact]
     public void Every_preset_is_valid()
     {
-        Assert.All([Scene.Default, Scene.Vacuum, Scene.HighAltitude, Scene.Windy(new Vector3d(1, 2, 3))], scene => scene.Validate());
-        Assert.All([ForceSet.None, ForceSet.Constant, ForceSet.Regularised], forces => (s_scene with { Forces = forces }).Validate());
+        Assert.All([Scene.Default, Scene.Published, Scene.Measured, Scene.Vacuum, Scene.HighAltitude, Scene.Windy(new Vector3d(1, 2, 3))], scene => scene.Validate());
+        Assert.All([ForceSet.None, ForceSet.Constant, ForceSet.Regularised, ForceSet.Measured], forces => (s_scene with { Forces = forces }).Validate());
         Assert.All([Ground.Turf, Ground.WetTurf, Ground.Court, Ground.Sand], ground => (s_scene with { Ground = ground }).Validate());
         Assert.All(
-            [BallProperties.Football, BallProperties.YouthFootball, BallProperties.Futsal, BallProperties.BeachBall, BallProperties.MedicineBall],
+            [
+                BallProperties.Football, BallProperties.Tango12, BallProperties.Teamgeist, BallProperties.Jabulani, BallProperties.Brazuca,
+                BallProperties.YouthFootball, BallProperties.Futsal, BallProperties.BeachBall, BallProperties.MedicineBall,
+            ],
             ball => (s_scene with { Ball = ball }).Validate());
         Assert.Equal(2.0 / 3 * 0.43 * 0.11 * 0.11, BallProperties.Football.MomentOfInertia, 1e-18);
     }
