@@ -35,8 +35,12 @@ internal readonly struct StabilityLimit
     /// <summary>Whether nothing but the Magnus force acts on a velocity that the method cannot turn without making it longer.</summary>
     private readonly bool _spirals;
 
-    private StabilityLimit(in RateBound bound, double upward, double wholeUpTo, double piecesOfHop, bool spirals)
+    /// <summary>Order of the method.</summary>
+    private readonly int _order;
+
+    private StabilityLimit(in RateBound bound, double upward, double wholeUpTo, double piecesOfHop, bool spirals, int order)
     {
+        _order = order;
         _bound = bound;
         _upward = upward;
         _wholeUpTo = wholeUpTo;
@@ -57,7 +61,7 @@ internal readonly struct StabilityLimit
         var bound = new RateBound(ofAir.PerSpeed, ofAir.PerSpin, ofAir.Constant + (Math.Sqrt(ofAir.PerSpeed) * Math.Sqrt(Math.Abs(upward))));
         double restitution = Math.Min(scene.Ground.NormalRestitution, MostElastic);
         bool spirals = order < 4 && air.Lifts && !(air.Drags && ofAir.PerSpeed > 0);
-        return new StabilityLimit(in bound, upward, air.WholeUpTo(in bound), 3.0 * restitution / (1.0 - restitution), spirals);
+        return new StabilityLimit(in bound, upward, air.WholeUpTo(in bound), 3.0 * restitution / (1.0 - restitution), spirals, order);
     }
 
     /// <summary>Whether a step may be taken whole: a quick test that errs towards no.</summary>
@@ -100,9 +104,33 @@ internal readonly struct StabilityLimit
             pieces = closer < pieces ? closer : pieces;
         }
 
-        return pieces <= LargestChange ? left
-            : pieces <= MostPieces && !_spirals ? left / Math.Ceiling(pieces / LargestChange)
-            : 0;
+        if (pieces <= LargestChange)
+        {
+            return left;
+        }
+
+        double part = left / Math.Ceiling(pieces / LargestChange);
+        return pieces <= MostPieces && !_spirals && !SpiralsIn(ref air, part, speed, spinRate, branch) ? part : 0;
+    }
+
+    /// <summary>
+    /// Whether a part of a divided step would make a velocity longer. The Magnus force turns it by Ω h, and does no work; explicit Euler makes
+    /// it longer by (Ω h)²/2, RK2 by (Ω h)⁴/8, of which drag takes D h away again.
+    /// </summary>
+    private bool SpiralsIn<TAir>(ref TAir air, double h, double speed, double spinRate, DragBranch branch)
+        where TAir : struct, IAir
+    {
+        if (_order >= 4 || !air.Lifts || !(spinRate > 0) || branch >= DragBranch.AlongCriticalSpeed)
+        {
+            return false;
+        }
+
+        double speedSquared = Math.Max(speed * speed, StillAir);
+        air.Begin(spinRate, branch, out PointStep once);
+        air.AtStart(ref once, speedSquared, spinRate, speedSquared, out double drag, out double lift, out _);
+        double turn = lift * h * lift * h;
+        double longer = _order == 2 ? 0.125 * turn * turn : 0.5 * turn;
+        return longer > drag * h;
     }
 
     /// <summary>

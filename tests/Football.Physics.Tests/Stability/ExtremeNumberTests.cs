@@ -50,13 +50,24 @@ public sealed class ExtremeNumberTests
                 Gravity = Any(0, 9.81, 1e9),
                 Forces = new ForceSet
                 {
-                    Drag = Law(), Magnus = Law(), SpinDecay = Law(), Coefficients = (CoefficientForm)random.Below(2),
-                    DragCoefficient = Any(0, 0.25, 1e15), MagnusCoefficient = Any(-1e15, 0.25, 1e15), SpinDecayCoefficient = Any(0, 1e-4, 1e15),
+                    Drag = Law(),
+                    Magnus = Law(),
+                    SpinDecay = Law(),
+                    Coefficients = (CoefficientForm)random.Below(2),
+                    DragCoefficient = Any(0, 0.25, 1e15),
+                    MagnusCoefficient = Any(-1e15, 0.25, 1e15),
+                    SpinDecayCoefficient = Any(0, 1e-4, 1e15),
                 },
                 Ground = new Ground
                 {
-                    NormalRestitution = Any(0, 0.6, 1), SpinRestitution = Any(0, 0.8, 1), SlidingFriction = Any(0, 0.5, 1e9), RollingFriction = Any(0, 0.05, 1e9),
-                    SpinDamping = Any(0, 0.002, 1e12), MinimumBounceSpeed = Any(0.001, 0.2, 1e12), RestEnergy = Any(double.Epsilon, 1e-4, double.MaxValue), Height = Any(-9e5, 0, 9e5),
+                    NormalRestitution = Any(0, 0.6, 1),
+                    SpinRestitution = Any(0, 0.8, 1),
+                    SlidingFriction = Any(0, 0.5, 1e9),
+                    RollingFriction = Any(0, 0.05, 1e9),
+                    SpinDamping = Any(0, 0.002, 1e12),
+                    MinimumBounceSpeed = Any(0.001, 0.2, 1e12),
+                    RestEnergy = Any(double.Epsilon, 1e-4, double.MaxValue),
+                    Height = Any(-9e5, 0, 9e5),
                 },
             };
             Simulator simulator;
