@@ -8,7 +8,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
     where TAir : struct, IAir
     where TIntegrator : struct, IIntegrator
 {
-    /// <summary>Below this slip, or speed, m/s, there is none.</summary>
+    /// <summary>Below this slip, or speed, m/s, or spin about the normal, rad/s, there is none.</summary>
     private const double Still = 1e-9;
 
     /// <summary>A load, or a friction to spare, of less than this, m/s², is none.</summary>
@@ -89,7 +89,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         {
             Vector3d drive = system.Drive(in on);
             bool held = drive.Length <= system.RollingFriction(in on, 0);
-            if (held && _world.Energy(in from, system.Carrier) < _world.RestEnergy)
+            if (held && _world.Energy(in from, system.Carrier) <= _world.RestEnergy * (1.0 + 1e-12))
             {
                 _contact.Rest(ref s, ref run);
                 return;
@@ -298,7 +298,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
             NetSides = s.NetSides,
             Guides = Guides.Of(_world, s.Position, s.Velocity, s.Time, (int)s.Carrier - _world.FirstCollider),
             Rolls = rolls,
-            SpinSign = about > 0 ? 1.0 : about < 0 ? -1.0 : 0.0,
+            SpinSign = about > Still ? 1.0 : about < -Still ? -1.0 : 0.0,
         };
     }
 

@@ -13,6 +13,7 @@ internal sealed class FieldStepper<TIntegrator> : Stepper<FieldAir, TIntegrator>
     private readonly FieldSystem _system;
     private readonly StabilityLimit _limit;
     private readonly double _contactHeight;
+    private readonly bool _hasWorld;
     private readonly double _fastestWind;
     private readonly TIntegrator _integrator;
 
@@ -24,13 +25,14 @@ internal sealed class FieldStepper<TIntegrator> : Stepper<FieldAir, TIntegrator>
         _system = new FieldSystem { Air = around.Air, Wind = around.Wind, Upward = around.Upward };
         _limit = StabilityLimit.Of(scene, ref around.Air, around.Upward, _integrator.Order);
         _contactHeight = around.ContactHeight;
+        _hasWorld = around.World is not null;
         _fastestWind = around.Air.FastestWind;
     }
 
     [MethodImpl(Hot.Path)]
     public override void Step(ref BallState s, double dt, StepLog log)
     {
-        if (s.Motion != MotionState.Airborne || _integrator.GainsByHops || !TryWhole(ref s, dt, log))
+        if (_hasWorld || s.Motion != MotionState.Airborne || _integrator.GainsByHops || !TryWhole(ref s, dt, log))
         {
             base.Step(ref s, dt, log);
         }
