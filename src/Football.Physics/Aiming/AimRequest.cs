@@ -6,7 +6,7 @@ public sealed record AimRequest
     /// <summary>Where the ball is, m; components within ±1e6. Below contact height it is raised to it. Default the origin.</summary>
     public Vector3d From { get; init; }
 
-    /// <summary>Where it is to go, m; components within ±1e6. Default the origin.</summary>
+    /// <summary>Where it is to go, m; components within ±1e6. Below contact height it is raised to it. Default the origin.</summary>
     public Vector3d Target { get; init; }
 
     /// <summary>Velocity of the target, m/s; at most 1000. Default at rest. Used by <see cref="AimMethod.Direct"/> without a point on the way.</summary>
@@ -42,7 +42,10 @@ public sealed record AimRequest
     /// <summary>How close to the point on the way is good enough, m. Above 0; default 0.1.</summary>
     public double ThroughTolerance { get; init; } = 0.1;
 
-    /// <summary>Iterations that a method may take. At least 1; default 60.</summary>
+    /// <summary>
+    /// Iterations that a method may take. At least 1; default 60. An iteration of <see cref="AimMethod.Direct"/> is one flight and one correction,
+    /// or, in its searches over elevations and times, 16 simulations; after as many, or 200 000 integrated pieces of motion, it ends without a verdict.
+    /// </summary>
     public int MaximumIterations { get; init; } = 60;
 
     /// <summary>Which of the two kicks that reach a target. Default the low one. Used by <see cref="AimMethod.Direct"/>.</summary>
