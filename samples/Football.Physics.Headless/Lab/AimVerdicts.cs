@@ -81,7 +81,7 @@ internal sealed class AimVerdicts
         foreach (AimRequest request in AimAnything.Requests(seed, index, count))
         {
             AimResult result = aimer.Find(request);
-            double? best = result.Status != AimStatus.Hit && missed++ % scanEvery == 0 ? scan.Best(request, Elevations) : null;
+            double? best = !result.HitsTarget && missed++ % scanEvery == 0 ? scan.Best(request, Elevations) : null;
             lock (_lock)
             {
                 Add(index, request, in result, best);

@@ -48,7 +48,10 @@ public sealed record AimRequest
     /// </summary>
     public int MaximumIterations { get; init; } = 60;
 
-    /// <summary>Which of the two kicks that reach a target. Default the low one. Used by <see cref="AimMethod.Direct"/>.</summary>
+    /// <summary>
+    /// Which of the two kicks that reach a target. Default the low one. Used by <see cref="AimMethod.Direct"/>. The high one is mostly steeper than
+    /// 45°: raise <see cref="MaximumElevation"/> for it; <see cref="AimResult.Arc"/> says which one was found.
+    /// </summary>
     public AimArc Arc { get; init; } = AimArc.Low;
 
     /// <summary>Checks every number.</summary>

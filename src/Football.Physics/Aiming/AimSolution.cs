@@ -24,8 +24,8 @@ internal struct AimSolution
     /// <summary>Iterations, where the method counts its own; else 0.</summary>
     public int Iterations;
 
-    /// <summary>Which of the two kicks of its speed it is.</summary>
-    public AimArc Arc;
+    /// <summary>Which of the two kicks of its speed it is; null where that is not known yet.</summary>
+    public AimArc? Arc;
 
     /// <summary>Velocity and spin of the kick.</summary>
     public readonly void Vectors(out Vector3d velocity, out Vector3d spin) => Kick.Vectors(Speed, in Forward, out velocity, out spin);

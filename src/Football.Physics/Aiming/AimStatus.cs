@@ -3,7 +3,7 @@ namespace Football.Physics;
 /// <summary>What became of a search for a kick.</summary>
 public enum AimStatus
 {
-    /// <summary>The kick passes the target within the tolerance.</summary>
+    /// <summary>The kick passes the target within the tolerance, and the point on the way, where there is one, within its own.</summary>
     Hit = 0,
 
     /// <summary>No kick within the bounds does; the one returned comes closest, as far as the method can tell.</summary>
@@ -14,4 +14,7 @@ public enum AimStatus
 
     /// <summary>The request has no direction: the target is where the ball is.</summary>
     Degenerate = 3,
+
+    /// <summary>The kick passes the target within the tolerance, but not the point on the way: the spins allowed do not bend it enough.</summary>
+    TargetOnly = 4,
 }

@@ -13,6 +13,9 @@ public sealed class Aimer
     /// <summary>How much earlier than asked a ball may touch the ground at its target, s.</summary>
     private const double LargestDelay = 1e-4;
 
+    /// <summary>Below this elevation, rad, a kick that does not descend to its target is on the low arc.</summary>
+    private const double FlatKick = 0.5;
+
     private readonly AimContext _context;
     private readonly DirectAim _direct;
     private readonly DirectTwoPointAim _directTwoPoint;
@@ -20,6 +23,9 @@ public sealed class Aimer
     private readonly BisectionAim _bisection;
     private readonly TwoPointAim _twoPoint;
     private readonly TimeSearch _times;
+
+    /// <summary>Whether the method that is at work passes a point on the way.</summary>
+    private bool _passesThrough;
 
     /// <summary>Compiles a scene for aiming.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
@@ -60,19 +66,19 @@ public sealed class Aimer
         AimSolution solution = finder.Find(request);
         AimResult result = Report(request, in solution, measure);
         bool astray = result.Miss > ((1.0 + Astray) * solution.Miss) + (Astray * NearMiss);
-        if (method == AimMethod.Direct && result.Status != AimStatus.Hit && (solution.Status == AimStatus.Hit || solution.Miss < NearMiss || astray))
+        if (method == AimMethod.Direct && !result.HitsTarget && (solution.Status == AimStatus.Hit || solution.Miss < NearMiss || astray))
         {
             // A kick that grazes the drag law's jump goes elsewhere in finer steps: once more in those.
             _context.Steps = AimSteps.Short;
             AimSolution fine = finder.Find(request);
             AimResult finer = Report(request, in fine, measure);
-            if (finer.Status != AimStatus.Hit && request.Through is null && _times.WithSpeed(request, out AimSolution timed))
+            if (!finer.HitsTarget && request.Through is null && _times.WithSpeed(request, out AimSolution timed))
             {
                 finer = Report(request, in timed, measure);
             }
 
             _context.Steps = AimSteps.Long;
-            result = finer.Status == AimStatus.Hit || !(result.Miss < finer.Miss) ? finer : Report(request, in solution, measure);
+            result = finer.HitsTarget || !(result.Miss < finer.Miss) ? finer : Report(request, in solution, measure);
         }
 
         return result;
@@ -138,7 +144,7 @@ public sealed class Aimer
         MeasuredMiss measured = _context.Miss.MeasureAt(request, in velocity, in spin, time);
         bool there = measured.Distance <= request.Tolerance && time - measured.Time <= LargestDelay;
         AimStatus status = there ? AimStatus.Hit : solution.Status == AimStatus.Hit ? AimStatus.NotConverged : solution.Status;
-        return Result(status, in solution, in velocity, in spin, in measured);
+        return Result(request, status, in solution, in velocity, in spin, in measured);
     }
 
     private static void RefuseThrough(AimRequest request)
@@ -167,6 +173,7 @@ public sealed class Aimer
             throw Check.Refusal("aim.through", "null", "a point, with method twoPoint");
         }
 
+        _passesThrough = request.Through is not null && method is AimMethod.Direct or AimMethod.TwoPoint;
         _context.Begin(request.MaximumIterations);
     }
 
@@ -177,24 +184,34 @@ public sealed class Aimer
         {
             double? throughMiss = request.Through is null ? null : solution.ThroughMiss;
             var estimated = new MeasuredMiss(solution.Miss, throughMiss, solution.Time, request.Target);
-            return Result(solution.Status, in solution, in velocity, in spin, in estimated);
+            return Result(request, Judge(request, solution.Status, in estimated), in solution, in velocity, in spin, in estimated);
         }
 
         MeasuredMiss measured = _context.Miss.Measure(request, in velocity, in spin);
 
         // The measured miss decides; a method may only say why there is none.
         AimStatus status = _context.Frame(request).IsDegenerate ? AimStatus.Degenerate
-            : measured.Distance <= request.Tolerance ? AimStatus.Hit
+            : measured.Distance <= request.Tolerance ? Judge(request, AimStatus.Hit, in measured)
             : solution.Status == AimStatus.Hit ? AimStatus.NotConverged
             : solution.Status;
-        return Result(status, in solution, in velocity, in spin, in measured);
+        return Result(request, status, in solution, in velocity, in spin, in measured);
     }
 
-    private AimResult Result(AimStatus status, in AimSolution solution, in Vector3d velocity, in Vector3d spin, in MeasuredMiss measured)
+    /// <summary>A hit that misses the point on the way is one of the target only.</summary>
+    private AimStatus Judge(AimRequest request, AimStatus status, in MeasuredMiss measured) =>
+        status == AimStatus.Hit && _passesThrough && !(measured.ThroughDistance <= request.ThroughTolerance) ? AimStatus.TargetOnly : status;
+
+    private AimResult Result(
+        AimRequest request, AimStatus status, in AimSolution solution, in Vector3d velocity, in Vector3d spin, in MeasuredMiss measured)
     {
-        // The thesis' methods have iterations of their own.
+        // The thesis' methods have iterations of their own; what is looked at from here on is no part of the search.
         int iterations = solution.Iterations > 0 ? solution.Iterations : _context.Iterations;
-        return new AimResult(
-            status, in velocity, in spin, measured.Distance, measured.ThroughDistance, measured.Time, measured.Position, iterations, _context.Simulations);
+        int simulations = _context.Simulations;
+        TargetFrame frame = _context.Frame(request);
+        bool rolls = _context.StaysDown(in frame.From, velocity.Y);
+        bool hits = status is AimStatus.Hit or AimStatus.TargetOnly;
+        bool flat = rolls || (solution.Kick.Elevation < FlatKick && frame.Target.Y >= frame.From.Y);
+        AimArc arc = solution.Arc ?? (flat || !hits ? AimArc.Low : _times.ArcOf(request, in solution));
+        return new AimResult(status, in velocity, in spin, in measured, arc, rolls, iterations, simulations);
     }
 }

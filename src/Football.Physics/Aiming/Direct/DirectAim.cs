@@ -42,6 +42,7 @@ internal sealed class DirectAim : IAimMethod
                 Forward = frame.Forward,
                 Speed = speed,
                 Miss = shot.Miss,
+                Arc = AimArc.Low,
                 Time = shot.Time,
             };
         }

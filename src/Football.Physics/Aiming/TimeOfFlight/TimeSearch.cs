@@ -11,6 +11,9 @@ internal sealed class TimeSearch
     private const double Wave = 0.04;
     private const int MostWaves = 3;
 
+    /// <summary>Share of its time by which a kick takes longer than one next to it.</summary>
+    private const double LittleLater = 0.003;
+
     /// <summary>How far, rad, a kick may be off its bounds: it is put on them then.</summary>
     private const double OffBounds = 1e-9;
 
@@ -121,6 +124,18 @@ internal sealed class TimeSearch
 
     /// <summary>From how many first kicks to search: several where there are several kicks for a time.</summary>
     private static int Starts(TimedProblem problem) => problem.IsRuledByAir ? 1 + TimedProblem.OtherStarts : 1;
+
+    /// <summary>On which arc a kick that hits a target is: whether one that takes longer is slower or faster.</summary>
+    public AimArc ArcOf(AimRequest request, in AimSolution hit)
+    {
+        TimedFlight problem = _context.TimedFlight;
+        problem.Set(request, hit.Kick.Top, hit.Kick.Side);
+        TimedKick kick = problem.Guess(hit.Time);
+        hit.Vectors(out kick.Velocity, out _);
+        TimedKick later = kick;
+        later.Time = hit.Time * (1.0 + LittleLater);
+        return problem.Solve(ref kick) && problem.Solve(ref later) && later.Speed > kick.Speed ? AimArc.High : AimArc.Low;
+    }
 
     /// <summary>The kick for a time; false where there is none within the bounds.</summary>
     private bool AtTime(TimedProblem problem, double time, out TimedKick kick)
