@@ -46,6 +46,14 @@ public sealed class Aimer
         _twoPoint = new TwoPointAim(_context, _angle, _bisection);
     }
 
+    /// <summary>For the balls of a compiled scene.</summary>
+    /// <param name="simulator">The scene; its settings are those of the thesis' methods.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
+    public Aimer(Simulator simulator)
+        : this((simulator ?? throw new ArgumentNullException(nameof(simulator))).Scene, simulator.Settings)
+    {
+    }
+
     /// <summary>Finds a kick.</summary>
     /// <param name="request">What the kick is to do.</param>
     /// <param name="method">By which method.</param>
