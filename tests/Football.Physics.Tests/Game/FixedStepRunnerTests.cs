@@ -139,8 +139,8 @@ public sealed class FixedStepRunnerTests
     {
         var coarse = new FixedStepRunner(timeStep: 0.02);
         var fine = new FixedStepRunner(timeStep: 0.0025);
-        coarse.Kick(s_velocity, s_spin);
-        fine.Kick(s_velocity, s_spin);
+        coarse.QueueKick(s_velocity, s_spin);
+        fine.QueueKick(s_velocity, s_spin);
         for (int tick = 0; tick < 100; tick++)
         {
             coarse.Step();
