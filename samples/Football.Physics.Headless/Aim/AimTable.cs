@@ -10,12 +10,11 @@ internal static class AimTable
 {
     public static void Print(AimResult kick, Terminal terminal)
     {
-        Vector3d flat = kick.Velocity.Horizontal;
         Table table = new Table().Border(TableBorder.Simple).AddColumns("", "");
         void Row(string name, FormattableString value) => table.AddRow(Markup.Escape(name), Markup.Escape(value.ToString(CultureInfo.InvariantCulture)));
         Row("status", $"{Words.Of(kick.Status)}");
-        Row("speed", $"{kick.Velocity.Length:0.00} m/s");
-        Row("elevation", $"{Math.Atan2(kick.Velocity.Y, flat.Length) * 180 / Math.PI:0.00}°");
+        Row("speed", $"{kick.Speed:0.00} m/s");
+        Row("elevation", $"{kick.ElevationDegrees:0.00}°");
         Row("velocity", $"{kick.Velocity.X:0.000}, {kick.Velocity.Y:0.000}, {kick.Velocity.Z:0.000} m/s");
         Row("spin", $"{kick.Spin.X:0.00}, {kick.Spin.Y:0.00}, {kick.Spin.Z:0.00} rad/s");
         Row("passes the target at", $"{1e3 * kick.Miss:0.0} mm after {kick.Time:0.000} s");

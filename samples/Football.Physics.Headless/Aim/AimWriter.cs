@@ -11,7 +11,9 @@ internal static class AimWriter
     public static ReadOnlyMemory<byte> Result(string? name, AimResult result) => ResultWriter.Line(json =>
     {
         json.WriteString("name", name);
-        json.WriteString("status", Words.Of(result.Status));
+
+        // Of a two-point kick too, a hit is one of the target; throughMiss says the rest.
+        json.WriteString("status", Words.Of(result.HitsTarget ? AimStatus.Hit : result.Status));
         WriteVector(json, "velocity", result.Velocity);
         WriteVector(json, "spin", result.Spin);
         json.WriteNumber("miss", result.Miss);
@@ -28,6 +30,8 @@ internal static class AimWriter
         WriteVector(json, "closest", result.Closest);
         json.WriteNumber("iterations", result.Iterations);
         json.WriteNumber("simulations", result.Simulations);
+        json.WriteString("arc", Words.Of(result.Arc));
+        json.WriteBoolean("rolls", result.Rolls);
     });
 
     private static void WriteVector(Utf8JsonWriter json, string name, in Vector3d vector)

@@ -13,7 +13,22 @@ internal sealed class AimContext
     /// <summary>A miss distance well below any tolerance worth having, m: a hit is within it even where a request is content with less.</summary>
     private const double FineMiss = 1e-3;
 
+    /// <summary>Pieces of motion that one search may have: for a football some hundred simulations, for what needs very short steps a few.</summary>
+    public const long MostPieces = 200_000;
+
+    /// <summary>Accelerations by the air and by gravity above whose ratio the air rules.</summary>
+    private const double Ruling = 3;
+
+    /// <summary>Simulations of a search over elevations or times that count as one iteration.</summary>
+    private const int SimulationsPerIteration = 16;
+
+    /// <summary>Simulations that a search that has begun may still take.</summary>
+    private const int LongestSearch = 64;
+
     private readonly Simulator _simulator;
+    private int _spent;
+    private int _most;
+    private long _pieces;
 
     public AimContext(Scene scene, SolverSettings settings, double timeStep)
     {
@@ -22,10 +37,13 @@ internal sealed class AimContext
         Game = new Simulator(scene, settings);
         Upward = Weight.UpwardAcceleration(scene);
         Steps = AimSteps.Long;
-        Planes = new PlaneShooter(this, new Simulator(WithoutGround(scene), SolverSettings.Default));
+        var withoutGround = new Simulator(WithoutGround(scene), SolverSettings.Default);
+        Planes = new PlaneShooter(this, withoutGround);
+        TimedFlight = new TimedFlight(this, withoutGround);
+        TimedRoll = new TimedRoll(this, _simulator);
         Approaches = new ApproachShooter(this, _simulator);
         Frames = new FrameShooter(this, Game, timeStep);
-        Miss = new MissMeter(_simulator);
+        Miss = new MissMeter(this, _simulator);
     }
 
     public Scene Scene { get; }
@@ -45,6 +63,12 @@ internal sealed class AimContext
     /// <summary>Flights in the game's own frames.</summary>
     public FrameShooter Frames { get; }
 
+    /// <summary>Flights that are somewhere at a time.</summary>
+    public TimedFlight TimedFlight { get; }
+
+    /// <summary>Kicks along the ground that are somewhere at a time.</summary>
+    public TimedRoll TimedRoll { get; }
+
     /// <summary>Measures the true miss of a kick.</summary>
     public MissMeter Miss { get; }
 
@@ -52,24 +76,50 @@ internal sealed class AimContext
     public AimSteps Steps { get; set; }
 
     /// <summary>Forward simulations since the search began.</summary>
-    public int Simulations { get; set; }
+    public int Simulations { get; private set; }
+
+    /// <summary>Iterations since the search began.</summary>
+    public int Iterations => (_spent + SimulationsPerIteration - 1) / SimulationsPerIteration;
+
+    /// <summary>Whether the search has had all that it may have.</summary>
+    public bool IsSpent => _spent >= _most || IsWorn;
+
+    /// <summary>Whether it has had all the pieces of motion that it may have.</summary>
+    public bool IsWorn => _pieces >= MostPieces;
 
     /// <summary>Begins a search.</summary>
-    public void Begin()
+    /// <param name="mostIterations">Iterations that it may have.</param>
+    public void Begin(int mostIterations)
     {
+        _most = Math.Min(mostIterations, int.MaxValue / (2 * SimulationsPerIteration)) * SimulationsPerIteration;
+        _most -= Math.Min(_most / 2, LongestSearch);
+        _spent = 0;
+        _pieces = 0;
         Simulations = 0;
         Steps = AimSteps.Long;
+    }
+
+    /// <summary>Makes the last simulation an iteration of its own.</summary>
+    public void CountIteration() => _spent += SimulationsPerIteration - 1;
+
+    /// <summary>Counts a simulation; several of them make an iteration.</summary>
+    /// <param name="pieces">Its pieces of motion.</param>
+    public void CountSimulation(long pieces)
+    {
+        Simulations++;
+        _spent++;
+        _pieces += pieces;
     }
 
     /// <summary>The miss distance within which a search ends, m: inside the tolerance, for the longer steps of the flights are a little off.</summary>
     public static double Sharp(double tolerance, double fine = FineMiss) => 0.8 * Math.Min(tolerance, fine);
 
-    /// <summary>The frame of a request, its ball raised to contact height.</summary>
-    public TargetFrame Frame(AimRequest request)
-    {
-        Vector3d from = request.From;
-        return new TargetFrame(from.Y < Game.ContactHeight ? new Vector3d(from.X, Game.ContactHeight, from.Z) : from, request.Target);
-    }
+    /// <summary>The frame of a request, ball and target raised to contact height.</summary>
+    public TargetFrame Frame(AimRequest request) => new(Raised(Game, request.From), Raised(Game, request.Target));
+
+    /// <summary>A place of the ball's centre, raised to contact height.</summary>
+    public static Vector3d Raised(Simulator simulator, in Vector3d place) =>
+        place.Y < simulator.ContactHeight ? new Vector3d(place.X, simulator.ContactHeight, place.Z) : place;
 
     /// <summary>Whether a kick stays on the ground from its start.</summary>
     public bool StaysDown(in Vector3d from, double upwardSpeed) =>
@@ -91,6 +141,14 @@ internal sealed class AimContext
             Lift = 0.5 * (lift1 + lift2),
             Upward = Upward,
         };
+    }
+
+    /// <summary>Whether, at a speed, drag or lift are so much stronger than gravity that ways bend into loops, or end in the air.</summary>
+    public bool IsRuledByAir(double speed, double spinRate)
+    {
+        double most = speed + Scene.Air.Wind.Length;
+        _simulator.AirFactors(most, spinRate, out double drag, out double lift);
+        return most * Math.Max(drag, Math.Abs(lift)) > Ruling * Math.Abs(Upward);
     }
 
     /// <summary>The scene with its ground out of reach.</summary>

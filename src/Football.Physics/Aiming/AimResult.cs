@@ -3,16 +3,19 @@ namespace Football.Physics;
 /// <summary>A kick that was found. Whatever the status, it is the best one found, and finite.</summary>
 public readonly struct AimResult
 {
-    internal AimResult(
-        AimStatus status, in Vector3d velocity, in Vector3d spin, double miss, double? throughMiss, double time, in Vector3d closest, int iterations, int simulations)
+    private const double Degrees = 180.0 / Math.PI;
+
+    internal AimResult(AimStatus status, in Vector3d velocity, in Vector3d spin, in MeasuredMiss measured, AimArc arc, bool rolls, int iterations, int simulations)
     {
         Status = status;
         Velocity = velocity;
         Spin = spin;
-        Miss = miss;
-        ThroughMiss = throughMiss;
-        Time = time;
-        Closest = closest;
+        Miss = measured.Distance;
+        ThroughMiss = measured.ThroughDistance;
+        Time = measured.Time;
+        Closest = measured.Position;
+        Arc = arc;
+        Rolls = rolls;
         Iterations = iterations;
         Simulations = simulations;
     }
@@ -20,16 +23,46 @@ public readonly struct AimResult
     /// <summary>What became of the search.</summary>
     public AimStatus Status { get; }
 
+    /// <summary>Whether the kick passes the target within the tolerance, whatever becomes of a point on the way.</summary>
+    public bool HitsTarget => Status is AimStatus.Hit or AimStatus.TargetOnly;
+
     /// <summary>Velocity of the kick, m/s.</summary>
     public Vector3d Velocity { get; }
 
     /// <summary>Spin of the kick, rad/s, world frame.</summary>
     public Vector3d Spin { get; }
 
-    /// <summary>Distance of the kick's closest approach to the target before its first impact, m: measured, or where that was not asked for, estimated.</summary>
+    /// <summary>Speed of the kick, m/s.</summary>
+    public double Speed => Velocity.Length;
+
+    /// <summary>Angle of the kick above the horizontal, degrees.</summary>
+    public double ElevationDegrees => Degrees * Elementary.Atan2(Velocity.Y, Velocity.Horizontal.Length);
+
+    /// <summary>Horizontal direction of the kick, degrees from forward (−z), positive to the left (−x); 0 for a vertical kick.</summary>
+    public double AzimuthDegrees => Velocity.X == 0 && Velocity.Z == 0 ? 0 : Degrees * Elementary.Atan2(-Velocity.X, -Velocity.Z);
+
+    /// <summary>Topspin of the kick, rad/s; 0 for a vertical kick, which has no axis for it.</summary>
+    public double TopSpin
+    {
+        get
+        {
+            // ω · (ŷ × d)
+            Vector3d flat = Velocity.Horizontal;
+            double length = flat.Length;
+            return length > 0 ? ((Spin.X * flat.Z) - (Spin.Z * flat.X)) / length : 0;
+        }
+    }
+
+    /// <summary>Sidespin of the kick, rad/s.</summary>
+    public double SideSpin => Spin.Y;
+
+    /// <summary>
+    /// Distance of the kick's closest approach to the target before its first impact, m: measured, or where that was not asked for, estimated.
+    /// Of a kick for a time, the distance at that time.
+    /// </summary>
     public double Miss { get; }
 
-    /// <summary>The same for the point on the way; null without one.</summary>
+    /// <summary>Distance of the closest approach to the point on the way, m; null without one.</summary>
     public double? ThroughMiss { get; }
 
     /// <summary>When the ball is closest to the target, s after the kick.</summary>
@@ -38,11 +71,15 @@ public readonly struct AimResult
     /// <summary>Where it is then, m.</summary>
     public Vector3d Closest { get; }
 
+    /// <summary>Of the two kicks of this speed that reach a target, which one a hit is: the other than was asked for where only that lies within the bounds.</summary>
+    public AimArc Arc { get; }
+
+    /// <summary>Whether the kick stays on the ground from its start: it slides or rolls to the target.</summary>
+    public bool Rolls { get; }
+
     /// <summary>Iterations of the method.</summary>
     public int Iterations { get; }
 
     /// <summary>Forward simulations by the method, the measurement of the miss not counted.</summary>
     public int Simulations { get; }
-
-    internal AimResult With(AimStatus status) => new(status, Velocity, Spin, Miss, ThroughMiss, Time, Closest, Iterations, Simulations);
 }

@@ -21,7 +21,11 @@ internal struct AimSolution
     /// <summary>Time to the target, s.</summary>
     public double Time;
 
+    /// <summary>Iterations, where the method counts its own; else 0.</summary>
     public int Iterations;
+
+    /// <summary>Which of the two kicks of its speed it is; null where that is not known yet.</summary>
+    public AimArc? Arc;
 
     /// <summary>Velocity and spin of the kick.</summary>
     public readonly void Vectors(out Vector3d velocity, out Vector3d spin) => Kick.Vectors(Speed, in Forward, out velocity, out spin);

@@ -10,13 +10,23 @@ public sealed class Aimer
     /// <summary>Share of a miss by which long steps may be wrong about it.</summary>
     private const double Astray = 0.01;
 
+    /// <summary>How much earlier than asked a ball may touch the ground at its target, s.</summary>
+    private const double LargestDelay = 1e-4;
+
+    /// <summary>Below this elevation, rad, a kick that does not descend to its target is on the low arc.</summary>
+    private const double FlatKick = 0.5;
+
     private readonly AimContext _context;
     private readonly DirectAim _direct;
     private readonly DirectTwoPointAim _directTwoPoint;
     private readonly AngleAim _angle;
     private readonly BisectionAim _bisection;
     private readonly TwoPointAim _twoPoint;
-    private readonly SpeedSearch _speed;
+    private readonly TimeSearch _times;
+    private readonly SlowestSearch _slowest;
+
+    /// <summary>Whether the method that is at work passes a point on the way.</summary>
+    private bool _passesThrough;
 
     /// <summary>Compiles a scene for aiming.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
@@ -29,12 +39,21 @@ public sealed class Aimer
         Check.AtLeast("solver.timeStep", timeStep, AimContext.LongestFlight * 1e-6);
         _context = new AimContext(scene ?? Scene.Default, settings ?? SolverSettings.Default, timeStep);
         var problem = new PlaneProblem(_context);
-        _direct = new DirectAim(_context, problem);
-        _speed = new SpeedSearch(_direct, new ReachBound(problem));
-        _directTwoPoint = new DirectTwoPointAim(_context, _direct);
+        _times = new TimeSearch(_context);
+        _slowest = new SlowestSearch(_context);
+        _direct = new DirectAim(_context, problem, _times);
+        _directTwoPoint = new DirectTwoPointAim(_context, _direct, _times);
         _angle = new AngleAim(_context);
         _bisection = new BisectionAim(_context);
         _twoPoint = new TwoPointAim(_context, _angle, _bisection);
+    }
+
+    /// <summary>For the balls of a compiled scene.</summary>
+    /// <param name="simulator">The scene; its settings are those of the thesis' methods.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
+    public Aimer(Simulator simulator)
+        : this((simulator ?? throw new ArgumentNullException(nameof(simulator))).Scene, simulator.Settings)
+    {
     }
 
     /// <summary>Finds a kick.</summary>
@@ -57,14 +76,19 @@ public sealed class Aimer
         AimSolution solution = finder.Find(request);
         AimResult result = Report(request, in solution, measure);
         bool astray = result.Miss > ((1.0 + Astray) * solution.Miss) + (Astray * NearMiss);
-        if (method == AimMethod.Direct && result.Status != AimStatus.Hit && (solution.Status == AimStatus.Hit || solution.Miss < NearMiss || astray))
+        if (method == AimMethod.Direct && !result.HitsTarget && (solution.Status == AimStatus.Hit || solution.Miss < NearMiss || astray))
         {
             // A kick that grazes the drag law's jump goes elsewhere in finer steps: once more in those.
             _context.Steps = AimSteps.Short;
             AimSolution fine = finder.Find(request);
             AimResult finer = Report(request, in fine, measure);
+            if (!finer.HitsTarget && request.Through is null && _times.WithSpeed(request, out AimSolution timed))
+            {
+                finer = Report(request, in timed, measure);
+            }
+
             _context.Steps = AimSteps.Long;
-            result = finer.Status == AimStatus.Hit || !(result.Miss < finer.Miss) ? finer : Report(request, in solution, measure);
+            result = finer.HitsTarget || !(result.Miss < finer.Miss) ? finer : Report(request, in solution, measure);
         }
 
         return result;
@@ -79,7 +103,18 @@ public sealed class Aimer
     {
         Begin(request, AimMethod.Direct);
         RefuseThrough(request);
-        AimSolution solution = _speed.Slowest(request);
+        if (!_slowest.Find(request, out AimSolution solution))
+        {
+            _context.Steps = AimSteps.Short;
+            if (!_slowest.Find(request, out solution))
+            {
+                _context.Steps = AimSteps.Long;
+                solution = _direct.Find(request);
+            }
+
+            _context.Steps = AimSteps.Long;
+        }
+
         return Report(request, in solution, measure: true);
     }
 
@@ -94,11 +129,32 @@ public sealed class Aimer
         Begin(request, AimMethod.Direct);
         RefuseThrough(request);
         Check.Within(nameof(time), time, 0, AimContext.LongestFlight, exclusiveLow: true);
-        AimSolution solution = _speed.AtTime(request, time);
-        AimResult result = Report(request, in solution, measure: true);
+        AimResult result = AtTime(request, time);
+        if (result.Status == AimStatus.NotConverged)
+        {
+            // It grazes the drag law's jump: once more in finer steps.
+            _context.Steps = AimSteps.Short;
+            result = AtTime(request, time);
+            _context.Steps = AimSteps.Long;
+        }
+
+        return result;
+    }
+
+    private AimResult AtTime(AimRequest request, double time)
+    {
+        if (!_times.AtTime(request, time, out AimSolution solution))
+        {
+            solution = _direct.Find(request);
+            solution.Status = AimStatus.OutOfReach;
+        }
 
         // A kick that passes the target at another time is no hit.
-        return solution.Status is AimStatus.OutOfReach or AimStatus.NotConverged ? result.With(solution.Status) : result;
+        solution.Vectors(out Vector3d velocity, out Vector3d spin);
+        MeasuredMiss measured = _context.Miss.MeasureAt(request, in velocity, in spin, time);
+        bool there = measured.Distance <= request.Tolerance && time - measured.Time <= LargestDelay;
+        AimStatus status = there ? AimStatus.Hit : solution.Status == AimStatus.Hit ? AimStatus.NotConverged : solution.Status;
+        return Result(request, status, in solution, in velocity, in spin, in measured);
     }
 
     private static void RefuseThrough(AimRequest request)
@@ -127,26 +183,45 @@ public sealed class Aimer
             throw Check.Refusal("aim.through", "null", "a point, with method twoPoint");
         }
 
-        _context.Begin();
+        _passesThrough = request.Through is not null && method is AimMethod.Direct or AimMethod.TwoPoint;
+        _context.Begin(request.MaximumIterations);
     }
 
     private AimResult Report(AimRequest request, in AimSolution solution, bool measure)
     {
         solution.Vectors(out Vector3d velocity, out Vector3d spin);
-        int simulations = _context.Simulations;
         if (!measure)
         {
             double? throughMiss = request.Through is null ? null : solution.ThroughMiss;
-            return new AimResult(solution.Status, in velocity, in spin, solution.Miss, throughMiss, solution.Time, request.Target, solution.Iterations, simulations);
+            var estimated = new MeasuredMiss(solution.Miss, throughMiss, solution.Time, request.Target);
+            return Result(request, Judge(request, solution.Status, in estimated), in solution, in velocity, in spin, in estimated);
         }
 
         MeasuredMiss measured = _context.Miss.Measure(request, in velocity, in spin);
 
         // The measured miss decides; a method may only say why there is none.
-        AimStatus status = measured.Distance <= request.Tolerance ? AimStatus.Hit
+        AimStatus status = _context.Frame(request).IsDegenerate ? AimStatus.Degenerate
+            : measured.Distance <= request.Tolerance ? Judge(request, AimStatus.Hit, in measured)
             : solution.Status == AimStatus.Hit ? AimStatus.NotConverged
             : solution.Status;
-        return new AimResult(
-            status, in velocity, in spin, measured.Distance, measured.ThroughDistance, measured.Time, measured.Position, solution.Iterations, simulations);
+        return Result(request, status, in solution, in velocity, in spin, in measured);
+    }
+
+    /// <summary>A hit that misses the point on the way is one of the target only.</summary>
+    private AimStatus Judge(AimRequest request, AimStatus status, in MeasuredMiss measured) =>
+        status == AimStatus.Hit && _passesThrough && !(measured.ThroughDistance <= request.ThroughTolerance) ? AimStatus.TargetOnly : status;
+
+    private AimResult Result(
+        AimRequest request, AimStatus status, in AimSolution solution, in Vector3d velocity, in Vector3d spin, in MeasuredMiss measured)
+    {
+        // The thesis' methods have iterations of their own; what is looked at from here on is no part of the search.
+        int iterations = solution.Iterations > 0 ? solution.Iterations : _context.Iterations;
+        int simulations = _context.Simulations;
+        TargetFrame frame = _context.Frame(request);
+        bool rolls = _context.StaysDown(in frame.From, velocity.Y);
+        bool hits = status is AimStatus.Hit or AimStatus.TargetOnly;
+        bool flat = rolls || (solution.Kick.Elevation < FlatKick && frame.Target.Y >= frame.From.Y);
+        AimArc arc = solution.Arc ?? (flat || !hits ? AimArc.Low : _times.ArcOf(request, in solution));
+        return new AimResult(status, in velocity, in spin, in measured, arc, rolls, iterations, simulations);
     }
 }

@@ -15,6 +15,9 @@ internal struct Kick
     /// <summary>Sidespin, rad/s.</summary>
     public double Side;
 
+    /// <summary>Size of the spin, rad/s.</summary>
+    public readonly double SpinRate => Math.Sqrt((Top * Top) + (Side * Side));
+
     /// <summary>Horizontal unit direction of the kick.</summary>
     /// <param name="forward">Horizontal unit direction of the target.</param>
     public readonly Vector3d Direction(in Vector3d forward)
@@ -34,7 +37,8 @@ internal struct Kick
         spin = Limited(new Vector3d(Top * d.Z, Side, -(Top * d.X)), Limits.Spin);
     }
 
-    private static Vector3d Limited(in Vector3d vector, double limit)
+    /// <summary>A vector that is not longer than a limit, by rounding neither.</summary>
+    public static Vector3d Limited(in Vector3d vector, double limit)
     {
         double squared = vector.LengthSquared;
         return squared < limit * limit * (1.0 - 1e-14) ? vector : (1.0 - 1e-14) * Math.Min(1.0, limit / Math.Sqrt(squared)) * vector;

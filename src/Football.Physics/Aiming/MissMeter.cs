@@ -3,11 +3,17 @@ namespace Football.Physics;
 /// <summary>Measures by what a kick misses a target that may move, and a point on the way, before its first impact: in steps that leave no doubt.</summary>
 internal sealed class MissMeter : PieceObserver
 {
-    /// <summary>Step of the measurement, s: its own error is below 1e-6 m.</summary>
-    private const double TimeStep = 0.005;
+    /// <summary>Step of the measurement, s: its own error is below 1e-6 m; and of one that the air rules, or in a storm.</summary>
+    private const double TimeStep = 0.02;
+    private const double FineStep = 0.005;
 
+    /// <summary>Wind of a storm, m/s.</summary>
+    private const double Storm = 25;
+
+    private readonly AimContext _context;
     private readonly Simulator _simulator;
     private readonly StepLog _log = new();
+    private readonly StepLog _unwatched = new();
     private readonly bool _stillAir;
     private Vector3d _target;
     private Vector3d _targetVelocity;
@@ -17,8 +23,11 @@ internal sealed class MissMeter : PieceObserver
     private double _time;
     private Vector3d _position;
 
-    public MissMeter(Simulator simulator)
+    /// <param name="context">What the searches share.</param>
+    /// <param name="simulator">The scene.</param>
+    public MissMeter(AimContext context, Simulator simulator)
     {
+        _context = context;
         _simulator = simulator;
         _stillAir = simulator.Scene.Air.IsStill;
         _log.Observer = this;
@@ -30,16 +39,81 @@ internal sealed class MissMeter : PieceObserver
     public MeasuredMiss Measure(AimRequest request, in Vector3d velocity, in Vector3d spin)
     {
         BallState state = _simulator.Launch(request.From, velocity, spin);
-        _target = request.Target;
+        _target = AimContext.Raised(_simulator, request.Target);
         _targetVelocity = request.TargetVelocity;
-        _through = request.Through;
+        _through = request.Through is { } way ? AimContext.Raised(_simulator, way) : null;
         _time = 0;
         _position = state.Position;
         _best = (_position - _target).LengthSquared;
         _bestThrough = _through is { } point ? (_position - point).LengthSquared : 0;
-        _log.Clear();
-        _simulator.Run(ref state, TimeStep, AimContext.LongestFlight, StopAt.Impact, _log, null);
+        Fly(ref state, Step(in velocity, in spin));
         return new MeasuredMiss(Math.Sqrt(_best), _through is null ? null : Math.Sqrt(_bestThrough), _time, in _position);
+    }
+
+    /// <summary>Flies a kick until a time or its first impact, and measures how far from the target it is then.</summary>
+    public MeasuredMiss MeasureAt(AimRequest request, in Vector3d velocity, in Vector3d spin, double time)
+    {
+        BallState state = _simulator.Launch(request.From, velocity, spin);
+        _unwatched.Clear();
+        _simulator.Run(ref state, Step(in velocity, in spin), time, StopAt.Impact, _unwatched, null);
+        Vector3d target = AimContext.Raised(_simulator, request.Target) + (state.Time * request.TargetVelocity);
+        return new MeasuredMiss(Vector3d.Distance(state.Position, in target), null, state.Time, state.Position);
+    }
+
+    private double Step(in Vector3d velocity, in Vector3d spin) =>
+        _context.IsRuledByAir(velocity.Length, spin.Length) || _context.Scene.Air.Wind.Length > Storm ? FineStep : TimeStep;
+
+    /// <summary>Flies to the first impact, and looks closely only at steps in which the ball passes a point.</summary>
+    private void Fly(ref BallState state, double timeStep)
+    {
+        bool ended = false;
+        long pieces = 0;
+        double last = AimContext.LongestFlight - (1e-9 * timeStep);
+        while (!ended && state.Time < last && pieces < AimContext.MostPieces)
+        {
+            BallState before = state;
+            double step = Math.Min(timeStep, AimContext.LongestFlight - state.Time);
+            _unwatched.Clear();
+            if (state.Motion == MotionState.Airborne)
+            {
+                ended = _simulator.StepToImpact(ref state, step, _unwatched);
+                pieces += _unwatched.Steps;
+                if (!ended && !Passes(in before, in state))
+                {
+                    TakeEnd(in state);
+                    continue;
+                }
+            }
+
+            state = before;
+            _log.Clear();
+            ended = _simulator.StepToImpact(ref state, step, _log);
+            pieces += _log.Steps;
+        }
+    }
+
+    /// <summary>Whether a ball that came closer to the target, or the point on the way, leaves it again.</summary>
+    private bool Passes(in BallState before, in BallState after) =>
+        Passes(in before, in after, in _target, in _targetVelocity) || (_through is { } point && Passes(in before, in after, in point, Vector3d.Zero));
+
+    private static bool Passes(in BallState before, in BallState after, in Vector3d point, in Vector3d velocity) =>
+        Vector3d.Dot(before.Position - point - (before.Time * velocity), before.Velocity - velocity) < 0
+        && Vector3d.Dot(after.Position - point - (after.Time * velocity), after.Velocity - velocity) > 0;
+
+    private void TakeEnd(in BallState state)
+    {
+        double squared = (state.Position - _target - (state.Time * _targetVelocity)).LengthSquared;
+        if (squared < _best)
+        {
+            _best = squared;
+            _time = state.Time;
+            _position = state.Position;
+        }
+
+        if (_through is { } point)
+        {
+            _bestThrough = Math.Min(_bestThrough, (state.Position - point).LengthSquared);
+        }
     }
 
     public override bool Add(in PathPiece piece)

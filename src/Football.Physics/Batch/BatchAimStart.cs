@@ -32,14 +32,15 @@ internal sealed class BatchAimStart
     {
         double contact = _simulator.ContactHeight;
         double fromY = aims.From.Y[index];
-        fromY = fromY < contact ? contact : fromY;
+        s = default;
+        s.OnGround = fromY <= contact;
+        fromY = s.OnGround ? contact : fromY;
         double dx = aims.Target.X[index] - aims.From.X[index];
         double dz = aims.Target.Z[index] - aims.From.Z[index];
         double distance = Math.Sqrt((dx * dx) + (dz * dz));
         double top = aims.TopSpin[index];
         double side = aims.SideSpin[index];
         double speed = aims.Speed[index];
-        s = default;
         s.Distance = distance;
         s.Rise = aims.Target.Y[index] - fromY;
         s.Speed = speed;

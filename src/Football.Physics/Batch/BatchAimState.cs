@@ -15,6 +15,9 @@ internal struct BatchAimState
     public double WindForward;
     public double WindLeft;
 
+    /// <summary>Whether the ball lies on the ground.</summary>
+    public bool OnGround;
+
     public double Speed;
     public double Top;
     public double Side;

@@ -17,6 +17,9 @@ internal sealed class BatchAimWorker
     private readonly int[] _active = new int[LaneGroup.Size];
     private readonly double _windUp;
 
+    /// <summary>Upward speed from which on a kick leaves the ground, m/s.</summary>
+    private readonly double _leavesGround;
+
     /// <summary>Sines of the lowest and the highest elevation.</summary>
     private double _lowest;
     private double _highest;
@@ -27,6 +30,7 @@ internal sealed class BatchAimWorker
         _start = new BatchAimStart(_aimer.Context, Step);
         _newton = new BatchAimNewton(_aimer.Context);
         _windUp = scene.Air.Wind.Y;
+        _leavesGround = _aimer.Context.Upward > 0 ? 0 : scene.Ground.MinimumBounceSpeed;
         _lanes = LaneFlight.Covers(scene) ? LaneFlight.Create(scene, fourthOrder: true, Step, lanes, upAlongX: true) : null;
     }
 
@@ -39,7 +43,7 @@ internal sealed class BatchAimWorker
     {
         HandedOn = 0;
         Flights = 0;
-        ElevationBounds bounds = ElevationBounds.OfDegrees(aims.MinimumElevation, aims.MaximumElevation);
+        ElevationBounds bounds = ElevationBounds.OfDegrees(aims.MinimumElevationDegrees, aims.MaximumElevationDegrees);
         Elementary.SinCos(bounds.Lowest, out _lowest, out _);
         Elementary.SinCos(bounds.Highest, out _highest, out _);
     }
@@ -129,9 +133,12 @@ internal sealed class BatchAimWorker
         _lanes!.Fly(_group, duration);
     }
 
-    /// <summary>Whether a kick that hits keeps to the bounds and cannot touch the ground before: a ball that rises or has no lift up falls but once.</summary>
+    /// <summary>
+    /// Whether a kick that hits keeps to the bounds, leaves the ground, and cannot touch it again before: a ball that rises or has no lift up falls but once.
+    /// </summary>
     private bool StaysClear(in BatchAimState s) =>
-        s.DirectionUp >= _lowest && s.DirectionUp <= _highest && (s.DirectionUp >= 0 || s.Top >= 0);
+        s.DirectionUp >= _lowest && s.DirectionUp <= _highest && (s.DirectionUp >= 0 || s.Top >= 0)
+        && !(s.OnGround && s.Speed * s.DirectionUp < _leavesGround);
 
     private static void Write(BatchAims aims, BatchKicks kicks, int index, in BatchAimState s)
     {
@@ -151,20 +158,13 @@ internal sealed class BatchAimWorker
     {
         HandedOn++;
         AimRequest request = aims.Request(index);
-        AimResult result = _aimer.Find(request, AimMethod.Direct, measure: false);
-        AimStatus status = result.Status;
-        double miss = result.Miss;
-        if (status == AimStatus.Hit)
-        {
-            // What comes here is hard: also a flight that grazes the drag law's jump, where large steps may miss it. The true miss decides.
-            miss = _aimer.Context.Miss.Measure(request, result.Velocity, result.Spin).Distance;
-            status = miss <= aims.Tolerance ? AimStatus.Hit : AimStatus.NotConverged;
-        }
 
-        kicks.Status[index] = status;
+        // What comes here is hard: also a flight that grazes the drag law's jump, where large steps may miss it. The true miss decides.
+        AimResult result = _aimer.Find(request);
+        kicks.Status[index] = result.Status;
         kicks.Velocity[index] = result.Velocity;
         kicks.Spin[index] = result.Spin;
-        kicks.Miss[index] = miss;
+        kicks.Miss[index] = result.Miss;
         kicks.Time[index] = result.Time;
     }
 }

@@ -51,8 +51,16 @@ public sealed record Scene
 
     /// <summary>Checks every number of the scene.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentNullException">A part is null; the message names it.</exception>
     public void Validate()
     {
+        Check.Given("ball", Ball);
+        Check.Given("air", Air);
+        Check.Given("forces", Forces);
+        Check.Given("ground", Ground);
+        Check.Given("obstacles", Obstacles);
+        Check.Given("nets", Nets);
+        Check.Given("goals", Goals);
         Ball.Validate();
         Air.Validate();
         Check.NotNegative("gravity", Gravity);

@@ -10,6 +10,7 @@ public sealed class Simulator
     private readonly double _contact;
     private readonly bool _lighterThanAir;
     private readonly World? _world;
+    private readonly bool _hasOwnForces;
 
     /// <summary>Checks a scene and compiles it.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
@@ -24,6 +25,7 @@ public sealed class Simulator
         _stepper = StepperFactory.Create(Scene, Settings);
         _contact = Scene.Ground.Height + Scene.Ball.Radius;
         _world = World.Of(Scene);
+        _hasOwnForces = Scene.Forces.Custom.Count > 0;
         _lighterThanAir = Weight.UpwardAcceleration(Scene) > 0;
     }
 
@@ -66,7 +68,7 @@ public sealed class Simulator
         BallState state = default;
         state.Position = position;
         state.Velocity = velocity;
-        state.BaseOrientation = orientation.Normalised();
+        state.BaseOrientation = orientation.Normalized();
         state.SetFlightSpin(spin);
         state.Motion = MotionState.Airborne;
         if (_world is not null)
@@ -137,7 +139,21 @@ public sealed class Simulator
 
         log!.Halted = false;
         log.StopAt = StopAt.Time;
-        _stepper.Step(ref state, dt, log);
+        Take(ref state, dt, log);
+    }
+
+    /// <summary>Takes a step. A force of the game's own may refuse it, and the ball is where it was then.</summary>
+    private void Take(ref BallState state, double dt, StepLog log)
+    {
+        if (!_hasOwnForces)
+        {
+            _stepper.Step(ref state, dt, log);
+            return;
+        }
+
+        BallState next = state;
+        _stepper.Step(ref next, dt, log);
+        state = next;
     }
 
     /// <summary>A ball that starts inside the ground is raised to it.</summary>
@@ -202,7 +218,7 @@ public sealed class Simulator
         while (state.Time < last)
         {
             double left = end - state.Time;
-            _stepper.Step(ref state, timeStep < left ? timeStep : left, log);
+            Take(ref state, timeStep < left ? timeStep : left, log);
             onStep?.Invoke(in state);
             if (log.Halted)
             {

@@ -9,24 +9,27 @@ internal sealed class DirectAim : IAimMethod
     /// <summary>What the solver's own steps may be off, m: a closer miss is none, even where a request is content with less.</summary>
     private const double StepError = 1e-4;
 
-    private readonly PlaneProblem _problem;
-    private readonly ClosestKick _closest;
+    /// <summary>Share of the target's distance below which a miss is a close one, and the slope above which a target is steep.</summary>
+    private const double CloseMiss = 0.001;
+    private const double Steep = 1.2;
 
-    public DirectAim(AimContext context, PlaneProblem problem)
+    private readonly PlaneProblem _problem;
+    private readonly AimContext _context;
+    private readonly ClosestKick _closest;
+    private readonly TimeSearch _times;
+
+    public DirectAim(AimContext context, PlaneProblem problem, TimeSearch times)
     {
+        _context = context;
+        _times = times;
         _problem = problem;
         _closest = new ClosestKick(context);
     }
 
-    public AimSolution Find(AimRequest request) => Find(request, request.Speed, request.Arc);
+    public AimSolution Find(AimRequest request) => Find(request, request.Speed, request.Arc, request.TopSpin, request.SideSpin);
 
-    /// <summary>Finds a kick with a speed and on an arc other than the request's.</summary>
-    public AimSolution Find(AimRequest request, double speed, AimArc arc) => Find(request, speed, arc, request.TopSpin, request.SideSpin);
-
-    /// <summary>Finds a kick with spins other than the request's.</summary>
-    public AimSolution FindSpun(AimRequest request, double top, double side) => Find(request, request.Speed, request.Arc, top, side);
-
-    private AimSolution Find(AimRequest request, double speed, AimArc arc, double top, double side)
+    /// <summary>Finds a kick with a speed, on an arc and with spins other than the request's.</summary>
+    public AimSolution Find(AimRequest request, double speed, AimArc arc, double top, double side)
     {
         _problem.Set(request, speed, top, side);
         ref readonly TargetFrame frame = ref _problem.Frame;
@@ -39,25 +42,53 @@ internal sealed class DirectAim : IAimMethod
                 Forward = frame.Forward,
                 Speed = speed,
                 Miss = shot.Miss,
+                Arc = AimArc.Low,
                 Time = shot.Time,
-                Iterations = _problem.Shots,
             };
         }
 
+        if (_context.IsSpent)
+        {
+            return new AimSolution
+            {
+                Status = AimStatus.NotConverged,
+                Kick = frame.Turned(_problem.Spins, frame.Target - frame.From, _problem.Bounds),
+                Forward = frame.Forward,
+                Speed = speed,
+                Miss = frame.Distance,
+            };
+        }
+
+        // Where elevation and azimuth do not separate, by the time of flight; else by the elevation.
+        bool separates = _context.Approaches.Separates(request);
+        if (!separates && frame.Distance >= 1e-6 && _times.WithSpeed(request, speed, arc, top, side, out AimSolution hit))
+        {
+            return hit;
+        }
+
         Approach found = _closest.Find(_problem, arc);
+        if (separates && found.Miss > _problem.Tolerance && IsDoubtful(in frame, found.Miss) && _times.WithSpeed(request, speed, arc, top, side, out hit))
+        {
+            return hit;
+        }
+
         return new AimSolution
         {
             // Straight above or below only the elevation matters; at the ball there is no direction at all.
             Status = found.Miss <= request.Tolerance ? AimStatus.Hit
                 : frame.IsDegenerate ? AimStatus.Degenerate
-                : found.Miss < StepError ? AimStatus.NotConverged
+                : found.Miss < StepError || _context.IsSpent ? AimStatus.NotConverged
                 : AimStatus.OutOfReach,
             Kick = found.Kick,
             Forward = frame.Forward,
             Speed = speed,
             Miss = found.Miss,
             Time = found.Time,
-            Iterations = _problem.Shots + _closest.Shots,
         };
     }
+
+    /// <summary>Whether elevations tell too little of a miss: a steep target, a close miss, or an air that bends ways into loops.</summary>
+    private bool IsDoubtful(in TargetFrame frame, double miss) =>
+        miss < CloseMiss * frame.Distance || frame.Target.Y - frame.From.Y > Steep * frame.Distance
+        || _context.IsRuledByAir(_problem.Speed, _problem.Spins.SpinRate);
 }

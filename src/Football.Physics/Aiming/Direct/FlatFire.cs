@@ -6,6 +6,9 @@ namespace Football.Physics;
 /// </summary>
 internal struct FlatFire
 {
+    /// <summary>Lengths of way over which drag takes a factor e of the speed: more of them are not looked at.</summary>
+    private const double MostDamping = 5;
+
     /// <summary>Drag per length k, |u̇| = k |u|², 1/m.</summary>
     public double Drag;
 
@@ -43,7 +46,37 @@ internal struct FlatFire
 
     /// <summary>The time that a kick of a speed takes for a way along its path, s.</summary>
     public readonly double TimeFor(double speed, double way) =>
-        Drag * way > 1e-6 ? (Elementary.Exp(Math.Min(Drag * way, 5.0)) - 1.0) / (Drag * speed) : way / speed;
+        Drag * way > 1e-6 ? (Elementary.Exp(Math.Min(Drag * way, MostDamping)) - 1.0) / (Drag * speed) : way / speed;
+
+    /// <summary>The velocity through the air with which a ball is somewhere at a time.</summary>
+    /// <param name="way">Where, as seen through the air.</param>
+    /// <param name="axis">Unit axis of the spin, or zero.</param>
+    /// <param name="time">When, s.</param>
+    /// <param name="direction">Unit direction of the velocity.</param>
+    /// <param name="along">How the way grows with the velocity along it, s.</param>
+    /// <param name="across">How it moves with the velocity across it, s.</param>
+    public readonly Vector3d Launch(in Vector3d way, in Vector3d axis, double time, out Vector3d direction, out double along, out double across)
+    {
+        double x = Math.Max(way.Length, 1e-3) / time;
+        Vector3d air = Vector3d.Zero;
+        for (int i = 0; i < 5; i++)
+        {
+            Ways(x, time, out _, out _, out double fall, out double bend);
+            Vector3d a = way - new Vector3d(0, Upward * fall, 0) - (Lift * bend * Vector3d.Cross(in axis, in air));
+            double size = Math.Max(a.Length, 1e-6);
+            air = a / size;
+
+            // s = ln(1 + k x t)/k
+            double ks = Math.Min(Drag * size, MostDamping);
+            x = (ks > 1e-6 ? (Elementary.Exp(ks) - 1.0) / Drag : size) / time;
+        }
+
+        Ways(x, time, out double went, out double speed, out _, out _);
+        direction = air;
+        along = time * speed / x;
+        across = went / x;
+        return x * air;
+    }
 
     /// <summary>Speed through the air in a direction û of a ball kicked at speed v, |x û + W| = v; not a number where it has none.</summary>
     /// <param name="v">Speed of the kick.</param>

@@ -87,6 +87,7 @@ internal sealed class PlaneProblem
         kick.Vectors(Speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
         PlaneShooter planes = _context.Planes;
         planes.Fly(in frame.From, in velocity, in spin, _step);
+        _context.CountIteration();
         Shots++;
         ref readonly PlaneCrossing crossing = ref planes.Target;
         var shot = new PlaneShot { Kick = kick, Crossed = crossing.Crossed, Lowest = planes.Lowest };

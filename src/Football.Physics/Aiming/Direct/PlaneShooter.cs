@@ -56,7 +56,6 @@ internal sealed class PlaneShooter : PieceObserver
     /// <summary>Flies a kick until its planes are crossed, or it is given up.</summary>
     public void Fly(in Vector3d from, in Vector3d velocity, in Vector3d spin, double timeStep)
     {
-        _context.Simulations++;
         _target.Reset();
         _through.Reset();
         Lowest = double.PositiveInfinity;
@@ -64,7 +63,8 @@ internal sealed class PlaneShooter : PieceObserver
         double last = AimContext.LongestFlight - (1e-9 * timeStep);
         bool ended = false;
         _log.Clear();
-        while (!ended && state.Time < last)
+        long watched = 0;
+        while (!ended && state.Time < last && _log.Steps + watched < AimContext.MostPieces)
         {
             // A step that nobody watches is the fastest; one that crosses a plane and has more than one piece is taken again, watched.
             BallState before = state;
@@ -83,8 +83,11 @@ internal sealed class PlaneShooter : PieceObserver
                 state = before;
                 _watched.Clear();
                 ended = _simulator.StepToImpact(ref state, timeStep, _watched);
+                watched += _watched.Steps;
             }
         }
+
+        _context.CountSimulation(_log.Steps + watched);
     }
 
     public override bool Add(in PathPiece piece)

@@ -58,6 +58,9 @@ internal sealed class TwoPointProblem
     /// <summary>The crossing of the plane of the point on the way.</summary>
     public ref readonly PlaneCrossing AtThrough => ref _context.Planes.Through;
 
+    /// <summary>Whether nothing more can be searched.</summary>
+    public bool IsSpent => _context.IsSpent;
+
     /// <summary>Sets the problem.</summary>
     /// <returns>False where the point does not lie on the way to the target.</returns>
     public bool Set(AimRequest request)
@@ -66,7 +69,7 @@ internal sealed class TwoPointProblem
         _frame = _context.Frame(request);
         ref readonly TargetFrame frame = ref _frame;
         Bounds = ElevationBounds.Of(request);
-        Through = request.Through.GetValueOrDefault();
+        Through = AimContext.Raised(_context.Game, request.Through.GetValueOrDefault());
         ThroughDistance = Vector3d.Dot(Through - frame.From, in frame.Forward);
         Tolerance = AimContext.Sharp(request.Tolerance);
         ThroughTolerance = AimContext.Sharp(request.ThroughTolerance, FineThrough);

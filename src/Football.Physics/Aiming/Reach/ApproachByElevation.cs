@@ -40,6 +40,9 @@ internal sealed class ApproachByElevation
     /// <summary>Whether flights turn with their azimuth, so that the azimuth of an elevation is known after one.</summary>
     public bool TurnWithAzimuth => _context.Approaches.TurnWithAzimuth;
 
+    /// <summary>Whether nothing more can be searched.</summary>
+    public bool IsSpent => _context.IsSpent;
+
     /// <summary>Prepares for a target.</summary>
     public void Aim(PlaneProblem problem)
     {
@@ -141,7 +144,7 @@ internal sealed class ApproachByElevation
         // Turning a kick turns its way about a point c that the wind carries along: the target is to be seen from c where the ball is.
         Vector3d toTarget = _frame.Target - _frame.From;
         Vector3d c = approach.Time * ((Drift * _context.Scene.Air.Wind) - _targetVelocity);
-        for (int i = 0; i < MostTurns; i++)
+        for (int i = 0; i < MostTurns && !IsSpent; i++)
         {
             Vector3d at = approach.Gap + toTarget;
             double turn = Bearing(toTarget - c) - Bearing(at - c);

@@ -46,6 +46,9 @@ internal sealed class ApproachShooter : PieceObserver
 
     public override bool WantsEndAcceleration => !_roughly;
 
+    /// <summary>Whether flights of a request turn with their azimuth.</summary>
+    public bool Separates(AimRequest request) => _stillAir && request.TargetVelocity == Vector3d.Zero;
+
     /// <summary>Prepares for flights to a target.</summary>
     public void Aim(in TargetFrame frame, in Vector3d targetVelocity, double speed)
     {
@@ -61,7 +64,6 @@ internal sealed class ApproachShooter : PieceObserver
     /// <param name="roughly">Whether only the direction of a ball that rolls is asked for: RK2 will do then.</param>
     public Approach Fly(in Kick kick, double timeStep, bool roughly)
     {
-        _context.Simulations++;
         _roughly = roughly;
         kick.Vectors(_speed, in _frame.Forward, out Vector3d velocity, out Vector3d spin);
         BallState state = _simulator.Launch(_frame.From, velocity, spin);
@@ -71,13 +73,15 @@ internal sealed class ApproachShooter : PieceObserver
         double rate = Rate(0, state.Position, state.Velocity);
         bool beyond = false;
         bool done = false;
-        while (!done && state.Time < AimContext.LongestFlight)
+        long watched = 0;
+        while (!done && state.Time < AimContext.LongestFlight && _log.Steps + watched < AimContext.MostPieces)
         {
             if (state.Motion != MotionState.Airborne)
             {
                 _watched.Clear();
                 double step = state.Velocity.LengthSquared > FastRoll * FastRoll ? Math.Min(timeStep, FastStep) : timeStep;
                 done = (_roughly ? _rough : _simulator).StepToImpact(ref state, step, _watched);
+                watched += _watched.Steps;
                 rate = Rate(state.Time, state.Position, state.Velocity);
                 done = done || IsOver(in state, state.Position - _frame.From, rate);
                 continue;
@@ -98,6 +102,7 @@ internal sealed class ApproachShooter : PieceObserver
                 _watched.Clear();
                 BallState again = before;
                 _simulator.StepToImpact(ref again, timeStep, _watched);
+                watched += _watched.Steps;
             }
             else
             {
@@ -110,6 +115,7 @@ internal sealed class ApproachShooter : PieceObserver
             done = done || IsOver(in state, in went, rate);
         }
 
+        _context.CountSimulation(_log.Steps + watched);
         return Found(in kick, beyond);
     }
 

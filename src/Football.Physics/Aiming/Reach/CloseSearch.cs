@@ -26,6 +26,11 @@ internal sealed class CloseSearch
         double highest = _approaches.Bounds.Highest;
         for (int i = 0; i < Looks; i++)
         {
+            if (_approaches.IsSpent)
+            {
+                return _approaches.Accept(_approaches.Best);
+            }
+
             _looks[i] = _approaches.At(i == Looks - 1 ? highest : lowest + ((highest - lowest) * i / (Looks - 1)));
         }
 

@@ -54,7 +54,7 @@ internal sealed class CoarseSearch
         Approach a = _approaches.At(Math.Max(lowest, middle - 0.3));
         Approach b = _approaches.At(middle);
         Approach c = _approaches.At(Math.Min(highest, middle + 0.25));
-        while (!b.Above && (a.Miss < b.Miss || c.Miss < b.Miss))
+        while (!_approaches.IsSpent && !b.Above && (a.Miss < b.Miss || c.Miss < b.Miss))
         {
             if (c.Miss < b.Miss)
             {

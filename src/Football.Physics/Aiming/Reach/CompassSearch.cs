@@ -21,10 +21,10 @@ internal sealed class CompassSearch
     public void Find(bool rolls)
     {
         int shots = 0;
-        for (double step = FirstStep; step > LastStep && shots < MostShots; step *= 0.5)
+        for (double step = FirstStep; step > LastStep && shots < MostShots && !_approaches.IsSpent; step *= 0.5)
         {
             bool closer = true;
-            while (closer && shots < MostShots)
+            while (closer && shots < MostShots && !_approaches.IsSpent)
             {
                 closer = false;
                 for (int i = rolls ? 2 : 0; i < 4 && !closer; i++)

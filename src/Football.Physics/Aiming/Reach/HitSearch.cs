@@ -91,7 +91,7 @@ internal sealed class HitSearch
                 _other = next;
             }
 
-            return Hits;
+            return Hits || _approaches.IsSpent;
         }
     }
 }

@@ -23,7 +23,7 @@ internal sealed class ValleySearch
     public bool Descend(ref ApproachBracket at, double enough)
     {
         bool above = at.Middle.Above;
-        for (int i = 0; i < MostShots; i++)
+        for (int i = 0; i < MostShots && !_approaches.IsSpent; i++)
         {
             double left = at.Left;
             double right = at.Right;

@@ -87,7 +87,7 @@ internal sealed class WaveSearch
     /// <returns>As <see cref="ValleySearch.Descend"/>.</returns>
     private bool FindStep(Approach one, Approach two, Approach three, Approach beyond, ref ApproachBracket at)
     {
-        for (int i = 0; i < MostHalvings; i++)
+        for (int i = 0; i < MostHalvings && !_approaches.IsSpent; i++)
         {
             double best = _approaches.Best.Miss;
             double promised = ApproachBracket.Extrapolate(in one, in two, in three, beyond.Elevation);

@@ -44,30 +44,32 @@ internal sealed class FrameShooter
     {
         Target.Begin(in from, in point);
         Through.Begin(in from, in through);
-        _context.Simulations++;
         BallState state = _simulator.Launch(from, velocity, spin);
         _log.Clear();
         bool passed = false;
         bool ended = false;
-        while (!ended && state.Time < AimContext.LongestFlight)
+        while (!ended && state.Time < AimContext.LongestFlight && _log.Steps < AimContext.MostPieces)
         {
             ended = _simulator.StepToImpact(ref state, _timeStep, _log);
             passed = passed || Through.Add(in state);
             ended |= Target.Add(in state) && passed;
         }
+
+        _context.CountSimulation(_log.Steps);
     }
 
     private void Run(in Vector3d from, in Vector3d velocity, in Vector3d spin)
     {
         // Step by step: a step that nobody watches is the fastest.
-        _context.Simulations++;
         BallState state = _simulator.Launch(from, velocity, spin);
         _log.Clear();
         bool ended = false;
-        while (!ended && state.Time < AimContext.LongestFlight)
+        while (!ended && state.Time < AimContext.LongestFlight && _log.Steps < AimContext.MostPieces)
         {
             ended = _simulator.StepToImpact(ref state, _timeStep, _log);
             ended |= Target.Add(in state);
         }
+
+        _context.CountSimulation(_log.Steps);
     }
 }

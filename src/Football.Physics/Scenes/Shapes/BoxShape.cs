@@ -28,7 +28,7 @@ public sealed class BoxShape : IShape
         Check.Rotation("rotation", rotation);
         Center = center;
         HalfSize = halfSize;
-        Rotation = rotation.Normalised();
+        Rotation = rotation.Normalized();
         _x = Rotation.Rotate(new Vector3d(1, 0, 0));
         _y = Rotation.Rotate(new Vector3d(0, 1, 0));
         _z = Rotation.Rotate(new Vector3d(0, 0, 1));

@@ -1,0 +1,126 @@
+namespace Football.Physics;
+
+/// <summary>
+/// The speed that a kick needs over the time that it takes to the target: it falls, where the kick is flat, to that of the slowest kick, and rises
+/// again, where it is steep. Sampled so that neighbours tell of each other, as far as the speeds are of use.
+/// </summary>
+internal sealed class SpeedOverTime
+{
+    /// <summary>Times next to each other.</summary>
+    private const double Ratio = 1.3;
+
+    /// <summary>Beyond this share of the fastest speed, and rising, no slower kick is to be found.</summary>
+    private const double Beyond = 1.2;
+
+    private readonly TimedKick[] _kicks = new TimedKick[64];
+    private TimedProblem _problem;
+    private int _start;
+
+    public SpeedOverTime(TimedProblem problem) => _problem = problem;
+
+    /// <summary>How many kicks are known.</summary>
+    public int Count { get; private set; }
+
+    public TimedProblem Problem => _problem;
+
+    /// <summary>A kick, by rising time.</summary>
+    public ref readonly TimedKick this[int index] => ref _kicks[index];
+
+    /// <summary>Begins with a kick that is neither fast and flat nor fast and steep.</summary>
+    /// <param name="problem">What the kicks are to do.</param>
+    /// <param name="fastest">The fastest kick of use, m/s.</param>
+    /// <param name="upward">Upward acceleration by gravity and buoyancy, m/s².</param>
+    /// <param name="start">Which first kick to begin with; 0 … <see cref="TimedProblem.OtherStarts"/>.</param>
+    public void Begin(TimedProblem problem, double fastest, double upward, int start)
+    {
+        _start = start;
+        _problem = problem;
+        Count = 0;
+        double distance = (problem.Frame.Target - problem.Frame.From).Length;
+
+        // Without air the slowest kick takes t² = 2 d/g.
+        double slowest = Math.Abs(upward) > 1e-3 ? Math.Sqrt(2.0 * distance / Math.Abs(upward)) : double.PositiveInfinity;
+        double time = Math.Min(Math.Max(slowest, 1.2 * distance / fastest), AimContext.LongestFlight);
+        Add(time);
+        for (int i = 1; i <= 4 && Count > 0 && !_kicks[0].Found && !double.IsPositiveInfinity(_kicks[0].Speed); i++)
+        {
+            // Not even that is known: elsewhere then.
+            Count = 0;
+            Add(Math.Min(time * (i % 2 == 0 ? Elementary.Exp(-0.3 * i) : Elementary.Exp(0.3 * i)), AimContext.LongestFlight));
+        }
+    }
+
+    /// <summary>Adds shorter times, until even shorter ones need more than the fastest speed.</summary>
+    public void Shorten(double fastest)
+    {
+        while (Count > 0 && Count < _kicks.Length - 24 && !IsBeyond(fastest, 0, 1) && Add(_kicks[0].Time / Ratio) >= 0)
+        {
+        }
+    }
+
+    /// <summary>Adds longer times, until even longer ones need more than the fastest speed.</summary>
+    public void Lengthen(double fastest)
+    {
+        while (Count > 0 && Count < _kicks.Length - 12 && !IsBeyond(fastest, Count - 1, Count - 2) && _kicks[Count - 1].Time < AimContext.LongestFlight
+            && Add(Math.Min(Ratio * _kicks[Count - 1].Time, AimContext.LongestFlight)) >= 0)
+        {
+        }
+    }
+
+    /// <summary>Finds the kick for a time, and takes it into the row.</summary>
+    /// <returns>Where it is in the row; −1 where nothing more can be searched.</returns>
+    public int Add(double time)
+    {
+        if (Count == _kicks.Length || _problem.IsSpent)
+        {
+            return -1;
+        }
+
+        TimedKick kick = Near(time);
+        int at = Count++;
+        while (at > 0 && _kicks[at - 1].Time > time)
+        {
+            _kicks[at] = _kicks[at - 1];
+            at--;
+        }
+
+        _kicks[at] = kick;
+        return at;
+    }
+
+    /// <summary>The kick for a time, beginning with those next to it.</summary>
+    public TimedKick Near(double time)
+    {
+        int nearest = -1;
+        for (int i = 0; i < Count; i++)
+        {
+            double ratio = Distance(_kicks[i].Time, time);
+            if (_kicks[i].Found && ratio < 1.6 && (nearest < 0 || ratio < Distance(_kicks[nearest].Time, time)))
+            {
+                nearest = i;
+            }
+        }
+
+        TimedKick kick = nearest < 0 ? _problem.Guess(time, _start) : _kicks[nearest].At(time);
+        if (!_problem.Solve(ref kick) && nearest >= 0 && !double.IsPositiveInfinity(kick.Speed))
+        {
+            TimedKick again = _problem.Guess(time, _start);
+            kick = _problem.Solve(ref again) ? again : kick;
+        }
+
+        return kick;
+    }
+
+    private static double Distance(double one, double other) => one > other ? one / other : other / one;
+
+    private bool IsBeyond(double fastest, int outer, int inner)
+    {
+        if (Count < 2)
+        {
+            return false;
+        }
+
+        double speed = _kicks[outer].Speed;
+        return speed > Beyond * fastest && (double.IsPositiveInfinity(speed) || speed > _kicks[inner].Speed);
+    }
+}
