@@ -204,7 +204,7 @@ public sealed class BytesTests
     private static MatchSegment Segment()
     {
         var runner = new FixedStepRunner();
-        runner.Kick(new Vector3d(2, 6, -20), new Vector3d(0, 30, 0));
+        runner.QueueKick(new Vector3d(2, 6, -20), new Vector3d(0, 30, 0));
         runner.Step();
         MatchSegment segment = runner.Record();
         Inputs.Play(runner, 8);

@@ -114,5 +114,5 @@ public sealed class EventBufferTests
 
     private static double[] Times(EventBuffer buffer) => [.. buffer.Span.ToArray().Select(item => item.Time)];
 
-    private static BallEvent Impact(int time) => new(BallEventKind.Impact, time, default, default, default, default, default);
+    private static BallEvent Impact(int time) => new(BallEventKind.Impact, 0, default, time, default, default, default, default, default);
 }

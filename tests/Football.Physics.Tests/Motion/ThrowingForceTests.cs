@@ -178,7 +178,7 @@ public sealed class ThrowingForceTests
         foreach (bool torque in (bool[])[false, true])
         {
             var force = new Poison(value, torque, 0.1);
-            var ball = new Ball(Scene.Default with { Forces = new ForceSet { Custom = [Force.From((in ForceInput _) => Vector3d.Up), force] } });
+            var ball = new Ball(Scene.Default with { Forces = new ForceSet { Custom = [Force.From(_ => Vector3d.Up), force] } });
             ball.Kick(s_velocity, s_spin);
             BallState before = ball.State;
             InvalidOperationException refused = Assert.Throws<InvalidOperationException>((Action)(() =>
@@ -201,9 +201,9 @@ public sealed class ThrowingForceTests
     {
         IForce[] forces =
         [
-            Force.From((in ForceInput ball) => 500 * (new Vector3d(0, 3, 0) - ball.Position)),
-            Force.From((in ForceInput ball) => -90 * ball.Velocity),
-            Force.From((in ForceInput _) => new Vector3d(1e300, 0, 0)),
+            Force.From(ball => 500 * (new Vector3d(0, 3, 0) - ball.Position)),
+            Force.From(ball => -90 * ball.Velocity),
+            Force.From(_ => new Vector3d(1e300, 0, 0)),
         ];
         foreach (IForce force in forces)
         {

@@ -17,7 +17,7 @@ public sealed class ThreadTests
         ["constant decay"] = Scene.Default with { Forces = new ForceSet { SpinDecay = ForceLaw.Constant, SpinDecayCoefficient = 1e-3 } },
         ["vacuum"] = Scene.Vacuum,
         ["strong air"] = Scene.Default with { Ball = new BallProperties { Mass = 1e-4 } },
-        ["own force"] = Scene.Default with { Forces = new ForceSet { Custom = [Force.From((in ForceInput ball) => new Vector3d(0.1 * ball.Velocity.Y, 0, 0.2))] } },
+        ["own force"] = Scene.Default with { Forces = new ForceSet { Custom = [Force.From(ball => new Vector3d(0.1 * ball.Velocity.Y, 0, 0.2))] } },
     };
 
     [Theory]
