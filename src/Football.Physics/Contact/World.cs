@@ -136,8 +136,12 @@ internal sealed class World
     /// <summary>Index among the things of the scene of a goal.</summary>
     public int ThingOfGoal(int goal) => ThingOfNet(Nets.Length) + goal;
 
-    /// <summary>What carries the ball.</summary>
-    public Collider CarrierOf(in BallState s) => Colliders[s.Carrier - FirstCollider];
+    /// <summary>What carries the ball. A state of another scene may name what is not here: then it is the first thing.</summary>
+    public Collider CarrierOf(in BallState s)
+    {
+        long index = s.Carrier - FirstCollider;
+        return Colliders[(ulong)index < (ulong)Colliders.Length ? index : 0];
+    }
 
     /// <summary>½ m |v−V|² + ½ I ω², J.</summary>
     public double Energy(in Motion at, Collider carrier) =>

@@ -247,7 +247,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         return true;
     }
 
-    /// <summary>ṡ = v̇_t + r n × ω̇, near enough for the length of a piece.</summary>
+    /// <summary>ṡ = v̇_t + r n × ω̇.</summary>
     private Vector3d SlipRate(in CarriedForces on, in MotionRates rates) =>
         CarriedSystem<TAir>.Tangential(in rates.Acceleration, on.Normal) + (_around.Radius * Vector3d.Cross(on.Normal, in rates.SpinAcceleration));
 
@@ -257,8 +257,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         double asked = run.Next;
         double damping = _world.CarrierOf(in s).Material.SpinDamping / _inertia;
         double h = _limit.PartOf(ref _around.Air, asked, (from.Velocity - _around.Wind).Length, from.Spin.Length, s.Branch, damping);
-        double speed = on.Velocity.Length;
-        double turning = speed > 0 ? on.Turning.Length : 0;
+        double turning = on.Turning.Length;
         h = turning * h > LargestTurn ? LargestTurn / turning : h;
         h = Math.Min(h, _nets.LongestPiece(in s, h));
         run.Keep(h, asked);

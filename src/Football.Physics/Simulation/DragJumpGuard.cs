@@ -174,7 +174,7 @@ internal sealed class DragJumpGuard<TAir>
     private DragBranch Resolve(double time, in Motion at, in BallState s, ref StepRun run)
     {
         FlightSystem<TAir> system = _flight;
-        system.Nets = s.Nets;
+        system.Nets = system.Around.World is null ? 0 : s.Nets;
         system.NetSides = s.NetSides;
         DragJump here = system.JumpAt(in at);
         DragBranch along = here.NearerToSpeed ? DragBranch.AlongCriticalSpeed : DragBranch.AlongCriticalSpin;

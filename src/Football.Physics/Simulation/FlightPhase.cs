@@ -66,7 +66,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
             s.Branch = DragJump.At(u.LengthSquared, _around.RadiusSquared * s.SpinRate * s.SpinRate).Branch;
         }
 
-        bool hasAxis = !_around.Air.Varies && s.Branch < DragBranch.AlongCriticalSpeed && s.Nets == 0 && guides.Count == 0;
+        bool hasAxis = !_around.Air.Varies && s.Branch < DragBranch.AlongCriticalSpeed && (_world is null || s.Nets == 0) && guides.Count == 0;
         double asked = run.Next;
         double h = Longest(in s, in u, asked, hasAxis);
         if (h <= 0)
@@ -121,7 +121,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
         FlightSystem<TAir> system = _system;
         system.Branch = s.Branch;
-        system.Nets = s.Nets;
+        system.Nets = _world is null ? 0 : s.Nets;
         system.NetSides = s.NetSides;
         system.Guides = guides;
         var sweep = new MotionSweep<FlightSystem<TAir>, TIntegrator>(in system, s.Time, in from, _around.Wind, _around.Radius);
@@ -141,7 +141,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
             }
         }
 
-        if (goes && s.Nets != 0)
+        if (goes && _world is not null && s.Nets != 0)
         {
             double length = sweep.Length;
             _nets!.EndWhereSlack(ref sweep, in s);

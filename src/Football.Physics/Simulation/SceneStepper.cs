@@ -55,22 +55,13 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         var jump = new DragJumpGuard<TAir>(around, settings.LocateJump && _integrator.Order > 1);
         _locatesJump = jump.Acts;
         var contact = new ContactPhase<TAir>(scene, around);
-        WorldGuard<TAir>? guard = null;
         _world = around.World;
         _reachOfWorld = _world is null ? 0 : _world.FastestSpeed + _wind.Length;
-        if (_world is not null)
-        {
-            _worldContact = new WorldContact<TAir>(around, scene.Ground.IsLevel);
-            guard = new WorldGuard<TAir>(_world, _worldContact);
-        }
-
+        _worldContact = _world is null ? null : new WorldContact<TAir>(around, scene.Ground.IsLevel);
+        WorldGuard<TAir>? guard = _world is null ? null : new WorldGuard<TAir>(_world, _worldContact!);
         _implicit = new ImplicitPhase<TAir>(around, contact, guard);
-        if (_world is not null)
-        {
-            _carried = new CarriedPhase<TAir, TIntegrator>(around, in _limit, jump, guard!, _worldContact!, _implicit);
-            _rest = new RestPhase<TAir>(_world, guard!);
-        }
-
+        _carried = guard is null ? null : new CarriedPhase<TAir, TIntegrator>(around, in _limit, jump, guard, _worldContact!, _implicit);
+        _rest = guard is null ? null : new RestPhase<TAir>(_world!, guard);
         _flight = new FlightPhase<TAir, TIntegrator>(settings, around, in _limit, jump, contact, _implicit, guard);
         var ground = new GroundLimit<TAir>(around, in _limit);
         _slide = new SlidePhase<TAir, TIntegrator>(settings, around, in ground, jump, contact, _implicit);
