@@ -34,7 +34,10 @@ public sealed class FootTests
         {
             var foot = new Foot
             {
-                Mass = random.Uniform(0.5, 4), Restitution = random.Uniform(0, 1), TangentialRestitution = random.Uniform(0, 1), Friction = random.Uniform(0, 2),
+                Mass = random.Uniform(0.5, 4),
+                Restitution = random.Uniform(0, 1),
+                TangentialRestitution = random.Uniform(0, 1),
+                Friction = random.Uniform(0, 2),
             };
             Vector3d v = random.Uniform(0, 20) * random.Direction();
             Vector3d w = random.Uniform(0, 60) * random.Direction();

@@ -30,7 +30,13 @@ public sealed class SmoothLawTests
         {
             var curve = new DragCurve
             {
-                Subcritical = 2, CriticalReynolds = reynolds, Width = 1e4, Supercritical = 0.1, Risen = 0.2, RiseFrom = reynolds, RiseTo = reynolds + 1e4,
+                Subcritical = 2,
+                CriticalReynolds = reynolds,
+                Width = 1e4,
+                Supercritical = 0.1,
+                Risen = 0.2,
+                RiseFrom = reynolds,
+                RiseTo = reynolds + 1e4,
             };
             Scene scene = LawGrid.Scene with { Ball = LawGrid.Scene.Ball with { DragCurve = curve } };
             scene.Validate();
