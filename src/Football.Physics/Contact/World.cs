@@ -112,9 +112,9 @@ internal sealed class World
     public double ClearanceAt(in Vector3d position, double time)
     {
         double nearest = double.PositiveInfinity;
-        foreach (ref readonly Bounds3d box in _boxes.AsSpan())
+        for (int i = 0; i < _boxes.Length; i++)
         {
-            nearest = Math.Min(nearest, box.DistanceSquared(in position));
+            nearest = Math.Min(nearest, _boxes[i].DistanceSquared(in position));
         }
 
         nearest = Math.Sqrt(nearest);

@@ -98,9 +98,9 @@ public sealed class EventBuffer
     /// <summary>Adds all of another buffer's.</summary>
     internal void Add(EventBuffer other)
     {
-        foreach (ref readonly BallEvent item in other)
+        for (int i = 0; i < other.Count; i++)
         {
-            Add(in item);
+            Add(in other._events[i]);
         }
 
         Missed += other.Missed;

@@ -88,9 +88,11 @@ public sealed class Trajectory
     /// <returns>False where there is no such touchdown.</returns>
     public bool TryGetTouchdown(int index, out BallEvent touchdown)
     {
-        foreach (ref readonly BallEvent e in Events)
+        for (int i = 0; i < Events.Count; i++)
         {
-            if (e.Kind == BallEventKind.Impact && index-- == 0)
+            // A hit of anything but the ground is no touchdown.
+            ref readonly BallEvent e = ref Events[i];
+            if (e.Kind == BallEventKind.Impact && e.Thing == 0 && index-- == 0)
             {
                 touchdown = e;
                 return true;
