@@ -90,8 +90,9 @@ internal abstract class LaneFlight
     private static ForceLaw? KindOf(ForceSet forces)
     {
         ForceLaw kind = ForceLaw.None;
-        foreach (ForceLaw law in (ReadOnlySpan<ForceLaw>)[forces.Drag, forces.Magnus, forces.SpinDecay])
+        for (int i = 0; i < 3; i++)
         {
+            ForceLaw law = i == 0 ? forces.Drag : i == 1 ? forces.Magnus : forces.SpinDecay;
             Check.Defined("forces", law, (int)law, 3);
             if (law != ForceLaw.None && kind != ForceLaw.None && law != kind)
             {
