@@ -104,12 +104,12 @@ internal struct CarriedSystem<TAir> : IMotionSystem
         return World.SharesAir ? drive : drive + on.Air;
     }
 
-    /// <summary>The slip velocity s = (v − V)_t + r n × ω, m/s.</summary>
-    public readonly Vector3d Slip(in Motion at, in Vector3d normal)
-    {
-        Vector3d v = at.Velocity - Carrier.Velocity;
-        return Tangential(in v, in normal) + (World.Ball.Radius * Vector3d.Cross(in normal, in at.Spin));
-    }
+    /// <summary>The slip velocity relative to the carrier, m/s.</summary>
+    public readonly Vector3d SlipOf(in Motion at, in Vector3d normal) =>
+        Slip.Of(at.Velocity - Carrier.Velocity, in at.Spin, in normal, World.Ball.Radius);
+
+    /// <summary>Whether friction can hold the ball without slip.</summary>
+    public readonly bool Grips(in CarriedForces on) => Traction(in on).Length + CarriedForces.Least <= SlidingFriction(in on);
 
     /// <summary>μ_s N/m, m/s².</summary>
     public readonly double SlidingFriction(in CarriedForces on) => Carrier.Material.SlidingFriction * on.Load;
@@ -124,7 +124,7 @@ internal struct CarriedSystem<TAir> : IMotionSystem
     private readonly MotionRates Sliding(double time, in Motion at, in CarriedForces on)
     {
         Vector3d n = on.Normal;
-        Vector3d slip = Slip(in at, in n);
+        Vector3d slip = SlipOf(in at, in n);
         double size = slip.Length;
         Vector3d s = size > 0 && Vector3d.Dot(in slip, in Direction) > 0 ? slip / size : Direction;
         double friction = SlidingFriction(in on);

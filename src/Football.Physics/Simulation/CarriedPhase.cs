@@ -8,12 +8,6 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
     where TAir : struct, IAir
     where TIntegrator : struct, IIntegrator
 {
-    /// <summary>Below this slip, or speed, m/s, or spin about the normal, rad/s, there is none.</summary>
-    private const double Still = 1e-9;
-
-    /// <summary>A load, or a friction to spare, of less than this, m/s², is none.</summary>
-    private const double Least = 1e-9;
-
     /// <summary>The last of a slide, this share of a step long, is done in closed form.</summary>
     private const double ClosedForm = 0.0025;
 
@@ -62,7 +56,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         CarriedSystem<TAir> system = System(in s, in from, rolls);
         CarriedForces on = system.ForcesOn(s.Time, in from);
         run.Log.Evaluations++;
-        if (on.FreeLoad <= Least)
+        if (on.FreeLoad <= CarriedForces.Least)
         {
             _contact.Leave(ref s, s.Velocity, s.Spin, ref run);
             return;
@@ -70,8 +64,8 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
 
         double sliding = system.SlidingFriction(in on);
         Vector3d traction = system.Traction(in on);
-        bool grips = traction.Length + Least <= sliding;
-        Vector3d moving = rolls ? on.Velocity : system.Slip(in from, in on.Normal);
+        bool grips = system.Grips(in on);
+        Vector3d moving = rolls ? on.Velocity : system.SlipOf(in from, in on.Normal);
         double size = moving.Length;
         if (rolls && !grips)
         {
@@ -79,7 +73,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
             return;
         }
 
-        if (!rolls && size < Still && grips)
+        if (!rolls && size < Slip.Rolling && grips)
         {
             _contact.StartRolling(ref s, ref run);
             return;
@@ -95,12 +89,12 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
                 return;
             }
 
-            system.Pinned = size < Still && held;
-            moving = size < Still ? drive : moving;
+            system.Pinned = size < Slip.Rolling && held;
+            moving = size < Slip.Rolling ? drive : moving;
         }
         else
         {
-            moving = size < Still ? traction : moving;
+            moving = size < Slip.Rolling ? traction : moving;
         }
 
         double length = moving.Length;
@@ -112,7 +106,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
             return;
         }
 
-        if (size >= Still)
+        if (size >= Slip.Rolling)
         {
             system.Rates(s.Time, in from, out MotionRates rates);
             run.Log.Evaluations++;
@@ -221,7 +215,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         system.Rates(s.Time, in from, out MotionRates rates);
         about += t * Vector3d.Dot(rates.SpinAcceleration, on.Normal);
         BallState before = s;
-        Vector3d rolling = (Vector3d.Cross(on.Normal, velocity - system.Carrier.Velocity) / _around.Radius) + (about * on.Normal);
+        Vector3d rolling = Slip.RollingSpin(velocity - system.Carrier.Velocity, about, in on.Normal, _around.Radius);
         s.BaseOrientation = s.BaseOrientation.Turned((0.5 * t) * (from.Spin + rolling));
         s.Position = position;
         s.Velocity = velocity;
@@ -238,7 +232,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         {
             CarriedForces there = system.ForcesOn(s.Time, new Motion(s.Position, s.Velocity, s.Spin));
             run.Log.Evaluations++;
-            if (system.Traction(in there).Length + Least <= system.SlidingFriction(in there))
+            if (system.Grips(in there))
             {
                 _contact.StartRolling(ref s, ref run);
             }
@@ -279,7 +273,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         if (system.Rolls)
         {
             Vector3d spin = s.SpinAxis;
-            s.SpinAxis = (Vector3d.Cross(in n, s.Velocity - system.Carrier.Velocity) / _around.Radius) + (Vector3d.Dot(in spin, in n) * n);
+            s.SpinAxis = Slip.RollingSpin(s.Velocity - system.Carrier.Velocity, Vector3d.Dot(in spin, in n), in n, _around.Radius);
         }
     }
 
@@ -297,7 +291,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
             NetSides = s.NetSides,
             Guides = Guides.Of(_world, s.Position, s.Velocity, s.Time, (int)s.Carrier - _world.FirstCollider),
             Rolls = rolls,
-            SpinSign = about > Still ? 1.0 : about < -Still ? -1.0 : 0.0,
+            SpinSign = about > Slip.Rolling ? 1.0 : about < -Slip.Rolling ? -1.0 : 0.0,
         };
     }
 

@@ -135,7 +135,7 @@ internal sealed class ImplicitPhase<TAir>
         double about = Vector3d.Dot(euler.Spin(rate, u.Length, h) * axis, in n) / (1.0 + (h * carrier.Material.SpinDamping / world.Ball.MomentOfInertia));
         s.Position = path.At(h);
         s.Velocity = velocity;
-        s.SetGroundSpin((Vector3d.Cross(in n, in relative) / _around.Radius) + (about * n));
+        s.SetGroundSpin(Slip.RollingSpin(in relative, about, in n, _around.Radius));
         s.Branch = DragBranch.Unknown;
         run.Advance(ref s, h);
         ShapePoint there = carrier.At(s.Position, s.Time);

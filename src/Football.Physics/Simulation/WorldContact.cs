@@ -4,12 +4,6 @@ namespace Football.Physics;
 internal sealed class WorldContact<TAir>
     where TAir : struct, IAir
 {
-    /// <summary>Below this slip, m/s, a carried ball rolls.</summary>
-    private const double RollingSlip = 1e-9;
-
-    /// <summary>A friction to spare of less than this, m/s², is none.</summary>
-    private const double Least = 1e-9;
-
     /// <summary>More impacts than this at one instant, and the ball is wedged: it goes along with what pushes it.</summary>
     private const int MostAtOnce = 64;
 
@@ -75,7 +69,7 @@ internal sealed class WorldContact<TAir>
         Collider carrier = _world.CarrierOf(in s);
         Vector3d n = carrier.At(s.Position, s.Time).Normal;
         Vector3d before = s.Spin;
-        Vector3d spin = RollingSpin(s.Velocity - carrier.Velocity, in before, in n);
+        Vector3d spin = Slip.RollingSpin(s.Velocity - carrier.Velocity, Vector3d.Dot(in before, in n), in n, _world.Ball.Radius);
         s.SetGroundSpin(in spin);
         s.Motion = MotionState.Rolling;
         run.Log.Events.Add(new BallEvent(BallEventKind.Roll, (int)s.Carrier, in n, s.Time, s.Position, s.Velocity, in before, s.Velocity, in spin));
@@ -133,7 +127,7 @@ internal sealed class WorldContact<TAir>
             {
                 s.Velocity = velocity;
                 s.Carrier = i + _world.FirstCollider;
-                bool rolls = Slip(in velocity, in spin, collider, at.Normal).Length < RollingSlip;
+                bool rolls = Slip.Of(velocity - collider.Velocity, in spin, at.Normal, _world.Ball.Radius).Length < Slip.Rolling;
                 s.SetGroundSpin(in spin);
                 s.Motion = rolls ? MotionState.Rolling : MotionState.Sliding;
                 return;
@@ -184,7 +178,7 @@ internal sealed class WorldContact<TAir>
         s.Motion = MotionState.Sliding;
         Collider carrier = _world.CarrierOf(in s);
         Vector3d n = carrier.At(s.Position, s.Time).Normal;
-        if (Slip(in velocity, in spin, carrier, in n).Length < RollingSlip && Grips(in s, carrier, ref run))
+        if (Slip.Of(velocity - carrier.Velocity, in spin, in n, _world.Ball.Radius).Length < Slip.Rolling && Grips(in s, carrier, ref run))
         {
             StartRolling(ref s, ref run);
         }
@@ -200,7 +194,7 @@ internal sealed class WorldContact<TAir>
         CarriedSystem<TAir> system = System(in s, carrier);
         CarriedForces on = system.ForcesOn(s.Time, new Motion(s.Position, s.Velocity, s.Spin));
         run.Log.Evaluations++;
-        return system.Traction(in on).Length + Least <= system.SlidingFriction(in on);
+        return system.Grips(in on);
     }
 
     /// <summary>N/m, m/s², were the ball to follow the surface.</summary>
@@ -227,16 +221,6 @@ internal sealed class WorldContact<TAir>
         Nets = s.Nets,
         NetSides = s.NetSides,
     };
-
-    private Vector3d Slip(in Vector3d velocity, in Vector3d spin, Collider carrier, in Vector3d n)
-    {
-        Vector3d v = velocity - carrier.Velocity;
-        return v - (Vector3d.Dot(in v, in n) * n) + (_world.Ball.Radius * Vector3d.Cross(in n, in spin));
-    }
-
-    /// <summary>ω = n × (v−V)/r + (ω·n) n.</summary>
-    private Vector3d RollingSpin(in Vector3d velocity, in Vector3d spin, in Vector3d n) =>
-        (Vector3d.Cross(in n, in velocity) / _world.Ball.Radius) + (Vector3d.Dot(in spin, in n) * n);
 
     private static void Fly(ref BallState s, in Vector3d velocity, in Vector3d spin)
     {
