@@ -88,7 +88,7 @@ public sealed class StressTests
         {
             Kind = StressKind.AnyShot,
             Integrator = Method,
-            Scene = Scene.Published with
+            Scene = Physics.Scene.Published with
             {
                 Ball = Ball,
                 Ground = Ground.Turf with { NormalRestitution = 0.01 * Restitution, SlidingFriction = 0.1 * Friction, RollingFriction = 0.01 * Friction },
