@@ -20,5 +20,7 @@ internal static class LabCommand
         AimLab.Create(terminal),
         FuzzLab.Create(terminal),
         BallsLab.Create(terminal),
+        RigsLab.Create(terminal),
+        KicksLab.Create(terminal),
     };
 }

@@ -26,9 +26,10 @@ internal static class FoundKick
             MaximumTopSpin = 60,
             MaximumSideSpin = 60,
         };
-        AimResult found = new Aimer().Find(request);
+        AimResult found = new Aimer(Scene.Measured).Find(request);
         var kick = new Scenario
         {
+            Scene = Scene.Measured,
             Position = request.From,
             Velocity = found.Velocity,
             Spin = found.Spin,

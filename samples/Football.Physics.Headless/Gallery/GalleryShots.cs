@@ -57,6 +57,8 @@ internal static class GalleryShots
         Name = "Goal kick",
         About = "Long and high with some backspin. The air takes nearly a third of the range that it would have in a vacuum.",
         Scenario = Kick(30, left: 0, up: 36, top: -25, side: 0),
+        Comparison = Kick(30, left: 0, up: 36, top: -25, side: 0) with { Scene = Scene.Published },
+        ComparisonName = "by the published laws",
         Landmarks = [new("halfway line", 47, 47.12, -30, 30, 0)],
     };
 
@@ -68,7 +70,7 @@ internal static class GalleryShots
             Id = "goal-kick-in-vacuum",
             Name = "The same in a vacuum",
             About = "The goal kick without air: a parabola. The dashed line is the kick in air.",
-            Scenario = kick with { Scene = Scene.Vacuum },
+            Scenario = kick with { Scene = Scene.Measured with { Forces = ForceSet.None } },
             Comparison = kick,
             ComparisonName = "in air",
             DrawnTo = 160,
@@ -81,7 +83,9 @@ internal static class GalleryShots
         Id = "driven-pass",
         Name = "Driven pass",
         About = "Low and fast with backspin, which holds it up; it skips on wet turf.",
-        Scenario = Kick(26, left: 0, up: 8, top: -35, side: 0) with { Scene = new Scene { Ground = Ground.WetTurf } },
+        Scenario = Kick(26, left: 0, up: 8, top: -35, side: 0) with { Scene = Scene.Measured with { Ground = Ground.WateredTurf } },
+        Comparison = Kick(26, left: 0, up: 8, top: -35, side: 0) with { Scene = Scene.Published with { Ground = Ground.WetTurf } },
+        ComparisonName = "by the published laws",
     };
 
     private static GalleryShot Chip() => new()
@@ -132,7 +136,7 @@ internal static class GalleryShots
             About = "Rolling from the start on a hard court, across a side wind of 2 m/s that carries it to the left.",
             Scenario = Shot(new Vector3d(0, Radius, 0), velocity, KickSpin.Vector(velocity, 11 / Radius, 0)) with
             {
-                Scene = new Scene { Ground = Ground.Court, Air = new Air { Wind = ViewFrame.Direction(2, 90, 0) } },
+                Scene = Scene.Measured with { Ground = Ground.Indoor, Air = new Air { Wind = ViewFrame.Direction(2, 90, 0) } },
             },
         };
     }
@@ -147,7 +151,7 @@ internal static class GalleryShots
             About = "A high ball into a wind of 11 m/s, against it and from the right; dashed in still air. The wind's push on the ground is switched off here: it would roll the ball on for ever.",
             Scenario = kick with
             {
-                Scene = Scene.Windy(ViewFrame.Direction(11, 135, 0)) with { Ground = new Ground { Aerodynamics = GroundAerodynamics.None } },
+                Scene = Scene.Windy(ViewFrame.Direction(11, 135, 0)) with { Ground = Ground.DryTurf with { Aerodynamics = GroundAerodynamics.None } },
             },
             Comparison = kick,
             ComparisonName = "in still air",
@@ -161,7 +165,7 @@ internal static class GalleryShots
         About = "Large and light: the air stops it within metres, the sidespin throws it aside, and it stays where it lands on sand.",
         Scenario = Shot(new Vector3d(0, 1, 0), ViewFrame.Direction(16, 0, 30), KickSpin.Vector(ViewFrame.Direction(1, 0, 0), 0, 25)) with
         {
-            Scene = new Scene { Ball = BallProperties.BeachBall, Ground = Ground.Sand },
+            Scene = Scene.Measured with { Ball = BallProperties.BeachBall, Ground = Ground.Sand },
         },
     };
 
@@ -173,6 +177,7 @@ internal static class GalleryShots
 
     private static Scenario Shot(Vector3d position, Vector3d velocity, Vector3d spin) => new()
     {
+        Scene = Scene.Measured,
         Position = position,
         Velocity = velocity,
         Spin = spin,

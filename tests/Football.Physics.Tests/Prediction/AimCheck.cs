@@ -28,7 +28,7 @@ internal static class AimCheck
     /// <summary>The closest approach before the first impact, in RK4 at 5 ms.</summary>
     public static double TrueMiss(AimRequest request, in AimResult result, Scene? scene = null)
     {
-        var simulator = new Simulator(scene);
+        var simulator = new Simulator(scene ?? Scene.Published);
         var path = new Trajectory(8192);
         BallState ball = simulator.Launch(request.From, result.Velocity, result.Spin);
         var look = new LookAheadRequest { TimeStep = 0.005, Duration = 30, StopAt = StopAt.Impact };
