@@ -44,7 +44,7 @@ internal static class WorldTable
         }
     }
 
-    private static Workload Empty(in Vector3d from) => Flights(Scene.Default, in from);
+    private static Workload Empty(in Vector3d from) => Flights(Scene.Published, in from);
 
     private static Workload Flights(Scene scene, in Vector3d from)
     {

@@ -6,7 +6,7 @@ internal static class StadiumScenes
     private const int Team = 11;
 
     /// <summary>Goals, nets and boards alone.</summary>
-    public static Scene WithoutPlayers { get; } = Pitch.Stadium.On();
+    public static Scene WithoutPlayers { get; } = Pitch.Stadium.On(Scene.Published);
 
     /// <summary>Players who stand.</summary>
     public static Scene WithStandingPlayers { get; } = With(i => default);
