@@ -47,7 +47,7 @@ public static class GoldenShots
         yield return Named("constant", new Scene { Forces = ForceSet.Constant });
         yield return Named("vacuum", Scene.Vacuum);
         yield return Named("windy", Scene.Windy(new Vector3d(3.5, 0.5, 6)));
-        IForce gust = Force.From((in ForceInput ball) => new Vector3d(0.3 * ball.Position.Y, 0, 0.01 * ball.AirVelocity.Z));
+        IForce gust = Force.From(ball => new Vector3d(0.3 * ball.Position.Y, 0, 0.01 * ball.AirVelocity.Z));
         yield return Named("custom", new Scene { Forces = new ForceSet { Custom = new[] { gust } }, Ground = Ground.WetTurf });
     }
 

@@ -28,10 +28,10 @@ internal static class AimWriter
 
         json.WriteNumber("time", result.Time);
         WriteVector(json, "closest", result.Closest);
-        json.WriteString("arc", Words.Of(result.Arc));
-        json.WriteBoolean("rolls", result.Rolls);
         json.WriteNumber("iterations", result.Iterations);
         json.WriteNumber("simulations", result.Simulations);
+        json.WriteString("arc", Words.Of(result.Arc));
+        json.WriteBoolean("rolls", result.Rolls);
     });
 
     private static void WriteVector(Utf8JsonWriter json, string name, in Vector3d vector)

@@ -42,8 +42,8 @@ internal static class AimAnything
                 Speed = Between(5, 40),
                 TopSpin = spins ? Between(-60, 60) : 0,
                 SideSpin = spins ? Between(-60, 60) : 0,
-                MinimumElevation = low,
-                MaximumElevation = high,
+                MinimumElevationDegrees = low,
+                MaximumElevationDegrees = high,
                 Tolerance = 1e-3,
             };
         }

@@ -32,8 +32,8 @@ internal sealed class AimScan
     /// <param name="elevations">Elevations between the bounds.</param>
     public double Best(AimRequest request, int elevations)
     {
-        double low = request.MinimumElevation * Degree;
-        double high = request.MaximumElevation * Degree;
+        double low = request.MinimumElevationDegrees * Degree;
+        double high = request.MaximumElevationDegrees * Degree;
         int count = high > low ? elevations : 1;
         _bestMiss = double.PositiveInfinity;
         var misses = new double[count];

@@ -18,7 +18,7 @@ internal static class AimSets
     public static AimRequest[] Thesis(int seed, int count)
     {
         var random = new Random(seed);
-        return Make(count, () => Before(random, InGoal(random), Between(random, 15, 25)) with { Speed = 25, TopSpin = 20, SideSpin = 10, MaximumElevation = 30 });
+        return Make(count, () => Before(random, InGoal(random), Between(random, 15, 25)) with { Speed = 25, TopSpin = 20, SideSpin = 10, MaximumElevationDegrees = 30 });
     }
 
     /// <summary>4.1.3, limits: the same kick from further and further away, at most 45°.</summary>
@@ -29,7 +29,7 @@ internal static class AimSets
         Speed = 25,
         TopSpin = 20,
         SideSpin = 10,
-        MaximumElevation = 45,
+        MaximumElevationDegrees = 45,
     })];
 
     /// <summary>4.1.3, the studio's comparison: 20 to 30 m/s, spins within ±20, points in the goal; the thesis does not say how far off: 14 to 20 m.</summary>
@@ -41,7 +41,7 @@ internal static class AimSets
             Speed = Between(random, 20, 30),
             TopSpin = Between(random, -20, 20),
             SideSpin = Between(random, -20, 20),
-            MaximumElevation = 30,
+            MaximumElevationDegrees = 30,
         });
     }
 

@@ -95,7 +95,7 @@ internal sealed class AimVerdicts
         Requests++;
         double elevation = Math.Atan2(result.Velocity.Y, result.Velocity.Horizontal.Length) * 180 / Math.PI;
         bool answer = Math.Abs(result.Velocity.Length - request.Speed) <= 1e-9 * request.Speed && result.Spin.IsFinite && double.IsFinite(result.Miss)
-            && elevation >= request.MinimumElevation - 1e-7 && elevation <= request.MaximumElevation + 1e-7;
+            && elevation >= request.MinimumElevationDegrees - 1e-7 && elevation <= request.MaximumElevationDegrees + 1e-7;
         WithoutAnswer += answer ? 0 : 1;
         switch (result.Status)
         {

@@ -74,8 +74,8 @@ internal sealed record KnownKick(AimRequest Request, double Time, Vector3d Betwe
                 Speed = speed,
                 TopSpin = top,
                 SideSpin = side,
-                MinimumElevation = narrow ? elevation - 8 : Math.Min(0, elevation),
-                MaximumElevation = narrow ? Math.Min(90, elevation + 8) : Math.Max(steepest, 45),
+                MinimumElevationDegrees = narrow ? elevation - 8 : Math.Min(0, elevation),
+                MaximumElevationDegrees = narrow ? Math.Min(90, elevation + 8) : Math.Max(steepest, 45),
                 Tolerance = 1e-3,
             };
             return new KnownKick(request, time, path.PositionAt(part * time), elevation);

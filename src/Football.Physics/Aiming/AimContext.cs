@@ -22,6 +22,9 @@ internal sealed class AimContext
     /// <summary>Simulations of a search over elevations or times that count as one iteration.</summary>
     private const int SimulationsPerIteration = 16;
 
+    /// <summary>Simulations that a search that has begun may still take.</summary>
+    private const int LongestSearch = 64;
+
     private readonly Simulator _simulator;
     private int _spent;
     private int _most;
@@ -89,6 +92,7 @@ internal sealed class AimContext
     public void Begin(int mostIterations)
     {
         _most = Math.Min(mostIterations, int.MaxValue / (2 * SimulationsPerIteration)) * SimulationsPerIteration;
+        _most -= Math.Min(_most / 2, LongestSearch);
         _spent = 0;
         _pieces = 0;
         Simulations = 0;

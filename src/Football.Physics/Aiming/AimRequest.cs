@@ -6,8 +6,8 @@ public sealed record AimRequest
     /// <summary>Where the ball is, m; components within ±1e6. Below contact height it is raised to it. Default the origin.</summary>
     public Vector3d From { get; init; }
 
-    /// <summary>Where it is to go, m; components within ±1e6. Below contact height it is raised to it. Default the origin.</summary>
-    public Vector3d Target { get; init; }
+    /// <summary>Where it is to go, m; components within ±1e6. Below contact height it is raised to it. Without one a request is refused.</summary>
+    public Vector3d Target { get; init; } = new(double.NaN, double.NaN, double.NaN);
 
     /// <summary>Velocity of the target, m/s; at most 1000. Default at rest. Used by <see cref="AimMethod.Direct"/> without a point on the way.</summary>
     public Vector3d TargetVelocity { get; init; }
@@ -25,10 +25,10 @@ public sealed record AimRequest
     public double SideSpin { get; init; }
 
     /// <summary>Lowest elevation, degrees. −90 … 90; default 0.</summary>
-    public double MinimumElevation { get; init; }
+    public double MinimumElevationDegrees { get; init; }
 
     /// <summary>Highest elevation, degrees. At least the lowest, at most 90; default 45.</summary>
-    public double MaximumElevation { get; init; } = 45;
+    public double MaximumElevationDegrees { get; init; } = 45;
 
     /// <summary>Largest topspin or backspin of a two-point kick, rad/s. 0 … 10 000; default 40.</summary>
     public double MaximumTopSpin { get; init; } = 40;
@@ -50,7 +50,7 @@ public sealed record AimRequest
 
     /// <summary>
     /// Which of the two kicks that reach a target. Default the low one. Used by <see cref="AimMethod.Direct"/>. The high one is mostly steeper than
-    /// 45°: raise <see cref="MaximumElevation"/> for it; <see cref="AimResult.Arc"/> says which one was found.
+    /// 45°: raise <see cref="MaximumElevationDegrees"/> for it; <see cref="AimResult.Arc"/> says which one was found.
     /// </summary>
     public AimArc Arc { get; init; } = AimArc.Low;
 
@@ -70,8 +70,8 @@ public sealed record AimRequest
         Check.Within("aim.spin.top", TopSpin, -Limits.Spin, Limits.Spin);
         Check.Within("aim.spin.side", SideSpin, -Limits.Spin, Limits.Spin);
         Check.Size("aim.spin", new Vector3d(TopSpin, SideSpin, 0), Limits.Spin, "rad/s");
-        Check.Within("aim.elevation.min", MinimumElevation, -90, 90);
-        Check.Within("aim.elevation.max", MaximumElevation, MinimumElevation, 90);
+        Check.Within("aim.elevation.min", MinimumElevationDegrees, -90, 90);
+        Check.Within("aim.elevation.max", MaximumElevationDegrees, MinimumElevationDegrees, 90);
         Check.Within("aim.maxSpin.top", MaximumTopSpin, 0, Limits.Spin);
         Check.Within("aim.maxSpin.side", MaximumSideSpin, 0, Limits.Spin);
         Check.Positive("aim.tolerance", Tolerance);

@@ -23,6 +23,7 @@ public sealed class Aimer
     private readonly BisectionAim _bisection;
     private readonly TwoPointAim _twoPoint;
     private readonly TimeSearch _times;
+    private readonly SlowestSearch _slowest;
 
     /// <summary>Whether the method that is at work passes a point on the way.</summary>
     private bool _passesThrough;
@@ -39,11 +40,20 @@ public sealed class Aimer
         _context = new AimContext(scene ?? Scene.Default, settings ?? SolverSettings.Default, timeStep);
         var problem = new PlaneProblem(_context);
         _times = new TimeSearch(_context);
+        _slowest = new SlowestSearch(_context);
         _direct = new DirectAim(_context, problem, _times);
         _directTwoPoint = new DirectTwoPointAim(_context, _direct, _times);
         _angle = new AngleAim(_context);
         _bisection = new BisectionAim(_context);
         _twoPoint = new TwoPointAim(_context, _angle, _bisection);
+    }
+
+    /// <summary>For the balls of a compiled scene.</summary>
+    /// <param name="simulator">The scene; its settings are those of the thesis' methods.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
+    public Aimer(Simulator simulator)
+        : this((simulator ?? throw new ArgumentNullException(nameof(simulator))).Scene, simulator.Settings)
+    {
     }
 
     /// <summary>Finds a kick.</summary>
@@ -93,10 +103,10 @@ public sealed class Aimer
     {
         Begin(request, AimMethod.Direct);
         RefuseThrough(request);
-        if (!_times.Slowest(request, out AimSolution solution))
+        if (!_slowest.Find(request, out AimSolution solution))
         {
             _context.Steps = AimSteps.Short;
-            if (!_times.Slowest(request, out solution))
+            if (!_slowest.Find(request, out solution))
             {
                 _context.Steps = AimSteps.Long;
                 solution = _direct.Find(request);

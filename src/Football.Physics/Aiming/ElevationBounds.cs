@@ -15,7 +15,7 @@ internal readonly struct ElevationBounds
     }
 
     /// <summary>Those of a request.</summary>
-    public static ElevationBounds Of(AimRequest request) => OfDegrees(request.MinimumElevation, request.MaximumElevation);
+    public static ElevationBounds Of(AimRequest request) => OfDegrees(request.MinimumElevationDegrees, request.MaximumElevationDegrees);
 
     /// <summary>Those of two angles in degrees.</summary>
     public static ElevationBounds OfDegrees(double lowest, double highest) => new(lowest * Degree, highest * Degree);

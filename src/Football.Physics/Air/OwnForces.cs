@@ -21,6 +21,10 @@ internal readonly struct OwnForces
         foreach (IForce force in _forces)
         {
             force.Apply(in ball, ref sum);
+            if (!sum.Force.IsFinite || !sum.Torque.IsFinite)
+            {
+                throw Check.Refusal("forces.custom, " + force.GetType().Name, sum.Force + " N, " + sum.Torque + " N m", "finite forces and torques");
+            }
         }
 
         factors.Acceleration += sum.Force * _perMass;

@@ -43,7 +43,7 @@ internal sealed class BatchAimWorker
     {
         HandedOn = 0;
         Flights = 0;
-        ElevationBounds bounds = ElevationBounds.OfDegrees(aims.MinimumElevation, aims.MaximumElevation);
+        ElevationBounds bounds = ElevationBounds.OfDegrees(aims.MinimumElevationDegrees, aims.MaximumElevationDegrees);
         Elementary.SinCos(bounds.Lowest, out _lowest, out _);
         Elementary.SinCos(bounds.Highest, out _highest, out _);
     }
@@ -158,20 +158,13 @@ internal sealed class BatchAimWorker
     {
         HandedOn++;
         AimRequest request = aims.Request(index);
-        AimResult result = _aimer.Find(request, AimMethod.Direct, measure: false);
-        AimStatus status = result.Status;
-        double miss = result.Miss;
-        if (status == AimStatus.Hit)
-        {
-            // What comes here is hard: also a flight that grazes the drag law's jump, where large steps may miss it. The true miss decides.
-            miss = _aimer.Context.Miss.Measure(request, result.Velocity, result.Spin).Distance;
-            status = miss <= aims.Tolerance ? AimStatus.Hit : AimStatus.NotConverged;
-        }
 
-        kicks.Status[index] = status;
+        // What comes here is hard: also a flight that grazes the drag law's jump, where large steps may miss it. The true miss decides.
+        AimResult result = _aimer.Find(request);
+        kicks.Status[index] = result.Status;
         kicks.Velocity[index] = result.Velocity;
         kicks.Spin[index] = result.Spin;
-        kicks.Miss[index] = miss;
+        kicks.Miss[index] = result.Miss;
         kicks.Time[index] = result.Time;
     }
 }

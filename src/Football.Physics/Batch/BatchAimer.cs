@@ -84,8 +84,8 @@ public sealed class BatchAimer
         _aims = aims ?? throw new ArgumentNullException(nameof(aims));
         _kicks = kicks ?? throw new ArgumentNullException(nameof(kicks));
         Check.Within(nameof(count), count, 0, Math.Min(aims.Capacity, kicks.Capacity));
-        Check.Within("aim.elevation.min", aims.MinimumElevation, -90, 90);
-        Check.Within("aim.elevation.max", aims.MaximumElevation, aims.MinimumElevation, 90);
+        Check.Within("aim.elevation.min", aims.MinimumElevationDegrees, -90, 90);
+        Check.Within("aim.elevation.max", aims.MaximumElevationDegrees, aims.MinimumElevationDegrees, 90);
         Check.Positive("aim.tolerance", aims.Tolerance);
         foreach (BatchAimWorker worker in _workers)
         {

@@ -36,13 +36,13 @@ public sealed class BatchAims
     public double[] SideSpin { get; }
 
     /// <summary>Lowest elevation, degrees. −90 … 90; default 0.</summary>
-    public double MinimumElevation { get; init; }
+    public double MinimumElevationDegrees { get; init; }
 
     /// <summary>Highest elevation, degrees. At least the lowest, at most 90; default 45.</summary>
-    public double MaximumElevation { get; init; } = 45;
+    public double MaximumElevationDegrees { get; init; } = 45;
 
-    /// <summary>How close to the target is a hit, m. Above 0; default 0.001.</summary>
-    public double Tolerance { get; init; } = 0.001;
+    /// <summary>How close to the target is a hit, m. Above 0; default 0.01.</summary>
+    public double Tolerance { get; init; } = 0.01;
 
     /// <summary>Sets a request.</summary>
     /// <param name="index">Which; 0 … <see cref="Capacity"/> − 1.</param>
@@ -69,8 +69,8 @@ public sealed class BatchAims
         Speed = Speed[index],
         TopSpin = TopSpin[index],
         SideSpin = SideSpin[index],
-        MinimumElevation = MinimumElevation,
-        MaximumElevation = MaximumElevation,
+        MinimumElevationDegrees = MinimumElevationDegrees,
+        MaximumElevationDegrees = MaximumElevationDegrees,
         Tolerance = Tolerance,
     };
 

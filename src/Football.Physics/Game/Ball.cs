@@ -31,10 +31,11 @@ public sealed class Ball
     public Simulator Simulator { get; }
 
     /// <summary>The whole state in double precision. Setting it restores a snapshot.</summary>
+    /// <exception cref="ArgumentException">The state that is set was never launched: all its bytes are zero.</exception>
     public BallState State
     {
         get => _state;
-        set => _state = value;
+        set => _state = BallState.Launched(in value);
     }
 
     /// <summary>What happened in the last step, in order.</summary>
@@ -63,9 +64,13 @@ public sealed class Ball
     /// <exception cref="ArgumentOutOfRangeException">A component is out of range; nothing has changed.</exception>
     public void Place(Vector3d position)
     {
-        _state = Simulator.Launch(position, Vector3d.Zero, Vector3d.Zero);
+        _state = AtRest(Simulator, position);
         _log.Clear();
     }
+
+    /// <summary>Kicks the ball where it is with a kick that was found for it.</summary>
+    /// <param name="kick">The kick.</param>
+    public void Kick(in AimResult kick) => Kick(kick.Velocity, kick.Spin);
 
     /// <summary>Kicks the ball where it is.</summary>
     /// <param name="velocity">Velocity, m/s; speed at most 1000. A <see cref="Vector3"/> will do.</param>
@@ -94,5 +99,17 @@ public sealed class Ball
         Check.NotNegative(nameof(dt), dt);
         _log.Clear();
         Simulator.Step(ref _state, dt, _log);
+    }
+
+    /// <summary>A ball without motion: at rest where it lies on the ground.</summary>
+    internal static BallState AtRest(Simulator simulator, in Vector3d position)
+    {
+        BallState state = simulator.Launch(position, Vector3d.Zero, Vector3d.Zero);
+        if (state.Motion == MotionState.Rolling)
+        {
+            state.Motion = MotionState.Stopped;
+        }
+
+        return state;
     }
 }

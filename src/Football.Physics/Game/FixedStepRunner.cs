@@ -46,6 +46,18 @@ public sealed class FixedStepRunner
     /// <summary>The ball at the start of this tick. Copying it is the snapshot.</summary>
     public BallState State => _ball.State;
 
+    /// <summary>Velocity at the start of this tick, m/s.</summary>
+    public Vector3d Velocity => _ball.State.Velocity;
+
+    /// <summary>Angular velocity at the start of this tick, rad/s, world frame.</summary>
+    public Vector3d Spin => _ball.State.Spin;
+
+    /// <summary>What the ball is doing.</summary>
+    public MotionState Motion => _ball.Motion;
+
+    /// <summary>Time since the ball was placed, s.</summary>
+    public double Time => _ball.Time;
+
     /// <summary>The kicks by tick, those to come included. What is added for an earlier tick counts when the game rolls back that far.</summary>
     public KickLog Kicks { get; } = new();
 
@@ -73,23 +85,38 @@ public sealed class FixedStepRunner
     /// <summary>Where the start, the hashes and the kicks of a match segment go; null when nothing is recorded.</summary>
     public MatchSegment? Recording { get; private set; }
 
-    /// <summary>Kicks the ball at this tick, as player 0.</summary>
+    /// <summary>Has the ball kicked when this tick's step begins, as player 0. <see cref="Ball.Kick(Vector3d, Vector3d)"/> kicks at once; this waits for the step.</summary>
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
     /// <param name="spin">Spin, rad/s, world frame; at most 10 000.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
-    public void Kick(Vector3d velocity, Vector3d spin) => Kicks.Add(new KickInput(Tick, velocity, spin));
+    public void QueueKick(Vector3d velocity, Vector3d spin) => Kicks.Add(new KickInput(Tick, velocity, spin));
 
-    /// <summary>Kicks the ball at this tick, as player 0: speed, direction, and spin relative to the direction.</summary>
+    /// <summary>The same: speed, direction, and spin relative to the direction.</summary>
     /// <param name="speed">Speed, m/s; 0 … 1000.</param>
     /// <param name="direction">Direction of the kick; any length but zero.</param>
     /// <param name="topSpin">Spin about the horizontal axis across the kick, rad/s: positive dips, negative (backspin) lifts.</param>
     /// <param name="sideSpin">Spin about the vertical, rad/s: positive is counter-clockwise seen from above, and bends to the left.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or <paramref name="topSpin"/> is given to a vertical kick; nothing has changed.</exception>
-    public void Kick(double speed, Vector3d direction, double topSpin = 0, double sideSpin = 0)
+    public void QueueKick(double speed, Vector3d direction, double topSpin = 0, double sideSpin = 0)
     {
         Check.Within(nameof(speed), speed, 0, Limits.Speed);
         Vector3d unit = KickSpin.Direction(direction);
-        Kick(speed * unit, KickSpin.Vector(unit, topSpin, sideSpin));
+        QueueKick(speed * unit, KickSpin.Vector(unit, topSpin, sideSpin));
+    }
+
+    /// <summary>Has the ball kicked when this tick's step begins, with a kick that was found for it.</summary>
+    /// <param name="kick">The kick.</param>
+    public void QueueKick(in AimResult kick) => QueueKick(kick.Velocity, kick.Spin);
+
+    /// <summary>Puts the ball down without motion at this tick, at time 0. Above the ground it will fall.</summary>
+    /// <remarks>Kicks that wait for this tick or later ones were for the ball where it was: they are forgotten.</remarks>
+    /// <param name="position">Position of the centre, m; components within ±1e6. Below contact height it is raised to it.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A component is out of range; nothing has changed.</exception>
+    public void Place(Vector3d position)
+    {
+        BallState placed = Ball.AtRest(Simulator, in position);
+        Kicks.RemoveFrom(Tick);
+        Restore(Tick, in placed);
     }
 
     /// <summary>Makes as many steps as a frame's time asks for; the rest is kept for the next frame.</summary>
@@ -161,15 +188,16 @@ public sealed class FixedStepRunner
     }
 
     /// <summary>Goes to a tick with a state: rolls back, joins a match under way, or puts the ball somewhere.</summary>
-    /// <remarks>Nothing else changes: <see cref="Kicks"/> stay, and the time kept for the next frame. Drawing starts anew from the state.</remarks>
+    /// <remarks>Nothing else changes: <see cref="Kicks"/> stay, those for this tick included, so that what follows is played again; to put the ball elsewhere, <see cref="Place"/> it. The time kept for the next frame stays too. Drawing starts anew from the state.</remarks>
     /// <param name="tick">The tick; 0 or more.</param>
     /// <param name="state">The state at its start: a copy of <see cref="State"/>, or one from <see cref="Simulator.Launch(Vector3d, Vector3d, Vector3d)"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="tick"/> is negative; nothing has changed.</exception>
+    /// <exception cref="ArgumentException"><paramref name="state"/> was never launched; nothing has changed.</exception>
     public void Restore(long tick, in BallState state)
     {
         Check.NotNegative(nameof(tick), tick);
-        Tick = tick;
         _ball.State = state;
+        Tick = tick;
         _previous = state;
         Events.Clear();
         if (Recording is { } recording && !recording.TryRewind(tick, in state))

@@ -86,6 +86,10 @@ public sealed class KickLog
         Array.Copy(_kicks, index, _kicks, 0, Count);
     }
 
+    /// <summary>Forgets the kicks at a tick and later, for instance where the ball is put elsewhere.</summary>
+    /// <param name="tick">The first tick that is forgotten.</param>
+    public void RemoveFrom(long tick) => Count = FirstAt(tick);
+
     /// <summary>The index of the first kick at a tick or later; <see cref="Count"/> when there is none.</summary>
     /// <param name="tick">The tick.</param>
     public int FirstAt(long tick) => First(tick, 0);

@@ -20,7 +20,7 @@ internal static class Slerp
             (a * from.X) + (b * to.X),
             (a * from.Y) + (b * to.Y),
             (a * from.Z) + (b * to.Z),
-            (a * from.W) + (b * to.W)).Normalised();
+            (a * from.W) + (b * to.W)).Normalized();
     }
 
     /// <summary>sin(t φ)/sin φ as a power series in cos φ − 1 (Eberly): t (1 + b₁ (1 + b₂ (…))), bᵢ = (t² − i²)/(i (2i + 1)) · (cos φ − 1).</summary>

@@ -143,14 +143,34 @@ public readonly struct PathPiece
         double before = Vector3d.Dot(StartPosition - point, in normal);
         double after = Vector3d.Dot(EndPosition - point, in normal);
         time = Time;
-        if (before == 0 || !(before < 0 != after < 0 || after == 0))
+        if (before == 0)
         {
             return false;
         }
 
+        double end = 1;
+        if (!(before < 0 != after < 0 || after == 0))
+        {
+            // It may pass the plane and come back: then it turns behind it.
+            var approach = new PlaneApproach(in this, in normal, before > 0);
+            approach.Evaluate(0, out double atStart);
+            approach.Evaluate(1, out double atEnd);
+            if (!(atStart < 0 && atEnd > 0))
+            {
+                return false;
+            }
+
+            end = Roots.Illinois(ref approach, 0, atStart, 1, atEnd, Closeness, MostEvaluations);
+            after = Vector3d.Dot(PositionAt(Time + (end * Length)) - point, in normal);
+            if (before < 0 == after < 0)
+            {
+                return false;
+            }
+        }
+
         // The secant is a good start for Newton on the dense path.
         var distance = new PlaneDistance(in this, in point, in normal, before > 0);
-        time = Time + (Roots.Newton(ref distance, 0, 1, before / (before - after)) * Length);
+        time = Time + (Roots.Newton(ref distance, 0, end, end * before / (before - after)) * Length);
         return true;
     }
 
@@ -228,6 +248,25 @@ public readonly struct PathPiece
             value = Vector3d.Dot(_piece.PositionAt(time) - _point, in _normal);
             slope = Vector3d.Dot(_piece.PathVelocity(time), in _normal) * _piece.Length;
             return Math.Abs(value / slope) < Closeness;
+        }
+    }
+
+    /// <summary>How fast the distance from a plane grows on the side where the piece begins, over fractions of it.</summary>
+    private readonly struct PlaneApproach : IFunction
+    {
+        private readonly PathPiece _piece;
+        private readonly Vector3d _normal;
+
+        public PlaneApproach(in PathPiece piece, in Vector3d normal, bool positive)
+        {
+            _piece = piece;
+            _normal = positive ? normal : -normal;
+        }
+
+        public bool Evaluate(double x, out double value)
+        {
+            value = Vector3d.Dot(_piece.PathVelocity(_piece.Time + (x * _piece.Length)), in _normal);
+            return false;
         }
     }
 

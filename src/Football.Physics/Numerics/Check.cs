@@ -5,6 +5,14 @@ namespace Football.Physics;
 /// <summary>Range checks whose message names the field, the value and what is allowed.</summary>
 internal static class Check
 {
+    public static void Given(string field, object? value)
+    {
+        if (value is null)
+        {
+            throw new ArgumentNullException(field, field + " is null; allowed: one, or the default by leaving it out.");
+        }
+    }
+
     public static void Positive(string field, double value)
     {
         if (!(value > 0 && double.IsFinite(value)))

@@ -86,7 +86,7 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>
         double z = 0.25 * rotation.LengthSquared;
         if (!(z <= 4.0))
         {
-            return (FromRotationVector(in rotation) * this).Normalised();
+            return (FromRotationVector(in rotation) * this).Normalized();
         }
 
         // cos √z and sin √z / √z: Taylor series, remainders below 1e-18.
@@ -114,7 +114,7 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>
     }
 
     /// <summary>The same rotation with norm 1.</summary>
-    public Quaterniond Normalised()
+    public Quaterniond Normalized()
     {
         double scale = 1.0 / Math.Sqrt(LengthSquared);
         return new(X * scale, Y * scale, Z * scale, W * scale);

@@ -50,6 +50,30 @@ public readonly struct Vector3d : IEquatable<Vector3d>
     /// <summary>The vector without its vertical component.</summary>
     public Vector3d Horizontal => new(X, 0, Z);
 
+    /// <summary>The unit vector of the same direction; zero for the zero vector.</summary>
+    public Vector3d Normalized()
+    {
+        double length = Length;
+        return length > 0 ? this / length : Zero;
+    }
+
+    /// <summary>The point between two that a fraction of the way leads to.</summary>
+    /// <param name="a">Where the way begins.</param>
+    /// <param name="b">Where it ends.</param>
+    /// <param name="fraction">0 is the beginning, 1 the end; other numbers continue the line.</param>
+    public static Vector3d Lerp(in Vector3d a, in Vector3d b, double fraction) => a + (fraction * (b - a));
+
+    /// <summary>Takes the vector apart.</summary>
+    /// <param name="x">Component along x.</param>
+    /// <param name="y">Component along y, up.</param>
+    /// <param name="z">Component along z.</param>
+    public void Deconstruct(out double x, out double y, out double z)
+    {
+        x = X;
+        y = Y;
+        z = Z;
+    }
+
     /// <summary>The scalar product.</summary>
     /// <param name="a">Left factor.</param>
     /// <param name="b">Right factor.</param>
@@ -118,6 +142,10 @@ public readonly struct Vector3d : IEquatable<Vector3d>
     /// <summary>Widens a <see cref="Vector3"/>; exact.</summary>
     /// <param name="v">The vector in single precision.</param>
     public static implicit operator Vector3d(Vector3 v) => new(v.X, v.Y, v.Z);
+
+    /// <summary>Rounds to single precision.</summary>
+    /// <param name="v">The vector.</param>
+    public static explicit operator Vector3(in Vector3d v) => v.ToVector3();
 
     /// <summary>Rounds to single precision.</summary>
     public Vector3 ToVector3() => new((float)X, (float)Y, (float)Z);

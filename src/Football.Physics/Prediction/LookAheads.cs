@@ -3,6 +3,10 @@ namespace Football.Physics;
 /// <summary>Looking ahead: the simulation itself on a copy of the state.</summary>
 public static class LookAheads
 {
+    /// <summary>Longest step through forces of a game's own, which may be stiff, and the one that is taken instead of a longer one, s.</summary>
+    private const double LongestOwnStep = 0.04;
+    private const double OwnStep = 0.005;
+
     /// <summary>Looks ahead. Allocates nothing once its trajectory has room.</summary>
     /// <param name="simulator">The scene, compiled for the integrator to look ahead with.</param>
     /// <param name="from">The ball; unchanged.</param>
@@ -28,16 +32,28 @@ public static class LookAheads
         }
 
         request.Validate();
-        into.Begin(in from, request);
+        BallState.Launched(in from);
+        Run(simulator, in from, request, into, endsWhenFull: false);
+        if (into.Overflows)
+        {
+            // Again, up to where there is room.
+            Run(simulator, in from, request, into, endsWhenFull: true);
+        }
+    }
+
+    private static void Run(Simulator simulator, in BallState from, LookAheadRequest request, Trajectory into, bool endsWhenFull)
+    {
+        into.Begin(in from, request, simulator.Scene.Air.Wind, endsWhenFull);
         BallState state = from;
-        simulator.Run(ref state, request.TimeStep, request.Duration, request.StopAt, into.Log, null);
+        double step = simulator.Scene.Forces.Custom.Count > 0 && request.TimeStep > LongestOwnStep ? OwnStep : request.TimeStep;
+        simulator.Run(ref state, step, request.Duration, request.StopAt, into.Log, null);
         into.End(in state);
     }
 
     /// <summary>Looks ahead in whole steps, of which the last may end after the request does.</summary>
     internal static void LookAheadInWholeSteps(this Simulator simulator, in BallState from, LookAheadRequest request, Trajectory into)
     {
-        into.Begin(in from, request);
+        into.Begin(in from, request, simulator.Scene.Air.Wind, endsWhenFull: true);
         simulator.Extend(into, from.Time + request.Duration, request.TimeStep, request.StopAt);
     }
 

@@ -56,6 +56,9 @@ public sealed class Trajectory
 
     internal int Count { get; private set; }
 
+    /// <summary>Whether a piece had no room.</summary>
+    internal bool Overflows => _recorder.Overflows;
+
     /// <summary>The greatest height of the centre, m.</summary>
     public double Apex
     {
@@ -109,16 +112,20 @@ public sealed class Trajectory
 
     /// <summary>Where the ball is at a time, m. Before the start and after the end it is where it starts and ends.</summary>
     /// <param name="time">Time since the launch, s.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="time"/> is not a number.</exception>
     public Vector3d PositionAt(double time)
     {
+        RefuseNaN(time);
         int i = Find(time);
         return i < 0 ? _final.Position : _pieces[i].PositionAt(Clamp(time, in _pieces[i]));
     }
 
     /// <summary>The velocity at a time, m/s; after the end that of the end.</summary>
     /// <param name="time">Time since the launch, s.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="time"/> is not a number.</exception>
     public Vector3d VelocityAt(double time)
     {
+        RefuseNaN(time);
         int i = Find(time);
         return i < 0 || (i == Count - 1 && time > _pieces[i].EndTime) ? _final.Velocity : _pieces[i].VelocityAt(Clamp(time, in _pieces[i]));
     }
@@ -163,13 +170,19 @@ public sealed class Trajectory
         return best;
     }
 
-    internal void Begin(in BallState from, LookAheadRequest request)
+    /// <summary>Prepares for a look-ahead.</summary>
+    /// <param name="from">Where it begins.</param>
+    /// <param name="request">How far it goes.</param>
+    /// <param name="wind">The wind, m/s.</param>
+    /// <param name="endsWhenFull">Whether it ends with the memory's last piece; else the first piece without room tells that it is too small.</param>
+    internal void Begin(in BallState from, LookAheadRequest request, in Vector3d wind, bool endsWhenFull)
     {
+        _recorder.EndsWhenFull = endsWhenFull;
         Log.Clear();
         Count = 0;
         IsComplete = true;
         StartTime = from.Time;
-        _recorder.Begin(request);
+        _recorder.Begin(request, in wind);
         _final = from;
     }
 
@@ -190,6 +203,14 @@ public sealed class Trajectory
             Count -= gone;
             StartTime = _pieces[0].Time;
             Log.Events.Forget(StartTime);
+        }
+    }
+
+    private static void RefuseNaN(double time)
+    {
+        if (double.IsNaN(time))
+        {
+            throw Check.Refusal(nameof(time), "NaN", "a time");
         }
     }
 
@@ -224,13 +245,24 @@ public sealed class Trajectory
         private Plane3d _plane;
         private bool _untilPassing;
         private Vector3d _point;
+        private Vector3d _wind;
+        private double _closest;
 
         public Recorder(Trajectory owner) => _owner = owner;
 
         public override bool WantsEndAcceleration => true;
 
-        public void Begin(LookAheadRequest request)
+        /// <summary>Whether it ends with the memory's last piece, not with the first that has no room.</summary>
+        public bool EndsWhenFull { get; set; } = true;
+
+        /// <summary>Whether there was a piece without room.</summary>
+        public bool Overflows { get; private set; }
+
+        public void Begin(LookAheadRequest request, in Vector3d wind)
         {
+            Overflows = false;
+            _wind = wind;
+            _closest = double.PositiveInfinity;
             _untilPlane = request.UntilPlane is not null;
             _plane = request.UntilPlane.GetValueOrDefault();
             _untilPassing = request.UntilPassing is not null;
@@ -240,12 +272,24 @@ public sealed class Trajectory
         public override bool Add(in PathPiece piece)
         {
             PathPiece[] pieces = _owner._pieces;
+            if (_owner.Count == pieces.Length)
+            {
+                Overflows = true;
+                return true;
+            }
+
             pieces[_owner.Count++] = piece;
-            bool full = _owner.Count == pieces.Length;
+            bool full = EndsWhenFull && _owner.Count == pieces.Length;
             _owner.IsComplete = !full;
-            return full
-                || (_untilPlane && piece.Crosses(_plane.Point, _plane.Normal, out _))
-                || (_untilPassing && Vector3d.Dot(piece.EndPosition - _point, piece.EndVelocity) > 0);
+            return full || (_untilPlane && piece.Crosses(_plane.Point, _plane.Normal, out _)) || (_untilPassing && HasPassed(in piece));
+        }
+
+        /// <summary>Whether a ball comes no closer to the point: over the ground it is further away than it ever was, and goes on so.</summary>
+        private bool HasPassed(in PathPiece piece)
+        {
+            _closest = Math.Min(_closest, piece.ClosestApproach(in _point, out _));
+            Vector3d away = (piece.EndPosition - _point).Horizontal;
+            return away.LengthSquared > _closest && Vector3d.Dot(in away, piece.EndVelocity) > 0 && !(Vector3d.Dot(in away, in _wind) < 0);
         }
     }
 }

@@ -3,22 +3,17 @@ namespace Football.Physics;
 /// <summary>Turns a function into a force.</summary>
 public static class Force
 {
-    /// <summary>A law that gives the force on the ball.</summary>
-    /// <param name="ball">The ball at one instant.</param>
-    /// <returns>Force, N.</returns>
-    public delegate Vector3d Law(in ForceInput ball);
+    /// <summary>A force from a function, for instance <c>Force.From(ball => new Vector3d(0.4, 0, 0))</c>.</summary>
+    /// <param name="force">Gives the force on the ball at one instant, N.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="force"/> is null.</exception>
+    public static IForce From(Func<ForceInput, Vector3d> force) => new FunctionForce(force ?? throw new ArgumentNullException(nameof(force)));
 
-    /// <summary>A force from a function.</summary>
-    /// <param name="law">Gives the force in newtons.</param>
-    /// <exception cref="ArgumentNullException"><paramref name="law"/> is null.</exception>
-    public static IForce From(Law law) => new LawForce(law ?? throw new ArgumentNullException(nameof(law)));
-
-    private sealed class LawForce : IForce
+    private sealed class FunctionForce : IForce
     {
-        private readonly Law _law;
+        private readonly Func<ForceInput, Vector3d> _force;
 
-        public LawForce(Law law) => _law = law;
+        public FunctionForce(Func<ForceInput, Vector3d> force) => _force = force;
 
-        public void Apply(in ForceInput ball, ref ForceSum sum) => sum.AddForce(_law(ball));
+        public void Apply(in ForceInput ball, ref ForceSum sum) => sum.AddForce(_force(ball));
     }
 }

@@ -48,6 +48,7 @@ public sealed record ForceSet
         Check.NotNegative("forces.dragCoefficient", DragCoefficient);
         Check.Finite("forces.magnusCoefficient", MagnusCoefficient);
         Check.NotNegative("forces.spinDecayCoefficient", SpinDecayCoefficient);
+        Check.Given("forces.custom", Custom);
         foreach (IForce force in Custom)
         {
             if (force is null)

@@ -33,8 +33,13 @@ public sealed record Scene
 
     /// <summary>Checks every number of the scene.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentNullException">A part is null; the message names it.</exception>
     public void Validate()
     {
+        Check.Given("ball", Ball);
+        Check.Given("air", Air);
+        Check.Given("forces", Forces);
+        Check.Given("ground", Ground);
         Check.Positive("ball.mass", Ball.Mass);
         Check.Within("ball.radius", Ball.Radius, 0, Limits.Length, exclusiveLow: true);
         Check.Within("ball.inertiaFactor", Ball.InertiaFactor, 0, 1, exclusiveLow: true);

@@ -25,7 +25,7 @@ internal struct FlightSystem<TAir> : IMotionSystem
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
     {
-        s.BaseOrientation = (Quaterniond.FromRotationVector(in step.Rotation) * s.Orientation).Normalised();
+        s.BaseOrientation = (Quaterniond.FromRotationVector(in step.Rotation) * s.Orientation).Normalized();
         s.Angle = 0;
         s.Position = step.End.Position;
         s.Velocity = step.End.Velocity;

@@ -165,7 +165,7 @@ internal sealed class ImplicitPhase<TAir>
         v = (u + _around.Wind).Horizontal;
         BallState before = s;
         Vector3d turn = 0.5 * h * (s.Spin + w);
-        s.BaseOrientation = (Quaterniond.FromRotationVector(in turn) * s.BaseOrientation).Normalised();
+        s.BaseOrientation = (Quaterniond.FromRotationVector(in turn) * s.BaseOrientation).Normalized();
         s.Position = new Vector3d(s.Position.X + (h * v.X), _around.ContactHeight, s.Position.Z + (h * v.Z));
         s.Velocity = v;
         s.SpinAxis = slides ? w : Slip.RollingSpin(in v, w.Y, _around.Radius);

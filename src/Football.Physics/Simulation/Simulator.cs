@@ -9,6 +9,7 @@ public sealed class Simulator
     private readonly Stepper _stepper;
     private readonly double _contact;
     private readonly bool _lighterThanAir;
+    private readonly bool _hasOwnForces;
 
     /// <summary>Checks a scene and compiles it.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
@@ -22,6 +23,7 @@ public sealed class Simulator
         Settings.Validate();
         _stepper = StepperFactory.Create(Scene, Settings);
         _contact = Scene.Ground.Height + Scene.Ball.Radius;
+        _hasOwnForces = Scene.Forces.Custom.Count > 0;
         _lighterThanAir = Weight.UpwardAcceleration(Scene) > 0;
     }
 
@@ -58,7 +60,7 @@ public sealed class Simulator
         BallState state = default;
         state.Position = position;
         state.Velocity = velocity;
-        state.BaseOrientation = orientation.Normalised();
+        state.BaseOrientation = orientation.Normalized();
         state.SetFlightSpin(spin);
         state.Motion = MotionState.Airborne;
         if (position.Y <= _contact)
@@ -116,7 +118,21 @@ public sealed class Simulator
 
         log!.Halted = false;
         log.StopAt = StopAt.Time;
-        _stepper.Step(ref state, dt, log);
+        Take(ref state, dt, log);
+    }
+
+    /// <summary>Takes a step. A force of the game's own may refuse it, and the ball is where it was then.</summary>
+    private void Take(ref BallState state, double dt, StepLog log)
+    {
+        if (!_hasOwnForces)
+        {
+            _stepper.Step(ref state, dt, log);
+            return;
+        }
+
+        BallState next = state;
+        _stepper.Step(ref next, dt, log);
+        state = next;
     }
 
     private static void RefuseStep(double dt, StepLog? log)
@@ -162,7 +178,7 @@ public sealed class Simulator
         while (state.Time < last)
         {
             double left = end - state.Time;
-            _stepper.Step(ref state, timeStep < left ? timeStep : left, log);
+            Take(ref state, timeStep < left ? timeStep : left, log);
             onStep?.Invoke(in state);
             if (log.Halted)
             {

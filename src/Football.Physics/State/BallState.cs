@@ -35,7 +35,7 @@ public struct BallState
     /// <summary>Orientation, body to world. Put together when asked for: in flight it costs nothing until then.</summary>
     public readonly Quaterniond Orientation => Angle == 0
         ? BaseOrientation
-        : (Quaterniond.FromAxisAngle(SpinAxis, Angle) * BaseOrientation).Normalised();
+        : (Quaterniond.FromAxisAngle(SpinAxis, Angle) * BaseOrientation).Normalized();
 
     /// <summary>In flight the unit axis of rotation, which is constant there; on the ground the spin itself.</summary>
     internal Vector3d SpinAxis
@@ -80,4 +80,10 @@ public struct BallState
         BaseOrientation = Orientation;
         Angle = 0;
     }
+
+    /// <summary>A state, refused where it never was one of a ball.</summary>
+    internal static BallState Launched(in BallState state) =>
+        state.BaseOrientation == default
+            ? throw new ArgumentException("state was never launched; allowed: a state from Simulator.Launch, or a copy of a ball's.", nameof(state))
+            : state;
 }

@@ -76,7 +76,7 @@ public sealed class FixedStepRunnerTests
     public void A_frame_time_that_is_none_is_refused_and_changes_nothing(double frameTime)
     {
         var runner = new FixedStepRunner();
-        runner.Kick(s_velocity, s_spin);
+        runner.QueueKick(s_velocity, s_spin);
         runner.Advance(0.255);
         BallState before = runner.State;
         Assert.Throws<ArgumentOutOfRangeException>(() => runner.Advance(frameTime));
@@ -110,7 +110,7 @@ public sealed class FixedStepRunnerTests
             {
                 if (frame == 10)
                 {
-                    runner.Kick(20, new Vector3d(0, 0.4, -1), topSpin: -20, sideSpin: 30);
+                    runner.QueueKick(20, new Vector3d(0, 0.4, -1), topSpin: -20, sideSpin: 30);
                 }
 
                 runner.Advance(frame % 3 == 0 ? 0.03 : 0.007);
@@ -125,7 +125,7 @@ public sealed class FixedStepRunnerTests
     public void The_ends_of_a_step_are_drawn_as_they_are()
     {
         var runner = new FixedStepRunner(timeStep: 0.02);
-        runner.Kick(s_velocity, s_spin);
+        runner.QueueKick(s_velocity, s_spin);
         BallState[] states = Inputs.Play(runner, 30);
         Assert.Equal(states[30].Position, runner.PoseAt(1).Position);
         Assert.Equal(states[30].Orientation, runner.PoseAt(1).Orientation);
@@ -139,8 +139,8 @@ public sealed class FixedStepRunnerTests
     {
         var coarse = new FixedStepRunner(timeStep: 0.02);
         var fine = new FixedStepRunner(timeStep: 0.0025);
-        coarse.Kick(s_velocity, s_spin);
-        fine.Kick(s_velocity, s_spin);
+        coarse.QueueKick(s_velocity, s_spin);
+        fine.QueueKick(s_velocity, s_spin);
         for (int tick = 0; tick < 100; tick++)
         {
             coarse.Step();
@@ -180,7 +180,7 @@ public sealed class FixedStepRunnerTests
     public void Restoring_draws_the_ball_where_it_is_put()
     {
         var runner = new FixedStepRunner();
-        runner.Kick(s_velocity, s_spin);
+        runner.QueueKick(s_velocity, s_spin);
         runner.Advance(0.105);
         var place = new Vector3d(7, 0.11, -3);
         runner.Restore(0, runner.Simulator.Launch(place, Vector3d.Zero, Vector3d.Zero));
@@ -194,14 +194,14 @@ public sealed class FixedStepRunnerTests
     {
         var runner = new FixedStepRunner();
         var ball = new Ball(runner.Simulator);
-        runner.Kick(25, new Vector3d(1, 3, -5), topSpin: -12, sideSpin: 40);
+        runner.QueueKick(25, new Vector3d(1, 3, -5), topSpin: -12, sideSpin: 40);
         ball.Kick(25, new Vector3d(1, 3, -5), topSpin: -12, sideSpin: 40);
         runner.Step();
         ball.Step(runner.TimeStep);
         Assert.True(Snapshot.Same(ball.State, runner.State));
-        Assert.Throws<ArgumentOutOfRangeException>(() => runner.Kick(-1, new Vector3d(1, 0, 0)));
-        Assert.Throws<ArgumentOutOfRangeException>(() => runner.Kick(1, Vector3d.Zero));
-        Assert.Throws<ArgumentOutOfRangeException>(() => runner.Kick(new Vector3d(2000, 0, 0), Vector3d.Zero));
+        Assert.Throws<ArgumentOutOfRangeException>(() => runner.QueueKick(-1, new Vector3d(1, 0, 0)));
+        Assert.Throws<ArgumentOutOfRangeException>(() => runner.QueueKick(1, Vector3d.Zero));
+        Assert.Throws<ArgumentOutOfRangeException>(() => runner.QueueKick(new Vector3d(2000, 0, 0), Vector3d.Zero));
     }
 
     [Fact]

@@ -15,7 +15,7 @@ internal static class Inputs
         new(Scene.Default with { Forces = ForceSet.Regularised, Ground = Ground.WetTurf }),
         new(Scene.Default with { Forces = ForceSet.Constant }, new SolverSettings { Integrator = Integrator.Rk2 }),
         new(Scene.Vacuum, new SolverSettings { Integrator = Integrator.SemiImplicitEuler, CollisionTiming = CollisionTiming.Bisection }),
-        new(Scene.Default with { Forces = new ForceSet { Custom = [Force.From((in ForceInput ball) => new Vector3d(0.1 * ball.Velocity.Y, 0, 0.2))] } }),
+        new(Scene.Default with { Forces = new ForceSet { Custom = [Force.From(ball => new Vector3d(0.1 * ball.Velocity.Y, 0, 0.2))] } }),
     ];
 
     public static Gen<Simulator> Simulators => Gen.Elements(s_simulators);

@@ -144,13 +144,13 @@ public sealed class RollbackTests
     public void A_rollback_rewinds_the_recording_and_a_foreign_state_ends_it()
     {
         var runner = new FixedStepRunner();
-        runner.Kick(new Vector3d(2, 6, -20), new Vector3d(0, 30, 0));
+        runner.QueueKick(new Vector3d(2, 6, -20), new Vector3d(0, 30, 0));
         MatchSegment segment = runner.Record();
         BallState[] states = Inputs.Play(runner, 50);
         runner.Restore(30, states[30]);
         Assert.Same(segment, runner.Recording);
         Assert.Equal(30, segment.EndTick);
-        runner.Kick(new Vector3d(-8, 3, 0), Vector3d.Zero);
+        runner.QueueKick(new Vector3d(-8, 3, 0), Vector3d.Zero);
         Inputs.Play(runner, 40);
         Assert.Equal(70, segment.EndTick);
         Assert.Null(segment.FirstDivergence(runner.Simulator));

@@ -92,7 +92,7 @@ public sealed class SnapshotTests
     private static BallState Flying()
     {
         var runner = new FixedStepRunner();
-        runner.Kick(new Vector3d(3, 8, -22), new Vector3d(5, 30, 2));
+        runner.QueueKick(new Vector3d(3, 8, -22), new Vector3d(5, 30, 2));
         return Inputs.Play(runner, 25)[25];
     }
 

@@ -19,7 +19,7 @@ public sealed class AimRefusalTests
 
     [Fact]
     public void A_bare_scenario_has_no_name_and_the_fields_are_those_of_the_contract() => Assert.Equal(
-        ["name", "status", "velocity", "spin", "miss", "throughMiss", "time", "closest", "iterations", "simulations"],
+        ["name", "status", "velocity", "spin", "miss", "throughMiss", "time", "closest", "iterations", "simulations", "arc", "rolls"],
         Find(Least).EnumerateObject().Select(member => member.Name));
 
     [Fact]

@@ -5,7 +5,7 @@ namespace Football.Physics.Tests.Motion;
 /// <summary>What does not move stays where it is, to the last bit.</summary>
 public sealed class RestTests
 {
-    private static readonly Quaterniond s_turned = new Quaterniond(0.1, -0.5, 0.7, 0.2).Normalised();
+    private static readonly Quaterniond s_turned = new Quaterniond(0.1, -0.5, 0.7, 0.2).Normalized();
 
     public static TheoryData<Integrator> Integrators() => Flight.EveryIntegrator();
 

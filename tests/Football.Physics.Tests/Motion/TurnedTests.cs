@@ -16,7 +16,7 @@ public sealed class TurnedTests
     public void A_rotation_vector_turns_by_its_length_about_its_direction(double angle)
     {
         Vector3d axis = new Vector3d(2, -3, 6) / 7;
-        Quaterniond start = new Quaterniond(1, -2, 4, 2).Normalised();
+        Quaterniond start = new Quaterniond(1, -2, 4, 2).Normalized();
         Quaterniond expected = Quaterniond.FromAxisAngle(in axis, angle) * start;
         Quaterniond actual = start.Turned(angle * axis);
         Assert.Equal(expected.X, actual.X, 4e-16 * (8 + angle));

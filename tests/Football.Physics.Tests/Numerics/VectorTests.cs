@@ -63,7 +63,7 @@ public sealed class VectorTests
         Quaterniond a = Quaterniond.FromRotationVector(new Vector3d(0.3, -0.8, 0.1));
         Quaterniond b = Quaterniond.FromRotationVector(new Vector3d(-1.1, 0.2, 0.7));
         Assert.Equal(0, Vector3d.Distance((a * b).Rotate(s_a), a.Rotate(b.Rotate(s_a))), 1e-14);
-        Assert.Equal(1, new Quaterniond(1, 2, 3, 4).Normalised().LengthSquared, 1e-15);
+        Assert.Equal(1, new Quaterniond(1, 2, 3, 4).Normalized().LengthSquared, 1e-15);
     }
 
     /// <summary>A spin that turns about a turning axis, against many small rotations.</summary>

@@ -16,7 +16,7 @@ internal static class AimCheck
         double wanted = speed ?? request.Speed;
         Assert.True(Math.Abs(result.Velocity.Length - wanted) <= 1e-9 * wanted, what);
         double elevation = Math.Atan2(result.Velocity.Y, result.Velocity.Horizontal.Length);
-        Assert.True(elevation >= (request.MinimumElevation * Degree) - 1e-9 && elevation <= (request.MaximumElevation * Degree) + 1e-9, what);
+        Assert.True(elevation >= (request.MinimumElevationDegrees * Degree) - 1e-9 && elevation <= (request.MaximumElevationDegrees * Degree) + 1e-9, what);
         Assert.True(result.Status == AimStatus.Degenerate || result.HitsTarget == result.Miss <= request.Tolerance, what);
         Assert.True(result.Iterations is >= 0 and <= 10_000 && result.Simulations is >= 0 and <= 10_000, $"{result.Iterations} iterations, {result.Simulations} simulations: {what}");
         if (request.TargetVelocity == Vector3d.Zero)

@@ -53,7 +53,7 @@ public sealed class AimTests
         int both = 0;
         for (int i = 0; i < 200; i++)
         {
-            AimRequest request = AimCheck.Any(random) with { MaximumElevation = 85, Speed = random.Uniform(14, 20) };
+            AimRequest request = AimCheck.Any(random) with { MaximumElevationDegrees = 85, Speed = random.Uniform(14, 20) };
             AimResult low = aimer.Find(request);
             AimResult high = aimer.Find(request with { Arc = AimArc.High });
             Assert.Equal(low.Status, high.Status);

@@ -39,7 +39,7 @@ public sealed class VerdictTests
             Speed = 18.514362,
             TopSpin = 28.482710,
             SideSpin = 18.054273,
-            MaximumElevation = highest,
+            MaximumElevationDegrees = highest,
             Tolerance = 1e-3,
         };
         AimResult result = new Aimer().Find(request);

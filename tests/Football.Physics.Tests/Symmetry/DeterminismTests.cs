@@ -155,7 +155,7 @@ public sealed class DeterminismTests
     public void The_state_holds_no_references() => Assert.False(RuntimeHelpers.IsReferenceOrContainsReferences<BallState>());
 
     private static Scene WithForce() =>
-        new() { Forces = new ForceSet { Custom = [Force.From((in ForceInput ball) => new Vector3d(0.01 * ball.Velocity.X, 0, 0.02))] } };
+        new() { Forces = new ForceSet { Custom = [Force.From(ball => new Vector3d(0.01 * ball.Velocity.X, 0, 0.02))] } };
 
     private static void Live(Simulator simulator, StepLog log)
     {

@@ -43,17 +43,16 @@ public partial class FootballBall : Node3D
 
     /// <summary>Kicks the ball at the next physics frame.</summary>
     public void Kick(Vector3 velocity, Vector3 spin) =>
-        Runner.Kick(GodotFrame.FromGodot(velocity), GodotFrame.SpinFromGodot(spin));
+        Runner.QueueKick(GodotFrame.FromGodot(velocity), GodotFrame.SpinFromGodot(spin));
 
     /// <summary>Kicks the ball: top spin dips, negative top spin lifts, positive side spin bends to the left.</summary>
     public void Kick(float speed, Vector3 direction, float topSpin = 0, float sideSpin = 0) =>
-        Runner.Kick(speed, GodotFrame.FromGodot(direction), topSpin, sideSpin);
+        Runner.QueueKick(speed, GodotFrame.FromGodot(direction), topSpin, sideSpin);
 
     /// <summary>Puts the ball somewhere, at rest.</summary>
     public void Place(Vector3 position)
     {
-        BallState state = Runner.Simulator.Launch(GodotFrame.FromGodot(position), Vector3d.Zero, Vector3d.Zero);
-        Runner.Restore(Runner.Tick, state);
+        Runner.Place(GodotFrame.FromGodot(position));
         Draw(1.0);
     }
 

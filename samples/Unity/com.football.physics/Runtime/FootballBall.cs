@@ -49,20 +49,19 @@ namespace Football.Physics.Unity
         /// <summary>Kicks the ball at the next fixed step.</summary>
         public void Kick(Vector3 velocity, Vector3 spin)
         {
-            _runner.Kick(UnityFrame.FromUnity(velocity), UnityFrame.SpinFromUnity(spin));
+            _runner.QueueKick(UnityFrame.FromUnity(velocity), UnityFrame.SpinFromUnity(spin));
         }
 
         /// <summary>Kicks the ball: top spin dips, negative top spin lifts, positive side spin bends to the left.</summary>
         public void Kick(float speed, Vector3 direction, float topSpin = 0f, float sideSpin = 0f)
         {
-            _runner.Kick(speed, UnityFrame.FromUnity(direction), topSpin, sideSpin);
+            _runner.QueueKick(speed, UnityFrame.FromUnity(direction), topSpin, sideSpin);
         }
 
         /// <summary>Puts the ball somewhere, at rest.</summary>
         public void Place(Vector3 position)
         {
-            BallState state = _runner.Simulator.Launch(UnityFrame.FromUnity(position), Vector3d.Zero, Vector3d.Zero);
-            _runner.Restore(_runner.Tick, state);
+            _runner.Place(UnityFrame.FromUnity(position));
             Draw(1.0);
         }
 

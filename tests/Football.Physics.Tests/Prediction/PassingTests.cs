@@ -1,0 +1,98 @@
+using Football.Physics.Tests.Support;
+
+namespace Football.Physics.Tests.Predictors;
+
+/// <summary>What a path passes is found, and a look-ahead does not end before it.</summary>
+public sealed class PassingTests
+{
+    [Fact]
+    public void A_plane_that_is_crossed_twice_within_a_piece_is_crossed()
+    {
+        var random = new Shots(31);
+        var simulator = new Simulator();
+        var path = new Trajectory();
+        int twice = 0;
+        for (int i = 0; i < 1000; i++)
+        {
+            BallState ball = simulator.Launch(new Vector3d(0, 0.11, 0), random.Uniform(8, 25) * (random.Direction().Horizontal + new Vector3d(0, random.Uniform(0.3, 1.5), 0)), default);
+            simulator.LookAhead(in ball, new LookAheadRequest { StopAt = StopAt.Impact }, path);
+            double height = path.Apex - random.Uniform(1e-4, 0.01);
+            Assert.True(path.TryGetCrossing(new Plane3d(new Vector3d(0, height, 0), Vector3d.Up), out PathPoint crossing), $"{i}: {height} below {path.Apex}");
+            Assert.Equal(height, crossing.Position.Y, 1e-9);
+            Assert.True(crossing.Velocity.Y >= 0);
+            twice++;
+        }
+
+        Assert.Equal(1000, twice);
+    }
+
+    [Fact]
+    public void Until_passing_does_not_end_before_the_closest_approach()
+    {
+        var random = new Shots(32);
+        var simulator = new Simulator();
+        var whole = new Trajectory(2048);
+        var until = new Trajectory(2048);
+        int shorter = 0;
+        for (int i = 0; i < 500; i++)
+        {
+            Vector3d direction = random.Direction().Horizontal;
+            BallState ball = simulator.Launch(new Vector3d(0, 0.11, 0), random.Uniform(8, 25) * (direction + new Vector3d(0, random.Uniform(0.1, 2), 0)), random.Uniform(0, 20) * random.Direction());
+            simulator.LookAhead(in ball, new LookAheadRequest { StopAt = StopAt.Impact, Duration = 20 }, whole);
+            Vector3d point = i % 2 == 0 ? whole.Final.Position : whole.PositionAt(random.Uniform(0, whole.EndTime)) + (random.Uniform(0, 1) * random.Direction());
+            simulator.LookAhead(in ball, new LookAheadRequest { StopAt = StopAt.Impact, Duration = 20, UntilPassing = point }, until);
+            Assert.Equal(whole.ClosestApproach(point).Distance, until.ClosestApproach(point).Distance, 1e-6);
+            shorter += until.EndTime < whole.EndTime ? 1 : 0;
+        }
+
+        Assert.InRange(shorter, 50, 500);
+    }
+
+    [Fact]
+    public void Memory_that_fits_exactly_is_complete()
+    {
+        var simulator = new Simulator();
+        BallState ball = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(3, 6, -15), new Vector3d(0, 20, 0));
+        var request = new LookAheadRequest { StopAt = StopAt.Rest, Duration = 60 };
+        var path = new Trajectory(4096);
+        simulator.LookAhead(in ball, request, path);
+        var exact = new Trajectory(path.Pieces.Length);
+        simulator.LookAhead(in ball, request, exact);
+        Assert.True(exact.IsComplete && exact.TryGetRest(out _));
+        Assert.Equal(path.Events.Count, exact.Events.Count);
+        var small = new Trajectory(path.Pieces.Length - 1);
+        simulator.LookAhead(in ball, request, small);
+        Assert.False(small.IsComplete);
+        Assert.Equal(small.Pieces.Length, path.Pieces.Length - 1);
+        Assert.Equal(small.Final.Time, small.Pieces[^1].EndTime, 1e-12);
+    }
+
+    [Theory]
+    [InlineData(15, 0)]
+    [InlineData(0, 500)]
+    public void Stiff_forces_do_not_diverge_at_the_default_step(double damping, double stiffness)
+    {
+        IForce net = Force.From(ball => (-damping * ball.Velocity) - (stiffness * new Vector3d(0, 0, Math.Min(0, ball.Position.Z + 11))));
+        var simulator = new Simulator(new Scene { Forces = new ForceSet { Custom = [net] } });
+        BallState ball = simulator.Launch(new Vector3d(0, 1.5, 0), new Vector3d(1, 3, -20), default);
+        var path = new Trajectory(16384);
+        simulator.LookAhead(in ball, new LookAheadRequest { Duration = 1.5, StopAt = StopAt.Impact }, path);
+        var fine = new Trajectory(65536);
+        simulator.LookAhead(in ball, new LookAheadRequest { Duration = 1.5, StopAt = StopAt.Impact, TimeStep = 1e-4 }, fine);
+        for (double time = 0; time < 1; time += 0.05)
+        {
+            Assert.True(Vector3d.Distance(path.PositionAt(time), fine.PositionAt(time)) < 1e-2, $"{time}: {path.PositionAt(time)}, {fine.PositionAt(time)}");
+        }
+    }
+
+    [Fact]
+    public void A_time_that_is_no_number_is_refused()
+    {
+        var simulator = new Simulator();
+        BallState ball = simulator.Launch(new Vector3d(0, 1, 0), new Vector3d(1, 3, -20), default);
+        var path = new Trajectory();
+        simulator.LookAhead(in ball, new LookAheadRequest(), path);
+        Assert.Throws<ArgumentOutOfRangeException>(() => path.PositionAt(double.NaN));
+        Assert.Throws<ArgumentOutOfRangeException>(() => path.VelocityAt(double.NaN));
+    }
+}
