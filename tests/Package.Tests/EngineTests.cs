@@ -35,7 +35,7 @@ public sealed class EngineTests
         Prop.ForAll(Kicks.ToArbitrary(), kick =>
         {
             var direct = new FixedStepRunner(timeStep: UnityTime.fixedDeltaTime);
-            direct.Kick(kick.Velocity, kick.Spin);
+            direct.QueueKick(kick.Velocity, kick.Spin);
             UnityBall unity = InUnity();
             unity.Kick(Mirrored(kick.Velocity), MirroredSpin(kick.Spin));
             GodotBall godot = InGodot(UnityTime.fixedDeltaTime);
@@ -43,7 +43,7 @@ public sealed class EngineTests
             godot.Kick(new GodotVector(kick.Velocity.X, kick.Velocity.Y, kick.Velocity.Z), new GodotVector(kick.Spin.X, kick.Spin.Y, kick.Spin.Z));
             double timeStep = godot.Runner.TimeStep;
             var same = new FixedStepRunner(timeStep: timeStep);
-            same.Kick(kick.Velocity, kick.Spin);
+            same.QueueKick(kick.Velocity, kick.Spin);
             for (int tick = 0; tick < 150; tick++)
             {
                 direct.Step();
@@ -68,13 +68,13 @@ public sealed class EngineTests
     {
         float timeStep = UnityTime.fixedDeltaTime;
         var direct = new FixedStepRunner(timeStep: timeStep);
-        direct.Kick(25f, new System.Numerics.Vector3(-0.2f, 0.3f, -1f), -10f, 40f);
+        direct.QueueKick(25f, new System.Numerics.Vector3(-0.2f, 0.3f, -1f), -10f, 40f);
         UnityBall unity = InUnity();
         unity.Kick(25f, new UnityVector(-0.2f, 0.3f, 1f), -10f, 40f);
         GodotBall godot = InGodot(timeStep);
         godot.Kick(25f, new GodotVector(-0.2f, 0.3f, -1f), -10f, 40f);
         var same = new FixedStepRunner(timeStep: godot.Runner.TimeStep);
-        same.Kick(25f, new System.Numerics.Vector3(-0.2f, 0.3f, -1f), -10f, 40f);
+        same.QueueKick(25f, new System.Numerics.Vector3(-0.2f, 0.3f, -1f), -10f, 40f);
         for (int tick = 0; tick < Ticks; tick++)
         {
             direct.Step();

@@ -18,5 +18,7 @@ internal static class LabCommand
         PrecisionLab.Create(terminal),
         StabilityLab.Create(terminal),
         AimLab.Create(terminal),
+        FuzzLab.Create(terminal),
+        BallsLab.Create(terminal),
     };
 }

@@ -47,9 +47,9 @@ internal sealed class Terminal
 
     /// <summary>The process' own.</summary>
     public static Terminal OfProcess() => new(
-        Open(System.Console.OpenStandardInput),
-        OpenOutput(),
-        Open(System.Console.OpenStandardError),
+        Descriptor.IsInherited(0) ? Open(System.Console.OpenStandardInput) : Stream.Null,
+        Descriptor.IsInherited(1) ? OpenOutput() : Closed(),
+        Descriptor.IsInherited(2) ? Open(System.Console.OpenStandardError) : Stream.Null,
         System.Console.IsOutputRedirected,
         System.Console.IsErrorRedirected);
 
@@ -76,6 +76,14 @@ internal sealed class Terminal
         }
 
         return Open(System.Console.OpenStandardOutput);
+    }
+
+    /// <summary>An output that nobody can read: the first byte ends the run.</summary>
+    private static MemoryStream Closed()
+    {
+        var stream = new MemoryStream();
+        stream.Dispose();
+        return stream;
     }
 
     private static Stream Open(Func<Stream> open)

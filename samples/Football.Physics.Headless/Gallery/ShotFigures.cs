@@ -12,7 +12,7 @@ namespace Football.Physics.Headless.Gallery;
 /// <param name="RestTime">Time until rest, s; null where it did not come to rest.</param>
 /// <param name="Distance">Horizontal distance between launch and end, m.</param>
 internal sealed record ShotFigures(
-    double? Carry, double Apex, double? HangTime, double? Deflection, int Bounces, double? RestTime, double Distance)
+    double? Carry, double Apex, double? HangTime, double? Deflection, long Bounces, double? RestTime, double Distance)
 {
     /// <summary>Names and units of the columns, beside the shot's name.</summary>
     public static IReadOnlyList<string> Columns { get; } =

@@ -11,6 +11,9 @@ internal sealed class InputFields
     /// <summary>Names of the members of each object that was asked for, by its path.</summary>
     private readonly Dictionary<string, List<string>> _names = [];
 
+    /// <summary>The objects of lists, by their paths.</summary>
+    private readonly Dictionary<string, JsonElement> _items = [];
+
     private RefusedException? _refusal;
 
     /// <summary>Begins with nothing known.</summary>
@@ -27,6 +30,13 @@ internal sealed class InputFields
     /// <summary>The names that the object at a path is known to have; to be added to.</summary>
     public List<string> NamesIn(string path) => _names.TryGetValue(path, out List<string>? names) ? names : _names[path] = [];
 
+    /// <summary>An object in a list, whose members are checked as those of any other.</summary>
+    public InputObject Item(string path, JsonElement item)
+    {
+        _items[path] = item;
+        return new InputObject(this, path, item.ValueKind == JsonValueKind.Object ? item : null);
+    }
+
     /// <summary>Keeps the first refusal.</summary>
     public void Refuse(RefusedException refusal) => _refusal ??= refusal;
 
@@ -35,6 +45,11 @@ internal sealed class InputFields
     public void Check()
     {
         CheckMembers("", _root);
+        foreach ((string path, JsonElement item) in _items)
+        {
+            CheckMembers(path, item);
+        }
+
         if (_refusal is not null)
         {
             throw _refusal;

@@ -24,6 +24,61 @@ internal sealed class InputObject(InputFields fields, string path, JsonElement? 
     /// <summary>A number that must be given.</summary>
     public double Number(string name) => Take(name) is { } value ? NumberOf(value) : Refuse(name, FiniteNumber, double.NaN);
 
+    /// <summary>A number, or null for no limit.</summary>
+    public double Limit(string name, double fallback) => Take(name) is not { } value ? fallback
+        : value.ValueKind == JsonValueKind.Null ? double.PositiveInfinity
+        : NumberOf(value);
+
+    /// <summary>A text.</summary>
+    public string Text(string name, string fallback) => Take(name) is not { } value ? fallback
+        : value.ValueKind == JsonValueKind.String ? value.GetString()!
+        : Refuse(name, "a text", fallback);
+
+    /// <summary>A text that must be one of some.</summary>
+    public string OneOf(string name, params string[] allowed) =>
+        Take(name) is { ValueKind: JsonValueKind.String } value && allowed.Contains(value.GetString()) ? value.GetString()!
+        : Refuse(name, string.Join(" | ", allowed), allowed[0]);
+
+    /// <summary>The objects of a list; none where it is missing.</summary>
+    public IReadOnlyList<InputObject> Objects(string name)
+    {
+        if (Take(name) is not { } value)
+        {
+            return [];
+        }
+
+        return value.ValueKind == JsonValueKind.Array
+            ? [.. value.EnumerateArray().Select((item, i) => fields.Item($"{Join(name)}[{i}]", item))]
+            : Refuse<IReadOnlyList<InputObject>>(name, "a list of objects", []);
+    }
+
+    /// <summary>A table of numbers, rows of one length; null where it is not one.</summary>
+    public double[,]? Table(string name)
+    {
+        const string Allowed = "a table [[…], …] of finite numbers, with rows of one length";
+        if (Take(name) is not { ValueKind: JsonValueKind.Array } value
+            || !value.EnumerateArray().All(row => row.ValueKind == JsonValueKind.Array && row.GetArrayLength() == value[0].GetArrayLength())
+            || value.GetArrayLength() == 0 || value[0].GetArrayLength() == 0)
+        {
+            return Refuse<double[,]?>(name, Allowed, null);
+        }
+
+        var table = new double[value.GetArrayLength(), value[0].GetArrayLength()];
+        for (int i = 0; i < table.GetLength(0); i++)
+        {
+            for (int j = 0; j < table.GetLength(1); j++)
+            {
+                table[i, j] = NumberOf(value[i][j]);
+                if (!double.IsFinite(table[i, j]))
+                {
+                    return Refuse<double[,]?>($"{name}[{i}][{j}]", FiniteNumber, null);
+                }
+            }
+        }
+
+        return table;
+    }
+
     /// <summary>A number above 0.</summary>
     public double Positive(string name, double fallback)
     {
@@ -35,6 +90,12 @@ internal sealed class InputObject(InputFields fields, string path, JsonElement? 
     public int Whole(string name, int fallback) => Take(name) is not { } value ? fallback
         : NumberOf(value) is var number && number == Math.Floor(number) && Math.Abs(number) <= int.MaxValue ? (int)number
         : Refuse(name, $"a whole number, at most {int.MaxValue}", fallback);
+
+    /// <summary>A whole number of 64 bits, or null.</summary>
+    public long? OptionalWhole(string name, long? fallback = null) => Take(name) is not { } value ? fallback
+        : value.ValueKind == JsonValueKind.Null ? null
+        : value.ValueKind == JsonValueKind.Number && value.TryGetInt64(out long number) ? number
+        : Refuse<long?>(name, $"a whole number, {long.MinValue} … {long.MaxValue}, or null", fallback);
 
     /// <summary>true or false.</summary>
     public bool Flag(string name, bool fallback) => Take(name) is not { } value ? fallback
@@ -68,6 +129,10 @@ internal sealed class InputObject(InputFields fields, string path, JsonElement? 
     /// <summary>Three numbers, or null.</summary>
     public Vector3d? OptionalVector(string name) => Take(name) is { ValueKind: not JsonValueKind.Null } ? Vector(name, Vector3d.Zero) : null;
 
+    /// <summary>So many finite numbers, which must be given.</summary>
+    public double[] Numbers(string name, string form, int count) =>
+        Has(name) ? Numbers(name, form, new double[count]) : Refuse(name, $"{form}, {count} finite numbers", new double[count]);
+
     /// <summary>So many finite numbers as there are by default.</summary>
     /// <param name="name">The member.</param>
     /// <param name="form">What they are, like [x, y, z].</param>
@@ -90,6 +155,10 @@ internal sealed class InputObject(InputFields fields, string path, JsonElement? 
         return wrong < 0 ? numbers : Refuse($"{name}[{wrong}]", $"{FiniteNumber} ({Join(name)}: {allowed})", fallback);
     }
 
+    /// <summary>One number for both of two, or the two.</summary>
+    public double[] OneOrTwo(string name, string form, double[] fallback) =>
+        Take(name) is { ValueKind: JsonValueKind.Number } value ? [NumberOf(value), NumberOf(value)] : Numbers(name, form, fallback);
+
     /// <summary>A number, or the two ends [low, high] of a range.</summary>
     public (double Low, double High) Range(string name, (double Low, double High) fallback, NumberRange allowed)
     {
@@ -105,8 +174,35 @@ internal sealed class InputObject(InputFields fields, string path, JsonElement? 
         return allowed.Contains(low) && allowed.Contains(high) && low <= high ? (low, high) : Refuse(name, text, fallback);
     }
 
+    /// <summary>What the library makes of members of this object; null, and refused, where it does not take them.</summary>
+    public T? Make<T>(Func<T> make)
+        where T : class
+    {
+        try
+        {
+            return make();
+        }
+        catch (ArgumentException e)
+        {
+            fields.Refuse(LibraryRefusal.Of(e, fields, path) ?? new RefusedException(path, e.Message, "what the library takes"));
+            return null;
+        }
+    }
+
     /// <summary>Whether the member is given.</summary>
     public bool Has(string name) => Take(name) is not null;
+
+    /// <summary>Whether the member is an object.</summary>
+    public bool IsObject(string name) => Take(name) is { ValueKind: JsonValueKind.Object };
+
+    /// <summary>Refuses a member that another one stands for.</summary>
+    public void Exclude(string name, string other)
+    {
+        if (Has(name) && Has(other))
+        {
+            Refuse(name, $"{name} or {other}, not both", 0);
+        }
+    }
 
     private static double NumberOf(JsonElement value) =>
         value.ValueKind == JsonValueKind.Number && value.TryGetDouble(out double number) ? number : double.NaN;

@@ -11,7 +11,10 @@ internal static class LibraryRefusal
     private const string Marker = "; allowed: ";
 
     /// <summary>The refusal; null where the exception is none of the library's about a range.</summary>
-    public static RefusedException? Of(ArgumentException exception, InputFields input)
+    /// <param name="exception">The exception.</param>
+    /// <param name="input">The input.</param>
+    /// <param name="path">Where in the input the thing is that the library refuses; empty for the whole.</param>
+    public static RefusedException? Of(ArgumentException exception, InputFields input, string path = "")
     {
         string message = exception.Message;
         int marker = message.IndexOf(Marker, StringComparison.Ordinal);
@@ -25,7 +28,7 @@ internal static class LibraryRefusal
         {
             "timeStep" => "solver.timeStep",
             "duration" => "stop.time",
-            _ => name.Replace("batch.", "solver."),
+            _ => (path.Length > 0 ? path + "." : "") + name.Replace("batch.", "solver."),
         };
         int value = message.IndexOf(" is ", StringComparison.Ordinal) + 4;
         string[] allowed = message[(marker + Marker.Length)..end].Split(" | ");

@@ -17,6 +17,12 @@ internal sealed record Outcome
     /// <summary>The path, one entry a step, launch first; null where none was asked for.</summary>
     public IReadOnlyList<Moment>? Samples { get; init; }
 
-    /// <summary>Every impact counts.</summary>
-    public int Bounces => Events.Count(item => item.Kind == BallEventKind.Impact);
+    /// <summary>The name of what an event tells of; null for none.</summary>
+    public required Func<int, string?> NameOf { get; init; }
+
+    /// <summary>Impacts, those of events that were missed included.</summary>
+    public required long Bounces { get; init; }
+
+    /// <summary>Events that happened between those that were kept.</summary>
+    public required long Missed { get; init; }
 }

@@ -18,10 +18,15 @@ internal static class ResultWriter
         json.WriteStartArray("events");
         foreach (BallEvent item in outcome.Events)
         {
-            WriteEvent(json, in item);
+            WriteEvent(json, in item, outcome.NameOf(item.Thing));
         }
 
         json.WriteEndArray();
+        if (outcome.Missed > 0)
+        {
+            json.WriteNumber("missed", outcome.Missed);
+        }
+
         json.WriteNumber("apex", outcome.Apex);
         json.WriteNumber("bounces", outcome.Bounces);
         json.WriteNumber("steps", outcome.Steps);
@@ -83,7 +88,7 @@ internal static class ResultWriter
         json.WriteEndObject();
     }
 
-    private static void WriteEvent(Utf8JsonWriter json, in BallEvent item)
+    private static void WriteEvent(Utf8JsonWriter json, in BallEvent item, string? surface)
     {
         json.WriteStartObject();
         json.WriteString("kind", item.Kind switch
@@ -91,9 +96,17 @@ internal static class ResultWriter
             BallEventKind.Impact => "impact",
             BallEventKind.Slide => "slide",
             BallEventKind.Roll => "roll",
+            BallEventKind.Net => "net",
+            BallEventKind.Goal => "goal",
+            BallEventKind.Leave => "leave",
             _ => "rest",
         });
         json.WriteNumber("time", item.Time);
+        if (surface is not null)
+        {
+            json.WriteString("surface", surface);
+        }
+
         WriteVector(json, "position", item.Position);
         if (item.Kind == BallEventKind.Impact)
         {
@@ -103,6 +116,11 @@ internal static class ResultWriter
 
         WriteVector(json, "velocity", item.Velocity);
         WriteVector(json, "spin", item.Spin);
+        if (item.Normal != Vector3d.Zero)
+        {
+            WriteVector(json, "normal", item.Normal);
+        }
+
         json.WriteEndObject();
     }
 

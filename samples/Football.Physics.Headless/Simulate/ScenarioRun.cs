@@ -5,6 +5,9 @@ namespace Football.Physics.Headless.Simulate;
 /// <summary>Plays a scenario.</summary>
 internal static class ScenarioRun
 {
+    /// <summary>Events that a result has at most; what happened between the first and the last of them is counted.</summary>
+    private const int MostEvents = 65_536;
+
     /// <summary>Plays it to its end.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of the library's range.</exception>
     /// <exception cref="RefusedException">Its numbers, though each allowed, grew beyond what a double can hold.</exception>
@@ -14,7 +17,7 @@ internal static class ScenarioRun
         BallState state = simulator.Launch(scenario.Position, scenario.Velocity, scenario.Spin, scenario.Orientation);
         var highest = new HighestPoint();
         highest.Reset(in state);
-        var log = new StepLog { Observer = highest };
+        var log = new StepLog(mostEvents: MostEvents) { Observer = highest };
         List<Moment>? samples = scenario.Samples ? [Moment.Of(in state)] : null;
 
         bool ended = samples is null
@@ -37,10 +40,13 @@ internal static class ScenarioRun
         {
             Final = final,
             Events = log.Events.Span.ToArray(),
+            Missed = log.Events.Missed,
+            Bounces = log.Events.Impacts,
             Apex = highest.Apex,
             Steps = log.Steps,
             Evaluations = log.Evaluations,
             Samples = samples,
+            NameOf = simulator.NameOf,
         };
         return IsFinite(outcome)
             ? outcome
@@ -66,7 +72,7 @@ internal static class ScenarioRun
                 continue;
             }
 
-            bool bounces = kind == BallEventKind.Impact && last.Velocity.Y >= scenario.Scene.Ground.MinimumBounceSpeed;
+            bool bounces = kind == BallEventKind.Impact && last.Thing == 0 && Vector3d.Dot(last.Velocity, last.Normal) >= scenario.Scene.Ground.MinimumBounceSpeed;
             return final with
             {
                 State = bounces ? MotionState.Airborne : final.State,

@@ -8,14 +8,25 @@ internal static class SceneInput
     /// <summary>The scene: ball, air, gravity, forces, ground.</summary>
     public static Scene Scene(InputObject root)
     {
-        Scene scene = Physics.Scene.Default;
+        // In the order in which a refusal names them.
+        InputObject ball = root.Object("ball");
+        InputObject air = root.Object("air");
+        double gravity = root.Number("gravity", Physics.Scene.Published.Gravity);
+        InputObject forces = root.Object("forces");
+        InputObject ground = root.Object("ground");
+        Profile profile = root.Choice("profile", Profile.Published);
+        Scene scene = profile == Profile.Measured ? Physics.Scene.Measured : Physics.Scene.Published;
+        Surface frame = profile == Profile.Measured ? Physics.Surface.MeasuredFrame : Physics.Surface.GoalFrame;
         return new Scene
         {
-            Ball = Ball(root.Object("ball"), scene.Ball),
-            Air = Air(root.Object("air"), scene.Air),
-            Gravity = root.Number("gravity", scene.Gravity),
-            Forces = Forces(root.Object("forces"), scene.Forces),
-            Ground = Ground(root.Object("ground"), scene.Ground),
+            Ball = Ball(ball, profile),
+            Gravity = gravity,
+            Forces = Forces(forces, scene.Forces),
+            Ground = Ground(ground, Surface(ground, profile, scene.Ground)),
+            Air = AirInput.Air(air, scene.Air, ground.Number("height", scene.Ground.Height)),
+            Obstacles = WorldInput.Obstacles(root, frame),
+            Nets = WorldInput.Nets(root),
+            Goals = WorldInput.Goals(root, frame),
         };
     }
 
@@ -41,19 +52,25 @@ internal static class SceneInput
         return (stop.Choice("at", StopAt.Impact), stop.Positive("time", Scenario.DefaultDuration), root.Flag("samples", false));
     }
 
-    private static BallProperties Ball(InputObject ball, BallProperties defaults) => new()
+    /// <summary>The ball; in the measured profile one of the known ones.</summary>
+    private static BallProperties Ball(InputObject ball, Profile profile)
     {
-        Mass = ball.Number("mass", defaults.Mass),
-        Radius = ball.Number("radius", defaults.Radius),
-        InertiaFactor = ball.Number("inertiaFactor", defaults.InertiaFactor),
-    };
-
-    private static Air Air(InputObject air, Air defaults) => new()
-    {
-        Density = air.Number("density", defaults.Density),
-        KinematicViscosity = air.Number("kinematicViscosity", defaults.KinematicViscosity),
-        Wind = air.Vector("wind", defaults.Wind),
-    };
+        BallProperties defaults = profile != Profile.Measured ? BallProperties.Football : ball.Choice("type", BallType.Generic) switch
+        {
+            BallType.Tango12 => BallProperties.Tango12,
+            BallType.Teamgeist => BallProperties.Teamgeist,
+            BallType.Jabulani => BallProperties.Jabulani,
+            BallType.Brazuca => BallProperties.Brazuca,
+            _ => BallProperties.Football,
+        };
+        return defaults with
+        {
+            Mass = ball.Number("mass", defaults.Mass),
+            Radius = ball.Number("radius", defaults.Radius),
+            InertiaFactor = ball.Number("inertiaFactor", defaults.InertiaFactor),
+            KnuckleForce = profile == Profile.Measured ? ball.Number("knuckleForce", defaults.KnuckleForce) : defaults.KnuckleForce,
+        };
+    }
 
     private static ForceSet Forces(InputObject forces, ForceSet defaults) => new()
     {
@@ -65,14 +82,35 @@ internal static class SceneInput
         DragCoefficient = forces.Number("dragCoefficient", defaults.DragCoefficient),
         MagnusCoefficient = forces.Number("magnusCoefficient", defaults.MagnusCoefficient),
         SpinDecayCoefficient = forces.Number("spinDecayCoefficient", defaults.SpinDecayCoefficient),
+        KnuckleSeed = forces.OptionalWhole("knuckleSeed"),
     };
+
+    /// <summary>What the numbers of the ground are by default; in the measured profile those of a surface.</summary>
+    private static Ground Surface(InputObject ground, Profile profile, Ground fallback) =>
+        profile != Profile.Measured ? fallback : ground.Choice("surface", SurfaceType.DryTurf) switch
+        {
+            SurfaceType.ArtificialTurf => Physics.Ground.ArtificialTurf,
+            SurfaceType.WetTurf => Physics.Ground.WateredTurf,
+            SurfaceType.HardGround => Physics.Ground.HardGround,
+            SurfaceType.LongGrass => Physics.Ground.LongGrass,
+            SurfaceType.Indoor => Physics.Ground.Indoor,
+            SurfaceType.Concrete => Physics.Ground.Concrete,
+            SurfaceType.Snow => Physics.Ground.Snow,
+            _ => Physics.Ground.DryTurf,
+        };
 
     private static Ground Ground(InputObject ground, Ground defaults)
     {
-        double[] tangential = ground.Numbers("tangentialRestitution", "[x, z]", [defaults.TangentialRestitutionX, defaults.TangentialRestitutionZ]);
+        double[] tangential = ground.OneOrTwo("tangentialRestitution", "a number, or [x, z]", [defaults.TangentialRestitutionX, defaults.TangentialRestitutionZ]);
         return new Ground
         {
             NormalRestitution = ground.Number("normalRestitution", defaults.NormalRestitution),
+            RestitutionSpeed = ground.Limit("restitutionSpeed", defaults.RestitutionSpeed),
+            ImpactFriction = ground.Limit("impactFriction", defaults.ImpactFriction),
+            RollingFrictionBySpeed = ground.Number("rollingFrictionBySpeed", defaults.RollingFrictionBySpeed),
+            DrillingLength = ground.Number("drillingLength", defaults.DrillingLength),
+            Normal = ground.Vector("normal", defaults.Normal),
+            Heights = WorldInput.Heights(ground),
             TangentialRestitutionX = tangential[0],
             TangentialRestitutionZ = tangential[1],
             SpinRestitution = ground.Number("spinRestitution", defaults.SpinRestitution),

@@ -29,7 +29,7 @@ internal sealed class MissMeter : PieceObserver
     {
         _context = context;
         _simulator = simulator;
-        _stillAir = simulator.Scene.Air.Wind == Vector3d.Zero;
+        _stillAir = simulator.Scene.Air.IsStill;
         _log.Observer = this;
     }
 

@@ -8,11 +8,13 @@ internal static class AirChoice
         where TVisitor : struct, IAirVisitor<TResult>
     {
         ForceSet forces = scene.Forces;
-        bool fitted = forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical;
+        bool fitted = forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical
+            || (forces.SpinDecay == ForceLaw.Empirical && forces.Coefficients == CoefficientForm.Measured);
         return !fitted ? WithoutFit<TVisitor, TResult>(scene, ref visitor) : forces.Coefficients switch
         {
             CoefficientForm.Published => Published<TVisitor, TResult>(scene, ref visitor),
             CoefficientForm.Regularised => Regularised<TVisitor, TResult>(scene, ref visitor),
+            CoefficientForm.Measured => Measured<TVisitor, TResult>(scene, ref visitor),
             _ => throw Check.Unknown("forces.coefficients", forces.Coefficients),
         };
     }
@@ -71,6 +73,44 @@ internal static class AirChoice
             ForceLaw.None => visitor.Visit<SmoothAir<RegularisedLaw, TDrag, TMagnus, NoAirLaw>>(scene),
             ForceLaw.Constant => visitor.Visit<AirLaws<RegularisedDragFit, TDrag, TMagnus, ConstantSpinDecay>>(scene),
             ForceLaw.Empirical => visitor.Visit<SmoothAir<RegularisedLaw, TDrag, TMagnus, EmpiricalSpinDecay>>(scene),
+            _ => throw UnknownLaw(scene.Forces),
+        };
+
+    /// <summary>By the measured laws, at least one of them; by tables where no law is of constant coefficients.</summary>
+    private static TResult Measured<TVisitor, TResult>(Scene scene, ref TVisitor visitor)
+        where TVisitor : struct, IAirVisitor<TResult> => (scene.Forces.Drag, scene.Forces.Magnus) switch
+        {
+            (ForceLaw.None, ForceLaw.None) => visitor.Visit<AirLaws<NoDragFit, NoAirLaw, NoAirLaw, ProportionalSpinDecay>>(scene),
+            (ForceLaw.None, ForceLaw.Constant) => visitor.Visit<AirLaws<NoDragFit, NoAirLaw, ConstantMagnus, ProportionalSpinDecay>>(scene),
+            (ForceLaw.Constant, ForceLaw.None) => visitor.Visit<AirLaws<NoDragFit, ConstantDrag, NoAirLaw, ProportionalSpinDecay>>(scene),
+            (ForceLaw.Constant, ForceLaw.Constant) => visitor.Visit<AirLaws<NoDragFit, ConstantDrag, ConstantMagnus, ProportionalSpinDecay>>(scene),
+            (ForceLaw.None, ForceLaw.Empirical) => Measured<TVisitor, TResult, NoAirLaw, MeasuredMagnus>(scene, ref visitor),
+            (ForceLaw.Empirical, ForceLaw.None) => Measured<TVisitor, TResult, MeasuredDrag, NoAirLaw>(scene, ref visitor),
+            (ForceLaw.Empirical, ForceLaw.Empirical) => Measured<TVisitor, TResult, MeasuredDrag, MeasuredMagnus>(scene, ref visitor),
+            (ForceLaw.Constant, ForceLaw.Empirical) => MeasuredLaws<TVisitor, TResult, ConstantDrag, MeasuredMagnus>(scene, ref visitor),
+            (ForceLaw.Empirical, ForceLaw.Constant) => MeasuredLaws<TVisitor, TResult, MeasuredDrag, ConstantMagnus>(scene, ref visitor),
+            _ => throw UnknownLaw(scene.Forces),
+        };
+
+    private static TResult Measured<TVisitor, TResult, TDrag, TMagnus>(Scene scene, ref TVisitor visitor)
+        where TDrag : struct, IAirLaw
+        where TMagnus : struct, IAirLaw
+        where TVisitor : struct, IAirVisitor<TResult> => scene.Forces.SpinDecay switch
+        {
+            ForceLaw.None => visitor.Visit<SmoothAir<MeasuredLaw, TDrag, TMagnus, NoAirLaw>>(scene),
+            ForceLaw.Constant => visitor.Visit<AirLaws<NoDragFit, TDrag, TMagnus, ConstantSpinDecay>>(scene),
+            ForceLaw.Empirical => visitor.Visit<SmoothAir<MeasuredLaw, TDrag, TMagnus, ProportionalSpinDecay>>(scene),
+            _ => throw UnknownLaw(scene.Forces),
+        };
+
+    private static TResult MeasuredLaws<TVisitor, TResult, TDrag, TMagnus>(Scene scene, ref TVisitor visitor)
+        where TDrag : struct, IAirLaw
+        where TMagnus : struct, IAirLaw
+        where TVisitor : struct, IAirVisitor<TResult> => scene.Forces.SpinDecay switch
+        {
+            ForceLaw.None => visitor.Visit<AirLaws<NoDragFit, TDrag, TMagnus, NoAirLaw>>(scene),
+            ForceLaw.Constant => visitor.Visit<AirLaws<NoDragFit, TDrag, TMagnus, ConstantSpinDecay>>(scene),
+            ForceLaw.Empirical => visitor.Visit<AirLaws<NoDragFit, TDrag, TMagnus, ProportionalSpinDecay>>(scene),
             _ => throw UnknownLaw(scene.Forces),
         };
 

@@ -3,6 +3,12 @@ namespace Football.Physics;
 /// <summary>What the air does to the ball at one instant: a = Lift (ω × u) − Drag u + Acceleration, ω̇ = −Decay ω + SpinAcceleration.</summary>
 internal struct AirFactors
 {
+    /// <summary>u, the velocity relative to the air here and now, m/s.</summary>
+    public Vector3d AirVelocity;
+
+    /// <summary>|u|, m/s, where the air asks for the distance flown; else 0.</summary>
+    public double AirSpeed;
+
     /// <summary>D, 1/s.</summary>
     public double Drag;
 

@@ -49,6 +49,14 @@ internal struct AirLaws<TFit, TDrag, TMagnus, TDecay> : IAir
         get => false;
     }
 
+    public bool TurnsAxis
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
+
+    public double FastestWind => 0;
+
     public RateBound Bound => _drag.Bound + _magnus.Bound + _decay.Bound;
 
     public void Prepare(Scene scene)

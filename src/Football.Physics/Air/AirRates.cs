@@ -6,7 +6,7 @@ namespace Football.Physics;
 internal static class AirRates
 {
     /// <summary>Below this, rad/s, there is no spin: a reciprocal of it would overflow.</summary>
-    private const double NoSpin = 1e-100;
+    public const double NoSpin = 1e-100;
 
     /// <summary>The factors of a = L (ω × u) − D u, ω̇ = −decay ω, by the laws of drag, lift and spin decay.</summary>
     /// <param name="air">The air.</param>
@@ -67,6 +67,8 @@ internal static class AirRates
     {
         Vector3d u = ball.AirVelocity;
         Vector3d w = ball.Spin;
+        factors.AirVelocity = u;
+        factors.AirSpeed = 0;
         factors.Acceleration = Vector3d.Zero;
         factors.SpinAcceleration = Vector3d.Zero;
         return Factors(ref air, u.X, u.Y, u.Z, w.X, w.Y, w.Z, branch, out factors.Drag, out factors.Lift, out factors.Decay);

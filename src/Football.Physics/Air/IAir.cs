@@ -10,13 +10,19 @@ internal interface IAir : IFlightKernel<PointStep>
     bool Jumps { get; }
 
     /// <summary>
-    /// Whether the laws depend on place or time, or on more than drag, lift and spin decay: then flight has no constant axis, is integrated as any
-    /// motion is, and asks <see cref="Evaluate"/> alone. A fact of the type.
+    /// Whether the laws depend on place or time, or on more than drag, lift and spin decay: then flight is integrated as any motion is, and asks
+    /// <see cref="Evaluate"/> alone. A fact of the type.
     /// </summary>
     bool Varies { get; }
 
-    /// <summary>How fast the air can change the motion.</summary>
+    /// <summary>Whether torques that are not along the spin may act, so that flight has no constant axis. A fact of the type.</summary>
+    bool TurnsAxis { get; }
+
+    /// <summary>How fast the air can change the motion, by the speed relative to the air.</summary>
     RateBound Bound { get; }
+
+    /// <summary>A speed that the wind by place and time nowhere exceeds, m/s; 0 where it is steady.</summary>
+    double FastestWind { get; }
 
     /// <summary>Reads the constants of all laws from the scene.</summary>
     void Prepare(Scene scene);

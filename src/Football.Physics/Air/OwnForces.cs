@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>The game's own forces, summed, per mass and per moment of inertia.</summary>
@@ -14,20 +16,37 @@ internal readonly struct OwnForces
         _perInertia = 1.0 / scene.Ball.MomentOfInertia;
     }
 
+    /// <summary>Refuses what a step made of forces that were each finite.</summary>
+    /// <exception cref="InvalidOperationException">The ball is nowhere any more.</exception>
+    public static void CheckOutcome(in BallState state)
+    {
+        if (!(state.Position.IsFinite && state.Velocity.IsFinite && state.Spin.IsFinite && state.BaseOrientation.LengthSquared > 0))
+        {
+            throw new InvalidOperationException(
+                "forces.custom took the ball beyond what a number can hold; allowed: forces that the length of the step can follow.");
+        }
+    }
+
     /// <summary>Adds their accelerations.</summary>
+    /// <exception cref="InvalidOperationException">A force is not finite.</exception>
     public void AddTo(in ForceInput ball, ref AirFactors factors)
     {
         ForceSum sum = default;
-        foreach (IForce force in _forces)
+        ForceInput seen = ball.In(in factors.AirVelocity);
+        for (int i = 0; i < _forces.Length; i++)
         {
-            force.Apply(in ball, ref sum);
-            if (!sum.Force.IsFinite || !sum.Torque.IsFinite)
+            _forces[i].Apply(in seen, ref sum);
+            if (!(sum.Force.IsFinite && sum.Torque.IsFinite))
             {
-                throw Check.Refusal("forces.custom, " + force.GetType().Name, sum.Force + " N, " + sum.Torque + " N m", "finite forces and torques");
+                Refuse(i, in seen, in sum);
             }
         }
 
         factors.Acceleration += sum.Force * _perMass;
         factors.SpinAcceleration += sum.Torque * _perInertia;
     }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void Refuse(int index, in ForceInput ball, in ForceSum sum) => throw new InvalidOperationException(FormattableString.Invariant(
+        $"forces.custom[{index}] ({_forces[index].GetType().Name}) is {sum.Force} N, {sum.Torque} N m at {ball.Time} s; allowed: finite components."));
 }

@@ -22,6 +22,14 @@ internal struct OwnForcesAir : IAir
         get => true;
     }
 
+    public readonly bool TurnsAxis
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => true;
+    }
+
+    public readonly double FastestWind => _air.FastestWind;
+
     public readonly RateBound Bound => _air.Bound;
 
     public void Prepare(Scene scene)

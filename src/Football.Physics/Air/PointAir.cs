@@ -18,8 +18,14 @@ internal abstract class PointAir
     /// <inheritdoc cref="IAir.Bound"/>
     public abstract RateBound Bound { get; }
 
+    /// <inheritdoc cref="IAir.FastestWind"/>
+    public abstract double FastestWind { get; }
+
     /// <summary>The air of a scene, but for the game's own forces.</summary>
-    public static PointAir Of(Scene scene)
+    public static PointAir Of(Scene scene) => FieldAir.IsOf(scene) ? new Model<FieldAir>(scene) : OfLaws(scene);
+
+    /// <summary>The laws of a scene alone: without wind by place or time, and without a knuckle force.</summary>
+    public static PointAir OfLaws(Scene scene)
     {
         Maker maker = default;
         return AirChoice.Choose<Maker, PointAir>(scene, ref maker);
@@ -57,6 +63,8 @@ internal abstract class PointAir
         public override bool Jumps => _air.Jumps;
 
         public override RateBound Bound => _air.Bound;
+
+        public override double FastestWind => _air.FastestWind;
 
         public override double Evaluate(in ForceInput ball, DragBranch branch, out AirFactors factors) => _air.Evaluate(in ball, branch, out factors);
 

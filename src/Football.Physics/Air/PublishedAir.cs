@@ -48,6 +48,14 @@ internal struct PublishedAir<TDrag, TMagnus, TDecay> : IAir
         get => false;
     }
 
+    public bool TurnsAxis
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
+
+    public double FastestWind => 0;
+
     public RateBound Bound => _laws.Bound;
 
     public void Prepare(Scene scene)

@@ -53,6 +53,14 @@ internal struct SmoothAir<TLaw, TDrag, TMagnus, TDecay> : IAir
         get => false;
     }
 
+    public bool TurnsAxis
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
+
+    public double FastestWind => 0;
+
     public RateBound Bound =>
         (Drags ? _law.DragBound(2.0 * Limits.Speed) : default) + (Lifts ? _law.LiftBound : default) + (SpinDecays ? _law.DecayBound : default);
 

@@ -1,5 +1,3 @@
-using System.Runtime.ExceptionServices;
-
 namespace Football.Physics;
 
 /// <summary>Flies thousands of independent balls of one scene, from the launch to the first impact or a time.</summary>
@@ -12,12 +10,10 @@ namespace Football.Physics;
 public sealed class BallBatch
 {
     private readonly BatchWorker[] _workers;
+    private readonly GroupRun _groups;
     private BatchLaunches? _launches;
     private BatchFlights? _flights;
-    private Action<int>? _run;
-    private int _count;
     private double _duration;
-    private int _next;
 
     /// <summary>Compiles a scene.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
@@ -39,6 +35,8 @@ public sealed class BallBatch
         {
             _workers[i] = new BatchWorker(scene, settings, lanes);
         }
+
+        _groups = new GroupRun(_workers.Length, (worker, from, n) => _workers[worker].Fly(_launches!, _flights!, from, n, _duration));
     }
 
     /// <summary>The scene.</summary>
@@ -57,43 +55,14 @@ public sealed class BallBatch
     /// <param name="duration">How long a flight may last, s. Above 0, at most 600; default 30.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range. Some flights may have been written.</exception>
+    /// <remarks>What a force of the game's own throws comes through as it was thrown, whatever the number of threads; some flights may have been written.</remarks>
     public void Fly(BatchLaunches launches, BatchFlights flights, int count, double duration = 30)
     {
         _launches = launches ?? throw new ArgumentNullException(nameof(launches));
         _flights = flights ?? throw new ArgumentNullException(nameof(flights));
         Check.Within(nameof(count), count, 0, Math.Min(launches.Capacity, flights.Capacity));
         Check.Within(nameof(duration), duration, 0, 600, exclusiveLow: true);
-        _count = count;
         _duration = duration;
-        _next = 0;
-        if (_workers.Length == 1 || count <= LaneGroup.Size)
-        {
-            Work(0);
-            return;
-        }
-
-        try
-        {
-            Parallel.For(0, _workers.Length, new ParallelOptions { MaxDegreeOfParallelism = _workers.Length }, _run ??= Work);
-        }
-        catch (AggregateException several) when (several.InnerExceptions[0] is ArgumentOutOfRangeException first)
-        {
-            ExceptionDispatchInfo.Capture(first).Throw();
-        }
-    }
-
-    /// <summary>Takes groups of balls until none are left.</summary>
-    private void Work(int worker)
-    {
-        while (true)
-        {
-            int from = (Interlocked.Increment(ref _next) - 1) * LaneGroup.Size;
-            if (from >= _count)
-            {
-                return;
-            }
-
-            _workers[worker].Fly(_launches!, _flights!, from, Math.Min(LaneGroup.Size, _count - from), _duration);
-        }
+        _groups.Run(count);
     }
 }

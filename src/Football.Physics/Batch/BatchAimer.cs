@@ -1,5 +1,3 @@
-using System.Runtime.ExceptionServices;
-
 namespace Football.Physics;
 
 /// <summary>Finds many kicks of one scene at once: the same question as <see cref="Aimer"/> answers with <see cref="AimMethod.Direct"/>.</summary>
@@ -13,11 +11,9 @@ namespace Football.Physics;
 public sealed class BatchAimer
 {
     private readonly BatchAimWorker[] _workers;
+    private readonly GroupRun _groups;
     private BatchAims? _aims;
     private BatchKicks? _kicks;
-    private Action<int>? _run;
-    private int _count;
-    private int _next;
 
     /// <summary>Compiles a scene.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
@@ -38,6 +34,8 @@ public sealed class BatchAimer
         {
             _workers[i] = new BatchAimWorker(scene, lanes);
         }
+
+        _groups = new GroupRun(_workers.Length, (worker, from, n) => _workers[worker].Find(_aims!, _kicks!, from, n));
     }
 
     /// <summary>The scene.</summary>
@@ -92,36 +90,6 @@ public sealed class BatchAimer
             worker.Begin(aims);
         }
 
-        _count = count;
-        _next = 0;
-        if (_workers.Length == 1 || count <= LaneGroup.Size)
-        {
-            Work(0);
-            return;
-        }
-
-        try
-        {
-            Parallel.For(0, _workers.Length, new ParallelOptions { MaxDegreeOfParallelism = _workers.Length }, _run ??= Work);
-        }
-        catch (AggregateException several) when (several.InnerExceptions[0] is ArgumentOutOfRangeException first)
-        {
-            ExceptionDispatchInfo.Capture(first).Throw();
-        }
-    }
-
-    /// <summary>Takes groups of requests until none are left.</summary>
-    private void Work(int worker)
-    {
-        while (true)
-        {
-            int from = (Interlocked.Increment(ref _next) - 1) * LaneGroup.Size;
-            if (from >= _count)
-            {
-                return;
-            }
-
-            _workers[worker].Find(_aims!, _kicks!, from, Math.Min(LaneGroup.Size, _count - from));
-        }
+        _groups.Run(count);
     }
 }

@@ -61,6 +61,7 @@ internal struct GroundPush
         var u = new Vector3d(at.VX - around.Wind.X, 0 - around.Wind.Y, at.VZ - around.Wind.Z);
         var ball = new ForceInput(time, new Vector3d(at.X, around.ContactHeight, at.Z), at.Velocity, in u, at.Spin, motion);
         push.SpinRate = around.Air.Evaluate(in ball, branch, out AirFactors air);
+        u = air.AirVelocity;
         push.Decay = air.Decay;
         push.AboutVertical = (-(air.Decay + around.Ground.SpinDamping) * at.WY) + air.SpinAcceleration.Y;
         push.SpinAcceleration = air.SpinAcceleration;

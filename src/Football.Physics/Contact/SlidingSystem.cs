@@ -69,7 +69,8 @@ internal struct SlidingSystem<TAir> : IPlanarSystem
         if (StopsSpin(at.WX, at.WY, at.WZ))
         {
             // Past zero the decay goes on as before: at the step's end it stops there.
-            double perSpin = -_decay / StartSpin.Length;
+            double start = StartSpin.Length;
+            double perSpin = start > AirRates.NoSpin ? -_decay / start : 0;
             rates.BX = perSpin * StartSpin.X;
             rates.BY = perSpin * StartSpin.Y;
             rates.BZ = perSpin * StartSpin.Z;

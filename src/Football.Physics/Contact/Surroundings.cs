@@ -28,7 +28,10 @@ internal sealed class Surroundings<TAir>
     /// <summary>Its square, m².</summary>
     public readonly double RadiusSquared;
 
-    /// <summary>Height of the centre of a ball on the ground, m; −∞ where there is none.</summary>
+    /// <summary>All that can be met where there is more than a level pitch; else null.</summary>
+    public readonly World? World;
+
+    /// <summary>Height of the centre of a ball on the level pitch, m; −∞ where there is none, or where the ground is one of many things.</summary>
     public readonly double ContactHeight;
 
     public Surroundings(Scene scene)
@@ -37,10 +40,11 @@ internal sealed class Surroundings<TAir>
         AirActs = Air.Drags || Air.Lifts || Air.SpinDecays || Air.Varies;
         Ground = GroundForces.Of(scene);
         Wind = scene.Air.Wind;
-        AirActsOnGround = scene.Ground.Aerodynamics == GroundAerodynamics.Horizontal;
+        AirActsOnGround = scene.Ground.Aerodynamics != GroundAerodynamics.None;
+        World = World.Of(scene);
         Upward = Weight.UpwardAcceleration(scene);
         Radius = scene.Ball.Radius;
         RadiusSquared = scene.Ball.Radius * scene.Ball.Radius;
-        ContactHeight = scene.Ground.Height + scene.Ball.Radius;
+        ContactHeight = World is null ? scene.Ground.Height + scene.Ball.Radius : double.NegativeInfinity;
     }
 }

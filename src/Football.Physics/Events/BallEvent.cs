@@ -7,11 +7,22 @@ namespace Football.Physics;
 /// </remarks>
 public readonly struct BallEvent
 {
-    private readonly long _kind; // as wide as its neighbours: equal events are equal bytes
+    private readonly int _kind;
 
-    internal BallEvent(BallEventKind kind, double time, in Vector3d position, in Vector3d velocityBefore, in Vector3d spinBefore, in Vector3d velocity, in Vector3d spin)
+    internal BallEvent(
+        BallEventKind kind,
+        int thing,
+        in Vector3d normal,
+        double time,
+        in Vector3d position,
+        in Vector3d velocityBefore,
+        in Vector3d spinBefore,
+        in Vector3d velocity,
+        in Vector3d spin)
     {
-        _kind = (long)kind;
+        _kind = (int)kind;
+        Thing = thing;
+        Normal = normal;
         Time = time;
         Position = position;
         VelocityBefore = velocityBefore;
@@ -22,6 +33,15 @@ public readonly struct BallEvent
 
     /// <summary>What happened.</summary>
     public BallEventKind Kind => (BallEventKind)_kind;
+
+    /// <summary>
+    /// What was hit, met or passed, or carries the ball: its index among the things of the scene; −1 for none. 0 is the ground, then
+    /// come the obstacles in their order, the posts and bars of the goals, all nets, the goals. the simulator gives its name.
+    /// </summary>
+    public int Thing { get; }
+
+    /// <summary>Normal of the contact, from the thing to the ball, of length 1; of a net or a goal that of its plane, towards where the ball came from. Zero for a rest or a leave.</summary>
+    public Vector3d Normal { get; }
 
     /// <summary>When, s since the launch.</summary>
     public double Time { get; }

@@ -1,9 +1,9 @@
 namespace Football.Physics;
 
-/// <summary>What happened to the ball. At one instant events come in this order.</summary>
+/// <summary>What happened to the ball. At one instant an impact comes first, then what follows from it.</summary>
 public enum BallEventKind
 {
-    /// <summary>The ball hit the ground.</summary>
+    /// <summary>The ball hit the ground, or another thing.</summary>
     Impact = 0,
 
     /// <summary>After an impact the ball stayed down, slipping.</summary>
@@ -14,4 +14,13 @@ public enum BallEventKind
 
     /// <summary>The ball came to rest.</summary>
     Rest = 3,
+
+    /// <summary>The ball met a net.</summary>
+    Net = 4,
+
+    /// <summary>All of the ball passed a goal's line inside the opening.</summary>
+    Goal = 5,
+
+    /// <summary>The ball left what carried it without an impact with it: over a crest, or lifted by a hit.</summary>
+    Leave = 6,
 }

@@ -1,26 +1,42 @@
+using System.Globalization;
+
 namespace Football.Physics;
 
-/// <summary>Events in the order in which they happened. Written by a step, read after it; nothing is ever dropped.</summary>
-/// <remarks>It allocates only when one step has more events than any before it; the capacity stays.</remarks>
+/// <summary>Events in the order in which they happened. Written by a step, read after it.</summary>
+/// <remarks>
+/// It grows up to <see cref="Most"/> events and the memory stays. Where there are more, the first and the last are kept, in order, and
+/// those between are counted in <see cref="Missed"/>: no scene can make it larger.
+/// </remarks>
 public sealed class EventBuffer
 {
+    /// <summary>How many events it keeps unless told otherwise.</summary>
+    public const int DefaultMost = 16_384;
+
+    /// <summary>How many of the kept events are the last ones, where some are missed.</summary>
+    public const int Last = 16;
+
     private BallEvent[] _events;
 
     /// <summary>Makes an empty buffer.</summary>
-    /// <param name="capacity">Events to make room for, at least 1; default 32.</param>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="capacity"/> is below 1.</exception>
-    public EventBuffer(int capacity = 32)
+    /// <param name="capacity">Events to make room for, at least 1 and at most <paramref name="most"/>; default 32.</param>
+    /// <param name="most">How many events it keeps, at least 32; default <see cref="DefaultMost"/>.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public EventBuffer(int capacity = 32, int most = DefaultMost)
     {
-        if (capacity < 1)
-        {
-            throw Check.Refusal(nameof(capacity), capacity.ToString(System.Globalization.CultureInfo.InvariantCulture), "1 or more");
-        }
-
+        Check.AtLeast(nameof(most), most, 2 * Last);
+        Check.Within(nameof(capacity), capacity, 1, most);
+        Most = most;
         _events = new BallEvent[capacity];
     }
 
+    /// <summary>How many events it keeps at most.</summary>
+    public int Most { get; }
+
     /// <summary>How many events there are.</summary>
     public int Count { get; private set; }
+
+    /// <summary>How many more happened than are kept: between the first ones and the <see cref="Last"/> ones.</summary>
+    public long Missed { get; private set; }
 
     /// <summary>The events, first to last; valid until the next step or <see cref="Clear"/>.</summary>
     public ReadOnlySpan<BallEvent> Span => _events.AsSpan(0, Count);
@@ -34,15 +50,23 @@ public sealed class EventBuffer
         {
             if ((uint)index >= (uint)Count)
             {
-                throw Check.Refusal(nameof(index), index.ToString(System.Globalization.CultureInfo.InvariantCulture), $"0 … {Count - 1}");
+                throw Check.Refusal(nameof(index), index.ToString(CultureInfo.InvariantCulture), $"0 … {Count - 1}");
             }
 
             return ref _events[index];
         }
     }
 
+    /// <summary>How many impacts there were, those that are missed included.</summary>
+    internal long Impacts { get; private set; }
+
     /// <summary>Forgets all events; keeps the memory.</summary>
-    public void Clear() => Count = 0;
+    public void Clear()
+    {
+        Count = 0;
+        Missed = 0;
+        Impacts = 0;
+    }
 
     /// <summary>Enumerates the events without allocating.</summary>
     public ReadOnlySpan<BallEvent>.Enumerator GetEnumerator() => Span.GetEnumerator();
@@ -62,11 +86,45 @@ public sealed class EventBuffer
 
     internal void Add(in BallEvent item)
     {
+        Impacts += item.Kind == BallEventKind.Impact ? 1 : 0;
         if (Count == _events.Length)
         {
-            Array.Resize(ref _events, Count * 2);
+            MakeRoom();
         }
 
         _events[Count++] = item;
+    }
+
+    /// <summary>Adds all of another buffer's.</summary>
+    internal void Add(EventBuffer other)
+    {
+        for (int i = 0; i < other.Count; i++)
+        {
+            Add(in other._events[i]);
+        }
+
+        Missed += other.Missed;
+    }
+
+    /// <summary>Takes back what was added since there were so many; of those that were missed meanwhile the last ones cannot come back.</summary>
+    internal void TakeBack(int count, long missed, long impacts)
+    {
+        Count = Missed == missed ? count : Math.Min(count, Most - Last);
+        Missed = missed + (count - Count);
+        Impacts = impacts;
+    }
+
+    /// <summary>Grows, or misses the first of the last ones.</summary>
+    private void MakeRoom()
+    {
+        if (Count < Most)
+        {
+            Array.Resize(ref _events, (int)Math.Min(2L * Count, Most));
+            return;
+        }
+
+        Array.Copy(_events, Count - Last + 1, _events, Count - Last, Last - 1);
+        Count--;
+        Missed++;
     }
 }

@@ -92,11 +92,13 @@ public sealed class Ball
     }
 
     /// <summary>Advances by a frame's time; <see cref="Events"/> then holds what happened in it. Allocates nothing.</summary>
-    /// <param name="dt">Frame time, s: finite, not negative.</param>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is negative or not finite; nothing has changed.</exception>
+    /// <param name="dt">Frame time, s: 0 … 1e12.</param>
+    /// <remarks>What a force of the game's own throws comes through; the ball is then as it was before the step, without events.</remarks>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is out of range; nothing has changed.</exception>
+    /// <exception cref="InvalidOperationException">A force of the game's own is not finite; the message names it, and nothing has changed.</exception>
     public void Step(double dt)
     {
-        Check.NotNegative(nameof(dt), dt);
+        Check.Within(nameof(dt), dt, 0, Limits.Time);
         _log.Clear();
         Simulator.Step(ref _state, dt, _log);
     }

@@ -4,15 +4,35 @@ namespace Football.Physics;
 internal struct ByteReader
 {
     private readonly byte[] _bytes;
+    private readonly int _end;
     private int _at;
 
-    public ByteReader(byte[] bytes)
+    /// <summary>Starts at the first of some bytes that end with their checksum.</summary>
+    /// <exception cref="FormatException">The checksum does not hold.</exception>
+    public ByteReader(ReadOnlySpan<byte> bytes)
     {
-        _bytes = bytes;
+        byte[] copy = bytes.ToArray();
+        if (!Crc32.Holds(copy))
+        {
+            throw Damaged();
+        }
+
+        _bytes = copy;
+        _end = copy.Length - Crc32.Size;
         _at = 0;
     }
 
     public static FormatException Broken(string what) => new($"The bytes are broken: {what}.");
+
+    /// <summary>A number in them is out of range.</summary>
+    public static FormatException Broken(ArgumentOutOfRangeException refusal)
+    {
+        string message = refusal.Message;
+        int end = message.LastIndexOf(". (Parameter", StringComparison.Ordinal);
+        return new FormatException($"The bytes are broken: {(end > 0 ? message[..end] : message)}.", refusal);
+    }
+
+    public static FormatException Damaged() => Broken("their checksum does not hold");
 
     public ulong Bits(int bytes)
     {
@@ -53,7 +73,7 @@ internal struct ByteReader
     public int Count(int smallest)
     {
         int count = Int();
-        return count <= (_bytes.Length - _at) / smallest ? count : throw Broken("they end too early");
+        return count <= (_end - _at) / smallest ? count : throw Broken("they end too early");
     }
 
     public BallState State()
@@ -66,7 +86,7 @@ internal struct ByteReader
 
     public readonly void End()
     {
-        if (_at != _bytes.Length)
+        if (_at != _end)
         {
             throw Broken("something follows their end");
         }
@@ -74,7 +94,7 @@ internal struct ByteReader
 
     private readonly void Need(int bytes)
     {
-        if (_bytes.Length - _at < bytes)
+        if (_end - _at < bytes)
         {
             throw Broken("they end too early");
         }

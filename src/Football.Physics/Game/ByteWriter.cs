@@ -36,8 +36,14 @@ internal struct ByteWriter
         _count += Snapshot.Size;
     }
 
-    /// <summary>What was written.</summary>
-    public readonly byte[] ToArray() => _bytes is null ? [] : _bytes.AsSpan(0, _count).ToArray();
+    /// <summary>What was written, and its checksum.</summary>
+    public byte[] ToArray()
+    {
+        Bits(0, Crc32.Size);
+        byte[] all = _bytes.AsSpan(0, _count).ToArray();
+        Crc32.Seal(all);
+        return all;
+    }
 
     private void Reserve(int bytes)
     {

@@ -12,19 +12,22 @@ namespace Football.Physics;
 /// </remarks>
 public sealed class FixedStepRunner
 {
+    /// <summary>Steps that a frame can have at most.</summary>
+    internal const double MostSteps = 1e6;
+
     private readonly Ball _ball;
     private BallState _previous;
     private double _left;
 
     /// <summary>A ball at rest on the ground at the origin, at tick 0.</summary>
     /// <param name="simulator">The compiled scene; default <see cref="Scene.Default"/> with <see cref="SolverSettings.Default"/>.</param>
-    /// <param name="timeStep">Length of a step, s; above 0, at most <paramref name="maximumFrameTime"/>; default 0.01.</param>
-    /// <param name="maximumFrameTime">The longest frame that is made up for, s; above 0; default 0.25. What a longer one has beyond it is dropped, and reported.</param>
+    /// <param name="timeStep">Length of a step, s; at least a millionth of <paramref name="maximumFrameTime"/>, at most that; default 0.01.</param>
+    /// <param name="maximumFrameTime">The longest frame that is made up for, s; above 0, at most 1e12; default 0.25. What a longer one has beyond it is dropped, and reported.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public FixedStepRunner(Simulator? simulator = null, double timeStep = 0.01, double maximumFrameTime = 0.25)
     {
-        Check.Positive(nameof(maximumFrameTime), maximumFrameTime);
-        Check.Within(nameof(timeStep), timeStep, 0, maximumFrameTime, exclusiveLow: true);
+        Check.Within(nameof(maximumFrameTime), maximumFrameTime, 0, Limits.Time, exclusiveLow: true);
+        Check.Within(nameof(timeStep), timeStep, maximumFrameTime / MostSteps, maximumFrameTime);
         TimeStep = timeStep;
         MaximumFrameTime = maximumFrameTime;
         _ball = new Ball(simulator ?? new Simulator());
@@ -123,6 +126,7 @@ public sealed class FixedStepRunner
     /// <param name="frameTime">Time since the last frame, s: finite, not negative.</param>
     /// <returns>How many steps were made.</returns>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="frameTime"/> is negative or not finite; nothing has changed.</exception>
+    /// <remarks>What a force of the game's own throws comes through: the runner is then before the step in which it did, and the whole steps that were left of the frame are dropped.</remarks>
     public int Advance(double frameTime)
     {
         Check.NotNegative(nameof(frameTime), frameTime);
@@ -131,16 +135,26 @@ public sealed class FixedStepRunner
         TotalDroppedTime += DroppedTime;
         Events.Clear();
         int steps = 0;
-        for (_left += counted; _left >= TimeStep; _left -= TimeStep)
+        _left += counted;
+        try
         {
-            StepOnce();
-            steps++;
+            for (; _left >= TimeStep; _left -= TimeStep)
+            {
+                StepOnce();
+                steps++;
+            }
+        }
+        catch
+        {
+            DropWholeSteps();
+            throw;
         }
 
         return steps;
     }
 
     /// <summary>Makes one step, whatever the frame's time.</summary>
+    /// <remarks>What a force of the game's own throws comes through: the runner is then before the step, without events.</remarks>
     public void Step()
     {
         Events.Clear();
@@ -191,11 +205,12 @@ public sealed class FixedStepRunner
     /// <remarks>Nothing else changes: <see cref="Kicks"/> stay, those for this tick included, so that what follows is played again; to put the ball elsewhere, <see cref="Place"/> it. The time kept for the next frame stays too. Drawing starts anew from the state.</remarks>
     /// <param name="tick">The tick; 0 or more.</param>
     /// <param name="state">The state at its start: a copy of <see cref="State"/>, or one from <see cref="Simulator.Launch(Vector3d, Vector3d, Vector3d)"/>.</param>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="tick"/> is negative; nothing has changed.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="tick"/> is negative, or the state's clock stands so high that a step would not move it; nothing has changed.</exception>
     /// <exception cref="ArgumentException"><paramref name="state"/> was never launched; nothing has changed.</exception>
     public void Restore(long tick, in BallState state)
     {
         Check.NotNegative(nameof(tick), tick);
+        Check.Advances(nameof(TimeStep), TimeStep, state.Time);
         _ball.State = state;
         Tick = tick;
         _previous = state;
@@ -217,21 +232,37 @@ public sealed class FixedStepRunner
     /// <summary>Ends the recording, if there is one.</summary>
     public void StopRecording() => Recording = null;
 
+    /// <summary>Drops the whole steps of the time that is left.</summary>
+    private void DropWholeSteps()
+    {
+        double dropped = Math.Floor(_left / TimeStep) * TimeStep;
+        _left = Math.Max(0, _left - dropped);
+        DroppedTime += dropped;
+        TotalDroppedTime += dropped;
+    }
+
     private void StepOnce()
     {
-        for (int i = Kicks.FirstAt(Tick); i < Kicks.Count && Kicks[i].Tick == Tick; i++)
+        BallState before = _ball.State;
+        try
         {
-            _ball.Kick(Kicks[i].Velocity, Kicks[i].Spin);
+            for (int i = Kicks.FirstAt(Tick); i < Kicks.Count && Kicks[i].Tick == Tick; i++)
+            {
+                _ball.Kick(Kicks[i].Velocity, Kicks[i].Spin);
+            }
+
+            BallState start = _ball.State;
+            _ball.Step(TimeStep);
+            _previous = start;
+        }
+        catch
+        {
+            _ball.State = before;
+            throw;
         }
 
-        _previous = _ball.State;
-        _ball.Step(TimeStep);
         Tick++;
-        for (int i = 0; i < _ball.Events.Count; i++)
-        {
-            Events.Add(in _ball.Events[i]);
-        }
-
+        Events.Add(_ball.Events);
         Recording?.Add(Snapshot.Hash(_ball.State));
     }
 }

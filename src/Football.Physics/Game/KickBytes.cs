@@ -30,7 +30,7 @@ internal static class KickBytes
         }
         catch (ArgumentOutOfRangeException refusal)
         {
-            throw new FormatException(refusal.Message, refusal);
+            throw ByteReader.Broken(refusal);
         }
     }
 

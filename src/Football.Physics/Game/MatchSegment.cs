@@ -4,8 +4,8 @@ namespace Football.Physics;
 /// <remarks>It grows by 8 bytes a step. The scene is not part of it: whoever plays it again must have the same one.</remarks>
 public sealed class MatchSegment
 {
-    private const ulong Format = 0x31_47_53_42_46; // "FBSG1"
-    private const long LastTick = 1L << 53;
+    private const ulong Format = 0x32_47_53_42_46; // "FBSG2"
+    private const long LastTick = 1L << 52;
     private ulong[] _hashes;
     private int _count;
     private BallState _start;
@@ -67,8 +67,8 @@ public sealed class MatchSegment
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     public FixedStepRunner Replay(Simulator simulator)
     {
-        var runner = new FixedStepRunner(
-            simulator ?? throw new ArgumentNullException(nameof(simulator)), TimeStep, Math.Max(TimeStep, 0.25));
+        double longestFrame = Math.Max(TimeStep, Math.Min(0.25, TimeStep * (FixedStepRunner.MostSteps / 2)));
+        var runner = new FixedStepRunner(simulator ?? throw new ArgumentNullException(nameof(simulator)), TimeStep, longestFrame);
         for (int i = Kicks.FirstAt(StartTick); i < Kicks.Count && Kicks[i].Tick < EndTick; i++)
         {
             runner.Kicks.Add(in Kicks[i]);
@@ -104,21 +104,16 @@ public sealed class MatchSegment
 
     /// <summary>Reads what <see cref="ToBytes"/> wrote.</summary>
     /// <param name="bytes">The bytes; all of them are used.</param>
-    /// <exception cref="FormatException">The bytes are no match segment.</exception>
+    /// <exception cref="FormatException">The bytes are no match segment, or were changed on their way; the message says why.</exception>
     public static MatchSegment FromBytes(ReadOnlySpan<byte> bytes)
     {
-        var reader = new ByteReader(bytes.ToArray());
+        var reader = new ByteReader(bytes);
         if (reader.Bits(5) != Format)
         {
             throw ByteReader.Broken("no match segment starts like this");
         }
 
         double timeStep = BitConverter.Int64BitsToDouble((long)reader.Bits(8));
-        if (!(timeStep > 0 && double.IsFinite(timeStep)))
-        {
-            throw ByteReader.Broken("the time step is not a finite number above 0");
-        }
-
         long startTick = reader.Long();
         if (startTick > LastTick)
         {
@@ -126,6 +121,16 @@ public sealed class MatchSegment
         }
 
         BallState start = reader.State();
+        try
+        {
+            Check.Within("timeStep", timeStep, 0, Limits.Time, exclusiveLow: true);
+            Check.Advances("timeStep", timeStep, start.Time);
+        }
+        catch (ArgumentOutOfRangeException refusal)
+        {
+            throw ByteReader.Broken(refusal);
+        }
+
         KickLog kicks = KickLog.Read(ref reader);
         int count = reader.Count(sizeof(ulong));
         var segment = new MatchSegment(timeStep, startTick, in start, kicks, count);

@@ -6,8 +6,10 @@ namespace Football.Physics;
 /// <remarks>The snapshot itself is a copy of the struct. Hash and bytes are the same on every runtime, byte order included.</remarks>
 public static class Snapshot
 {
-    /// <summary>How many bytes <see cref="Write"/> makes of a state.</summary>
-    public const int Size = StateFields.Count * sizeof(ulong);
+    /// <summary>How many bytes <see cref="Write"/> makes of a state: its fields, and a checksum of four bytes.</summary>
+    public const int Size = Fields + Crc32.Size;
+
+    private const int Fields = StateFields.Count * sizeof(ulong);
 
     /// <summary>A 64-bit hash over the bits of every field: equal states have equal hashes, and one flipped bit changes it.</summary>
     /// <param name="state">The state.</param>
@@ -44,16 +46,21 @@ public static class Snapshot
 
         Span<ulong> words = stackalloc ulong[StateFields.Count];
         StateFields.Read(in state, words);
-        for (int i = 0; i < Size; i++)
+        for (int i = 0; i < Fields; i++)
         {
             destination[i] = (byte)(words[i >> 3] >> ((i & 7) << 3));
         }
+
+        Crc32.Seal(destination.Slice(0, Size));
     }
 
     /// <summary>Reads what <see cref="Write"/> wrote.</summary>
     /// <param name="source">At least <see cref="Size"/> bytes; more are ignored.</param>
     /// <exception cref="ArgumentException"><paramref name="source"/> is too short.</exception>
-    /// <exception cref="FormatException">The bytes are no state of a ball: a number is not finite or an enumeration has no such member.</exception>
+    /// <exception cref="FormatException">
+    /// The bytes are no state of a ball, and the message says why: the checksum does not hold, an enumeration has no such member, or a number is
+    /// not finite or so large that no ball gets there: 1e75 m, 1e60 m/s, 1e70 rad/s, 1e15 s.
+    /// </exception>
     public static BallState Read(ReadOnlySpan<byte> source)
     {
         if (source.Length < Size)
@@ -61,19 +68,30 @@ public static class Snapshot
             throw new ArgumentException($"source has {source.Length} bytes; allowed: {Size} or more.", nameof(source));
         }
 
+        // A copy: whoever else may write there cannot change it after it was checked.
         Span<byte> bytes = stackalloc byte[Size];
         source.Slice(0, Size).CopyTo(bytes);
+        if (!Crc32.Holds(bytes))
+        {
+            throw ByteReader.Damaged();
+        }
+
         Span<ulong> words = stackalloc ulong[StateFields.Count];
         words.Clear();
-        for (int i = 0; i < Size; i++)
+        for (int i = 0; i < Fields; i++)
         {
             words[i >> 3] |= (ulong)bytes[i] << ((i & 7) << 3);
         }
 
         BallState state = default;
-        if (!StateFields.TryWrite(words, ref state))
+        StateFields.Write(words, ref state);
+        try
         {
-            throw new FormatException("The bytes are no state of a ball.");
+            StateCheck.Validate(in state);
+        }
+        catch (ArgumentOutOfRangeException refusal)
+        {
+            throw ByteReader.Broken(refusal);
         }
 
         return state;
@@ -85,6 +103,8 @@ public static class Snapshot
         public const ulong Start = 0x9E3779B97F4A7C15UL;
 
         public ulong Hash;
+
+        private ulong _place;
 
         public readonly ulong Result
         {
@@ -103,6 +123,17 @@ public static class Snapshot
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public void Member(ref int value) => Mix((ulong)(uint)value);
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Bits(ref ulong value)
+        {
+            // Without a set bit it is as if the field were not there: its place counts instead, with the bits.
+            _place++;
+            if (value != 0)
+            {
+                Mix(value ^ (_place * 0xD6E8FEB86659FD93UL));
+            }
+        }
 
         private void Mix(ulong word)
         {

@@ -8,13 +8,16 @@ internal interface IFieldVisitor
 
     /// <summary>A member of an enumeration.</summary>
     void Member(ref int value);
+
+    /// <summary>A set of flags, an index, or a number that is 0 for a ball on a level pitch with nothing else.</summary>
+    void Bits(ref ulong value);
 }
 
 /// <summary>The one list of what a <see cref="BallState"/> consists of; hash, comparison and bytes all go through it.</summary>
 internal static class StateFields
 {
     /// <summary>How many scalars there are; a test compares it with the struct itself.</summary>
-    public const int Count = 18;
+    public const int Count = 24;
 
     /// <summary>Visits every scalar, in a fixed order.</summary>
     public static void Visit<TVisitor>(ref BallState state, ref TVisitor visitor)
@@ -35,6 +38,18 @@ internal static class StateFields
         int branch = (int)state.Branch;
         visitor.Member(ref branch);
         state.Branch = (DragBranch)branch;
+        ulong carrier = (ulong)state.Carrier;
+        visitor.Bits(ref carrier);
+        state.Carrier = (long)carrier;
+        visitor.Bits(ref state.Nets);
+        visitor.Bits(ref state.NetSides);
+        visitor.Bits(ref state.GoalsPassed);
+        ulong clearance = (ulong)BitConverter.DoubleToInt64Bits(state.Clearance);
+        visitor.Bits(ref clearance);
+        state.Clearance = BitConverter.Int64BitsToDouble((long)clearance);
+        ulong airDistance = (ulong)BitConverter.DoubleToInt64Bits(state.AirDistance);
+        visitor.Bits(ref airDistance);
+        state.AirDistance = BitConverter.Int64BitsToDouble((long)airDistance);
     }
 
     /// <summary>Takes the bits of a state out.</summary>
@@ -48,24 +63,14 @@ internal static class StateFields
         }
     }
 
-    /// <summary>Makes a state of its bits; false when they are none.</summary>
-    public static unsafe bool TryWrite(Span<ulong> words, ref BallState state)
+    /// <summary>Puts the bits of a state in, whatever they say; see <see cref="StateCheck"/>.</summary>
+    public static unsafe void Write(Span<ulong> words, ref BallState state)
     {
         fixed (ulong* first = words)
         {
             var writer = new Writer { Next = first };
             Visit(ref state, ref writer);
         }
-
-        return Enum.IsDefined(typeof(MotionState), state.Motion)
-            && Enum.IsDefined(typeof(DragBranch), state.Branch)
-            && double.IsFinite(state.Time)
-            && state.Position.IsFinite
-            && state.Velocity.IsFinite
-            && state.SpinAxis.IsFinite
-            && double.IsFinite(state.SpinRate)
-            && double.IsFinite(state.Angle)
-            && Math.Abs(state.BaseOrientation.LengthSquared - 1) < 1e-6;
     }
 
     private static Vector3d Vector<TVisitor>(Vector3d value, ref TVisitor visitor)
@@ -101,6 +106,8 @@ internal static class StateFields
         public void Number(ref double value) => *Next++ = (ulong)BitConverter.DoubleToInt64Bits(value);
 
         public void Member(ref int value) => *Next++ = (uint)value;
+
+        public void Bits(ref ulong value) => *Next++ = value;
     }
 
     private unsafe struct Writer : IFieldVisitor
@@ -114,5 +121,7 @@ internal static class StateFields
             ulong word = *Next++;
             value = word <= int.MaxValue ? (int)word : -1;
         }
+
+        public void Bits(ref ulong value) => value = *Next++;
     }
 }

@@ -92,10 +92,34 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         step.End = new Motion(
             from.Position + (sixth * velocity),
             from.Velocity + (sixth * acceleration),
-            from.Spin + (sixth * spinAcceleration));
+            from.Spin + (sixth * spinAcceleration),
+            from.AirDistance + (sixth * (k1.AirSpeed + (2.0 * (k2.AirSpeed + k3.AirSpeed)) + k4.AirSpeed)));
 
         step.Rotation = RotationVector.Of(in from.Spin, 0.5 * (second.Spin + third.Spin), in step.End.Spin, h);
         step.StartRates = k1;
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
+    public void Advance<TSystem>(ref TSystem system, double time, in FieldMotion from, double h, out FieldStep step)
+        where TSystem : struct, IFieldSystem
+    {
+        double half = 0.5 * h;
+        system.Rates(time, in from, out FieldRates k1);
+        step.StartAcceleration = k1.Acceleration;
+        from.After(half, in from.Velocity, in k1, out FieldMotion second);
+        system.Rates(time + half, in second, out FieldRates k2);
+        from.After(half, in second.Velocity, in k2, out FieldMotion third);
+        system.Rates(time + half, in third, out FieldRates k3);
+        from.After(h, in third.Velocity, in k3, out FieldMotion fourth);
+        system.Rates(time + h, in fourth, out FieldRates k4);
+
+        const double Sixth = 1.0 / 6.0;
+        FieldRates mean;
+        mean.Acceleration = Sixth * (k1.Acceleration + (2.0 * (k2.Acceleration + k3.Acceleration)) + k4.Acceleration);
+        mean.SpinAcceleration = Sixth * (k1.SpinAcceleration + (2.0 * (k2.SpinAcceleration + k3.SpinAcceleration)) + k4.SpinAcceleration);
+        mean.AirSpeed = Sixth * (k1.AirSpeed + (2.0 * (k2.AirSpeed + k3.AirSpeed)) + k4.AirSpeed);
+        from.After(h, Sixth * (from.Velocity + (2.0 * (second.Velocity + third.Velocity)) + fourth.Velocity), in mean, out step.End);
+        step.Turn = h * (Sixth * (from.SpinRate + (2.0 * (second.SpinRate + third.SpinRate)) + fourth.SpinRate));
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]

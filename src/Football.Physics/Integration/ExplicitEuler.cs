@@ -49,6 +49,16 @@ internal readonly struct ExplicitEuler : IIntegrator
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
+    public void Advance<TSystem>(ref TSystem system, double time, in FieldMotion from, double h, out FieldStep step)
+        where TSystem : struct, IFieldSystem
+    {
+        system.Rates(time, in from, out FieldRates k1);
+        step.StartAcceleration = k1.Acceleration;
+        from.After(h, in from.Velocity, in k1, out step.End);
+        step.Turn = h * from.SpinRate;
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
     public void Advance<TSystem>(ref TSystem system, double time, in PlanarMotion from, double h, out PlanarStep step)
         where TSystem : struct, IPlanarSystem
     {

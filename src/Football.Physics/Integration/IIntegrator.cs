@@ -37,6 +37,15 @@ internal interface IIntegrator
     void Advance<TSystem>(ref TSystem system, double time, in Motion from, double h, out MotionStep step)
         where TSystem : struct, IMotionSystem;
 
+    /// <summary>A step in flight along a constant axis of the spin, in air that depends on place or time.</summary>
+    /// <param name="system">Gives the rates.</param>
+    /// <param name="time">Time at the start, s.</param>
+    /// <param name="from">Where the step starts.</param>
+    /// <param name="h">Its length, s.</param>
+    /// <param name="step">Where it ends.</param>
+    void Advance<TSystem>(ref TSystem system, double time, in FieldMotion from, double h, out FieldStep step)
+        where TSystem : struct, IFieldSystem;
+
     /// <summary>A step on the flat ground.</summary>
     /// <param name="system">Gives the rates.</param>
     /// <param name="time">Time at the start, s.</param>

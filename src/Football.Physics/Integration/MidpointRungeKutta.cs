@@ -68,6 +68,19 @@ internal readonly struct MidpointRungeKutta : IIntegrator
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
+    public void Advance<TSystem>(ref TSystem system, double time, in FieldMotion from, double h, out FieldStep step)
+        where TSystem : struct, IFieldSystem
+    {
+        double half = 0.5 * h;
+        system.Rates(time, in from, out FieldRates k1);
+        step.StartAcceleration = k1.Acceleration;
+        from.After(half, in from.Velocity, in k1, out FieldMotion middle);
+        system.Rates(time + half, in middle, out FieldRates k2);
+        from.After(h, in middle.Velocity, in k2, out step.End);
+        step.Turn = h * middle.SpinRate;
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
     public void Advance<TSystem>(ref TSystem system, double time, in PlanarMotion from, double h, out PlanarStep step)
         where TSystem : struct, IPlanarSystem
     {

@@ -50,6 +50,16 @@ internal readonly struct SemiImplicitEuler : IIntegrator
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
+    public void Advance<TSystem>(ref TSystem system, double time, in FieldMotion from, double h, out FieldStep step)
+        where TSystem : struct, IFieldSystem
+    {
+        system.Rates(time, in from, out FieldRates k1);
+        step.StartAcceleration = k1.Acceleration;
+        from.After(h, from.Velocity + (h * k1.Acceleration), in k1, out step.End);
+        step.Turn = h * step.End.SpinRate;
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
     public void Advance<TSystem>(ref TSystem system, double time, in PlanarMotion from, double h, out PlanarStep step)
         where TSystem : struct, IPlanarSystem
     {

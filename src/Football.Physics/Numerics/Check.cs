@@ -54,6 +54,18 @@ internal static class Check
         }
     }
 
+    /// <summary>Refuses a step that the clock's rounding would swallow: time would stand still.</summary>
+    /// <param name="field">Its name.</param>
+    /// <param name="step">The step, s.</param>
+    /// <param name="time">The latest time that the clock must go on from, s.</param>
+    public static void Advances(string field, double step, double time)
+    {
+        if (!(time + (0.25 * step) > time && time <= double.MaxValue))
+        {
+            throw Refusal(field, Text(step), $"more than the rounding of a clock at {Text(time)} s");
+        }
+    }
+
     public static void Size(string field, in Vector3d value, double high, string unit)
     {
         if (!(value.IsFinite && value.Length <= high))
@@ -77,6 +89,21 @@ internal static class Check
         {
             throw Refusal(field, value.ToString(), "a finite quaternion other than zero");
         }
+    }
+
+    /// <summary>A direction: the vector with length 1.</summary>
+    public static Vector3d Direction(string field, in Vector3d value)
+    {
+        // Scaled first, so that the square of a very large or very small one is neither infinite nor zero.
+        double largest = Math.Max(Math.Abs(value.X), Math.Max(Math.Abs(value.Y), Math.Abs(value.Z)));
+        if (!(value.IsFinite && largest > 0))
+        {
+            throw Refusal(field, value.ToString(), "a finite vector other than zero");
+        }
+
+        // One that has length 1 to rounding stays as it is.
+        Vector3d scaled = value / largest;
+        return Math.Abs(value.LengthSquared - 1.0) <= 1e-15 ? value : scaled / scaled.Length;
     }
 
     /// <summary>Checks an enumeration whose values count up from 0; without boxing, for checks on the way to a run.</summary>

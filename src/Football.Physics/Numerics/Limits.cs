@@ -11,4 +11,7 @@ public static class Limits
 
     /// <summary>Largest length or coordinate, m.</summary>
     public const double Length = 1e6;
+
+    /// <summary>Longest step, frame, run or look-ahead, s.</summary>
+    public const double Time = 1e12;
 }

@@ -3,7 +3,7 @@ namespace Football.Physics;
 /// <summary>How far to look ahead, and in which steps. It ends at the first of the conditions that are set.</summary>
 public sealed record LookAheadRequest
 {
-    /// <summary>How long to look ahead at most, s. Above 0; default 10.</summary>
+    /// <summary>How long to look ahead at most, s. Above 0, at most 1e12; default 10.</summary>
     public double Duration { get; init; } = 10;
 
     /// <summary>
@@ -24,10 +24,13 @@ public sealed record LookAheadRequest
     /// </summary>
     public Vector3d? UntilPassing { get; init; }
 
+    /// <summary>Refuses steps that the ball's clock would not notice.</summary>
+    internal void CheckClock(in BallState from) => Check.Advances("lookAhead.timeStep", TimeStep, from.Time + Duration);
+
     internal void Validate()
     {
-        Check.Positive("lookAhead.duration", Duration);
-        Check.Positive("lookAhead.timeStep", TimeStep);
+        Check.Within("lookAhead.duration", Duration, 0, Limits.Time, exclusiveLow: true);
+        Check.Within("lookAhead.timeStep", TimeStep, 0, Limits.Time, exclusiveLow: true);
         Check.AtLeast("lookAhead.timeStep", TimeStep, Duration * 1e-12);
         Check.Defined("lookAhead.stopAt", StopAt, (int)StopAt, 3);
         if (UntilPassing is { } point)

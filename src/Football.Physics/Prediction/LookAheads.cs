@@ -12,6 +12,7 @@ public static class LookAheads
     /// <param name="from">The ball; unchanged.</param>
     /// <param name="request">How far to look, and what to stop at.</param>
     /// <param name="into">Where the path and the events go.</param>
+    /// <remarks>What a force of the game's own throws comes through; the path then ends before the step in which it did.</remarks>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     public static void LookAhead(this Simulator simulator, in BallState from, LookAheadRequest request, Trajectory into)
@@ -32,6 +33,7 @@ public static class LookAheads
         }
 
         request.Validate();
+        request.CheckClock(in from);
         BallState.Launched(in from);
         Run(simulator, in from, request, into, endsWhenFull: false);
         if (into.Overflows)
@@ -46,7 +48,16 @@ public static class LookAheads
         into.Begin(in from, request, simulator.Scene.Air.Wind, endsWhenFull);
         BallState state = from;
         double step = simulator.Scene.Forces.Custom.Count > 0 && request.TimeStep > LongestOwnStep ? OwnStep : request.TimeStep;
-        simulator.Run(ref state, step, request.Duration, request.StopAt, into.Log, null);
+        try
+        {
+            simulator.Run(ref state, step, request.Duration, request.StopAt, into.Log, null);
+        }
+        catch
+        {
+            into.Break(in state);
+            throw;
+        }
+
         into.End(in state);
     }
 
@@ -63,9 +74,17 @@ public static class LookAheads
         BallState state = path.Final;
         path.Log.Halted = false;
         path.Log.StopAt = stopAt;
-        while (state.Time < end && !path.Log.Halted && state.Motion != MotionState.Stopped)
+        try
         {
-            simulator.Advance(ref state, timeStep, path.Log);
+            while (state.Time < end && !path.Log.Halted && state.Motion != MotionState.Stopped)
+            {
+                simulator.Advance(ref state, timeStep, path.Log);
+            }
+        }
+        catch
+        {
+            path.Break(in state);
+            throw;
         }
 
         path.End(in state);

@@ -46,9 +46,16 @@ public sealed class Prediction
     /// <summary>Brings the prediction up to the real ball. Allocates nothing.</summary>
     /// <param name="real">The real ball.</param>
     /// <returns>True when the path was predicted anew, false when it was kept and, where needed, extended.</returns>
+    /// <remarks>What a force of the game's own throws comes through; the path then ends before the step in which it did, and the next update predicts anew.</remarks>
+    /// <exception cref="ArgumentOutOfRangeException">The ball's clock stands so high that the steps of the request would not move it.</exception>
     public bool Update(in BallState real)
     {
-        if (!_valid || !OnPath(in real))
+        _request.CheckClock(in real);
+        bool keeps = _valid && OnPath(in real);
+
+        // What throws in between leaves a path that is not used again.
+        _valid = false;
+        if (!keeps)
         {
             _simulator.LookAheadInWholeSteps(in real, _request, Path);
             _valid = true;
@@ -62,6 +69,7 @@ public sealed class Prediction
             _simulator.Extend(Path, real.Time + _request.Duration, _request.TimeStep, _request.StopAt);
         }
 
+        _valid = true;
         return false;
     }
 

@@ -46,7 +46,7 @@ public sealed class Trajectory
     /// <summary>When it ends, s since the launch.</summary>
     public double EndTime => Count > 0 ? Math.Max(_pieces[Count - 1].EndTime, _final.Time) : _final.Time;
 
-    /// <summary>False where the memory was full before the look-ahead was over.</summary>
+    /// <summary>False where the memory was full, or a force of the game's own threw, before the look-ahead was over.</summary>
     public bool IsComplete { get; private set; }
 
     /// <summary>Right-hand sides evaluated.</summary>
@@ -88,9 +88,11 @@ public sealed class Trajectory
     /// <returns>False where there is no such touchdown.</returns>
     public bool TryGetTouchdown(int index, out BallEvent touchdown)
     {
-        foreach (ref readonly BallEvent e in Events)
+        for (int i = 0; i < Events.Count; i++)
         {
-            if (e.Kind == BallEventKind.Impact && index-- == 0)
+            // A hit of anything but the ground is no touchdown.
+            ref readonly BallEvent e = ref Events[i];
+            if (e.Kind == BallEventKind.Impact && e.Thing == 0 && index-- == 0)
             {
                 touchdown = e;
                 return true;
@@ -187,6 +189,18 @@ public sealed class Trajectory
     }
 
     internal void End(in BallState final) => _final = final;
+
+    /// <summary>Ends it with the state before a step that failed: the pieces of that step are none.</summary>
+    internal void Break(in BallState final)
+    {
+        while (Count > 0 && _pieces[Count - 1].Time >= final.Time)
+        {
+            Count--;
+        }
+
+        IsComplete = false;
+        _final = final;
+    }
 
     /// <summary>Forgets the pieces and events before a time.</summary>
     internal void Forget(double before)

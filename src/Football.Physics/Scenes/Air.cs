@@ -3,12 +3,29 @@ namespace Football.Physics;
 /// <summary>The air that the ball moves through.</summary>
 public sealed record Air
 {
-    /// <summary>Density ρ, kg/m³. Not negative; default 1.2.</summary>
+    /// <summary>Density ρ, kg/m³. 0 … 1e12; default 1.2.</summary>
     public double Density { get; init; } = 1.2;
 
-    /// <summary>Kinematic viscosity ν, m²/s. Above 0; default 1.5e-5.</summary>
+    /// <summary>Kinematic viscosity ν, m²/s. 1e-15 … 1e15; default 1.5e-5.</summary>
     public double KinematicViscosity { get; init; } = 1.5e-5;
 
-    /// <summary>Wind velocity, m/s. Speed at most 1000; default none.</summary>
+    /// <summary>Steady wind, m/s. Speed at most 1000; default none.</summary>
     public Vector3d Wind { get; init; }
+
+    /// <summary>Wind by place and time, on top of the steady one: <see cref="WindByHeight"/>, or a game's own. Default null: none.</summary>
+    public IWind? WindField { get; init; }
+
+    /// <summary>Whether there is no wind at all.</summary>
+    internal bool IsStill => Wind == Vector3d.Zero && WindField is null;
+
+    internal void Validate()
+    {
+        Check.NotNegative("air.density", Density);
+        Check.Positive("air.kinematicViscosity", KinematicViscosity);
+        Check.Size("air.wind", Wind, Limits.Speed, "m/s");
+        if (WindField is not null)
+        {
+            Check.Within("air.windField.fastest", WindField.Fastest, 0, Limits.Speed);
+        }
+    }
 }

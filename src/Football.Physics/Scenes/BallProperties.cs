@@ -1,32 +1,63 @@
 namespace Football.Physics;
 
 /// <summary>What the ball is made of.</summary>
+/// <remarks>Numbers are tagged: law (the Laws of the Game, or exact mechanics), measured, derived, guess (no measurement found).</remarks>
 public sealed record BallProperties
 {
-    /// <summary>Mass, kg. Above 0; default 0.43.</summary>
+    /// <summary>Mass, kg. 1e-300 … 1e100; default 0.43 (law: 0.41 … 0.45).</summary>
     public double Mass { get; init; } = 0.43;
 
-    /// <summary>Radius, m. Above 0, at most 1e6; default 0.11.</summary>
+    /// <summary>Radius, m. 1e-9 … 1e6; default 0.11 (law: 68 … 70 cm around).</summary>
     public double Radius { get; init; } = 0.11;
 
-    /// <summary>Inertia factor α in I = α m r². Above 0, at most 1; default 2/3, a thin shell.</summary>
+    /// <summary>Inertia factor α in I = α m r². 1e-12 … 1; default 2/3, a thin shell (derived; layered balls ±0.03, guess).</summary>
     public double InertiaFactor { get; init; } = 2.0 / 3.0;
 
-    /// <summary>A match football, size 5.</summary>
+    /// <summary>Drag coefficient without spin, for <see cref="CoefficientForm.Measured"/> alone. Default <see cref="DragCurve.Generic"/>.</summary>
+    public DragCurve DragCurve { get; init; } = DragCurve.Generic;
+
+    /// <summary>
+    /// K, standard deviation of the knuckle force across the motion at 30 m/s without spin, N; see <see cref="ForceSet.KnuckleSeed"/>.
+    /// Not negative; default 1.5 (guess, within what Hong and Asai 2014 measured on other balls, 0.6 … 3.1).
+    /// </summary>
+    public double KnuckleForce { get; init; } = 1.5;
+
+    /// <summary>A match football, size 5, of no make in particular.</summary>
     public static BallProperties Football { get; } = new();
 
-    /// <summary>A youth football, size 4 (0.37 kg, 64.8 cm around: the middle of the Laws' usual range for that size).</summary>
+    /// <summary>Adidas Tango 12 (2012). Drag measured; knuckle force 1.6 N: guess for this ball, Cafusa's measured 1.0 … 2.2.</summary>
+    public static BallProperties Tango12 { get; } = new() { DragCurve = DragCurve.Tango12, KnuckleForce = 1.6 };
+
+    /// <summary>Adidas Teamgeist (2006). Drag measured; knuckle force 0.75 N measured (Hong and Asai 2014: 0.6 … 0.9).</summary>
+    public static BallProperties Teamgeist { get; } = new() { DragCurve = DragCurve.Teamgeist, KnuckleForce = 0.75 };
+
+    /// <summary>Adidas Jabulani (2010). Drag measured; knuckle force 2.1 N measured (Hong and Asai 2014: 1.1 … 3.1).</summary>
+    public static BallProperties Jabulani { get; } = new() { DragCurve = DragCurve.Jabulani, KnuckleForce = 2.1 };
+
+    /// <summary>Adidas Brazuca (2014). Drag measured; knuckle force 1.5 N guess.</summary>
+    public static BallProperties Brazuca { get; } = new() { DragCurve = DragCurve.Brazuca, KnuckleForce = 1.5 };
+
+    /// <summary>A youth football, size 4 (0.37 kg, 64.8 cm around; law: the middle of the usual range for that size).</summary>
     public static BallProperties YouthFootball { get; } = new() { Mass = 0.37, Radius = 0.103 };
 
-    /// <summary>A futsal ball, size 4 low-bounce (0.42 kg, 63 cm around: the middle of the futsal Laws' range).</summary>
+    /// <summary>A futsal ball, size 4 low-bounce (0.42 kg, 63 cm around; law: the middle of the futsal Laws' range).</summary>
     public static BallProperties Futsal { get; } = new() { Mass = 0.42, Radius = 0.100 };
 
-    /// <summary>A beach ball: large, and light enough for the air to rule it (0.1 kg, radius 0.2 m).</summary>
+    /// <summary>A beach ball: large, and light enough for the air to rule it (0.1 kg, radius 0.2 m; guess).</summary>
     public static BallProperties BeachBall { get; } = new() { Mass = 0.1, Radius = 0.2 };
 
-    /// <summary>A medicine ball: heavy and solid (3 kg, radius 0.12 m, α 2/5).</summary>
+    /// <summary>A medicine ball: heavy and solid (3 kg, radius 0.12 m, guess; α 2/5, derived).</summary>
     public static BallProperties MedicineBall { get; } = new() { Mass = 3.0, Radius = 0.12, InertiaFactor = 0.4 };
 
     /// <summary>Moment of inertia I = α m r², kg m².</summary>
     public double MomentOfInertia => InertiaFactor * Mass * Radius * Radius;
+
+    internal void Validate()
+    {
+        Check.Positive("ball.mass", Mass);
+        Check.Within("ball.radius", Radius, 0, Limits.Length, exclusiveLow: true);
+        Check.Within("ball.inertiaFactor", InertiaFactor, 0, 1, exclusiveLow: true);
+        Check.NotNegative("ball.knuckleForce", KnuckleForce);
+        DragCurve.Validate();
+    }
 }

@@ -1,11 +1,17 @@
 namespace Football.Physics;
 
-/// <summary>Which form of the fitted drag coefficient the empirical laws use.</summary>
+/// <summary>Which measurements the empirical laws of drag, Magnus force and spin decay follow, and in which form.</summary>
 public enum CoefficientForm
 {
-    /// <summary>As published: it jumps at the critical speed and at spin parameter 0.05; the jump is located inside the step.</summary>
+    /// <summary>The thesis' fits as published: drag jumps at the critical speed and at spin parameter 0.05; the jump is located inside the step.</summary>
     Published = 0,
 
     /// <summary>The same with the two jumps smoothed; landing points move by about 1 cm.</summary>
     Regularised = 1,
+
+    /// <summary>
+    /// What wind tunnels and filmed flights say: drag by Reynolds number (<see cref="BallProperties.DragCurve"/>) and spin across the motion, lift that
+    /// saturates, spin decay by speed times spin.
+    /// </summary>
+    Measured = 2,
 }

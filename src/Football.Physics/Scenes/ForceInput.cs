@@ -3,7 +3,14 @@ namespace Football.Physics;
 /// <summary>What a force may depend on: the ball at one instant.</summary>
 public readonly struct ForceInput
 {
-    internal ForceInput(double time, in Vector3d position, in Vector3d velocity, in Vector3d airVelocity, in Vector3d spin, MotionState motion)
+    internal ForceInput(
+        double time,
+        in Vector3d position,
+        in Vector3d velocity,
+        in Vector3d airVelocity,
+        in Vector3d spin,
+        MotionState motion,
+        double airDistance = 0)
     {
         Time = time;
         Position = position;
@@ -11,6 +18,7 @@ public readonly struct ForceInput
         AirVelocity = airVelocity;
         Spin = spin;
         Motion = motion;
+        AirDistance = airDistance;
     }
 
     /// <summary>Time since the launch, s.</summary>
@@ -30,4 +38,10 @@ public readonly struct ForceInput
 
     /// <summary>What the ball is doing.</summary>
     public MotionState Motion { get; }
+
+    /// <summary>Distance flown through the air since the kick, m, where a knuckle force acts; else 0.</summary>
+    internal double AirDistance { get; }
+
+    /// <summary>The same ball, with another velocity relative to the air.</summary>
+    internal ForceInput In(in Vector3d airVelocity) => new(Time, Position, Velocity, in airVelocity, Spin, Motion, AirDistance);
 }

@@ -15,17 +15,23 @@ public sealed record ForceSet
     /// <summary>Law of the spin decay in air. Default <see cref="ForceLaw.Empirical"/>.</summary>
     public ForceLaw SpinDecay { get; init; } = ForceLaw.Empirical;
 
-    /// <summary>Form of the fitted drag coefficient. Default <see cref="CoefficientForm.Published"/>.</summary>
+    /// <summary>What the empirical laws follow. Default <see cref="CoefficientForm.Published"/>.</summary>
     public CoefficientForm Coefficients { get; init; } = CoefficientForm.Published;
 
-    /// <summary>C_D of the constant drag law. Not negative; default 0.25.</summary>
+    /// <summary>C_D of the constant drag law. 0 … 1e15; default 0.25.</summary>
     public double DragCoefficient { get; init; } = 0.25;
 
-    /// <summary>C_M of the constant Magnus law. Any finite number; default 0.25.</summary>
+    /// <summary>C_M of the constant Magnus law. Within ±1e15; default 0.25.</summary>
     public double MagnusCoefficient { get; init; } = 0.25;
 
-    /// <summary>k of the constant spin decay T = −k ω, N m s. Not negative; default 0.</summary>
+    /// <summary>k of the constant spin decay T = −k ω, N m s. 0 … 1e15; default 0.</summary>
     public double SpinDecayCoefficient { get; init; }
+
+    /// <summary>
+    /// Seed of the knuckle force on a ball with little spin, whatever the laws are; another seed, another way to wobble. Acts in flight alone, from
+    /// anew after each kick. Default null: none.
+    /// </summary>
+    public long? KnuckleSeed { get; init; }
 
     /// <summary>Forces of the game's own, added to the others in this order. Default none.</summary>
     public IReadOnlyList<IForce> Custom { get; init; } = [];
@@ -39,12 +45,15 @@ public sealed record ForceSet
     /// <summary>All forces by the regularised law.</summary>
     public static ForceSet Regularised { get; } = new() { Coefficients = CoefficientForm.Regularised };
 
+    /// <summary>All forces by the measured laws.</summary>
+    public static ForceSet Measured { get; } = new() { Coefficients = CoefficientForm.Measured };
+
     internal void Validate()
     {
         Check.Defined("forces.drag", Drag, (int)Drag, 3);
         Check.Defined("forces.magnus", Magnus, (int)Magnus, 3);
         Check.Defined("forces.spinDecay", SpinDecay, (int)SpinDecay, 3);
-        Check.Defined("forces.coefficients", Coefficients, (int)Coefficients, 2);
+        Check.Defined("forces.coefficients", Coefficients, (int)Coefficients, 3);
         Check.NotNegative("forces.dragCoefficient", DragCoefficient);
         Check.Finite("forces.magnusCoefficient", MagnusCoefficient);
         Check.NotNegative("forces.spinDecayCoefficient", SpinDecayCoefficient);

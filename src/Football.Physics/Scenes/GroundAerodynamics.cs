@@ -8,4 +8,10 @@ public enum GroundAerodynamics
 
     /// <summary>They do not act at all (the thesis' text); spin decay still does.</summary>
     None = 1,
+
+    /// <summary>
+    /// All of the air's force acts: its part along the normal loads or lifts the ball, its part along the ground is shared with the spin of a ball
+    /// that rolls, and so is the air's torque.
+    /// </summary>
+    Full = 2,
 }

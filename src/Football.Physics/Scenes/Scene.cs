@@ -3,13 +3,16 @@ namespace Football.Physics;
 /// <summary>Everything a flight depends on but the kick: ball, air, gravity, forces, ground. Built once; immutable.</summary>
 public sealed record Scene
 {
+    /// <summary>Nets, and goals, of a scene at most: a state says of each in one bit whether the ball is in it.</summary>
+    private const int MostNets = 64;
+
     /// <summary>The ball. Default <see cref="BallProperties.Football"/>.</summary>
     public BallProperties Ball { get; init; } = BallProperties.Football;
 
     /// <summary>The air. Default still air at sea level.</summary>
     public Air Air { get; init; } = new();
 
-    /// <summary>Gravitational acceleration g, m/s². Not negative; default 9.81.</summary>
+    /// <summary>Gravitational acceleration g, m/s². Not negative, at most 1e9; default 9.81.</summary>
     public double Gravity { get; init; } = 9.81;
 
     /// <summary>Which forces act, and by which law. Default all of them, as published.</summary>
@@ -18,14 +21,29 @@ public sealed record Scene
     /// <summary>The ground. Default <see cref="Ground.Turf"/>.</summary>
     public Ground Ground { get; init; } = Ground.Turf;
 
+    /// <summary>Things that can be hit: walls, posts, players. Default none.</summary>
+    public IReadOnlyList<Obstacle> Obstacles { get; init; } = [];
+
+    /// <summary>Nets, apart from those of the goals; at most 64 nets in all. Default none.</summary>
+    public IReadOnlyList<Net> Nets { get; init; } = [];
+
+    /// <summary>Goals, with their frames and nets; at most 64. Default none.</summary>
+    public IReadOnlyList<Goal> Goals { get; init; } = [];
+
     /// <summary>A football over turf in still air at sea level, with all forces.</summary>
     public static Scene Default { get; } = new();
+
+    /// <summary>The same by the laws and numbers of the thesis, as published.</summary>
+    public static Scene Published => Default;
+
+    /// <summary>The same by the measured laws of the air.</summary>
+    public static Scene Measured { get; } = new() { Forces = ForceSet.Measured, Ground = Ground.DryTurf };
 
     /// <summary>The same without air: no buoyancy, drag, Magnus force or spin decay.</summary>
     public static Scene Vacuum { get; } = new() { Forces = ForceSet.None };
 
-    /// <summary>A stadium at 2 240 m (Mexico City): air of 0.96 kg/m³, kinematic viscosity 1.87e-5 m²/s.</summary>
-    public static Scene HighAltitude { get; } = new() { Air = new Air { Density = 0.96, KinematicViscosity = 1.87e-5 } };
+    /// <summary>A stadium at 2 240 m (Mexico City) at 20 °C and 40 % humidity: air of 0.913 kg/m³, kinematic viscosity 1.99e-5 m²/s.</summary>
+    public static Scene HighAltitude { get; } = new() { Air = Weather.AtAltitude(2240, 20, 0.4).ToAir() };
 
     /// <summary>Default scene with a steady wind.</summary>
     /// <param name="wind">Wind velocity, m/s.</param>
@@ -40,14 +58,20 @@ public sealed record Scene
         Check.Given("air", Air);
         Check.Given("forces", Forces);
         Check.Given("ground", Ground);
-        Check.Positive("ball.mass", Ball.Mass);
-        Check.Within("ball.radius", Ball.Radius, 0, Limits.Length, exclusiveLow: true);
-        Check.Within("ball.inertiaFactor", Ball.InertiaFactor, 0, 1, exclusiveLow: true);
-        Check.NotNegative("air.density", Air.Density);
-        Check.Positive("air.kinematicViscosity", Air.KinematicViscosity);
-        Check.Size("air.wind", Air.Wind, Limits.Speed, "m/s");
+        Check.Given("obstacles", Obstacles);
+        Check.Given("nets", Nets);
+        Check.Given("goals", Goals);
+        Ball.Validate();
+        Air.Validate();
         Check.NotNegative("gravity", Gravity);
         Forces.Validate();
+        ValidateGround();
+        ValidateThings();
+        SceneRange.Validate(this);
+    }
+
+    private void ValidateGround()
+    {
         Check.Within("ground.normalRestitution", Ground.NormalRestitution, 0, 1);
         Check.Within("ground.tangentialRestitution[0]", Ground.TangentialRestitutionX, -1, 1);
         Check.Within("ground.tangentialRestitution[1]", Ground.TangentialRestitutionZ, -1, 1);
@@ -57,7 +81,57 @@ public sealed record Scene
         Check.NotNegative("ground.spinDamping", Ground.SpinDamping);
         Check.AtLeast("ground.minimumBounceSpeed", Ground.MinimumBounceSpeed, 0.001);
         Check.Positive("ground.restEnergy", Ground.RestEnergy);
-        Check.Within("ground.height", Ground.Height, -Limits.Length, Limits.Length);
-        Check.Defined("ground.aerodynamics", Ground.Aerodynamics, (int)Ground.Aerodynamics, 2);
+        Check.Within("ground.restitutionSpeed", Ground.RestitutionSpeed, 0, double.PositiveInfinity, exclusiveLow: true);
+        Check.Within("ground.impactFriction", Ground.ImpactFriction, 0, double.PositiveInfinity);
+        Check.NotNegative("ground.rollingFrictionBySpeed", Ground.RollingFrictionBySpeed);
+        Check.NotNegative("ground.drillingLength", Ground.DrillingLength);
+        if (!Ground.IsNone)
+        {
+            Check.Within("ground.height", Ground.Height, -Limits.Length, Limits.Length);
+        }
+
+        Check.Defined("ground.aerodynamics", Ground.Aerodynamics, (int)Ground.Aerodynamics, 3);
+        Vector3d normal = Check.Direction("ground.normal", Ground.Normal);
+        Check.Within("ground.normal[1]", normal.Y, 0, 1, exclusiveLow: true);
+        if (!Ground.IsLevel && Ground.TangentialRestitutionX != Ground.TangentialRestitutionZ)
+        {
+            throw Check.Refusal(
+                "ground.tangentialRestitution",
+                FormattableString.Invariant($"[{Ground.TangentialRestitutionX}, {Ground.TangentialRestitutionZ}]"),
+                "two equal numbers on ground that is not level");
+        }
+
+        if (Ground.Heights is { } heights)
+        {
+            Check.Within("ground.heights (its steepest slope)", heights.SteepestSlope, 0, 1);
+            Check.Within("ground.heights (its strongest curvature, 1/m)", heights.StrongestCurvature, 0, 0.5 / Ball.Radius);
+            if (normal != Vector3d.Up)
+            {
+                throw Check.Refusal("ground.normal", Ground.Normal.ToString(), "straight up where there are heights");
+            }
+        }
+    }
+
+    private void ValidateThings()
+    {
+        for (int i = 0; i < Obstacles.Count; i++)
+        {
+            Obstacles[i].Validate(FormattableString.Invariant($"obstacles[{i}]"), Ball.Radius);
+        }
+
+        int nets = Nets.Count;
+        for (int i = 0; i < Nets.Count; i++)
+        {
+            Nets[i].Validate(FormattableString.Invariant($"nets[{i}]"));
+        }
+
+        for (int i = 0; i < Goals.Count; i++)
+        {
+            Goals[i].Validate(FormattableString.Invariant($"goals[{i}]"));
+            nets += Goals[i].Nets().Count();
+        }
+
+        Check.Within("nets (those of the goals included)", nets, 0, MostNets);
+        Check.Within("goals", Goals.Count, 0, MostNets);
     }
 }

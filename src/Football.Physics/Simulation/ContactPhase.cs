@@ -23,7 +23,7 @@ internal sealed class ContactPhase<TAir>
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
         ImpactResponse.Apply(_ball, _ground, in v, in w, out Vector3d velocity, out Vector3d spin);
-        run.Log.Events.Add(new BallEvent(BallEventKind.Impact, s.Time, s.Position, in v, in w, in velocity, in spin));
+        run.Log.Events.Add(new BallEvent(BallEventKind.Impact, 0, Vector3d.Up, s.Time, s.Position, in v, in w, in velocity, in spin));
         run.Log.Halted |= run.Log.StopAt == StopAt.Impact;
         s.Branch = DragBranch.Unknown;
         run.Part = 0;
@@ -44,7 +44,7 @@ internal sealed class ContactPhase<TAir>
         else
         {
             s.Motion = MotionState.Sliding;
-            run.Log.Events.Add(new BallEvent(BallEventKind.Slide, s.Time, s.Position, s.Velocity, in spin, s.Velocity, in spin));
+            run.Log.Events.Add(new BallEvent(BallEventKind.Slide, 0, Vector3d.Up, s.Time, s.Position, s.Velocity, in spin, s.Velocity, in spin));
         }
     }
 
@@ -55,13 +55,13 @@ internal sealed class ContactPhase<TAir>
         Vector3d spin = Slip.RollingSpin(s.Velocity, before.Y, _ball.Radius);
         s.SetGroundSpin(in spin);
         s.Motion = MotionState.Rolling;
-        run.Log.Events.Add(new BallEvent(BallEventKind.Roll, s.Time, s.Position, s.Velocity, in before, s.Velocity, in spin));
+        run.Log.Events.Add(new BallEvent(BallEventKind.Roll, 0, Vector3d.Up, s.Time, s.Position, s.Velocity, in before, s.Velocity, in spin));
     }
 
     /// <summary>The ball comes to rest.</summary>
     public void Rest(ref BallState s, ref StepRun run)
     {
-        run.Log.Events.Add(new BallEvent(BallEventKind.Rest, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
+        run.Log.Events.Add(new BallEvent(BallEventKind.Rest, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
         run.Log.Halted |= run.Log.StopAt == StopAt.Rest;
         s.Velocity = Vector3d.Zero;
         s.SetGroundSpin(Vector3d.Zero);

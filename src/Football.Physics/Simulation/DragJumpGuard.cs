@@ -44,7 +44,7 @@ internal sealed class DragJumpGuard<TAir>
         if (start.Branch != branch)
         {
             // On the surface to rounding. The branch of the step leads away from it only if the end is on that branch too.
-            next = Resolve(s.Time, new Motion(s.Position, s.Velocity, s.Spin), branch, ref run);
+            next = Resolve(s.Time, new Motion(s.Position, s.Velocity, s.Spin), in s, ref run);
             if (next != branch)
             {
                 return false;
@@ -59,7 +59,7 @@ internal sealed class DragJumpGuard<TAir>
             return true;
         }
 
-        next = Resolve(s.Time + sweep.Length, sweep.EndMotion, branch, ref run);
+        next = Resolve(s.Time + sweep.Length, sweep.EndMotion, in s, ref run);
         return true;
     }
 
@@ -159,10 +159,23 @@ internal sealed class DragJumpGuard<TAir>
         return known || !_flight.Around.Air.Jumps ? last : DragJump.At(in from, in _flight.Around.Wind, _flight.Around.Radius).Branch;
     }
 
+    /// <summary>The same on any surface.</summary>
+    public DragBranch OnSurface(DragBranch last, in Motion from)
+    {
+        bool known = Acts && (last is DragBranch.NoSpin or DragBranch.Spinning);
+        return known || !_flight.Around.Air.Jumps ? last : DragJump.At(in from, in _flight.Around.Wind, _flight.Around.Radius).Branch;
+    }
+
     /// <summary>Which branch of the drag law holds from a point on its jump on.</summary>
-    private DragBranch Resolve(double time, in Motion at, DragBranch before, ref StepRun run)
+    /// <param name="time">When, s.</param>
+    /// <param name="at">The point.</param>
+    /// <param name="s">The ball before, with its branch and the nets that it is in.</param>
+    /// <param name="run">The step.</param>
+    private DragBranch Resolve(double time, in Motion at, in BallState s, ref StepRun run)
     {
         FlightSystem<TAir> system = _flight;
+        system.Nets = system.Around.World is null ? 0 : s.Nets;
+        system.NetSides = s.NetSides;
         DragJump here = system.JumpAt(in at);
         DragBranch along = here.NearerToSpeed ? DragBranch.AlongCriticalSpeed : DragBranch.AlongCriticalSpin;
         system.Branch = along;
@@ -177,6 +190,6 @@ internal sealed class DragJumpGuard<TAir>
         return a < 0 && b > 0 && share > 0 && share < 1 ? along
             : a > 0 && b > 0 ? DragBranch.Spinning
             : a < 0 && b < 0 ? DragBranch.NoSpin
-            : before == DragBranch.Spinning ? DragBranch.NoSpin : DragBranch.Spinning;
+            : s.Branch == DragBranch.Spinning ? DragBranch.NoSpin : DragBranch.Spinning;
     }
 }

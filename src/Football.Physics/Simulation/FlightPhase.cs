@@ -8,6 +8,9 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     where TAir : struct, IAir
     where TIntegrator : struct, IIntegrator
 {
+    /// <summary>A spin that is none, rad/s: what is left of one that has no digits any more.</summary>
+    private const double Vanishing = 1e-300;
+
     private readonly SolverSettings _settings;
     private readonly Surroundings<TAir> _around;
     private readonly StabilityLimit _limit;
@@ -16,6 +19,9 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     private readonly ImplicitPhase<TAir> _implicit;
     private readonly FlightSystem<TAir> _system;
     private readonly TIntegrator _integrator;
+    private readonly WorldGuard<TAir>? _world;
+    private readonly NetGuard? _nets;
+    private readonly double _fastestWind;
 
     public FlightPhase(
         SolverSettings settings,
@@ -23,8 +29,11 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         in StabilityLimit limit,
         DragJumpGuard<TAir> jump,
         ContactPhase<TAir> contact,
-        ImplicitPhase<TAir> implicitPhase)
+        ImplicitPhase<TAir> implicitPhase,
+        WorldGuard<TAir>? world)
     {
+        _world = world;
+        _nets = around.World is null ? null : new NetGuard(around.World);
         _settings = settings;
         _around = around;
         _limit = limit;
@@ -33,6 +42,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         _implicit = implicitPhase;
         _system = new FlightSystem<TAir> { Around = around };
         _integrator = default;
+        _fastestWind = around.Air.FastestWind;
     }
 
     /// <summary>The next piece of a flight.</summary>
@@ -44,13 +54,19 @@ internal sealed class FlightPhase<TAir, TIntegrator>
             return;
         }
 
+        if (_world is not null && _world.HitsAtOnce(ref s, ref run))
+        {
+            return;
+        }
+
+        Guides guides = _world is null ? default : Guides.Of(_around.World!, s.Position, s.Velocity, s.Time, -1);
         Vector3d u = s.Velocity - _around.Wind;
         if (_around.Air.Jumps && (s.Branch == DragBranch.Unknown || !_jump.Acts))
         {
             s.Branch = DragJump.At(u.LengthSquared, _around.RadiusSquared * s.SpinRate * s.SpinRate).Branch;
         }
 
-        bool hasAxis = !_around.Air.Varies && s.Branch < DragBranch.AlongCriticalSpeed;
+        bool hasAxis = !_around.Air.Varies && s.Branch < DragBranch.AlongCriticalSpeed && (_world is null || s.Nets == 0) && guides.Count == 0;
         double asked = run.Next;
         double h = Longest(in s, in u, asked, hasAxis);
         if (h <= 0)
@@ -73,7 +89,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         }
         else
         {
-            TakeWithoutAxis(ref s, ref run, h);
+            TakeWithoutAxis(ref s, ref run, h, in guides);
         }
     }
 
@@ -99,12 +115,15 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         Finish(ref s, ref run, ref sweep, next, goes);
     }
 
-    /// <summary>A piece with the whole spin vector: with forces of the game's own, or along the drag law's jump.</summary>
-    private void TakeWithoutAxis(ref BallState s, ref StepRun run, double h)
+    /// <summary>A piece with the whole spin vector: with forces of the game's own, along the drag law's jump, in a net, or along what guides the ball.</summary>
+    private void TakeWithoutAxis(ref BallState s, ref StepRun run, double h, in Guides guides)
     {
-        var from = new Motion(s.Position, s.Velocity, s.Spin);
+        var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
         FlightSystem<TAir> system = _system;
         system.Branch = s.Branch;
+        system.Nets = _world is null ? 0 : s.Nets;
+        system.NetSides = s.NetSides;
+        system.Guides = guides;
         var sweep = new MotionSweep<FlightSystem<TAir>, TIntegrator>(in system, s.Time, in from, _around.Wind, _around.Radius);
         sweep.Step(h);
         DragBranch next = s.Branch;
@@ -122,7 +141,21 @@ internal sealed class FlightPhase<TAir, TIntegrator>
             }
         }
 
+        if (goes && _world is not null && s.Nets != 0)
+        {
+            double length = sweep.Length;
+            _nets!.EndWhereSlack(ref sweep, in s);
+            next = sweep.Length < length ? s.Branch : next;
+        }
+
         Finish(ref s, ref run, ref sweep, next, goes);
+        if (guides.Count > 0 && s.Motion == MotionState.Airborne)
+        {
+            var end = new Motion(s.Position, s.Velocity, s.Spin);
+            system.Guides = default;
+            system.Rates(s.Time, in end, out MotionRates pressed);
+            guides.Hold(_around.World!, ref s, in pressed.Acceleration, guides.Free(_around.World!, s.Position, s.Velocity, s.Time, in pressed.Acceleration));
+        }
     }
 
     /// <summary>Ends a piece at the ground, if it is met, and moves the ball to its end.</summary>
@@ -137,7 +170,9 @@ internal sealed class FlightPhase<TAir, TIntegrator>
             return;
         }
 
-        bool hit = EndAtGround(ref sweep, in s);
+        Gap met = default;
+        bool meets = _world is not null && _world.EndAtFirst(ref sweep, in s, _integrator.Order, out met);
+        bool hit = !meets && EndAtGround(ref sweep, in s);
         run.Log.Evaluations += sweep.Evaluations;
         BallState before = s;
         sweep.MoveTo(ref s);
@@ -152,6 +187,11 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         if (hit && !run.Log.Halted)
         {
             _contact.Impact(ref s, ref run);
+        }
+
+        if (meets && !run.Log.Halted)
+        {
+            _world!.Meet(ref s, in met, ref run);
         }
     }
 
@@ -208,7 +248,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
             tau = Math.Min(Math.Max(tau, low), high);
             sweep.Step(tau);
             double w = sweep.Taken.SpinRate;
-            if (Math.Abs(w) <= 1e-14 * spinRate || !(tau > 0))
+            if (Math.Abs(w) <= (1e-14 * spinRate) + Vanishing || !(tau > 0))
             {
                 break;
             }
@@ -232,18 +272,29 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     private double Longest(in BallState s, in Vector3d u, double asked, bool hasAxis)
     {
         double h = asked;
+        double speedSquared = u.LengthSquared;
         if (!hasAxis)
         {
-            return _limit.PartOf(ref _around.Air, asked, u.Length, s.Spin.Length, s.Branch);
+            double spin = s.Spin.Length;
+            double most = Math.Sqrt(speedSquared) + _fastestWind;
+            h = asked * _limit.RateAtMost(most, spin) <= StabilityLimit.LargestChange
+                ? asked
+                : _limit.PartOf(ref _around.Air, asked, _fastestWind > 0 ? AirSpeed(in s, in u) : most, spin, s.Branch);
+            h = h > 0 && _nets is not null ? _nets.LongestPiece(in s, h) : h;
         }
-
-        double speedSquared = u.LengthSquared;
-        if (_around.AirActs && !_limit.AllowsWhole(h, speedSquared, s.SpinRate, _around.Air.Covers(speedSquared, s.SpinRate, h)))
+        else if (_around.AirActs && !_limit.AllowsWhole(h, speedSquared, s.SpinRate, _around.Air.Covers(speedSquared, s.SpinRate, h)))
         {
             h = _limit.PartOf(ref _around.Air, asked, Math.Sqrt(speedSquared), s.SpinRate, s.Branch);
         }
 
         return h > 0 && _integrator.GainsByHops ? _limit.WithinHop(h, s.Position.Y - _around.ContactHeight, s.Velocity.Y) : h;
+    }
+
+    /// <summary>The speed relative to the air in wind by place and time, m/s.</summary>
+    private double AirSpeed(in BallState s, in Vector3d u)
+    {
+        _around.Air.Evaluate(new ForceInput(s.Time, s.Position, s.Velocity, in u, s.Spin, s.Motion, s.AirDistance), s.Branch, out AirFactors air);
+        return air.AirVelocity.Length;
     }
 
     /// <summary>A piece in vacuum, done if nothing happens in it: what the method makes of a constant acceleration, p + h (v + c h g), v + h g.</summary>

@@ -7,31 +7,46 @@ internal struct FlightSystem<TAir> : IMotionSystem
     public Surroundings<TAir> Around;
     public DragBranch Branch;
 
+    /// <summary>The nets that the ball is in, and on which side of each.</summary>
+    public ulong Nets;
+    public ulong NetSides;
+
+    /// <summary>What it slides along.</summary>
+    public Guides Guides;
+
     public readonly void Rates(double time, in Motion at, out MotionRates rates)
     {
         if (Branch is not (DragBranch.AlongCriticalSpeed or DragBranch.AlongCriticalSpin))
         {
-            rates = On(Branch, time, in at);
+            rates = Guided(time, in at, On(Branch, time, in at));
             return;
         }
 
         // Filippov: on the surface the motion is the mean of both branches that stays on it.
         double share = SpinningShare(time, in at, out MotionRates spinning, out MotionRates noSpin);
         share = share < 0 ? 0 : share > 1 ? 1 : share;
-        rates = new MotionRates(
+        rates = Guided(time, in at, new MotionRates(
             noSpin.Acceleration + (share * (spinning.Acceleration - noSpin.Acceleration)),
-            noSpin.SpinAcceleration + (share * (spinning.SpinAcceleration - noSpin.SpinAcceleration)));
+            noSpin.SpinAcceleration + (share * (spinning.SpinAcceleration - noSpin.SpinAcceleration))));
     }
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
     {
-        s.BaseOrientation = (Quaterniond.FromRotationVector(in step.Rotation) * s.Orientation).Normalized();
-        s.Angle = 0;
         s.Position = step.End.Position;
         s.Velocity = step.End.Velocity;
+        s.AirDistance = step.End.AirDistance;
+        if (Around.Air.Varies && !Around.Air.TurnsAxis && Nets == 0)
+        {
+            s.Angle += Vector3d.Dot(in step.Rotation, s.SpinAxis);
+            s.SpinRate = Math.Max(0, Vector3d.Dot(in step.End.Spin, s.SpinAxis));
+            return;
+        }
+
+        s.BaseOrientation = (Quaterniond.FromRotationVector(in step.Rotation) * s.Orientation).Normalized();
+        s.Angle = 0;
 
         // Decay never reverses a spin; a force of the game's own may.
-        bool keeps = Around.Air.Varies || Vector3d.Dot(in step.End.Spin, in from.Spin) > 0;
+        bool keeps = Around.Air.Varies || Nets != 0 || Vector3d.Dot(in step.End.Spin, in from.Spin) > 0;
         s.SetFlightSpin(keeps ? step.End.Spin : Vector3d.Zero);
     }
 
@@ -40,7 +55,9 @@ internal struct FlightSystem<TAir> : IMotionSystem
     {
         Surroundings<TAir> around = Around;
         Vector3d u = at.Velocity - around.Wind;
-        around.Air.Evaluate(new ForceInput(time, in at.Position, in at.Velocity, in u, in at.Spin, MotionState.Airborne), branch, out AirFactors air);
+        var ball = new ForceInput(time, in at.Position, in at.Velocity, in u, in at.Spin, MotionState.Airborne, at.AirDistance);
+        around.Air.Evaluate(in ball, branch, out AirFactors air);
+        u = air.AirVelocity;
         Vector3d acceleration = (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u) + new Vector3d(0, around.Upward, 0);
         Vector3d spinAcceleration = -air.Decay * at.Spin;
         if (around.Air.Varies)
@@ -49,8 +66,19 @@ internal struct FlightSystem<TAir> : IMotionSystem
             spinAcceleration += air.SpinAcceleration;
         }
 
-        return new MotionRates(in acceleration, in spinAcceleration);
+        if (Nets != 0)
+        {
+            MotionRates nets = around.World!.PushOfNets(Nets, NetSides, in at);
+            acceleration += nets.Acceleration;
+            spinAcceleration += nets.SpinAcceleration;
+        }
+
+        return new MotionRates(in acceleration, in spinAcceleration, air.AirSpeed);
     }
+
+    private readonly MotionRates Guided(double time, in Motion at, in MotionRates rates) => Guides.Count == 0
+        ? rates
+        : new MotionRates(Guides.Free(Around.World!, in at.Position, in at.Velocity, time, in rates.Acceleration), in rates.SpinAcceleration, rates.AirSpeed);
 
     /// <summary>The share of the branch with spin for which the surface that <see cref="Branch"/> names is not left: outside 0 … 1 it is.</summary>
     public readonly double SpinningShare(double time, in Motion at, out MotionRates spinning, out MotionRates noSpin)

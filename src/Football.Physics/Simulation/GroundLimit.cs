@@ -20,6 +20,7 @@ internal readonly struct GroundLimit<TAir>
     private readonly double _perSpeed;
     private readonly double _perSpin;
     private readonly double _constant;
+    private readonly double _fastestWind;
 
     public GroundLimit(Surroundings<TAir> around, in StabilityLimit limit)
     {
@@ -28,6 +29,7 @@ internal readonly struct GroundLimit<TAir>
         _perSpeed = limit.Bound.PerSpeed;
         _perSpin = limit.Bound.PerSpin;
         _constant = limit.Bound.Constant;
+        _fastestWind = around.Air.FastestWind;
     }
 
     /// <summary>A bound, 1/s, for how fast the air and the damping change the motion, without a root.</summary>
@@ -38,7 +40,7 @@ internal readonly struct GroundLimit<TAir>
     {
         // |x| + |y| + |z| is at least the length of a vector.
         ref readonly Vector3d wind = ref _around.Wind;
-        airSpeed = Math.Abs(from.VX - wind.X) + Math.Abs(wind.Y) + Math.Abs(from.VZ - wind.Z);
+        airSpeed = Math.Abs(from.VX - wind.X) + Math.Abs(wind.Y) + Math.Abs(from.VZ - wind.Z) + _fastestWind;
         return (_perSpeed * airSpeed) + (_perSpin * SpinAtMost(in from)) + _constant + _around.Ground.SpinDamping;
     }
 
@@ -53,7 +55,7 @@ internal readonly struct GroundLimit<TAir>
     /// <param name="branch">The branch of the drag law.</param>
     public double PartOf(double left, double rateAtMost, in PlanarMotion from, DragBranch branch) => left * rateAtMost <= StabilityLimit.LargestChange
         ? left
-        : _limit.PartOf(ref _around.Air, left, (from.Velocity - _around.Wind).Length, Math.Sqrt(from.SpinSquared), branch, _around.Ground.SpinDamping);
+        : _limit.PartOf(ref _around.Air, left, (from.Velocity - _around.Wind).Length + _fastestWind, Math.Sqrt(from.SpinSquared), branch, _around.Ground.SpinDamping);
 
     /// <summary>Shortens a piece in which a vector would lose, or turn by, more than a share of its size.</summary>
     /// <param name="h">Length of the piece, s.</param>

@@ -12,9 +12,11 @@ internal sealed class ImplicitPhase<TAir>
 
     private readonly Surroundings<TAir> _around;
     private readonly ContactPhase<TAir> _contact;
+    private readonly WorldGuard<TAir>? _world;
 
-    public ImplicitPhase(Surroundings<TAir> around, ContactPhase<TAir> contact)
+    public ImplicitPhase(Surroundings<TAir> around, ContactPhase<TAir> contact, WorldGuard<TAir>? world)
     {
+        _world = world;
         _around = around;
         _contact = contact;
     }
@@ -39,26 +41,33 @@ internal sealed class ImplicitPhase<TAir>
         double h = run.Left / Math.Max(1, MostPieces - run.Implicit);
         run.Implicit++;
         var from = new Motion(s.Position, s.Velocity, s.Spin);
-        MotionRates push = Push(in s, in from.Velocity, in from.Spin, ref run);
+        MotionRates push = Push(in s, in from.Velocity, in from.Spin, ref run, out Vector3d wind);
 
         var euler = new ImplicitEuler<TAir> { Air = _around.Air, RadiusSquared = _around.RadiusSquared };
-        Motion end = After(ref euler, in from, in push, h);
+        Motion end = After(ref euler, in from, in push, in wind, h);
         bool below = end.Position.Y < _around.ContactHeight;
 
         // A hop that begins and ends within the piece has no height: the air presses the ball down.
         bool pressed = below && s.Position.Y <= _around.ContactHeight;
         if (below && !pressed)
         {
-            h = TimeOfContact(ref euler, in from, in push, h, ref end);
+            h = TimeOfContact(ref euler, in from, in push, in wind, h, ref end);
         }
 
         BallState before = s;
+        if (_world is not null)
+        {
+            FlyInWorld(ref s, ref run, ref euler, in from, in end, h);
+            return;
+        }
+
         double y = below ? _around.ContactHeight : end.Position.Y;
         double vy = pressed ? 0 : below ? Math.Min(end.Velocity.Y, 0) : end.Velocity.Y;
         s.Position = new Vector3d(end.Position.X, y, end.Position.Z);
         s.Velocity = new Vector3d(end.Velocity.X, vy, end.Velocity.Z);
         s.Angle += 0.5 * h * (s.SpinRate + end.Spin.Length);
         s.SetFlightSpin(end.Spin);
+        s.AirDistance += h * push.AirSpeed;
         s.Branch = DragBranch.Unknown;
         run.Advance(ref s, h);
         run.Log.Relaxed++;
@@ -70,41 +79,113 @@ internal sealed class ImplicitPhase<TAir>
         }
     }
 
-    /// <summary>What air that varies does beside drag, lift and spin decay, at the start of a piece.</summary>
-    private MotionRates Push(in BallState s, in Vector3d velocity, in Vector3d spin, ref StepRun run)
+    /// <summary>The same where things can be met: along the straight line of the piece, up to the first of them.</summary>
+    private void FlyInWorld(ref BallState s, ref StepRun run, ref ImplicitEuler<TAir> euler, in Motion from, in Motion end, double h)
     {
+        var path = PathCubic.Line(from.Position, end.Velocity, h);
+        double at = new ContactSearch(_around.World!, in path, s.Time).First(in s, -1, out Gap met);
+        bool meets = at <= h;
+        h = meets ? at : h;
+        BallState before = s;
+        s.Position = path.At(h);
+        s.Velocity = end.Velocity;
+        s.Angle += 0.5 * h * (s.SpinRate + end.Spin.Length);
+        s.SetFlightSpin(end.Spin);
+        s.Branch = DragBranch.Unknown;
+        run.Advance(ref s, h);
+        run.Log.Relaxed++;
+        run.Log.Evaluations += euler.Evaluations;
+        Show(in before, in s, h, ref run);
+        if (meets && !run.Log.Halted)
+        {
+            _world!.Meet(ref s, in met, ref run);
+        }
+    }
+
+    /// <summary>A carried ball of the world: it goes with the air along the surface, and what carries it keeps it.</summary>
+    private void SlowInWorld(ref BallState s, ref StepRun run)
+    {
+        World world = _around.World!;
+        double h = run.Left / Math.Max(1, MostPieces - run.Implicit);
+        run.Implicit++;
+        Collider carrier = world.CarrierOf(in s);
+        Vector3d n = carrier.At(s.Position, s.Time).Normal;
+        MotionRates push = Push(in s, s.Velocity, s.Spin, ref run, out Vector3d wind);
+        var euler = new ImplicitEuler<TAir> { Air = _around.Air, RadiusSquared = _around.RadiusSquared };
+        double rate = s.Spin.Length;
+        Vector3d axis = rate > 0 ? s.Spin / rate : Vector3d.Up;
+        Vector3d u = s.Velocity - wind;
+        if (_around.AirActsOnGround)
+        {
+            u = euler.Velocity(in u, push.Acceleration, in axis, rate, h);
+        }
+
+        Vector3d relative = u + wind - carrier.Velocity;
+        relative -= Vector3d.Dot(in relative, in n) * n;
+        double friction = h * (s.Motion == MotionState.Sliding ? carrier.Material.SlidingFriction : carrier.Material.RollingFriction)
+            * Math.Max(0, -_around.Upward * n.Y);
+        double speed = relative.Length;
+        relative = speed > friction ? relative * (1.0 - (friction / speed)) : Vector3d.Zero;
+        Vector3d velocity = relative + carrier.Velocity;
+        var path = PathCubic.Line(s.Position, in velocity, h);
+        double at = new ContactSearch(world, in path, s.Time).First(in s, (int)s.Carrier - world.FirstCollider, out Gap met);
+        bool meets = at <= h;
+        h = meets ? at : h;
+        BallState before = s;
+        double about = Vector3d.Dot(euler.Spin(rate, u.Length, h) * axis, in n) / (1.0 + (h * carrier.Material.SpinDamping / world.Ball.MomentOfInertia));
+        s.Position = path.At(h);
+        s.Velocity = velocity;
+        s.SetGroundSpin(Slip.RollingSpin(in relative, about, in n, _around.Radius));
+        s.Branch = DragBranch.Unknown;
+        run.Advance(ref s, h);
+        ShapePoint there = carrier.At(s.Position, s.Time);
+        s.Position += (_around.Radius - there.Distance) * there.Normal;
+        run.Log.Relaxed++;
+        run.Log.Evaluations += euler.Evaluations;
+        Show(in before, in s, h, ref run);
+        if (meets && !run.Log.Halted)
+        {
+            _world!.Meet(ref s, in met, ref run);
+        }
+    }
+
+    /// <summary>What air that varies does beside drag, lift and spin decay, at the start of a piece, and the wind there.</summary>
+    private MotionRates Push(in BallState s, in Vector3d velocity, in Vector3d spin, ref StepRun run, out Vector3d wind)
+    {
+        wind = _around.Wind;
         if (!_around.Air.Varies)
         {
             return default;
         }
 
         run.Log.Evaluations++;
-        var ball = new ForceInput(s.Time, s.Position, in velocity, velocity - _around.Wind, in spin, s.Motion);
+        var ball = new ForceInput(s.Time, s.Position, in velocity, velocity - wind, in spin, s.Motion, s.AirDistance);
         _around.Air.Evaluate(in ball, s.Branch, out AirFactors air);
-        return new MotionRates(in air.Acceleration, in air.SpinAcceleration);
+        wind = velocity - air.AirVelocity;
+        return new MotionRates(in air.Acceleration, in air.SpinAcceleration, air.AirSpeed);
     }
 
     /// <summary>Velocity, then spin, then position with the new velocity.</summary>
-    private Motion After(ref ImplicitEuler<TAir> euler, in Motion from, in MotionRates push, double h)
+    private Motion After(ref ImplicitEuler<TAir> euler, in Motion from, in MotionRates push, in Vector3d wind, double h)
     {
         Vector3d spin = from.Spin + (h * push.SpinAcceleration);
         double rate = spin.Length;
         Vector3d axis = rate > 0 ? spin / rate : Vector3d.Up;
         Vector3d acceleration = push.Acceleration + new Vector3d(0, _around.Upward, 0);
-        Vector3d u = euler.Velocity(from.Velocity - _around.Wind, in acceleration, in axis, rate, h);
-        Vector3d velocity = u + _around.Wind;
+        Vector3d u = euler.Velocity(from.Velocity - wind, in acceleration, in axis, rate, h);
+        Vector3d velocity = u + wind;
         return new Motion(from.Position + (h * velocity), in velocity, euler.Spin(rate, u.Length, h) * axis);
     }
 
     /// <summary>Shortens a piece to the instant of contact.</summary>
-    private double TimeOfContact(ref ImplicitEuler<TAir> euler, in Motion from, in MotionRates push, double h, ref Motion end)
+    private double TimeOfContact(ref ImplicitEuler<TAir> euler, in Motion from, in MotionRates push, in Vector3d wind, double h, ref Motion end)
     {
         double low = 0;
         double high = h;
         for (int i = 0; i < 60 && end.Position.Y < _around.ContactHeight - 1e-12; i++)
         {
             double middle = 0.5 * (low + high);
-            Motion at = After(ref euler, in from, in push, middle);
+            Motion at = After(ref euler, in from, in push, in wind, middle);
             if (at.Position.Y < _around.ContactHeight)
             {
                 high = middle;
@@ -122,13 +203,19 @@ internal sealed class ImplicitPhase<TAir>
     /// <summary>A piece on the ground: friction and damping first, to their end at most, then the air.</summary>
     public void Slow(ref BallState s, ref StepRun run)
     {
+        if (_world is not null)
+        {
+            SlowInWorld(ref s, ref run);
+            return;
+        }
+
         double h = run.Left / Math.Max(1, MostPieces - run.Implicit);
         run.Implicit++;
         bool slides = s.Motion == MotionState.Sliding;
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
         GroundForces ground = _around.Ground;
-        MotionRates push = Push(in s, in v, in w, ref run);
+        MotionRates push = Push(in s, in v, in w, ref run, out Vector3d wind);
         v += h * push.Acceleration.Horizontal;
         w += h * push.SpinAcceleration;
 
@@ -155,14 +242,14 @@ internal sealed class ImplicitPhase<TAir>
         var euler = new ImplicitEuler<TAir> { Air = _around.Air, RadiusSquared = _around.RadiusSquared };
         double rate = w.Length;
         Vector3d axis = rate > 0 ? w / rate : Vector3d.Up;
-        Vector3d u = v - _around.Wind;
+        Vector3d u = v - wind;
         if (_around.AirActsOnGround)
         {
             u = euler.Velocity(in u, Vector3d.Zero, in axis, rate, h);
         }
 
         w = euler.Spin(rate, u.Length, h) * axis;
-        v = (u + _around.Wind).Horizontal;
+        v = (u + wind).Horizontal;
         BallState before = s;
         Vector3d turn = 0.5 * h * (s.Spin + w);
         s.BaseOrientation = (Quaterniond.FromRotationVector(in turn) * s.BaseOrientation).Normalized();

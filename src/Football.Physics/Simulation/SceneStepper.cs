@@ -15,7 +15,7 @@ namespace Football.Physics;
 /// </summary>
 /// <typeparam name="TAir">The air.</typeparam>
 /// <typeparam name="TIntegrator">The one-step method.</typeparam>
-internal sealed class Stepper<TAir, TIntegrator> : Stepper
+internal class Stepper<TAir, TIntegrator> : Stepper
     where TAir : struct, IAir
     where TIntegrator : struct, IIntegrator
 {
@@ -35,6 +35,11 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
     private readonly SlidePhase<TAir, TIntegrator> _slide;
     private readonly RollPhase<TAir, TIntegrator> _roll;
     private readonly ImplicitPhase<TAir> _implicit;
+    private readonly World? _world;
+    private readonly double _reachOfWorld;
+    private readonly CarriedPhase<TAir, TIntegrator>? _carried;
+    private readonly RestPhase<TAir>? _rest;
+    private readonly WorldContact<TAir>? _worldContact;
 
     public Stepper(Scene scene, SolverSettings settings)
     {
@@ -43,15 +48,21 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
         _integrator = default;
         _wind = around.Wind;
         _upward = around.Upward;
-        _contactHeight = around.ContactHeight;
+        _contactHeight = around.World?.LevelContact ?? around.ContactHeight;
         _radiusSquared = around.RadiusSquared;
-        _staysDown = _upward <= 0;
+        _staysDown = _upward <= 0 && around.World is null;
         _limit = StabilityLimit.Of(scene, ref _air, _upward, _integrator.Order);
         var jump = new DragJumpGuard<TAir>(around, settings.LocateJump && _integrator.Order > 1);
         _locatesJump = jump.Acts;
         var contact = new ContactPhase<TAir>(scene, around);
-        _implicit = new ImplicitPhase<TAir>(around, contact);
-        _flight = new FlightPhase<TAir, TIntegrator>(settings, around, in _limit, jump, contact, _implicit);
+        _world = around.World;
+        _reachOfWorld = _world is null ? 0 : _world.FastestSpeed + _wind.Length;
+        _worldContact = _world is null ? null : new WorldContact<TAir>(around, scene.Ground.IsLevel);
+        WorldGuard<TAir>? guard = _world is null ? null : new WorldGuard<TAir>(_world, _worldContact!);
+        _implicit = new ImplicitPhase<TAir>(around, contact, guard);
+        _carried = guard is null ? null : new CarriedPhase<TAir, TIntegrator>(around, in _limit, jump, guard, _worldContact!, _implicit);
+        _rest = guard is null ? null : new RestPhase<TAir>(_world!, guard);
+        _flight = new FlightPhase<TAir, TIntegrator>(settings, around, in _limit, jump, contact, _implicit, guard);
         var ground = new GroundLimit<TAir>(around, in _limit);
         _slide = new SlidePhase<TAir, TIntegrator>(settings, around, in ground, jump, contact, _implicit);
         _roll = new RollPhase<TAir, TIntegrator>(scene, around, in ground, jump, contact, _implicit);
@@ -98,6 +109,12 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
             s.Branch = branch;
         }
 
+        if (_world is not null && !IsClear(ref s, dt))
+        {
+            TakePieces(ref s, dt, log);
+            return;
+        }
+
         bool covered = _air.Covers(speedSquared, spin, dt);
         if (((_air.Drags || _air.Lifts || _air.SpinDecays) && !_limit.AllowsWhole(dt, speedSquared, spin, covered))
             || (_integrator.GainsByHops && _limit.WithinHop(dt, y - _contactHeight, vy) < dt))
@@ -140,6 +157,33 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
             Show(log, in s, time, in position, new Vector3d(vx, vy, vz), in step);
         }
     }
+
+    /// <summary>
+    /// Whether a step can meet nothing but level ground. How far it goes is bounded by the speed at its start: forces change it by no more than itself
+    /// in a whole step, and gravity by g h.
+    /// </summary>
+    private bool IsClear(ref BallState s, double dt)
+    {
+        if (s.Nets != 0)
+        {
+            return false;
+        }
+
+        double reach = dt * ((2.0 * (Math.Abs(s.Velocity.X) + Math.Abs(s.Velocity.Y) + Math.Abs(s.Velocity.Z))) + (dt * Math.Abs(_upward)) + _reachOfWorld);
+        if (s.Clearance < reach)
+        {
+            s.Clearance = _world!.ClearanceAt(s.Position, s.Time);
+            if (s.Clearance < reach)
+            {
+                return false;
+            }
+        }
+
+        s.Clearance -= reach;
+        return true;
+    }
+
+    public override void Settle(ref BallState s) => _worldContact!.Settle(ref s);
 
     public override void AirFactors(double speed, double spinRate, out double drag, out double lift)
     {
@@ -219,8 +263,33 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
     [MethodImpl(MethodImplOptions.NoInlining)]
     private void TakePieces(ref BallState s, double dt, StepLog log)
     {
+        if (_air.Varies)
+        {
+            TakePiecesOrNone(ref s, dt, log);
+            return;
+        }
+
         var run = new StepRun { Left = dt, Length = dt, End = s.Time + dt, Log = log };
         TakePieces(ref s, ref run);
+    }
+
+    /// <summary>The same with forces of the game's own, which may throw, or take the ball beyond what a number can hold: then nothing has happened.</summary>
+    private void TakePiecesOrNone(ref BallState s, double dt, StepLog log)
+    {
+        BallState before = s;
+        StepLogMark mark = log.Mark();
+        try
+        {
+            var run = new StepRun { Left = dt, Length = dt, End = s.Time + dt, Log = log };
+            TakePieces(ref s, ref run);
+            OwnForces.CheckOutcome(in s);
+        }
+        catch
+        {
+            s = before;
+            log.TakeBack(in mark);
+            throw;
+        }
     }
 
     /// <summary>The same, where the whole step has been taken as flight already and something was found in it.</summary>
@@ -237,7 +306,8 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
 
     private void TakePieces(ref BallState s, ref StepRun run)
     {
-        while (run.Left > 0 && s.Motion != MotionState.Stopped)
+        s.Clearance = 0;
+        while (run.Left > 0 && (s.Motion != MotionState.Stopped || _rest is not null))
         {
             if (++run.Pieces > MostPieces)
             {
@@ -249,6 +319,12 @@ internal sealed class Stepper<TAir, TIntegrator> : Stepper
             {
                 case MotionState.Airborne:
                     _flight.Take(ref s, ref run);
+                    break;
+                case MotionState.Stopped:
+                    _rest!.Take(ref s, ref run);
+                    break;
+                case MotionState.Sliding or MotionState.Rolling when _carried is not null:
+                    _carried.Take(ref s, ref run);
                     break;
                 case MotionState.Sliding:
                     _slide.Take(ref s, ref run);

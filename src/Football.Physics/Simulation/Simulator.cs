@@ -9,6 +9,7 @@ public sealed class Simulator
     private readonly Stepper _stepper;
     private readonly double _contact;
     private readonly bool _lighterThanAir;
+    private readonly World? _world;
     private readonly bool _hasOwnForces;
 
     /// <summary>Checks a scene and compiles it.</summary>
@@ -23,6 +24,7 @@ public sealed class Simulator
         Settings.Validate();
         _stepper = StepperFactory.Create(Scene, Settings);
         _contact = Scene.Ground.Height + Scene.Ball.Radius;
+        _world = World.Of(Scene);
         _hasOwnForces = Scene.Forces.Custom.Count > 0;
         _lighterThanAir = Weight.UpwardAcceleration(Scene) > 0;
     }
@@ -57,13 +59,24 @@ public sealed class Simulator
         Check.Size("launch.velocity", velocity, Limits.Speed, "m/s");
         Check.Size("launch.spin", spin, Limits.Spin, "rad/s");
         Check.Rotation("launch.orientation", orientation);
+        return Start(in position, in velocity, in spin, in orientation);
+    }
+
+    /// <summary>The same with numbers that are known to be in range.</summary>
+    private BallState Start(in Vector3d position, in Vector3d velocity, in Vector3d spin, in Quaterniond orientation)
+    {
         BallState state = default;
         state.Position = position;
         state.Velocity = velocity;
         state.BaseOrientation = orientation.Normalized();
         state.SetFlightSpin(spin);
         state.Motion = MotionState.Airborne;
-        if (position.Y <= _contact)
+        if (_world is not null)
+        {
+            Raise(ref state);
+            _stepper.Settle(ref state);
+        }
+        else if (position.Y <= _contact)
         {
             state.Position = new Vector3d(position.X, _contact, position.Z);
             double threshold = Scene.Ground.MinimumBounceSpeed;
@@ -78,6 +91,10 @@ public sealed class Simulator
         return state;
     }
 
+    /// <summary>The name of what an event tells of: an obstacle's, a net's, "ground", "left post", "goal" …; null for none.</summary>
+    /// <param name="thing"><see cref="BallEvent.Thing"/>.</param>
+    public string? NameOf(int thing) => thing < 0 ? null : _world is null ? "ground" : _world.NameOf(thing);
+
     /// <summary>Kicks a ball where it is: new velocity and spin, same place, time and orientation.</summary>
     /// <param name="state">The ball; unchanged when an exception is thrown.</param>
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
@@ -85,7 +102,10 @@ public sealed class Simulator
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public void Kick(ref BallState state, Vector3d velocity, Vector3d spin)
     {
-        BallState kicked = Launch(state.Position, velocity, spin, state.Orientation);
+        // The place is the ball's own, wherever it has got to.
+        Check.Size("launch.velocity", velocity, Limits.Speed, "m/s");
+        Check.Size("launch.spin", spin, Limits.Spin, "rad/s");
+        BallState kicked = Start(state.Position, in velocity, in spin, state.Orientation);
         kicked.Time = state.Time;
         state = kicked;
     }
@@ -99,18 +119,19 @@ public sealed class Simulator
     /// <see cref="StepLog.Relaxed"/>. Nothing is ever clamped. A ball that leaves an impact to be back within a microsecond stays down.
     /// </remarks>
     /// <param name="state">The ball.</param>
-    /// <param name="dt">Time to advance by, s: finite, not negative. All of it is one step of the integrator, split only at events.</param>
+    /// <param name="dt">Time to advance by, s: 0 … 1e12. All of it is one step of the integrator, split only at events.</param>
     /// <param name="log">Where events and counts are added.</param>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is negative or not finite; nothing has changed.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is out of range; nothing has changed.</exception>
     /// <exception cref="ArgumentNullException"><paramref name="log"/> is null.</exception>
+    /// <exception cref="InvalidOperationException">A force of the game's own is not finite; the message names it. Whatever such a force throws, nothing has changed.</exception>
     public void Step(ref BallState state, double dt, StepLog log)
     {
-        if (!(dt >= 0 && dt <= double.MaxValue) || log is null)
+        if (!(dt >= 0 && dt <= Limits.Time) || log is null)
         {
             RefuseStep(dt, log);
         }
 
-        if (state.Motion == MotionState.Stopped)
+        if (state.Motion == MotionState.Stopped && _world is not { Moves: true })
         {
             state.Time += dt;
             return;
@@ -135,16 +156,34 @@ public sealed class Simulator
         state = next;
     }
 
+    /// <summary>A ball that starts inside the ground is raised to it.</summary>
+    private void Raise(ref BallState state)
+    {
+        for (int i = 0; i < 4 && _world!.Ground is { } ground; i++)
+        {
+            ShapePoint at = ground.At(state.Position, 0);
+            double below = Scene.Ball.Radius - at.Distance;
+            if (!(below > 0))
+            {
+                break;
+            }
+
+            state.Position += below * at.Normal;
+        }
+    }
+
     private static void RefuseStep(double dt, StepLog? log)
     {
-        Check.NotNegative("dt", dt);
+        Check.Within("dt", dt, 0, Limits.Time);
         throw new ArgumentNullException(nameof(log));
     }
 
     /// <summary>Advances a ball in equal steps until an event or a time.</summary>
     /// <param name="state">The ball. After an early end it is as it was just after the event.</param>
-    /// <param name="timeStep">Length of a step, s; above 0, and at least 1e-12 of the duration. The last one is shortened.</param>
-    /// <param name="duration">How long to go on at most, s; above 0.</param>
+    /// <param name="timeStep">
+    /// Length of a step, s; above 0, at most 1e12, at least 1e-12 of the duration, and more than the rounding of the ball's clock. The last one is shortened.
+    /// </param>
+    /// <param name="duration">How long to go on at most, s; above 0, at most 1e12.</param>
     /// <param name="stopAt">The event that ends the run.</param>
     /// <param name="log">Where events and counts are added.</param>
     /// <returns>True when the event ended the run, false when its time did.</returns>
@@ -152,8 +191,8 @@ public sealed class Simulator
     /// <exception cref="ArgumentNullException"><paramref name="log"/> is null.</exception>
     public bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt, StepLog log)
     {
-        Check.Positive("timeStep", timeStep);
-        Check.Positive("duration", duration);
+        Check.Within("timeStep", timeStep, 0, Limits.Time, exclusiveLow: true);
+        Check.Within("duration", duration, 0, Limits.Time, exclusiveLow: true);
         Check.AtLeast("timeStep", timeStep, duration / MostSteps);
         Check.Defined("stopAt", stopAt, (int)stopAt, 3);
         if (log is null)
@@ -161,6 +200,7 @@ public sealed class Simulator
             throw new ArgumentNullException(nameof(log));
         }
 
+        Check.Advances("timeStep", timeStep, state.Time + duration);
         return Run(ref state, timeStep, duration, stopAt, log, null);
     }
 

@@ -35,8 +35,12 @@ internal readonly struct StabilityLimit
     /// <summary>Whether nothing but the Magnus force acts on a velocity that the method cannot turn without making it longer.</summary>
     private readonly bool _spirals;
 
-    private StabilityLimit(in RateBound bound, double upward, double wholeUpTo, double piecesOfHop, bool spirals)
+    /// <summary>Order of the method.</summary>
+    private readonly int _order;
+
+    private StabilityLimit(in RateBound bound, double upward, double wholeUpTo, double piecesOfHop, bool spirals, int order)
     {
+        _order = order;
         _bound = bound;
         _upward = upward;
         _wholeUpTo = wholeUpTo;
@@ -57,7 +61,7 @@ internal readonly struct StabilityLimit
         var bound = new RateBound(ofAir.PerSpeed, ofAir.PerSpin, ofAir.Constant + (Math.Sqrt(ofAir.PerSpeed) * Math.Sqrt(Math.Abs(upward))));
         double restitution = Math.Min(scene.Ground.NormalRestitution, MostElastic);
         bool spirals = order < 4 && air.Lifts && !(air.Drags && ofAir.PerSpeed > 0);
-        return new StabilityLimit(in bound, upward, air.WholeUpTo(in bound), 3.0 * restitution / (1.0 - restitution), spirals);
+        return new StabilityLimit(in bound, upward, air.WholeUpTo(in bound), 3.0 * restitution / (1.0 - restitution), spirals, order);
     }
 
     /// <summary>Whether a step may be taken whole: a quick test that errs towards no.</summary>
@@ -78,12 +82,17 @@ internal readonly struct StabilityLimit
         return !(bySpeed * bySpeed * speedSquared > 0.25 * LargestChange * LargestChange || bySpin > 0.5 * LargestChange);
     }
 
+    /// <summary>A bound, 1/s, for how fast anything changes the motion.</summary>
+    /// <param name="speed">|u|, or a bound of it, m/s.</param>
+    /// <param name="spinRate">|ω|, rad/s.</param>
+    public double RateAtMost(double speed, double spinRate) => (_bound.PerSpeed * speed) + (_bound.PerSpin * spinRate) + _bound.Constant;
+
     /// <summary>The longest of equal parts of a step for which no force overshoots, or 0 where they would be too many.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public double PartOf<TAir>(ref TAir air, double left, double speed, double spinRate, DragBranch branch, double damping = 0)
         where TAir : struct, IAir
     {
-        double pieces = left * ((_bound.PerSpeed * speed) + (_bound.PerSpin * spinRate) + _bound.Constant + damping);
+        double pieces = left * (RateAtMost(speed, spinRate) + damping);
         if (pieces > FewPieces && branch < DragBranch.AlongCriticalSpeed)
         {
             // The bound adds what each law could do; twice what they do here is enough, and in still air what they are about to do.
@@ -95,9 +104,33 @@ internal readonly struct StabilityLimit
             pieces = closer < pieces ? closer : pieces;
         }
 
-        return pieces <= LargestChange ? left
-            : pieces <= MostPieces && !_spirals ? left / Math.Ceiling(pieces / LargestChange)
-            : 0;
+        if (pieces <= LargestChange)
+        {
+            return left;
+        }
+
+        double part = left / Math.Ceiling(pieces / LargestChange);
+        return pieces <= MostPieces && !_spirals && !SpiralsIn(ref air, part, speed, spinRate, branch) ? part : 0;
+    }
+
+    /// <summary>
+    /// Whether a part of a divided step would make a velocity longer. The Magnus force turns it by Ω h, and does no work; explicit Euler makes
+    /// it longer by (Ω h)²/2, RK2 by (Ω h)⁴/8, of which drag takes D h away again.
+    /// </summary>
+    private bool SpiralsIn<TAir>(ref TAir air, double h, double speed, double spinRate, DragBranch branch)
+        where TAir : struct, IAir
+    {
+        if (_order >= 4 || !air.Lifts || !(spinRate > 0) || branch >= DragBranch.AlongCriticalSpeed)
+        {
+            return false;
+        }
+
+        double speedSquared = Math.Max(speed * speed, StillAir);
+        air.Begin(spinRate, branch, out PointStep once);
+        air.AtStart(ref once, speedSquared, spinRate, speedSquared, out double drag, out double lift, out _);
+        double turn = lift * h * lift * h;
+        double longer = _order == 2 ? 0.125 * turn * turn : 0.5 * turn;
+        return longer > drag * h;
     }
 
     /// <summary>

@@ -6,9 +6,10 @@ namespace Football.Physics;
 public sealed class StepLog
 {
     /// <summary>Makes an empty log.</summary>
-    /// <param name="eventCapacity">Events to make room for, at least 1; default 32. It grows when one step has more.</param>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="eventCapacity"/> is below 1.</exception>
-    public StepLog(int eventCapacity = 32) => Events = new EventBuffer(eventCapacity);
+    /// <param name="eventCapacity">Events to make room for, at least 1; default 32. It grows up to <paramref name="mostEvents"/>.</param>
+    /// <param name="mostEvents">How many events it keeps, at least 32; default <see cref="EventBuffer.DefaultMost"/>.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public StepLog(int eventCapacity = 32, int mostEvents = EventBuffer.DefaultMost) => Events = new EventBuffer(eventCapacity, mostEvents);
 
     /// <summary>The events since the last <see cref="Clear"/>, in order.</summary>
     public EventBuffer Events { get; }
@@ -73,6 +74,19 @@ public sealed class StepLog
         }
 
         Show(in before, in s, taken.StartRates.Acceleration, end.Acceleration, order);
+    }
+
+    /// <summary>What it holds now, to come back to.</summary>
+    internal StepLogMark Mark() => new(Events.Count, Events.Missed, Events.Impacts, Steps, Evaluations, Relaxed);
+
+    /// <summary>Forgets what came after a mark.</summary>
+    internal void TakeBack(in StepLogMark mark)
+    {
+        Events.TakeBack(mark.Events, mark.Missed, mark.Impacts);
+        Steps = mark.Steps;
+        Evaluations = mark.Evaluations;
+        Relaxed = mark.Relaxed;
+        Halted = false;
     }
 
     /// <summary>Forgets events and counts.</summary>

@@ -27,6 +27,9 @@ internal ref struct StepRun
     /// <summary>Pieces so far that were taken by implicit Euler.</summary>
     public int Implicit;
 
+    /// <summary>Impacts since time last went on.</summary>
+    public int Impacts;
+
     /// <summary>Where events and counts go.</summary>
     public StepLog Log;
 
@@ -41,6 +44,7 @@ internal ref struct StepRun
     {
         s.Time = Math.Min(s.Time + h, End);
         Left -= h;
+        Impacts = h > 0 ? 0 : Impacts;
         Log.Steps++;
     }
 

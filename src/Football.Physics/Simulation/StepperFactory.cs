@@ -6,8 +6,19 @@ internal static class StepperFactory
     public static Stepper Create(Scene scene, SolverSettings settings)
     {
         var maker = new Maker { Settings = settings };
-        return scene.Forces.Custom.Count > 0 ? maker.Visit<OwnForcesAir>(scene) : AirChoice.Choose<Maker, Stepper>(scene, ref maker);
+        return scene.Forces.Custom.Count > 0 ? maker.Visit<OwnForcesAir>(scene)
+            : FieldAir.IsOf(scene) ? InField(scene, settings)
+            : AirChoice.Choose<Maker, Stepper>(scene, ref maker);
     }
+
+    private static Stepper InField(Scene scene, SolverSettings settings) => settings.Integrator switch
+    {
+        Integrator.Euler => new FieldStepper<ExplicitEuler>(scene, settings),
+        Integrator.SemiImplicitEuler => new FieldStepper<SemiImplicitEuler>(scene, settings),
+        Integrator.Rk2 => new FieldStepper<MidpointRungeKutta>(scene, settings),
+        Integrator.Rk4 => new FieldStepper<ClassicalRungeKutta>(scene, settings),
+        _ => throw Check.Unknown("solver.integrator", settings.Integrator),
+    };
 
     private struct Maker : IAirVisitor<Stepper>
     {

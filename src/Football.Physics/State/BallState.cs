@@ -7,6 +7,9 @@ namespace Football.Physics;
 /// </remarks>
 public struct BallState
 {
+    /// <summary>A spin without an axis, rad/s: the squares of its components vanish, and with them its direction.</summary>
+    private const double NoSpin = 1e-140;
+
     /// <summary>Time since the launch, s.</summary>
     public double Time { get; internal set; }
 
@@ -57,13 +60,32 @@ public struct BallState
     /// <summary>Orientation when <see cref="Angle"/> was last zero.</summary>
     internal Quaterniond BaseOrientation;
 
+    /// <summary>What carries a ball that slides, rolls or rests: its index among the things of the scene; 0 is the ground.</summary>
+    internal long Carrier;
+
+    /// <summary>The nets that the ball is in, a bit each.</summary>
+    internal ulong Nets;
+
+    /// <summary>On which side of its plane it met each of them: a bit is set for the side that the normal points to.</summary>
+    internal ulong NetSides;
+
+    /// <summary>The goals whose plane the ball has passed since it was placed or kicked, a bit each.</summary>
+    internal ulong GoalsPassed;
+
+    /// <summary>Nothing but level ground is nearer to the ball than this, m: until it has gone so far, no thing need be asked. 0 where that is not known.</summary>
+    internal double Clearance;
+
+    /// <summary>Distance flown through the air since the kick, m, where a knuckle force depends on it; else 0.</summary>
+    internal double AirDistance;
+
     /// <summary>Sets the spin of a ball in the air.</summary>
     internal void SetFlightSpin(in Vector3d spin)
     {
         FoldRotation();
         double rate = spin.Length;
-        SpinAxis = rate > 0 ? spin / rate : Vector3d.Up;
-        SpinRate = rate;
+        bool spins = rate > NoSpin;
+        SpinAxis = spins ? spin / rate : Vector3d.Up;
+        SpinRate = spins ? rate : 0;
     }
 
     /// <summary>Sets the spin of a ball on the ground.</summary>

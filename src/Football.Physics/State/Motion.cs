@@ -2,23 +2,27 @@ using System.Runtime.CompilerServices;
 
 namespace Football.Physics;
 
-/// <summary>Position, velocity and spin: what a general step advances.</summary>
+/// <summary>Position, velocity and spin, and the distance flown: what a general step advances.</summary>
 internal readonly struct Motion
 {
     public readonly Vector3d Position;
     public readonly Vector3d Velocity;
     public readonly Vector3d Spin;
 
+    /// <summary>Distance flown through the air, m, where the air of the scene asks for it.</summary>
+    public readonly double AirDistance;
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Motion(in Vector3d position, in Vector3d velocity, in Vector3d spin)
+    public Motion(in Vector3d position, in Vector3d velocity, in Vector3d spin, double airDistance = 0)
     {
         Position = position;
         Velocity = velocity;
         Spin = spin;
+        AirDistance = airDistance;
     }
 
     /// <summary>The motion after h with constant rates: a stage.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Motion After(double h, in Vector3d velocity, in MotionRates rates) =>
-        new(Position + (h * velocity), Velocity + (h * rates.Acceleration), Spin + (h * rates.SpinAcceleration));
+        new(Position + (h * velocity), Velocity + (h * rates.Acceleration), Spin + (h * rates.SpinAcceleration), AirDistance + (h * rates.AirSpeed));
 }

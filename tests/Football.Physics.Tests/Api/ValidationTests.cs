@@ -8,6 +8,20 @@ public sealed class ValidationTests
     [Theory]
     [InlineData("ball.mass", 0)]
     [InlineData("ball.mass", -0.43)]
+    [InlineData("ball.mass", 1e-310)]
+    [InlineData("ball.mass", 1.1e100)]
+    [InlineData("ball.radius", 1e-310)]
+    [InlineData("ball.inertiaFactor", 1e-153)]
+    [InlineData("air.density", 1e200)]
+    [InlineData("air.kinematicViscosity", 1e-310)]
+    [InlineData("gravity", 1e300)]
+    [InlineData("forces.dragCoefficient", 1e153)]
+    [InlineData("forces.magnusCoefficient", -1e153)]
+    [InlineData("forces.spinDecayCoefficient", 1e153)]
+    [InlineData("ground.slidingFriction", 1e153)]
+    [InlineData("ground.rollingFriction", 1e153)]
+    [InlineData("ground.spinDamping", 1e153)]
+    [InlineData("ground.minimumBounceSpeed", 1e153)]
     [InlineData("ball.radius", 0)]
     [InlineData("ball.radius", 1.1e6)]
     [InlineData("ball.inertiaFactor", 0)]
@@ -41,7 +55,16 @@ public sealed class ValidationTests
     }
 
     [Theory]
-    [InlineData("ball.mass", 1e-6)]
+    [InlineData("ball.mass", 1e-300)]
+    [InlineData("ball.mass", 1e100)]
+    [InlineData("ball.radius", 1e-9)]
+    [InlineData("ball.inertiaFactor", 1e-12)]
+    [InlineData("air.density", 1e12)]
+    [InlineData("air.kinematicViscosity", 1e15)]
+    [InlineData("gravity", 1e9)]
+    [InlineData("forces.dragCoefficient", 1e15)]
+    [InlineData("ground.spinDamping", 1e12)]
+    [InlineData("ground.minimumBounceSpeed", 1e12)]
     [InlineData("ball.radius", 1e6)]
     [InlineData("ball.inertiaFactor", 1)]
     [InlineData("air.density", 0)]
@@ -116,11 +139,14 @@ public sealed class ValidationTests
     [Fact]
     public void Every_preset_is_valid()
     {
-        Assert.All([Scene.Default, Scene.Vacuum, Scene.HighAltitude, Scene.Windy(new Vector3d(1, 2, 3))], scene => scene.Validate());
-        Assert.All([ForceSet.None, ForceSet.Constant, ForceSet.Regularised], forces => (s_scene with { Forces = forces }).Validate());
+        Assert.All([Scene.Default, Scene.Published, Scene.Measured, Scene.Vacuum, Scene.HighAltitude, Scene.Windy(new Vector3d(1, 2, 3))], scene => scene.Validate());
+        Assert.All([ForceSet.None, ForceSet.Constant, ForceSet.Regularised, ForceSet.Measured], forces => (s_scene with { Forces = forces }).Validate());
         Assert.All([Ground.Turf, Ground.WetTurf, Ground.Court, Ground.Sand], ground => (s_scene with { Ground = ground }).Validate());
         Assert.All(
-            [BallProperties.Football, BallProperties.YouthFootball, BallProperties.Futsal, BallProperties.BeachBall, BallProperties.MedicineBall],
+            [
+                BallProperties.Football, BallProperties.Tango12, BallProperties.Teamgeist, BallProperties.Jabulani, BallProperties.Brazuca,
+                BallProperties.YouthFootball, BallProperties.Futsal, BallProperties.BeachBall, BallProperties.MedicineBall,
+            ],
             ball => (s_scene with { Ball = ball }).Validate());
         Assert.Equal(2.0 / 3 * 0.43 * 0.11 * 0.11, BallProperties.Football.MomentOfInertia, 1e-18);
     }

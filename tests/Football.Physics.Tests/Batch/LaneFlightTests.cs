@@ -58,7 +58,7 @@ public sealed class LaneFlightTests
     [Fact]
     public void A_form_of_the_drag_coefficient_that_there_is_not_is_refused()
     {
-        foreach (int form in (int[])[-1, 2, 7])
+        foreach (int form in (int[])[-1, 3, 7])
         {
             var scene = new Scene { Forces = new ForceSet { Coefficients = (CoefficientForm)form } };
             string message = Assert.Throws<ArgumentOutOfRangeException>(() => Create(scene)).Message;
@@ -66,6 +66,24 @@ public sealed class LaneFlightTests
             Assert.Throws<ArgumentOutOfRangeException>(() => new BallBatch(scene));
             Assert.Throws<ArgumentOutOfRangeException>(() => new BatchAimer(scene));
         }
+    }
+
+    [Fact]
+    public void The_measured_laws_and_air_by_place_and_time_are_left_to_the_single_ball()
+    {
+        Assert.False(LaneFlight.Covers(Scene.Measured));
+        Assert.False(LaneFlight.Covers(new Scene { Air = new Air { WindField = new WindByHeight(5, 1, 0) } }));
+        Assert.False(LaneFlight.Covers(new Scene { Forces = new ForceSet { KnuckleSeed = 1 } }));
+        var launches = new BatchLaunches(2);
+        var flights = new BatchFlights(2);
+        var velocity = new Vector3d(22, 6, -3);
+        var spin = new Vector3d(0, 40, -10);
+        launches.Set(0, new Vector3d(0, 1, 0), velocity, spin);
+        launches.Set(1, new Vector3d(0, 2, 0), velocity, spin);
+        new BallBatch(Scene.Measured).Fly(launches, flights, 2);
+        BallState alone = Support.Flight.Play(Scene.Measured, SolverSettings.Default, 0.01, 5, StopAt.Impact, new Vector3d(0, 1, 0), velocity, spin, out _);
+        Assert.InRange(Math.Abs(alone.Position.X - flights.Position.X[0]), 0, 1e-5);
+        Assert.InRange(Math.Abs(alone.Position.Z - flights.Position.Z[0]), 0, 1e-5);
     }
 
     [Fact]

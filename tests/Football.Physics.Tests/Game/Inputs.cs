@@ -15,6 +15,12 @@ internal static class Inputs
         new(Scene.Default with { Forces = ForceSet.Regularised, Ground = Ground.WetTurf }),
         new(Scene.Default with { Forces = ForceSet.Constant }, new SolverSettings { Integrator = Integrator.Rk2 }),
         new(Scene.Vacuum, new SolverSettings { Integrator = Integrator.SemiImplicitEuler, CollisionTiming = CollisionTiming.Bisection }),
+        new(Scene.Measured with
+        {
+            Ball = BallProperties.Jabulani,
+            Air = new Air { WindField = new WindByHeight(6, 1, -2, gusts: new Gusts { Seed = 11 }) },
+            Forces = ForceSet.Measured with { KnuckleSeed = -5 },
+        }),
         new(Scene.Default with { Forces = new ForceSet { Custom = [Force.From(ball => new Vector3d(0.1 * ball.Velocity.Y, 0, 0.2))] } }),
     ];
 

@@ -23,6 +23,12 @@ public sealed class SnapshotTests
             Assert.False(Snapshot.Same(state, changed), name);
             var bytes = new byte[Snapshot.Size];
             Snapshot.Write(changed, bytes);
+            if (name.EndsWith("Motion>k__BackingField", StringComparison.Ordinal))
+            {
+                Assert.Throws<FormatException>(() => Snapshot.Read(bytes));
+                continue;
+            }
+
             Assert.True(Snapshot.Same(changed, Snapshot.Read(bytes)), name);
         }
     }
@@ -39,7 +45,7 @@ public sealed class SnapshotTests
         {
             words[bit / 64] ^= 1UL << (bit % 64);
             BallState flipped = default;
-            StateFields.TryWrite(words, ref flipped);
+            StateFields.Write(words, ref flipped);
             StateFields.Read(flipped, read);
             bool fits = words.AsSpan().SequenceEqual(read);
             words[bit / 64] ^= 1UL << (bit % 64);
@@ -49,7 +55,7 @@ public sealed class SnapshotTests
             }
         }
 
-        Assert.InRange(seen.Count, 64 * 16, 64 * 18);
+        Assert.InRange(seen.Count, 64 * (StateFields.Count - 2), 64 * StateFields.Count);
     }
 
     [Fact]
@@ -129,6 +135,8 @@ public sealed class SnapshotTests
         {
             double number => Math.BitIncrement(number),
             Enum member => Enum.ToObject(member.GetType(), (Convert.ToInt32(member) + 1) % 4),
+            long number => number + 1,
+            ulong bits => bits ^ 1,
             _ => throw new NotSupportedException(box.GetType().Name),
         };
         for (int i = path.Length - 1; i >= 0; i--)

@@ -33,7 +33,7 @@ public sealed class RefusalTests
     [InlineData("forces.spinDecayCoefficient", "-1", "0 or more")]
     [InlineData("ground.normalRestitution", "1.5", "0 … 1")]
     [InlineData("ground.spinRestitution", "-0.1", "0 … 1")]
-    [InlineData("ground.tangentialRestitution", "0.5", "[x, z], 2 finite numbers")]
+    [InlineData("ground.tangentialRestitution", "[0.5]", "a number, or [x, z], 2 finite numbers")]
     [InlineData("ground.slidingFriction", "-1", "0 or more")]
     [InlineData("ground.rollingFriction", "-1", "0 or more")]
     [InlineData("ground.spinDamping", "-1", "0 or more")]

@@ -10,19 +10,49 @@ public sealed class MeasuredLawTests
 
     public static TheoryData<string, double[]> Balls => new()
     {
-        { nameof(ReynoldsDrag.Tango12), [.545180, .544922, .541354, .497671, .291744, .179855, .173414, .183522, .194366] },
-        { nameof(ReynoldsDrag.Teamgeist), [.492697, .492631, .491003, .454930, .230783, .148570, .144003, .147621, .153499] },
-        { nameof(ReynoldsDrag.Jabulani), [.483900, .483895, .483835, .483112, .474562, .396778, .206964, .154549, .176136] },
-        { nameof(ReynoldsDrag.Brazuca), [.473999, .473976, .473259, .452510, .257900, .175279, .179270, .194522, .209878] },
-        { nameof(ReynoldsDrag.Generic), [.489994, .489887, .487879, .453946, .256710, .164225, .162789, .173215, .183929] },
+        { nameof(DragCurve.Tango12), [.545180, .544922, .541354, .497671, .291744, .179855, .173414, .183522, .194366] },
+        { nameof(DragCurve.Teamgeist), [.492697, .492631, .491003, .454930, .230783, .148570, .144003, .147621, .153499] },
+        { nameof(DragCurve.Jabulani), [.483900, .483895, .483835, .483112, .474562, .396778, .206964, .154549, .176136] },
+        { nameof(DragCurve.Brazuca), [.473999, .473976, .473259, .452510, .257900, .175279, .179270, .194522, .209878] },
+        { nameof(DragCurve.Generic), [.489994, .489887, .487879, .453946, .256710, .164225, .162789, .173215, .183929] },
     };
 
     [Theory]
     [MemberData(nameof(Balls))]
     public void Without_spin_every_ball_has_its_drag_coefficient(string ball, double[] expected)
     {
-        var drag = (ReynoldsDrag)typeof(ReynoldsDrag).GetProperty(ball)!.GetValue(null)!;
+        var drag = new ReynoldsDrag((DragCurve)typeof(DragCurve).GetProperty(ball)!.GetValue(null)!);
         Assert.All(s_reynolds.Zip(expected), pair => Assert.Equal(pair.Second, drag.Coefficient(pair.First), 1.1e-6));
+    }
+
+    /// <summary>The rows of the tunnel are in m/s, at its own viscosity.</summary>
+    [Fact]
+    public void The_Reynolds_numbers_of_the_balls_are_those_of_the_tunnel()
+    {
+        Row(DragCurve.Tango12, 186_878, 18_949.3, 235_704);
+        Row(DragCurve.Teamgeist, 182_809, 15_563.4, 336_699);
+        Row(DragCurve.Jabulani, 271_597, 20_010.1, 338_443);
+        Row(DragCurve.Brazuca, 187_749, 14_531.7, 212_308);
+        Assert.Equal((186_000, 17_000, 230_000, 510_000), (DragCurve.Generic.CriticalReynolds, DragCurve.Generic.Width, DragCurve.Generic.RiseFrom, DragCurve.Generic.RiseTo));
+
+        static void Row(DragCurve curve, double critical, double width, double riseFrom)
+        {
+            Assert.Equal(critical, curve.CriticalReynolds, 0.5);
+            Assert.Equal(width, curve.Width, 0.05);
+            Assert.Equal(riseFrom, curve.RiseFrom, 0.5);
+            Assert.Equal(508_609, curve.RiseTo, 0.5);
+        }
+    }
+
+    [Fact]
+    public void Every_preset_of_a_ball_has_its_own_curve_and_knuckle_force()
+    {
+        (BallProperties Ball, DragCurve Curve, double Force)[] balls =
+        [
+            (BallProperties.Football, DragCurve.Generic, 1.5), (BallProperties.Tango12, DragCurve.Tango12, 1.6), (BallProperties.Teamgeist, DragCurve.Teamgeist, 0.75),
+            (BallProperties.Jabulani, DragCurve.Jabulani, 2.1), (BallProperties.Brazuca, DragCurve.Brazuca, 1.5),
+        ];
+        Assert.All(balls, item => Assert.Equal((0.43, 0.11, item.Curve, item.Force), (item.Ball.Mass, item.Ball.Radius, item.Ball.DragCurve, item.Ball.KnuckleForce)));
     }
 
     [Theory]
@@ -34,7 +64,7 @@ public sealed class MeasuredLawTests
         double r = s_scene.Ball.Radius;
         double speed = reynolds * s_scene.Air.KinematicViscosity / (2 * r);
         double scale = AirScale.DynamicArea(s_scene) * speed;
-        foreach (IFlightKernel<PointStep> air in Both())
+        foreach (IFlightKernel<PointStep> air in Forms())
         {
             for (int i = 0; i < s_spinParameters.Length; i++)
             {
@@ -52,7 +82,7 @@ public sealed class MeasuredLawTests
     {
         var u = new Vector3d(24, 7, 1);
         var w = new Vector3d(1, 20, 15);
-        foreach (IFlightKernel<PointStep> air in Both())
+        foreach (IFlightKernel<PointStep> air in Forms())
         {
             air.Begin(w.Length, DragBranch.NoSpin, out PointStep step);
             double across = Vector3d.Cross(w / w.Length, in u).LengthSquared;
@@ -67,7 +97,7 @@ public sealed class MeasuredLawTests
     [Fact]
     public void Spin_along_the_motion_neither_lifts_nor_drags()
     {
-        foreach (IFlightKernel<PointStep> air in Both())
+        foreach (IFlightKernel<PointStep> air in Forms())
         {
             air.Begin(60, DragBranch.NoSpin, out PointStep step);
             air.AtStage(in step, 400, 60, 0, out double gyro, out _, out double decay);
@@ -81,7 +111,7 @@ public sealed class MeasuredLawTests
     [Fact]
     public void Spin_decays_by_speed_and_density_and_at_rest_too()
     {
-        SmoothAir<MeasuredLaw, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> air = default;
+        SmoothAir<MeasuredLaw, MeasuredDrag, MeasuredMagnus, ProportionalSpinDecay> air = default;
         air.Prepare(s_scene);
         air.ByFunctions(0, 30, 0, out double drag, out double lift, out double decay);
         Assert.Equal((0, 0), (drag, lift));
@@ -95,7 +125,7 @@ public sealed class MeasuredLawTests
     [Fact]
     public void No_speed_and_no_spin_gives_a_number_that_is_not_finite()
     {
-        SmoothAir<MeasuredLaw, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> air = default;
+        SmoothAir<MeasuredLaw, MeasuredDrag, MeasuredMagnus, ProportionalSpinDecay> air = default;
         air.Prepare(s_scene);
         foreach (double speed in new[] { 0, double.Epsilon, 1e-160, 1e-10, 1e-9, 1, 1000, 2000 })
         {
@@ -112,8 +142,10 @@ public sealed class MeasuredLawTests
     [Fact]
     public void No_force_is_stronger_than_its_bound()
     {
-        SmoothAir<MeasuredLaw, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> air = default;
+        SmoothAir<MeasuredLaw, MeasuredDrag, MeasuredMagnus, ProportionalSpinDecay> air = default;
         air.Prepare(LawGrid.Scene);
+        Scene scene = LawGrid.Scene with { Forces = ForceSet.Measured };
+        Assert.Equal(air.Bound, SceneLaws.Drag(scene).Bound + SceneLaws.Magnus(scene).Bound + SceneLaws.SpinDecay(scene).Bound);
         foreach ((double speed, double spin, _) in LawGrid.Points)
         {
             air.ByFunctions(speed * speed, spin, speed * speed, out double drag, out double lift, out double decay);
@@ -121,14 +153,16 @@ public sealed class MeasuredLawTests
         }
     }
 
-    /// <summary>Point by point and by table.</summary>
-    private static IEnumerable<IFlightKernel<PointStep>> Both()
+    /// <summary>Point by point, by table, and one by one.</summary>
+    private static IEnumerable<IFlightKernel<PointStep>> Forms()
     {
-        SmoothAir<MeasuredLaw, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> laws = default;
-        SmoothKernel<MeasuredLaw, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> table = default;
+        AirLaws<NoDragFit, MeasuredDrag, MeasuredMagnus, ProportionalSpinDecay> alone = default;
+        alone.Prepare(s_scene);
+        SmoothAir<MeasuredLaw, MeasuredDrag, MeasuredMagnus, ProportionalSpinDecay> laws = default;
+        SmoothKernel<MeasuredLaw, MeasuredDrag, MeasuredMagnus, ProportionalSpinDecay> table = default;
         laws.Prepare(s_scene);
         table.Prepare(s_scene);
-        return [laws, table];
+        return [laws, table, alone];
     }
 
     private static void Near(Vector3d expected, Vector3d actual, double tolerance) => Assert.InRange(Vector3d.Distance(actual, expected), 0, tolerance);

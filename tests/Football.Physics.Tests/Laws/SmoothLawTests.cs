@@ -20,7 +20,29 @@ public sealed class SmoothLawTests
     }
 
     [Fact]
-    public void The_measured_law_by_table_is_the_law() => Compare<MeasuredLaw, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>(2e-9, 1e-12);
+    public void The_measured_law_by_table_is_the_law() => Compare<MeasuredLaw, MeasuredDrag, MeasuredMagnus, ProportionalSpinDecay>(2e-9, 1e-12);
+
+    /// <summary>The narrowest crisis, at either end of its range, and the steepest rise.</summary>
+    [Fact]
+    public void For_any_ball_that_is_allowed_the_measured_law_by_table_is_the_law()
+    {
+        foreach (double reynolds in new[] { 8e4, 6e5 })
+        {
+            var curve = new DragCurve
+            {
+                Subcritical = 2,
+                CriticalReynolds = reynolds,
+                Width = 1e4,
+                Supercritical = 0.1,
+                Risen = 0.2,
+                RiseFrom = reynolds,
+                RiseTo = reynolds + 1e4,
+            };
+            Scene scene = LawGrid.Scene with { Ball = LawGrid.Scene.Ball with { DragCurve = curve } };
+            scene.Validate();
+            Compare<MeasuredLaw, MeasuredDrag, MeasuredMagnus, ProportionalSpinDecay>(1e-7, 1e-12, scene);
+        }
+    }
 
     /// <summary>A law that has nothing in common with the others but its form.</summary>
     [Fact]
@@ -194,7 +216,8 @@ public sealed class SmoothLawTests
 
     /// <param name="forceTolerance">Relative to the whole acceleration.</param>
     /// <param name="decayTolerance">Relative to the spin decay.</param>
-    private static void Compare<TLaw, TDrag, TMagnus, TDecay>(double forceTolerance, double decayTolerance)
+    /// <param name="scene">The scene; none is the usual one.</param>
+    private static void Compare<TLaw, TDrag, TMagnus, TDecay>(double forceTolerance, double decayTolerance, Scene? scene = null)
         where TLaw : struct, ISmoothLaw
         where TDrag : struct, IAirLaw
         where TMagnus : struct, IAirLaw
@@ -202,8 +225,8 @@ public sealed class SmoothLawTests
     {
         SmoothKernel<TLaw, TDrag, TMagnus, TDecay> air = default;
         SmoothAir<TLaw, TDrag, TMagnus, TDecay> laws = default;
-        air.Prepare(LawGrid.Scene);
-        laws.Prepare(LawGrid.Scene);
+        air.Prepare(scene ?? LawGrid.Scene);
+        laws.Prepare(scene ?? LawGrid.Scene);
         Assert.Equal((laws.Drags, laws.Lifts, laws.SpinDecays), (air.Drags, air.Lifts, air.SpinDecays));
         Assert.False(laws.Jumps);
         double[] sines = default(TLaw).NeedsSpinAcross ? [1, 0.7, 0.1, 0] : [1];

@@ -35,7 +35,7 @@ public sealed class RootsTests
     public void Newton_bisects_where_there_is_no_slope()
     {
         var f = new Jump { At = 0.3 };
-        Assert.Equal(0.3, Roots.Newton(ref f, 0, 1, 1, width: 1e-12), 1e-11);
+        Assert.Equal(0.3, Roots.Newton(ref f, 0, 1, 1, closeness: 1e-12), 1e-11);
     }
 
     [Fact]

@@ -58,7 +58,11 @@ public sealed class KnownKickTests
     {
         var request = new AimRequest
         {
-            From = new Vector3d(0, 0.11, 0), Target = new Vector3d(0, 0.11, -distance), Speed = 30, TopSpin = top, MaximumElevationDegrees = highest,
+            From = new Vector3d(0, 0.11, 0),
+            Target = new Vector3d(0, 0.11, -distance),
+            Speed = 30,
+            TopSpin = top,
+            MaximumElevationDegrees = highest,
         };
         AimResult result = new Aimer().FindSlowest(request);
         AimCheck.Holds(request, in result, speed: result.Velocity.Length);
@@ -89,7 +93,12 @@ public sealed class KnownKickTests
     {
         var request = new AimRequest
         {
-            From = new Vector3d(0, 0.11, 0), Target = new Vector3d(3.06, 2.02, -11.56), Speed = 21.8, SideSpin = 2, MaximumElevationDegrees = 90, Arc = AimArc.High,
+            From = new Vector3d(0, 0.11, 0),
+            Target = new Vector3d(3.06, 2.02, -11.56),
+            Speed = 21.8,
+            SideSpin = 2,
+            MaximumElevationDegrees = 90,
+            Arc = AimArc.High,
         };
         var aimer = new Aimer();
         AimResult found = aimer.Find(request);
@@ -125,7 +134,12 @@ public sealed class KnownKickTests
     {
         var request = new AimRequest
         {
-            From = new Vector3d(0, 0.11, 0), Target = new Vector3d(-7.8158, 0.3815, -22.8196), Speed = 33.3534, TopSpin = -56.22, MaximumElevationDegrees = 60, Tolerance = 1e-3,
+            From = new Vector3d(0, 0.11, 0),
+            Target = new Vector3d(-7.8158, 0.3815, -22.8196),
+            Speed = 33.3534,
+            TopSpin = -56.22,
+            MaximumElevationDegrees = 60,
+            Tolerance = 1e-3,
         };
         var aimer = new Aimer();
         AimResult measured = aimer.Find(request);

@@ -36,6 +36,17 @@ public sealed class HostileTests
         Assert.Contains("NormalRestitution", done.Error);
     }
 
+    /// <summary>A Magnus force that turns the velocity far in a step that is divided, against a drag that is too weak for what Euler and RK2 make of it.</summary>
+    [Theory]
+    [InlineData(1446)]
+    [InlineData(1079048)]
+    public void A_turning_velocity_is_not_made_longer(int number)
+    {
+        var run = new HostileRun();
+        run.Play((ulong)number);
+        Assert.DoesNotContain(run.Findings.Findings.Keys, kind => kind.StartsWith("energy made", StringComparison.Ordinal));
+    }
+
     [Theory]
     [InlineData("finite")]
     [InlineData("penetration")]

@@ -89,7 +89,7 @@ public sealed class DeterminismTests
     {
         foreach (CollisionTiming timing in Enum.GetValues<CollisionTiming>())
         {
-            foreach (Scene scene in new[] { Scene.Default, Scene.Vacuum, new Scene { Forces = ForceSet.Regularised }, new Scene { Forces = ForceSet.Constant }, WithForce() })
+            foreach (Scene scene in new[] { Scene.Default, Scene.Vacuum, new Scene { Forces = ForceSet.Regularised }, new Scene { Forces = ForceSet.Constant }, WithForce(), WithGusts() })
             {
                 var simulator = new Simulator(scene, new SolverSettings { Integrator = integrator, CollisionTiming = timing });
                 var log = new StepLog(256);
@@ -109,6 +109,12 @@ public sealed class DeterminismTests
             }
         }
     }
+
+    private static Scene WithGusts() => Scene.Measured with
+    {
+        Air = new Air { WindField = new WindByHeight(3, 2, 1, gusts: new Gusts { Seed = 3 }) },
+        Forces = ForceSet.Measured with { KnuckleSeed = 2 },
+    };
 
     [Fact]
     public void A_run_allocates_nothing()

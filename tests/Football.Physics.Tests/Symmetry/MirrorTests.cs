@@ -78,6 +78,7 @@ public sealed class MirrorTests
             Ground = Ground.Turf with { TangentialRestitutionX = 0.7, TangentialRestitutionZ = -0.2, RollingFriction = 0.1 },
         };
         yield return new Scene { Air = new Air { Wind = new Vector3d(-3, 0, 1) }, Forces = ForceSet.Regularised };
+        yield return Scene.Measured with { Air = new Air { Wind = new Vector3d(2, 0, -4) } };
         yield return new Scene { Forces = ForceSet.Constant with { SpinDecayCoefficient = 1e-4 }, Ground = Ground.Court };
     }
 

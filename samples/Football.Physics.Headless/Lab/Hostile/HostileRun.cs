@@ -34,6 +34,11 @@ internal sealed class HostileRun
         {
             Play(scene, absurdity);
         }
+        catch (Exception e) when ((scene.HasOwnForces && e is FormatException) || e.Message.StartsWith("forces.custom", StringComparison.Ordinal))
+        {
+            // A game's own forces may do anything, but what no number can hold is refused by name.
+            Findings.AddRefusal("forces.custom", new HostileSighting(number, 1, absurdity, e.Message));
+        }
         catch (Exception e)
         {
             string message = e.Message.Split('\n')[0];

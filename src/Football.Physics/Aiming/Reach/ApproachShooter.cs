@@ -37,7 +37,7 @@ internal sealed class ApproachShooter : PieceObserver
         _context = context;
         _simulator = simulator;
         _rough = new Simulator(simulator.Scene, simulator.Settings with { Integrator = Integrator.Rk2 });
-        _stillAir = simulator.Scene.Air.Wind == Vector3d.Zero;
+        _stillAir = simulator.Scene.Air.IsStill;
         _watched.Observer = this;
     }
 

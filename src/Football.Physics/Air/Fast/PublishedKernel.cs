@@ -95,7 +95,7 @@ internal struct PublishedKernel<TDrag, TMagnus, TDecay> : IFusedKernel<Published
         step.Branch = branch;
         step.Near = false;
         step.Spin = spinRate;
-        step.PerSpin = spinRate > 0 ? 1.0 / spinRate : 0;
+        step.PerSpin = spinRate > AirRates.NoSpin ? 1.0 / spinRate : 0;
         step.Decay = spinRate > 0 ? _decayScale : 0;
         step.Drag = _dragScale;
         step.Lift = 0;

@@ -8,16 +8,17 @@ namespace Football.Physics;
 /// </summary>
 internal struct MeasuredLaw : ISmoothLaw
 {
-    /// <summary>A ball's tables, for as long as something knows the ball.</summary>
-    private static readonly ConditionalWeakTable<ReynoldsDrag, SmoothTables> Shared = new();
+    /// <summary>The tables of a drag curve, for as long as something knows the curve.</summary>
+    private static readonly ConditionalWeakTable<DragCurve, SmoothTables> Shared = new();
 
     /// <summary>Reynolds numbers 4 096 to 4.2e6.</summary>
     private static readonly Octaves Reynolds = new(24, 44, 6);
 
-    /// <summary>65 000 to 740 000, with segments fine enough for a drag crisis of the width 14 000.</summary>
+    /// <summary>65 000 to 740 000, with segments fine enough for the narrowest drag crisis.</summary>
     private static readonly Octaves Crisis = new(32, 39, 7);
 
-    private ReynoldsDrag _ball;
+    private DragCurve _curve;
+    private ReynoldsDrag _drag;
     private ProportionalSpinDecay _decay;
     private double _k; // ½ ρ A / m, 1/m
     private double _radius;
@@ -36,7 +37,7 @@ internal struct MeasuredLaw : ISmoothLaw
     }
 
     public readonly SmoothTables Tables =>
-        Shared.GetValue(_ball, static ball => new SmoothTables(new MeasuredLaw { _ball = ball }, Reynolds, Crisis));
+        Shared.GetValue(_curve, static curve => new SmoothTables(new MeasuredLaw { _drag = new ReynoldsDrag(curve) }, Reynolds, Crisis));
 
     // C_L |u| ≤ L |u|
     public readonly RateBound LiftBound => new(_k * SaturatingLift.Limit, 0, 0);
@@ -44,11 +45,12 @@ internal struct MeasuredLaw : ISmoothLaw
     public readonly RateBound DecayBound => _decay.Bound;
 
     public readonly RateBound DragBound(double fastest) =>
-        new(_k * (_ball.Largest(_perSpeed * fastest) + SpinDrag.Limit), 0, 0);
+        new(_k * (_drag.Largest(_perSpeed * fastest) + SpinDrag.Limit), 0, 0);
 
     public void Prepare(Scene scene)
     {
-        _ball = ReynoldsDrag.Generic;
+        _curve = scene.Ball.DragCurve;
+        _drag = new ReynoldsDrag(_curve);
         _decay.Prepare(scene);
         _k = AirScale.DynamicArea(scene);
         _radius = scene.Ball.Radius;
@@ -58,8 +60,8 @@ internal struct MeasuredLaw : ISmoothLaw
     // C_D without spin, what the crisis leaves of the drag by spin, and of the lift
     public readonly void OfSpeed(double speed, out LawFactors factors)
     {
-        double share = _ball.SubcriticalShare(speed);
-        factors.First = _ball.Coefficient(speed);
+        double share = _drag.SubcriticalShare(speed);
+        factors.First = _drag.Coefficient(speed);
         factors.Second = SpinDrag.OfShare(share);
         factors.Third = SaturatingLift.OfShare(share);
         factors.Fourth = 0;
@@ -86,5 +88,14 @@ internal struct MeasuredLaw : ISmoothLaw
         lift = _k * _radius * spinRate * bySpeed.Third * bySpin.Second;
 
         decay = _decay.PerSpin(speed) * spinRate;
+    }
+
+    /// <summary>The factors in a flow that moves.</summary>
+    public readonly void At(in AirFlow flow, out double drag, out double lift, out double decay)
+    {
+        // S = r|ω × u|/|u|²
+        OfSpeed(_perSpeed * flow.Speed, out LawFactors bySpeed);
+        OfSpin(_radius * flow.SpinRate * Math.Sqrt(flow.AcrossSquared) / flow.SpeedSquared, out LawFactors bySpin);
+        Combine(in bySpeed, in bySpin, flow.Speed, flow.SpinRate, out drag, out lift, out decay);
     }
 }

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace Football.Physics;
 
 /// <summary>Spin decay by speed times spin, T_D = −(β π ρ r⁴ |u| + I ε ρ/1.2) ω, which never reverses a spin.</summary>
-internal struct ProportionalSpinDecay
+internal struct ProportionalSpinDecay : IAirLaw
 {
     /// <summary>β. Measured on golf balls (Smits and Smith 1994), scaled: for footballs a guess, 0.003 … 0.012.</summary>
     private const double Beta = 0.0096;
@@ -13,6 +13,24 @@ internal struct ProportionalSpinDecay
 
     private double _perMetre; // β π ρ r⁴ / I, 1/m
     private double _atRest; // ε ρ/1.2, 1/s
+
+    public readonly bool Acts
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => true;
+    }
+
+    public readonly bool NeedsFit
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
+
+    public readonly bool NeedsSpeed
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => true;
+    }
 
     public readonly RateBound Bound => new(_perMetre, 0, _atRest);
 
@@ -26,4 +44,7 @@ internal struct ProportionalSpinDecay
     /// <summary>The decay's rate, 1/s: ω̇ = −(β π ρ r⁴/I |u| + ε ρ/1.2) ω.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly double PerSpin(double speed) => (_perMetre * speed) + _atRest;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly double Factor(in AirFlow flow) => PerSpin(flow.Speed) * flow.SpinRate;
 }

@@ -5,16 +5,24 @@ internal static class SceneLaws
 {
     /// <summary>The law of the drag force.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>
-    public static IAirLaw Drag(Scene scene) => Prepared(scene, "forces.drag", scene.Forces.Drag, default(ConstantDrag), default(EmpiricalDrag));
+    public static IAirLaw Drag(Scene scene) =>
+        Prepared(scene, "forces.drag", scene.Forces.Drag, default(ConstantDrag), IsMeasured(scene) ? default(MeasuredDrag) : default(EmpiricalDrag));
 
     /// <summary>The law of the Magnus force.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>
-    public static IAirLaw Magnus(Scene scene) => Prepared(scene, "forces.magnus", scene.Forces.Magnus, default(ConstantMagnus), default(EmpiricalMagnus));
+    public static IAirLaw Magnus(Scene scene) =>
+        Prepared(scene, "forces.magnus", scene.Forces.Magnus, default(ConstantMagnus), IsMeasured(scene) ? default(MeasuredMagnus) : default(EmpiricalMagnus));
 
     /// <summary>The law of the spin decay.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>
-    public static IAirLaw SpinDecay(Scene scene) =>
-        Prepared(scene, "forces.spinDecay", scene.Forces.SpinDecay, default(ConstantSpinDecay), default(EmpiricalSpinDecay));
+    public static IAirLaw SpinDecay(Scene scene) => Prepared(
+        scene,
+        "forces.spinDecay",
+        scene.Forces.SpinDecay,
+        default(ConstantSpinDecay),
+        IsMeasured(scene) ? default(ProportionalSpinDecay) : default(EmpiricalSpinDecay));
+
+    private static bool IsMeasured(Scene scene) => scene.Forces.Coefficients == CoefficientForm.Measured;
 
     private static IAirLaw Prepared(Scene scene, string field, ForceLaw kind, IAirLaw constant, IAirLaw empirical)
     {

@@ -18,9 +18,13 @@ internal abstract class LaneFlight
     /// <summary>Flies all balls of a group until their limits or a time.</summary>
     public abstract void Fly(LaneGroup group, double duration);
 
-    /// <summary>Whether there is a flight in lanes for the laws of a scene: those of one kind, or none, and no force of the game's own.</summary>
+    /// <summary>
+    /// Whether there is a flight in lanes for the laws of a scene: those of one kind but the measured ones, or none, without a force of the game's
+    /// own, wind by place and time, or a knuckle force.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>
-    public static bool Covers(Scene scene) => scene.Forces.Custom.Count == 0 && KindOf(scene.Forces) is not null;
+    public static bool Covers(Scene scene) => scene.Forces.Custom.Count == 0 && !FieldAir.IsOf(scene) && KindOf(scene.Forces) is { } kind
+        && !(kind == ForceLaw.Empirical && scene.Forces.Coefficients == CoefficientForm.Measured);
 
     /// <summary>Compiles a scene.</summary>
     /// <param name="scene">The scene.</param>
@@ -86,8 +90,9 @@ internal abstract class LaneFlight
     private static ForceLaw? KindOf(ForceSet forces)
     {
         ForceLaw kind = ForceLaw.None;
-        foreach (ForceLaw law in (ReadOnlySpan<ForceLaw>)[forces.Drag, forces.Magnus, forces.SpinDecay])
+        for (int i = 0; i < 3; i++)
         {
+            ForceLaw law = i == 0 ? forces.Drag : i == 1 ? forces.Magnus : forces.SpinDecay;
             Check.Defined("forces", law, (int)law, 3);
             if (law != ForceLaw.None && kind != ForceLaw.None && law != kind)
             {

@@ -18,9 +18,7 @@ internal static class Roots
     /// <param name="high">Upper end.</param>
     /// <param name="start">The first guess, inside the bracket or at one of its ends.</param>
     /// <param name="closeness">It ends when a step is no longer than this share of where it starts.</param>
-    /// <param name="width">It ends when the bracket is no wider than this.</param>
-    public static double Newton<TFunction>(
-        ref TFunction function, double low, double high, double start, double closeness = 0, double width = 0)
+    public static double Newton<TFunction>(ref TFunction function, double low, double high, double start, double closeness = 0)
         where TFunction : struct, IDifferentiableFunction
     {
         double x = start;
@@ -47,7 +45,7 @@ internal static class Roots
                 next = 0.5 * (low + high);
             }
 
-            bool done = Math.Abs(next - x) <= closeness * x || high - low <= width;
+            bool done = Math.Abs(next - x) <= closeness * x || high - low <= 0;
             x = next;
             if (done)
             {

@@ -1,0 +1,141 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>The air of a scene whose wind depends on place or time, or with a knuckle force: laws by place and time that leave the axis of the spin alone.</summary>
+/// <remarks>A drag law that jumps is not located in such air: each evaluation takes the branch that holds there.</remarks>
+internal struct FieldAir : IAir
+{
+    private PointAir _air;
+    private IWind? _wind;
+    private KnuckleForce? _knuckle;
+    private double _radiusSquared;
+    private bool _jumps;
+
+    public readonly bool Drags => _air.Drags;
+
+    public readonly bool Lifts => _air.Lifts;
+
+    public readonly bool SpinDecays => _air.SpinDecays;
+
+    public readonly bool Jumps
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
+
+    public readonly bool Varies
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => true;
+    }
+
+    public readonly bool TurnsAxis
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
+
+    public readonly double FastestWind => _wind?.Fastest ?? 0;
+
+    public readonly RateBound Bound => _air.Bound;
+
+    /// <summary>Whether a scene has such air.</summary>
+    public static bool IsOf(Scene scene) => scene.Air.WindField is not null || scene.Forces.KnuckleSeed is not null;
+
+    public void Prepare(Scene scene)
+    {
+        _air = PointAir.OfLaws(scene);
+        _jumps = _air.Jumps;
+        _wind = scene.Air.WindField;
+        _knuckle = KnuckleForce.Of(scene);
+        _radiusSquared = scene.Ball.Radius * scene.Ball.Radius;
+    }
+
+    public readonly bool Covers(double speedSquared, double spinRate, double h) => true;
+
+    public readonly double WholeUpTo(in RateBound bound) => 0;
+
+    public readonly double Evaluate(in ForceInput ball, DragBranch branch, out AirFactors factors)
+    {
+        Vector3d u = _wind is null ? ball.AirVelocity : ball.AirVelocity - _wind.At(ball.Time, ball.Position);
+        DragBranch here = _jumps ? DragJump.At(u.LengthSquared, _radiusSquared * ball.Spin.LengthSquared).Branch : branch;
+        double rate = _air.Evaluate(ball.In(in u), here, out factors);
+        if (_knuckle is not null && ball.Motion == MotionState.Airborne)
+        {
+            factors.AirSpeed = u.Length;
+            factors.Acceleration = _knuckle.Acceleration(in u, ball.Spin, ball.AirDistance);
+        }
+
+        return rate;
+    }
+
+    /// <summary>What the air does to a ball in flight, by the axis and the size of its spin: a = lift (n × u) − drag u + side.</summary>
+    /// <param name="time">Time, s.</param>
+    /// <param name="position">The place, m.</param>
+    /// <param name="u">Velocity relative to the steady wind; made that relative to the air, m/s.</param>
+    /// <param name="axis">Unit axis of the spin, n.</param>
+    /// <param name="spinRate">Spin about it, rad/s.</param>
+    /// <param name="distance">Distance flown through the air, m.</param>
+    /// <param name="drag">D, 1/s.</param>
+    /// <param name="lift">L |ω|, 1/s.</param>
+    /// <param name="decay">Angular deceleration, rad/s².</param>
+    /// <param name="side">Acceleration by the knuckle force, m/s².</param>
+    /// <param name="airSpeed">|u| where there is a knuckle force; else 0.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void AlongAxis(
+        double time,
+        in Vector3d position,
+        ref Vector3d u,
+        in Vector3d axis,
+        double spinRate,
+        double distance,
+        out double drag,
+        out double lift,
+        out double decay,
+        out Vector3d side,
+        out double airSpeed)
+    {
+        if (_wind is not null)
+        {
+            u -= _wind.At(time, in position);
+        }
+
+        double speedSquared = u.LengthSquared;
+        PointStep step;
+        step.Branch = _jumps ? DragJump.At(speedSquared, _radiusSquared * spinRate * spinRate).Branch : DragBranch.Unknown;
+        _air.AtPoint(step, speedSquared, spinRate, Vector3d.Cross(in axis, in u).LengthSquared, out drag, out lift, out decay);
+        side = Vector3d.Zero;
+        airSpeed = 0;
+        if (_knuckle is not null)
+        {
+            side = _knuckle.Acceleration(in u, spinRate * axis, distance);
+            airSpeed = Math.Sqrt(speedSquared);
+        }
+    }
+
+    public readonly void Begin(double spinRate, DragBranch branch, out PointStep step) => step.Branch = branch;
+
+    public readonly void AtStart(ref PointStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay) =>
+        _air.AtPoint(step, speedSquared, spinRate, acrossSquared, out drag, out lift, out decay);
+
+    public readonly void Expand(ref PointStep step, double speedChange, double spinChange)
+    {
+    }
+
+    public readonly void AtStage(in PointStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay) =>
+        _air.AtPoint(step, speedSquared, spinRate, acrossSquared, out drag, out lift, out decay);
+
+    public void Fly<TIntegrator>(
+        ref TIntegrator integrator,
+        bool covered,
+        double speedSquared,
+        ref FlightMotion motion,
+        in Vector3d wind,
+        DragBranch branch,
+        double upward,
+        double h,
+        out FlightStep step)
+        where TIntegrator : struct, IIntegrator =>
+        integrator.Fly<FieldAir, PointStep>(ref this, ref motion, in wind, branch, upward, h, out step);
+}

@@ -1,0 +1,82 @@
+using System.Runtime.ExceptionServices;
+
+namespace Football.Physics;
+
+/// <summary>Hands groups of balls to threads, in order, until none are left.</summary>
+/// <remarks>
+/// What a group throws ends the run, and comes out as it was thrown. Of several it is the first group's: every group before one that has
+/// begun has begun too, so it does not depend on the number of threads.
+/// </remarks>
+internal sealed class GroupRun
+{
+    private readonly int _threads;
+    private readonly Action<int, int, int> _work;
+    private readonly Action<int> _take;
+    private readonly object _lock = new();
+    private int _count;
+    private int _next;
+    private int _failedAt;
+    private ExceptionDispatchInfo? _failure;
+
+    /// <summary>Makes a run that can be made again.</summary>
+    /// <param name="threads">How many threads.</param>
+    /// <param name="work">Does a group: by which thread, from which ball, and how many.</param>
+    public GroupRun(int threads, Action<int, int, int> work)
+    {
+        _threads = threads;
+        _work = work;
+        _take = Take;
+    }
+
+    /// <summary>Does so many balls.</summary>
+    public void Run(int count)
+    {
+        _count = count;
+        _next = 0;
+        _failedAt = int.MaxValue;
+        _failure = null;
+        if (_threads == 1 || count <= LaneGroup.Size)
+        {
+            Take(0);
+        }
+        else
+        {
+            Parallel.For(0, _threads, new ParallelOptions { MaxDegreeOfParallelism = _threads }, _take);
+        }
+
+        _failure?.Throw();
+    }
+
+    private void Take(int thread)
+    {
+        while (true)
+        {
+            long from = (Interlocked.Increment(ref _next) - 1L) * LaneGroup.Size;
+            if (from >= _count || from > Volatile.Read(ref _failedAt))
+            {
+                return;
+            }
+
+            try
+            {
+                _work(thread, (int)from, Math.Min(LaneGroup.Size, _count - (int)from));
+            }
+            catch (Exception e)
+            {
+                Fail((int)from, e);
+            }
+        }
+    }
+
+    private void Fail(int from, Exception e)
+    {
+        lock (_lock)
+        {
+            if (from < _failedAt)
+            {
+                _failedAt = from;
+                _failure = ExceptionDispatchInfo.Capture(e);
+            }
+        }
+    }
+}

@@ -1,0 +1,35 @@
+namespace Football.Physics;
+
+/// <summary>What acts on a ball that a surface carries, but for friction; per mass, or per moment of inertia.</summary>
+internal struct CarriedForces
+{
+    /// <summary>A load, or a friction to spare, of less than this, m/s², is none.</summary>
+    public const double Least = 1e-9;
+
+    /// <summary>n.</summary>
+    public Vector3d Normal;
+
+    /// <summary>v − V, m/s.</summary>
+    public Vector3d Velocity;
+
+    /// <summary>ṅ = H (v − V), 1/s.</summary>
+    public Vector3d Turning;
+
+    /// <summary>(v−V)ᵀH(v−V), m/s².</summary>
+    public double Centripetal;
+
+    /// <summary>Gravity, buoyancy and nets along the surface, m/s².</summary>
+    public Vector3d Body;
+
+    /// <summary>The air, and the game's own forces, along the surface, m/s².</summary>
+    public Vector3d Air;
+
+    /// <summary>Torques of the air, of nets and of the game's own, rad/s².</summary>
+    public Vector3d Torque;
+
+    /// <summary>N/m, not negative, m/s².</summary>
+    public double Load;
+
+    /// <summary>N/m as it would be if the surface could pull, m/s²: where it falls to zero the ball leaves.</summary>
+    public double FreeLoad;
+}

@@ -1,0 +1,178 @@
+namespace Football.Physics;
+
+/// <summary>
+/// A ball that slides or rolls on any surface. With n the normal, V the carrier's velocity, H the curvature, a_t what acts along the surface and
+/// N/m = max(0, −a_b·n − (v−V)ᵀH(v−V)), less the air's part along n where it counts:
+/// sliding v̇_t = a_t − μ_s (N/m) ŝ, ω̇ = (μ_s N r/I) n × ŝ + torques; rolling v̇_t = (a_b,t + α r ω_n n × ṅ)/(1+α) + a_air,t/κ − (μ_r + c₁|v|)(N/m) v̂,
+/// ω_t = n × (v−V)/r. The normal part of v̇ keeps the ball on the surface.
+/// </summary>
+internal struct CarriedSystem<TAir> : IMotionSystem
+    where TAir : struct, IAir
+{
+    public Surroundings<TAir> Around;
+    public World World;
+    public Collider Carrier;
+    public DragBranch Branch;
+    public ulong Nets;
+    public ulong NetSides;
+
+    /// <summary>What else it slides or rolls along.</summary>
+    public Guides Guides;
+
+    /// <summary>Whether it rolls; else it slides.</summary>
+    public bool Rolls;
+
+    /// <summary>Direction of the slip, or of a roll, at the piece's start: what friction keeps to where a stage passes zero.</summary>
+    public Vector3d Direction;
+
+    /// <summary>Whether the ball stands on its spot and only spins about the normal.</summary>
+    public bool Pinned;
+
+    /// <summary>Which way it spins about the normal: drilling friction keeps to it.</summary>
+    public double SpinSign;
+
+    public readonly void Rates(double time, in Motion at, out MotionRates rates)
+    {
+        CarriedForces on = ForcesOn(time, in at);
+        rates = Rolls ? Rolling(time, in at, in on) : Sliding(time, in at, in on);
+    }
+
+    public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
+    {
+        s.BaseOrientation = s.BaseOrientation.Turned(in step.Rotation);
+        s.Position = step.End.Position;
+        s.Velocity = step.End.Velocity;
+        s.SpinAxis = step.End.Spin;
+    }
+
+    /// <summary>Everything but friction.</summary>
+    public readonly CarriedForces ForcesOn(double time, in Motion at)
+    {
+        CarriedForces on;
+        ShapePoint point = Carrier.At(in at.Position, time);
+        on.Normal = point.Normal;
+        Vector3d n = on.Normal;
+        on.Velocity = at.Velocity - Carrier.Velocity;
+        on.Turning = point.Curvature * on.Velocity;
+        on.Centripetal = Vector3d.Dot(in on.Velocity, in on.Turning);
+        var body = new Vector3d(0, Around.Upward, 0);
+        double load = -Vector3d.Dot(in body, in n) - on.Centripetal;
+        on.Body = Tangential(in body, in n);
+        Vector3d u = at.Velocity - Around.Wind;
+        var ball = new ForceInput(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding);
+        Around.Air.Evaluate(in ball, Branch, out AirFactors air);
+        u = air.AirVelocity;
+        Vector3d push = air.Acceleration;
+        if (World.AirActs)
+        {
+            push += (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u);
+        }
+
+        load -= World.SharesAir ? Vector3d.Dot(in push, in n) : 0;
+        on.Air = Tangential(in push, in n);
+        on.Torque = (-air.Decay * at.Spin) + air.SpinAcceleration;
+        if (Nets != 0)
+        {
+            MotionRates nets = World.PushOfNets(Nets, NetSides, in at);
+            on.Body += Tangential(nets.Acceleration, in n);
+            on.Torque += nets.SpinAcceleration;
+        }
+
+        on.FreeLoad = load;
+        on.Load = Math.Max(0, load);
+        return on;
+    }
+
+    /// <summary>
+    /// What friction must give so that the ball does not slip, per mass: α/(1+α) of what pushes it along the surface, less what the torque of the air
+    /// turns by itself where that is shared.
+    /// </summary>
+    public readonly Vector3d Traction(in CarriedForces on)
+    {
+        double alpha = World.Ball.InertiaFactor;
+        Vector3d pushed = World.SharesAir ? on.Body + on.Air : on.Body;
+        Vector3d traction = alpha / (1.0 + alpha) * pushed;
+        return World.SharesAir ? traction - (alpha * World.Ball.Radius / (1.0 + alpha) * Vector3d.Cross(in on.Torque, in on.Normal)) : traction;
+    }
+
+    /// <summary>What pushes a ball that rolls along the surface, friction apart, m/s².</summary>
+    public readonly Vector3d Drive(in CarriedForces on)
+    {
+        double alpha = World.Ball.InertiaFactor;
+        Vector3d shared = World.SharesAir ? on.Body + on.Air + (alpha * World.Ball.Radius * Vector3d.Cross(in on.Torque, in on.Normal)) : on.Body;
+        Vector3d drive = shared / (1.0 + alpha);
+        return World.SharesAir ? drive : drive + on.Air;
+    }
+
+    /// <summary>The slip velocity relative to the carrier, m/s.</summary>
+    public readonly Vector3d SlipOf(in Motion at, in Vector3d normal) =>
+        Slip.Of(at.Velocity - Carrier.Velocity, in at.Spin, in normal, World.Ball.Radius);
+
+    /// <summary>Whether friction can hold the ball without slip.</summary>
+    public readonly bool Grips(in CarriedForces on) => Traction(in on).Length + CarriedForces.Least <= SlidingFriction(in on);
+
+    /// <summary>μ_s N/m, m/s².</summary>
+    public readonly double SlidingFriction(in CarriedForces on) => Carrier.Material.SlidingFriction * on.Load;
+
+    /// <summary>(c₀ + c₁ |v|) N/m, m/s².</summary>
+    public readonly double RollingFriction(in CarriedForces on, double speed) =>
+        (Carrier.Material.RollingFriction + (Carrier.Material.RollingFrictionBySpeed * speed)) * on.Load;
+
+    /// <summary>The part of a vector along the surface.</summary>
+    public static Vector3d Tangential(in Vector3d vector, in Vector3d normal) => vector - (Vector3d.Dot(in vector, in normal) * normal);
+
+    private readonly MotionRates Sliding(double time, in Motion at, in CarriedForces on)
+    {
+        Vector3d n = on.Normal;
+        Vector3d slip = SlipOf(in at, in n);
+        double size = slip.Length;
+        Vector3d s = size > 0 && Vector3d.Dot(in slip, in Direction) > 0 ? slip / size : Direction;
+        double friction = SlidingFriction(in on);
+        Vector3d along = Guided(time, in at, on.Body + on.Air - (friction * s), in n);
+        Vector3d acceleration = along - (on.Centripetal * n);
+        Vector3d spin = on.Torque
+            + (friction / (World.Ball.InertiaFactor * World.Ball.Radius) * Vector3d.Cross(in n, in s))
+            + (AboutNormal(Vector3d.Dot(in at.Spin, in n), in on) * n);
+        return new MotionRates(in acceleration, in spin);
+    }
+
+    private readonly MotionRates Rolling(double time, in Motion at, in CarriedForces on)
+    {
+        Vector3d n = on.Normal;
+        double r = World.Ball.Radius;
+        double alpha = World.Ball.InertiaFactor;
+        double about = Vector3d.Dot(in at.Spin, in n);
+        Vector3d rolling = Vector3d.Cross(in n, in on.Velocity) / r;
+
+        // ω̇_n = −(c_ω/I) ω_n + T·n/I + ω_t·ṅ
+        double aboutRate = AboutNormal(about, in on) + Vector3d.Dot(in on.Torque, in n) + Vector3d.Dot(in rolling, in on.Turning);
+        if (Pinned)
+        {
+            return new MotionRates(Vector3d.Zero, aboutRate * n);
+        }
+
+        double speed = on.Velocity.Length;
+        bool goesOn = speed > 0 && Vector3d.Dot(in on.Velocity, in Direction) > 0;
+        Vector3d direction = goesOn ? on.Velocity / speed : Direction;
+        Vector3d along = Drive(in on)
+            + (alpha * r * about / (1.0 + alpha) * Vector3d.Cross(in n, in on.Turning))
+            - (RollingFriction(in on, speed) * direction);
+        along = Guided(time, in at, in along, in n);
+
+        // ω = n × (v−V)/r + ω_n n, and so ω̇
+        Vector3d spin = ((Vector3d.Cross(in on.Turning, in on.Velocity) + Vector3d.Cross(in n, in along)) / r) + (aboutRate * n) + (about * on.Turning);
+        return new MotionRates(along - (on.Centripetal * n), in spin);
+    }
+
+    private readonly Vector3d Guided(double time, in Motion at, in Vector3d along, in Vector3d n) =>
+        Guides.Count == 0 ? along : Guides.FreeAlong(World, in at.Position, in at.Velocity, time, in along, in n);
+
+    /// <summary>What the surface does to the spin about the normal, rad/s²: −(c_ω/I) ω_n − sign(ω_n) b μ_s N/I.</summary>
+    private readonly double AboutNormal(double about, in CarriedForces on)
+    {
+        ref readonly ContactMaterial material = ref Carrier.Material;
+        double inertia = World.Ball.MomentOfInertia;
+        double drilling = SpinSign * material.DrillingLength * material.SlidingFriction * on.Load * World.Ball.Mass / inertia;
+        return (-material.SpinDamping / inertia * about) - drilling;
+    }
+}

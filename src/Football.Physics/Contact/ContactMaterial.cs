@@ -1,0 +1,84 @@
+namespace Football.Physics;
+
+/// <summary>The numbers of a surface, as contact needs them: the pitch's and every other thing's alike.</summary>
+internal readonly struct ContactMaterial
+{
+    /// <summary>Approach speed at which the restitution of a surface is given where it falls with speed, m/s: what the rigs measure at.</summary>
+    private const double RigSpeed = 6.0;
+
+    /// <summary>e₀ = e₆ √(1 + (6/V_e)²).</summary>
+    public readonly double SlowRestitution;
+
+    /// <summary>1/V_e, s/m.</summary>
+    public readonly double PerRestitutionSpeed;
+
+    /// <summary>e_t along x, and along every direction but z.</summary>
+    public readonly double TangentialX;
+
+    /// <summary>e_t along z.</summary>
+    public readonly double TangentialZ;
+
+    /// <summary>e_ω.</summary>
+    public readonly double Spin;
+
+    /// <summary>μ of an impact.</summary>
+    public readonly double ImpactFriction;
+
+    /// <summary>μ_s.</summary>
+    public readonly double SlidingFriction;
+
+    /// <summary>μ_r or c₀.</summary>
+    public readonly double RollingFriction;
+
+    /// <summary>c₁, s/m.</summary>
+    public readonly double RollingFrictionBySpeed;
+
+    /// <summary>c_ω, N m s.</summary>
+    public readonly double SpinDamping;
+
+    /// <summary>b, m.</summary>
+    public readonly double DrillingLength;
+
+    public ContactMaterial(Ground ground)
+    {
+        PerRestitutionSpeed = 1.0 / ground.RestitutionSpeed;
+        SlowRestitution = AtRest(ground.NormalRestitution, PerRestitutionSpeed);
+        TangentialX = ground.TangentialRestitutionX;
+        TangentialZ = ground.TangentialRestitutionZ;
+        Spin = ground.SpinRestitution;
+        ImpactFriction = ground.ImpactFriction;
+        SlidingFriction = ground.SlidingFriction;
+        RollingFriction = ground.RollingFriction;
+        RollingFrictionBySpeed = ground.RollingFrictionBySpeed;
+        SpinDamping = ground.SpinDamping;
+        DrillingLength = ground.DrillingLength;
+    }
+
+    public ContactMaterial(Surface surface)
+    {
+        PerRestitutionSpeed = 1.0 / surface.RestitutionSpeed;
+        SlowRestitution = AtRest(surface.NormalRestitution, PerRestitutionSpeed);
+        TangentialX = surface.TangentialRestitution;
+        TangentialZ = surface.TangentialRestitution;
+        Spin = surface.SpinRestitution;
+        ImpactFriction = surface.ImpactFriction;
+        SlidingFriction = surface.SlidingFriction;
+        RollingFriction = surface.RollingFriction;
+        RollingFrictionBySpeed = surface.RollingFrictionBySpeed;
+        SpinDamping = surface.SpinDamping;
+        DrillingLength = surface.DrillingLength;
+    }
+
+    /// <summary>e = e₀/√(1 + (v_n/V_e)²), at most 1.</summary>
+    public double RestitutionAt(double approach)
+    {
+        double x = approach * PerRestitutionSpeed;
+        return Math.Min(1.0, x > 0 ? SlowRestitution / Math.Sqrt(1.0 + (x * x)) : SlowRestitution);
+    }
+
+    private static double AtRest(double atRigSpeed, double perSpeed)
+    {
+        double x = RigSpeed * perSpeed;
+        return x > 0 ? atRigSpeed * Math.Sqrt(1.0 + (x * x)) : atRigSpeed;
+    }
+}

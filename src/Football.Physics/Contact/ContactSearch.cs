@@ -1,0 +1,241 @@
+namespace Football.Physics;
+
+/// <summary>
+/// Looks along a path for the first thing that it meets. Every gap is walked by conservative advancement: from a gap f that changes at the rate f'
+/// and bends by M at most, nothing can happen before f + f' s − ½ M s² is zero. Near a contact that is Newton's method, from the safe side.
+/// </summary>
+internal readonly struct ContactSearch
+{
+    /// <summary>Below this gap, m, the ball touches.</summary>
+    public const double Touching = 1e-10;
+
+    /// <summary>Slower than this, m/s, nothing comes closer.</summary>
+    public const double Approaching = 1e-9;
+
+    /// <summary>Up to this share of the radius from a hollow, the bend of the gap is known.</summary>
+    private const double NearHollow = 0.1;
+
+    /// <summary>No walk takes steps shorter than this share of the path.</summary>
+    private const double ShortestShare = 1e-7;
+
+    private readonly World _world;
+    private readonly PathCubic _path;
+    private readonly Bounds3d _bounds;
+    private readonly double _time;
+    private readonly double _bend;
+
+    /// <summary>A search along a path.</summary>
+    /// <param name="world">The world.</param>
+    /// <param name="path">The path.</param>
+    /// <param name="time">Time at its start, s.</param>
+    public ContactSearch(World world, in PathCubic path, double time)
+    {
+        _world = world;
+        _path = path;
+        _bounds = path.Bounds;
+        _time = time;
+        _bend = path.GreatestAcceleration;
+    }
+
+    /// <summary>The first thing that the ball meets on the path.</summary>
+    /// <param name="s">The ball at the start of the path.</param>
+    /// <param name="carrier">The collider that carries it; −1 where none does.</param>
+    /// <param name="first">What it meets.</param>
+    /// <returns>When, s from the start of the path; infinite where it meets nothing.</returns>
+    public double First(in BallState s, int carrier, out Gap first)
+    {
+        first = default;
+        double best = double.PositiveInfinity;
+        for (int i = 0; i < _world.Colliders.Length; i++)
+        {
+            if (i != carrier)
+            {
+                double at = FirstContact(_world.Colliders[i], Math.Min(best, _path.Length));
+                if (at < best)
+                {
+                    best = at;
+                    first = Gap.OfContact(_world, i);
+                }
+            }
+        }
+
+        for (int i = 0; i < _world.Nets.Length; i++)
+        {
+            double until = Math.Min(best, _path.Length);
+            Gap gap = default;
+            bool inside = (s.Nets >> i & 1) != 0;
+            double side = World.SideOf(s.NetSides, i);
+            double at = inside ? Fall(gap = Gap.OfLeavingNet(_world, i, side), until) : MeetsNet(i, until, out gap);
+            if (at < best)
+            {
+                best = at;
+                first = gap;
+            }
+        }
+
+        for (int i = 0; i < _world.Goals.Length; i++)
+        {
+            if ((s.GoalsPassed >> i & 1) == 0)
+            {
+                Gap gap = Gap.OfGoal(_world, i);
+                double at = Fall(in gap, Math.Min(best, _path.Length));
+                if (at < best && _world.Goals[i].Contains(_path.At(at)))
+                {
+                    best = at;
+                    first = gap;
+                }
+            }
+        }
+
+        return best;
+    }
+
+    /// <summary>When the ball touches a collider first, coming closer; infinite where it does not.</summary>
+    private double FirstContact(Collider collider, double until)
+    {
+        double r = _world.Ball.Radius;
+        PathCubic path = _path;
+        Bounds3d bounds = _bounds;
+        if (collider.Velocity != Vector3d.Zero)
+        {
+            path = _path.SeenFrom(collider.Velocity, _time);
+            bounds = path.Bounds;
+        }
+
+        if (Apart(in bounds, in collider.Bounds, r))
+        {
+            return double.PositiveInfinity;
+        }
+
+        double speed = path.FastestSpeed;
+        double hollow = collider.HollowCurvature;
+        double bend = _bend + (hollow > 0 ? speed * speed * hollow / (1.0 - ((1.0 + NearHollow) * r * hollow)) : 0);
+        double shortest = ShortestShare * path.Length;
+        double t = 0;
+        while (true)
+        {
+            ShapePoint at = collider.At(path.At(t));
+            double gap = at.Distance - r;
+            double rate = Vector3d.Dot(path.VelocityAt(t), at.Normal);
+            if (gap <= Touching && rate < -Approaching)
+            {
+                return t;
+            }
+
+            if (t == 0 && gap <= Touching && rate <= Approaching)
+            {
+                // It slides along: what keeps it there is no impact.
+                return double.PositiveInfinity;
+            }
+
+            double step = gap > Touching ? Safe(gap, rate, bend) : bend > 0 ? rate / bend : double.PositiveInfinity;
+            if (hollow > 0)
+            {
+                double bySpeed = Math.Max(gap, 0) / speed;
+                step = gap < NearHollow * r ? Math.Max(bySpeed, Math.Min(step, ((NearHollow * r) - gap) / speed)) : bySpeed;
+            }
+
+            t += Math.Max(step, shortest);
+            if (!(t <= until))
+            {
+                return double.PositiveInfinity;
+            }
+        }
+    }
+
+    /// <summary>When a gap that is linear in the place falls to zero; infinite where it does not, or has already.</summary>
+    private double Fall(in Gap sought, double until)
+    {
+        double shortest = ShortestShare * _path.Length;
+        double t = 0;
+        while (true)
+        {
+            sought.Evaluate(_path.At(t), _path.VelocityAt(t), _time + t, out double gap, out double rate);
+            if (gap <= Touching)
+            {
+                if (rate < -Approaching && (t > 0 || gap > 0 || sought.What == Happening.NetLeft))
+                {
+                    return t;
+                }
+
+                if (sought.What == Happening.GoalLine || rate <= Approaching)
+                {
+                    return double.PositiveInfinity;
+                }
+            }
+
+            double step = gap > Touching ? Safe(gap, rate, _bend) : _bend > 0 ? rate / _bend : double.PositiveInfinity;
+            t += Math.Max(step, shortest);
+            if (!(t <= until))
+            {
+                return double.PositiveInfinity;
+            }
+        }
+    }
+
+    /// <summary>When the ball meets a net: it is in the slab of its radius about the sheet, and inside the rectangle.</summary>
+    private double MeetsNet(int index, double until, out Gap gap)
+    {
+        NetSheet net = _world.Nets[index];
+        double shortest = ShortestShare * _path.Length;
+        double t = 0;
+        gap = default;
+        double side = net.PlaceInFrame(_path.At(0)).Z < 0 ? -1.0 : 1.0;
+        gap = Gap.OfMeetingNet(_world, index, 2, side, side);
+        while (true)
+        {
+            Vector3d place = net.PlaceInFrame(_path.At(t));
+            Vector3d speed = net.InFrame(_path.VelocityAt(t));
+
+            // The side from which it comes is the one on which it is when the slab is met.
+            side = place.Z < 0 ? -1.0 : 1.0;
+            double step = 0;
+            Consider(2, place.Z, speed.Z, _world.Ball.Radius, side, index, ref step, ref gap);
+            Consider(0, place.X, speed.X, net.HalfLength, side, index, ref step, ref gap);
+            Consider(1, place.Y, speed.Y, net.HalfWidth, side, index, ref step, ref gap);
+            if (step == 0)
+            {
+                return t;
+            }
+
+            t += Math.Max(step, shortest);
+            if (!(t <= until))
+            {
+                return double.PositiveInfinity;
+            }
+        }
+    }
+
+    /// <summary>How long one condition of a net cannot hold yet: the longest such time is safe for all.</summary>
+    private void Consider(int axis, double place, double speed, double half, double side, int index, ref double step, ref Gap gap)
+    {
+        double sign = place < 0 ? -1.0 : 1.0;
+        double value = (sign * place) - half;
+        double rate = sign * speed;
+        double safe = value > Touching ? Safe(value, rate, _bend)
+            : value > -Touching && rate >= 0 ? (_bend > 0 ? rate / _bend : double.PositiveInfinity)
+            : 0;
+        if (value > -Touching && rate >= 0)
+        {
+            safe = Math.Max(safe, double.Epsilon);
+        }
+
+        if (safe > step)
+        {
+            step = safe;
+            gap = Gap.OfMeetingNet(_world, index, axis, sign, side);
+        }
+    }
+
+    /// <summary>The positive root of f + f' s − ½ M s², without cancellation.</summary>
+    private static double Safe(double gap, double rate, double bend)
+    {
+        double root = Math.Sqrt((rate * rate) + (2.0 * bend * gap));
+        return rate < 0 ? 2.0 * gap / (root - rate) : bend > 0 ? (rate + root) / bend : double.PositiveInfinity;
+    }
+
+    private static bool Apart(in Bounds3d path, in Bounds3d thing, double radius) =>
+        path.Min.X - radius > thing.Max.X || path.Max.X + radius < thing.Min.X
+        || path.Min.Y - radius > thing.Max.Y || path.Max.Y + radius < thing.Min.Y
+        || path.Min.Z - radius > thing.Max.Z || path.Max.Z + radius < thing.Min.Z;
+}

@@ -1,0 +1,60 @@
+namespace Football.Physics;
+
+/// <summary>
+/// An impact in the frame of its contact: normal restitution, and a tangential impulse that grips, or slips where friction cannot hold it.
+/// On the level pitch without a limit by friction it is <see cref="ImpactResponse"/>.
+/// </summary>
+internal static class CoulombImpact
+{
+    /// <summary>Velocity and spin just after an impact.</summary>
+    /// <param name="ball">The ball.</param>
+    /// <param name="material">What it hits.</param>
+    /// <param name="n">Normal of the contact.</param>
+    /// <param name="surface">Velocity of the surface there, m/s.</param>
+    /// <param name="v">Velocity before, m/s; towards the surface.</param>
+    /// <param name="w">Spin before, rad/s.</param>
+    /// <param name="velocity">Velocity after, m/s.</param>
+    /// <param name="spin">Spin after, rad/s.</param>
+    public static void Apply(
+        BallProperties ball,
+        in ContactMaterial material,
+        in Vector3d n,
+        in Vector3d surface,
+        in Vector3d v,
+        in Vector3d w,
+        out Vector3d velocity,
+        out Vector3d spin)
+    {
+        double alpha = ball.InertiaFactor;
+        double r = ball.Radius;
+        Vector3d u = v - surface;
+        double approach = -Vector3d.Dot(in u, in n);
+        if (!(approach > 0))
+        {
+            // A surface that turns away as fast as the thing comes on gives no impulse.
+            velocity = v;
+            spin = w;
+            return;
+        }
+
+        // J_n/m = (1 + e) (−u·n)
+        double normal = (1.0 + material.RestitutionAt(approach)) * approach;
+
+        // s = u_t + r n × ω;   grip J/m = α/(1 + α) (1 + e_t) s, at most μ J_n/m
+        Vector3d slip = u + (approach * n) + (r * Vector3d.Cross(in n, in w));
+        double share = alpha / (1.0 + alpha);
+        double gripX = share * (1.0 + material.TangentialX);
+        var grip = new Vector3d(gripX * slip.X, gripX * slip.Y, share * (1.0 + material.TangentialZ) * slip.Z);
+        double size = grip.Length;
+        double most = material.ImpactFriction * normal;
+        Vector3d friction = size > most ? most / size * grip : grip;
+        velocity = v + (normal * n) - friction;
+
+        // ω' = ω + (r/(α r²)) n × J/m, and about the normal e_ω, less b μ_s J_n/I
+        double about = Vector3d.Dot(in w, in n);
+        double kept = material.Spin * about;
+        double drilled = material.DrillingLength * material.SlidingFriction * normal / (alpha * r * r);
+        kept = kept > 0 ? Math.Max(0, kept - drilled) : Math.Min(0, kept + drilled);
+        spin = w + (1.0 / (alpha * r) * Vector3d.Cross(in n, in friction)) + ((kept - about) * n);
+    }
+}

@@ -1,0 +1,80 @@
+namespace Football.Physics;
+
+/// <summary>What is sought along a piece: a function of the ball's place that is positive before it happens, and falls to zero where it does.</summary>
+internal readonly struct Gap
+{
+    private readonly World _world;
+    private readonly int _index;
+    private readonly int _axis;
+    private readonly double _side;
+
+    private Gap(World world, Happening what, int index, int axis, double side)
+    {
+        _world = world;
+        What = what;
+        _index = index;
+        _axis = axis;
+        _side = side;
+    }
+
+    /// <summary>What it is.</summary>
+    public Happening What { get; }
+
+    /// <summary>Index of the collider, the net or the goal.</summary>
+    public int Index => _index;
+
+    /// <summary>σ of the net that is met.</summary>
+    public double Side => _side;
+
+    /// <summary>The distance between the ball and a collider.</summary>
+    public static Gap OfContact(World world, int collider) => new(world, Happening.Contact, collider, 0, 0);
+
+    /// <summary>What is still missing until the ball is in a net: across its plane, or beside it.</summary>
+    /// <param name="world">The world.</param>
+    /// <param name="net">The net.</param>
+    /// <param name="axis">0 and 1 beside it, 2 off its plane.</param>
+    /// <param name="side">On which side of that axis the ball comes.</param>
+    /// <param name="sheetSide">σ.</param>
+    public static Gap OfMeetingNet(World world, int net, int axis, double side, double sheetSide) =>
+        new(world, Happening.NetMet, net, axis + (side < 0 ? 4 : 0), sheetSide);
+
+    /// <summary>The depth in a net.</summary>
+    public static Gap OfLeavingNet(World world, int net, double side) => new(world, Happening.NetLeft, net, 0, side);
+
+    /// <summary>The distance before the plane of a goal.</summary>
+    public static Gap OfGoal(World world, int goal) => new(world, Happening.GoalLine, goal, 0, 0);
+
+    /// <summary>Its value, m, and its rate, m/s, at a place with a velocity at a time.</summary>
+    public void Evaluate(in Vector3d position, in Vector3d velocity, double time, out double value, out double rate)
+    {
+        switch (What)
+        {
+            case Happening.Contact:
+                Collider collider = _world.Colliders[_index];
+                ShapePoint at = collider.At(in position, time);
+                value = at.Distance - _world.Ball.Radius;
+                rate = Vector3d.Dot(velocity - collider.Velocity, at.Normal);
+                break;
+            case Happening.NetMet:
+                NetSheet net = _world.Nets[_index];
+                Vector3d place = net.PlaceInFrame(in position);
+                Vector3d speed = net.InFrame(in velocity);
+                int axis = _axis & 3;
+                double sign = _axis >= 4 ? -1.0 : 1.0;
+                value = (sign * (axis == 0 ? place.X : axis == 1 ? place.Y : place.Z))
+                    - (axis == 0 ? net.HalfLength : axis == 1 ? net.HalfWidth : _world.Ball.Radius);
+                rate = sign * (axis == 0 ? speed.X : axis == 1 ? speed.Y : speed.Z);
+                break;
+            case Happening.NetLeft:
+                NetSheet left = _world.Nets[_index];
+                value = left.Depth(in position, _side);
+                rate = -_side * Vector3d.Dot(in velocity, left.Normal);
+                break;
+            default:
+                GoalMouth goal = _world.Goals[_index];
+                value = goal.Before(in position);
+                rate = Vector3d.Dot(in velocity, in goal.Out);
+                break;
+        }
+    }
+}

@@ -1,0 +1,76 @@
+namespace Football.Physics;
+
+/// <summary>A net, ready to be asked: how deep the ball is in it, and how it pushes.</summary>
+internal sealed class NetSheet
+{
+    private readonly Vector3d _center;
+    private readonly Vector3d _along;
+    private readonly Vector3d _across;
+    private readonly double _radius;
+    private readonly double _stiffness;
+    private readonly double _damping;
+    private readonly double _tangential;
+    private readonly double _spin;
+
+    public NetSheet(Net net, BallProperties ball)
+    {
+        Name = net.Name;
+        _center = net.Center;
+        Normal = Check.Direction("normal", net.Normal);
+        _along = Check.Direction("along", net.Along);
+        _across = Vector3d.Cross(Normal, in _along);
+        HalfLength = net.HalfLength;
+        HalfWidth = net.HalfWidth;
+        _radius = ball.Radius;
+        _stiffness = net.Stiffness / ball.Mass;
+        _damping = net.Damping;
+        _tangential = net.TangentialDamping / ball.Mass;
+        _spin = net.SpinDamping / ball.MomentOfInertia;
+    }
+
+    /// <summary>Its name.</summary>
+    public string Name { get; }
+
+    /// <summary>Normal of its plane.</summary>
+    public Vector3d Normal { get; }
+
+    /// <summary>Half its size in its first direction, m.</summary>
+    public double HalfLength { get; }
+
+    /// <summary>Half its size in its second direction, m.</summary>
+    public double HalfWidth { get; }
+
+    /// <summary>A box around it.</summary>
+    public Bounds3d Bounds => Bounds3d.Around(
+        _center,
+        (HalfLength * Math.Abs(_along.X)) + (HalfWidth * Math.Abs(_across.X)),
+        (HalfLength * Math.Abs(_along.Y)) + (HalfWidth * Math.Abs(_across.Y)),
+        (HalfLength * Math.Abs(_along.Z)) + (HalfWidth * Math.Abs(_across.Z)));
+
+    /// <summary>A point, or a velocity where it is no place, in the sheet's own axes: along, across, off its plane.</summary>
+    public Vector3d InFrame(in Vector3d vector) =>
+        new(Vector3d.Dot(in vector, in _along), Vector3d.Dot(in vector, in _across), Vector3d.Dot(in vector, Normal));
+
+    /// <summary>A place in the sheet's own axes, from its centre.</summary>
+    public Vector3d PlaceInFrame(in Vector3d position) => InFrame(position - _center);
+
+    /// <summary>Depth of the ball, δ = r − σ (p − c)·n, m.</summary>
+    public double Depth(in Vector3d position, double side) => _radius - (side * Vector3d.Dot(position - _center, Normal));
+
+    /// <summary>1 + b δ̇: what the push grows by; where it is negative the ball leaves faster than the net follows.</summary>
+    public double Tension(in Vector3d velocity, double side) => 1.0 - (_damping * side * Vector3d.Dot(in velocity, Normal));
+
+    /// <summary>How fast the net changes the motion at a depth, 1/s.</summary>
+    public double RateAt(double depth) =>
+        (depth * ((_stiffness * _damping) + _tangential + _spin)) + Math.Sqrt(_stiffness);
+
+    /// <summary>What it does to a ball in it: F/m = σ k δ max(0, 1 + b δ̇) n − k_t δ v_t, T/I = −k_ω δ ω.</summary>
+    public MotionRates Push(in Motion at, double side)
+    {
+        double depth = Math.Max(0, Depth(in at.Position, side));
+        double off = Vector3d.Dot(in at.Velocity, Normal);
+        Vector3d tangential = at.Velocity - (off * Normal);
+        double normal = side * _stiffness * depth * Math.Max(0, Tension(in at.Velocity, side));
+        return new MotionRates((normal * Normal) - ((_tangential * depth) * tangential), (-_spin * depth) * at.Spin);
+    }
+}

@@ -1,0 +1,140 @@
+namespace Football.Physics;
+
+/// <summary>A foot, or a head or a hand, that strikes a ball: from its motion to the kick, and from the kick back to its motion.</summary>
+/// <remarks>
+/// It touches the ball at −r n, n the unit normal into the ball, with velocity U and an effective mass M. With 1/m_n = 1/m + 1/M,
+/// 1/m_t = (1 + 1/α)/m + 1/M, c = v − U and the slip s = c_t + r n × ω of the ball on the foot, the impulse on the ball is J = J_n n − J_t ŝ with
+/// J_n = −(1 + e) m_n (c·n), J_t = min(μ J_n, (1 + e_t) m_t |s|).
+/// </remarks>
+public sealed record Foot
+{
+    /// <summary>Effective mass M, kg. Above 0; default 1.9 (guess, 1.5 … 3).</summary>
+    public double Mass { get; init; } = 1.9;
+
+    /// <summary>Normal restitution e. 0 … 1; default 0.6 (guess, 0.5 … 0.6).</summary>
+    public double Restitution { get; init; } = 0.6;
+
+    /// <summary>Tangential restitution e_t of a grip. 0 … 1; default 0 (guess): the ball leaves without slip.</summary>
+    public double TangentialRestitution { get; init; }
+
+    /// <summary>
+    /// Friction μ. Not negative; default 0.9 (leather measured, 0.37 … 0.63; 0.5 for the dent in the ball, a guess, so that spin depends weakly on friction as
+    /// Asai et al. 2002 measured).
+    /// </summary>
+    public double Friction { get; init; } = 0.9;
+
+    /// <summary>What a strike does to a ball.</summary>
+    /// <param name="ball">The ball.</param>
+    /// <param name="velocity">Its velocity v before, m/s.</param>
+    /// <param name="spin">Its spin ω before, rad/s.</param>
+    /// <param name="footVelocity">Velocity U of the foot, m/s.</param>
+    /// <param name="normal">Direction n from the point of contact to the ball's centre; not zero, need not be a unit vector.</param>
+    /// <returns>The strike; where the foot does not move towards the ball, nothing happens.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public FootStrike Strike(BallProperties ball, Vector3d velocity, Vector3d spin, Vector3d footVelocity, Vector3d normal)
+    {
+        Validate(ball, in velocity, in spin);
+        Check.Size("foot.velocity", footVelocity, Limits.Speed, "m/s");
+        Vector3d n = Direction(normal);
+        double r = ball.Radius;
+        Vector3d approach = velocity - footVelocity;
+        double along = Vector3d.Dot(in approach, in n);
+
+        // J_n = −(1 + e) m_n (c·n),  s = c_t + r n × ω,  J_t = min(μ J_n, (1 + e_t) m_t |s|)
+        double pressed = Math.Max(0, -(1.0 + Restitution) * NormalMass(ball) * along);
+        Vector3d slip = approach - (along * n) + (r * Vector3d.Cross(in n, in spin));
+        double slipping = slip.Length;
+        double rubbed = Math.Min(Friction * pressed, (1.0 + TangentialRestitution) * TangentialMass(ball) * slipping);
+        Vector3d impulse = (pressed * n) - (slipping > 0 ? rubbed / slipping * slip : Vector3d.Zero);
+
+        // v' = v + J/m,  ω' = ω − (r/I) n × J,  U' = U − J/M
+        return new FootStrike(
+            in footVelocity,
+            in n,
+            footVelocity - (impulse / Mass),
+            velocity + (impulse / ball.Mass),
+            spin - (r / ball.MomentOfInertia * Vector3d.Cross(in n, in impulse)),
+            enoughFriction: true,
+            spinAlongImpulse: 0);
+    }
+
+    /// <summary>The strike that gives a ball a velocity and a spin, or comes nearest to them.</summary>
+    /// <remarks>
+    /// The velocity is always given. Spin about the direction of the impulse cannot be given, and friction limits the rest:
+    /// <see cref="FootStrike.SpinAlongImpulse"/> and <see cref="FootStrike.EnoughFriction"/> say so, <see cref="FootStrike.Spin"/> is what the ball gets.
+    /// </remarks>
+    /// <param name="ball">The ball.</param>
+    /// <param name="velocity">Its velocity v before, m/s.</param>
+    /// <param name="spin">Its spin ω before, rad/s.</param>
+    /// <param name="wantedVelocity">Its velocity v' after, m/s; not the one before.</param>
+    /// <param name="wantedSpin">Its spin ω' after, rad/s.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public FootStrike StrikeFor(BallProperties ball, Vector3d velocity, Vector3d spin, Vector3d wantedVelocity, Vector3d wantedSpin)
+    {
+        Validate(ball, in velocity, in spin);
+        Check.Size("kick.velocity", wantedVelocity, Limits.Speed, "m/s");
+        Check.Size("kick.spin", wantedSpin, Limits.Spin, "rad/s");
+        double r = ball.Radius;
+
+        // J = m (v' − v)
+        Vector3d impulse = ball.Mass * (wantedVelocity - velocity);
+        double size = impulse.Length;
+        if (!(size > 0))
+        {
+            throw Check.Refusal("kick.velocity", wantedVelocity.ToString(), "another velocity than the ball has");
+        }
+
+        Vector3d direction = impulse / size;
+        Vector3d turn = wantedSpin - spin;
+        double lost = Vector3d.Dot(in turn, in direction);
+        Vector3d across = turn - (lost * direction);
+        double rate = across.Length;
+
+        // sin ψ = I |Δω⊥|/(r |J|), where friction allows no more than tan ψ = μ;  n = cos ψ Ĵ + sin ψ (Δω⊥/|Δω⊥| × Ĵ)
+        double sine = ball.MomentOfInertia * rate / (r * size);
+        double most = Friction / Math.Sqrt(1.0 + (Friction * Friction));
+        bool enough = sine <= most * (1.0 + 1e-12);
+        sine = enough ? sine : most;
+        double cosine = Math.Sqrt(Math.Max(0, 1.0 - (sine * sine)));
+        Vector3d lever = rate > 0 ? Vector3d.Cross(across / rate, in direction) : Vector3d.Zero;
+        Vector3d n = (cosine * direction) + (sine * lever);
+
+        // U·n = v·n + J_n/(m_n (1 + e)),  U_t = v_t + r n × ω + (J − J_n n)/(m_t (1 + e_t))
+        double pressed = cosine * size;
+        Vector3d rubbed = impulse - (pressed * n);
+        Vector3d surface = velocity - (Vector3d.Dot(in velocity, in n) * n) + (r * Vector3d.Cross(in n, in spin));
+        double speed = Vector3d.Dot(in velocity, in n) + (pressed / (NormalMass(ball) * (1.0 + Restitution)));
+        Vector3d footVelocity = (speed * n) + surface + (rubbed / (TangentialMass(ball) * (1.0 + TangentialRestitution)));
+        return new FootStrike(
+            in footVelocity,
+            in n,
+            footVelocity - (impulse / Mass),
+            in wantedVelocity,
+            spin - (r / ball.MomentOfInertia * Vector3d.Cross(in n, in impulse)),
+            enough,
+            lost);
+    }
+
+    private static Vector3d Direction(in Vector3d normal)
+    {
+        double length = normal.Length;
+        return length > 0 && double.IsFinite(length) ? normal / length : throw Check.Refusal("foot.normal", normal.ToString(), "finite components, not all zero");
+    }
+
+    /// <summary>m_n.</summary>
+    private double NormalMass(BallProperties ball) => 1.0 / ((1.0 / ball.Mass) + (1.0 / Mass));
+
+    /// <summary>m_t.</summary>
+    private double TangentialMass(BallProperties ball) => 1.0 / (((1.0 + (1.0 / ball.InertiaFactor)) / ball.Mass) + (1.0 / Mass));
+
+    private void Validate(BallProperties ball, in Vector3d velocity, in Vector3d spin)
+    {
+        ball.Validate();
+        Check.Positive("foot.mass", Mass);
+        Check.Within("foot.restitution", Restitution, 0, 1);
+        Check.Within("foot.tangentialRestitution", TangentialRestitution, 0, 1);
+        Check.NotNegative("foot.friction", Friction);
+        Check.Size("ball.velocity", velocity, Limits.Speed, "m/s");
+        Check.Size("ball.spin", spin, Limits.Spin, "rad/s");
+    }
+}

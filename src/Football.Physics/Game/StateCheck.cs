@@ -1,0 +1,57 @@
+namespace Football.Physics;
+
+/// <summary>Whether a state that came as bytes is one that a ball can have.</summary>
+internal static class StateCheck
+{
+    /// <summary>
+    /// What a ball that was launched within <see cref="Limits"/> may get to: it falls without drag, flies on, and rolls however small it is.
+    /// From there every step is finite. In m, m/s, rad/s and s.
+    /// </summary>
+    private const double Farthest = 1e75;
+
+    private const double FastestSpeed = 1e60;
+    private const double FastestSpin = 1e70;
+    private const double LatestTime = 1e15;
+
+    /// <summary>The largest angle since the spin last changed, rad.</summary>
+    private const double LargestAngle = 1e15;
+
+    /// <summary>How far a square of the length of a unit vector or quaternion may be off 1.</summary>
+    private const double Rounding = 1e-6;
+
+    /// <summary>Refuses what is none.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">It is none; the message names field, value and range.</exception>
+    public static void Validate(in BallState state)
+    {
+        Check.Within("state.time", state.Time, 0, LatestTime);
+        Check.Defined("state.motion", state.Motion, (int)state.Motion, 4);
+        Check.Defined("state.branch", state.Branch, (int)state.Branch, 5);
+        double size = Math.Max(Math.Max(Math.Abs(state.Position.X), Math.Abs(state.Position.Y)), Math.Abs(state.Position.Z));
+        Check.Within("state.position", state.Position.IsFinite ? size : double.NaN, 0, Farthest);
+        Check.Size("state.velocity", state.Velocity, FastestSpeed, "m/s");
+        Check.Within("state.orientation", state.BaseOrientation.LengthSquared, 1 - Rounding, 1 + Rounding);
+        Check.Within("state.angle", state.Angle, -LargestAngle, LargestAngle);
+        if (state.Motion == MotionState.Airborne)
+        {
+            Check.Within("state.spinAxis", state.SpinAxis.LengthSquared, 1 - Rounding, 1 + Rounding);
+            Check.Within("state.spinRate", state.SpinRate, 0, FastestSpin);
+        }
+        else
+        {
+            // On the ground the axis is the spin.
+            Check.Size("state.spin", state.SpinAxis, state.Motion == MotionState.Stopped ? 0 : FastestSpin, "rad/s");
+            Check.Within("state.spinRate", state.SpinRate, 1, 1);
+            Check.Within("state.angle", state.Angle, 0, 0);
+        }
+
+        // What a ball rests on may move.
+        double moves = state.Carrier > 0 ? Limits.Speed : 0;
+        if (state.Motion == MotionState.Stopped)
+        {
+            Check.Size("state.velocity", state.Velocity, moves, "m/s");
+        }
+
+        Check.Within("state.carrier", state.Carrier, 0, int.MaxValue);
+        Check.Within("state.clearance", state.Clearance, 0, double.PositiveInfinity);
+    }
+}

@@ -1,0 +1,95 @@
+namespace Football.Physics;
+
+/// <summary>The path of a piece as a cubic in time: close to what the method itself re-integrates, and cheap to search.</summary>
+internal readonly struct PathCubic
+{
+    private readonly Vector3d _c0;
+    private readonly Vector3d _c1;
+    private readonly Vector3d _c2;
+    private readonly Vector3d _c3;
+
+    private PathCubic(in Vector3d c0, in Vector3d c1, in Vector3d c2, in Vector3d c3, double length)
+    {
+        _c0 = c0;
+        _c1 = c1;
+        _c2 = c2;
+        _c3 = c3;
+        Length = length;
+    }
+
+    /// <summary>How long it lasts, s.</summary>
+    public double Length { get; }
+
+    /// <summary>The greatest speed on it, m/s: that of its velocity's control points.</summary>
+    public double FastestSpeed
+    {
+        get
+        {
+            Vector3d middle = _c1 + (Length * _c2);
+            return Math.Sqrt(Math.Max(_c1.LengthSquared, Math.Max(middle.LengthSquared, VelocityAt(Length).LengthSquared)));
+        }
+    }
+
+    /// <summary>The greatest acceleration on it, m/s²: it is linear in time.</summary>
+    public double GreatestAcceleration
+    {
+        get
+        {
+            Vector3d end = (2.0 * _c2) + ((6.0 * Length) * _c3);
+            return Math.Sqrt(Math.Max(4.0 * _c2.LengthSquared, end.LengthSquared));
+        }
+    }
+
+    /// <summary>A box around it: that of its control points.</summary>
+    public Bounds3d Bounds
+    {
+        get
+        {
+            Vector3d first = _c0 + (Length / 3.0 * _c1);
+            Vector3d second = _c0 + (Length * ((2.0 / 3.0 * _c1) + (Length / 3.0 * _c2)));
+            Vector3d end = At(Length);
+            return new Bounds3d(
+                new Vector3d(Least(_c0.X, first.X, second.X, end.X), Least(_c0.Y, first.Y, second.Y, end.Y), Least(_c0.Z, first.Z, second.Z, end.Z)),
+                new Vector3d(Most(_c0.X, first.X, second.X, end.X), Most(_c0.Y, first.Y, second.Y, end.Y), Most(_c0.Z, first.Z, second.Z, end.Z)));
+        }
+    }
+
+    /// <summary>A straight path.</summary>
+    public static PathCubic Line(in Vector3d from, in Vector3d velocity, double length) => new(in from, in velocity, default, default, length);
+
+    /// <summary>The path of a piece: for methods of low order the quadratic that they re-integrate, else the Hermite interpolant.</summary>
+    public static PathCubic Of<TSweep>(ref TSweep sweep, in Vector3d position, in Vector3d velocity, int order)
+        where TSweep : struct, ISweep
+    {
+        double h = sweep.Length;
+        if (!(h > 0))
+        {
+            return Line(in position, in velocity, 0);
+        }
+
+        Vector3d bend = sweep.Position - position - (h * velocity);
+        if (order <= 2)
+        {
+            return new PathCubic(in position, in velocity, bend / (h * h), default, h);
+        }
+
+        // p₀ + v₀ t + c₂ t² + c₃ t³ with p(h) = p₁ and p'(h) = v₁
+        Vector3d change = h * (sweep.Velocity - velocity);
+        return new PathCubic(in position, in velocity, ((3.0 * bend) - change) / (h * h), (change - (2.0 * bend)) / (h * h * h), h);
+    }
+
+    /// <summary>The place at a time, m.</summary>
+    public Vector3d At(double t) => _c0 + (t * (_c1 + (t * (_c2 + (t * _c3)))));
+
+    /// <summary>The velocity at a time, m/s.</summary>
+    public Vector3d VelocityAt(double t) => _c1 + (t * ((2.0 * _c2) + ((3.0 * t) * _c3)));
+
+    /// <summary>The path as something sees it that moves steadily and was at the origin at time 0.</summary>
+    /// <param name="velocity">Its velocity, m/s.</param>
+    /// <param name="time">Time at the start of the path, s.</param>
+    public PathCubic SeenFrom(in Vector3d velocity, double time) => new(_c0 - (time * velocity), _c1 - velocity, in _c2, in _c3, Length);
+
+    private static double Least(double a, double b, double c, double d) => Math.Min(Math.Min(a, b), Math.Min(c, d));
+
+    private static double Most(double a, double b, double c, double d) => Math.Max(Math.Max(a, b), Math.Max(c, d));
+}

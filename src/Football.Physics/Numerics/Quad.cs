@@ -1,0 +1,69 @@
+using System.Runtime.CompilerServices;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
+
+namespace Football.Physics;
+
+/// <summary>Four numbers side by side, in one register where there is one: the same bits with it and without.</summary>
+internal readonly struct Quad
+{
+#if NET8_0_OR_GREATER
+    private readonly Vector256<double> _v;
+
+    public Quad(double a, double b, double c, double d) => _v = Vector256.Create(a, b, c, d);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private Quad(Vector256<double> v) => _v = v;
+
+    /// <summary>Their sum, (a + b) + (c + d).</summary>
+    public double Sum
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => (_v.GetElement(0) + _v.GetElement(1)) + (_v.GetElement(2) + _v.GetElement(3));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Quad operator +(Quad x, Quad y) => new(x._v + y._v);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Quad operator -(Quad x, Quad y) => new(x._v - y._v);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Quad operator *(Quad x, Quad y) => new(x._v * y._v);
+
+    /// <summary>The same number four times.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Quad Of(double x) => new(Vector256.Create(x));
+#else
+    private readonly double _a;
+    private readonly double _b;
+    private readonly double _c;
+    private readonly double _d;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Quad(double a, double b, double c, double d)
+    {
+        _a = a;
+        _b = b;
+        _c = c;
+        _d = d;
+    }
+
+    /// <summary>Their sum, (a + b) + (c + d).</summary>
+    public double Sum => (_a + _b) + (_c + _d);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Quad operator +(Quad x, Quad y) => new(x._a + y._a, x._b + y._b, x._c + y._c, x._d + y._d);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Quad operator -(Quad x, Quad y) => new(x._a - y._a, x._b - y._b, x._c - y._c, x._d - y._d);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Quad operator *(Quad x, Quad y) => new(x._a * y._a, x._b * y._b, x._c * y._c, x._d * y._d);
+
+    /// <summary>The same number four times.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Quad Of(double x) => new(x, x, x, x);
+#endif
+}

@@ -1,0 +1,81 @@
+namespace Football.Physics;
+
+/// <summary>A symmetric 3×3 matrix: the curvature of a shape, for instance.</summary>
+public readonly struct SymmetricMatrix3d
+{
+    /// <summary>Makes a matrix of its six entries.</summary>
+    /// <param name="xx">Row x, column x.</param>
+    /// <param name="xy">Row x, column y.</param>
+    /// <param name="xz">Row x, column z.</param>
+    /// <param name="yy">Row y, column y.</param>
+    /// <param name="yz">Row y, column z.</param>
+    /// <param name="zz">Row z, column z.</param>
+    public SymmetricMatrix3d(double xx, double xy, double xz, double yy, double yz, double zz)
+    {
+        XX = xx;
+        XY = xy;
+        XZ = xz;
+        YY = yy;
+        YZ = yz;
+        ZZ = zz;
+    }
+
+    /// <summary>All entries zero.</summary>
+    public static SymmetricMatrix3d Zero => default;
+
+    /// <summary>Row x, column x.</summary>
+    public double XX { get; }
+
+    /// <summary>Row x, column y.</summary>
+    public double XY { get; }
+
+    /// <summary>Row x, column z.</summary>
+    public double XZ { get; }
+
+    /// <summary>Row y, column y.</summary>
+    public double YY { get; }
+
+    /// <summary>Row y, column z.</summary>
+    public double YZ { get; }
+
+    /// <summary>Row z, column z.</summary>
+    public double ZZ { get; }
+
+    /// <summary>Curvature of the distance from a point: (1 − nnᵀ)/l.</summary>
+    /// <param name="normal">n, the direction from the point; of length 1.</param>
+    /// <param name="distance">l, m; above 0.</param>
+    public static SymmetricMatrix3d AroundPoint(in Vector3d normal, double distance) =>
+        (1.0 / distance) * (new SymmetricMatrix3d(1, 0, 0, 1, 0, 1) - Square(in normal));
+
+    /// <summary>Curvature of the distance from an axis: (1 − nnᵀ − aaᵀ)/l.</summary>
+    /// <param name="normal">n, the direction from the axis; of length 1.</param>
+    /// <param name="axis">a, the direction of the axis; of length 1.</param>
+    /// <param name="distance">l, m; above 0.</param>
+    public static SymmetricMatrix3d AroundAxis(in Vector3d normal, in Vector3d axis, double distance) =>
+        (1.0 / distance) * (new SymmetricMatrix3d(1, 0, 0, 1, 0, 1) - Square(in normal) - Square(in axis));
+
+    /// <summary>v vᵀ.</summary>
+    /// <param name="v">A vector.</param>
+    public static SymmetricMatrix3d Square(in Vector3d v) =>
+        new(v.X * v.X, v.X * v.Y, v.X * v.Z, v.Y * v.Y, v.Y * v.Z, v.Z * v.Z);
+
+    /// <summary>Difference.</summary>
+    /// <param name="a">A matrix.</param>
+    /// <param name="b">What to subtract.</param>
+    public static SymmetricMatrix3d operator -(in SymmetricMatrix3d a, in SymmetricMatrix3d b) =>
+        new(a.XX - b.XX, a.XY - b.XY, a.XZ - b.XZ, a.YY - b.YY, a.YZ - b.YZ, a.ZZ - b.ZZ);
+
+    /// <summary>Scaled.</summary>
+    /// <param name="s">A number.</param>
+    /// <param name="a">A matrix.</param>
+    public static SymmetricMatrix3d operator *(double s, in SymmetricMatrix3d a) =>
+        new(s * a.XX, s * a.XY, s * a.XZ, s * a.YY, s * a.YZ, s * a.ZZ);
+
+    /// <summary>Product with a vector.</summary>
+    /// <param name="a">A matrix.</param>
+    /// <param name="v">A vector.</param>
+    public static Vector3d operator *(in SymmetricMatrix3d a, in Vector3d v) => new(
+        (a.XX * v.X) + (a.XY * v.Y) + (a.XZ * v.Z),
+        (a.XY * v.X) + (a.YY * v.Y) + (a.YZ * v.Z),
+        (a.XZ * v.X) + (a.YZ * v.Y) + (a.ZZ * v.Z));
+}

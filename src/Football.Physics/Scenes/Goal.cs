@@ -1,0 +1,115 @@
+namespace Football.Physics;
+
+/// <summary>A goal: two posts, a bar, nets, and the plane behind its line that a ball must pass. Sizes by law 1 of the game.</summary>
+public sealed record Goal
+{
+    /// <summary>The middle of its line on the ground, m; components within ±1e6.</summary>
+    public required Vector3d Center { get; init; }
+
+    /// <summary>The horizontal direction that it faces: towards the pitch; any length but 0.</summary>
+    public required Vector3d Facing { get; init; }
+
+    /// <summary>Width of the opening, m; above 0. Default 7.32.</summary>
+    public double Width { get; init; } = 7.32;
+
+    /// <summary>Height of the opening, m; above 0. Default 2.44.</summary>
+    public double Height { get; init; } = 2.44;
+
+    /// <summary>Radius of posts and bar, m; above 0. Default 0.06.</summary>
+    public double PostRadius { get; init; } = 0.06;
+
+    /// <summary>How far behind the line the back net begins at the height of the bar, m; above 0. Default 0.8.</summary>
+    public double DepthAtBar { get; init; } = 0.8;
+
+    /// <summary>How far behind the line it ends on the ground, m; above 0. Default 2.</summary>
+    public double DepthOnGround { get; init; } = 2.0;
+
+    /// <summary>Whether it has nets. Default true.</summary>
+    public bool HasNet { get; init; } = true;
+
+    /// <summary>What posts and bar are made of. Default <see cref="Surface.GoalFrame"/>.</summary>
+    public Surface Surface { get; init; } = Surface.GoalFrame;
+
+    /// <summary>The line's direction towards the right post, seen by who stands in the goal and looks at the pitch; of length 1.</summary>
+    internal Vector3d Right => Vector3d.Cross(Out, Vector3d.Up);
+
+    /// <summary><see cref="Facing"/> with length 1.</summary>
+    internal Vector3d Out => Check.Direction("facing", Facing);
+
+    /// <summary>Posts and bar: capsules that meet at the corners.</summary>
+    internal IEnumerable<Obstacle> Frame()
+    {
+        double side = (0.5 * Width) + PostRadius;
+        var up = new Vector3d(0, Height + PostRadius, 0);
+        Vector3d left = Center - (side * Right);
+        Vector3d right = Center + (side * Right);
+        yield return new Obstacle { Name = "left post", Shape = new CapsuleShape(left, left + up, PostRadius), Surface = Surface };
+        yield return new Obstacle { Name = "right post", Shape = new CapsuleShape(right, right + up, PostRadius), Surface = Surface };
+        yield return new Obstacle { Name = "crossbar", Shape = new CapsuleShape(left + up, right + up, PostRadius), Surface = Surface };
+    }
+
+    /// <summary>Back, roof and sides, up to the axes of posts and bar.</summary>
+    internal IEnumerable<Net> Nets()
+    {
+        if (!HasNet)
+        {
+            yield break;
+        }
+
+        double side = (0.5 * Width) + PostRadius;
+        double top = Height + PostRadius;
+        Vector3d back = -Out;
+        Vector3d highest = Center + (DepthAtBar * back) + new Vector3d(0, top, 0);
+        Vector3d lowest = Center + (DepthOnGround * back);
+        Vector3d slant = highest - lowest;
+        yield return new Net
+        {
+            Name = "back net",
+            Center = 0.5 * (highest + lowest),
+            Normal = Vector3d.Cross(Right, in slant),
+            Along = Right,
+            HalfLength = side,
+            HalfWidth = 0.5 * slant.Length,
+        };
+        yield return new Net
+        {
+            Name = "roof net",
+            Center = Center + (0.5 * DepthAtBar * back) + new Vector3d(0, top, 0),
+            Normal = Vector3d.Up,
+            Along = Right,
+            HalfLength = side,
+            HalfWidth = 0.5 * DepthAtBar,
+        };
+        Vector3d middle = Center + (0.5 * DepthOnGround * back) + new Vector3d(0, 0.5 * top, 0);
+        yield return Side("left net", middle - (side * Right), in back, top);
+        yield return Side("right net", middle + (side * Right), in back, top);
+    }
+
+    internal void Validate(string field)
+    {
+        Check.Place(field + ".center", Center);
+        Check.Direction(field + ".facing", Facing);
+        if (Math.Abs(Out.Y) > 1e-6)
+        {
+            throw Check.Refusal(field + ".facing", Facing.ToString(), "a horizontal direction");
+        }
+
+        Check.Within(field + ".width", Width, 0, Limits.Length, exclusiveLow: true);
+        Check.Within(field + ".height", Height, 0, Limits.Length, exclusiveLow: true);
+        Check.Within(field + ".postRadius", PostRadius, 0, Limits.Length, exclusiveLow: true);
+        Check.Within(field + ".depth[0]", DepthAtBar, 0, Limits.Length, exclusiveLow: true);
+        Check.Within(field + ".depth[1]", DepthOnGround, 0, Limits.Length, exclusiveLow: true);
+        _ = Surface ?? throw Check.Refusal(field + ".surface", "null", "a surface");
+        Surface.Validate(field + ".surface");
+    }
+
+    private Net Side(string name, in Vector3d middle, in Vector3d back, double top) => new()
+    {
+        Name = name,
+        Center = middle,
+        Normal = Right,
+        Along = back,
+        HalfLength = 0.5 * DepthOnGround,
+        HalfWidth = 0.5 * top,
+    };
+}

@@ -1,0 +1,58 @@
+namespace Football.Physics;
+
+/// <summary>A soft sheet: a rectangle that takes energy from the ball and gives it back slowly.</summary>
+/// <remarks>
+/// It is met when the centre comes within a radius of its plane inside the rectangle, from the side σ = ±1 on which it is, and left when the depth
+/// δ = r − σ (p − c)·n falls back to 0. In between F = σ k δ max(0, 1 + b δ̇) n − k_t δ v_t, T = −k_ω δ ω.
+/// </remarks>
+public sealed record Net
+{
+    /// <summary>Its name, for events and messages. Default "net".</summary>
+    public string Name { get; init; } = "net";
+
+    /// <summary>Centre of the rectangle, m; components within ±1e6.</summary>
+    public required Vector3d Center { get; init; }
+
+    /// <summary>Normal of its plane; any length but 0.</summary>
+    public required Vector3d Normal { get; init; }
+
+    /// <summary>Direction of the first half size, across the normal; any length but 0.</summary>
+    public required Vector3d Along { get; init; }
+
+    /// <summary>Half its size along <see cref="Along"/>, m; above 0.</summary>
+    public required double HalfLength { get; init; }
+
+    /// <summary>Half its size along normal × along, m; above 0.</summary>
+    public required double HalfWidth { get; init; }
+
+    /// <summary>Stiffness k, N/m. Not negative; default 400.</summary>
+    public double Stiffness { get; init; } = 400;
+
+    /// <summary>Damping b: the ball leaves the net at 1/b at most, s/m. Not negative; default 1.5.</summary>
+    public double Damping { get; init; } = 1.5;
+
+    /// <summary>Damping along the sheet k_t, N s/m². Not negative; default 60.</summary>
+    public double TangentialDamping { get; init; } = 60;
+
+    /// <summary>Damping of the spin k_ω, N s. Not negative; default 0.02.</summary>
+    public double SpinDamping { get; init; } = 0.02;
+
+    internal void Validate(string field)
+    {
+        _ = Name ?? throw Check.Refusal(field + ".name", "null", "a name");
+        Check.Place(field + ".center", Center);
+        Vector3d normal = Check.Direction(field + ".normal", Normal);
+        Vector3d along = Check.Direction(field + ".along", Along);
+        if (Math.Abs(Vector3d.Dot(in normal, in along)) > 1e-6)
+        {
+            throw Check.Refusal(field + ".along", Along.ToString(), "a direction across the normal");
+        }
+
+        Check.Within(field + ".halfSize[0]", HalfLength, 0, Limits.Length, exclusiveLow: true);
+        Check.Within(field + ".halfSize[1]", HalfWidth, 0, Limits.Length, exclusiveLow: true);
+        Check.NotNegative(field + ".stiffness", Stiffness);
+        Check.NotNegative(field + ".damping", Damping);
+        Check.NotNegative(field + ".tangentialDamping", TangentialDamping);
+        Check.NotNegative(field + ".spinDamping", SpinDamping);
+    }
+}

@@ -1,0 +1,35 @@
+namespace Football.Physics;
+
+/// <summary>A thing that can be hit: a shape with a surface. It may move with a constant velocity, and its surface may turn.</summary>
+public sealed record Obstacle
+{
+    /// <summary>Its name, for events and messages. Default "obstacle".</summary>
+    public string Name { get; init; } = "obstacle";
+
+    /// <summary>Its shape, where it is at time 0.</summary>
+    public required IShape Shape { get; init; }
+
+    /// <summary>What it is made of. Default that of a goal's frame.</summary>
+    public Surface Surface { get; init; } = Surface.GoalFrame;
+
+    /// <summary>Velocity, m/s; at most 1000. Default 0.</summary>
+    public Vector3d Velocity { get; init; }
+
+    /// <summary>Spin of its surface about <see cref="Pivot"/>, rad/s; at most 10 000. It moves the surface, not the shape. Default 0.</summary>
+    public Vector3d Spin { get; init; }
+
+    /// <summary>What it turns about, at time 0, m; components within ±1e6. Moves with it. Default the origin.</summary>
+    public Vector3d Pivot { get; init; }
+
+    internal void Validate(string field, double radius)
+    {
+        _ = Name ?? throw Check.Refusal(field + ".name", "null", "a name");
+        _ = Shape ?? throw Check.Refusal(field + ".shape", "null", "a shape");
+        _ = Surface ?? throw Check.Refusal(field + ".surface", "null", "a surface");
+        Check.Within(field + ".shape.hollowCurvature", Shape.HollowCurvature, 0, 0.5 / radius);
+        Surface.Validate(field + ".surface");
+        Check.Size(field + ".velocity", Velocity, Limits.Speed, "m/s");
+        Check.Size(field + ".spin", Spin, Limits.Spin, "rad/s");
+        Check.Place(field + ".pivot", Pivot);
+    }
+}

@@ -1,0 +1,52 @@
+namespace Football.Physics;
+
+/// <summary>A box along the axes of the world.</summary>
+public readonly struct Bounds3d
+{
+    /// <summary>Makes a box.</summary>
+    /// <param name="min">Its lowest corner, m.</param>
+    /// <param name="max">Its highest corner, m.</param>
+    public Bounds3d(in Vector3d min, in Vector3d max)
+    {
+        Min = min;
+        Max = max;
+    }
+
+    /// <summary>All of space.</summary>
+    public static Bounds3d Everywhere => new(
+        new Vector3d(double.NegativeInfinity, double.NegativeInfinity, double.NegativeInfinity),
+        new Vector3d(double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity));
+
+    /// <summary>The lowest corner, m.</summary>
+    public Vector3d Min { get; }
+
+    /// <summary>The highest corner, m.</summary>
+    public Vector3d Max { get; }
+
+    /// <summary>A box around a point.</summary>
+    /// <param name="center">The point, m.</param>
+    /// <param name="x">Half its size along x, m.</param>
+    /// <param name="y">The same, y.</param>
+    /// <param name="z">The same, z.</param>
+    public static Bounds3d Around(in Vector3d center, double x, double y, double z)
+    {
+        var half = new Vector3d(x, y, z);
+        return new Bounds3d(center - half, center + half);
+    }
+
+    /// <summary>The smallest box around two.</summary>
+    /// <param name="other">The other box.</param>
+    public Bounds3d With(in Bounds3d other) => new(
+        new Vector3d(Math.Min(Min.X, other.Min.X), Math.Min(Min.Y, other.Min.Y), Math.Min(Min.Z, other.Min.Z)),
+        new Vector3d(Math.Max(Max.X, other.Max.X), Math.Max(Max.Y, other.Max.Y), Math.Max(Max.Z, other.Max.Z)));
+
+    /// <summary>The square of the distance of a point from the box, m²; 0 inside.</summary>
+    /// <param name="point">The point, m.</param>
+    public double DistanceSquared(in Vector3d point)
+    {
+        double x = Math.Max(0, Math.Max(Min.X - point.X, point.X - Max.X));
+        double y = Math.Max(0, Math.Max(Min.Y - point.Y, point.Y - Max.Y));
+        double z = Math.Max(0, Math.Max(Min.Z - point.Z, point.Z - Max.Z));
+        return (x * x) + (y * y) + (z * z);
+    }
+}

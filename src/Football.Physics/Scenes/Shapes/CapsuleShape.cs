@@ -1,0 +1,71 @@
+namespace Football.Physics;
+
+/// <summary>A segment with a radius: a post, a bar, a leg, an arm.</summary>
+public sealed class CapsuleShape : IShape
+{
+    private readonly Vector3d _axis;
+    private readonly double _length;
+
+    /// <summary>Makes a capsule.</summary>
+    /// <param name="from">One end of the segment, m; components within ±1e6.</param>
+    /// <param name="to">The other end, m; other than the first.</param>
+    /// <param name="radius">Radius around it, m; above 0, at most 1e6.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
+    public CapsuleShape(Vector3d from, Vector3d to, double radius)
+    {
+        Check.Place("from", from);
+        Check.Place("to", to);
+        Check.Within("radius", radius, 0, Limits.Length, exclusiveLow: true);
+        From = from;
+        To = to;
+        Radius = radius;
+        _length = (to - from).Length;
+        if (!(_length > 0))
+        {
+            throw Check.Refusal("to", to.ToString(), "a point other than from");
+        }
+
+        _axis = (to - from) / _length;
+    }
+
+    /// <summary>One end of the segment, m.</summary>
+    public Vector3d From { get; }
+
+    /// <summary>The other end, m.</summary>
+    public Vector3d To { get; }
+
+    /// <summary>Radius around it, m.</summary>
+    public double Radius { get; }
+
+    /// <inheritdoc/>
+    public double HollowCurvature => 0;
+
+    /// <inheritdoc/>
+    public Bounds3d Bounds => Bounds3d.Around(From, Radius, Radius, Radius).With(Bounds3d.Around(To, Radius, Radius, Radius));
+
+    /// <inheritdoc/>
+    public ShapePoint At(in Vector3d point)
+    {
+        Vector3d from = point - From;
+        double along = Vector3d.Dot(in from, in _axis);
+        bool beside = along > 0 && along < _length;
+        Vector3d nearest = beside ? along * _axis : along > 0 ? _length * _axis : Vector3d.Zero;
+        Vector3d away = from - nearest;
+        double l = away.Length;
+        if (!(l > 0))
+        {
+            return new ShapePoint(-Radius, Across(in _axis), SymmetricMatrix3d.Zero);
+        }
+
+        Vector3d normal = away / l;
+        SymmetricMatrix3d curvature = beside ? SymmetricMatrix3d.AroundAxis(in normal, in _axis, l) : SymmetricMatrix3d.AroundPoint(in normal, l);
+        return new ShapePoint(l - Radius, in normal, in curvature);
+    }
+
+    /// <summary>Any direction across an axis: for a point on the axis itself, which is as near to all sides.</summary>
+    private static Vector3d Across(in Vector3d axis)
+    {
+        Vector3d across = Vector3d.Cross(in axis, Math.Abs(axis.Y) < 0.9 ? Vector3d.Up : new Vector3d(1, 0, 0));
+        return across / across.Length;
+    }
+}

@@ -1,0 +1,322 @@
+namespace Football.Physics;
+
+/// <summary>Uneven ground: a uniform cubic B-spline over a grid of heights. Beyond the grid it goes on as at its border.</summary>
+/// <remarks>
+/// With u, w the fractional parts of ((x − x₀)/δ, (z − z₀)/δ) and i, j their floors, y = Σ b_k(u) b_l(w) c[i−1+k][j−1+l], k, l = 0…3,
+/// b = ((1−u)³, 3u³−6u²+4, −3u³+3u²+3u+1, u³)/6. A ball can lie on it where its slope is below 1 and its curvature below 1/(2r).
+/// </remarks>
+public sealed class HeightField : IShape
+{
+    /// <summary>Samples of a cell in each direction that are looked at for the steepest slope and the strongest curvature.</summary>
+    private const int SamplesOfCell = 4;
+
+    /// <summary>Newton for the nearest point ends where it moves by less than this, m.</summary>
+    private const double Closeness = 1e-15;
+
+    private const int MostIterations = 30;
+
+    /// <summary>Up to this share of the radius of curvature the nearest point is looked for.</summary>
+    private const double NearBy = 0.8;
+
+    private readonly double[] _values;
+    private readonly int _rows;
+    private readonly int _columns;
+    private readonly double _highest;
+
+    /// <summary>Makes uneven ground.</summary>
+    /// <param name="originX">x of the first value, m; within ±1e6.</param>
+    /// <param name="originZ">z of the first value, m; within ±1e6.</param>
+    /// <param name="spacing">Distance of neighbours δ, m; above 0, at most 1e6.</param>
+    /// <param name="values">Heights c[i][j], m: i along x, j along z; at least one, each within ±1e6. Copied.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="values"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
+    public HeightField(double originX, double originZ, double spacing, double[,] values)
+    {
+        if (values is null)
+        {
+            throw new ArgumentNullException(nameof(values));
+        }
+
+        Check.Within("origin[0]", originX, -Limits.Length, Limits.Length);
+        Check.Within("origin[1]", originZ, -Limits.Length, Limits.Length);
+        Check.Within("spacing", spacing, 0, Limits.Length, exclusiveLow: true);
+        _rows = values.GetLength(0);
+        _columns = values.GetLength(1);
+        if (_rows < 1 || _columns < 1)
+        {
+            throw Check.Refusal("values", $"{_rows} × {_columns}", "at least 1 × 1 heights");
+        }
+
+        OriginX = originX;
+        OriginZ = originZ;
+        Spacing = spacing;
+        _values = new double[_rows * _columns];
+        _highest = double.NegativeInfinity;
+        for (int i = 0; i < _rows; i++)
+        {
+            for (int j = 0; j < _columns; j++)
+            {
+                double value = values[i, j];
+                Check.Within($"values[{i}][{j}]", value, -Limits.Length, Limits.Length);
+                _values[(i * _columns) + j] = value;
+                _highest = Math.Max(_highest, value);
+            }
+        }
+
+        (SteepestSlope, StrongestCurvature) = Extremes();
+    }
+
+    private HeightField(HeightField other, double by)
+    {
+        OriginX = other.OriginX;
+        OriginZ = other.OriginZ;
+        Spacing = other.Spacing;
+        SteepestSlope = other.SteepestSlope;
+        StrongestCurvature = other.StrongestCurvature;
+        _rows = other._rows;
+        _columns = other._columns;
+        _highest = other._highest + by;
+        _values = [.. other._values.Select(value => value + by)];
+    }
+
+    /// <summary>x of the first value, m.</summary>
+    public double OriginX { get; }
+
+    /// <summary>z of the first value, m.</summary>
+    public double OriginZ { get; }
+
+    /// <summary>Distance of neighbours δ, m.</summary>
+    public double Spacing { get; }
+
+    /// <summary>The steepest slope of the samples of every cell.</summary>
+    public double SteepestSlope { get; }
+
+    /// <summary>The strongest curvature of the samples of every cell, 1/m.</summary>
+    public double StrongestCurvature { get; }
+
+    /// <inheritdoc/>
+    public double HollowCurvature => StrongestCurvature;
+
+    /// <inheritdoc/>
+    public Bounds3d Bounds => new(
+        new Vector3d(double.NegativeInfinity, double.NegativeInfinity, double.NegativeInfinity),
+        new Vector3d(double.PositiveInfinity, _highest, double.PositiveInfinity));
+
+    /// <summary>The height at a place, m.</summary>
+    /// <param name="x">x, m.</param>
+    /// <param name="z">z, m.</param>
+    public double HeightAt(double x, double z) => Sample(x, z).Height;
+
+    /// <summary>The same ground, higher.</summary>
+    /// <param name="by">How much, m.</param>
+    internal HeightField Raised(double by) => by == 0 ? this : new HeightField(this, by);
+
+    /// <inheritdoc/>
+    /// <remarks>
+    /// Near the ground, up to four fifths of its radius of curvature, the distance of the nearest point; farther off a lower bound of it, which is all that
+    /// the search for contact needs there.
+    /// </remarks>
+    public ShapePoint At(in Vector3d point)
+    {
+        double x = point.X;
+        double z = point.Z;
+        Patch patch = Sample(x, z);
+        double above = point.Y - patch.Height;
+        if (Math.Abs(above) * StrongestCurvature > NearBy)
+        {
+            // |∇d| ≥ 1/√(1 + slope²) along the vertical
+            Vector3d up = patch.Normal;
+            return new ShapePoint(above / Math.Sqrt(1.0 + (SteepestSlope * SteepestSlope)), in up, SymmetricMatrix3d.Zero);
+        }
+
+        // The nearest point: (S − p)·S_x = 0, (S − p)·S_z = 0, by Newton's method.
+        for (int i = 0; i < MostIterations; i++)
+        {
+            double up = patch.Height - point.Y;
+            double f = (x - point.X) + (up * patch.SlopeX);
+            double g = (z - point.Z) + (up * patch.SlopeZ);
+            double fx = 1.0 + (patch.SlopeX * patch.SlopeX) + (up * patch.XX);
+            double fz = (patch.SlopeX * patch.SlopeZ) + (up * patch.XZ);
+            double gz = 1.0 + (patch.SlopeZ * patch.SlopeZ) + (up * patch.ZZ);
+            double determinant = (fx * gz) - (fz * fz);
+            double dx = ((gz * f) - (fz * g)) / determinant;
+            double dz = ((fx * g) - (fz * f)) / determinant;
+            x -= dx;
+            z -= dz;
+            patch = Sample(x, z);
+            if (Math.Abs(dx) + Math.Abs(dz) <= Closeness * (1.0 + Math.Abs(x) + Math.Abs(z)))
+            {
+                break;
+            }
+        }
+
+        Vector3d normal = patch.Normal;
+        double distance = Vector3d.Dot(point - new Vector3d(x, patch.Height, z), in normal);
+        return new ShapePoint(distance, in normal, patch.CurvatureAt(distance));
+    }
+
+    private (double Slope, double Curvature) Extremes()
+    {
+        double slope = 0;
+        double curvature = 0;
+        for (int i = -SamplesOfCell; i <= (_rows + 1) * SamplesOfCell; i++)
+        {
+            for (int j = -SamplesOfCell; j <= (_columns + 1) * SamplesOfCell; j++)
+            {
+                Patch patch = Sample(OriginX + (i * Spacing / SamplesOfCell), OriginZ + (j * Spacing / SamplesOfCell));
+                slope = Math.Max(slope, Math.Sqrt((patch.SlopeX * patch.SlopeX) + (patch.SlopeZ * patch.SlopeZ)));
+                curvature = Math.Max(curvature, patch.StrongestCurvature);
+            }
+        }
+
+        return (slope, curvature);
+    }
+
+    /// <summary>Height and derivatives at a place.</summary>
+    private Patch Sample(double x, double z)
+    {
+        double u = (x - OriginX) / Spacing;
+        double w = (z - OriginZ) / Spacing;
+        double floorU = Math.Floor(u);
+        double floorW = Math.Floor(w);
+        var alongX = new Basis(u - floorU);
+        var alongZ = new Basis(w - floorW);
+        int i = (int)Math.Min(Math.Max(floorU, -4), _rows + 4);
+        int j = (int)Math.Min(Math.Max(floorW, -4), _columns + 4);
+        Patch sum = default;
+        for (int k = 0; k < 4; k++)
+        {
+            int row = Math.Min(Math.Max(i - 1 + k, 0), _rows - 1) * _columns;
+            double value = 0;
+            double slope = 0;
+            double bend = 0;
+            for (int l = 0; l < 4; l++)
+            {
+                double c = _values[row + Math.Min(Math.Max(j - 1 + l, 0), _columns - 1)];
+                value += alongZ.Value(l) * c;
+                slope += alongZ.Slope(l) * c;
+                bend += alongZ.Bend(l) * c;
+            }
+
+            sum.Height += alongX.Value(k) * value;
+            sum.SlopeX += alongX.Slope(k) * value;
+            sum.SlopeZ += alongX.Value(k) * slope;
+            sum.XX += alongX.Bend(k) * value;
+            sum.XZ += alongX.Slope(k) * slope;
+            sum.ZZ += alongX.Value(k) * bend;
+        }
+
+        double per = 1.0 / Spacing;
+        sum.SlopeX *= per;
+        sum.SlopeZ *= per;
+        sum.XX *= per * per;
+        sum.XZ *= per * per;
+        sum.ZZ *= per * per;
+        return sum;
+    }
+
+    /// <summary>The four cubic B-splines at a fraction of a cell, with their derivatives by it.</summary>
+    private readonly struct Basis
+    {
+        private readonly double _u;
+        private readonly double _v;
+
+        public Basis(double u)
+        {
+            _u = u;
+            _v = 1.0 - u;
+        }
+
+        public double Value(int k) => k switch
+        {
+            0 => _v * _v * _v / 6.0,
+            1 => ((((3.0 * _u) - 6.0) * _u * _u) + 4.0) / 6.0,
+            2 => ((((3.0 * _v) - 6.0) * _v * _v) + 4.0) / 6.0,
+            _ => _u * _u * _u / 6.0,
+        };
+
+        public double Slope(int k) => k switch
+        {
+            0 => -0.5 * _v * _v,
+            1 => ((1.5 * _u) - 2.0) * _u,
+            2 => -((1.5 * _v) - 2.0) * _v,
+            _ => 0.5 * _u * _u,
+        };
+
+        public double Bend(int k) => k switch
+        {
+            0 => _v,
+            1 => (3.0 * _u) - 2.0,
+            2 => (3.0 * _v) - 2.0,
+            _ => _u,
+        };
+    }
+
+    /// <summary>The surface at a point: y = h(x, z) with its derivatives.</summary>
+    private struct Patch
+    {
+        public double Height;
+        public double SlopeX;
+        public double SlopeZ;
+        public double XX;
+        public double XZ;
+        public double ZZ;
+
+        public readonly Vector3d Normal
+        {
+            get
+            {
+                double per = 1.0 / Math.Sqrt(1.0 + (SlopeX * SlopeX) + (SlopeZ * SlopeZ));
+                return new Vector3d(-SlopeX * per, per, -SlopeZ * per);
+            }
+        }
+
+        /// <summary>The larger of the principal curvatures, from mean M and Gaussian K: |M| + √(M² − K).</summary>
+        public readonly double StrongestCurvature
+        {
+            get
+            {
+                double e = 1.0 + (SlopeX * SlopeX);
+                double f = SlopeX * SlopeZ;
+                double g = 1.0 + (SlopeZ * SlopeZ);
+                double area = (e * g) - (f * f);
+                double per = 1.0 / Math.Sqrt(area);
+                double mean = 0.5 * per * ((e * ZZ) - (2.0 * f * XZ) + (g * XX)) / area;
+                double gaussian = per * per * ((XX * ZZ) - (XZ * XZ)) / area;
+                return Math.Abs(mean) + Math.Sqrt(Math.Max(0, (mean * mean) - gaussian));
+            }
+        }
+
+        /// <summary>How the normal turns at a distance d off the surface: −J I⁻¹ II (I − d II)⁻¹ Jᵀ, J = (S_x, S_z), I and II the fundamental forms.</summary>
+        public readonly SymmetricMatrix3d CurvatureAt(double distance)
+        {
+            double e = 1.0 + (SlopeX * SlopeX);
+            double f = SlopeX * SlopeZ;
+            double g = 1.0 + (SlopeZ * SlopeZ);
+            double area = (e * g) - (f * f);
+            double per = 1.0 / Math.Sqrt(area);
+            double l = per * XX;
+            double m = per * XZ;
+            double n = per * ZZ;
+
+            // A = I⁻¹ II, B = (I − d II)⁻¹
+            double axx = ((g * l) - (f * m)) / area;
+            double axz = ((g * m) - (f * n)) / area;
+            double azx = ((e * m) - (f * l)) / area;
+            double azz = ((e * n) - (f * m)) / area;
+            double bxx = e - (distance * l);
+            double bxz = f - (distance * m);
+            double bzz = g - (distance * n);
+            double determinant = (bxx * bzz) - (bxz * bxz);
+            double cxx = -((axx * bzz) - (axz * bxz)) / determinant;
+            double cxz = -((axz * bxx) - (axx * bxz)) / determinant;
+            double czz = -((azz * bxx) - (azx * bxz)) / determinant;
+
+            // J = ((1, h_x, 0), (0, h_z, 1))
+            double yx = (cxx * SlopeX) + (cxz * SlopeZ);
+            double yz = (cxz * SlopeX) + (czz * SlopeZ);
+            double yy = (yx * SlopeX) + (yz * SlopeZ);
+            return new SymmetricMatrix3d(cxx, yx, cxz, yy, yz, czz);
+        }
+    }
+}

@@ -1,0 +1,25 @@
+namespace Football.Physics;
+
+/// <summary>What a shape says of a point.</summary>
+public readonly struct ShapePoint
+{
+    /// <summary>Makes the answer of a shape.</summary>
+    /// <param name="distance">Signed distance from the surface, m: positive outside.</param>
+    /// <param name="normal">Its gradient, of length 1: the outward normal.</param>
+    /// <param name="curvature">Its Hessian, 1/m: how the normal turns. Zero for a plane.</param>
+    public ShapePoint(double distance, in Vector3d normal, in SymmetricMatrix3d curvature)
+    {
+        Distance = distance;
+        Normal = normal;
+        Curvature = curvature;
+    }
+
+    /// <summary>Signed distance from the surface, m: positive outside.</summary>
+    public double Distance { get; }
+
+    /// <summary>Its gradient, of length 1: the outward normal.</summary>
+    public Vector3d Normal { get; }
+
+    /// <summary>Its Hessian, 1/m: how the normal turns. Zero for a plane.</summary>
+    public SymmetricMatrix3d Curvature { get; }
+}

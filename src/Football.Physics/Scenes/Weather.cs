@@ -1,0 +1,52 @@
+namespace Football.Physics;
+
+/// <summary>The weather that air has its density and viscosity from; within 0.05 % of CIPM-2007 where that holds.</summary>
+public sealed record Weather
+{
+    /// <summary>Pressure at sea level, Pa (law: standard atmosphere).</summary>
+    private const double SeaLevelPressure = 101_325;
+
+    /// <summary>Temperature t, °C. −60 … 60; default 20.</summary>
+    public double Temperature { get; init; } = 20;
+
+    /// <summary>Relative humidity h. 0 … 1; default 0.5.</summary>
+    public double Humidity { get; init; } = 0.5;
+
+    /// <summary>Pressure p, Pa. 10 000 … 120 000; default 101 325.</summary>
+    public double Pressure { get; init; } = SeaLevelPressure;
+
+    /// <summary>The weather of a place above, or below, the sea, with standard pressure at sea level.</summary>
+    /// <param name="altitude">Altitude z, m. −500 … 11 000.</param>
+    /// <param name="temperature">Temperature there, °C.</param>
+    /// <param name="humidity">Relative humidity there, 0 … 1.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The altitude is out of range; the message names field, value and range.</exception>
+    public static Weather AtAltitude(double altitude, double temperature = 20, double humidity = 0.5)
+    {
+        Check.Within("air.weather.altitude", altitude, -500, 11_000);
+
+        // p = p₀ (1 − 0.0065 z/288.15)^5.255880
+        double pressure = SeaLevelPressure * Elementary.Pow(1.0 - (0.0065 * altitude / 288.15), 5.255880);
+        return new Weather { Temperature = temperature, Humidity = humidity, Pressure = pressure };
+    }
+
+    /// <summary>The air of this weather, without wind.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public Air ToAir()
+    {
+        Check.Within("air.weather.temperature", Temperature, -60, 60);
+        Check.Within("air.weather.humidity", Humidity, 0, 1);
+        Check.Within("air.weather.pressure", Pressure, 10_000, 120_000);
+
+        // e_w = min(h · 611.2 exp(17.62 t/(243.12 + t)), p), the pressure of the vapour (Magnus)
+        double saturated = 611.2 * Elementary.Exp(17.62 * Temperature / (243.12 + Temperature));
+        double vapour = Math.Min(Humidity * saturated, Pressure);
+
+        // ρ = (p − e_w)/(287.058 T) + e_w/(461.495 T)
+        double kelvin = Temperature + 273.15;
+        double density = ((Pressure - vapour) / (287.058 * kelvin)) + (vapour / (461.495 * kelvin));
+
+        // μ = 1.458e-6 T^1.5/(T + 110.4) (Sutherland), ν = μ/ρ
+        double viscosity = 1.458e-6 * kelvin * Math.Sqrt(kelvin) / (kelvin + 110.4);
+        return new Air { Density = density, KinematicViscosity = viscosity / density };
+    }
+}

@@ -1,0 +1,133 @@
+namespace Football.Physics;
+
+/// <summary>Twelve sines a component with a Dryden spectrum: the gusts as a function of the distance along the wind.</summary>
+internal sealed class GustWaves
+{
+    private const int Bands = 12;
+    private const int Components = 3;
+
+    /// <summary>q = 400^(1/12): the bands reach from 0.05/L to 20/L.</summary>
+    private static readonly double BandRatio = Elementary.Pow(400.0, 1.0 / Bands);
+
+    private static readonly double[] ShareOfComponent = [1.0, 0.8, 0.5];
+
+    private readonly FourWaves[] _waves = new FourWaves[Bands / 4];
+
+    /// <param name="gusts">The gusts.</param>
+    /// <param name="speed">Speed of the wind at the reference height, m/s.</param>
+    public GustWaves(Gusts gusts, double speed)
+    {
+        double q = BandRatio;
+        double low = 0.05;
+        Span<double> turnsPerMetre = stackalloc double[Bands];
+        Span<double> along = stackalloc double[Bands];
+        Span<double> across = stackalloc double[Bands];
+        double sumAlong = 0;
+        double sumAcross = 0;
+        for (int i = 0; i < Bands; i++)
+        {
+            // x = √(lo · lo q) (1 + 0.3 (R(100 + i) − ½)(q − 1)),  k = x/L
+            double high = low * q;
+            double x = Math.Sqrt(low * high) * (1.0 + (0.3 * (SplitMix64.At(gusts.Seed, 100 + i) - 0.5) * (q - 1.0)));
+            turnsPerMetre[i] = x / gusts.Length / (2.0 * Math.PI);
+
+            // Share of the variance: along (2/π)(atan hi − atan lo), across and up F(hi) − F(lo)
+            along[i] = 2.0 / Math.PI * (Atan(high) - Atan(low));
+            across[i] = AcrossUpTo(high) - AcrossUpTo(low);
+            sumAlong += along[i];
+            sumAcross += across[i];
+            low = high;
+        }
+
+        double deviation = gusts.Intensity * speed;
+        Span<double> sines = stackalloc double[Bands];
+        Span<double> cosines = stackalloc double[Bands];
+        for (int component = 0; component < Components; component++)
+        {
+            ReadOnlySpan<double> shares = component == 0 ? along : across;
+            double sum = component == 0 ? sumAlong : sumAcross;
+            double largest = 0;
+            for (int i = 0; i < Bands; i++)
+            {
+                // a sin(k ξ + φ) = a cos φ sin(k ξ) + a sin φ cos(k ξ),  φ = 2π R(1000 (c + 1) + i)
+                double amplitude = deviation * ShareOfComponent[component] * Math.Sqrt(2.0 * shares[i] / sum);
+                Elementary.SinCos(2.0 * Math.PI * SplitMix64.At(gusts.Seed, (1000 * (component + 1)) + i), out double sin, out double cos);
+                sines[i] = amplitude * cos;
+                cosines[i] = amplitude * sin;
+                largest += amplitude;
+            }
+
+            Largest += largest * Unit(component);
+            for (int block = 0; block < _waves.Length; block++)
+            {
+                _waves[block].Set(component, At(sines, block), At(cosines, block));
+            }
+        }
+
+        for (int block = 0; block < _waves.Length; block++)
+        {
+            _waves[block].TurnsPerMetre = At(turnsPerMetre, block);
+        }
+    }
+
+    /// <summary>The largest that each of g₀, g₁, g₂ can be, m/s.</summary>
+    public Vector3d Largest { get; }
+
+    /// <summary>g₀, g₁, g₂, m/s, as x, y and z: along, across and up, each Σ a sin(k ξ + φ).</summary>
+    /// <param name="distance">ξ, m.</param>
+    public Vector3d At(double distance)
+    {
+        Quad along = default;
+        Quad across = default;
+        Quad up = default;
+        var far = Quad.Of(distance);
+        foreach (ref readonly FourWaves waves in _waves.AsSpan())
+        {
+            QuadSine.SinCos(waves.TurnsPerMetre * far, out Quad sin, out Quad cos);
+            along += (waves.AlongSin * sin) + (waves.AlongCos * cos);
+            across += (waves.AcrossSin * sin) + (waves.AcrossCos * cos);
+            up += (waves.UpSin * sin) + (waves.UpCos * cos);
+        }
+
+        return new Vector3d(along.Sum, across.Sum, up.Sum);
+    }
+
+    private static Vector3d Unit(int component) => new(component == 0 ? 1 : 0, component == 1 ? 1 : 0, component == 2 ? 1 : 0);
+
+    private static Quad At(ReadOnlySpan<double> of, int block) => new(of[4 * block], of[(4 * block) + 1], of[(4 * block) + 2], of[(4 * block) + 3]);
+
+    // F(y) = (2 atan y − y/(1 + y²))/π
+    private static double AcrossUpTo(double y) => ((2.0 * Atan(y)) - (y / (1.0 + (y * y)))) / Math.PI;
+
+    private static double Atan(double y) => Elementary.Atan2(y, 1.0);
+
+    private struct FourWaves
+    {
+        public Quad TurnsPerMetre;
+        public Quad AlongSin;
+        public Quad AlongCos;
+        public Quad AcrossSin;
+        public Quad AcrossCos;
+        public Quad UpSin;
+        public Quad UpCos;
+
+        public void Set(int component, Quad sin, Quad cos)
+        {
+            switch (component)
+            {
+                case 0:
+                    AlongSin = sin;
+                    AlongCos = cos;
+                    break;
+                case 1:
+                    AcrossSin = sin;
+                    AcrossCos = cos;
+                    break;
+                default:
+                    UpSin = sin;
+                    UpCos = cos;
+                    break;
+            }
+        }
+    }
+}

@@ -1,0 +1,107 @@
+namespace Football.Physics;
+
+/// <summary>
+/// Wind that grows with the height over the ground, u(y) = u_ref ln((max(y, 0) + z₀)/z₀)/ln((z_ref + z₀)/z₀), with or without gusts: a pure
+/// function of place, time and the gusts' seed. Inside the bowl of a stadium only a rough default.
+/// </summary>
+public sealed class WindByHeight : IWind
+{
+    private readonly double _perLogarithm; // u_ref/ln((z_ref + z₀)/z₀), m/s
+    private readonly double _perRoughness; // 1/z₀
+    private readonly double _alongX;
+    private readonly double _alongZ;
+    private readonly double _perSpeed; // 1/u_ref
+    private readonly GustWaves? _gusts;
+
+    /// <summary>A wind of a speed and a direction.</summary>
+    /// <param name="speed">Speed u_ref at the reference height, m/s. Not negative, at most 200.</param>
+    /// <param name="directionX">x of where it blows to; only the ratio to z counts, and not both are 0.</param>
+    /// <param name="directionZ">z of where it blows to.</param>
+    /// <param name="referenceHeight">z_ref, m. 0.1 … 1000; default 10 (law: where meteorology measures wind).</param>
+    /// <param name="roughness">z₀, m. 1e-4 … 2; default 0.03 (measured: short grass).</param>
+    /// <param name="gusts">The gusts; default none.</param>
+    /// <param name="groundHeight">Height of the ground, m. Within ±1e6; default 0.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public WindByHeight(
+        double speed,
+        double directionX,
+        double directionZ,
+        double referenceHeight = 10,
+        double roughness = 0.03,
+        Gusts? gusts = null,
+        double groundHeight = 0)
+    {
+        Check.Within("air.wind.speed", speed, 0, 200);
+        Check.Within("air.wind.referenceHeight", referenceHeight, 0.1, 1000);
+        Check.Within("air.wind.roughness", roughness, 1e-4, 2);
+        Check.Within("ground.height", groundHeight, -Limits.Length, Limits.Length);
+        double size = Math.Sqrt((directionX * directionX) + (directionZ * directionZ));
+        if (!(size > 1e-100 && size < 1e100))
+        {
+            throw Check.Refusal("air.wind.direction", $"[{directionX}, {directionZ}]", "[x, z], 2 finite numbers, not both 0");
+        }
+
+        gusts?.Validate();
+        Speed = speed;
+        Direction = new Vector3d(directionX / size, 0, directionZ / size);
+        ReferenceHeight = referenceHeight;
+        Roughness = roughness;
+        Gusts = gusts;
+        GroundHeight = groundHeight;
+        _alongX = Direction.X;
+        _alongZ = Direction.Z;
+        _perRoughness = 1.0 / roughness;
+        _perLogarithm = speed / Elementary.Log((referenceHeight + roughness) / roughness);
+        _perSpeed = speed > 0 ? 1.0 / speed : 0;
+        _gusts = gusts is { Intensity: > 0 } && speed > 0 ? new GustWaves(gusts, speed) : null;
+        Vector3d largest = new Vector3d(speed, 0, 0) + (_gusts?.Largest ?? Vector3d.Zero);
+        Fastest = _perSpeed * MeanAt(4.0 * Limits.Length) * largest.Length;
+        Check.Within("air.wind.speed (with its gusts, at any height)", Fastest, 0, Limits.Speed);
+    }
+
+    /// <summary>Speed at the reference height, m/s.</summary>
+    public double Speed { get; }
+
+    /// <summary>Where it blows to; a horizontal unit vector.</summary>
+    public Vector3d Direction { get; }
+
+    /// <summary>The height that the speed is given at, m.</summary>
+    public double ReferenceHeight { get; }
+
+    /// <summary>Roughness of the ground z₀, m.</summary>
+    public double Roughness { get; }
+
+    /// <summary>The gusts, or none.</summary>
+    public Gusts? Gusts { get; }
+
+    /// <summary>Height of the ground, m.</summary>
+    public double GroundHeight { get; }
+
+    /// <inheritdoc/>
+    public double Fastest { get; }
+
+    /// <inheritdoc/>
+    public Vector3d At(double time, in Vector3d position)
+    {
+        double height = Math.Max(position.Y - GroundHeight, 0.0);
+        double mean = MeanAt(height);
+        if (_gusts is null)
+        {
+            return new Vector3d(mean * _alongX, 0, mean * _alongZ);
+        }
+
+        // ξ = (distance along the wind) − u_ref t,  W = d (u + f g₀) + d⊥ f g₁ + ŷ f₂ g₂,  f = u(y)/u_ref,  f₂ = f min(1, y/2)
+        double distance = ((position.X * _alongX) + (position.Z * _alongZ)) - (Speed * time);
+        Vector3d gust = _gusts.At(distance);
+        double share = mean * _perSpeed;
+        double along = mean + (share * gust.X);
+        double across = share * gust.Y;
+        return new Vector3d(
+            (along * _alongX) - (across * _alongZ),
+            share * Math.Min(1.0, 0.5 * height) * gust.Z,
+            (along * _alongZ) + (across * _alongX));
+    }
+
+    /// <summary>u(y), m/s.</summary>
+    private double MeanAt(double height) => _perLogarithm * LogarithmTable.Of((height * _perRoughness) + 1.0);
+}

@@ -1,0 +1,107 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>
+/// A step in air whose wind depends on place or time, or with a knuckle force. Nearly every step is one piece of flight with nothing in it, taken
+/// along the constant axis of the spin; all else is done as in any air.
+/// </summary>
+/// <typeparam name="TIntegrator">The one-step method.</typeparam>
+internal sealed class FieldStepper<TIntegrator> : Stepper<FieldAir, TIntegrator>
+    where TIntegrator : struct, IIntegrator
+{
+    private readonly FieldSystem _system;
+    private readonly StabilityLimit _limit;
+    private readonly double _contactHeight;
+    private readonly bool _hasWorld;
+    private readonly double _fastestWind;
+    private readonly TIntegrator _integrator;
+
+    public FieldStepper(Scene scene, SolverSettings settings)
+        : base(scene, settings)
+    {
+        _integrator = default;
+        var around = new Surroundings<FieldAir>(scene);
+        _system = new FieldSystem { Air = around.Air, Wind = around.Wind, Upward = around.Upward };
+        _limit = StabilityLimit.Of(scene, ref around.Air, around.Upward, _integrator.Order);
+        _contactHeight = around.ContactHeight;
+        _hasWorld = around.World is not null;
+        _fastestWind = around.Air.FastestWind;
+    }
+
+    [MethodImpl(Hot.Path)]
+    public override void Step(ref BallState s, double dt, StepLog log)
+    {
+        if (_hasWorld || s.Motion != MotionState.Airborne || _integrator.GainsByHops || !TryWhole(ref s, dt, log))
+        {
+            base.Step(ref s, dt, log);
+        }
+    }
+
+    /// <summary>Takes a whole step, if nothing happens in it.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private bool TryWhole(ref BallState s, double dt, StepLog log)
+    {
+        // The bound of the change errs towards no, as the guards do: the ground, a dip through it, the end of the spin.
+        FieldMotion from;
+        from.Position = s.Position;
+        from.Velocity = s.Flight.Velocity;
+        from.SpinRate = s.Flight.SpinRate;
+        from.AirDistance = s.AirDistance;
+        double most = (from.Velocity - _system.Wind).Length + _fastestWind;
+        if (dt * _limit.RateAtMost(most, from.SpinRate) > StabilityLimit.LargestChange || (from.Position.Y <= _contactHeight && from.Velocity.Y < 0))
+        {
+            return false;
+        }
+
+        FieldSystem system = _system;
+        system.Axis = s.Flight.Axis;
+        _integrator.Advance(ref system, s.Time, in from, dt, out FieldStep step);
+        log.Evaluations += _integrator.Stages;
+        if (step.End.Position.Y < _contactHeight || (from.Velocity.Y < 0 && step.End.Velocity.Y > 0) || step.End.SpinRate < 0)
+        {
+            return false;
+        }
+
+        if (log.Observer is null)
+        {
+            Move(ref s, in step, dt);
+        }
+        else
+        {
+            MoveAndShow(ref s, in system, in step, dt, log);
+        }
+
+        log.Steps++;
+        return true;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Move(ref BallState s, in FieldStep step, double dt)
+    {
+        s.Position = step.End.Position;
+        s.Flight.Velocity = step.End.Velocity;
+        s.Flight.SpinRate = step.End.SpinRate;
+        s.AirDistance = step.End.AirDistance;
+        s.Angle += step.Turn;
+        s.Branch = DragBranch.Unknown;
+        s.Time += dt;
+    }
+
+    /// <summary>Moves the ball to the end of a whole step, and shows that to the observer.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void MoveAndShow(ref BallState s, in FieldSystem system, in FieldStep step, double dt, StepLog log)
+    {
+        BallState before = s;
+        Move(ref s, in step, dt);
+        Vector3d acceleration = default;
+        if (log.Observer!.WantsEndAcceleration)
+        {
+            system.Rates(s.Time, in step.End, out FieldRates end);
+            acceleration = end.Acceleration;
+            log.Evaluations++;
+        }
+
+        log.Show(in before, in s, in step.StartAcceleration, in acceleration, _integrator.Order);
+    }
+}

@@ -1,0 +1,76 @@
+namespace Football.Physics;
+
+/// <summary>Keeps the pieces of a ball in a net short enough for it, and ends them where a net becomes slack or tight: there its force has a kink.</summary>
+internal sealed class NetGuard
+{
+    /// <summary>A net changes the motion in a piece by no more than this share.</summary>
+    private const double LargestChange = 0.04;
+
+    private readonly World _world;
+
+    public NetGuard(World world) => _world = world;
+
+    /// <summary>The longest piece that the nets allow which the ball is in, s.</summary>
+    public double LongestPiece(in BallState s, double h)
+    {
+        double longest = h;
+        for (int i = 0; i < _world.Nets.Length && s.Nets != 0; i++)
+        {
+            if ((s.Nets >> i & 1) != 0)
+            {
+                // As deep as it may come within the piece.
+                double depth = Math.Max(0, _world.Nets[i].Depth(s.Position, World.SideOf(s.NetSides, i))) + (longest * s.Velocity.Length);
+                longest = Math.Min(longest, LargestChange / _world.Nets[i].RateAt(depth));
+                depth = Math.Max(0, _world.Nets[i].Depth(s.Position, World.SideOf(s.NetSides, i))) + (longest * s.Velocity.Length);
+                longest = Math.Min(h, LargestChange / _world.Nets[i].RateAt(depth));
+            }
+        }
+
+        return longest;
+    }
+
+    /// <summary>Ends a piece where the tension 1 + b δ̇ of a net changes its sign.</summary>
+    public void EndWhereSlack<TSweep>(ref TSweep sweep, in BallState s)
+        where TSweep : struct, ISweep
+    {
+        for (int i = 0; i < _world.Nets.Length && s.Nets != 0; i++)
+        {
+            if ((s.Nets >> i & 1) == 0)
+            {
+                continue;
+            }
+
+            double side = World.SideOf(s.NetSides, i);
+            double start = _world.Nets[i].Tension(s.Velocity, side);
+            double end = _world.Nets[i].Tension(sweep.Velocity, side);
+            if (Math.Abs(start) > 1e-9 && start < 0 != end < 0)
+            {
+                var tension = new NetTension<TSweep>(_world.Nets[i], side, in sweep);
+                Roots.Illinois(ref tension, 0, start, sweep.Length, end, 1e-12 * sweep.Length, 60);
+                sweep = tension.Sweep;
+            }
+        }
+    }
+
+    private struct NetTension<TSweep> : IFunction
+        where TSweep : struct, ISweep
+    {
+        public TSweep Sweep;
+        private readonly NetSheet _net;
+        private readonly double _side;
+
+        public NetTension(NetSheet net, double side, in TSweep sweep)
+        {
+            _net = net;
+            _side = side;
+            Sweep = sweep;
+        }
+
+        public bool Evaluate(double x, out double value)
+        {
+            Sweep.Step(x);
+            value = _net.Tension(Sweep.Velocity, _side);
+            return Math.Abs(value) < 1e-13;
+        }
+    }
+}

@@ -1,0 +1,38 @@
+namespace Football.Physics;
+
+/// <summary>A ball at rest among things that move: it waits until one of them hits it.</summary>
+internal sealed class RestPhase<TAir>
+    where TAir : struct, IAir
+{
+    private readonly World _world;
+    private readonly WorldGuard<TAir> _guard;
+
+    public RestPhase(World world, WorldGuard<TAir> guard)
+    {
+        _world = world;
+        _guard = guard;
+    }
+
+    /// <summary>Up to the end of the step, or to the hit.</summary>
+    public void Take(ref BallState s, ref StepRun run)
+    {
+        if (_guard.HitsAtOnce(ref s, ref run))
+        {
+            return;
+        }
+
+        double h = run.Left;
+        Vector3d velocity = _world.CarrierOf(in s).Velocity;
+        var path = PathCubic.Line(s.Position, in velocity, h);
+        double at = new ContactSearch(_world, in path, s.Time).First(in s, (int)s.Carrier - _world.FirstCollider, out Gap met);
+        bool meets = at <= h;
+        h = meets ? at : h;
+        s.Position = path.At(h);
+        run.Advance(ref s, h);
+        run.Log.Steps--;
+        if (meets)
+        {
+            _guard.Meet(ref s, in met, ref run);
+        }
+    }
+}

@@ -1,0 +1,233 @@
+namespace Football.Physics;
+
+/// <summary>What touching a thing of the world does to the ball: an impact, and whether it then flies, is guided, or is carried, sliding or rolling.</summary>
+internal sealed class WorldContact<TAir>
+    where TAir : struct, IAir
+{
+    /// <summary>More impacts than this at one instant, and the ball is wedged: it goes along with what pushes it.</summary>
+    private const int MostAtOnce = 64;
+
+    private readonly Surroundings<TAir> _around;
+    private readonly World _world;
+    private readonly bool _levelGround;
+
+    public WorldContact(Surroundings<TAir> around, bool levelGround)
+    {
+        _levelGround = levelGround;
+        _around = around;
+        _world = around.World!;
+    }
+
+    /// <summary>An impact with a collider that the ball touches, and what becomes of the ball.</summary>
+    public void Impact(ref BallState s, int collider, ref StepRun run)
+    {
+        Collider hit = _world.Colliders[collider];
+        ShapePoint at = hit.At(s.Position, s.Time);
+        Vector3d n = at.Normal;
+        Vector3d v = s.Velocity;
+        Vector3d w = s.Spin;
+        bool carried = s.Motion != MotionState.Airborne;
+        int thing = collider + _world.FirstCollider;
+        bool wedged = run.Impacts++ >= MostAtOnce;
+        Vector3d surface = hit.SurfaceVelocity(s.Position - (_world.Ball.Radius * n), s.Time);
+        CoulombImpact.Apply(_world.Ball, in hit.Material, in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin);
+        if (wedged)
+        {
+            velocity = v - (Vector3d.Dot(v - hit.Velocity, in n) * n);
+            spin = w;
+        }
+        else
+        {
+            run.Log.Events.Add(new BallEvent(BallEventKind.Impact, thing, in n, s.Time, s.Position, in v, in w, in velocity, in spin));
+            run.Log.Halted |= run.Log.StopAt == StopAt.Impact;
+        }
+
+        s.Branch = DragBranch.Unknown;
+        run.Part = 0;
+        run.Pieces = 0;
+        double off = Vector3d.Dot(velocity - hit.Velocity, in n);
+        bool bounces = off >= _world.MinimumBounceSpeed;
+        velocity = bounces ? velocity : velocity - (off * n);
+        if (carried && s.Carrier != thing)
+        {
+            KeepCarrier(ref s, in velocity, in spin, hit.Velocity, in n, bounces, ref run);
+            return;
+        }
+
+        if (!bounces && Load(in s, in velocity, in spin, hit, in at) > 0)
+        {
+            Stay(ref s, thing, in velocity, in spin, ref run);
+            return;
+        }
+
+        Fly(ref s, in velocity, in spin);
+    }
+
+    /// <summary>The slip is over, or was never there: the spin becomes that of pure rolling.</summary>
+    public void StartRolling(ref BallState s, ref StepRun run)
+    {
+        Collider carrier = _world.CarrierOf(in s);
+        Vector3d n = carrier.At(s.Position, s.Time).Normal;
+        Vector3d before = s.Spin;
+        Vector3d spin = Slip.RollingSpin(s.Velocity - carrier.Velocity, Vector3d.Dot(in before, in n), in n, _world.Ball.Radius);
+        s.SetGroundSpin(in spin);
+        s.Motion = MotionState.Rolling;
+        run.Log.Events.Add(new BallEvent(BallEventKind.Roll, (int)s.Carrier, in n, s.Time, s.Position, s.Velocity, in before, s.Velocity, in spin));
+    }
+
+    /// <summary>A rolling ball begins to slip.</summary>
+    public void StartSliding(ref BallState s, ref StepRun run)
+    {
+        Vector3d n = _world.CarrierOf(in s).At(s.Position, s.Time).Normal;
+        s.Motion = MotionState.Sliding;
+        run.Log.Events.Add(new BallEvent(BallEventKind.Slide, (int)s.Carrier, in n, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
+    }
+
+    /// <summary>The ball leaves what carries it.</summary>
+    public void Leave(ref BallState s, in Vector3d velocity, in Vector3d spin, ref StepRun run)
+    {
+        run.Log.Events.Add(new BallEvent(BallEventKind.Leave, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, in velocity, in spin));
+        Fly(ref s, in velocity, in spin);
+    }
+
+    /// <summary>The ball comes to rest on what carries it.</summary>
+    public void Rest(ref BallState s, ref StepRun run)
+    {
+        run.Log.Events.Add(new BallEvent(BallEventKind.Rest, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
+        run.Log.Halted |= run.Log.StopAt == StopAt.Rest;
+        s.Velocity = _world.CarrierOf(in s).Velocity;
+        s.SetGroundSpin(Vector3d.Zero);
+        s.Motion = MotionState.Stopped;
+    }
+
+    /// <summary>Whether a collider would carry a ball that touches it: N/m is above zero.</summary>
+    public bool IsPressed(in BallState s, int collider)
+    {
+        Collider on = _world.Colliders[collider];
+        ShapePoint at = on.At(s.Position, s.Time);
+        return Load(in s, s.Velocity, s.Spin, on, in at) > 0;
+    }
+
+    /// <summary>A ball that is placed: carried, where it touches something slowly enough and is pressed on it; else in the air.</summary>
+    public void Settle(ref BallState s)
+    {
+        for (int i = 0; i < _world.Colliders.Length; i++)
+        {
+            Collider collider = _world.Colliders[i];
+            ShapePoint at = collider.At(s.Position, s.Time);
+            Vector3d velocity = s.Velocity;
+            Vector3d spin = s.Spin;
+            double off = Vector3d.Dot(velocity - collider.Velocity, at.Normal);
+            velocity -= off * at.Normal;
+
+            // On a level pitch that is so up to the speed of the slowest bounce; on anything else what comes closer hits.
+            bool stays = off < _world.MinimumBounceSpeed && off > (_levelGround && collider == _world.Ground ? -_world.MinimumBounceSpeed : -double.Epsilon);
+            if (at.Distance - _world.Ball.Radius <= ContactSearch.Touching && stays
+                && Load(in s, in velocity, in spin, collider, in at) > 0)
+            {
+                s.Velocity = velocity;
+                s.Carrier = i + _world.FirstCollider;
+                bool rolls = Slip.Of(velocity - collider.Velocity, in spin, at.Normal, _world.Ball.Radius).Length < Slip.Rolling;
+                s.SetGroundSpin(in spin);
+                s.Motion = rolls ? MotionState.Rolling : MotionState.Sliding;
+                return;
+            }
+        }
+    }
+
+    /// <summary>A carried ball was hit by something else: it keeps its carrier unless the impulse lifts it.</summary>
+    private void KeepCarrier(
+        ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d hitVelocity, in Vector3d hitNormal, bool bounces, ref StepRun run)
+    {
+        Collider carrier = _world.CarrierOf(in s);
+        Vector3d n = carrier.At(s.Position, s.Time).Normal;
+        double off = Vector3d.Dot(velocity - carrier.Velocity, in n);
+        if (off >= _world.MinimumBounceSpeed)
+        {
+            Leave(ref s, in velocity, in spin, ref run);
+            return;
+        }
+
+        if (off < -ContactSearch.Approaching)
+        {
+            s.Velocity = velocity;
+            s.SetGroundSpin(in spin);
+            s.Motion = MotionState.Sliding;
+            Impact(ref s, (int)s.Carrier - _world.FirstCollider, ref run);
+            return;
+        }
+
+        Vector3d kept = velocity - (off * n);
+        Vector3d along = hitNormal - (Vector3d.Dot(in hitNormal, in n) * n);
+        double share = along.LengthSquared;
+        if (!bounces && share > 1e-12)
+        {
+            // Neither off the carrier nor into what it hit.
+            kept -= Vector3d.Dot(kept - hitVelocity, in hitNormal) / share * along;
+        }
+
+        Stay(ref s, (int)s.Carrier, in kept, in spin, ref run);
+    }
+
+    /// <summary>The ball stays on a thing: it slides, or rolls.</summary>
+    private void Stay(ref BallState s, int thing, in Vector3d velocity, in Vector3d spin, ref StepRun run)
+    {
+        s.Velocity = velocity;
+        s.SetGroundSpin(in spin);
+        s.Carrier = thing;
+        s.Motion = MotionState.Sliding;
+        Collider carrier = _world.CarrierOf(in s);
+        Vector3d n = carrier.At(s.Position, s.Time).Normal;
+        if (Slip.Of(velocity - carrier.Velocity, in spin, in n, _world.Ball.Radius).Length < Slip.Rolling && Grips(in s, carrier, ref run))
+        {
+            StartRolling(ref s, ref run);
+        }
+        else
+        {
+            StartSliding(ref s, ref run);
+        }
+    }
+
+    /// <summary>Whether friction can hold a ball without slip.</summary>
+    private bool Grips(in BallState s, Collider carrier, ref StepRun run)
+    {
+        CarriedSystem<TAir> system = System(in s, carrier);
+        CarriedForces on = system.ForcesOn(s.Time, new Motion(s.Position, s.Velocity, s.Spin));
+        run.Log.Evaluations++;
+        return system.Grips(in on);
+    }
+
+    /// <summary>N/m, m/s², were the ball to follow the surface.</summary>
+    private double Load(in BallState s, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
+    {
+        var motion = new Motion(s.Position, in velocity, in spin);
+        if (_world.SharesAir)
+        {
+            return System(in s, collider).ForcesOn(s.Time, in motion).FreeLoad;
+        }
+
+        Vector3d along = velocity - collider.Velocity;
+        return (-_around.Upward * at.Normal.Y) - Vector3d.Dot(in along, at.Curvature * along);
+    }
+
+    private CarriedSystem<TAir> System(in BallState s, Collider carrier) => new()
+    {
+        Around = _around,
+        World = _world,
+        Carrier = carrier,
+        Branch = _around.Air.Jumps
+            ? DragJump.At((s.Velocity - _around.Wind).LengthSquared, _around.RadiusSquared * s.Spin.LengthSquared).Branch
+            : DragBranch.Unknown,
+        Nets = s.Nets,
+        NetSides = s.NetSides,
+    };
+
+    private static void Fly(ref BallState s, in Vector3d velocity, in Vector3d spin)
+    {
+        s.Velocity = velocity;
+        s.SetFlightSpin(in spin);
+        s.Motion = MotionState.Airborne;
+        s.Carrier = 0;
+        s.Branch = DragBranch.Unknown;
+    }
+}

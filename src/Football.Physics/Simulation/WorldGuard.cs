@@ -1,0 +1,170 @@
+namespace Football.Physics;
+
+/// <summary>Ends a piece of motion at the first thing of the world that it meets, and does what that calls for.</summary>
+internal sealed class WorldGuard<TAir>
+    where TAir : struct, IAir
+{
+    /// <summary>Below this correction, s, a linear one is exact to rounding.</summary>
+    private const double Negligible = 1e-6;
+
+    /// <summary>Below this, m, a gap needs no correction.</summary>
+    private const double Closed = 1e-14;
+
+    /// <summary>A piece that ends where something is grazed is at least this share of what it was.</summary>
+    private const double ShortestPiece = 1e-6;
+
+    /// <summary>How often the search is repeated on the piece that it has shortened: its path is then known better.</summary>
+    private const int MostSearches = 8;
+
+    private readonly World _world;
+    private readonly WorldContact<TAir> _contact;
+
+    public WorldGuard(World world, WorldContact<TAir> contact)
+    {
+        _world = world;
+        _contact = contact;
+    }
+
+    /// <summary>An impact with what the ball touches and comes closer to where it is, if anything.</summary>
+    /// <returns>True when there was one.</returns>
+    public bool HitsAtOnce(ref BallState s, ref StepRun run)
+    {
+        long carrier = s.Motion == MotionState.Airborne ? -1 : s.Carrier - _world.FirstCollider;
+        for (int i = 0; i < _world.Colliders.Length; i++)
+        {
+            if (i == carrier)
+            {
+                continue;
+            }
+
+            Gap.OfContact(_world, i).Evaluate(s.Position, s.Velocity, s.Time, out double gap, out double rate);
+            // The ground takes a ball that it presses at any speed, even where nothing comes closer.
+            bool hits = rate < -ContactSearch.Approaching || (rate <= ContactSearch.Approaching && carrier < 0 && _world.Colliders[i] == _world.Ground && _contact.IsPressed(in s, i));
+            if (gap <= ContactSearch.Touching && hits)
+            {
+                _contact.Impact(ref s, i, ref run);
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>Ends a piece at the first thing that it meets.</summary>
+    /// <param name="sweep">The piece.</param>
+    /// <param name="s">The ball at its start.</param>
+    /// <param name="order">Order of the method.</param>
+    /// <param name="met">What it meets.</param>
+    /// <returns>True when it meets anything.</returns>
+    public bool EndAtFirst<TSweep>(ref TSweep sweep, in BallState s, int order, out Gap met)
+        where TSweep : struct, ISweep
+    {
+        int carrier = s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - _world.FirstCollider;
+        met = default;
+        for (int i = 0; i < MostSearches; i++)
+        {
+            var path = PathCubic.Of(ref sweep, s.Position, s.Velocity, order);
+            var search = new ContactSearch(_world, in path, s.Time);
+            double at = search.First(in s, carrier, out Gap found);
+            if (!(at <= path.Length) || (met.What != Happening.None && at >= path.Length * (1.0 - 1e-9)))
+            {
+                break;
+            }
+
+            if (at == 0)
+            {
+                sweep.Step(0);
+                met = found;
+                break;
+            }
+
+            if (!Locate(ref sweep, in found, s.Time, at, path.Length))
+            {
+                // It only grazes: the piece ends there all the same, and the next one sees what is ahead.
+                sweep.Step(Math.Max(sweep.Length, ShortestPiece * path.Length));
+                met = default;
+                break;
+            }
+
+            met = found;
+            if (!(sweep.Length > 0))
+            {
+                break;
+            }
+        }
+
+        return met.What != Happening.None;
+    }
+
+    /// <summary>What meeting a thing calls for, where the ball is.</summary>
+    public void Meet(ref BallState s, in Gap met, ref StepRun run)
+    {
+        switch (met.What)
+        {
+            case Happening.Contact:
+                _contact.Impact(ref s, met.Index, ref run);
+                break;
+            case Happening.NetMet:
+                s.Nets |= 1UL << met.Index;
+                s.NetSides = met.Side > 0 ? s.NetSides | (1UL << met.Index) : s.NetSides & ~(1UL << met.Index);
+                Report(in s, BallEventKind.Net, _world.ThingOfNet(met.Index), met.Side * _world.Nets[met.Index].Normal, ref run);
+                break;
+            case Happening.NetLeft:
+                s.Nets &= ~(1UL << met.Index);
+                break;
+            case Happening.GoalLine:
+                s.GoalsPassed |= 1UL << met.Index;
+                Report(in s, BallEventKind.Goal, _world.ThingOfGoal(met.Index), _world.Goals[met.Index].Out, ref run);
+                break;
+        }
+    }
+
+    private static void Report(in BallState s, BallEventKind kind, int thing, in Vector3d normal, ref StepRun run) =>
+        run.Log.Events.Add(new BallEvent(kind, thing, in normal, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
+
+    /// <summary>From the cubic path to the step itself: Newton on the gap, inside its bracket.</summary>
+    /// <returns>False where the gap does not close after all.</returns>
+    private static bool Locate<TSweep>(ref TSweep sweep, in Gap sought, double time, double tau, double length)
+        where TSweep : struct, ISweep
+    {
+        double low = 0;
+        double high = length;
+        sought.Evaluate(sweep.Position, sweep.Velocity, time + length, out double atEnd, out _);
+        for (int i = 0; i < 60; i++)
+        {
+            sweep.Step(tau);
+            sought.Evaluate(sweep.Position, sweep.Velocity, time + tau, out double gap, out double rate);
+            double correction = -gap / rate;
+            if (Math.Abs(gap) <= Closed || (rate < 0 && Math.Abs(correction) <= Negligible && tau + correction >= 0))
+            {
+                if (Math.Abs(gap) > Closed)
+                {
+                    sweep.Nudge(correction);
+                }
+
+                return true;
+            }
+
+            if (gap > 0)
+            {
+                low = tau;
+            }
+            else
+            {
+                high = tau;
+            }
+
+            double next = tau + correction;
+            tau = rate < 0 && next > low && next < high ? next : 0.5 * (low + high);
+            if (high - low <= 1e-15 * length)
+            {
+                break;
+            }
+        }
+
+        sought.Evaluate(sweep.Position, sweep.Velocity, time + sweep.Length, out double left, out double coming);
+
+        // A step that ends inside has touched it, even where its own velocity is zero there (a semi-implicit hop).
+        return left <= ContactSearch.Touching && (coming < 0 || atEnd < 0);
+    }
+}

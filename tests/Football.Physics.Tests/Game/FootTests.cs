@@ -1,0 +1,104 @@
+using Football.Physics.Tests.Support;
+
+namespace Football.Physics.Tests.Game;
+
+/// <summary>A strike of a foot, forward against values worked out with another calculator, and back.</summary>
+public sealed class FootTests
+{
+    private static readonly BallProperties s_ball = BallProperties.Football;
+
+    [Theory]
+    [InlineData(0, 32.618, 0, 0)]
+    [InlineData(0.02, 32.118, 7.50, 22.74)]
+    [InlineData(0.04, 30.567, 15.06, 45.47)]
+    [InlineData(0.06, 27.792, 22.69, 68.21)]
+    [InlineData(0.08, 23.360, 30.07, 90.94)]
+    public void A_foot_that_passes_the_centre_gives_speed_and_spin(double offset, double speed, double angle, double spin)
+    {
+        // The line of the foot is along x, to the right of the ball's centre seen from the foot.
+        double sine = offset / s_ball.Radius;
+        var normal = new Vector3d(Math.Sqrt(1 - (sine * sine)), 0, -sine);
+        FootStrike strike = new Foot().Strike(s_ball, Vector3d.Zero, Vector3d.Zero, new Vector3d(25, 0, 0), normal);
+        Assert.Equal(speed, strike.Velocity.Length, 5.1e-4);
+        Assert.Equal(angle, Math.Abs(Math.Atan2(strike.Velocity.Z, strike.Velocity.X)) * 180 / Math.PI, 5.1e-3);
+        Assert.Equal(spin, strike.Spin.Length, 5.1e-3);
+        Assert.Equal(0, strike.Velocity.Y, 1e-12);
+        Assert.True(strike.Velocity.Z <= 0 && strike.Spin.Y >= 0);
+    }
+
+    [Fact]
+    public void Momentum_is_kept_and_energy_never_grows()
+    {
+        var random = new Shots(41);
+        for (int i = 0; i < 500; i++)
+        {
+            var foot = new Foot
+            {
+                Mass = random.Uniform(0.5, 4),
+                Restitution = random.Uniform(0, 1),
+                TangentialRestitution = random.Uniform(0, 1),
+                Friction = random.Uniform(0, 2),
+            };
+            Vector3d v = random.Uniform(0, 20) * random.Direction();
+            Vector3d w = random.Uniform(0, 60) * random.Direction();
+            Vector3d u = random.Uniform(0, 30) * random.Direction();
+            FootStrike strike = foot.Strike(s_ball, v, w, u, random.Direction());
+            Vector3d lost = (s_ball.Mass * (v - strike.Velocity)) + (foot.Mass * (u - strike.FootVelocityAfter));
+            Assert.InRange(lost.Length, 0, 1e-12);
+            double Energy(Vector3d ball, Vector3d spin, Vector3d other) => 0.5 * ((s_ball.Mass * ball.LengthSquared) + (s_ball.MomentOfInertia * spin.LengthSquared) + (foot.Mass * other.LengthSquared));
+            double before = Energy(v, w, u);
+            Assert.True(Energy(strike.Velocity, strike.Spin, strike.FootVelocityAfter) <= before * (1 + 1e-13));
+        }
+    }
+
+    [Fact]
+    public void A_foot_that_goes_away_changes_nothing()
+    {
+        FootStrike strike = new Foot().Strike(s_ball, new Vector3d(5, 0, 0), new Vector3d(0, 9, 0), new Vector3d(3, 0, 0), new Vector3d(1, 0, 0));
+        Assert.Equal((new Vector3d(5, 0, 0), new Vector3d(0, 9, 0), new Vector3d(3, 0, 0)), (strike.Velocity, strike.Spin, strike.FootVelocityAfter));
+    }
+
+    [Fact]
+    public void The_strike_for_a_kick_gives_that_kick()
+    {
+        var random = new Shots(42);
+        int limited = 0;
+        for (int i = 0; i < 500; i++)
+        {
+            var foot = new Foot { TangentialRestitution = random.Uniform(0, 0.5) };
+            Vector3d v = random.Uniform(0, 10) * random.Direction();
+            Vector3d w = random.Uniform(0, 30) * random.Direction();
+            Vector3d wantedVelocity = random.Uniform(15, 32) * random.Direction();
+            Vector3d wantedSpin = random.Uniform(0, 300) * random.Direction();
+            FootStrike strike = foot.StrikeFor(s_ball, v, w, wantedVelocity, wantedSpin);
+            FootStrike played = foot.Strike(s_ball, v, w, strike.FootVelocity, strike.Normal);
+            Assert.InRange(Vector3d.Distance(played.Velocity, wantedVelocity), 0, 1e-9);
+            Assert.InRange(Vector3d.Distance(played.Velocity, strike.Velocity), 0, 1e-9);
+            Assert.InRange(Vector3d.Distance(played.Spin, strike.Spin), 0, 1e-8);
+            Assert.InRange(Vector3d.Distance(played.FootVelocityAfter, strike.FootVelocityAfter), 0, 1e-9);
+
+            Vector3d direction = (wantedVelocity - v) / (wantedVelocity - v).Length;
+            Vector3d missing = wantedSpin - strike.Spin - (strike.SpinAlongImpulse * direction);
+            Assert.Equal(strike.EnoughFriction, missing.Length < 1e-8);
+            Assert.Equal(0, Vector3d.Dot(missing, direction), 1e-8);
+            limited += strike.EnoughFriction ? 0 : 1;
+        }
+
+        Assert.InRange(limited, 20, 480);
+    }
+
+    [Fact]
+    public void Numbers_out_of_range_are_refused()
+    {
+        Refused("foot.mass is 0", () => Strike(new Foot { Mass = 0 }));
+        Refused("foot.restitution is 1.2", () => Strike(new Foot { Restitution = 1.2 }));
+        Refused("foot.tangentialRestitution is -1", () => Strike(new Foot { TangentialRestitution = -1 }));
+        Refused("foot.friction is NaN", () => Strike(new Foot { Friction = double.NaN }));
+        Refused("foot.normal is (0, 0, 0)", () => new Foot().Strike(s_ball, Vector3d.Zero, Vector3d.Zero, new Vector3d(1, 0, 0), Vector3d.Zero));
+        Refused("kick.velocity is (3, 0, 0)", () => new Foot().StrikeFor(s_ball, new Vector3d(3, 0, 0), Vector3d.Zero, new Vector3d(3, 0, 0), Vector3d.Zero));
+
+        static FootStrike Strike(Foot foot) => foot.Strike(s_ball, Vector3d.Zero, Vector3d.Zero, new Vector3d(10, 0, 0), new Vector3d(1, 0, 0));
+        static void Refused(string message, Func<FootStrike> strike) =>
+            Assert.Contains(message, Assert.Throws<ArgumentOutOfRangeException>(() => strike()).Message, StringComparison.Ordinal);
+    }
+}

@@ -1,0 +1,87 @@
+using System.Globalization;
+using System.Text.Json;
+using Football.Physics.Tests.Support;
+
+namespace Football.Physics.Tests.Reference;
+
+/// <summary>Flights by the measured laws, up to their first impact, against an independent solver.</summary>
+public sealed class MeasuredReferenceTests
+{
+    private static readonly IReadOnlyList<JsonElement> s_flights = [.. ReferenceCase.Lines("measured.ndjson").Where(IsFlight)];
+
+    [Fact]
+    public void There_are_flights_of_every_ball() => Assert.Equal(
+        ["brazuca", "generic", "jabulani", "tango12", "teamgeist"],
+        s_flights.Select(BallOf).Distinct(StringComparer.Ordinal).Order(StringComparer.Ordinal));
+
+    /// <summary>RK4: a nanometre at 10 ms, half a micrometre at 40 ms.</summary>
+    [Theory]
+    [InlineData(0.01, 2e-9, 4e-9)]
+    [InlineData(0.04, 5e-7, 1e-6)]
+    public void The_ball_comes_down_where_and_when_the_reference_says(double timeStep, double p95, double worst) =>
+        Compare(s_flights.Where(line => !Knuckles(line)), 30, timeStep, p95, worst);
+
+    /// <summary>Its force is rougher: it begins and ends within a step as the spin parameter passes its limits.</summary>
+    [Theory]
+    [InlineData(0.01, 1e-6, 1e-6)]
+    [InlineData(0.04, 1e-4, 1e-4)]
+    public void A_knuckle_ball_does_so_too(double timeStep, double p95, double worst) =>
+        Compare(s_flights.Where(Knuckles), 8, timeStep, p95, worst);
+
+    private static void Compare(IEnumerable<JsonElement> flights, int least, double timeStep, double p95, double worst)
+    {
+        var places = new Errors("place of the impact, m");
+        var times = new Errors("time of the impact, s");
+        foreach (JsonElement line in flights)
+        {
+            JsonElement scenario = line.GetProperty("scenario");
+            JsonElement launch = scenario.GetProperty("launch");
+            BallEvent impact = Flight.ToImpact(
+                SceneOf(scenario),
+                Integrator.Rk4,
+                timeStep,
+                ReferenceCase.Vector(launch.GetProperty("position")),
+                ReferenceCase.Vector(launch.GetProperty("velocity")),
+                ReferenceCase.Vector(launch.GetProperty("spin")));
+            JsonElement expected = line.GetProperty("expected").GetProperty("events")[0];
+            string name = line.GetProperty("name").GetString()!;
+            places.Add(name, Vector3d.Distance(impact.Position, ReferenceCase.Vector(expected.GetProperty("position"))));
+            times.Add(name, Math.Abs(impact.Time - ReferenceCase.Number(expected, "time")));
+        }
+
+        Assert.InRange(places.Count, least, 66);
+        places.Hold(p95: p95, worst: worst);
+        times.Hold(p95: p95, worst: worst);
+    }
+
+    /// <summary>Begins in the air, or at once leaves the ground, and comes down.</summary>
+    private static bool IsFlight(JsonElement line)
+    {
+        JsonElement events = line.GetProperty("expected").GetProperty("events");
+        return events.GetArrayLength() > 0 && events[0].GetProperty("kind").GetString() == "impact";
+    }
+
+    private static bool Knuckles(JsonElement line) => line.GetProperty("scenario").TryGetProperty("forces", out _);
+
+    private static string BallOf(JsonElement line) => line.GetProperty("scenario").GetProperty("ball").GetProperty("type").GetString()!;
+
+    private static Scene SceneOf(JsonElement scenario)
+    {
+        JsonElement air = scenario.GetProperty("air");
+        string ball = CultureInfo.InvariantCulture.TextInfo.ToTitleCase(scenario.GetProperty("ball").GetProperty("type").GetString()!);
+        return Scene.Measured with
+        {
+            Forces = ForceSet.Measured with
+            {
+                KnuckleSeed = scenario.TryGetProperty("forces", out JsonElement forces) ? forces.GetProperty("knuckleSeed").GetInt64() : null,
+            },
+            Ball = ball == "Generic" ? BallProperties.Football : (BallProperties)typeof(BallProperties).GetProperty(ball)!.GetValue(null)!,
+            Air = new Air
+            {
+                Density = ReferenceCase.Number(air, "density"),
+                KinematicViscosity = ReferenceCase.Number(air, "kinematicViscosity"),
+                Wind = ReferenceCase.Vector(air.GetProperty("wind")),
+            },
+        };
+    }
+}
