@@ -14,26 +14,32 @@ internal static class AnswersLab
 
     private static readonly (double Wind, int Balls)[] s_conditions = [(0, 1), (0, KnownKick.Balls.Length), (Windy, 1), (Windy, KnownKick.Balls.Length)];
 
+    private static readonly (string Name, Action<LabReport, int, int, Progress> Count)[] s_questions =
+        [("known", Known), ("ground", Ground), ("batches", Batches), ("lookahead", LookAheads), ("verdicts", Verdicts)];
+
     public static Command Create(Terminal terminal)
     {
         Option<long> count = Arguments.Whole("--count", "Kicks, requests and look-aheads of every kind.", 1, 1_000_000, 2000);
+        var only = new Option<string?>("--only") { HelpName = "QUESTION", Description = $"One question only: {string.Join(", ", s_questions.Select(one => one.Name))}." };
+        only.AcceptOnlyFromAmong([.. s_questions.Select(one => one.Name)]);
         return LabOptions.Create(
             "answers",
             "Whether answers are right: known kicks are found again, hits hit, verdicts hold against a dense scan, look-aheads miss nothing.",
-            ["football lab answers --seed 7 --count 10000"],
+            ["football lab answers --seed 7 --count 10000", "football lab answers --only lookahead"],
             terminal,
-            (parsed, seed, progress) => Run(unchecked((int)seed), (int)parsed.GetValue(count), progress),
-            count);
+            (parsed, seed, progress) => Run(unchecked((int)seed), (int)parsed.GetValue(count), parsed.GetValue(only), progress),
+            count,
+            only);
     }
 
-    private static LabReport Run(int seed, int count, Progress progress)
+    private static LabReport Run(int seed, int count, string? only, Progress progress)
     {
         var report = new LabReport { Name = "answers", Seed = seed };
-        Known(report, seed, count, progress);
-        Ground(report, seed, count, progress);
-        Batches(report, seed, count, progress);
-        LookAheads(report, seed, count, progress);
-        Verdicts(report, seed, count, progress);
+        foreach ((string name, Action<LabReport, int, int, Progress> ask) in s_questions.Where(one => only is null || one.Name == only))
+        {
+            ask(report, seed, count, progress);
+        }
+
         return report;
     }
 

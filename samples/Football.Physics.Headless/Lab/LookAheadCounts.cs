@@ -74,14 +74,11 @@ internal sealed class LookAheadCounts
             }
         }
 
-        if (index % 4 == 0)
-        {
-            Push(random, scene, path, other);
-        }
+        Push(random, scene, path, other);
     }
 
     /// <summary>Planes just below the apex, planes through the path, and planes across it.</summary>
-    private static int Crossed(Random random, Trajectory path, out int missed)
+    private int Crossed(Random random, Trajectory path, out int missed)
     {
         missed = 0;
         int crossed = 0;
@@ -101,10 +98,23 @@ internal sealed class LookAheadCounts
             bool found = path.TryGetCrossing(in plane, out PathPoint at);
             bool right = !found || Math.Abs(Vector3d.Dot(at.Position - plane.Point, plane.Normal)) < Closeness;
             crossed += must ? 1 : 0;
-            missed += (must && !found) || !right ? 1 : 0;
+            bool wrong = (must && !found) || !right;
+            missed += wrong ? 1 : 0;
+            if (wrong)
+            {
+                Note(FormattableString.Invariant($"plane {k} through {plane.Point}, normal {plane.Normal}: {(found ? at.Position : null)}; apex {path.Apex}, from {path.Pieces[0].StartPosition} at {path.Pieces[0].StartVelocity} m/s"));
+            }
         }
 
         return crossed;
+    }
+
+    private void Note(string example)
+    {
+        lock (_lock)
+        {
+            _examples.Add(example);
+        }
     }
 
     /// <summary>Whether a dense look at a path changes sides of a plane.</summary>
@@ -137,11 +147,8 @@ internal sealed class LookAheadCounts
             return false;
         }
 
-        lock (_lock)
-        {
-            _examples.Add(FormattableString.Invariant(
+        Note(FormattableString.Invariant(
                 $"until passing {point}: ends at {until.EndTime} s, {off} m further than at {whole.ClosestApproach(point).Time} s; {ball.Velocity} m/s, wind {simulator.Scene.Air.Wind}"));
-        }
 
         return true;
     }
