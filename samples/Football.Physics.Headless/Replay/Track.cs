@@ -58,7 +58,7 @@ internal sealed class Track
                 BallEvent item = outcome.Events[next];
                 TrackKey last = keys[^1];
                 Quaterniond turned = Turned(last, item.Time);
-                var key = new TrackKey(item.Time, item.Position, item.VelocityBefore, item.Velocity, item.Spin, turned, After(item.Kind, last.Motion));
+                var key = new TrackKey(item.Time, item.Position, item.VelocityBefore, item.Velocity, item.Spin, turned, MotionAfter.Of(item.Kind, last.Motion));
                 if (item.Time > last.Time)
                 {
                     AddTurning(keys, key);
@@ -79,16 +79,6 @@ internal sealed class Track
     }
 
     private static TrackKey Key(in Moment at) => new(at.Time, at.Position, at.Velocity, at.Velocity, at.Spin, at.Orientation, at.State);
-
-    private static MotionState After(BallEventKind kind, MotionState before) => kind switch
-    {
-        BallEventKind.Impact or BallEventKind.Leave => MotionState.Airborne,
-        BallEventKind.Slide => MotionState.Sliding,
-        BallEventKind.Roll => MotionState.Rolling,
-        BallEventKind.Rest => MotionState.Stopped,
-        BallEventKind.Net or BallEventKind.Goal => before,
-        _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, null),
-    };
 
     private static Quaterniond Turned(in TrackKey from, double time) =>
         (Quaterniond.FromRotationVector((time - from.Time) * from.Spin) * from.Orientation).Normalized();

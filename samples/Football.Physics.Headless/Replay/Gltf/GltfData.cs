@@ -22,9 +22,9 @@ internal sealed class GltfData
     public int Indices(IReadOnlyCollection<int> indices)
     {
         int view = View(ElementArrayBuffer, 4 * indices.Count);
+        byte[] four = new byte[4];
         foreach (int index in indices)
         {
-            Span<byte> four = stackalloc byte[4];
             BinaryPrimitives.WriteUInt32LittleEndian(four, (uint)index);
             _bytes.AddRange(four);
         }
@@ -55,9 +55,9 @@ internal sealed class GltfData
     {
         float[] values = [.. numbers.Select(number => (float)number)];
         int view = View(target, 4 * values.Length);
+        byte[] four = new byte[4];
         foreach (float value in values)
         {
-            Span<byte> four = stackalloc byte[4];
             BinaryPrimitives.WriteSingleLittleEndian(four, value);
             _bytes.AddRange(four);
         }
