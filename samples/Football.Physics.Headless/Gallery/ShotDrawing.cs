@@ -60,8 +60,9 @@ internal static class ShotDrawing
         SceneDrawing.Add(chart, shapes, Project, fromAbove: true);
         Vector3d direction = flight.Outcome.Samples![0].Velocity;
         double along = ViewFrame.Along(direction);
-        if (along > 0 && ViewFrame.Along(flight.ToFirstTouchdown.Last() - flight.Start) is > 1 and var end)
+        if (along > 0 && Flight.FirstTouchdown(flight.Outcome) is { } touchdown)
         {
+            double end = ViewFrame.Along(touchdown.Position - flight.Start);
             (double fromAlong, double fromLeft) = (ViewFrame.Along(flight.Start), ViewFrame.Left(flight.Start));
             chart.Items.Add(new PolylineItem([new(fromAlong, fromLeft), new(fromAlong + end, fromLeft + (end * ViewFrame.Left(direction) / along))])
             {
