@@ -22,23 +22,26 @@ internal static class ReplayCommand
             DefaultValueFactory = _ => DefaultPage,
         };
         var gltf = new Option<string?>("--gltf") { HelpName = "FILE", Description = "Writes the same as glTF 2.0 with animation too." };
+        var svg = new Option<string?>("--svg") { HelpName = "FILE", Description = "Writes a drawing that moves by itself too, for pages that run no program." };
         Option<FieldOverride[]> set = Arguments.Set("stop.at=rest");
         var command = new ExampleCommand(
             "replay",
             "Plays scenarios, and writes a page on which they move: in perspective, to be turned, slowed down and stopped; with the output redirected the results go there as JSON.",
             $"echo '{Kick}' | football replay - -o kick.html --set stop.at=rest",
-            $"echo '{Kick}' | football replay - -o kick.html --gltf kick.gltf --set stop.at=time --set stop.time=3")
+            $"echo '{Kick}' | football replay - -o kick.html --gltf kick.gltf --svg kick.svg --set stop.at=time --set stop.time=3")
         {
-            files, page, gltf, set,
+            files, page, gltf, svg, set,
         };
         command.SetAction(parsed =>
         {
             using OutputFile written = OutputFile.Open("--output", parsed.GetRequiredValue(page))!;
             using var scene = OutputFile.Open("--gltf", parsed.GetValue(gltf));
+            using var drawing = OutputFile.Open("--svg", parsed.GetValue(svg));
             FieldOverride[] overrides = [.. parsed.GetRequiredValue(set), FieldOverride.Parse("samples=true")!];
             List<(string Name, Scenario Scenario, Outcome Outcome)> played = Play(parsed.GetRequiredValue(files), overrides, terminal);
             var picture = ReplayPicture.Of("replay", played.Count == 1 ? played[0].Name : "Replay", played);
             written.Write(ReplayPage.Html(picture.Name, [picture]));
+            drawing?.Write(MovingDrawing.Draw(picture));
             scene?.Write(GltfFile.Text(picture));
             terminal.Person.WriteLine($"Page: {written.Path}");
             foreach ((string name, _, Outcome outcome) in terminal.OutputRedirected ? played : [])
