@@ -18,6 +18,7 @@ internal static class LabCommand
         PrecisionLab.Create(terminal),
         StabilityLab.Create(terminal),
         AimLab.Create(terminal),
+        AnswersLab.Create(terminal),
         FuzzLab.Create(terminal),
         BallsLab.Create(terminal),
         RigsLab.Create(terminal),

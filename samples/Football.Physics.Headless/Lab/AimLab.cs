@@ -52,26 +52,7 @@ internal static class AimLab
 
         int count = quick ? Requests / 20 : Requests;
         var verdicts = AimVerdicts.Of(seed, count, full ? 1 : ScanEvery, done => progress.Report(done, count, () => "random requests"));
-        LabReport report = Report(seed, sections, verdicts);
-        report.Tables.Add(Known(seed, count, progress));
-        return report;
-    }
-
-    /// <summary>Kicks that were flown, asked for again.</summary>
-    private static LabTable Known(int seed, int count, Progress progress)
-    {
-        var table = new LabTable(
-            "Known kicks (5 to 35 m/s, up to 85°, spins, heights; 1 mm), and how many of them are not found again",
-            "wind up to, m/s", "balls", "kicks", "low arc", "high arc", "at their time", "no slower one", "below 45°", "two points below 45°", "most simulations");
-        foreach ((double wind, int balls) in ((double, int)[])[(0, 1), (0, 5), (20, 1), (20, 5)])
-        {
-            progress.Report(() => "known kicks");
-            var known = KnownKickCounts.Of(seed, count, wind, balls);
-            table.Add(
-                wind, balls, known.Kicks, known.LowMissed, known.HighMissed, known.TimedMissed, known.SlowestMissed, known.Flat, known.FlatTwoPointMissed, known.MostSimulations);
-        }
-
-        return table;
+        return Report(seed, sections, verdicts);
     }
 
     private static LabReport Report(int seed, List<AimSection> sections, AimVerdicts verdicts)

@@ -30,6 +30,9 @@ public sealed record Scene
     /// <summary>Goals, with their frames and nets; at most 64. Default none.</summary>
     public IReadOnlyList<Goal> Goals { get; init; } = [];
 
+    /// <summary>Things that the game moves: players' feet and heads, a keeper's hands. Default none.</summary>
+    public Bodies? Bodies { get; init; }
+
     /// <summary>A football over dry turf in still air at sea level, by what wind tunnels, filmed flights and test rigs say.</summary>
     public static Scene Measured { get; } = new();
 
@@ -119,6 +122,7 @@ public sealed record Scene
             Obstacles[i].Validate(FormattableString.Invariant($"obstacles[{i}]"), Ball.Radius);
         }
 
+        Bodies?.Validate(Ball.Radius);
         int nets = Nets.Count;
         for (int i = 0; i < Nets.Count; i++)
         {

@@ -204,6 +204,9 @@ public sealed class Simulator
         return Run(ref state, timeStep, duration, stopAt, log, null);
     }
 
+    /// <summary>Whether there is more to meet than a level pitch.</summary>
+    internal bool HasThings => _world is not null;
+
     /// <inheritdoc cref="Stepper.AirFactors"/>
     internal void AirFactors(double speed, double spinRate, out double drag, out double lift) =>
         _stepper.AirFactors(speed, spinRate, out drag, out lift);
