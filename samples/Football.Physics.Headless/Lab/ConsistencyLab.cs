@@ -10,7 +10,7 @@ namespace Football.Physics.Headless.Lab;
 internal static class ConsistencyLab
 {
     /// <summary>Where the axes of all histograms begin, log₁₀ mm; smaller gaps count there.</summary>
-    private const double SmallestGap = -13;
+    private const double SmallestGap = -9;
 
     private const int Shots = 250;
     private const double Millimetre = 1e3;
