@@ -176,8 +176,8 @@ while IFS= read -r line; do
   [[ $line == "dotnet run"* ]] && first "$root/docs/getting-started.md" > ../MyGame/Program.cs
   # The version is that of the package above, so that nothing is built twice; the SDK's own packages are where they always are.
   case $line in
-    "dotnet pack"*) quietly "getting started: $line" env -u NUGET_PACKAGES "Version=$version" RunAnalyzers=false ContinuousIntegrationBuild=true bash -c "$line" ;;
-    *) bash -c "$line" > "$work/said" 2> "$log" || fail "getting started: $line" ;;
+    "dotnet pack"*) quietly "getting started: $line" env -u NUGET_PACKAGES "Version=$version" RunAnalyzers=false ContinuousIntegrationBuild=true bash -c "$line" < /dev/null ;;
+    *) bash -c "$line" < /dev/null > "$work/said" 2> "$log" || fail "getting started: $line" ;;
   esac
 done < <(blocks "$root/docs/getting-started.md" sh)
 (( step == 4 )) || fail "docs/getting-started.md has $step lines for a shell, not 4"

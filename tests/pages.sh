@@ -79,5 +79,13 @@ grep -q 'time&quot;:0,' <<< "$playing" && fail "replay: it does not play"
 echo "ok    replay: plays, and shows the time that the address names"
 pictures replay "file://$work/replay.html#time=0.9"
 
+dotnet run -c Release --project docs/Site -- "$work/site" > "$work/log" 2>&1 || { cat "$work/log" >&2; fail "docs/Site"; }
+sed 's|</body>|<script>document.getElementById("search").value = "roll back"; show();</script></body>|' "$work/site/index.html" > "$work/site/probe.html"
+open 1280,900 light --dump-dom "file://$work/site/probe.html" > "$work/dom"
+grep -q '<li><a href="determinism.html#rollback"' "$work/dom" || fail "site: the search does not find what is there"
+rm "$work/site/probe.html"
+echo "ok    site: $(ls "$work/site"/*.html | wc -l) pages; the search answers"
+pictures site "file://$work/site/index.html"
+
 football gallery --out "$work/gallery" > /dev/null 2>&1 || fail "football gallery"
 pictures gallery "file://$work/gallery/index.html"

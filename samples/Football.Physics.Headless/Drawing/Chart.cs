@@ -55,7 +55,8 @@ internal sealed class Chart(Axis x, Axis y)
     public XElement Draw()
     {
         PlotFrame frame = Fit();
-        List<XElement> legend = Legend(frame, out double legendHeight);
+        string[] title = [.. Svg.Lines(Title, Width - Left - Right, 13)];
+        List<XElement> legend = Legend(frame, title, out double legendHeight);
         double top = Top + legendHeight;
         XElement inside = Svg.Element(
             "svg",
@@ -67,7 +68,7 @@ internal sealed class Chart(Axis x, Axis y)
         return Svg.Root(
             Width,
             top + frame.Height + Bottom,
-            Svg.Text(Left, 16, Title, size: 13, bold: true),
+            title.Select((line, i) => Svg.Text(Left, 16 + (i * Row), line, size: 13, bold: true)),
             legend,
             inside,
             Svg.Element("rect", [("x", Left), ("y", top), ("width", frame.Width), ("height", frame.Height), ("fill", "none"), ("stroke", Palette.Frame)]),
@@ -166,15 +167,15 @@ internal sealed class Chart(Axis x, Axis y)
     }
 
     /// <summary>Entries from the right end of the title's row to the left of it, in further rows where they need them.</summary>
-    private List<XElement> Legend(PlotFrame frame, out double height)
+    private List<XElement> Legend(PlotFrame frame, string[] title, out double height)
     {
         List<ChartItem> entries = [.. Items.Where(item => item.Label is not null && item.IsSeen(frame)).DistinctBy(item => item.Label)];
         var drawn = new List<XElement>();
-        double begin = Left + Svg.WidthOf(Title, 13) + 24;
+        double begin = Left + Svg.WidthOf(title[^1], 13) + 24;
         double total = entries.Sum(entry => 30 + Svg.WidthOf(entry.Label!, 11));
         bool besideTitle = begin + total <= Width - Right;
         double at = besideTitle ? Width - Right - total : Left;
-        double row = besideTitle ? 0 : 1;
+        double row = title.Length - (besideTitle ? 1 : 0);
         foreach (ChartItem entry in entries)
         {
             double width = 30 + Svg.WidthOf(entry.Label!, 11);

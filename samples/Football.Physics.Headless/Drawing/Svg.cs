@@ -59,5 +59,24 @@ internal static class Svg
     /// <summary>About how wide a text is.</summary>
     public static double WidthOf(string text, double size = 11) => text.Length * size * LetterWidth;
 
+    /// <summary>A text in lines that are not wider than a width; at least one.</summary>
+    public static IEnumerable<string> Lines(string text, double width, double size)
+    {
+        string line = "";
+        foreach (string word in text.Split(' '))
+        {
+            string longer = line.Length > 0 ? $"{line} {word}" : word;
+            if (line.Length > 0 && WidthOf(longer, size) > width)
+            {
+                yield return line;
+                longer = word;
+            }
+
+            line = longer;
+        }
+
+        yield return line;
+    }
+
     public static string Number(double value) => Math.Round(value, 2).ToString(CultureInfo.InvariantCulture);
 }

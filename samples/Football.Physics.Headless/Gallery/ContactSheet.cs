@@ -94,7 +94,7 @@ internal static class ContactSheet
                 new XElement("a", new XAttribute("href", $"{Moving}#picture={shown.Shot.Id}"), "Watch it move")),
             new XElement(shown.Drawing),
             new XElement("p", $"{shown.Shot.About} {shown.Remark.Trim()}".TrimEnd()),
-            new XElement("div", new XAttribute("class", "code"), Copied(shown.Shot.Code), Copied(kick.Command)));
+            new XElement("div", new XAttribute("class", "code"), Copied(shown.Shot.Code), Copied(shown.Shot.Command)));
     }
 
     private static XElement Copied(string code) => new(

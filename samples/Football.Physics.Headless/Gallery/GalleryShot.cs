@@ -30,6 +30,9 @@ internal sealed record GalleryShot
         }
     }
 
+    /// <summary>The command that kicks so, from the ground, over the default scene of the library.</summary>
+    public string Command => KickNumbers.Of(Scenario).Command + " --set profile=measured";
+
     /// <summary>The same with something changed, drawn beside it; null for none.</summary>
     public Scenario? Comparison { get; init; }
 

@@ -104,7 +104,7 @@ internal static class GalleryShots
         {
             Id = "no-spin-drive",
             Name = "Drive without spin",
-            About = "Struck through the middle: no Magnus force, and the low drag of a fast ball until it falls below 12 m/s. The dashed line has backspin.",
+            About = "Struck through the middle: no Magnus force, and the low drag of a fast ball, until it slows down. The dashed line has backspin.",
             Scenario = kick,
             Comparison = Kick(31, left: 0, up: 11, top: -40, side: 0),
             ComparisonName = "with backspin 40 rad/s",

@@ -66,7 +66,7 @@ internal static class AimLab
                 "kick",
                 "section", "method", "distance", "speed", "status", "miss", "throughMiss", "elevation", "top", "side", "iterations", "simulations", "microseconds"),
             Picture = () => Figure.Stack(
-                "Aiming", [.. sections.Where(section => section.Charts.Count > 0).Select(section => Figure.Stack(section.Title, section.Charts))]),
+                "Aiming", [.. sections.Where(section => section.Charts.Count > 0).Select(section => Figure.Tile(section.Title, section.Charts))]),
         };
         foreach (AimSection section in sections)
         {

@@ -9,6 +9,9 @@ namespace Football.Physics.Headless.Lab;
 /// <summary>football lab consistency: the thesis' test 3.4.2, how far the landing point depends on the step.</summary>
 internal static class ConsistencyLab
 {
+    /// <summary>Where the axes of all histograms begin, log₁₀ mm; smaller gaps count there.</summary>
+    private const double SmallestGap = -9;
+
     private const int Shots = 250;
     private const double Millimetre = 1e3;
     private static readonly string[] Gaps = ["10–20 ms", "20–40 ms", "10–40 ms"];
@@ -54,7 +57,7 @@ internal static class ConsistencyLab
             }
         }
 
-        report.Picture = () => Figure.Stack("How far apart shots land that differ only in the step", [.. charts.Select(make => make())]);
+        report.Picture = () => Figure.Tile("How far apart shots land that differ only in the step", [.. charts.Select(make => make())]);
         return report;
     }
 
@@ -95,10 +98,10 @@ internal static class ConsistencyLab
 
     private static XElement Histogram(string title, double[][] gaps)
     {
-        var chart = new Chart(new Axis("log₁₀ of the gap, mm"), new Axis("shots") { Min = 0 }) { Title = title, PlotHeight = 150 };
+        var chart = new Chart(new Axis("log₁₀ of the gap, mm") { Min = SmallestGap, Max = 3 }, new Axis("shots") { Min = 0 }) { Title = title, PlotHeight = 150 };
         for (int i = 0; i < gaps.Length; i++)
         {
-            double[] logs = [.. gaps[i].Select(gap => Math.Log10(Math.Max(gap, 1e-13)))];
+            double[] logs = [.. gaps[i].Select(gap => Math.Log10(Math.Max(gap, Math.Pow(10, SmallestGap))))];
             chart.Items.Add(BarsItem.Histogram(logs, 30, Palette.Series[i], Gaps[i]));
         }
 

@@ -67,7 +67,7 @@ internal static class CostLab
 
         report.Notes.Add("Each frame is stepped 32 times in a row from a copy of its state, the copy included. Values above the 99th percentile are left out of the mean, as in the thesis.");
         report.Notes.Add("Ratios to plain code in one process, which is how the targets for time are judged: the benchmarks.");
-        report.Picture = () => Figure.Stack("Time of a step in flight", [.. charts.Select(make => make())]);
+        report.Picture = () => Figure.Tile("Time of a step in flight", [.. charts.Select(make => make())]);
         return report;
     }
 

@@ -82,7 +82,7 @@ internal static class PrecisionLab
             charts.Add(() => Draw($"{name}: error against time", "ns a second of motion", points, row => row.Nanoseconds));
         }
 
-        report.Picture = () => Figure.Stack("Work and precision", [.. charts.Select(make => make())]);
+        report.Picture = () => Figure.Tile("Work and precision", [.. charts.Select(make => make())]);
         return report;
     }
 

@@ -34,7 +34,7 @@ public sealed partial class CommandLinePageTests
     }
 
     [Fact]
-    public void There_are_inputs_for_every_command() => Assert.Equal(6, Inputs().Count);
+    public void There_are_inputs_for_every_command() => Assert.Equal(7, Inputs().Count);
 
     [GeneratedRegex("^```json (simulate|aim|sweep)\n(.*?)^```$", RegexOptions.Multiline | RegexOptions.Singleline)]
     private static partial Regex Block();

@@ -114,7 +114,7 @@ public sealed class GalleryTests
             Assert.InRange((velocity - shot.Scenario.Velocity).Length, 0, 1e-9);
             Assert.InRange((spin - shot.Scenario.Spin).Length, 0, 1e-9);
             Assert.StartsWith("ball.Kick(speed: ", kick.Code);
-            FootballCommand done = FootballCommand.Run("", [.. kick.Command.Split(' ')[1..], "--set", "stop.time=0.1"]);
+            FootballCommand done = FootballCommand.Run("", [.. shot.Command.Split(' ')[1..], "--set", "stop.time=0.1"]);
             Assert.Equal((0, ""), (done.ExitCode, done.Error.Split("Drawings")[0].Length > 0 ? "" : "nothing"));
         }
     }

@@ -19,15 +19,14 @@ function choose(id) {
   stage.show(picture);
   $("about").textContent = picture.about;
   $("picture").value = picture.id;
-  shots = picture.shots.map((shot, i) => ({ ...shot, events: shot.events, track: new Track(shot), colour: COLOURS[i % COLOURS.length], visible: true }));
+  shots = picture.shots.map((shot, i) => ({ ...shot, events: shot.events, track: new Track(shot), colour: stage.series[i % stage.series.length], visible: true }));
   const list = $("shots");
   list.replaceChildren(...shots.map(shot => {
     const row = document.createElement("li");
     const label = document.createElement("label");
     const box = Object.assign(document.createElement("input"), { type: "checkbox", checked: true });
     const key = document.createElement("i");
-    key.style.background = shot.colour;
-    key.style.setProperty("--c", shot.colour);
+    shot.key = key;
     key.classList.toggle("dashed", shot.compares);
     const name = Object.assign(document.createElement("span"), { textContent: shot.name });
     const kick = Object.assign(document.createElement("small"), { textContent: shot.kick });
@@ -36,9 +35,18 @@ function choose(id) {
     row.append(label);
     return row;
   }));
+  recolour();
   limits();
   go(0);
   look(view);
+}
+
+function recolour() {
+  shots.forEach((shot, i) => {
+    shot.colour = stage.series[i % stage.series.length];
+    shot.key.style.background = shot.colour;
+    shot.key.style.setProperty("--c", shot.colour);
+  });
 }
 
 function limits() {
@@ -135,6 +143,7 @@ function faster(by) {
 function theme(name) {
   document.documentElement.dataset.theme = name;
   stage.theme();
+  recolour();
   redraw();
 }
 
@@ -267,6 +276,6 @@ stage.theme();
 stage.resize();
 choose(begin.get("picture"));
 window.addEventListener("resize", () => { stage.resize(); look(view); });
-matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { stage.theme(); redraw(); });
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { stage.theme(); recolour(); redraw(); });
 if (begin.has("time")) go(Number(begin.get("time")));
 else if (!matchMedia("(prefers-reduced-motion: reduce)").matches) play(true);

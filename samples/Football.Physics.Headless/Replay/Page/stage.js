@@ -1,6 +1,7 @@
 // Draws a picture at a time. What was drawn is told in the canvas' data-drawn, for whoever checks it.
 const LEAST_BALL = 7;
 const COLOURS = ["#0072b2", "#e07b00", "#009e73", "#c8382b", "#9b5fa8", "#56b4e9", "#b58900", "#d55e9c"];
+const COLOURS_IN_THE_DARK = ["#56b4e9", "#f2a33a", "#2ec795", "#ef6a5e", "#cf98dc", "#a5dcff", "#d9b44a", "#f08cc8"];
 const EVENT_COLOURS = { impact: "#ffd23f", slide: "#e07b00", roll: "#4fd1a5", rest: "#e5484d", net: "#9ad0f5", goal: "#ff5ad1", leave: "#c9a5ff" };
 
 class Stage {
@@ -21,6 +22,7 @@ class Stage {
 
   theme() {
     const style = getComputedStyle(document.documentElement);
+    this.series = style.getPropertyValue("--dark").trim() === "1" ? COLOURS_IN_THE_DARK : COLOURS;
     this.colour = {};
     for (const name of ["ink", "sky", "grass", "grass2", "marking", "frame", "net", "obstacle", "obstacle-edge", "shadow"]) {
       this.colour[name] = style.getPropertyValue("--" + name).trim();

@@ -1,6 +1,7 @@
 using System.Text.Json;
 using Football.Physics.Headless.Replay;
 using Football.Physics.Headless.Simulate;
+using Football.Physics.Tests.Support;
 
 namespace Football.Physics.Tests.Headless.Replay;
 
@@ -107,6 +108,20 @@ public sealed class ReplayTests
         }
 
         Assert.Null(GroundGrid.Of(Ground.None, [Vector3d.Zero]));
+    }
+
+    [Fact]
+    public void The_picture_of_the_README_is_what_the_command_draws()
+    {
+        string folder = Directory.CreateTempSubdirectory("football-picture-").FullName;
+        string drawn = Path.Combine(folder, "picture.svg");
+        FootballCommand done = FootballCommand.Run(RepositoryFiles.Text("docs/free-kick.json"), "replay", "-", "-o", Path.Combine(folder, "page.html"), "--svg", drawn);
+        Assert.Equal(0, done.ExitCode);
+        string text = File.ReadAllText(drawn);
+        Assert.True(text == RepositoryFiles.Text("docs/free-kick.svg"), "Look at the picture, then run tests/regenerate.sh.");
+        Assert.Contains("<title>A free kick over the wall</title>", text);
+        Assert.Equal(3, text.Split("<animate ").Length - 1);
+        Directory.Delete(folder, recursive: true);
     }
 
     [Fact]
