@@ -49,7 +49,7 @@ internal static class KicksLab
 
     private static LabReport Run(long seed)
     {
-        var table = new LabTable("Kicks", "kick", "number", "told", "±", "measured", "is", "published", "is ", "why not");
+        var table = new LabTable("Kicks", "kick", "number", "told", "±", "measured", "measured is", "published", "published is", "why not");
         var report = new LabReport { Name = "kicks", Seed = seed, Tables = { table } };
         foreach (ToldKick kick in Kicks)
         {
