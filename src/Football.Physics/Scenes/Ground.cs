@@ -1,6 +1,9 @@
+using System.Text.Json.Serialization;
+
 namespace Football.Physics;
 
 /// <summary>The ground: its shape, and how the ball bounces, slides and rolls on it. Level unless it says otherwise.</summary>
+[JsonNumberHandling(JsonNumberHandling.AllowNamedFloatingPointLiterals)]
 public sealed record Ground
 {
     /// <summary>Normal restitution e_y. 0 … 1; default 0.6. Where <see cref="RestitutionSpeed"/> is finite, that at 6 m/s.</summary>
