@@ -184,7 +184,7 @@ public sealed class EngineTests
                 Wind = new GodotVector(1, 0, -2),
                 GroundHeight = 3,
             };
-            Assert.Equal(resource.Compile().Scene with { Forces = Scene.Default.Forces }, preset.Compile().Scene with { Forces = Scene.Default.Forces });
+            Assert.Equal(resource.Compile().Scene with { Forces = Scene.Published.Forces }, preset.Compile().Scene with { Forces = Scene.Published.Forces });
             Assert.Equal(3 + preset.Compile().Scene.Ball.Radius, preset.Compile().ContactHeight);
         }
 

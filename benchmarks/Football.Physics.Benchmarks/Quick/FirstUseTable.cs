@@ -48,7 +48,7 @@ internal static class FirstUseTable
         var simulator = new Simulator();
         Lap();
         var aimer = new Aimer();
-        var batch = new BallBatch();
+        var batch = new BallBatch(Scene.Published);
         var launches = new BatchLaunches(Balls);
         var flights = new BatchFlights(Balls);
         for (int i = 0; i < Balls; i++)

@@ -87,7 +87,7 @@ internal static class PredictionTable
         row.ThroughMiss is { } through ? FormattableString.Invariant($"≤ {1e3 * through} mm at the point") : "",
     }.Where(part => part.Length > 0));
 
-    private static Aimer Rk2(double timeStep) => new(Scene.Default, new SolverSettings { Integrator = Integrator.Rk2 }, timeStep);
+    private static Aimer Rk2(double timeStep) => new(Scene.Published, new SolverSettings { Integrator = Integrator.Rk2 }, timeStep);
 
     private static AimRequest[] BothWalls() => [.. AimSets.AroundTheWall(41), .. AimSets.OverTheWall(41)];
 

@@ -61,7 +61,8 @@ internal static class QuickCommand
         IReadOnlyList<TargetRow> targets = [.. TargetTable.Rows.Where(row => Wanted(row.Name, only))];
         IReadOnlyList<FreeRow> free = [.. FreeTable.Rows.Where(row => Wanted(row.Name, only))];
         IReadOnlyList<PredictionRow> predictions = [.. PredictionTable.Rows.Where(row => Wanted("Prediction: " + row.Name, only))];
-        double share = seconds / Math.Max(1, targets.Count + free.Count + predictions.Count);
+        IReadOnlyList<WorldRow> world = [.. WorldTable.Rows.Where(row => Wanted("World: " + row.Name, only))];
+        double share = seconds / Math.Max(1, targets.Count + free.Count + world.Count + predictions.Count);
         if (targets.Count > 0)
         {
             Targets(text, targets, share);
@@ -70,6 +71,11 @@ internal static class QuickCommand
         if (free.Count > 0)
         {
             Free(text, free, share);
+        }
+
+        if (world.Count > 0)
+        {
+            WorldTable.Print(line => Print(text, line), world, share);
         }
 
         if (predictions.Count > 0)

@@ -60,7 +60,7 @@ internal static class TargetTable
     private static Workload PlainRk2() => Workloads.Plain(PlainLawKind.Published, Integrator.Rk2, Fast);
 
     private static TargetRow Flight(string name, Integrator integrator, string set, IReadOnlyList<Shot> shots, double target, string thesis) =>
-        new($"flight step, {set}: {name}", () => Workloads.Flight(Scene.Default, integrator, shots), () => Workloads.Plain(PlainLawKind.Published, integrator, shots))
+        new($"flight step, {set}: {name}", () => Workloads.Flight(Scene.Published, integrator, shots), () => Workloads.Plain(PlainLawKind.Published, integrator, shots))
         {
             Target = target,
             Thesis = thesis,
@@ -76,7 +76,7 @@ internal static class TargetTable
     private static TargetRow Independent(string name, Integrator integrator) =>
         new(
             $"independent flight steps, fast: {name}",
-            () => Workloads.Independent(Scene.Default, integrator, Fast),
+            () => Workloads.Independent(Scene.Published, integrator, Fast),
             () => Workloads.PlainIndependent(PlainLawKind.Published, integrator, Fast));
 
     private static TargetRow Regularised(string name, Integrator integrator) =>
@@ -92,7 +92,7 @@ internal static class TargetTable
         new(
             $"regularised law, of the published law, {name}",
             () => Workloads.Flight(PlainFlight.SceneOf(PlainLawKind.Regularised), integrator, shots),
-            () => Workloads.Flight(Scene.Default, integrator, shots))
+            () => Workloads.Flight(Scene.Published, integrator, shots))
         {
             Target = 1.3,
         };

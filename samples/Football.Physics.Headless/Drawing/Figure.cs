@@ -22,7 +22,7 @@ internal static class Figure
         return Svg.Root(
             width,
             at,
-            Svg.Element("rect", [("width", width), ("height", at), ("fill", "#ffffff")]),
+            Svg.Element("rect", [("width", width), ("height", at), ("fill", Palette.Paper)]),
             title.Length > 0 ? Svg.Text(12, 20, title, size: 15, bold: true) : null,
             content);
     }

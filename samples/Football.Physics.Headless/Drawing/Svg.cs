@@ -24,7 +24,22 @@ internal static class Svg
         return element;
     }
 
-    /// <summary>The outermost element of a drawing.</summary>
+    /// <summary>
+    /// What turns a drawing dark where that is preferred: each colour by its own name, so that programs that know no style sheets show the light one.
+    /// </summary>
+    public static string DarkStyle { get; } = "@media (prefers-color-scheme: dark) { "
+        + string.Concat(Palette.Dark.Select(pair => $"[fill=\"{pair.Light}\"] {{ fill: {pair.Dark} }} [stroke=\"{pair.Light}\"] {{ stroke: {pair.Dark} }} ")) + "}";
+
+    /// <summary>A drawing that stands for itself: with a title for those who do not see it, and dark where that is preferred.</summary>
+    public static XElement Standing(string title, XElement drawing)
+    {
+        drawing.SetAttributeValue("role", "img");
+        drawing.SetAttributeValue("aria-label", title);
+        drawing.AddFirst(Element("title", [], title), Element("style", [], DarkStyle));
+        return drawing;
+    }
+
+    /// <summary>The outermost element of a drawing, or of a part of one.</summary>
     public static XElement Root(double width, double height, params object?[] content) => Element(
         "svg",
         [

@@ -6,7 +6,7 @@ internal static class AimSets
     private const double Radius = 0.11;
 
     /// <summary>Scene of the studio's comparison: constant coefficients.</summary>
-    public static Scene StudioScene { get; } = new() { Forces = ForceSet.Constant };
+    public static Scene StudioScene { get; } = Scene.Published with { Forces = ForceSet.Constant };
 
     /// <summary>Integrator of the studio's comparison.</summary>
     public static SolverSettings StudioSettings { get; } = new() { Integrator = Integrator.SemiImplicitEuler };

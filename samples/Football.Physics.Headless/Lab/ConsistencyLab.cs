@@ -31,7 +31,7 @@ internal static class ConsistencyLab
         {
             foreach ((string law, ForceSet forces, bool locate) in new[]
             {
-                ("published, jump located", new ForceSet(), true), ("published, jump not located", new ForceSet(), false), ("regularised", ForceSet.Regularised, true),
+                ("published, jump located", ForceSet.Published, true), ("published, jump not located", ForceSet.Published, false), ("regularised", ForceSet.Regularised, true),
             })
             {
                 foreach (Integrator method in new[] { Integrator.Rk2, Integrator.Rk4 })
@@ -82,7 +82,7 @@ internal static class ConsistencyLab
 
     private static double[][] Measure(Shot[] shots, ForceSet forces, bool locate, Integrator method)
     {
-        var simulator = new Simulator(new Scene { Forces = forces }, new SolverSettings { Integrator = method, LocateJump = locate });
+        var simulator = new Simulator(Scene.Published with { Forces = forces }, new SolverSettings { Integrator = method, LocateJump = locate });
         Vector3d[][] landings = [.. new[] { 0.01, 0.02, 0.04 }.Select(step => shots.Select(shot =>
         {
             BallState state = simulator.Launch(Shot.Spot, shot.Velocity, shot.Spin);

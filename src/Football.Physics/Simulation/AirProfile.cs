@@ -16,13 +16,13 @@ public abstract class AirProfile
     /// <summary>Whatever laws a scene chooses: the default.</summary>
     public static AirProfile All => Every.Instance;
 
-    /// <summary>Scenes of <see cref="Scene.Default"/>'s laws: all fitted, as published.</summary>
+    /// <summary>Scenes of <see cref="ForceSet.Published"/>'s laws.</summary>
     public static AirProfile Published => One<PublishedAir<EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>, PublishedLaws>.Instance;
 
     /// <summary>Scenes of <see cref="ForceSet.Regularised"/>'s laws.</summary>
     public static AirProfile Regularised => One<SmoothAir<RegularisedLaw, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>, RegularisedLaws>.Instance;
 
-    /// <summary>Scenes of <see cref="ForceSet.Measured"/>'s laws.</summary>
+    /// <summary>Scenes of <see cref="ForceSet.Measured"/>'s laws, as <see cref="Scene.Default"/>.</summary>
     public static AirProfile Measured => One<SmoothAir<MeasuredLaw, MeasuredDrag, MeasuredMagnus, ProportionalSpinDecay>, MeasuredLaws>.Instance;
 
     /// <summary>Scenes of <see cref="ForceSet.Constant"/>'s laws.</summary>

@@ -44,13 +44,13 @@ public sealed class AirProfileTests
     {
         var request = new AimRequest { From = new Vector3d(0, 0.11, 0), Target = new Vector3d(2, 1.5, -20), SideSpin = 20 };
         AimResult all = new Aimer(new Simulator()).Find(request);
-        AimResult one = new Aimer(new Simulator(null, null, AirProfile.Published)).Find(request);
+        AimResult one = new Aimer(new Simulator(null, null, AirProfile.Measured)).Find(request);
         Assert.Equal(all.Velocity, one.Velocity);
     }
 
     private static (AirProfile Profile, ForceSet Forces) Of(string name) => name switch
     {
-        "Published" => (AirProfile.Published, new ForceSet()),
+        "Published" => (AirProfile.Published, ForceSet.Published),
         "Regularised" => (AirProfile.Regularised, ForceSet.Regularised),
         "Measured" => (AirProfile.Measured, ForceSet.Measured),
         "Constant" => (AirProfile.Constant, ForceSet.Constant),

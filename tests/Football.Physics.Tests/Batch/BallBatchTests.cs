@@ -164,7 +164,7 @@ public sealed class BallBatchTests
         BatchLaunches launches = BatchScenes.Launches(5, 20);
         BatchFlights without = BatchScenes.Fly(new BallBatch(), launches);
         var gust = Force.From(ball => new Vector3d(0.4 + (0.1 * ball.Position.Y), 0, -0.02 * ball.AirVelocity.Z));
-        BatchFlights flights = AreFlownAlone(new Scene { Forces = new ForceSet { Custom = [gust] } }, launches);
+        BatchFlights flights = AreFlownAlone(Scene.Published with { Forces = ForceSet.Published with { Custom = [gust] } }, launches);
         for (int i = 0; i < 20; i++)
         {
             // Half a metre in a second, and there is no shot so short.
@@ -174,7 +174,7 @@ public sealed class BallBatchTests
 
     [Fact]
     public void A_scene_of_constant_and_fitted_laws_flies_alone() =>
-        AreFlownAlone(new Scene { Forces = new ForceSet { Drag = ForceLaw.Constant } }, BatchScenes.Launches(5, 20));
+        AreFlownAlone(Scene.Published with { Forces = ForceSet.Published with { Drag = ForceLaw.Constant } }, BatchScenes.Launches(5, 20));
 
     [Fact]
     public void Refuses_what_is_out_of_range()

@@ -55,8 +55,8 @@ public sealed class BatchAimerTests
         }
 
         var kicks = new BatchKicks(many);
-        new BatchAimer().Find(aims, kicks, many);
-        var meter = new AimContext(new Simulator(), 0.01).Miss;
+        new BatchAimer(Scene.Published).Find(aims, kicks, many);
+        var meter = new AimContext(new Simulator(Scene.Published), 0.01).Miss;
         int hits = 0;
         for (int i = 0; i < many; i++)
         {
@@ -87,8 +87,8 @@ public sealed class BatchAimerTests
         }
 
         var kicks = new BatchKicks(many);
-        new BatchAimer().Find(aims, kicks, many);
-        MissMeter meter = new AimContext(new Simulator(), 0.01).Miss;
+        new BatchAimer(Scene.Published).Find(aims, kicks, many);
+        MissMeter meter = new AimContext(new Simulator(Scene.Published), 0.01).Miss;
         int hits = 0;
         for (int i = 0; i < many; i++)
         {
@@ -132,11 +132,11 @@ public sealed class BatchAimerTests
     {
         BatchAims aims = Aims(23, 15, 30, 0);
         var one = new BatchKicks(Count);
-        new BatchAimer(Scene.Default, 1, 1).Find(aims, one, Count);
+        new BatchAimer(Scene.Published, 1, 1).Find(aims, one, Count);
         foreach ((int threads, int lanes, int count) in ((int, int, int)[])[(1, 4, Count), (1, 8, Count), (3, 16, Count), (1, 16, 77)])
         {
             var other = new BatchKicks(Count);
-            new BatchAimer(Scene.Default, threads, lanes).Find(aims, other, count);
+            new BatchAimer(Scene.Published, threads, lanes).Find(aims, other, count);
             for (int i = 0; i < count; i++)
             {
                 Assert.Equal(one.Status[i], other.Status[i]);

@@ -12,7 +12,7 @@ public sealed class LaneFlightTests
     [Fact]
     public void A_law_of_a_file_of_its_own_flies_as_its_equations_say()
     {
-        Scene scene = Scene.Default;
+        Scene scene = Scene.Published;
         LaneGroup one = Launch(out Vector3d[] velocities, out Vector3d[] spins);
         LaneGroup eight = Launch(out _, out _);
         new LaneKernel<Lanes1, MeasuredLaneLaw<Lanes1>, LaneRk4>(scene, 0.01, upAlongX: false, findsApex: false).Fly(one, Duration);
@@ -46,7 +46,7 @@ public sealed class LaneFlightTests
         ];
         foreach (ForceSet forces in unknown)
         {
-            var scene = new Scene { Forces = forces };
+            var scene = Scene.Published with { Forces = forces };
             Assert.Throws<ArgumentOutOfRangeException>(() => LaneFlight.Covers(scene));
             Assert.Throws<ArgumentOutOfRangeException>(() => Create(scene));
             Assert.Throws<ArgumentOutOfRangeException>(() => new LaneDomain(scene, 0.01));
@@ -60,7 +60,7 @@ public sealed class LaneFlightTests
     {
         foreach (int form in (int[])[-1, 3, 7])
         {
-            var scene = new Scene { Forces = new ForceSet { Coefficients = (CoefficientForm)form } };
+            var scene = Scene.Published with { Forces = ForceSet.Published with { Coefficients = (CoefficientForm)form } };
             string message = Assert.Throws<ArgumentOutOfRangeException>(() => Create(scene)).Message;
             Assert.Contains($"forces.coefficients is {form}", message, StringComparison.Ordinal);
             Assert.Throws<ArgumentOutOfRangeException>(() => new BallBatch(scene));
@@ -72,8 +72,8 @@ public sealed class LaneFlightTests
     public void The_measured_laws_and_air_by_place_and_time_are_left_to_the_single_ball()
     {
         Assert.False(LaneFlight.Covers(Scene.Measured));
-        Assert.False(LaneFlight.Covers(new Scene { Air = new Air { WindField = new WindByHeight(5, 1, 0) } }));
-        Assert.False(LaneFlight.Covers(new Scene { Forces = new ForceSet { KnuckleSeed = 1 } }));
+        Assert.False(LaneFlight.Covers(Scene.Published with { Air = new Air { WindField = new WindByHeight(5, 1, 0) } }));
+        Assert.False(LaneFlight.Covers(Scene.Published with { Forces = ForceSet.Published with { KnuckleSeed = 1 } }));
         var launches = new BatchLaunches(2);
         var flights = new BatchFlights(2);
         var velocity = new Vector3d(22, 6, -3);
@@ -89,10 +89,10 @@ public sealed class LaneFlightTests
     [Fact]
     public void Laws_of_two_kinds_are_left_to_the_single_ball()
     {
-        var scene = new Scene { Forces = new ForceSet { Drag = ForceLaw.Constant, Magnus = ForceLaw.None } };
+        var scene = Scene.Published with { Forces = ForceSet.Published with { Drag = ForceLaw.Constant, Magnus = ForceLaw.None } };
         Assert.False(LaneFlight.Covers(scene));
         Assert.Throws<ArgumentOutOfRangeException>(() => Create(scene));
-        Assert.True(LaneFlight.Covers(new Scene { Forces = new ForceSet { Drag = ForceLaw.None } }));
+        Assert.True(LaneFlight.Covers(Scene.Published with { Forces = ForceSet.Published with { Drag = ForceLaw.None } }));
     }
 
     private static LaneFlight Create(Scene scene) => LaneFlight.Create(scene, fourthOrder: true, 0.01, 8);

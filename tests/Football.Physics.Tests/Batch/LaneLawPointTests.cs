@@ -14,7 +14,7 @@ public sealed class LaneLawPointTests
     {
         FittedLaneLaw<Lanes1, PublishedLaneFit<Lanes1>> law = default;
         Compare<FittedLaneLaw<Lanes1, PublishedLaneFit<Lanes1>>, AirLaws<PublishedDragFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>>(
-            ref law, new ForceSet(), Tolerance, DecayBound);
+            ref law, ForceSet.Published, Tolerance, DecayBound);
     }
 
     [Fact]

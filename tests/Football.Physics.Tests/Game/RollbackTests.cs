@@ -136,7 +136,7 @@ public sealed class RollbackTests
     {
         KickInput[] kicks = [new(20, new Vector3d(2, 6, -20), new Vector3d(0, 30, 0))];
         MatchSegment segment = Record(new Simulator(), kicks, 0);
-        var windy = new Simulator(Scene.Windy(new Vector3d(0, 0, 1)));
+        var windy = new Simulator(Scene.Published with { Air = new Air { Wind = new Vector3d(0, 0, 1) } });
         Assert.Equal(21, segment.FirstDivergence(windy));
     }
 

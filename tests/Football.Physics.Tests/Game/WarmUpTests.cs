@@ -43,12 +43,12 @@ public sealed class WarmUpTests
         launches.Set(2, default, new Vector3d(1, 5, -20), new Vector3d(0, 10, 0));
         var one = new BatchFlights(3);
         var other = new BatchFlights(3);
-        var batch = new BallBatch();
-        new BallBatch().Fly(launches, one, 3);
+        var batch = new BallBatch(Scene.Published);
+        new BallBatch(Scene.Published).Fly(launches, one, 3);
         batch.WarmUp();
         batch.Fly(launches, other, 3);
         Assert.Equal(one.Position[2], other.Position[2]);
-        var aimer = new BatchAimer();
+        var aimer = new BatchAimer(Scene.Published);
         aimer.WarmUp();
         Assert.Equal(0, aimer.HandedOn);
     }

@@ -35,7 +35,7 @@ public sealed class AimLabTests
     [Fact]
     public void The_scan_finds_what_can_be_hit_and_not_what_cannot()
     {
-        var scan = new AimScan(Scene.Default);
+        var scan = new AimScan(Scene.Published);
         foreach (AimRequest request in AimSets.Thesis(3, 10))
         {
             Assert.InRange(scan.Best(request, 91), 0, 1e-3);

@@ -51,12 +51,12 @@ public sealed class DegenerateAimTests
 
     private static readonly (string Name, Scene Scene)[] s_scenes =
     [
-        ("default", Scene.Default),
+        ("default", Scene.Published),
         ("vacuum", Scene.Vacuum),
         ("no gravity", Scene.Vacuum with { Gravity = 0 }),
-        ("regularised, storm", new Scene { Forces = ForceSet.Regularised, Air = new Air { Wind = new Vector3d(-40, 3, 25) } }),
-        ("beach ball", new Scene { Ball = BallProperties.BeachBall }),
-        ("raised ground", new Scene { Ground = new Ground { Height = 3 } }),
+        ("regularised, storm", Scene.Published with { Forces = ForceSet.Regularised, Air = new Air { Wind = new Vector3d(-40, 3, 25) } }),
+        ("beach ball", Scene.Published with { Ball = BallProperties.BeachBall }),
+        ("raised ground", Scene.Published with { Ground = Ground.Turf with { Height = 3 } }),
     ];
 
     public static TheoryData<string, AimMethod> Every()

@@ -36,7 +36,7 @@ public sealed class KnownKickTests
     [Fact]
     public void A_kick_in_wind_that_a_scan_over_elevations_loses_is_found()
     {
-        var scene = new Scene { Air = new Air { Wind = new Vector3d(-11.7, 0, -5.3) } };
+        var scene = Scene.Published with { Air = new Air { Wind = new Vector3d(-11.7, 0, -5.3) } };
         var request = new AimRequest { From = new Vector3d(0, 0.11, 0), Target = new Vector3d(10, 2, -15), Speed = 31, MinimumElevationDegrees = 30, MaximumElevationDegrees = 85 };
         AimResult result = new Aimer(scene).Find(request);
         AimCheck.Holds(request, in result, scene);

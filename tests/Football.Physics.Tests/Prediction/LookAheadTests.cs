@@ -14,7 +14,7 @@ public sealed class LookAheadTests
     [InlineData(Integrator.Rk4)]
     public void Its_events_and_its_end_are_those_of_a_run_bit_for_bit(Integrator integrator)
     {
-        var simulator = new Simulator(Scene.Default, Flight.With(integrator));
+        var simulator = new Simulator(Scene.Published, Flight.With(integrator));
         var path = new Trajectory(4096);
         foreach (BallState ball in Kicks(1, 20))
         {

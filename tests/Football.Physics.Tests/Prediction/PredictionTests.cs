@@ -11,7 +11,7 @@ public sealed class PredictionTests
     [InlineData(Integrator.Rk4)]
     public void With_the_games_own_step_it_is_the_future_bit_for_bit_and_is_never_made_again(Integrator integrator)
     {
-        var simulator = new Simulator(Scene.Default, new SolverSettings { Integrator = integrator });
+        var simulator = new Simulator(Scene.Published, new SolverSettings { Integrator = integrator });
         var prediction = new Prediction(simulator, new LookAheadRequest { TimeStep = Step, Duration = 2 }, tolerance: 0);
         var log = new StepLog();
         BallState ball = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(14, 8, 3), new Vector3d(5, 30, -20));

@@ -87,7 +87,7 @@ public partial class FootballPreset : Resource
             },
             Forces = Laws switch
             {
-                AirChoice.Published => new ForceSet(),
+                AirChoice.Published => ForceSet.Published,
                 AirChoice.Regularised => ForceSet.Regularised,
                 AirChoice.Constant => ForceSet.Constant,
                 AirChoice.Vacuum => ForceSet.None,

@@ -101,7 +101,7 @@ namespace Football.Physics.Unity
         {
             return laws switch
             {
-                AirChoice.Published => new ForceSet(),
+                AirChoice.Published => ForceSet.Published,
                 AirChoice.Regularised => ForceSet.Regularised,
                 AirChoice.Constant => ForceSet.Constant,
                 AirChoice.Vacuum => ForceSet.None,
