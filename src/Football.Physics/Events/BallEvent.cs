@@ -101,5 +101,5 @@ public readonly struct BallEvent
     }
 
     /// <summary>What happened, when and where.</summary>
-    public override string ToString() => FormattableString.Invariant($"{Kind} at {Time:0.###} s, {Position.ToString("0.###")}, {Velocity.ToString("0.###")} m/s");
+    public override string ToString() => FormattableString.Invariant($"{Kind} at {Time:0.###} s, {Position:0.###}, {Velocity:0.###} m/s");
 }

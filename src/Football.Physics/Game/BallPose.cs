@@ -16,5 +16,5 @@ public readonly struct BallPose
     public Quaterniond Orientation { get; }
 
     /// <summary>Place and orientation.</summary>
-    public override string ToString() => FormattableString.Invariant($"{Position.ToString("0.###")}, {Orientation.ToString("0.###")}");
+    public override string ToString() => FormattableString.Invariant($"{Position:0.###}, {Orientation:0.###}");
 }

@@ -24,5 +24,5 @@ public readonly struct PathPoint
     public double Distance { get; }
 
     /// <summary>When and where, such as "1.25 s: (0, 1.5, −20)".</summary>
-    public override string ToString() => FormattableString.Invariant($"{Time:0.###} s: {Position.ToString("0.###")}");
+    public override string ToString() => FormattableString.Invariant($"{Time:0.###} s: {Position:0.###}");
 }

@@ -129,12 +129,8 @@ public static class TrajectoryQueries
         return count;
     }
 
-    private static bool IsWanted(CrossingDirection direction, bool along) => direction switch
-    {
-        CrossingDirection.AlongNormal => along,
-        CrossingDirection.AgainstNormal => !along,
-        _ => true,
-    };
+    private static bool IsWanted(CrossingDirection direction, bool along) =>
+        direction == CrossingDirection.Any || along == (direction == CrossingDirection.AlongNormal);
 
     private static PathPoint At(in PathPiece piece, double time) => new(time, piece.PositionAt(time), piece.VelocityAt(time), 0);
 

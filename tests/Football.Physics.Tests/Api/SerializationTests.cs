@@ -26,6 +26,15 @@ public sealed class SerializationTests
     }
 
     [Fact]
+    public void Reading_a_scene_changes_no_preset()
+    {
+        string before = JsonConvert.SerializeObject(new Scene());
+        Both(new Scene { Ball = BallProperties.BeachBall, Forces = ForceSet.Constant, Ground = Ground.Turf with { SlidingFriction = 0.1 } });
+        Assert.Equal(before, JsonConvert.SerializeObject(new Scene()));
+        Assert.Equal(0.11, BallProperties.Football.Radius);
+    }
+
+    [Fact]
     public void Requests_are_the_same_after_it()
     {
         var aim = new AimRequest { From = new Vector3d(1, 0.11, -2), Target = new Vector3d(3, 1.5, -20), Through = new Vector3d(2, 2, -9), TopSpin = 0.1, Arc = AimArc.High };

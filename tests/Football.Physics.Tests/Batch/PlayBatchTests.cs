@@ -31,7 +31,7 @@ public sealed class PlayBatchTests
                 Assert.Equal(crosses, plays.Crossed[i]);
                 Assert.Equal(crosses ? at.Position : path.Final.Position, plays.Position[i]);
                 Assert.Equal(!crosses && path.TryGetRest(out _), plays.Rests[i]);
-                Assert.Equal(path.PositionAt(0.15), plays.Places[(i * 20) + 3]);
+                Assert.Equal(path.PositionAt(3 * 0.05), plays.Places[(i * 20) + 3]);
                 Assert.InRange(plays.SampleCount[i], 5, 20);
             }
 

@@ -64,7 +64,7 @@ public sealed class RollbackRingTests
         var runner = new FixedStepRunner();
         var rollback = new Rollback(runner, ticks: 8);
         runner.QueueKick(new Vector3d(0, 5, -10), default);
-        runner.Advance(0.2);
+        runner.Advance(0.205);
         Assert.Equal(12, rollback.OldestTick);
         Assert.Equal(runner.State.Position, rollback.StateAt(20).Position);
         Assert.Throws<ArgumentOutOfRangeException>(() => rollback.StateAt(11));

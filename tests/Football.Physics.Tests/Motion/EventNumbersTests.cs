@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace Football.Physics.Tests.Motion;
 
 /// <summary>What sound and effects ask of an event.</summary>
@@ -29,9 +31,9 @@ public sealed class EventNumbersTests
     [Fact]
     public void Vectors_and_rotations_are_printed_in_the_format_asked_for()
     {
-        Assert.Equal("(1.00, -2.50, 0.33)", new Vector3d(1, -2.5, 1.0 / 3).ToString("F2"));
+        Assert.Equal("(1.00, -2.50, 0.33)", new Vector3d(1, -2.5, 1.0 / 3).ToString("F2", CultureInfo.InvariantCulture));
         Assert.Equal("(1.0, 0.0, 0.0)", FormattableString.Invariant($"{new Vector3d(1, 0, 0):F1}"));
-        Assert.Equal("(0.0, 0.0, 0.0, 1.0)", Quaterniond.Identity.ToString("F1"));
+        Assert.Equal("(0.0, 0.0, 0.0, 1.0)", Quaterniond.Identity.ToString("F1", CultureInfo.InvariantCulture));
         Assert.Equal("(1, 2, 3)", new Vector3d(1, 2, 3).ToString());
     }
 

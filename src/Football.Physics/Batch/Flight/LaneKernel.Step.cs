@@ -129,6 +129,7 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
     }
 
     /// <summary>The drag law's branches at the launch.</summary>
+    [MethodImpl(Hot.Path)]
     private void FindBranch(LaneGroup group)
     {
         LaneState now = group.Now;
