@@ -28,7 +28,7 @@ public sealed class PitchTests
         for (int i = 0; i < 64; i++)
         {
             double angle = i * Math.PI / 32;
-            BallState state = simulator.Launch(new Vector3d(0, Flight.Radius, 0), new Vector3d(30 * Math.Cos(angle), 0, 30 * Math.Sin(angle)), Vector3d.Zero);
+            BallState state = simulator.Launch(new Vector3d(0, Flight.Radius, 0), new Vector3d(15 * Math.Cos(angle), 0, 15 * Math.Sin(angle)), Vector3d.Zero);
             var log = new StepLog();
             simulator.Run(ref state, 0.02, 20, StopAt.Time, log);
             Assert.InRange(Math.Abs(state.Position.X), 0, 10);

@@ -184,7 +184,8 @@ internal sealed class StressRun
             return Vector3d.Dot(before.Spin, in spin) >= 0 ? null : Fail("reversal", $"spin in flight {before.Spin} to {spin}");
         }
 
-        if (before.Spin.Y * spin.Y < 0)
+        // What is left of a spin that has ended is rounding.
+        if (before.Spin.Y * spin.Y < -1e-15 * before.Spin.Y * before.Spin.Y)
         {
             return Fail("reversal", $"spin about the vertical {before.Spin.Y} to {spin.Y}, {_state.Motion}");
         }
