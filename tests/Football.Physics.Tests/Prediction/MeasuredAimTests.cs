@@ -24,7 +24,7 @@ public sealed class MeasuredAimTests
         Assert.Equal(Count, hits);
         Assert.InRange(worst, 0, 1e-3);
 
-        // One in a hundred may take a flight more than by the other laws.
-        Assert.InRange(simulations, 1, 1.01 * (scene.Air.IsStill ? s_published.Value : Math.Max(s_inWind.Value, 1.5 * s_published.Value)));
+        // In a steady wind some kicks of both profiles fall to the slow search: now and then others by these laws than by those.
+        Assert.InRange(simulations, 1, scene.Air.IsStill ? 1.01 * s_published.Value : 1.5 * Math.Max(s_inWind.Value, s_published.Value));
     }
 }
