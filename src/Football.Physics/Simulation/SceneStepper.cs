@@ -164,7 +164,11 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         }
     }
 
-    public override void Settle(ref BallState s) => _worldContact!.Settle(ref s);
+    public override void Settle(ref BallState s)
+    {
+        _worldContact!.Raise(ref s);
+        _worldContact.Settle(ref s);
+    }
 
     public override void AirFactors(double speed, double spinRate, out double drag, out double lift)
     {
@@ -288,6 +292,7 @@ internal class Stepper<TAir, TIntegrator> : Stepper
     private void TakePieces(ref BallState s, ref StepRun run)
     {
         s.ClearUntil = 0;
+        _worldContact?.Raise(ref s);
         _bodies?.Apply(ref s, ref run);
         while (run.Left > 0 && (s.Motion != MotionState.Stopped || _rest is not null))
         {

@@ -88,7 +88,6 @@ public sealed class Simulator
         state.Motion = MotionState.Airborne;
         if (_world is not null)
         {
-            Raise(ref state);
             _stepper.Settle(ref state);
         }
         else if (position.Y <= _contact)
@@ -169,22 +168,6 @@ public sealed class Simulator
         BallState next = state;
         _stepper.Step(ref next, dt, log);
         state = next;
-    }
-
-    /// <summary>A ball that starts inside the ground is raised to it.</summary>
-    private void Raise(ref BallState state)
-    {
-        for (int i = 0; i < 4 && _world!.Ground is { } ground; i++)
-        {
-            ShapePoint at = ground.At(state.Position, 0);
-            double below = Scene.Ball.Radius - at.Distance;
-            if (!(below > 0))
-            {
-                break;
-            }
-
-            state.Position += below * at.Normal;
-        }
     }
 
     private static void RefuseStep(double dt, StepLog? log)

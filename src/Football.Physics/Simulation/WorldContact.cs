@@ -7,6 +7,12 @@ internal sealed class WorldContact<TAir>
     /// <summary>More impacts than this at one instant, and the ball is wedged: it goes along with what pushes it.</summary>
     private const int MostAtOnce = 64;
 
+    /// <summary>A ball is raised out of the ground in so many steps: more than one where that is curved.</summary>
+    private const int MostRaises = 4;
+
+    /// <summary>Less than this is no overlap to be raised from, m.</summary>
+    private const double Overlap = 1e-9;
+
     private readonly Surroundings<TAir> _around;
     private readonly World _world;
     private readonly bool _levelGround;
@@ -45,7 +51,10 @@ internal sealed class WorldContact<TAir>
         s.Branch = DragBranch.Unknown;
         bool may = run.Hit();
         double off = Vector3d.Dot(velocity - hit.Velocity, in n);
-        bool bounces = may && off >= _world.MinimumBounceSpeed;
+
+        // What would be back within a microsecond stays down: so an impact takes time, however strong the ball is pressed.
+        bool bounces = may && off >= _world.MinimumBounceSpeed
+            && off >= 0.5 * StabilityLimit.ShortestHop * Load(in s, velocity - (off * n), in spin, hit, in at);
         velocity = bounces ? velocity : velocity - (off * n);
         if (carried && s.Carrier != thing)
         {
@@ -97,6 +106,22 @@ internal sealed class WorldContact<TAir>
         s.Velocity = _world.CarrierOf(in s).Velocity;
         s.SetGroundSpin(Vector3d.Zero);
         s.Motion = MotionState.Stopped;
+    }
+
+    /// <summary>A ball inside the ground, where a state says so, is raised to it.</summary>
+    public void Raise(ref BallState s)
+    {
+        for (int i = 0; i < MostRaises && _world.Ground is { } ground; i++)
+        {
+            ShapePoint at = ground.At(s.Position);
+            double below = _world.Ball.Radius - at.Distance;
+            if (!(below > Overlap))
+            {
+                break;
+            }
+
+            s.Position += below * at.Normal;
+        }
     }
 
     /// <summary>Whether a collider would carry a ball that touches it: N/m is above zero.</summary>
