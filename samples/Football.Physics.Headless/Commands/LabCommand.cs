@@ -21,5 +21,7 @@ internal static class LabCommand
         AnswersLab.Create(terminal),
         FuzzLab.Create(terminal),
         BallsLab.Create(terminal),
+        RigsLab.Create(terminal),
+        KicksLab.Create(terminal),
     };
 }

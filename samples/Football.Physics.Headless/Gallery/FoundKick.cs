@@ -26,10 +26,10 @@ internal static class FoundKick
             MaximumTopSpin = 60,
             MaximumSideSpin = 60,
         };
-        AimResult found = new Aimer().Find(request);
+        AimResult found = new Aimer(Scene.Measured).Find(request);
         var kick = new Scenario
         {
-            Scene = new Scene { Obstacles = [Furniture.Wall(Wall, 0.4, 3.4, 1.9)], Goals = [Furniture.Goal(Goal)] },
+            Scene = Scene.Measured with { Obstacles = [Furniture.Wall(Wall, 0.4, 3.4, 1.9)], Goals = [Furniture.Goal(Goal)] },
             Position = request.From,
             Velocity = found.Velocity,
             Spin = found.Spin,

@@ -56,6 +56,8 @@ internal static class GalleryShots
         Name = "Goal kick",
         About = "Long and high with some backspin. The air takes nearly a third of the range that it would have in a vacuum.",
         Scenario = Kick(30, left: 0, up: 36, top: -25, side: 0),
+        Comparison = Kick(30, left: 0, up: 36, top: -25, side: 0) with { Scene = Scene.Published },
+        ComparisonName = "by the published laws",
         Markings = [Furniture.HalfwayLine(47)],
     };
 
@@ -67,8 +69,8 @@ internal static class GalleryShots
             Id = "goal-kick-in-vacuum",
             Name = "The same in a vacuum",
             About = "The goal kick without air: a parabola. The dashed line is the kick in air.",
-            Scenario = kick with { Scene = Scene.Vacuum },
-            SceneCode = "Scene.Vacuum",
+            Scenario = kick with { Scene = Scene.Measured with { Forces = ForceSet.None } },
+            SceneCode = "Scene.Measured with { Forces = ForceSet.None }",
             Comparison = kick,
             ComparisonName = "in air",
             DrawnTo = 160,
@@ -81,8 +83,10 @@ internal static class GalleryShots
         Id = "driven-pass",
         Name = "Driven pass",
         About = "Low and fast with backspin, which holds it up; it skips on wet turf.",
-        Scenario = Kick(26, left: 0, up: 8, top: -35, side: 0) with { Scene = new Scene { Ground = Ground.WetTurf } },
-        SceneCode = "new Scene { Ground = Ground.WetTurf }",
+        Scenario = Kick(26, left: 0, up: 8, top: -35, side: 0) with { Scene = Scene.Measured with { Ground = Ground.WateredTurf } },
+        Comparison = Kick(26, left: 0, up: 8, top: -35, side: 0) with { Scene = Scene.Published with { Ground = Ground.WetTurf } },
+        ComparisonName = "by the published laws",
+        SceneCode = "Scene.Measured with { Ground = Ground.WateredTurf }",
     };
 
     private static GalleryShot Chip() => new()
@@ -129,12 +133,12 @@ internal static class GalleryShots
         return new GalleryShot
         {
             Id = "long-roll",
-            SceneCode = "new Scene { Ground = Ground.Court, Air = new Air { Wind = new Vector3d(-2, 0, 0) } }",
+            SceneCode = "new Scene { Ground = Ground.Indoor, Air = new Air { Wind = new Vector3d(-2, 0, 0) } }",
             Name = "Long roll",
-            About = "Rolling from the start on a hard court, across a side wind of 2 m/s that carries it to the left.",
+            About = "Rolling from the start on an indoor court, across a side wind of 2 m/s that carries it to the left.",
             Scenario = Shot(new Vector3d(0, Radius, 0), velocity, KickSpin.Vector(velocity, 11 / Radius, 0)) with
             {
-                Scene = new Scene { Ground = Ground.Court, Air = new Air { Wind = ViewFrame.Direction(2, 90, 0) } },
+                Scene = Scene.Measured with { Ground = Ground.Indoor, Air = new Air { Wind = ViewFrame.Direction(2, 90, 0) } },
             },
         };
     }
@@ -150,7 +154,7 @@ internal static class GalleryShots
             About = "A high ball into a wind of 11 m/s, against it and from the right; dashed in still air. The wind's push on the ground is switched off here: it would roll the ball on for ever.",
             Scenario = kick with
             {
-                Scene = Scene.Windy(ViewFrame.Direction(11, 135, 0)) with { Ground = new Ground { Aerodynamics = GroundAerodynamics.None } },
+                Scene = Scene.Windy(ViewFrame.Direction(11, 135, 0)) with { Ground = Ground.DryTurf with { Aerodynamics = GroundAerodynamics.None } },
             },
             Comparison = kick,
             ComparisonName = "in still air",
@@ -165,7 +169,7 @@ internal static class GalleryShots
         About = "Large and light: the air stops it within metres, the sidespin throws it aside, and it stays where it lands on sand.",
         Scenario = Shot(new Vector3d(0, 1, 0), ViewFrame.Direction(16, 0, 30), KickSpin.Vector(ViewFrame.Direction(1, 0, 0), 0, 25)) with
         {
-            Scene = new Scene { Ball = BallProperties.BeachBall, Ground = Ground.Sand },
+            Scene = Scene.Measured with { Ball = BallProperties.BeachBall, Ground = Ground.Sand },
         },
     };
 
@@ -177,7 +181,7 @@ internal static class GalleryShots
 
     private static Scenario Shot(Vector3d position, Vector3d velocity, Vector3d spin) => new()
     {
-        Scene = new Scene(),
+        Scene = Scene.Measured,
         Position = position,
         Velocity = velocity,
         Spin = spin,

@@ -18,14 +18,18 @@ internal static class AimLab
         {
             Description = "Holds every one of the 10 000 random requests that was not hit against the dense scan, not one in four.",
         };
+        var profiles = new Option<bool>("--profiles") { Description = "Asks the same in both profiles, in weather, wind by height and gusts, and nothing else." };
         return LabOptions.Create(
             "aim",
             "The predictors: 4.1.3, 4.2.3, 4.3.2, and 10 000 random requests against a dense scan. The CSV has every kick.",
-            ["football lab aim --quick --csv kicks.csv"],
+            ["football lab aim --quick --csv kicks.csv", "football lab aim --profiles --quick"],
             terminal,
-            (parsed, seed, progress) => Run(unchecked((int)seed), parsed.GetValue(quick), parsed.GetValue(full), progress),
+            (parsed, seed, progress) => parsed.GetValue(profiles)
+                ? ProfileAims.Run(unchecked((int)seed), parsed.GetValue(quick) ? Requests / 20 : Requests, progress)
+                : Run(unchecked((int)seed), parsed.GetValue(quick), parsed.GetValue(full), progress),
             quick,
-            full);
+            full,
+            profiles);
     }
 
     private static LabReport Run(int seed, bool quick, bool full, Progress progress)

@@ -39,7 +39,7 @@ internal static class CostLab
         var charts = new List<Func<XElement>>();
         foreach (Integrator method in Enum.GetValues<Integrator>())
         {
-            var simulator = new Simulator(null, new SolverSettings { Integrator = method });
+            var simulator = new Simulator(Scene.Published, new SolverSettings { Integrator = method });
             Dictionary<MotionState, BallState[]> before = Collect(simulator, seed, frames);
             var log = new StepLog();
             foreach ((MotionState motion, BallState[] states) in before)

@@ -151,6 +151,6 @@ internal sealed class AimContext
         return most * Math.Max(drag, Math.Abs(lift)) > Ruling * Math.Abs(Upward);
     }
 
-    /// <summary>The scene with its ground out of reach.</summary>
-    private static Scene WithoutGround(Scene scene) => scene with { Ground = scene.Ground with { Height = -0.5 * Limits.Length } };
+    /// <summary>The scene with a plain ground out of reach.</summary>
+    private static Scene WithoutGround(Scene scene) => scene with { Ground = Ground.Turf with { Height = -0.5 * Limits.Length } };
 }

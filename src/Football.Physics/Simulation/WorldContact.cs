@@ -43,10 +43,9 @@ internal sealed class WorldContact<TAir>
         }
 
         s.Branch = DragBranch.Unknown;
-        run.Part = 0;
-        run.Pieces = 0;
+        bool may = run.Hit();
         double off = Vector3d.Dot(velocity - hit.Velocity, in n);
-        bool bounces = off >= _world.MinimumBounceSpeed;
+        bool bounces = may && off >= _world.MinimumBounceSpeed;
         velocity = bounces ? velocity : velocity - (off * n);
         if (carried && s.Carrier != thing)
         {

@@ -56,7 +56,7 @@ public sealed class ConsistencyTests
         var random = new Shots(21);
         for (int i = 0; i < 20; i++)
         {
-            var simulator = new Simulator();
+            var simulator = new Simulator(Scene.Published);
             BallState even = simulator.Launch(new Vector3d(0, 0.5, 0), random.Velocity(5, 20, 0, 40), random.Uniform(0, 40) * random.Direction());
             BallState uneven = even;
             var evenLog = new StepLog();

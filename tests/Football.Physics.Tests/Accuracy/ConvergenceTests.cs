@@ -199,7 +199,7 @@ public sealed class ConvergenceTests
     /// <summary>Whether a shot really crosses one surface of the jump, once, while the other condition holds throughout.</summary>
     private static bool Crosses(Vector3d velocity, Vector3d spin, Func<double, double, double> side, Func<double, bool> other)
     {
-        var simulator = new Simulator();
+        var simulator = new Simulator(Scene.Published);
         BallState state = simulator.Launch(new Vector3d(0, 0.11, 0), velocity, spin);
         var log = new StepLog();
         int changes = 0;

@@ -89,15 +89,15 @@ public sealed class ValidationTests
         Refused("forces.spinDecay", "-1", () => new Simulator(s_scene with { Forces = ForceSet.Published with { SpinDecay = (ForceLaw)(-1) } }));
         Refused("forces.coefficients", "9", () => new Simulator(s_scene with { Forces = ForceSet.Published with { Coefficients = (CoefficientForm)9 } }));
         Refused("ground.aerodynamics", "5", () => new Simulator(s_scene with { Ground = Ground.Turf with { Aerodynamics = (GroundAerodynamics)5 } }));
-        Refused("solver.integrator", "99", () => new Simulator(null, new SolverSettings { Integrator = (Integrator)99 }));
-        Refused("solver.collisionTiming", "2", () => new Simulator(null, new SolverSettings { CollisionTiming = (CollisionTiming)2 }));
-        Refused("solver.rollingTransition", "2", () => new Simulator(null, new SolverSettings { RollingTransition = (RollingTransition)2 }));
+        Refused("solver.integrator", "99", () => new Simulator(Scene.Published, new SolverSettings { Integrator = (Integrator)99 }));
+        Refused("solver.collisionTiming", "2", () => new Simulator(Scene.Published, new SolverSettings { CollisionTiming = (CollisionTiming)2 }));
+        Refused("solver.rollingTransition", "2", () => new Simulator(Scene.Published, new SolverSettings { RollingTransition = (RollingTransition)2 }));
     }
 
     [Fact]
     public void A_launch_out_of_range_is_refused()
     {
-        var simulator = new Simulator();
+        var simulator = new Simulator(Scene.Published);
         var up = new Vector3d(0, 1, 0);
         Refused("launch.position", "(0, 2000000, 0)", () => simulator.Launch(new Vector3d(0, 2e6, 0), up, up));
         Refused("launch.position", "NaN", () => simulator.Launch(new Vector3d(0, 0, double.NaN), up, up));
@@ -111,7 +111,7 @@ public sealed class ValidationTests
     [Fact]
     public void A_run_out_of_range_is_refused_and_changes_nothing()
     {
-        var simulator = new Simulator();
+        var simulator = new Simulator(Scene.Published);
         BallState state = simulator.Launch(new Vector3d(0, 1, 0), new Vector3d(3, 4, 5), Vector3d.Up);
         BallState before = state;
         var log = new StepLog();

@@ -55,7 +55,7 @@ public sealed class BatchAimerTests
         }
 
         var kicks = new BatchKicks(many);
-        new BatchAimer().Find(aims, kicks, many);
+        new BatchAimer(Scene.Published).Find(aims, kicks, many);
         var meter = new AimContext(Scene.Published, SolverSettings.Default, 0.01).Miss;
         int hits = 0;
         for (int i = 0; i < many; i++)
@@ -87,7 +87,7 @@ public sealed class BatchAimerTests
         }
 
         var kicks = new BatchKicks(many);
-        new BatchAimer().Find(aims, kicks, many);
+        new BatchAimer(Scene.Published).Find(aims, kicks, many);
         MissMeter meter = new AimContext(Scene.Published, SolverSettings.Default, 0.01).Miss;
         int hits = 0;
         for (int i = 0; i < many; i++)
@@ -109,8 +109,8 @@ public sealed class BatchAimerTests
         // Half of them near or beyond the reach.
         BatchAims aims = Aims(22, 10, 22, 0);
         var kicks = new BatchKicks(Count);
-        new BatchAimer().Find(aims, kicks, Count);
-        var single = new Aimer();
+        new BatchAimer(Scene.Published).Find(aims, kicks, Count);
+        var single = new Aimer(Scene.Published);
         int refused = 0;
         for (int i = 0; i < Count; i++)
         {
@@ -152,12 +152,12 @@ public sealed class BatchAimerTests
         var aims = new BatchAims(2);
         aims.Set(0, default, new Vector3d(10, 1, 0), 25);
         aims.Set(1, default, new Vector3d(10, 1, 0), -25);
-        var aimer = new BatchAimer();
+        var aimer = new BatchAimer(Scene.Published);
         string message = Assert.Throws<ArgumentOutOfRangeException>(() => aimer.Find(aims, new BatchKicks(2), 2)).Message;
         Assert.Contains("aim.speed[1] is -25", message, StringComparison.Ordinal);
         Assert.Throws<ArgumentOutOfRangeException>(() => aimer.Find(aims, new BatchKicks(2), 3));
         Assert.Throws<ArgumentOutOfRangeException>(() => aimer.Find(new BatchAims(1) { MinimumElevationDegrees = 50 }, new BatchKicks(1), 1));
-        Assert.Throws<ArgumentOutOfRangeException>(() => new BatchAimer(null, 0));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new BatchAimer(Scene.Published, 0));
     }
 
     private static BatchAims Aims(int seed, double slow, double fast, double ground)

@@ -13,7 +13,15 @@ internal static class BatchScenes
         ["constant"] = Scene.Published with { Forces = ForceSet.Constant with { SpinDecayCoefficient = 1e-4 } },
         ["vacuum"] = Scene.Vacuum,
         ["no lift"] = Scene.Published with { Forces = ForceSet.Published with { Magnus = ForceLaw.None } },
-        ["no decay, small ball, raised ground"] = new()
+        ["measured"] = Scene.Measured,
+        ["measured, wind, Jabulani, thin air"] = Scene.Measured with
+        {
+            Ball = BallProperties.Jabulani,
+            Air = Weather.AtAltitude(2240).ToAir() with { Wind = new Vector3d(-3, 0.5, 5) },
+            Forces = ForceSet.Measured with { SpinDecay = ForceLaw.None },
+            Ground = Ground.WateredTurf with { Height = 1 },
+        },
+        ["no decay, small ball, raised ground"] = Scene.Published with
         {
             Ball = BallProperties.YouthFootball,
             Forces = ForceSet.Published with { SpinDecay = ForceLaw.None },

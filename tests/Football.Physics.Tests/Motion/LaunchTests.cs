@@ -107,7 +107,7 @@ public sealed class LaunchTests
     [Fact]
     public void A_ball_without_slip_after_its_last_impact_rolls_and_emits_no_slide()
     {
-        var simulator = new Simulator();
+        var simulator = new Simulator(Scene.Published);
         BallState state = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(3, -0.3, 0), new Vector3d(0, 0, -3 / 0.11));
         var log = new StepLog();
         simulator.Step(ref state, 0.01, log);

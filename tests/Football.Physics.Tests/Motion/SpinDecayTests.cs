@@ -36,7 +36,7 @@ public sealed class SpinDecayTests
     public void A_tiny_spin_is_gone_at_the_instant_the_torque_says_and_stays_gone()
     {
         // The torque on a ball at rest in the spin's sense is finite: ω̇ ≈ −0.5 rad/s² at 25 m/s.
-        Scene scene = Scene.Published with { Gravity = 0, Forces = ForceSet.None with { SpinDecay = ForceLaw.Empirical } };
+        Scene scene = Scene.Published with { Gravity = 0, Forces = ForceSet.None with { Coefficients = CoefficientForm.Published, SpinDecay = ForceLaw.Empirical } };
         double rate = Laws.PlainLaws.DecayTorque(scene, 25, 0) / scene.Ball.MomentOfInertia;
         Assert.InRange(rate, 0.4, 0.6);
         foreach (Integrator integrator in Flight.Integrators)
@@ -61,7 +61,7 @@ public sealed class SpinDecayTests
     [Fact]
     public void The_angle_turned_until_the_spin_is_gone_is_half_the_spin_times_its_time()
     {
-        Scene scene = Scene.Published with { Gravity = 0, Forces = ForceSet.None with { SpinDecay = ForceLaw.Empirical } };
+        Scene scene = Scene.Published with { Gravity = 0, Forces = ForceSet.None with { Coefficients = CoefficientForm.Published, SpinDecay = ForceLaw.Empirical } };
         double rate = Laws.PlainLaws.DecayTorque(scene, 25, 0) / scene.Ball.MomentOfInertia;
         BallState state = Flight.Play(scene, SolverSettings.Default, 0.5, 2, StopAt.Time, s_high, new Vector3d(25, 0, 0), new Vector3d(0, 0.05, 0), out _);
         double angle = 0.05 * 0.05 / (2 * rate);

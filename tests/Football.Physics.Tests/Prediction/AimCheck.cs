@@ -28,7 +28,7 @@ internal static class AimCheck
 
     /// <summary>The closest approach before the first impact, in RK4 at 5 ms.</summary>
     public static double TrueMiss(AimRequest request, in AimResult result, Scene? scene = null) =>
-        new TrueMiss(scene ?? Scene.Default).Of(request, result.Velocity, result.Spin);
+        new TrueMiss(scene ?? Scene.Published).Of(request, result.Velocity, result.Spin);
 
     /// <summary>A request like those of a match.</summary>
     public static AimRequest Any(Shots random)

@@ -106,7 +106,7 @@ public sealed class DegenerateAimTests
     [Fact]
     public void Straight_up_and_down_are_hit_where_they_are_allowed()
     {
-        var aimer = new Aimer();
+        var aimer = new Aimer(Scene.Published);
         foreach (string name in (string[])["straight above", "straight below"])
         {
             AimResult result = aimer.Find(s_requests.Single(item => item.Name == name).Request);
@@ -117,10 +117,10 @@ public sealed class DegenerateAimTests
     [Fact]
     public void What_was_found_before_does_not_matter()
     {
-        var used = new Aimer();
+        var used = new Aimer(Scene.Published);
         foreach ((string name, AimRequest request) in s_requests.Concat(s_requests.Reverse()))
         {
-            AimResult fresh = new Aimer().Find(request);
+            AimResult fresh = new Aimer(Scene.Published).Find(request);
             AimResult again = used.Find(request);
             Assert.Equal((name, fresh.Velocity, fresh.Spin, fresh.Miss, fresh.Simulations), (name, again.Velocity, again.Spin, again.Miss, again.Simulations));
         }

@@ -5,7 +5,7 @@ namespace Football.Physics.Tests.Predictors;
 /// <summary>A look-ahead is the simulation itself, dense in time.</summary>
 public sealed class LookAheadTests
 {
-    private static readonly Simulator s_simulator = new();
+    private static readonly Simulator s_simulator = new(Scene.Published);
 
     [Theory]
     [InlineData(Integrator.Euler)]

@@ -45,7 +45,7 @@ public sealed class AirBoundsTests
     {
         foreach (ForceLaw law in (ForceLaw[])[ForceLaw.Empirical, ForceLaw.Constant])
         {
-            Scene scene = SceneOf(ForceSet.None with { SpinDecay = law, SpinDecayCoefficient = 1e-4 });
+            Scene scene = SceneOf(ForceSet.None with { Coefficients = CoefficientForm.Published, SpinDecay = law, SpinDecayCoefficient = 1e-4 });
             var bounds = new AirBounds(scene);
             var simulator = new Simulator(scene);
             foreach (double speed in s_speeds)

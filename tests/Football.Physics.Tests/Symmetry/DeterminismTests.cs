@@ -119,7 +119,7 @@ public sealed class DeterminismTests
     [Fact]
     public void A_run_allocates_nothing()
     {
-        var simulator = new Simulator();
+        var simulator = new Simulator(Scene.Published);
         var log = new StepLog();
         static long Allocated(Simulator simulator, StepLog log)
         {

@@ -16,12 +16,12 @@ public sealed class BodyTests
         var spin = new Vector3d(3, -2, 1);
         var from = new Vector3d(-0.05, 0.3, -3);
         var obstacle = new Obstacle { Name = "foot", Shape = new SphereShape(from, 0.15), Surface = Surface.Boot, Velocity = velocity, Spin = spin, Pivot = from };
-        BallState expected = Played(Scene.Default with { Obstacles = [obstacle] }, _ => { }, out string[] events);
+        BallState expected = Played(Scene.Published with { Obstacles = [obstacle] }, _ => { }, out string[] events);
 
         var bodies = new Bodies();
         Body foot = bodies.Add("foot", new SphereShape(Vector3d.Zero, 0.15), Surface.Boot);
         void Move(double time) => foot.MoveTo(from + (time * velocity), Quaterniond.Identity, velocity, spin, time);
-        BallState actual = Played(Scene.Default with { Bodies = bodies }, Move, out string[] again);
+        BallState actual = Played(Scene.Published with { Bodies = bodies }, Move, out string[] again);
         Assert.Contains("Impact foot", events);
         Assert.Equal(events, again);
         Assert.Equal(0, (expected.Position - actual.Position).Length, 1e-9);
@@ -34,12 +34,12 @@ public sealed class BodyTests
         Quaterniond turn = Quaterniond.FromAxisAngle(new Vector3d(0.6, 0, 0.8), 0.7);
         var at = new Vector3d(0.2, 1, -4);
         var half = new Vector3d(0.5, 0.3, 0.2);
-        Scene fixedScene = Scene.Default with { Obstacles = [new Obstacle { Name = "board", Shape = new BoxShape(at, half, turn), Surface = Surface.Board }] };
+        Scene fixedScene = Scene.Published with { Obstacles = [new Obstacle { Name = "board", Shape = new BoxShape(at, half, turn), Surface = Surface.Board }] };
         var bodies = new Bodies();
         Body board = bodies.Add("board", new BoxShape(Vector3d.Zero, half), Surface.Board);
         board.MoveTo(at, turn, Vector3d.Zero, Vector3d.Zero, 0);
         BallState expected = Played(fixedScene, _ => { }, out string[] events, new Vector3d(1, 4, -18));
-        BallState actual = Played(Scene.Default with { Bodies = bodies }, _ => { }, out string[] again, new Vector3d(1, 4, -18));
+        BallState actual = Played(Scene.Published with { Bodies = bodies }, _ => { }, out string[] again, new Vector3d(1, 4, -18));
         Assert.Contains("Impact board", events);
         Assert.Equal(events, again);
         Assert.Equal(0, (expected.Position - actual.Position).Length, 1e-8);
@@ -55,7 +55,7 @@ public sealed class BodyTests
         var bodies = new Bodies();
         Body boot = bodies.Add("boot", new SphereShape(Vector3d.Zero, 0.2));
         boot.MoveTo(new Vector3d(50, 50, 50), Vector3d.Zero, 0);
-        var simulator = new Simulator(Scene.Default with { Bodies = bodies }, s_rk4);
+        var simulator = new Simulator(Scene.Published with { Bodies = bodies }, s_rk4);
         BallState state = simulator.Launch(new Vector3d(0, Flight.Radius, 0), Vector3d.Zero, Vector3d.Zero);
         var log = new StepLog();
         simulator.Step(ref state, Tick, log);
@@ -73,7 +73,7 @@ public sealed class BodyTests
         var bodies = new Bodies();
         Body tray = bodies.Add("tray", new BoxShape(Vector3d.Zero, new Vector3d(1, 0.1, 1)), Surface.Wood);
         tray.MoveTo(new Vector3d(0, 2, 0), Vector3d.Zero, 0);
-        var simulator = new Simulator(Scene.Default with { Bodies = bodies }, s_rk4);
+        var simulator = new Simulator(Scene.Published with { Bodies = bodies }, s_rk4);
         BallState state = simulator.Launch(new Vector3d(0, 2.5, 0), Vector3d.Zero, Vector3d.Zero);
         var log = new StepLog();
         simulator.Run(ref state, Tick, 10, StopAt.Rest, log);
@@ -108,7 +108,7 @@ public sealed class BodyTests
                 bodies.Add($"body {i}", i % 2 == 0 ? new SphereShape(Vector3d.Zero, Range(0.1, 0.4)) : new CapsuleShape(Vector3d.Zero, Place(), Range(0.05, 0.2)));
             }
 
-            var simulator = new Simulator(Scene.Default with { Bodies = bodies }, s_rk4);
+            var simulator = new Simulator(Scene.Published with { Bodies = bodies }, s_rk4);
             BallState state = simulator.Launch(new Vector3d(0, 1, 0), Vector3d.Zero, Vector3d.Zero);
             var log = new StepLog();
             double fastest = 0;
@@ -143,7 +143,7 @@ public sealed class BodyTests
     {
         var bodies = new Bodies();
         Body leg = bodies.Add("leg", new CapsuleShape(Vector3d.Zero, new Vector3d(0, 0.8, 0), 0.1));
-        var simulator = new Simulator(Scene.Default with { Bodies = bodies }, s_rk4);
+        var simulator = new Simulator(Scene.Published with { Bodies = bodies }, s_rk4);
         BallState state = simulator.Launch(new Vector3d(0, 1, 0), new Vector3d(0, 2, -5), Vector3d.Zero);
         var log = new StepLog();
         void Play(int ticks)
@@ -169,7 +169,7 @@ public sealed class BodyTests
         Body leg = bodies.Add("leg", new SphereShape(Vector3d.Zero, 0.1));
         Assert.Equal("velocity", Assert.Throws<ArgumentOutOfRangeException>(() => leg.MoveTo(Vector3d.Zero, new Vector3d(2000, 0, 0), 0)).ParamName);
         Assert.Equal("position", Assert.Throws<ArgumentOutOfRangeException>(() => leg.MoveTo(new Vector3d(double.NaN, 0, 0), Vector3d.Zero, 0)).ParamName);
-        _ = new Simulator(Scene.Default with { Bodies = bodies });
+        _ = new Simulator(Scene.Published with { Bodies = bodies });
         Assert.Contains("before it is built", Assert.Throws<InvalidOperationException>(() => bodies.Add("arm", leg.Shape)).Message);
     }
 

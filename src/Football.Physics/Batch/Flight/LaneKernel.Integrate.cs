@@ -46,7 +46,10 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
             F vw = F.Plus(w, ahead, b);
             if (law.Acts)
             {
-                law.Evaluate(in step, in branch, F.Squares(vx, vy, vz), vw, out F drag, out F lift, out F decay);
+                F across = law.NeedsSpinAcross
+                    ? F.Squares(F.Minus(ny, vz, nz, vy), F.Minus(nz, vx, nx, vz), F.Minus(nx, vy, ny, vx))
+                    : default;
+                law.Evaluate(in step, in branch, F.Squares(vx, vy, vz), across, vw, out F drag, out F lift, out F decay);
 
                 // L (ω̂ × u) − D u + g
                 ax = F.Minus(lift, F.Minus(ny, vz, nz, vy), drag, vx) + gx;
