@@ -27,6 +27,18 @@ internal static class PredictionTable
         {
             Target = 60, Simulations = 4, Miss = 1e-3, ThroughMiss = 1e-2,
         },
+        new("direct, one target, the thesis' kicks, miss measured", () => new Aimer(Scene.Published), () => AimSets.Thesis(Seed, Count), AimMethod.Direct)
+        {
+            Target = 66, Miss = 1e-3, Question = (aimer, request) => aimer.Find(request),
+        },
+        new("FindSlowest, the thesis' kicks", () => new Aimer(Scene.Published), () => AimSets.Thesis(Seed, Count), AimMethod.Direct)
+        {
+            Miss = 1e-3, Question = (aimer, request) => aimer.FindSlowest(request),
+        },
+        new("FindAtTime, the thesis' kicks at 1.3 times their time", () => new Aimer(Scene.Published), () => AimSets.Thesis(Seed, Count), AimMethod.Direct)
+        {
+            Miss = 1e-3, Question = (aimer, request) => aimer.FindAtTime(request, 1.3 * (request.Target - request.From).Length / 22),
+        },
         new("direct, verdict \"out of reach\"", () => new Aimer(Scene.Published), () => AimSets.TooFar(Seed, Count), AimMethod.Direct) { Target = 90, OutOfReach = true },
     ];
 
@@ -53,7 +65,7 @@ internal static class PredictionTable
     {
         Aimer aimer = row.Aimer();
         AimRequest[] requests = row.Requests();
-        AimResult[] results = [.. requests.Select(request => aimer.Find(request, row.Method))];
+        AimResult[] results = [.. requests.Select(request => row.Answer(aimer, request))];
         double[] misses = [.. results.Select(result => result.Miss).Order()];
         double simulations = results.Average(result => (double)result.Simulations);
         double? through = results.Max(result => result.ThroughMiss);

@@ -83,9 +83,19 @@ internal static class QuickCommand
             PredictionTable.Print(line => Print(text, line), predictions, share);
         }
 
-        if (Wanted(MonoTable.Name, only))
+        if (Wanted(FirstUseTable.Name, only))
         {
-            MonoTable.Print(line => Print(text, line), share);
+            FirstUseTable.Print(line => Print(text, line));
+        }
+
+        if (Wanted(ScriptTable.MonoName, only))
+        {
+            ScriptTable.Mono(line => Print(text, line), share);
+        }
+
+        if (Wanted(ScriptTable.AheadOfTimeName, only))
+        {
+            ScriptTable.AheadOfTime(line => Print(text, line));
         }
 
         return text.ToString();
@@ -148,6 +158,12 @@ internal static class QuickCommand
         if (table == "free")
         {
             Stopwatching.WarmUp([FreeTable.Rows[index].Subject()]);
+            return 0;
+        }
+
+        if (table == "first")
+        {
+            Console.Write(FirstUseTable.Measure(warm: index == 1));
             return 0;
         }
 

@@ -123,7 +123,8 @@ internal sealed class LookAheadCounts
         double first = Vector3d.Dot(path.Pieces[0].StartPosition - point, normal);
         for (double time = 0; time < path.EndTime; time += 1e-3)
         {
-            if (Vector3d.Dot(path.PositionAt(time) - point, normal) * first < 0)
+            double side = Vector3d.Dot(path.PositionAt(time) - point, normal);
+            if (side * first < 0 && Math.Abs(side) > Closeness)
             {
                 return true;
             }

@@ -1,3 +1,5 @@
+using Football.Physics.Headless.Commands;
+
 namespace Football.Physics.Headless.Lab;
 
 /// <summary>The same requests in scenes of both profiles: how many kicks are found, with how many flights, and how far off they are.</summary>

@@ -30,14 +30,15 @@ internal sealed class AimContext
     private int _most;
     private long _pieces;
 
-    public AimContext(Scene scene, SolverSettings settings, double timeStep)
+    public AimContext(Simulator game, double timeStep)
     {
-        _simulator = new Simulator(scene, SolverSettings.Default);
+        Scene scene = game.Scene;
+        _simulator = new Simulator(scene, SolverSettings.Default, game.Profile);
         Scene = scene;
-        Game = new Simulator(scene, settings);
+        Game = game;
         Upward = Weight.UpwardAcceleration(scene);
         Steps = AimSteps.Long;
-        var withoutGround = new Simulator(WithoutGround(scene), SolverSettings.Default);
+        var withoutGround = new Simulator(WithoutGround(scene), SolverSettings.Default, game.Profile);
         Planes = new PlaneShooter(this, withoutGround);
         TimedFlight = new TimedFlight(this, withoutGround);
         TimedRoll = new TimedRoll(this, _simulator);

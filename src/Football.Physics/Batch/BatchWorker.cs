@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Runtime.CompilerServices;
 
 namespace Football.Physics;
 
@@ -40,6 +41,7 @@ internal sealed class BatchWorker
     }
 
     /// <summary>Flies some balls.</summary>
+    [MethodImpl(Hot.Path)]
     public void Fly(BatchLaunches launches, BatchFlights flights, int from, int count, double duration)
     {
         _group.Clear();
@@ -79,6 +81,7 @@ internal sealed class BatchWorker
         }
     }
 
+    [MethodImpl(Hot.Path)]
     private void FlyTogether(BatchLaunches launches, BatchFlights flights, int from, double duration)
     {
         int flying = _group.Flying;
@@ -155,6 +158,7 @@ internal sealed class BatchWorker
         return _log.Events[i];
     }
 
+    [MethodImpl(Hot.Path)]
     private void Write(
         BatchFlights flights, int index, BatchEnd end, double time, in Vector3d position, in Vector3d velocity, in Vector3d spin, double apex)
     {

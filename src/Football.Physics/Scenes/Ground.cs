@@ -1,7 +1,10 @@
+using System.Text.Json.Serialization;
+
 namespace Football.Physics;
 
 /// <summary>The ground: its shape, and how the ball bounces, slides and rolls on it. Level unless it says otherwise; its numbers are those of <see cref="DryTurf"/> by default.</summary>
 /// <remarks>Numbers of presets are tagged: measured (by test rigs), derived, guess (no measurement found), or the thesis'.</remarks>
+[JsonNumberHandling(JsonNumberHandling.AllowNamedFloatingPointLiterals)]
 public sealed record Ground
 {
     /// <summary>Normal restitution e_y. 0 … 1; that at an approach of 6 m/s where <see cref="RestitutionSpeed"/> is finite. Default 0.622 (measured).</summary>

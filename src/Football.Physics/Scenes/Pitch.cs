@@ -22,7 +22,7 @@ public sealed record Pitch
     public double BoardHalfThickness { get; init; } = 0.05;
 
     /// <summary>What they are made of. Default <see cref="Surface.Board"/>.</summary>
-    public Surface BoardSurface { get; init; } = Surface.Board;
+    public Surface BoardSurface { get; init; } = Surface.Board with { };
 
     /// <summary>Law 1: 105 m × 68 m, goals of 7.32 m × 2.44 m, no boards.</summary>
     public static Pitch Standard { get; } = new();

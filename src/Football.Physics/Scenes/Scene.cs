@@ -6,8 +6,10 @@ public sealed record Scene
     /// <summary>Nets, and goals, of a scene at most: a state says of each in one bit whether the ball is in it.</summary>
     private const int MostNets = 64;
 
+    // Copies: a serializer may write into the values that a new scene has.
+
     /// <summary>The ball. Default <see cref="BallProperties.Football"/>.</summary>
-    public BallProperties Ball { get; init; } = BallProperties.Football;
+    public BallProperties Ball { get; init; } = BallProperties.Football with { };
 
     /// <summary>The air. Default still air at sea level.</summary>
     public Air Air { get; init; } = new();
@@ -16,10 +18,10 @@ public sealed record Scene
     public double Gravity { get; init; } = 9.81;
 
     /// <summary>Which forces act, and by which law. Default all of them, by the measured laws.</summary>
-    public ForceSet Forces { get; init; } = ForceSet.Measured;
+    public ForceSet Forces { get; init; } = ForceSet.Measured with { };
 
     /// <summary>The ground. Default <see cref="Ground.DryTurf"/>.</summary>
-    public Ground Ground { get; init; } = Ground.DryTurf;
+    public Ground Ground { get; init; } = Ground.DryTurf with { };
 
     /// <summary>Things that can be hit: walls, posts, players. Default none.</summary>
     public IReadOnlyList<Obstacle> Obstacles { get; init; } = [];

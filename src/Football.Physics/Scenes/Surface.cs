@@ -1,6 +1,9 @@
+using System.Text.Json.Serialization;
+
 namespace Football.Physics;
 
 /// <summary>What a thing that can be hit is made of: how the ball bounces off it, slides and rolls on it.</summary>
+[JsonNumberHandling(JsonNumberHandling.AllowNamedFloatingPointLiterals)]
 public sealed record Surface
 {
     /// <summary>Normal restitution e. 0 … 1; default 0.7. Where <see cref="RestitutionSpeed"/> is finite, that at 6 m/s.</summary>

@@ -43,9 +43,9 @@ internal class Stepper<TAir, TIntegrator> : Stepper
     private readonly WorldContact<TAir>? _worldContact;
     private readonly BodyPush<TAir>? _bodies;
 
-    public Stepper(Scene scene, SolverSettings settings)
+    public Stepper(Scene scene, SolverSettings settings, in TAir air)
     {
-        var around = new Surroundings<TAir>(scene);
+        var around = new Surroundings<TAir>(scene, in air);
         _air = around.Air;
         _integrator = default;
         _wind = around.Wind;

@@ -47,7 +47,7 @@ public sealed class LaneLawPointTests
 
     private static void Compare<TLaw, TAir>(ref TLaw law, ForceSet forces, double tolerance, Func<double, double> decayTolerance)
         where TLaw : struct, ILaneLaw<Lanes1>
-        where TAir : struct, IAir
+        where TAir : struct, ILawsAir
     {
         Scene scene = LawGrid.Scene with { Forces = forces };
         TAir air = default;

@@ -14,7 +14,7 @@ public sealed class ProfileTests
         Assert.Equal(Scene.Measured, new Scene());
         Assert.Equal(ForceSet.Measured, new ForceSet());
         Assert.Equal(Ground.DryTurf, new Ground());
-        foreach (Scene scene in (Scene[])[new Ball().Simulator.Scene, new Simulator(Scene.Published).Scene, new FixedStepRunner().Simulator.Scene, new BallBatch(Scene.Published).Scene])
+        foreach (Scene scene in (Scene[])[new Ball().Simulator.Scene, new Simulator().Scene, new FixedStepRunner().Simulator.Scene, new BallBatch().Scene])
         {
             Assert.Same(Scene.Measured, scene);
         }

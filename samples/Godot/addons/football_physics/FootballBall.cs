@@ -108,7 +108,7 @@ public partial class FootballBall : Node3D
     public override void _Ready()
     {
         double timeStep = 1.0 / Engine.PhysicsTicksPerSecond;
-        _runner = new FixedStepRunner(Preset?.Compile(), timeStep, Math.Max(timeStep, 0.25));
+        _runner = new FixedStepRunner(Preset?.Compile() ?? new Simulator(), timeStep, Math.Max(timeStep, 0.25));
         _start = GlobalTransform.Basis;
         Set("physics_interpolation_mode", InterpolationOff);
         Place(GlobalPosition);

@@ -10,7 +10,7 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
 #endif
 {
     /// <summary>The changes of velocity, spin and place in a step.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
     private static void Integrate<TBranch>(
         ref TLaw law, in LaneWeight weight, TBranch branch, F nx, F ny, F nz, F h, F ux, F uy, F uz, F w,
         out F dux, out F duy, out F duz, out F dw, out F dpx, out F dpy, out F dpz)
