@@ -40,8 +40,8 @@ internal static class KicksLab
         new("Roberto Carlos, 30 m/s, 10 rev/s, 30 m", "off the straight line, m", 4, 0.5, scene => Aside(scene, 30, 10 * RevolutionsPerSecond, 30), "told with 3.5 N, which is the force of 25 m/s"),
         new("Physics World 1998, 25 m/s, 8 rev/s", "side force, N", 3.5, 0.4, scene => SideForce(scene, 25, 8 * RevolutionsPerSecond)),
         new("Physics World 1998, 30 m/s, 10 rev/s", "side force, N", 3.5, 0.4, scene => SideForce(scene, 30, 10 * RevolutionsPerSecond), "Asai's own medians give 5.6 N"),
-        new("Punt of 28 m/s, no spin", "elevation of the longest, °", 45, 3, scene => Longest(scene, 1.0, 28, 0)),
-        new("Throw-in of 18 m/s, backspin 20 rad/s", "elevation of the longest, °", 30, 3, scene => Longest(scene, 2.2, 18, -20), "a thrower throws faster when lower: no law of the air"),
+        new("Punt of 28 m/s, no spin", "elevation of the longest, °", 45, 3, scene => Longest(scene, 1.0, 28, 0), "45° is the rule without air"),
+        new("Throw-in of 18 m/s, backspin 20 rad/s", "elevation of the longest, °", 30, 3, scene => Longest(scene, 2.2, 18, -20)),
         new("1172 m for sea level, Brazuca, 34 m/s, 60 rad/s, 25 m", "less aside, m", 0.49, 0.1, scene => Thin(scene, 1172, 20), "place and spin that it was told for are not known to us"),
         new("12 °C for 27 °C, the same kick", "more aside, m", 0.166, 0.1, scene => Thin(scene, 0, 27) - Thin(scene, 0, 12), "likewise"),
         new("Knuckle ball of 30 m/s, 20 m", "scatter aside, SD, m", null, 0, Scatter),
@@ -49,7 +49,7 @@ internal static class KicksLab
 
     private static LabReport Run(long seed)
     {
-        var table = new LabTable("Kicks", "kick", "number", "told", "±", "measured", "is", "published", "is ", "why not");
+        var table = new LabTable("Kicks", "kick", "number", "told", "±", "measured", "measured is", "published", "published is", "why not");
         var report = new LabReport { Name = "kicks", Seed = seed, Tables = { table } };
         foreach (ToldKick kick in Kicks)
         {

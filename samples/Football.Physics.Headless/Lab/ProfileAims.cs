@@ -7,12 +7,15 @@ internal static class ProfileAims
 {
     private const double Tolerance = 1e-3;
 
+    private static readonly Vector3d s_wind = new(4, 0, -6);
+
     /// <summary>The scenes; the published profile first.</summary>
     public static IReadOnlyList<(string Name, Scene Scene)> Scenes { get; } =
     [
         ("published", Scene.Published),
+        ("published, wind of 7 m/s", Scene.Published with { Air = new Air { Wind = s_wind } }),
         ("measured", Scene.Measured),
-        ("measured, wind of 7 m/s", Scene.Measured with { Air = new Air { Wind = new Vector3d(4, 0, -6) } }),
+        ("measured, wind of 7 m/s", Scene.Measured with { Air = new Air { Wind = s_wind } }),
         ("measured, Jabulani at 2240 m", Scene.Measured with { Ball = BallProperties.Jabulani, Air = Weather.AtAltitude(2240).ToAir() }),
         ("measured, wind by height of 8 m/s", Scene.Measured with { Air = new Air { WindField = new WindByHeight(8, 1, -2) } }),
         ("measured, gusts of 8 m/s", Scene.Measured with { Air = new Air { WindField = new WindByHeight(8, 1, -2, gusts: new Gusts { Seed = 7 }) } }),

@@ -101,7 +101,7 @@ internal static class RigsLab
     private static LabReport Run(long seed)
     {
         var table = new LabTable(
-            "FIFA's rigs", "profile", "surface", "drop, m", "window", "drop is", "angle, %", "window ", "angle is", "roll, m", "window  ", "roll is", "test");
+            "FIFA's rigs", "profile", "surface", "drop, m", "drop window", "drop is", "angle, %", "angle window", "angle is", "roll, m", "roll window", "roll is", "test");
         var report = new LabReport { Name = "rigs", Seed = seed, Tables = { table } };
         foreach ((string profile, string surface, Scene scene, RigWindow? window) in Surfaces)
         {

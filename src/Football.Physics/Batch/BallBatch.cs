@@ -4,7 +4,8 @@ namespace Football.Physics;
 /// <remarks>
 /// Each result depends on its own launch alone: not on the others, their order, the number of threads or the width of the processor's
 /// registers. Made once and used again, a run on one thread allocates nothing. Not for several threads at once; <see cref="BatchSettings.Threads"/> is.
-/// Scenes with forces of a game's own, or with constant and fitted laws mixed, and what <see cref="BatchPrecision.Single"/> excepts, are
+/// Scenes with forces of a game's own, with wind by place and time or a knuckle force, with things to hit or ground that is not level, or with constant and
+/// fitted laws mixed, and what <see cref="BatchPrecision.Single"/> excepts, are
 /// flown ball by ball, in double.
 /// </remarks>
 public sealed class BallBatch

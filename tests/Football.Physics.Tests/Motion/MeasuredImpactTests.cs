@@ -25,7 +25,7 @@ public sealed class MeasuredImpactTests
         Scene scene = Scene.Measured with { Ground = Ground.WateredTurf };
         double angle = 2 * Math.PI / 180;
         var velocity = new Vector3d(30 * Math.Cos(angle), -30 * Math.Sin(angle), 0);
-        Flight.Play(scene, SolverSettings.Default, 0.01, 3, StopAt.Time, new Vector3d(0, 0.4, 0), velocity, Vector3d.Zero, out StepLog log);
+        Flight.Play(scene, SolverSettings.Default, 0.01, 3, StopAt.Time, new Vector3d(0, 0.11, 0), velocity, Vector3d.Zero, out StepLog log);
         BallEvent[] touches = [.. log.Events.Span.ToArray().Where(item => item.Kind == BallEventKind.Impact)];
         Assert.True(touches.Length >= 2);
         Assert.True(touches[0].Velocity.Length >= 0.95 * touches[0].VelocityBefore.Length, $"{touches[0].Velocity.Length} of {touches[0].VelocityBefore.Length} m/s");

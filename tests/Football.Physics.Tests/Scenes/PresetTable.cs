@@ -84,11 +84,11 @@ internal static class PresetTable
             ("dry turf", Ground.DryTurf, OfTurf("drop 0.60 … 1.00 m, angle 45 … 60 %, roll 4 … 10 m")),
             ("artificial turf", Ground.ArtificialTurf, OfTurf("FIFA Quality Pro: drop 0.60 … 0.85 m, angle 45 … 60 %, roll 4 … 8 m")),
             ("watered turf", Ground.WateredTurf, new() { ["e₆"] = ("measured", Rigs + ": drop 0.60 … 1.00 m") }),
-            ("hard ground", Ground.HardGround, []),
-            ("long grass", Ground.LongGrass, []),
-            ("indoor", Ground.Indoor, []),
+            ("hard ground", Ground.HardGround, new()),
+            ("long grass", Ground.LongGrass, new()),
+            ("indoor", Ground.Indoor, new()),
             ("concrete", Ground.Concrete, new() { ["e₆"] = ("measured", "a test ball bounces to 1.35 ± 0.03 m from 2 m") }),
-            ("snow", Ground.Snow, []),
+            ("snow", Ground.Snow, new()),
         ];
         foreach ((string name, Ground ground, Dictionary<string, (string Tag, string Source)> known) in grounds)
         {

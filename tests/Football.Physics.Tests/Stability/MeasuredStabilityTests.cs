@@ -1,25 +1,10 @@
-using Football.Physics.Headless.Lab.Stability;
 using Football.Physics.Tests.Support;
 
 namespace Football.Physics.Tests.Stability;
 
-/// <summary>Stress scenes and energy by the measured laws.</summary>
+/// <summary>Energy by the measured laws.</summary>
 public sealed class MeasuredStabilityTests
 {
-    private const long Seed = 2025;
-    private const int Scenes = 1040;
-
-    [Fact]
-    public void Every_invariant_holds_in_stress_scenes()
-    {
-        for (long index = 0; index < Scenes; index++)
-        {
-            StressScene scene = MeasuredStress.Of(StressGenerator.Make(Seed, index), Seed, index);
-            StressOutcome outcome = StressRun.Play(scene);
-            Assert.True(outcome.Failure is null, $"scene {index} of seed {Seed}: {outcome.Failure}\n{scene.Text()}");
-        }
-    }
-
     /// <summary>½ m v² + ½ I ω² + (m g − F_B) y, in flight, in impacts, sliding and rolling.</summary>
     [Theory]
     [InlineData(0.01)]
