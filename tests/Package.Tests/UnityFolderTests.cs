@@ -204,7 +204,7 @@ public sealed partial class UnityFolderTests
     public void The_demo_kicks_and_puts_back()
     {
         var demo = new GameObject();
-        demo.AddComponent<DemoPitch>();
+        demo.AddComponent<Football.Demo.DemoPitch>();
         UnityEngine.Input.Pressed = KeyCode.Space;
         demo.Send("Update");
         UnityEngine.Input.Pressed = KeyCode.R;

@@ -27,15 +27,17 @@ internal static class Svg
     /// <summary>
     /// What turns a drawing dark where that is preferred: each colour by its own name, so that programs that know no style sheets show the light one.
     /// </summary>
-    public static string DarkStyle { get; } = "@media (prefers-color-scheme: dark) { "
-        + string.Concat(Palette.Dark.Select(pair => $"[fill=\"{pair.Light}\"] {{ fill: {pair.Dark} }} [stroke=\"{pair.Light}\"] {{ stroke: {pair.Dark} }} ")) + "}";
+    public static string DarkStyle { get; } = StyleOf(Palette.Dark);
 
     /// <summary>A drawing that stands for itself: with a title for those who do not see it, and dark where that is preferred.</summary>
-    public static XElement Standing(string title, XElement drawing)
+    public static XElement Standing(string title, XElement drawing) => Standing(title, drawing, Palette.Dark);
+
+    /// <summary>The same with dark colours of its own.</summary>
+    public static XElement Standing(string title, XElement drawing, IEnumerable<(string Light, string Dark)> dark)
     {
         drawing.SetAttributeValue("role", "img");
         drawing.SetAttributeValue("aria-label", title);
-        drawing.AddFirst(Element("title", [], title), Element("style", [], DarkStyle));
+        drawing.AddFirst(Element("title", [], title), Element("style", [], StyleOf(dark)));
         return drawing;
     }
 
@@ -79,4 +81,7 @@ internal static class Svg
     }
 
     public static string Number(double value) => Math.Round(value, 2).ToString(CultureInfo.InvariantCulture);
+
+    private static string StyleOf(IEnumerable<(string Light, string Dark)> colours) => "@media (prefers-color-scheme: dark) { "
+        + string.Concat(colours.Select(pair => $"[fill=\"{pair.Light}\"] {{ fill: {pair.Dark} }} [stroke=\"{pair.Light}\"] {{ stroke: {pair.Dark} }} ")) + "}";
 }

@@ -20,6 +20,12 @@ internal static class MovingDrawing
     /// <summary>Of a long roll only the beginning is shown, s.</summary>
     private const double Longest = 4;
 
+    private const string Sky = "#dfeaf3";
+    private const string Grass = "#7fae6b";
+
+    /// <summary>What is dark where that is preferred.</summary>
+    private static readonly (string Light, string Dark)[] Dark = [(Sky, "#0d1318"), (Grass, "#23402a"), (Palette.Blue, "#56b4e9")];
+
     /// <summary>The drawing.</summary>
     public static XElement Draw(ReplayPicture picture)
     {
@@ -35,11 +41,12 @@ internal static class MovingDrawing
             Svg.Root(
                 Width,
                 Height,
-                Svg.Element("rect", [("width", Width), ("height", Height), ("fill", "#dfeaf3")]),
-                Svg.Element("rect", [("y", Math.Max(0, eye.Horizon)), ("width", Width), ("height", Height - Math.Max(0, eye.Horizon)), ("fill", "#7fae6b")]),
+                Svg.Element("rect", [("width", Width), ("height", Height), ("fill", Sky)]),
+                Svg.Element("rect", [("y", Math.Max(0, eye.Horizon)), ("width", Width), ("height", Height - Math.Max(0, eye.Horizon)), ("fill", Grass)]),
                 picture.Shapes.OrderBy(Order).SelectMany(shape => Shape(eye, shape)),
                 ways.SelectMany((way, i) => Ball(eye, way, picture.Shots[i], Palette.Series[i % Palette.Series.Count], total)),
-                Svg.Text(Width - 12, Height - 12, picture.Shots[0].Kick, "end", 13, "#ffffff")));
+                Svg.Text(Width - 12, Height - 12, picture.Shots[0].Kick, "end", 13, "#ffffff")),
+            Dark);
     }
 
     /// <summary>Lines on the ground below all, nets behind posts.</summary>

@@ -1,3 +1,4 @@
+using System.Globalization;
 using UnityEditor;
 using UnityEngine;
 
@@ -24,8 +25,8 @@ namespace Football.Physics.Unity.Editor
             }
 
             EditorGUILayout.LabelField("Motion", ball.Motion.ToString());
-            EditorGUILayout.LabelField("Speed", ball.Velocity.magnitude.ToString("0.0") + " m/s");
-            EditorGUILayout.LabelField("Spin", ball.Spin.magnitude.ToString("0.0") + " rad/s");
+            EditorGUILayout.LabelField("Speed", ball.Velocity.magnitude.ToString("0.0", CultureInfo.InvariantCulture) + " m/s");
+            EditorGUILayout.LabelField("Spin", ball.Spin.magnitude.ToString("0.0", CultureInfo.InvariantCulture) + " rad/s");
             if (GUILayout.Button("Kick as previewed"))
             {
                 ball.KickAsPreviewed();
