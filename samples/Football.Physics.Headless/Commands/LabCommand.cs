@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Football.Physics.Headless.Lab;
+using Football.Physics.Headless.Lab.Intercept;
 
 namespace Football.Physics.Headless.Commands;
 
@@ -20,5 +21,6 @@ internal static class LabCommand
         AimLab.Create(terminal),
         FuzzLab.Create(terminal),
         BallsLab.Create(terminal),
+        InterceptLab.Create(terminal),
     };
 }

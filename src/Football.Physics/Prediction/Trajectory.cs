@@ -56,6 +56,9 @@ public sealed class Trajectory
 
     internal int Count { get; private set; }
 
+    /// <summary>A piece where it lies.</summary>
+    internal ref readonly PathPiece Piece(int index) => ref _pieces[index];
+
     /// <summary>Whether a piece had no room.</summary>
     internal bool Overflows => _recorder.Overflows;
 
