@@ -55,6 +55,7 @@ internal static class CommandLineEntry
             KickCommand.Create(terminal),
             SimulateCommand.Create(terminal),
             AimCommand.Create(terminal),
+            InterceptCommand.Create(terminal),
             SweepCommand.Create(terminal),
             ReplayCommand.Create(terminal),
             GalleryCommand.Create(terminal),

@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Football.Physics.Headless.Lab;
+using Football.Physics.Headless.Lab.Intercept;
 
 namespace Football.Physics.Headless.Commands;
 
@@ -23,5 +24,6 @@ internal static class LabCommand
         BallsLab.Create(terminal),
         RigsLab.Create(terminal),
         KicksLab.Create(terminal),
+        InterceptLab.Create(terminal),
     };
 }

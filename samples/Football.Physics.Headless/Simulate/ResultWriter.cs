@@ -124,7 +124,8 @@ internal static class ResultWriter
         json.WriteEndObject();
     }
 
-    private static void WriteVector(Utf8JsonWriter json, string name, in Vector3d vector)
+    /// <summary>A vector as [x, y, z].</summary>
+    public static void WriteVector(Utf8JsonWriter json, string name, in Vector3d vector)
     {
         json.WriteStartArray(name);
         json.WriteNumberValue(vector.X);

@@ -42,12 +42,20 @@ internal sealed record Scenario
     /// <exception cref="RefusedException">A field is unknown, missing or of the wrong type.</exception>
     public static Scenario Read(InputFields fields)
     {
-        InputObject root = fields.Root;
+        Scenario scenario = Take(fields.Root);
+        fields.Check();
+        return !scenario.Samples || scenario.CanKeepPath ? scenario : throw new RefusedException(FormattableString.Invariant(
+            $"samples is true with {scenario.Duration / scenario.TimeStep:0} steps (stop.time / solver.timeStep); allowed: samples of at most {MostSamples:0} steps."));
+    }
+
+    /// <summary>Takes a scenario's members from an input that may hold more; the fields are still to be checked.</summary>
+    public static Scenario Take(InputObject root)
+    {
         Scene scene = SceneInput.Scene(root);
         InputObject launch = root.Object("launch");
         SolverSettings settings = SceneInput.Solver(root, out double timeStep);
         (StopAt stopAt, double duration, bool samples) = SceneInput.Stop(root);
-        var scenario = new Scenario
+        return new Scenario
         {
             Scene = scene,
             Settings = settings,
@@ -60,9 +68,6 @@ internal sealed record Scenario
             Duration = duration,
             Samples = samples,
         };
-        fields.Check();
-        return !samples || scenario.CanKeepPath ? scenario : throw new RefusedException(FormattableString.Invariant(
-            $"samples is true with {duration / timeStep:0} steps (stop.time / solver.timeStep); allowed: samples of at most {MostSamples:0} steps."));
     }
 
     private static Quaterniond ReadOrientation(InputObject launch)

@@ -46,6 +46,9 @@ public readonly struct PathPiece
     internal static PathPiece Cubic(in BallState start, in BallState end) => new(
         start.Time, end.Time - start.Time, start.Position, start.Velocity, default, end.Position, end.Velocity, default, start.Motion, 3);
 
+    /// <summary>Degree of its polynomial in time.</summary>
+    internal int Degree => _degree;
+
     /// <summary>When it starts, s since the launch.</summary>
     public double Time { get; }
 

@@ -1,0 +1,29 @@
+namespace Football.Physics;
+
+/// <summary>A time during which a runner can meet the ball.</summary>
+public readonly struct InterceptWindow
+{
+    internal InterceptWindow(int runner, double from, double to, in Vector3d position, in Vector3d velocity)
+    {
+        Runner = runner;
+        From = from;
+        To = to;
+        Position = position;
+        Velocity = velocity;
+    }
+
+    /// <summary>Which of the runners, from 0.</summary>
+    public int Runner { get; }
+
+    /// <summary>When it begins, s since the launch.</summary>
+    public double From { get; }
+
+    /// <summary>When it ends, s since the launch.</summary>
+    public double To { get; }
+
+    /// <summary>Where the ball is when it begins, m: its height is that of the ball there.</summary>
+    public Vector3d Position { get; }
+
+    /// <summary>The ball's velocity when it begins, m/s: how fast it comes, and which way.</summary>
+    public Vector3d Velocity { get; }
+}

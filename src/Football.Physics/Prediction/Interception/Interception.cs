@@ -1,0 +1,165 @@
+namespace Football.Physics;
+
+/// <summary>Who gets to the ball, and when: answers on a predicted path. Its memory is made once and used again; a query allocates nothing once there is room.</summary>
+/// <remarks>
+/// Exact on the dense path: no window and no gap of a microsecond or more is lost, which bounds of the speeds and accelerations of both prove, and ends are
+/// within a nanosecond of it. How far the path itself is off the game's own steps is up to the look-ahead.
+/// </remarks>
+public sealed class Interception
+{
+    private readonly PathSpans _path = new();
+    private readonly WindowList _windows = new();
+    private readonly WindowList _firsts = new();
+    private readonly ShareSearch _shares;
+    private int[] _starts = new int[23];
+    private RunnerMotion[] _motions = new RunnerMotion[22];
+    private int _runners;
+
+    /// <summary>Makes one without an answer.</summary>
+    public Interception() => _shares = new ShareSearch(_path, _windows);
+
+    /// <summary>The windows of all runners of the last <see cref="Find"/>: runner by runner, each in order of time.</summary>
+    public ReadOnlySpan<InterceptWindow> Windows => _windows.Items.AsSpan(0, _windows.Count);
+
+    /// <summary>Who meets the ball first; −1 where nobody does.</summary>
+    public int First { get; private set; } = -1;
+
+    /// <summary>By how much he is first, s: how much later the next one meets it. Infinite where no one else does.</summary>
+    public double Lead { get; private set; } = double.PositiveInfinity;
+
+    /// <summary>The windows of one runner of the last <see cref="Find"/>, in order of time.</summary>
+    /// <param name="runner">Which, from 0.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such runner.</exception>
+    public ReadOnlySpan<InterceptWindow> WindowsOf(int runner)
+    {
+        Check.Within(nameof(runner), runner, 0, _runners - 1);
+        return _windows.Items.AsSpan(_starts[runner], _starts[runner + 1] - _starts[runner]);
+    }
+
+    /// <summary>Finds all times at which each of the runners can meet the ball.</summary>
+    /// <param name="path">The ball's way. One that ends at rest goes on there.</param>
+    /// <param name="runners">The runners, as they are at <paramref name="now"/>.</param>
+    /// <param name="now">When their time begins, s since the launch; default the path's start. Nobody meets the ball before.</param>
+    /// <param name="until">When to end, s since the launch; default the path's end.</param>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number of a runner is out of range; the message names field, value and range.</exception>
+    public void Find(Trajectory path, Runner[] runners, double? now = null, double? until = null)
+    {
+        double start = Begin(path, runners, now, until);
+        _windows.Count = 0;
+        First = -1;
+        Lead = double.PositiveInfinity;
+        double first = double.PositiveInfinity;
+        for (int i = 0; i < _runners; i++)
+        {
+            _starts[i] = _windows.Count;
+            new WindowSearch(_path, in _motions[i], i, firstOnly: false, _windows).Run(start, _path.End);
+            if (_windows.Count > _starts[i])
+            {
+                Rank(i, _windows.Items[_starts[i]].From, ref first);
+            }
+        }
+
+        _starts[_runners] = _windows.Count;
+    }
+
+    /// <summary>Finds who meets the ball first: cheaper than <see cref="Find"/>, whose windows it leaves alone.</summary>
+    /// <param name="path">The ball's way. One that ends at rest goes on there.</param>
+    /// <param name="runners">The runners, as they are at <paramref name="now"/>.</param>
+    /// <param name="at">Where and when he meets it.</param>
+    /// <param name="now">When their time begins, s since the launch; default the path's start.</param>
+    /// <param name="until">When to end, s since the launch; default the path's end.</param>
+    /// <returns>Which of them; −1 where nobody does. <see cref="First"/> and <see cref="Lead"/> tell so too.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number of a runner is out of range; the message names field, value and range.</exception>
+    public int FindFirst(Trajectory path, Runner[] runners, out PathPoint at, double? now = null, double? until = null)
+    {
+        double start = Begin(path, runners, now, until);
+        at = default;
+        First = -1;
+        Lead = double.PositiveInfinity;
+        double first = double.PositiveInfinity;
+        for (int i = 0; i < _runners; i++)
+        {
+            // Who comes after the second changes nothing.
+            _firsts.Count = 0;
+            new WindowSearch(_path, in _motions[i], i, firstOnly: true, _firsts).Run(start, Math.Min(_path.End, first + Lead));
+            if (_firsts.Count > 0)
+            {
+                InterceptWindow found = _firsts.Items[0];
+                Rank(i, found.From, ref first);
+                at = First == i ? new PathPoint(found.From, found.Position, found.Velocity, 0) : at;
+            }
+        }
+
+        return First;
+    }
+
+    /// <summary>
+    /// Who owns which part of the ball's way: of those who can meet the ball somewhere, the one who could be there first. After <see cref="Find"/>, for its runners and path.
+    /// </summary>
+    /// <remarks>Who is ahead within a piece of the look-ahead without being so at either of its ends, or where a window begins or ends, is not told.</remarks>
+    /// <returns>The parts, in order of time; where nobody can meet the ball there is none. They last until the next call.</returns>
+    public ReadOnlySpan<InterceptShare> FindShares()
+    {
+        _shares.Run(_motions, _starts, _runners);
+        return _shares.Items.AsSpan(0, _shares.Count);
+    }
+
+    /// <summary>What a goalkeeper can do about a shot: where and when it crosses the goal's plane, what he covers by then, whether he saves it, and when he must dive.</summary>
+    /// <param name="path">The ball's way.</param>
+    /// <param name="keeper">The goalkeeper as he is at <paramref name="now"/>, with the reach and the heights of his dive.</param>
+    /// <param name="goal">The goal.</param>
+    /// <param name="now">When his time begins, s since the launch; default the path's start.</param>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public KeeperAnswer FindSave(Trajectory path, in Runner keeper, Goal goal, double? now = null)
+    {
+        Check.Given(nameof(path), path);
+        Check.Given(nameof(goal), goal);
+        keeper.Validate();
+        Check.Place("goal.center", goal.Center);
+        double start = now ?? path.StartTime;
+        Check.Finite(nameof(now), start);
+        return new KeeperSearch(_path, _firsts).Run(path, in keeper, goal, start);
+    }
+
+    private double Begin(Trajectory path, Runner[] runners, double? now, double? until)
+    {
+        Check.Given(nameof(path), path);
+        Check.Given(nameof(runners), runners);
+        double start = now ?? path.StartTime;
+        Check.Finite(nameof(now), start);
+        Check.Finite(nameof(until), until ?? 0);
+        if (_motions.Length < runners.Length)
+        {
+            _motions = new RunnerMotion[runners.Length];
+            _starts = new int[runners.Length + 1];
+        }
+
+        _runners = runners.Length;
+        for (int i = 0; i < runners.Length; i++)
+        {
+            runners[i].Validate();
+            _motions[i] = new RunnerMotion(in runners[i], start);
+        }
+
+        _path.Take(path, until ?? path.EndTime);
+        return Math.Max(start, _path.Start);
+    }
+
+    /// <summary>Keeps who is first, and by how much.</summary>
+    private void Rank(int runner, double from, ref double first)
+    {
+        if (from < first)
+        {
+            Lead = first - from;
+            first = from;
+            First = runner;
+        }
+        else
+        {
+            Lead = Math.Min(Lead, from - first);
+        }
+    }
+}

@@ -1,0 +1,35 @@
+namespace Football.Physics;
+
+/// <summary>What a goalkeeper can do about a shot.</summary>
+public readonly struct KeeperAnswer
+{
+    /// <summary>Whether the ball's centre crosses the vertical plane through the goal's line from the pitch, within the look-ahead.</summary>
+    public bool Crosses { get; init; }
+
+    /// <summary>Where and when it does.</summary>
+    public PathPoint Crossing { get; init; }
+
+    /// <summary>How far right of the goal's middle that is, seen by who stands in the goal and looks at the pitch, m.</summary>
+    public double Aside { get; init; }
+
+    /// <summary>Whether the centre crosses between the posts and under the bar.</summary>
+    public bool IsOnTarget { get; init; }
+
+    /// <summary>The left end of the part of the line that he can cover by then, m right of its middle; above <see cref="CoversTo"/> where it is none.</summary>
+    public double CoversFrom { get; init; }
+
+    /// <summary>The right end of it, m right of the middle.</summary>
+    public double CoversTo { get; init; }
+
+    /// <summary>How high he covers it, m: his height, or that of the opening.</summary>
+    public double CoversUpTo { get; init; }
+
+    /// <summary>Whether he can meet the ball before it crosses.</summary>
+    public bool Saves { get; init; }
+
+    /// <summary>Where and when he can meet it first, if he can.</summary>
+    public PathPoint Save { get; init; }
+
+    /// <summary>The latest moment at which he may react, or dive, and still meets it, s since the launch; before that he goes on as he does. NaN where he cannot meet it.</summary>
+    public double LatestReaction { get; init; }
+}

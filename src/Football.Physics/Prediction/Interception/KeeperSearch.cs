@@ -1,0 +1,81 @@
+namespace Football.Physics;
+
+/// <summary>Finds what a goalkeeper can do about a shot.</summary>
+internal readonly struct KeeperSearch
+{
+    /// <summary>Halvings of the time that he may wait: seconds become a microsecond.</summary>
+    private const int Halvings = 24;
+
+    private readonly PathSpans _spans;
+    private readonly WindowList _found;
+
+    public KeeperSearch(PathSpans spans, WindowList found)
+    {
+        _spans = spans;
+        _found = found;
+    }
+
+    /// <summary>Finds it.</summary>
+    public KeeperAnswer Run(Trajectory path, in Runner keeper, Goal goal, double now)
+    {
+        bool crosses = path.TryGetCrossing(new Plane3d(goal.Center, goal.Out), out PathPoint crossing) && Vector3d.Dot(crossing.Velocity, goal.Out) < 0;
+        _spans.Take(path, path.EndTime);
+        double end = crosses ? crossing.Time : _spans.End;
+        double begin = Math.Max(now, _spans.Start);
+        bool saves = Meets(in keeper, now, begin, end);
+        InterceptWindow first = saves ? _found.Items[0] : default;
+
+        // What he covers: the part of the line within his circle when the ball gets there
+        var motion = new RunnerMotion(in keeper, now);
+        motion.MiddleAt(end, out double x, out double z);
+        Vector3d middle = new Vector3d(x, 0, z) - goal.Center;
+        double off = Vector3d.Dot(in middle, goal.Out);
+        double aside = Vector3d.Dot(in middle, goal.Right);
+        double radius = motion.RadiusAt(end);
+        double half = radius > Math.Abs(off) ? Math.Sqrt((radius * radius) - (off * off)) : double.NegativeInfinity;
+        Vector3d at = crossing.Position - goal.Center;
+        double ballAside = crosses ? Vector3d.Dot(in at, goal.Right) : 0;
+        return new KeeperAnswer
+        {
+            Crosses = crosses,
+            Crossing = crosses ? crossing : default,
+            Aside = ballAside,
+            IsOnTarget = crosses && Math.Abs(ballAside) <= 0.5 * goal.Width && at.Y <= goal.Height,
+            CoversFrom = Math.Max(-0.5 * goal.Width, aside - half),
+            CoversTo = Math.Min(0.5 * goal.Width, aside + half),
+            CoversUpTo = Math.Min(goal.Height, keeper.HighestHeight - goal.Center.Y),
+            Saves = saves,
+            Save = saves ? new PathPoint(first.From, first.Position, first.Velocity, 0) : default,
+            LatestReaction = saves ? Latest(keeper, now, begin, end) : double.NaN,
+        };
+    }
+
+    private bool Meets(in Runner keeper, double now, double begin, double end)
+    {
+        var motion = new RunnerMotion(in keeper, now);
+        _found.Count = 0;
+        new WindowSearch(_spans, in motion, 0, firstOnly: true, _found).Run(begin, end);
+        return _found.Count > 0;
+    }
+
+    /// <summary>The latest reaction with which he still meets the ball.</summary>
+    private double Latest(Runner keeper, double now, double begin, double end)
+    {
+        double low = keeper.Reaction;
+        double high = Math.Max(low, end - now);
+        for (int i = 0; i < Halvings; i++)
+        {
+            double middle = 0.5 * (low + high);
+            if (Meets(keeper.Reacting(middle), now, begin, end))
+            {
+                low = middle;
+            }
+            else
+            {
+                high = middle;
+            }
+        }
+
+        return now + low;
+    }
+}

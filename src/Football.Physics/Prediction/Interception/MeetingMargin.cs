@@ -1,0 +1,31 @@
+namespace Football.Physics;
+
+/// <summary>One of the conditions of a meeting over a span of path, positive until it changes: the squared distance, or the height.</summary>
+internal readonly struct MeetingMargin : IDifferentiableFunction
+{
+    /// <summary>A root is known when the next correction is below this, s.</summary>
+    private const double Closeness = 1e-13;
+
+    private readonly PathSpan _span;
+    private readonly RunnerMotion _runner;
+    private readonly MeetingCondition _what;
+    private readonly double _sign;
+    private readonly bool _reacts;
+
+    public MeetingMargin(in PathSpan span, in RunnerMotion runner, MeetingCondition what, bool reacts, bool falls)
+    {
+        _span = span;
+        _runner = runner;
+        _what = what;
+        _reacts = reacts;
+        _sign = falls ? 1.0 : -1.0;
+    }
+
+    public bool Evaluate(double x, out double value, out double slope)
+    {
+        MeetingPoint.At(in _span, in _runner, x, _reacts, out MeetingPoint at);
+        value = _sign * at.Value(_what);
+        slope = _sign * at.Slope(_what);
+        return Math.Abs(value) <= Closeness * Math.Abs(slope);
+    }
+}

@@ -1,0 +1,164 @@
+namespace Football.Physics;
+
+/// <summary>Who owns which part of the ball's way, by when each of those who can meet the ball could have been there.</summary>
+internal sealed class ShareSearch
+{
+    /// <summary>Halvings of an interval in which the owner changes: 80 ms become a nanosecond.</summary>
+    private const int Halvings = 27;
+
+    /// <summary>Instants nearer to each other than this, s, are one.</summary>
+    private const double Shortest = 1e-9;
+
+    private readonly PathSpans _path;
+    private readonly WindowList _windows;
+    private RunnerMotion[] _motions = [];
+    private int[] _starts = [];
+    private int _runners;
+
+    public ShareSearch(PathSpans path, WindowList windows)
+    {
+        _path = path;
+        _windows = windows;
+    }
+
+    /// <summary>The parts.</summary>
+    public InterceptShare[] Items = new InterceptShare[64];
+
+    /// <summary>How many there are.</summary>
+    public int Count { get; private set; }
+
+    /// <summary>Finds the parts.</summary>
+    public void Run(RunnerMotion[] motions, int[] starts, int runners)
+    {
+        Count = 0;
+        _motions = motions;
+        _starts = starts;
+        _runners = runners;
+        double t = NextEdge(double.NegativeInfinity);
+        while (t < _path.End)
+        {
+            double next = Math.Min(NextEdge(t), _path.End);
+            ref readonly PathSpan span = ref _path.Items[_path.Find(t)];
+            next = span.End > t && span.End < next ? span.End : next;
+            Split(in span, t, next);
+            t = next;
+        }
+    }
+
+    /// <summary>The next time after one at which a window begins or ends.</summary>
+    private double NextEdge(double after)
+    {
+        double next = double.PositiveInfinity;
+        for (int i = 0; i < _windows.Count; i++)
+        {
+            double from = _windows.Items[i].From;
+            double to = _windows.Items[i].To;
+            next = from > after + Shortest && from < next ? from : next;
+            next = to > after + Shortest && to < next ? to : next;
+        }
+
+        return next;
+    }
+
+    /// <summary>The owners of an interval over which the same runners can meet the ball.</summary>
+    private void Split(in PathSpan span, double a, double b)
+    {
+        double middle = 0.5 * (a + b);
+        int owner = Owner(in span, a, middle, out double lead);
+        if (owner < 0)
+        {
+            return;
+        }
+
+        // As often as there are runners: who are level with each other to rounding would change for ever.
+        int last = Owner(in span, b, middle, out _);
+        for (int changes = 0; owner != last && changes < _runners; changes++)
+        {
+            double low = a;
+            double high = b;
+            for (int i = 0; i < Halvings; i++)
+            {
+                double half = 0.5 * (low + high);
+                if (Owner(in span, half, middle, out _) == owner)
+                {
+                    low = half;
+                }
+                else
+                {
+                    high = half;
+                }
+            }
+
+            Add(owner, a, high, lead);
+            a = high;
+            int next = Owner(in span, a, middle, out lead);
+            last = next == owner ? owner : last;
+            owner = next;
+        }
+
+        Add(owner, a, b, lead);
+    }
+
+    /// <summary>Who could be where the ball is at a time first, of those who have a window at another.</summary>
+    private int Owner(in PathSpan span, double time, double window, out double lead)
+    {
+        int owner = -1;
+        double first = double.PositiveInfinity;
+        double second = double.PositiveInfinity;
+        span.PlaceAt(time, out double x, out double z);
+        for (int i = 0; i < _runners; i++)
+        {
+            if (!HasWindow(i, window))
+            {
+                continue;
+            }
+
+            ref readonly RunnerMotion runner = ref _motions[i];
+            runner.MiddleAt(time, out double cx, out double cz);
+            double arrival = Math.Min(time, runner.ArrivalAt(Math.Sqrt(((x - cx) * (x - cx)) + ((z - cz) * (z - cz)))));
+            if (arrival < first)
+            {
+                second = first;
+                first = arrival;
+                owner = i;
+            }
+            else
+            {
+                second = Math.Min(second, arrival);
+            }
+        }
+
+        lead = second - first;
+        return owner;
+    }
+
+    private bool HasWindow(int runner, double time)
+    {
+        for (int i = _starts[runner]; i < _starts[runner + 1]; i++)
+        {
+            if (_windows.Items[i].From <= time && time < _windows.Items[i].To)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private void Add(int runner, double from, double to, double lead)
+    {
+        if (Count > 0 && Items[Count - 1].Runner == runner && from - Items[Count - 1].To <= Shortest)
+        {
+            InterceptShare before = Items[Count - 1];
+            Items[Count - 1] = new InterceptShare(runner, before.From, to, before.Lead);
+            return;
+        }
+
+        if (Count == Items.Length)
+        {
+            Array.Resize(ref Items, 2 * Count);
+        }
+
+        Items[Count++] = new InterceptShare(runner, from, to, lead);
+    }
+}
