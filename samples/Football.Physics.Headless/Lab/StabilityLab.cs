@@ -26,7 +26,7 @@ internal static class StabilityLab
         return LabOptions.Create(
             "stability",
             "Random and adversarial scenes with every method: what must always hold, with a verdict a cell.",
-            ["football lab stability --scenes 100", "football lab stability --scene 7", "football lab stability --profile measured --scenes 100", "football lab stability --hostile --scenes 100"],
+            ["football lab stability --scenes 100", "football lab stability --scene 7", "football lab stability --profile measured --scenes 60", "football lab stability --hostile --scenes 100"],
             terminal,
             (parsed, seed, progress) =>
             {

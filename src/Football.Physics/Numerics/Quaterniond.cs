@@ -83,12 +83,16 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
         return new(axis.X * sin, axis.Y * sin, axis.Z * sin, cos);
     }
 
+    /// <summary>An angle, rad, of which whole turns are all that a number can hold.</summary>
+    private const double NoDigits = 1e15;
+
     /// <summary>The rotation by a rotation vector: its length is the angle in radians, its direction the axis.</summary>
     /// <param name="rotation">Rotation vector, radians.</param>
     public static Quaterniond FromRotationVector(in Vector3d rotation)
     {
+        // So long a vector says nothing of the angle: it has no digits below a turn.
         double angle = rotation.Length;
-        return angle > 0 ? FromAxisAngle(rotation / angle, angle) : Identity;
+        return angle > 0 && angle < NoDigits ? FromAxisAngle(rotation / angle, angle) : Identity;
     }
 
     /// <summary>This rotation turned further by a rotation vector, as it is at the end of a step.</summary>

@@ -52,7 +52,7 @@ internal struct MeasuredLaw : ISmoothLaw
 
     public void Prepare(Scene scene)
     {
-        _curve = scene.Ball.DragCurve;
+        _curve = Canonical(scene.Ball.DragCurve);
         _drag = new ReynoldsDrag(_curve);
         _decay.Prepare(scene);
         _k = AirScale.DynamicArea(scene);
@@ -60,6 +60,9 @@ internal struct MeasuredLaw : ISmoothLaw
         _perSpeed = 2.0 * _radius / scene.Air.KinematicViscosity;
         _largest = _perSpeed * (2.0 * Limits.Speed);
     }
+
+    /// <summary>The one instance of a curve that many balls have, whoever copied it: its tables are made once.</summary>
+    private static DragCurve Canonical(DragCurve curve) => curve == DragCurve.Generic ? DragCurve.Generic : curve;
 
     // C_D without spin, what the crisis leaves of the drag by spin, and of the lift
     public readonly void OfSpeed(double speed, out LawFactors factors)
