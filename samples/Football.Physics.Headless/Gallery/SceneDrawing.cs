@@ -23,7 +23,10 @@ internal static class SceneDrawing
                 SceneShapeKind.Net => new LinesItem(lines) { Colour = Palette.Frame, Width = 0.4 },
                 SceneShapeKind.Frame => new LinesItem(lines)
                 {
-                    Colour = Palette.Posts, Width = 2, Thickness = 2 * shape.Radius, Caption = shape.Name == "crossbar" ? "goal" : "",
+                    Colour = Palette.Posts,
+                    Width = 2,
+                    Thickness = 2 * shape.Radius,
+                    Caption = shape.Name == "crossbar" ? "goal" : "",
                 },
                 SceneShapeKind.Obstacle when faces.Length > 0 => new PolygonItem(faces) { Colour = Palette.Frame, Caption = shape.Name },
                 SceneShapeKind.Obstacle when lines[0].Length == 1 => new PolygonItem([Circle(lines[0][0], shape.Radius)]) { Colour = Palette.Frame, Caption = shape.Name },

@@ -73,7 +73,9 @@ public sealed class MirrorTests
     private static IEnumerable<Scene> Scenes()
     {
         yield return Scene.Published;
-        yield return Scene.Published with { Air = new Air { Wind = new Vector3d(5, 0.5, -7) },
+        yield return Scene.Published with
+        {
+            Air = new Air { Wind = new Vector3d(5, 0.5, -7) },
             Ground = Ground.Turf with { TangentialRestitutionX = 0.7, TangentialRestitutionZ = -0.2, RollingFriction = 0.1 },
         };
         yield return Scene.Published with { Air = new Air { Wind = new Vector3d(-3, 0, 1) }, Forces = ForceSet.Regularised };
