@@ -1,12 +1,14 @@
 namespace Football.Physics;
 
 /// <summary>
-/// All that a ball can meet in a scene that has more than a level pitch: colliders (the ground first), nets, goals. Built once; immutable.
+/// All that a ball can meet in a scene that has more than a level pitch: colliders (the ground first), nets, goals. Built once; nothing of it changes but where
+/// the game puts its bodies.
 /// </summary>
 internal sealed class World
 {
     private readonly string[] _names;
-    private readonly Mover[] _movers;
+    /// <summary>Around what moves by itself: the first of <see cref="Moving"/>, for bodies are its last.</summary>
+    private readonly MovingSphere[] _movers;
 
     private World(Scene scene)
     {
@@ -40,7 +42,7 @@ internal sealed class World
         IsLevel = scene.Ground.IsLevel;
         LevelContact = scene.Ground.IsNone || !scene.Ground.IsLevel ? double.NegativeInfinity : scene.Ground.Height + Ball.Radius;
         Moving = Of(collider => collider.Moves);
-        _movers = [.. Moving.Select(i => Colliders[i]).Where(collider => !collider.IsBody).Select(collider => new Mover(in collider.Bounds, collider.Velocity))];
+        _movers = [.. Moving.Select(i => Colliders[i]).Where(collider => !collider.IsBody).Select(collider => new MovingSphere(in collider.Bounds, collider.Velocity))];
         Unbounded = Of(collider => !collider.Moves && !collider.Bounds.IsFinite);
         Leaves =
         [
@@ -63,7 +65,7 @@ internal sealed class World
     /// <summary>The ground; null where there is none.</summary>
     public Collider? Ground { get; }
 
-    /// <summary>The ground, obstacles, posts and bars.</summary>
+    /// <summary>The ground, obstacles, posts and bars; bodies last.</summary>
     public Collider[] Colliders { get; }
 
     /// <summary>The colliders that move.</summary>
