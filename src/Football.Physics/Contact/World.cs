@@ -40,6 +40,7 @@ internal sealed class World
         Goals = [.. scene.Goals.Select(goal => new GoalMouth(goal, Ball))];
         FirstCollider = scene.Ground.IsNone ? 1 : 0;
         IsLevel = scene.Ground.IsLevel;
+        IsLevelGroundAlone = IsLevel && HasNothing(scene);
         LevelContact = scene.Ground.IsNone || !scene.Ground.IsLevel ? double.NegativeInfinity : scene.Ground.Height + Ball.Radius;
         Moving = Of(collider => collider.Moves);
         _movers = [.. Moving.Select(i => Colliders[i]).Where(collider => !collider.IsBody).Select(collider => new MovingSphere(in collider.Bounds, collider.Velocity))];
@@ -98,6 +99,9 @@ internal sealed class World
     /// <summary>Whether the ground is level.</summary>
     public bool IsLevel { get; }
 
+    /// <summary>Whether there is nothing but level ground, or nothing at all.</summary>
+    public bool IsLevelGroundAlone { get; }
+
     /// <summary>Height of the centre of a ball on level ground, m; −∞ where there is none.</summary>
     public double LevelContact { get; }
 
@@ -123,9 +127,11 @@ internal sealed class World
             && ground.RollingFrictionBySpeed == 0
             && ground.DrillingLength == 0
             && ground.Aerodynamics != GroundAerodynamics.Full;
-        bool empty = scene.Obstacles.Count == 0 && scene.Nets.Count == 0 && scene.Goals.Count == 0 && scene.Bodies is not { Count: > 0 };
-        return plain && empty ? null : new World(scene);
+        return plain && HasNothing(scene) ? null : new World(scene);
     }
+
+    private static bool HasNothing(Scene scene) =>
+        scene.Obstacles.Count == 0 && scene.Nets.Count == 0 && scene.Goals.Count == 0 && scene.Bodies is not { Count: > 0 };
 
     /// <summary>How long a ball goes on a straight way before it may meet anything but level ground and bodies, s; not longer than the way.</summary>
     public double FreeFor(in StraightWay way)
