@@ -33,13 +33,19 @@ internal sealed class World
             Bodies = bodies;
         }
 
+        if (scene.EngineColliders is { } engine)
+        {
+            Engine = new EngineThings(engine, Ball.Radius, colliders.Count);
+            colliders.AddRange(Engine.Colliders);
+        }
+
         Colliders = [.. colliders];
         Nets = [.. scene.Nets.Concat(scene.Goals.SelectMany(goal => goal.Nets())).Select(net => new NetSheet(net, Ball))];
         Goals = [.. scene.Goals.Select(goal => new GoalMouth(goal, Ball))];
         FirstCollider = scene.Ground.IsNone ? 1 : 0;
         IsLevel = scene.Ground.IsLevel;
         LevelContact = scene.Ground.IsNone || !scene.Ground.IsLevel ? double.NegativeInfinity : scene.Ground.Height + Ball.Radius;
-        Moving = Of(collider => collider.Moves);
+        Moving = [.. Of(collider => collider.Moves).Where(i => Engine is null || !Engine.Has(i))];
         _movers = [.. Moving.Select(i => Colliders[i]).Where(collider => !collider.IsBody).Select(collider => new Mover(in collider.Bounds, collider.Velocity))];
         Unbounded = Of(collider => !collider.Moves && !collider.Bounds.IsFinite);
         Leaves =
@@ -88,10 +94,13 @@ internal sealed class World
     public int FirstCollider { get; }
 
     /// <summary>Whether anything moves.</summary>
-    public bool Moves => Moving.Length > 0;
+    public bool Moves => Moving.Length > 0 || Engine is not null;
 
     /// <summary>What the game moves; null where that is nothing.</summary>
     public Bodies? Bodies { get; }
+
+    /// <summary>What an engine finds; null where none is asked.</summary>
+    public EngineThings? Engine { get; }
 
     /// <summary>Whether the ground is level.</summary>
     public bool IsLevel { get; }
@@ -121,7 +130,7 @@ internal sealed class World
             && ground.RollingFrictionBySpeed == 0
             && ground.DrillingLength == 0
             && ground.Aerodynamics != GroundAerodynamics.Full;
-        bool empty = scene.Obstacles.Count == 0 && scene.Nets.Count == 0 && scene.Goals.Count == 0 && scene.Bodies is not { Count: > 0 };
+        bool empty = scene.Obstacles.Count == 0 && scene.Nets.Count == 0 && scene.Goals.Count == 0 && scene.Bodies is not { Count: > 0 } && scene.EngineColliders is null;
         return plain && empty ? null : new World(scene);
     }
 
@@ -185,7 +194,7 @@ internal sealed class World
 
     /// <summary>The name of a thing.</summary>
     /// <param name="thing">Its index among the things of the scene.</param>
-    public string NameOf(int thing) => _names[thing];
+    public string NameOf(int thing) => Engine is not null && Engine.Has(thing - FirstCollider) ? Colliders[thing - FirstCollider].Name : _names[thing];
 
     /// <summary>Index among the things of the scene of a net.</summary>
     public int ThingOfNet(int net) => FirstCollider + Colliders.Length + net;

@@ -35,6 +35,9 @@ public sealed record Scene
     /// <summary>Things that the game moves: players' feet and heads, a keeper's hands. Default none.</summary>
     public Bodies? Bodies { get; init; }
 
+    /// <summary>The colliders of a game engine. Default none.</summary>
+    public IEngineColliders? EngineColliders { get; init; }
+
     /// <summary>A football over dry turf in still air at sea level, by what wind tunnels, filmed flights and test rigs say.</summary>
     public static Scene Measured { get; } = new();
 

@@ -43,7 +43,7 @@ internal sealed class ClearFlight
     public ulong Key { get; }
 
     /// <summary>Whether there are bodies to look for in every step.</summary>
-    public bool LooksForBodies => _tube is not null;
+    public bool LooksForBodies => _tube is not null || _world.Engine is not null;
 
     /// <summary>Whether the next step meets nothing.</summary>
     /// <param name="s">The ball, in the air.</param>
@@ -51,6 +51,15 @@ internal sealed class ClearFlight
     /// <param name="airSpeedSquared">|u|², m²/s².</param>
     public bool Holds(ref BallState s, double dt, double airSpeedSquared)
     {
+        if (_world.Engine is { } engine)
+        {
+            double bend = Bend(Math.Sqrt(airSpeedSquared), s.SpinRate, dt);
+            if (s.Nets != 0 || !engine.IsFree(new StraightWay(s.Position, s.Velocity, s.Time, dt, _world.Ball.Radius + bend)))
+            {
+                return false;
+            }
+        }
+
         bool isKnown = s.Time + dt <= s.ClearUntil && s.ClearIn == Key;
         if (isKnown && (_tube is null || _tube.Holds(in s, dt)))
         {

@@ -74,13 +74,14 @@ public sealed class Simulator
         Check.Size("launch.velocity", velocity, Limits.Speed, "m/s");
         Check.Size("launch.spin", spin, Limits.Spin, "rad/s");
         Check.Rotation("launch.orientation", orientation);
-        return Start(in position, in velocity, in spin, in orientation);
+        return Start(in position, in velocity, in spin, in orientation, 0);
     }
 
     /// <summary>The same with numbers that are known to be in range.</summary>
-    private BallState Start(in Vector3d position, in Vector3d velocity, in Vector3d spin, in Quaterniond orientation)
+    private BallState Start(in Vector3d position, in Vector3d velocity, in Vector3d spin, in Quaterniond orientation, double time)
     {
         BallState state = default;
+        state.Time = time;
         state.Position = position;
         state.Velocity = velocity;
         state.BaseOrientation = orientation.Normalized();
@@ -119,9 +120,7 @@ public sealed class Simulator
         // The place is the ball's own, wherever it has got to.
         Check.Size("launch.velocity", velocity, Limits.Speed, "m/s");
         Check.Size("launch.spin", spin, Limits.Spin, "rad/s");
-        BallState kicked = Start(state.Position, in velocity, in spin, state.Orientation);
-        kicked.Time = state.Time;
-        state = kicked;
+        state = Start(state.Position, in velocity, in spin, state.Orientation, state.Time);
     }
 
     /// <summary>Advances a ball. Events and counts are added to the log; nothing is allocated.</summary>
