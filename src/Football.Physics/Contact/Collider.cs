@@ -8,6 +8,8 @@ internal sealed class Collider
     private Bounds3d _bounds;
     private ContactMaterial _material;
     private Placement? _placement;
+    private readonly ISurfacePattern? _pattern;
+    private readonly ContactMaterial[] _patches = [];
 
     public Collider(string name, IShape shape, in ContactMaterial material)
     {
@@ -15,6 +17,13 @@ internal sealed class Collider
         _shape = shape;
         _bounds = shape.Bounds;
         _material = material;
+    }
+
+    public Collider(Ground ground, IShape shape)
+        : this("ground", shape, new ContactMaterial(ground))
+    {
+        _pattern = ground.Pattern;
+        _patches = _pattern is null ? [] : [.. _pattern.Surfaces.Select(surface => new ContactMaterial(surface))];
     }
 
     public Collider(Obstacle obstacle)
@@ -43,8 +52,8 @@ internal sealed class Collider
     /// <summary>The engine's collider that it stands for; null where it does for none.</summary>
     public EngineCollider? Engine { get; private set; }
 
-    /// <summary>What it is made of.</summary>
-    public ref readonly ContactMaterial Material => ref _material;
+    /// <summary>Nothing that it is made of is narrower, m; infinite where it is the same everywhere.</summary>
+    public double LeastWidth => _pattern is null ? double.PositiveInfinity : _pattern.LeastWidth;
 
     /// <summary>V, m/s.</summary>
     public Vector3d Velocity => Motion.Velocity;
@@ -83,6 +92,25 @@ internal sealed class Collider
         _bounds = _shape.Bounds;
         _material = new ContactMaterial(collider.Surface);
         _placement = collider.Placement;
+    }
+
+    /// <summary>Which of its materials is under a place; −1 for its own.</summary>
+    public int PatchAt(in Vector3d position)
+    {
+        int patch = _pattern is null ? -1 : _pattern.At(position.X, position.Z);
+        return (uint)patch < (uint)_patches.Length ? patch : -1;
+    }
+
+    /// <summary>What it is made of under a place.</summary>
+    public ref readonly ContactMaterial MaterialAt(in Vector3d position)
+    {
+        int patch = PatchAt(in position);
+        if (patch < 0)
+        {
+            return ref _material;
+        }
+
+        return ref _patches[patch];
     }
 
     /// <summary>Distance, normal and curvature, seen from a point at a time.</summary>

@@ -20,7 +20,7 @@ internal sealed class World
         {
             IShape ground = scene.Ground.Heights is { } heights ? heights.Raised(scene.Ground.Height)
                 : new PlaneShape(new Vector3d(0, scene.Ground.Height, 0), scene.Ground.Normal);
-            colliders.Add(new Collider("ground", ground, new ContactMaterial(scene.Ground)));
+            colliders.Add(new Collider(scene.Ground, ground));
             Ground = colliders[0];
         }
 
@@ -129,7 +129,8 @@ internal sealed class World
             && double.IsPositiveInfinity(ground.RestitutionSpeed)
             && ground.RollingFrictionBySpeed == 0
             && ground.DrillingLength == 0
-            && ground.Aerodynamics != GroundAerodynamics.Full;
+            && ground.Aerodynamics != GroundAerodynamics.Full
+            && ground.Pattern is null;
         bool empty = scene.Obstacles.Count == 0 && scene.Nets.Count == 0 && scene.Goals.Count == 0 && scene.Bodies is not { Count: > 0 } && scene.EngineColliders is null;
         return plain && empty ? null : new World(scene);
     }

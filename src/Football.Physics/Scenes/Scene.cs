@@ -109,6 +109,15 @@ public sealed record Scene
                 "two equal numbers on ground that is not level");
         }
 
+        if (Ground.Pattern is { } pattern)
+        {
+            Check.Within("ground.pattern.leastWidth", pattern.LeastWidth, 0, double.PositiveInfinity, exclusiveLow: true);
+            for (int i = 0; i < pattern.Surfaces.Count; i++)
+            {
+                pattern.Surfaces[i].Validate(FormattableString.Invariant($"ground.pattern.surfaces[{i}]"));
+            }
+        }
+
         if (Ground.Heights is { } heights)
         {
             Check.Within("ground.heights (its steepest slope)", heights.SteepestSlope, 0, 1);

@@ -130,6 +130,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         sweep.Step(h);
         _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
         EndWhereItChanges(ref sweep, in s, system.Rolls);
+        EndOnOtherSurface(ref sweep, in s, system.Carrier);
         _nets.EndWhereSlack(ref sweep, in s);
         bool meets = _guard.EndAtFirst(ref sweep, in s, _integrator.Order, out Gap met);
         run.Log.Evaluations += sweep.Evaluations;
@@ -171,6 +172,33 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
                 sweep = margin.Sweep;
             }
         }
+    }
+
+    /// <summary>Ends a piece where what the carrier is made of changes: just beyond the border.</summary>
+    private static void EndOnOtherSurface(ref MotionSweep<CarriedSystem<TAir>, TIntegrator> sweep, in BallState s, Collider carrier)
+    {
+        if (double.IsPositiveInfinity(carrier.LeastWidth))
+        {
+            return;
+        }
+
+        int patch = carrier.PatchAt(s.Position);
+        if (carrier.PatchAt(sweep.Position) == patch)
+        {
+            return;
+        }
+
+        double low = 0;
+        double high = sweep.Length;
+        for (double middle = 0.5 * high; middle > low && middle < high; middle = 0.5 * (low + high))
+        {
+            sweep.Step(middle);
+            bool beyond = carrier.PatchAt(sweep.Position) != patch;
+            low = beyond ? low : middle;
+            high = beyond ? middle : high;
+        }
+
+        sweep.Step(high);
     }
 
     /// <summary>The end of a slide in closed form: near it the push along the surface is all but constant.</summary>
@@ -249,11 +277,14 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
     private double LongestPiece(in BallState s, in Motion from, in CarriedForces on, ref StepRun run)
     {
         double asked = run.Next;
-        double damping = _world.CarrierOf(in s).Material.SpinDamping / _inertia;
+        Collider carrier = _world.CarrierOf(in s);
+        double damping = carrier.MaterialAt(s.Position).SpinDamping / _inertia;
         double h = _limit.PartOf(ref _around.Air, asked, (from.Velocity - _around.Wind).Length, from.Spin.Length, s.Branch, damping);
         double turning = on.Turning.Length;
         h = turning * h > LargestTurn ? LargestTurn / turning : h;
         h = Math.Min(h, _nets.LongestPiece(in s, h));
+        double width = 0.5 * carrier.LeastWidth;
+        h = on.Velocity.Length * h > width ? width / on.Velocity.Length : h;
         run.Keep(h, asked);
         return h;
     }
@@ -286,6 +317,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
             Around = _around,
             World = _world,
             Carrier = carrier,
+            Material = carrier.MaterialAt(s.Position),
             Branch = _jump.OnSurface(s.Branch, in from),
             Nets = s.Nets,
             NetSides = s.NetSides,
@@ -322,7 +354,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
             if (_what == CarriedLimit.Spin)
             {
                 // Without drilling friction nothing happens at zero.
-                return system.Carrier.Material.DrillingLength > 0 && system.SpinSign != 0
+                return system.Material.DrillingLength > 0 && system.SpinSign != 0
                     ? system.SpinSign * Vector3d.Dot(in at.Spin, system.Carrier.At(in at.Position, _time + after).Normal)
                     : 0;
             }

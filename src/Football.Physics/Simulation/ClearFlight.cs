@@ -18,6 +18,9 @@ internal sealed class ClearFlight
     /// <summary>Up to this change of the motion by the air in a step no method makes a ball faster by more than a tenth in all steps ahead.</summary>
     private const double SmallChange = 0.05;
 
+    /// <summary>How far, m, a flight in single precision may be from where it is said to be.</summary>
+    private const double Rounding = 0.01;
+
     private readonly World _world;
     private readonly StabilityLimit _limit;
     private readonly double _weight;
@@ -76,6 +79,16 @@ internal sealed class ClearFlight
         double steps = dt * _limit.RateAtMost(speed, s.SpinRate) <= SmallChange ? Ahead : 1.0;
         return (isKnown || IsFree(ref s, dt, steps, speed) || (steps > 1.0 && (IsFree(ref s, dt, Nearer, speed) || IsFree(ref s, dt, 1.0, speed))))
             && (_tube is null || Renew(in s, dt, Math.Min(steps, AheadOfBodies), speed) || (steps > 1.0 && Renew(in s, dt, 1.0, speed)));
+    }
+
+    /// <inheritdoc cref="Stepper.FliesClear"/>
+    public bool HasFlown(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate)
+    {
+        // A path that bends by a at most is within ⅛ a t² of the straight way between its ends.
+        double most = airSpeed + (duration * _weight);
+        double bend = 0.125 * (_weight + (_limit.RateAtMost(most, spinRate) * most)) * duration * duration;
+        var way = new StraightWay(in from, (to - from) / duration, 0, duration, _world.Ball.Radius + bend + Rounding);
+        return _world.FreeFor(in way) >= duration;
     }
 
     private bool IsFree(ref BallState s, double dt, double steps, double speed)

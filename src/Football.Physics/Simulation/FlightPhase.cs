@@ -78,7 +78,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         run.Keep(h, asked);
         if (hasAxis)
         {
-            if (!_around.AirActs && FallsQuietly(ref s, h, ref run))
+            if (!_around.AirActs && _world is null && FallsQuietly(ref s, h, ref run))
             {
                 return;
             }

@@ -74,6 +74,8 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         _roll = new RollPhase<TAir, TIntegrator>(scene, around, in ground, jump, contact, _implicit);
     }
 
+    public override World? World => _world;
+
     [MethodImpl(Hot.Path)]
     public override void Step(ref BallState s, double dt, StepLog log)
     {
@@ -170,6 +172,9 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         _worldContact!.Raise(ref s);
         _worldContact.Settle(ref s);
     }
+
+    public override bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate) =>
+        _clear is null || _clear.HasFlown(in from, in to, duration, airSpeed, spinRate);
 
     public override void AirFactors(double speed, double spinRate, out double drag, out double lift)
     {

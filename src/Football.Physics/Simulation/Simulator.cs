@@ -36,7 +36,7 @@ public sealed class Simulator
         Settings.Validate();
         _stepper = profile.Compile(Scene, Settings);
         _contact = Scene.Ground.Height + Scene.Ball.Radius;
-        _world = World.Of(Scene);
+        _world = _stepper.World;
         _hasOwnForces = Scene.Forces.Custom.Count > 0;
         _lighterThanAir = Weight.UpwardAcceleration(Scene) > 0;
     }
@@ -76,6 +76,10 @@ public sealed class Simulator
         Check.Rotation("launch.orientation", orientation);
         return Start(in position, in velocity, in spin, in orientation, 0);
     }
+
+    /// <summary>The same at a time, of numbers that are known to be in range.</summary>
+    internal BallState LaunchAt(in Vector3d position, in Vector3d velocity, in Vector3d spin, double time) =>
+        Start(in position, in velocity, in spin, Quaterniond.Identity, time);
 
     /// <summary>The same with numbers that are known to be in range.</summary>
     private BallState Start(in Vector3d position, in Vector3d velocity, in Vector3d spin, in Quaterniond orientation, double time)
@@ -201,8 +205,15 @@ public sealed class Simulator
         return Run(ref state, timeStep, duration, stopAt, log, null);
     }
 
+    /// <summary>All that can be met where there is more than a level pitch; else null.</summary>
+    internal World? World => _world;
+
     /// <summary>Whether there is more to meet than a level pitch.</summary>
     internal bool HasThings => _world is not null;
+
+    /// <inheritdoc cref="Stepper.FliesClear"/>
+    internal bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate) =>
+        _stepper.FliesClear(in from, in to, duration, airSpeed, spinRate);
 
     /// <inheritdoc cref="Stepper.AirFactors"/>
     internal void AirFactors(double speed, double spinRate, out double drag, out double lift) =>
