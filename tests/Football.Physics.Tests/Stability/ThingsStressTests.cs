@@ -12,7 +12,7 @@ public sealed class ThingsStressTests
     {
         ThingsRun[] runs = [.. Enumerable.Range(0, Scenes).Select(index => ThingsRun.Play(7, index))];
         Assert.Equal([], runs.Select((run, i) => run.Failure is { } failure ? $"scene {i}, {run.Kind}: {failure.Check}, {failure.Detail}" : "").Where(text => text.Length > 0));
-        Assert.True(runs.Sum(run => run.Impacts) > 10 * Scenes, $"{runs.Sum(run => run.Impacts)} impacts");
+        Assert.True(runs.Sum(run => run.Impacts) > 2 * Scenes, $"{runs.Sum(run => run.Impacts)} impacts");
         Assert.True(runs.Sum(run => run.InNets) > 20, $"{runs.Sum(run => run.InNets)} frames in nets");
     }
 }

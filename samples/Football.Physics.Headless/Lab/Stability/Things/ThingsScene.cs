@@ -37,6 +37,15 @@ internal sealed class ThingsScene
         };
         Position = FreePlace();
         Velocity = Polar(new Vector3d(_random.Uniform(-25, 25), _random.Uniform(-8, 15), _random.Uniform(-40, 10)));
+        if (obstacles.Length > 0 && _random.Chance(0.6))
+        {
+            // At one of the things.
+            Bounds3d box = obstacles[_random.Below(obstacles.Length)].Shape.Bounds;
+            Vector3d way = (0.5 * (box.Min + box.Max)) - Position;
+            double size = _random.Log(5, 60);
+            Velocity = way.IsFinite ? (size / way.Length * way) + new Vector3d(0, 4.9 * way.Length / size, 0) : Velocity;
+        }
+
         Spin = Axial(_random.Log(0.1, 100) * _random.Direction());
         double frame = _random.Any(0.005, 0.01, 1.0 / 60, 0.04, 0.1);
         Frames = [.. Enumerable.Repeat(frame, (int)Math.Min(200, 3 / frame))];
