@@ -1,12 +1,14 @@
 namespace Football.Physics;
 
 /// <summary>
-/// All that a ball can meet in a scene that has more than a level pitch: colliders (the ground first), nets, goals. Built once; immutable.
+/// All that a ball can meet in a scene that has more than a level pitch: colliders (the ground first), nets, goals. Built once; nothing of it changes but where
+/// the game puts its bodies.
 /// </summary>
 internal sealed class World
 {
     private readonly string[] _names;
-    private readonly Mover[] _movers;
+    /// <summary>Around what moves by itself: the first of <see cref="Moving"/>, for bodies are its last.</summary>
+    private readonly MovingSphere[] _movers;
 
     private World(Scene scene)
     {
@@ -44,9 +46,10 @@ internal sealed class World
         Goals = [.. scene.Goals.Select(goal => new GoalMouth(goal, Ball))];
         FirstCollider = scene.Ground.IsNone ? 1 : 0;
         IsLevel = scene.Ground.IsLevel;
+        IsLevelGroundAlone = IsLevel && HasNothing(scene);
         LevelContact = scene.Ground.IsNone || !scene.Ground.IsLevel ? double.NegativeInfinity : scene.Ground.Height + Ball.Radius;
         Moving = [.. Of(collider => collider.Moves).Where(i => Engine is null || !Engine.Has(i))];
-        _movers = [.. Moving.Select(i => Colliders[i]).Where(collider => !collider.IsBody).Select(collider => new Mover(in collider.Bounds, collider.Velocity))];
+        _movers = [.. Moving.Select(i => Colliders[i]).Where(collider => !collider.IsBody).Select(collider => new MovingSphere(in collider.Bounds, collider.Velocity))];
         Unbounded = Of(collider => !collider.Moves && !collider.Bounds.IsFinite);
         Leaves =
         [
@@ -69,7 +72,7 @@ internal sealed class World
     /// <summary>The ground; null where there is none.</summary>
     public Collider? Ground { get; }
 
-    /// <summary>The ground, obstacles, posts and bars.</summary>
+    /// <summary>The ground, obstacles, posts and bars; bodies last.</summary>
     public Collider[] Colliders { get; }
 
     /// <summary>The colliders that move.</summary>
@@ -105,6 +108,9 @@ internal sealed class World
     /// <summary>Whether the ground is level.</summary>
     public bool IsLevel { get; }
 
+    /// <summary>Whether there is nothing but level ground, or nothing at all.</summary>
+    public bool IsLevelGroundAlone { get; }
+
     /// <summary>Height of the centre of a ball on level ground, m; −∞ where there is none.</summary>
     public double LevelContact { get; }
 
@@ -131,9 +137,11 @@ internal sealed class World
             && ground.DrillingLength == 0
             && ground.Aerodynamics != GroundAerodynamics.Full
             && ground.Pattern is null;
-        bool empty = scene.Obstacles.Count == 0 && scene.Nets.Count == 0 && scene.Goals.Count == 0 && scene.Bodies is not { Count: > 0 } && scene.EngineColliders is null;
-        return plain && empty ? null : new World(scene);
+        return plain && HasNothing(scene) ? null : new World(scene);
     }
+
+    private static bool HasNothing(Scene scene) =>
+        scene.Obstacles.Count == 0 && scene.Nets.Count == 0 && scene.Goals.Count == 0 && scene.Bodies is not { Count: > 0 } && scene.EngineColliders is null;
 
     /// <summary>How long a ball goes on a straight way before it may meet anything but level ground and bodies, s; not longer than the way.</summary>
     public double FreeFor(in StraightWay way)

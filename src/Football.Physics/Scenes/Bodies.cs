@@ -13,7 +13,7 @@ public sealed class Bodies : IReadOnlyList<Body>
     internal const double Foresight = 0.25;
 
     private readonly List<Body> _bodies = [];
-    private Mover[] _movers = [];
+    private MovingSphere[] _movers = [];
     private RigidMotion[] _kept = [];
     private bool _inUse;
     private double _tick = double.NaN;
@@ -81,7 +81,7 @@ public sealed class Bodies : IReadOnlyList<Body>
     }
 
     /// <summary>A body was added, or moved: what a quick look needs is kept in one place.</summary>
-    internal void Update(Body body) => _movers[body.Index] = new Mover(body.BoundsAt(0), body.Velocity);
+    internal void Update(Body body) => _movers[body.Index] = new MovingSphere(body.BoundsAt(0), body.Velocity);
 
     /// <summary>Remembers where all are.</summary>
     internal void Keep()

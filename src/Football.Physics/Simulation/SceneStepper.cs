@@ -58,7 +58,7 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         _locatesJump = jump.Acts;
         var contact = new ContactPhase<TAir>(scene, around);
         _world = around.World;
-        _clear = _world is null ? null : new ClearFlight(_world, in _limit, in _wind, _upward);
+        _clear = _world is null or { IsLevelGroundAlone: true } ? null : new ClearFlight(_world, in _limit, in _wind, _upward);
 
         // Where there are bodies, no answer is good for longer than a step.
         _clearKey = _clear is { LooksForBodies: false } ? _clear.Key : 0;
@@ -125,7 +125,7 @@ internal class Stepper<TAir, TIntegrator> : Stepper
             return;
         }
 
-        if (_clear is not null && !(s.Time + dt <= s.ClearUntil && s.ClearIn == _clearKey) && !_clear.Holds(ref s, dt, speedSquared))
+        if (!IsClear(ref s, dt, speedSquared))
         {
             TakePieces(ref s, dt, log);
             return;
@@ -182,6 +182,14 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         _air.Begin(spinRate, DragJump.At(speedSquared, _radiusSquared * spinRate * spinRate).Branch, out PointStep step);
         _air.AtStart(ref step, speedSquared, spinRate, speedSquared, out drag, out lift, out _);
     }
+
+    /// <summary>Whether a step of flight meets nothing but level ground.</summary>
+    /// <param name="s">The ball.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="airSpeedSquared">|u|², or a bound of it, m²/s².</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    protected bool IsClear(ref BallState s, double dt, double airSpeedSquared) =>
+        _clear is null || (s.Time + dt <= s.ClearUntil && s.ClearIn == _clearKey) || _clear.Holds(ref s, dt, airSpeedSquared);
 
     /// <summary>Whether a step may have crossed the drag law's jump.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
