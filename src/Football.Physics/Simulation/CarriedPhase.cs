@@ -130,7 +130,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         sweep.Step(h);
         _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
         EndWhereItChanges(ref sweep, in s, system.Rolls);
-        EndOnOtherSurface(ref sweep, in s, system.Carrier);
+        SurfaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
         _nets.EndWhereSlack(ref sweep, in s);
         bool meets = _guard.EndAtFirst(ref sweep, in s, _integrator.Order, out Gap met);
         run.Log.Evaluations += sweep.Evaluations;
@@ -172,33 +172,6 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
                 sweep = margin.Sweep;
             }
         }
-    }
-
-    /// <summary>Ends a piece where what the carrier is made of changes: just beyond the border.</summary>
-    private static void EndOnOtherSurface(ref MotionSweep<CarriedSystem<TAir>, TIntegrator> sweep, in BallState s, Collider carrier)
-    {
-        if (double.IsPositiveInfinity(carrier.LeastWidth))
-        {
-            return;
-        }
-
-        int patch = carrier.PatchAt(s.Position);
-        if (carrier.PatchAt(sweep.Position) == patch)
-        {
-            return;
-        }
-
-        double low = 0;
-        double high = sweep.Length;
-        for (double middle = 0.5 * high; middle > low && middle < high; middle = 0.5 * (low + high))
-        {
-            sweep.Step(middle);
-            bool beyond = carrier.PatchAt(sweep.Position) != patch;
-            low = beyond ? low : middle;
-            high = beyond ? middle : high;
-        }
-
-        sweep.Step(high);
     }
 
     /// <summary>The end of a slide in closed form: near it the push along the surface is all but constant.</summary>
@@ -283,8 +256,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         double turning = on.Turning.Length;
         h = turning * h > LargestTurn ? LargestTurn / turning : h;
         h = Math.Min(h, _nets.LongestPiece(in s, h));
-        double width = 0.5 * carrier.LeastWidth;
-        h = on.Velocity.Length * h > width ? width / on.Velocity.Length : h;
+        h = SurfaceBorder.LongestPiece(carrier, on.Velocity.Length, h);
         run.Keep(h, asked);
         return h;
     }

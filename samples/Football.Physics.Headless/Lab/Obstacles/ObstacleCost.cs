@@ -13,7 +13,7 @@ internal static class ObstacleCost
     /// <summary>The table: things of up to 2 m on a pitch, and balls that fly over them, and among them.</summary>
     public static LabTable Table(long seed, bool quick)
     {
-        var table = new LabTable("Time of a flight step (RK2, 10 ms) among posts on a pitch, ns, and as a multiple of that over an empty pitch", "posts", "over them", "times", "among them", "times", "hits a flight");
+        var table = new LabTable("Time of a flight step (RK2, 10 ms) among posts on a pitch, ns, and as a multiple of that over an empty pitch", "posts", "over them", "over them, times", "among them", "among them, times", "hits a flight");
         double empty = 0;
         foreach (int count in (int[])[0, 1, 10, 100, 1000])
         {

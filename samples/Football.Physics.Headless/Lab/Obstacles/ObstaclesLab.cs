@@ -37,7 +37,7 @@ internal static class ObstaclesLab
         progress.Report(1, 3, () => "a post");
         var passing = new LabTable(
             $"{shots} shots at a post of 6 cm radius: passed through, and how far off the direction of the rebound is, mean and worst, degrees",
-            "speed, m/s", "step, ms", "engine: passed", "mean", "worst", "here: passed", "mean", "worst", "verdict");
+            "speed, m/s", "step, ms", "engine: passed", "engine: mean", "engine: worst", "here: passed", "here: mean", "here: worst", "verdict");
         foreach (double speed in s_speeds)
         {
             foreach (double step in s_steps)
@@ -52,7 +52,7 @@ internal static class ObstaclesLab
 
         report.Tables.Add(passing);
         progress.Report(2, 3, () => "drops");
-        var drops = new LabTable("Drops from 0.5 to 1.5 m on a board of restitution 0.6: the restitution that comes out, √(height after/height before)", "step, ms", "engine: least", "greatest", "here: least", "greatest", "verdict");
+        var drops = new LabTable("Drops from 0.5 to 1.5 m on a board of restitution 0.6: the restitution that comes out, √(height after/height before)", "step, ms", "engine: least", "engine: greatest", "here: least", "here: greatest", "verdict");
         foreach (RigidBodyRebound engine in RigidBodyEngineReport.Measure().Rebounds)
         {
             (double least, double greatest) = BoardDrops.Measure(engine.TimeStep, quick ? 20 : 200);

@@ -19,9 +19,10 @@ internal sealed class PathSamples(World world) : PieceObserver
         {
             double time = piece.Time + (piece.Length * k / Samples);
             Vector3d place = piece.PositionAt(time);
+            Bounds3d near = new Bounds3d(in place, in place).Grown(0.5);
             foreach (Collider collider in world.Colliders)
             {
-                double reach = collider.Moves || collider.Bounds.DistanceSquared(in place) > 0.25 ? 1 : collider.At(in place).Distance;
+                double reach = collider.Moves || !collider.Bounds.Touches(in near) ? 1 : collider.At(in place).Distance;
                 Deepest = Math.Max(Deepest, world.Ball.Radius - reach);
             }
         }
