@@ -38,8 +38,13 @@ internal static class StabilityLab
                 long count = parsed.GetValue(full) ? (isHostile ? HostileLab.Full : Full) : isHostile && !asked ? HostileLab.ByDefault : parsed.GetValue(scenes);
                 if (hasThings)
                 {
+                    if (parsed.GetValue(scene) is { } number)
+                    {
+                        return ThingsLab.One(seed, number);
+                    }
+
                     count = parsed.GetValue(full) ? ThingsLab.Full : asked ? count : ThingsLab.ByDefault;
-                    return ThingsLab.Run(seed, count, (int)parsed.GetValue(jobs), progress);
+                    return ThingsLab.Run(terminal, seed, count, (int)parsed.GetValue(jobs), progress);
                 }
 
                 int threads = (int)parsed.GetValue(jobs);

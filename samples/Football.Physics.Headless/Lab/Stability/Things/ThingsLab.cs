@@ -1,3 +1,5 @@
+using System.Collections.Concurrent;
+using System.Diagnostics;
 using System.Globalization;
 using Football.Physics.Headless.Commands;
 
@@ -9,12 +11,38 @@ internal static class ThingsLab
     public const long ByDefault = 20_000;
     public const long Full = 1_000_000;
 
+    /// <summary>A scene that runs for longer than this, s, is worth a word.</summary>
+    private const double Long = 10;
+
     /// <summary>Failures that are shown of a kind.</summary>
     private const int Shown = 5;
 
-    /// <summary>Plays scenes from 0 on.</summary>
-    public static LabReport Run(long seed, long count, int jobs, Progress progress)
+    /// <summary>Plays one scene.</summary>
+    public static LabReport One(long seed, long index)
     {
+        ThingsRun run = ThingsRun.Play(seed, index);
+        var report = new LabReport { Name = "things", Seed = seed, Failed = run.Failure is not null };
+        var table = new LabTable(FormattableString.Invariant($"scene {index}"), "kind", "frames", "impacts", "most pieces a frame", "verdict");
+        table.Add(run.Kind, run.Frames, run.Impacts, run.Pieces, run.Failure is { } f ? $"{f.Check}: {f.Detail}" : "holds");
+        report.Tables.Add(table);
+        return report;
+    }
+
+    /// <summary>Plays scenes from 0 on.</summary>
+    public static LabReport Run(Terminal terminal, long seed, long count, int jobs, Progress progress)
+    {
+        var running = new ConcurrentDictionary<long, long>();
+        using var watch = new Timer(
+            _ =>
+            {
+                foreach (long index in running.Where(item => Stopwatch.GetElapsedTime(item.Value).TotalSeconds > Long).Select(item => item.Key))
+                {
+                    terminal.Error.WriteLine(string.Create(CultureInfo.InvariantCulture, $"scene {index} of seed {seed} has been running for more than {Long:0} s"));
+                }
+            },
+            null,
+            TimeSpan.FromSeconds(Long),
+            TimeSpan.FromSeconds(Long));
         int kinds = Enum.GetValues<ThingsKind>().Length;
         var totals = new long[kinds, 6];
         var failures = new List<(long Index, ThingsKind Kind, StressFailure Failure)>();
@@ -22,7 +50,9 @@ internal static class ThingsLab
         var gate = new Lock();
         Parallel.For(0L, count, new ParallelOptions { MaxDegreeOfParallelism = jobs }, index =>
         {
+            running[index] = Stopwatch.GetTimestamp();
             ThingsRun run = ThingsRun.Play(seed, index);
+            running.TryRemove(index, out _);
             lock (gate)
             {
                 int row = (int)run.Kind;

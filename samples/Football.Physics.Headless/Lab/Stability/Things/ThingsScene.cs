@@ -37,10 +37,11 @@ internal sealed class ThingsScene
         };
         Position = FreePlace();
         Velocity = Polar(new Vector3d(_random.Uniform(-25, 25), _random.Uniform(-8, 15), _random.Uniform(-40, 10)));
-        if (obstacles.Length > 0 && _random.Chance(0.6))
+        if ((obstacles.Length > 0 || Kind == ThingsKind.Nets) && _random.Chance(0.6))
         {
-            // At one of the things.
-            Bounds3d box = obstacles[_random.Below(obstacles.Length)].Shape.Bounds;
+            // At one of the things, or into the goal.
+            Vector3d at = Polar(new Vector3d(_random.Uniform(-2, 2), _random.Uniform(0.2, 2), -8));
+            Bounds3d box = Kind == ThingsKind.Nets ? new Bounds3d(in at, in at) : obstacles[_random.Below(obstacles.Length)].Shape.Bounds;
             Vector3d way = (0.5 * (box.Min + box.Max)) - Position;
             double size = _random.Log(5, 60);
             Velocity = way.IsFinite ? (size / way.Length * way) + new Vector3d(0, 4.9 * way.Length / size, 0) : Velocity;
