@@ -1,6 +1,7 @@
 using System.CommandLine;
 using Football.Physics.Headless.Lab;
 using Football.Physics.Headless.Lab.Intercept;
+using Football.Physics.Headless.Lab.Obstacles;
 
 namespace Football.Physics.Headless.Commands;
 
@@ -25,5 +26,6 @@ internal static class LabCommand
         RigsLab.Create(terminal),
         KicksLab.Create(terminal),
         InterceptLab.Create(terminal),
+        ObstaclesLab.Create(terminal),
     };
 }

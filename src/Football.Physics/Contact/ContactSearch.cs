@@ -49,6 +49,7 @@ internal readonly struct ContactSearch
         int bestThing = -1;
         int nets = _world.Colliders.Length;
         int goals = nets + _world.Nets.Length;
+        _world.Engine?.LookAlong(in _path, _time);
         var near = new NearThings(_world, _bounds.Grown(_world.Ball.Radius), _time, _path.Length);
         while (near.Next(out int thing))
         {

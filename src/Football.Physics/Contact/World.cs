@@ -22,7 +22,7 @@ internal sealed class World
         {
             IShape ground = scene.Ground.Heights is { } heights ? heights.Raised(scene.Ground.Height)
                 : new PlaneShape(new Vector3d(0, scene.Ground.Height, 0), scene.Ground.Normal);
-            colliders.Add(new Collider("ground", ground, new ContactMaterial(scene.Ground)));
+            colliders.Add(new Collider(scene.Ground, ground));
             Ground = colliders[0];
         }
 
@@ -35,6 +35,12 @@ internal sealed class World
             Bodies = bodies;
         }
 
+        if (scene.EngineColliders is { } engine)
+        {
+            Engine = new EngineThings(engine, Ball.Radius, colliders.Count);
+            colliders.AddRange(Engine.Colliders);
+        }
+
         Colliders = [.. colliders];
         Nets = [.. scene.Nets.Concat(scene.Goals.SelectMany(goal => goal.Nets())).Select(net => new NetSheet(net, Ball))];
         Goals = [.. scene.Goals.Select(goal => new GoalMouth(goal, Ball))];
@@ -42,7 +48,7 @@ internal sealed class World
         IsLevel = scene.Ground.IsLevel;
         IsLevelGroundAlone = IsLevel && HasNothing(scene);
         LevelContact = scene.Ground.IsNone || !scene.Ground.IsLevel ? double.NegativeInfinity : scene.Ground.Height + Ball.Radius;
-        Moving = Of(collider => collider.Moves);
+        Moving = [.. Of(collider => collider.Moves).Where(i => Engine is null || !Engine.Has(i))];
         _movers = [.. Moving.Select(i => Colliders[i]).Where(collider => !collider.IsBody).Select(collider => new MovingSphere(in collider.Bounds, collider.Velocity))];
         Unbounded = Of(collider => !collider.Moves && !collider.Bounds.IsFinite);
         Leaves =
@@ -91,10 +97,13 @@ internal sealed class World
     public int FirstCollider { get; }
 
     /// <summary>Whether anything moves.</summary>
-    public bool Moves => Moving.Length > 0;
+    public bool Moves => Moving.Length > 0 || Engine is not null;
 
     /// <summary>What the game moves; null where that is nothing.</summary>
     public Bodies? Bodies { get; }
+
+    /// <summary>What an engine finds; null where none is asked.</summary>
+    public EngineThings? Engine { get; }
 
     /// <summary>Whether the ground is level.</summary>
     public bool IsLevel { get; }
@@ -126,12 +135,13 @@ internal sealed class World
             && double.IsPositiveInfinity(ground.RestitutionSpeed)
             && ground.RollingFrictionBySpeed == 0
             && ground.DrillingLength == 0
-            && ground.Aerodynamics != GroundAerodynamics.Full;
+            && ground.Aerodynamics != GroundAerodynamics.Full
+            && ground.Pattern is null;
         return plain && HasNothing(scene) ? null : new World(scene);
     }
 
     private static bool HasNothing(Scene scene) =>
-        scene.Obstacles.Count == 0 && scene.Nets.Count == 0 && scene.Goals.Count == 0 && scene.Bodies is not { Count: > 0 };
+        scene.Obstacles.Count == 0 && scene.Nets.Count == 0 && scene.Goals.Count == 0 && scene.Bodies is not { Count: > 0 } && scene.EngineColliders is null;
 
     /// <summary>How long a ball goes on a straight way before it may meet anything but level ground and bodies, s; not longer than the way.</summary>
     public double FreeFor(in StraightWay way)
@@ -193,7 +203,7 @@ internal sealed class World
 
     /// <summary>The name of a thing.</summary>
     /// <param name="thing">Its index among the things of the scene.</param>
-    public string NameOf(int thing) => _names[thing];
+    public string NameOf(int thing) => Engine is not null && Engine.Has(thing - FirstCollider) ? Colliders[thing - FirstCollider].Name : _names[thing];
 
     /// <summary>Index among the things of the scene of a net.</summary>
     public int ThingOfNet(int net) => FirstCollider + Colliders.Length + net;

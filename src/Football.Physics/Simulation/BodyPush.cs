@@ -25,6 +25,7 @@ internal sealed class BodyPush<TAir>
     /// <summary>Before the pieces of a step.</summary>
     public void Apply(ref BallState s, ref StepRun run)
     {
+        _world.Engine?.Forget();
         LetGo(ref s, ref run);
         int deepest = Deepest(in s, out bool overlapsBody);
 
@@ -62,6 +63,16 @@ internal sealed class BodyPush<TAir>
         }
 
         Collider carrier = _world.CarrierOf(in s);
+        if (_world.Engine is { } engine && engine.Has((int)s.Carrier - _world.FirstCollider))
+        {
+            engine.LookAt(s.Position, s.Time);
+            if (!engine.Finds((int)s.Carrier - _world.FirstCollider))
+            {
+                _contact.Leave(ref s, s.Velocity, s.Spin, ref run);
+                return;
+            }
+        }
+
         ShapePoint at = carrier.At(s.Position, s.Time);
         double off = Vector3d.Dot(s.Velocity - carrier.Velocity, at.Normal);
         if (Math.Abs(at.Distance - _world.Ball.Radius) > ContactSearch.Touching || Math.Abs(off) > ContactSearch.Approaching)

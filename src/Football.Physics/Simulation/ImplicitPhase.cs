@@ -158,7 +158,8 @@ internal sealed class ImplicitPhase<TAir>
 
         Vector3d relative = u + wind - carrier.Velocity;
         relative -= Vector3d.Dot(in relative, in n) * n;
-        double friction = h * (s.Motion == MotionState.Sliding ? carrier.Material.SlidingFriction : carrier.Material.RollingFriction)
+        ref readonly ContactMaterial material = ref carrier.MaterialAt(s.Position);
+        double friction = h * (s.Motion == MotionState.Sliding ? material.SlidingFriction : material.RollingFriction)
             * Math.Max(0, -_around.Upward * n.Y);
         double speed = relative.Length;
         relative = speed > friction ? relative * (1.0 - (friction / speed)) : Vector3d.Zero;
@@ -168,7 +169,7 @@ internal sealed class ImplicitPhase<TAir>
         bool meets = at <= h;
         h = meets ? at : h;
         BallState before = s;
-        double about = Vector3d.Dot(euler.Spin(rate, u.Length, h) * axis, in n) / (1.0 + (h * carrier.Material.SpinDamping / world.Ball.MomentOfInertia));
+        double about = Vector3d.Dot(euler.Spin(rate, u.Length, h) * axis, in n) / (1.0 + (h * material.SpinDamping / world.Ball.MomentOfInertia));
         s.Position = path.At(h);
         s.Velocity = velocity;
         s.SetGroundSpin(Slip.RollingSpin(in relative, about, in n, _around.Radius));

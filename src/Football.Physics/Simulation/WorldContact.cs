@@ -36,7 +36,7 @@ internal sealed class WorldContact<TAir>
         int thing = collider + _world.FirstCollider;
         bool wedged = run.Impacts++ >= MostAtOnce;
         Vector3d surface = hit.SurfaceVelocity(s.Position - (_world.Ball.Radius * n), s.Time);
-        CoulombImpact.Apply(_world.Ball, in hit.Material, in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin);
+        CoulombImpact.Apply(_world.Ball, in hit.MaterialAt(s.Position), in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin);
         if (wedged)
         {
             velocity = v - (Vector3d.Dot(v - hit.Velocity, in n) * n);
@@ -253,6 +253,7 @@ internal sealed class WorldContact<TAir>
         Around = _around,
         World = _world,
         Carrier = carrier,
+        Material = carrier.MaterialAt(s.Position),
         Branch = _around.Air.Jumps
             ? DragJump.At((s.Velocity - _around.Wind).LengthSquared, _around.RadiusSquared * s.Spin.LengthSquared).Branch
             : DragBranch.Unknown,
