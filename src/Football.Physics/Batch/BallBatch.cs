@@ -49,6 +49,21 @@ public sealed class BallBatch
     /// <summary>Length of a step, s: the float next to the one asked for.</summary>
     public double TimeStep => (float)Settings.TimeStep;
 
+    /// <summary>How many of the last balls were flown alone, in double: all where the scene or <see cref="BatchSettings.Precision"/> is not for lanes.</summary>
+    public int HandedOn
+    {
+        get
+        {
+            int sum = 0;
+            foreach (BatchWorker worker in _workers)
+            {
+                sum += worker.HandedOn;
+            }
+
+            return sum;
+        }
+    }
+
     /// <summary>Flies the first balls of some launches.</summary>
     /// <param name="launches">The launches.</param>
     /// <param name="flights">Where the flights' ends go, each at its launch's index.</param>
@@ -67,6 +82,11 @@ public sealed class BallBatch
         Check.Within(nameof(count), count, 0, Math.Min(launches.Capacity, flights.Capacity));
         Check.Within(nameof(duration), duration, 0, 600, exclusiveLow: true);
         _duration = duration;
+        foreach (BatchWorker worker in _workers)
+        {
+            worker.Begin();
+        }
+
         _groups.Run(count, progress, cancellation);
     }
 }

@@ -40,6 +40,12 @@ internal sealed class BatchWorker
         }
     }
 
+    /// <summary>Balls of this run that were flown alone, in double.</summary>
+    public int HandedOn { get; private set; }
+
+    /// <summary>Prepares for a run.</summary>
+    public void Begin() => HandedOn = 0;
+
     /// <summary>Flies some balls.</summary>
     [MethodImpl(Hot.Path)]
     public void Fly(BatchLaunches launches, BatchFlights flights, int from, int count, double duration)
@@ -119,6 +125,7 @@ internal sealed class BatchWorker
     /// <summary>By the single ball.</summary>
     private void FlyAlone(BatchFlights flights, int index, in Vector3d position, in Vector3d velocity, in Vector3d spin, double duration)
     {
+        HandedOn++;
         BallState state = _simulator.Launch(position, velocity, spin);
         if (state.Motion != MotionState.Airborne)
         {

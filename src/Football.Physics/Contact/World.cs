@@ -183,6 +183,9 @@ internal sealed class World
         }
     }
 
+    /// <summary>The names of all things, the ground first.</summary>
+    public IReadOnlyList<string> Names => _names;
+
     /// <summary>The name of a thing.</summary>
     /// <param name="thing">Its index among the things of the scene.</param>
     public string NameOf(int thing) => _names[thing];
