@@ -61,7 +61,7 @@ trap finish EXIT
 program=$root/samples/Football.Physics.Headless/bin/Release/net10.0/football.dll
 [[ -e $program ]] || dotnet build -c Release samples/Football.Physics.Headless > "$log" 2>&1 || fail "dotnet build"
 export FOOTBALL="dotnet $program" SWEEP=$root/samples/cluster/sweep.json FORMAT=npy SEED=7
-export COUNT=${COUNT:-800000}
+export COUNT=640000
 $FOOTBALL sweep "$SWEEP" --count "$COUNT" --seed "$SEED" --format "$FORMAT" --out "$work/one" > "$log" 2>&1 || fail "one process"
 ok "one process: $COUNT rows, $(du -sk "$work/one" | cut -f 1) KiB"
 
@@ -104,7 +104,7 @@ ClusterName=football
 SlurmctldHost=$host(127.0.0.1)
 SlurmctldPort=$control_port
 AuthType=auth/munge
-AuthInfo=socket=$work/munge.socket
+AuthInfo=socket=$work/munge.socket,cred_expire=2
 CredType=cred/munge
 SlurmUser=$(id -un)
 SlurmdUser=$(id -un)
@@ -144,15 +144,40 @@ idle() { [[ $(sinfo --noheader --states=idle --format=%D) == 2 ]]; }
 until_true 15 "two nodes that are idle" idle
 ok "Slurm: $(sinfo --version), two nodes, ports $ports"
 
-# Each task in a folder of the cluster's, one processor each, as the script in samples/cluster says all else.
-submit() {
-  ROWS=$work/slurm sbatch --parsable --array="$1" --cpus-per-task=1 --mem-per-cpu=500M --time=5 \
-    --output="$work/tasks/%a.log" --chdir="$work/tasks" samples/cluster/sweep.sh 2>> "$log" || fail "sbatch"
-}
+# The script of samples/cluster as it stands; what a task may have is cut down to this machine.
+job=$(ROWS=$work/slurm sbatch --parsable --cpus-per-task=1 --mem-per-cpu=500M --time=5 --output="$work/tasks/%a.log" --chdir="$work/tasks" \
+  samples/cluster/sweep.sh 2> "$log") || fail "sbatch"
 
-job=$(submit 1-16)
-begun() { compgen -G "$work/slurm/shard-*/checkpoint.json" && ! [[ -e $victim_done ]]; }
-victim_done=$work/none
-until_true 30 "a shard that has begun" begun
-victim=$(basename "$(dirname "$(compgen -G "$work/slurm/shard-*/checkpoint.json" | head -n 1)")")
-index=$(sed -E 's/shard-0*([0-9]+)-of-.*/\1/' <<< "$victim")
+# One that has written rows that are certain, and is not done, is killed as by the machine's end.
+half() {
+  local shard
+  for shard in "$work"/slurm/shard-*; do
+    if [[ ! -e $shard/manifest.json ]] && grep -qs '"rows": [1-9]' "$shard/checkpoint.json"; then
+      index=$(sed -E 's/.*shard-0*([0-9]+)-of-.*/\1/' <<< "$shard")
+      scancel --full --signal=KILL "${job}_$index" 2> /dev/null || true
+      sleep 0.3
+      [[ ! -e $shard/manifest.json ]] && victim=$shard && return 0
+    fi
+  done
+  return 1
+}
+end=$(( SECONDS + 60 ))
+until half; do
+  (( SECONDS < end )) || fail "no task was caught half-way"
+  [[ -n $(squeue --noheader --job="$job" 2> /dev/null) ]] || fail "all tasks had ended before one was caught half-way"
+  sleep 0.02
+done
+left=$(awk '/"rows"/ { gsub(/[^0-9]/, ""); print }' "$victim/checkpoint.json")
+gone() { [[ -z $(squeue --noheader --states=running,completing --job="${job}_$index") ]]; }
+until_true 15 "the killed task's end" gone
+scontrol requeue "${job}_$index" 2> "$log" || fail "scontrol requeue"
+
+drained() { [[ -z $(squeue --noheader --job="$job") ]]; }
+until_true 90 "the end of all tasks" drained
+said=$(tail -n 1 "$work/tasks/$index.log")
+now=$(sed -E 's/.* ([0-9]+) of them now .*/\1/' <<< "$said")
+[[ $now =~ ^[0-9]+$ && $(( now + left )) == $(( COUNT * index / 16 - COUNT * (index - 1) / 16 )) ]] || fail "task $index did not go on after $left rows: $said"
+ok "Slurm: 16 tasks, of which task $index was killed after $left certain rows, requeued, and made the other $now"
+same "Slurm, 16 shards" "$work/slurm"
+
+echo "ok    cluster.sh: $SECONDS s"

@@ -22,8 +22,7 @@ internal static class FieldPlace
         {
             if (at is JsonObject members)
             {
-                members[path[i]] ??= new JsonObject();
-                at = members[path[i]]!;
+                at = members[path[i]] ??= char.IsAsciiDigit(path[i + 1].FirstOrDefault()) ? throw NoPlace(path, i + 1, who, "an element of an array that is there") : new JsonObject();
             }
             else
             {

@@ -38,11 +38,7 @@ internal static class SweepInput
         });
         string text = JsonSerializer.Serialize(input.Document);
         var plan = new SweepPlan(text, seed, document, scene, row, [.. drawn.Where(field => !scene.HasVectors || field.Direct is < DirectField.Kick or >= DirectField.KickNumbers || aims)]);
-        Refusing(fields, () =>
-        {
-            Try(plan, scene);
-            return true;
-        });
+        Refusing(fields, () => Try(plan, scene));
         TryEnds(plan);
         return plan;
     }
@@ -142,19 +138,19 @@ internal static class SweepInput
             FieldValue[] ends = [.. plan.Fields[plan.SceneFields[i]].Range.Ends];
             foreach (FieldValue end in ends.Take(MostTried).Append(ends[^1]))
             {
-                Try(plan, plan.SceneWith(other => other == tried ? end : plan.Fields[plan.SceneFields[other]].Range.Ends.First()));
+                plan.With(other => other == tried ? end : plan.Fields[plan.SceneFields[other]].Range.Ends.First(), scene => Try(plan, scene));
             }
         }
     }
 
     /// <summary>No launch flies yet, but everything that is the same for all of them is checked.</summary>
-    private static void Try(SweepPlan plan, SweepScene scene)
+    private static bool Try(SweepPlan plan, SweepScene scene)
     {
         if (scene.Aim is { } aim)
         {
             aim.Request.Validate();
             _ = new Aimer(scene.Scene, scene.Solver, scene.TimeStep);
-            return;
+            return true;
         }
 
         if (plan.FliesInLanes)
@@ -163,5 +159,6 @@ internal static class SweepInput
         }
 
         new Simulator(scene.Scene, scene.Solver).Launch(DirectField.Vector(scene.Numbers, DirectField.Position), Vector3d.Zero, Vector3d.Zero);
+        return true;
     }
 }

@@ -46,7 +46,7 @@ internal sealed class SweepMerge
             Manifest merged = Progress.Show(terminal, "bytes", progress => Merge([.. shards.OrderBy(shard => shard.Manifest.Shard.Index)], progress));
             if (!_faults.Any)
             {
-                merged.Write(_folder, Manifest.Done);
+                merged.Write(_folder, Manifest.Done, toDisk: true);
                 terminal.Person.WriteLine(FormattableString.Invariant($"{_folder}: {merged.Rows} rows of {shards.Count} shards"));
                 return ExitCode.Done;
             }

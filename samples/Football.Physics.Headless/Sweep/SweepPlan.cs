@@ -64,10 +64,11 @@ internal sealed class SweepPlan
         Scene.Aim is { Method: AimMethod.Direct, Request: { Through: null } request } && SceneFields.Length == 0 && LaneFlight.Covers(Scene.Scene)
         && request.MaximumIterations == new AimRequest().MaximumIterations;
 
-    /// <summary>A scene that has values of its own in some fields.</summary>
+    /// <summary>Makes use of a scene that has values of its own in some fields.</summary>
     /// <param name="value">The value of each of <see cref="SceneFields"/>.</param>
+    /// <param name="use">Makes use of it.</param>
     /// <exception cref="RefusedException">It is refused.</exception>
-    public SweepScene SceneWith(Func<int, FieldValue> value)
+    public T With<T>(Func<int, FieldValue> value, Func<SweepScene, T> use)
     {
         JsonNode document = _document.DeepClone();
         for (int i = 0; i < SceneFields.Length; i++)
@@ -81,7 +82,7 @@ internal sealed class SweepPlan
         {
             SweepScene scene = SweepScene.Take(fields.Root);
             fields.Check();
-            return scene;
+            return use(scene);
         });
     }
 

@@ -12,7 +12,8 @@ namespace Football.Physics.Headless.Sweep.Output;
 /// </summary>
 internal sealed class FolderSink : RowSink
 {
-    private static readonly TimeSpan s_untilCheckpoint = TimeSpan.FromSeconds(1);
+    private static readonly TimeSpan s_untilFirst = TimeSpan.FromSeconds(0.05);
+    private static readonly TimeSpan s_untilLater = TimeSpan.FromSeconds(5);
 
     private readonly string _folder;
     private readonly Identity _identity;
@@ -21,6 +22,7 @@ internal sealed class FolderSink : RowSink
     private readonly FileRecord _schema;
     private readonly List<DataFile> _files = [];
     private readonly Stopwatch _sinceCheckpoint = Stopwatch.StartNew();
+    private TimeSpan _untilCheckpoint = s_untilFirst;
 
     private FolderSink(string folder, Identity identity, Shard shard, bool countsHandedOn, FileRecord schema)
     {
@@ -85,14 +87,16 @@ internal sealed class FolderSink : RowSink
             file.FlushToDisk();
         }
 
-        Now.Write(_folder, Manifest.Done);
+        Now.Write(_folder, Manifest.Done, toDisk: true);
         File.Delete(Path.Combine(_folder, Manifest.Unfinished));
     }
 
-    /// <summary>Makes certain what there is: an interrupted run goes on from here.</summary>
+    /// <summary>
+    /// Says what there is: an interrupted run goes on from here. Nobody waits for the disk: what a power cut has taken is found by its hash.
+    /// </summary>
     public void Checkpoint()
     {
-        Now.Write(_folder, Manifest.Unfinished);
+        Now.Write(_folder, Manifest.Unfinished, toDisk: false);
         _sinceCheckpoint.Restart();
     }
 
@@ -108,9 +112,10 @@ internal sealed class FolderSink : RowSink
 
     protected override void Added()
     {
-        if (_sinceCheckpoint.Elapsed >= s_untilCheckpoint)
+        if (_sinceCheckpoint.Elapsed >= _untilCheckpoint)
         {
             Checkpoint();
+            _untilCheckpoint = 2 * _untilCheckpoint < s_untilLater ? 2 * _untilCheckpoint : s_untilLater;
         }
     }
 
@@ -154,7 +159,7 @@ internal sealed class FolderSink : RowSink
         for (int f = 0; f < format.Files.Count; f++)
         {
             var file = new FileInfo(Path.Combine(_folder, format.Files[f]));
-            if (file.Exists && file.Length > format.Header(f, _shard.Rows).Length)
+            if (file.Exists && (file.ResolveLinkTarget(returnFinalTarget: true) as FileInfo ?? file).Length > format.Header(f, _shard.Rows).Length)
             {
                 throw new RefusedException("--out", $"{Quote.File(_folder)}, which holds a file {Quote.File(file.Name)} of another origin", "a new folder, or that of an interrupted run of the same sweep");
             }

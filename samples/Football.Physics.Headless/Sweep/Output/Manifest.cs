@@ -53,14 +53,17 @@ internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long?
     }
 
     /// <summary>Writes it at once: it is there whole, or as it was before.</summary>
-    public void Write(string folder, string name)
+    /// <param name="folder">The folder.</param>
+    /// <param name="name">Name of the file.</param>
+    /// <param name="toDisk">Whether to wait until it is on the disk.</param>
+    public void Write(string folder, string name, bool toDisk)
     {
         string path = Path.Combine(folder, name);
         string whole = path + ".new";
         using (var file = new FileStream(whole, FileMode.Create, FileAccess.Write))
         {
             file.Write(Text());
-            file.Flush(flushToDisk: true);
+            file.Flush(toDisk);
         }
 
         File.Move(whole, path, overwrite: true);

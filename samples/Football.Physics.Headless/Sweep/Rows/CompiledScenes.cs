@@ -47,20 +47,13 @@ internal sealed class CompiledScenes<T>(SweepPlan plan, RowDraws draws, Func<Swe
 
     private T Make(int row)
     {
-        RefusedException? refused;
         try
         {
-            return compile(plan.SceneWith(i => draws.Value(plan.SceneFields[i], row)));
+            return plan.With(i => draws.Value(plan.SceneFields[i], row), compile);
         }
         catch (RefusedException refusal)
         {
-            refused = refusal;
+            throw new RefusedException(FormattableString.Invariant($"row {draws.First + row}: {refusal.Message}"));
         }
-        catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, new InputFields(default)) is { } said)
-        {
-            refused = said;
-        }
-
-        throw new RefusedException(FormattableString.Invariant($"row {draws.First + row}: {refused.Message}"));
     }
 }

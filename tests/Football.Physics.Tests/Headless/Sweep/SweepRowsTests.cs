@@ -34,7 +34,7 @@ public sealed class SweepRowsTests
                 bool has = k < events.Length;
                 Assert.Equal(has ? events[k].GetProperty("kind").GetString() : "none", row.GetProperty("events.kind")[k].GetString());
                 Assert.Equal(has && events[k].TryGetProperty("surface", out JsonElement surface) ? surface.GetString() : "none", row.GetProperty("events.surface")[k].GetString());
-                Assert.Equal(has ? events[k].GetProperty("time").GetDouble() : null, row.GetProperty("events.time")[k] is { ValueKind: JsonValueKind.Number } time ? time.GetDouble() : null);
+                Assert.Equal(has ? events[k].GetProperty("time").GetDouble() : double.NaN, row.GetProperty("events.time")[k] is { ValueKind: JsonValueKind.Number } time ? time.GetDouble() : double.NaN);
             }
 
             bool scored = events.Any(happened => happened.GetProperty("kind").GetString() == "goal");
