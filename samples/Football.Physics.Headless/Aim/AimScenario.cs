@@ -20,13 +20,20 @@ internal sealed record AimScenario
     /// <exception cref="RefusedException">A field is unknown, missing or of the wrong type.</exception>
     public static AimScenario Read(InputFields fields)
     {
-        InputObject root = fields.Root;
+        AimScenario scenario = Take(fields.Root);
+        fields.Check();
+        return scenario;
+    }
+
+    /// <summary>Takes a scenario's members from an input that may hold more; the fields are still to be checked.</summary>
+    public static AimScenario Take(InputObject root)
+    {
         Scene scene = SceneInput.Scene(root);
         InputObject aim = root.Object("aim");
         SolverSettings settings = SceneInput.Solver(root, out double timeStep);
         SceneInput.Stop(root);
         AimMethod method = aim.Choice("method", AimMethod.Direct);
-        var scenario = new AimScenario
+        return new AimScenario
         {
             Scene = scene,
             Settings = settings,
@@ -36,8 +43,6 @@ internal sealed record AimScenario
             Method = method,
             Request = ReadRequest(aim),
         };
-        fields.Check();
-        return scenario;
     }
 
     private static AimRequest ReadRequest(InputObject aim)

@@ -25,6 +25,7 @@ internal static class LabCommand
         BallsLab.Create(terminal),
         RigsLab.Create(terminal),
         KicksLab.Create(terminal),
+        SweepLab.Create(terminal),
         InterceptLab.Create(terminal),
         ObstaclesLab.Create(terminal),
     };
