@@ -122,7 +122,7 @@ internal readonly struct ContactSearch
         double speed = path.FastestSpeed;
         double hollow = collider.HollowCurvature;
         double bend = _bend + (hollow > 0 ? speed * speed * hollow / (1.0 - ((1.0 + NearHollow) * r * hollow)) : 0);
-        double shortest = ShortestStep(path.Length, bend);
+        double shortest = ShortestShare * path.Length;
         double t = 0;
         while (true)
         {
@@ -158,7 +158,7 @@ internal readonly struct ContactSearch
     /// <summary>When a gap that is linear in the place falls to zero; infinite where it does not, or has already.</summary>
     private double Fall(in Gap sought, double until)
     {
-        double shortest = ShortestStep(_path.Length, _bend);
+        double shortest = ShortestShare * _path.Length;
         double t = 0;
         while (true)
         {
@@ -189,7 +189,7 @@ internal readonly struct ContactSearch
     private double MeetsNet(int index, double until, out Gap gap)
     {
         NetSheet net = _world.Nets[index];
-        double shortest = ShortestStep(_path.Length, _bend);
+        double shortest = ShortestShare * _path.Length;
         double t = 0;
         gap = default;
         double side = net.PlaceInFrame(_path.At(0)).Z < 0 ? -1.0 : 1.0;
@@ -238,10 +238,6 @@ internal readonly struct ContactSearch
             gap = Gap.OfMeetingNet(_world, index, axis, sign, side);
         }
     }
-
-    /// <summary>A step so short, s, that nothing is touched and left again within it but for a depth that is none: ½ M s² of that.</summary>
-    private static double ShortestStep(double length, double bend) =>
-        bend > 0 ? Math.Max(ShortestShare * length, Math.Sqrt(2.0 * Touching / bend)) : ShortestShare * length;
 
     /// <summary>The positive root of f + f' s − ½ M s², without cancellation.</summary>
     private static double Safe(double gap, double rate, double bend)
