@@ -273,11 +273,13 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
             system.Guides.HoldAlong(_world, ref s, in n);
         }
 
-        if (system.Rolls)
-        {
-            Vector3d spin = s.SpinAxis;
-            s.SpinAxis = Slip.RollingSpin(s.Velocity - system.Carrier.Velocity, Vector3d.Dot(in spin, in n), in n, _around.Radius);
-        }
+        Vector3d spin = s.SpinAxis;
+        double about = Vector3d.Dot(in spin, in n);
+
+        // Drilling friction ends the spin about the normal, and reverses nothing.
+        double kept = system.SpinSign * about < 0 && system.Carrier.Material.DrillingLength > 0 ? 0 : about;
+        s.SpinAxis = system.Rolls ? Slip.RollingSpin(s.Velocity - system.Carrier.Velocity, kept, in n, _around.Radius)
+            : kept == about ? spin : spin - (about * n);
     }
 
     private CarriedSystem<TAir> System(in BallState s, in Motion from, bool rolls)
