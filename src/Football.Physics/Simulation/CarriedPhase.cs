@@ -277,7 +277,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         double about = Vector3d.Dot(in spin, in n);
 
         // Drilling friction ends the spin about the normal, and reverses nothing.
-        double kept = system.SpinSign * about < 0 && system.Carrier.Material.DrillingLength > 0 ? 0 : about;
+        double kept = system.SpinSign * about < 0 && system.Material.DrillingLength > 0 ? 0 : about;
         s.SpinAxis = system.Rolls ? Slip.RollingSpin(s.Velocity - system.Carrier.Velocity, kept, in n, _around.Radius)
             : kept == about ? spin : spin - (about * n);
     }
