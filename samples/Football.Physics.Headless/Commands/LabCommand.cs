@@ -1,6 +1,7 @@
 using System.CommandLine;
 using Football.Physics.Headless.Lab;
 using Football.Physics.Headless.Lab.Intercept;
+using Football.Physics.Headless.Lab.Obstacles;
 
 namespace Football.Physics.Headless.Commands;
 
@@ -26,5 +27,6 @@ internal static class LabCommand
         KicksLab.Create(terminal),
         SweepLab.Create(terminal),
         InterceptLab.Create(terminal),
+        ObstaclesLab.Create(terminal),
     };
 }
