@@ -104,7 +104,7 @@ ClusterName=football
 SlurmctldHost=$host(127.0.0.1)
 SlurmctldPort=$control_port
 AuthType=auth/munge
-AuthInfo=socket=$work/munge.socket,cred_expire=2
+AuthInfo=socket=$work/munge.socket
 CredType=cred/munge
 SlurmUser=$(id -un)
 SlurmdUser=$(id -un)
@@ -131,7 +131,7 @@ SwitchType=switch/none
 JobAcctGatherType=jobacct_gather/none
 AccountingStorageType=accounting_storage/none
 JobCompType=jobcomp/none
-NodeName=football[1-2] NodeHostname=$host NodeAddr=127.0.0.1 Port=[$port1,$port2] CPUs=1 RealMemory=2000 State=UNKNOWN
+NodeName=football[1-2] NodeHostname=$host NodeAddr=127.0.0.1 Port=[$port1,$port2] CPUs=2 RealMemory=2000 State=UNKNOWN
 PartitionName=all Nodes=ALL Default=YES MaxTime=10 State=UP
 CONF
 export SLURM_CONF=$work/slurm.conf
@@ -171,6 +171,8 @@ left=$(awk '/"rows"/ { gsub(/[^0-9]/, ""); print }' "$victim/checkpoint.json")
 gone() { [[ -z $(squeue --noheader --states=running,completing --job="${job}_$index") ]]; }
 until_true 15 "the killed task's end" gone
 scontrol requeue "${job}_$index" 2> "$log" || fail "scontrol requeue"
+# A cluster waits two minutes before it runs a task again.
+scontrol update JobId="${job}_$index" StartTime=now 2> "$log" || fail "scontrol update"
 
 drained() { [[ -z $(squeue --noheader --job="$job") ]]; }
 until_true 90 "the end of all tasks" drained

@@ -47,13 +47,12 @@ same "$work/jobs" "one thread"
 rm -r "$work/jobs"
 ok "one thread and two: the same bytes"
 
-for of in 7 16; do
-  for (( i = 1; i <= of; i++ )); do rows "$work/parts" --shard "$i/$of" --jobs $(( 1 + i % 2 )) || fail "shard $i of $of"; done
-  football sweep merge "$work/parts" >> "$log" 2>&1 || fail "merge of $of shards"
-  same "$work/parts" "$of shards"
-  rm -r "$work/parts"
-  ok "$of shards, merged: the same bytes"
-done
+# tests/cluster.sh has sixteen.
+for (( i = 1; i <= 7; i++ )); do rows "$work/parts" --shard "$i/7" --jobs $(( 1 + i % 2 )) || fail "shard $i of 7"; done
+football sweep merge "$work/parts" >> "$log" 2>&1 || fail "merge of 7 shards"
+same "$work/parts" "7 shards"
+rm -r "$work/parts"
+ok "7 shards, merged: the same bytes"
 
 DOTNET_EnableAVX512=0 DOTNET_EnableAVX512F=0 rows "$work/narrow" || fail "without AVX-512"
 same "$work/narrow" "without AVX-512"

@@ -1,5 +1,4 @@
 using Football.Physics.Headless.Input;
-using Football.Physics.Headless.Simulate;
 
 namespace Football.Physics.Headless.Sweep;
 

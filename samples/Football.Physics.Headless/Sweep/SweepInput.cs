@@ -37,6 +37,10 @@ internal static class SweepInput
             return (taken, request);
         });
         string text = JsonSerializer.Serialize(input.Document);
+
+        // Scenes of rows need neither, and are read again and again.
+        document.Remove("ranges");
+        document.Remove("row");
         var plan = new SweepPlan(text, seed, document, scene, row, [.. drawn.Where(field => !scene.HasVectors || field.Direct is < DirectField.Kick or >= DirectField.KickNumbers || aims)]);
         Refusing(fields, () => Try(plan, scene));
         TryEnds(plan);

@@ -61,7 +61,7 @@ internal sealed class SweepPlan
 
     /// <summary>Whether the kicks are found many at a time.</summary>
     public bool AimsInLanes =>
-        Scene.Aim is { Method: AimMethod.Direct, Request: { Through: null } request } && SceneFields.Length == 0 && LaneFlight.Covers(Scene.Scene)
+        Scene.Aim is { Method: AimMethod.Direct, Request: { Through: null, SpinIsFree: false } request } && SceneFields.Length == 0 && LaneFlight.Covers(Scene.Scene)
         && request.MaximumIterations == new AimRequest().MaximumIterations;
 
     /// <summary>Makes use of a scene that has values of its own in some fields.</summary>

@@ -38,7 +38,7 @@ internal sealed class AimRows : RowMaker
 
     protected override IEnumerable<ColumnSource> AnswerSources() =>
     [
-        new(Column.Word("status", "what became of the search", Statuses), (to, row, _) => to.Words[row] = (byte)Place(_found.HitsTarget ? AimStatus.Hit : _found.Status)),
+        new(Column.Word("status", "what became of the search", Statuses), (to, row, _) => to.Words[row] = (byte)Place(_found.Status)),
         new(Column.Vector("velocity", "m/s", "velocity of the best kick"), (to, row, _) => to.Set(row, _found.Velocity)),
         new(Column.Vector("spin", "rad/s", "spin of the best kick"), (to, row, _) => to.Set(row, _found.Spin)),
         new(Column.Real("miss", "m", "how far it passes from the target before its first impact"), (to, row, _) => to.Reals[row] = _found.Miss),
@@ -50,7 +50,7 @@ internal sealed class AimRows : RowMaker
     ];
 
     /// <summary>Place among the names.</summary>
-    public static int Place(AimStatus status) => Math.Min((int)status, Statuses.Length - 1);
+    public static int Place(AimStatus status) => status == AimStatus.TargetOnly ? (int)AimStatus.Hit : status > AimStatus.TargetOnly ? (int)status - 1 : (int)status;
 
     private sealed class CompiledScene(SweepScene scene)
     {

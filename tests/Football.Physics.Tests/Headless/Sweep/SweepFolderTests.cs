@@ -6,7 +6,6 @@ using System.Text;
 using System.Text.Json;
 using Football.Physics.Headless.Input;
 using Football.Physics.Headless.Sweep;
-using Football.Physics.Headless.Sweep.Formats;
 using Football.Physics.Headless.Sweep.Output;
 using Football.Physics.Headless.Sweep.Rows;
 using Football.Physics.Tests.Support;
