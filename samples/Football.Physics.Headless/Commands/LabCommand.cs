@@ -1,5 +1,7 @@
 using System.CommandLine;
 using Football.Physics.Headless.Lab;
+using Football.Physics.Headless.Lab.BankShots;
+using Football.Physics.Headless.Lab.Derivatives;
 using Football.Physics.Headless.Lab.Intercept;
 
 namespace Football.Physics.Headless.Commands;
@@ -22,5 +24,7 @@ internal static class LabCommand
         FuzzLab.Create(terminal),
         BallsLab.Create(terminal),
         InterceptLab.Create(terminal),
+        DerivativesLab.Create(terminal),
+        BankShotLab.Create(terminal),
     };
 }
