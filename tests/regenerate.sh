@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Writes anew what is generated from the code: the golden hashes, docs/api.md, what the programs in README.md and docs/ print, the
-# tables of README.md, and the errors of the reference cases.
+# tables of docs/accuracy-and-speed.md, and the errors of the reference cases.
 # Look at the differences before committing them.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 FOOTBALL_REGENERATE=1 dotnet test -c Release tests/Package.Tests
-FOOTBALL_REGENERATE=1 dotnet test -c Release tests/Football.Physics.Tests --filter "FullyQualifiedName~ReadmeTests|FullyQualifiedName~ReferenceBoundTests"
+FOOTBALL_REGENERATE=1 dotnet test -c Release tests/Football.Physics.Tests --filter "FullyQualifiedName~ReadmeTests|FullyQualifiedName~ReferenceBoundTests|FullyQualifiedName~ProfileTests"
+dotnet run -c Release --project samples/Football.Physics.Headless -- replay docs/free-kick.json -o out/free-kick.html --svg docs/free-kick.svg > /dev/null
 git --no-pager diff --stat -- tests/Golden tests/Football.Physics.Tests/Reference docs README.md

@@ -59,7 +59,7 @@ public static class MonoSteps
 
     private static Func<int> Flight(Integrator integrator, IReadOnlyList<Shot> shots)
     {
-        var simulator = new Simulator(Scene.Default, new SolverSettings { Integrator = integrator });
+        var simulator = new Simulator(Scene.Published, new SolverSettings { Integrator = integrator });
         BallState[] states = [.. shots.Select(shot => shot.From(ShotSets.HighUp)).Select(shot => simulator.Launch(shot.Position, shot.Velocity, shot.Spin))];
         var log = new StepLog();
         return () =>
@@ -80,7 +80,7 @@ public static class MonoSteps
 
     private static Func<int> LookAhead()
     {
-        var simulator = new Simulator(Scene.Default, new SolverSettings { Integrator = Integrator.Rk4 });
+        var simulator = new Simulator(Scene.Published, new SolverSettings { Integrator = Integrator.Rk4 });
         BallState[] states = [.. ShotSets.Mixed.Select(shot => simulator.Launch(shot.Position, shot.Velocity, shot.Spin))];
         var log = new StepLog();
         return () =>

@@ -30,18 +30,23 @@ internal sealed partial class ApiReference
     private void Write(Assembly assembly)
     {
         Type[] types = [.. assembly.GetExportedTypes().Where(type => type.Namespace!.StartsWith("Football", StringComparison.Ordinal)).OrderBy(Name, StringComparer.Ordinal)];
-        _page.Append("# API reference\n\nMade from the documentation in the code by `tests/regenerate.sh`; a test keeps it current.\n\n");
+        (string Title, Type[] Types)[] groups = [.. ApiGroups.Titles.Select(title => (title, types.Where(type => ApiGroups.Of(type) == title).ToArray())).Where(group => group.Item2.Length > 0)];
+        _page.Append("# API reference\n\nBy what one does with it. Made from the documentation in the code by `tests/regenerate.sh`; a test keeps it current.\n");
         var anchors = new Dictionary<string, int>();
-        foreach (Type type in types)
+        foreach ((string title, Type[] members) in groups)
         {
-            string anchor = Anchor(Name(type));
-            int before = anchors.GetValueOrDefault(anchor);
-            anchors[anchor] = before + 1;
-            anchor += before > 0 ? $"-{before}" : "";
-            _page.Append(CultureInfo.InvariantCulture, $"- [{Name(type)}](#{anchor}): {Text(Document(type)?.Element("summary"))}\n");
+            _page.Append(CultureInfo.InvariantCulture, $"\n**{title}**\n\n");
+            foreach (Type type in members)
+            {
+                string anchor = Anchor(Name(type));
+                int before = anchors.GetValueOrDefault(anchor);
+                anchors[anchor] = before + 1;
+                anchor += before > 0 ? $"-{before}" : "";
+                _page.Append(CultureInfo.InvariantCulture, $"- [{Name(type)}](#{anchor}): {Text(Document(type)?.Element("summary"))}\n");
+            }
         }
 
-        foreach (Type type in types)
+        foreach (Type type in groups.SelectMany(group => group.Types))
         {
             Write(type);
         }

@@ -10,7 +10,7 @@ public class FlightBenchmarks : IHasError
     private const int Operations = ShotSets.Count * ShotSets.Steps;
     private const double H = ShotSets.TimeStep;
     private readonly StepLog _log = new();
-    private Simulator _simulator = new();
+    private Simulator _simulator = new(Scene.Published);
     private BallState[] _shots = [];
     private PlainFlight _flight = PlainFlight.Create(PlainLawKind.Published, Integrator.Rk2);
     private PlainState[] _plainShots = [];

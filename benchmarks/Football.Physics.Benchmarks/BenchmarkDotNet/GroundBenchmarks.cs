@@ -12,7 +12,7 @@ public class GroundBenchmarks : IHasError
     private readonly StepLog _log = new();
     private readonly PlainFlight _flight = PlainFlight.Create(PlainLawKind.Published, Integrator.Rk2);
     private readonly PlainState[] _plainShots = Shots.Plain(Shots.HighUp(ShotSets.Fast));
-    private Simulator _simulator = new();
+    private Simulator _simulator = new(Scene.Published);
     private BallState[] _shots = [];
 
     [ParamsAllValues]

@@ -9,7 +9,7 @@ public class ImpactBenchmarks : IHasError
 {
     private readonly StepLog _log = new(2 * ShotSets.Count);
     private readonly Shot[] _thesisShots = [.. ShotSets.AboutToBounce];
-    private Simulator _simulator = new();
+    private Simulator _simulator = new(Scene.Published);
     private BallState[] _shots = [];
     private ThesisBall _thesis = new(Integrator.Rk2);
 
@@ -24,7 +24,7 @@ public class ImpactBenchmarks : IHasError
     [GlobalSetup]
     public void Setup()
     {
-        _simulator = new Simulator(null, Settings);
+        _simulator = new Simulator(Scene.Published, Settings);
         _shots = Shots.Launch(_simulator, ShotSets.AboutToBounce);
         _thesis = new ThesisBall(Integrator);
     }

@@ -10,7 +10,7 @@ public class LookAheadBenchmarks : IHasError
     private readonly StepLog _log = new();
     private readonly PlainFlight _flight = PlainFlight.Create(PlainLawKind.Published, Integrator.Rk2);
     private readonly PlainState[] _plainShots = Shots.Plain(Shots.HighUp(ShotSets.Fast));
-    private Simulator _simulator = new();
+    private Simulator _simulator = new(Scene.Published);
     private BallState[] _shots = [];
 
     [Params(Integrator.Rk2, Integrator.Rk4)]
@@ -23,7 +23,7 @@ public class LookAheadBenchmarks : IHasError
     [GlobalSetup]
     public void Setup()
     {
-        _simulator = new Simulator(null, new SolverSettings { Integrator = Integrator });
+        _simulator = new Simulator(Scene.Published, new SolverSettings { Integrator = Integrator });
         _shots = Shots.Launch(_simulator, ShotSets.Mixed);
     }
 

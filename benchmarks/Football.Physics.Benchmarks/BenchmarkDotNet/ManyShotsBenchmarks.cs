@@ -13,7 +13,7 @@ public class ManyShotsBenchmarks : IHasError
     private readonly BallState[] _scratch = new BallState[ShotSets.Count];
     private readonly PlainState[] _plainScratch = new PlainState[ShotSets.Count];
     private readonly PlainState[] _plainShots = Shots.Plain(Shots.HighUp(ShotSets.Mixed));
-    private Simulator _simulator = new();
+    private Simulator _simulator = new(Scene.Published);
     private BallState[] _shots = [];
     private PlainFlight _flight = PlainFlight.Create(PlainLawKind.Published, Integrator.Rk2);
 
@@ -23,7 +23,7 @@ public class ManyShotsBenchmarks : IHasError
     [GlobalSetup]
     public void Setup()
     {
-        _simulator = new Simulator(null, new SolverSettings { Integrator = Integrator });
+        _simulator = new Simulator(Scene.Published, new SolverSettings { Integrator = Integrator });
         _shots = Shots.Launch(_simulator, Shots.HighUp(ShotSets.Mixed));
         _flight = PlainFlight.Create(PlainLawKind.Published, Integrator);
     }

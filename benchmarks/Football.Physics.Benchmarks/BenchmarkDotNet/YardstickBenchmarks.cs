@@ -13,7 +13,7 @@ public class YardstickBenchmarks : IHasError
     private readonly StepLog _log = new();
     private readonly Shot[] _high = [.. Shots.HighUp(ShotSets.Fast)];
     private readonly RigidBodyEngine _engine = new();
-    private Simulator _simulator = new();
+    private Simulator _simulator = new(Scene.Published);
     private BallState[] _shots = [];
     private PlainFlight _flight = PlainFlight.Create(PlainLawKind.Published, Integrator.Rk2);
     private PlainState[] _plainShots = [];
@@ -27,7 +27,7 @@ public class YardstickBenchmarks : IHasError
     [GlobalSetup]
     public void Setup()
     {
-        _simulator = new Simulator(null, new SolverSettings { Integrator = Integrator });
+        _simulator = new Simulator(Scene.Published, new SolverSettings { Integrator = Integrator });
         _shots = Shots.Launch(_simulator, _high);
         _flight = PlainFlight.Create(PlainLawKind.Published, Integrator);
         _plainShots = Shots.Plain(_high);

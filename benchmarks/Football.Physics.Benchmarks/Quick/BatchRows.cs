@@ -16,8 +16,8 @@ internal static class BatchRows
             Flight(lanes, "RK4", Integrator.Rk4, PlainLawKind.Published, "mixed", ShotSets.Mixed, null),
             Flight(lanes, "RK4", Integrator.Rk4, PlainLawKind.Regularised, "mixed", ShotSets.Mixed, null),
             Flight(lanes, "RK4", Integrator.Rk4, PlainLawKind.Constant, "mixed", ShotSets.Mixed, null),
-            Aim(lanes, "", Scene.Default, 8),
-            Aim(lanes, ", wind", Scene.Windy(new Vector3d(4, 0, -3)), null),
+            Aim(lanes, "", Scene.Published, 8),
+            Aim(lanes, ", wind", Scene.Published with { Air = new Air { Wind = new Vector3d(4, 0, -3) } }, null),
         }),
         .. Environment.ProcessorCount > 1 ? new[] { TwoCores(Widths()[^1]) } : [],
     ];
@@ -53,11 +53,11 @@ internal static class BatchRows
     /// <summary>Both threads at work, by aim and core: a million aims take this many times half a million plain RK2 steps.</summary>
     private static TargetRow TwoCores(int lanes) => new(
         $"many aims, {lanes * 32}-bit, two cores, to 1 mm, by aim and core, in plain RK2 steps",
-        () => BatchWorkloads.AimOnTwoCores(Scene.Default, lanes),
+        () => BatchWorkloads.AimOnTwoCores(Scene.Published, lanes),
         () => Workloads.Plain(PlainLawKind.Published, Integrator.Rk2, ShotSets.Fast))
     {
         Target = 8,
-        Error = () => BatchWorkloads.Misses(Scene.Default).Mean,
-        Note = () => $"at most {Text.Length(BatchWorkloads.Misses(Scene.Default).Worst)}",
+        Error = () => BatchWorkloads.Misses(Scene.Published).Mean,
+        Note = () => $"at most {Text.Length(BatchWorkloads.Misses(Scene.Published).Worst)}",
     };
 }

@@ -18,23 +18,30 @@ internal sealed record PredictionRow(string Name, Func<Aimer> Aimer, Func<AimReq
     /// <summary>Whether every request must be out of reach.</summary>
     public bool OutOfReach { get; init; }
 
+    /// <summary>What is asked; by default the kick by the method, without its miss measured.</summary>
+    public Func<Aimer, AimRequest, AimResult>? Question { get; init; }
+
     /// <summary>What the thesis measured.</summary>
     public string Thesis { get; init; } = "–";
 
-    /// <summary>The requests, answered in order without measuring misses.</summary>
+    /// <summary>The answer with its miss measured.</summary>
+    public AimResult Answer(Aimer aimer, AimRequest request) => Question?.Invoke(aimer, request) ?? aimer.Find(request, Method);
+
+    /// <summary>The requests, answered in order.</summary>
     public Workload Subject()
     {
         Aimer aimer = Aimer();
         AimRequest[] requests = Requests();
-        return new Workload(() => Answer(aimer, requests, Method), requests.Length);
+        Func<Aimer, AimRequest, AimResult> ask = Question ?? ((one, request) => one.Find(request, Method, measure: false));
+        return new Workload(() => Answer(aimer, requests, ask), requests.Length);
     }
 
-    private static double Answer(Aimer aimer, AimRequest[] requests, AimMethod method)
+    private static double Answer(Aimer aimer, AimRequest[] requests, Func<Aimer, AimRequest, AimResult> ask)
     {
         double sum = 0;
         foreach (AimRequest request in requests)
         {
-            sum += aimer.Find(request, method, measure: false).Time;
+            sum += ask(aimer, request).Time;
         }
 
         return sum;

@@ -21,13 +21,25 @@ internal static class PredictionTable
         Thesis("Method B, RK2 10 ms", AimMethod.Bisection, 0.01, 280, "3.45 ms; 4.5 mm"),
         Thesis("Method B, RK2 40 ms", AimMethod.Bisection, 0.04, 80, "0.95 ms; 5 mm"),
         new("two-point, RK2 40 ms, both free kicks", () => Rk2(0.04), BothWalls, AimMethod.TwoPoint) { Target = 350, Thesis = "4.9 ms; 4.5–4.7 mm" },
-        new("direct, one target, the thesis' kicks", () => new Aimer(), () => AimSets.Thesis(Seed, Count), AimMethod.Direct) { Target = 22, Simulations = 2.5, Miss = 1e-3 },
-        new("direct, two points, both free kicks", () => new Aimer(), BothWalls, AimMethod.Direct) { Target = 60, Simulations = 4, Miss = 1e-3 },
-        new("direct, two points within the spins' limits", () => new Aimer(), () => AimSets.TwoPoint(Seed, Count), AimMethod.Direct)
+        new("direct, one target, the thesis' kicks", () => new Aimer(Scene.Published), () => AimSets.Thesis(Seed, Count), AimMethod.Direct) { Target = 22, Simulations = 2.5, Miss = 1e-3 },
+        new("direct, two points, both free kicks", () => new Aimer(Scene.Published), BothWalls, AimMethod.Direct) { Target = 60, Simulations = 4, Miss = 1e-3 },
+        new("direct, two points within the spins' limits", () => new Aimer(Scene.Published), () => AimSets.TwoPoint(Seed, Count), AimMethod.Direct)
         {
             Target = 60, Simulations = 4, Miss = 1e-3, ThroughMiss = 1e-2,
         },
-        new("direct, verdict \"out of reach\"", () => new Aimer(), () => AimSets.TooFar(Seed, Count), AimMethod.Direct) { Target = 90, OutOfReach = true },
+        new("direct, one target, the thesis' kicks, miss measured", () => new Aimer(Scene.Published), () => AimSets.Thesis(Seed, Count), AimMethod.Direct)
+        {
+            Target = 66, Miss = 1e-3, Question = (aimer, request) => aimer.Find(request),
+        },
+        new("FindSlowest, the thesis' kicks", () => new Aimer(Scene.Published), () => AimSets.Thesis(Seed, Count), AimMethod.Direct)
+        {
+            Miss = 1e-3, Question = (aimer, request) => aimer.FindSlowest(request),
+        },
+        new("FindAtTime, the thesis' kicks at 1.3 times their time", () => new Aimer(Scene.Published), () => AimSets.Thesis(Seed, Count), AimMethod.Direct)
+        {
+            Miss = 1e-3, Question = (aimer, request) => aimer.FindAtTime(request, 1.3 * (request.Target - request.From).Length / 22),
+        },
+        new("direct, verdict \"out of reach\"", () => new Aimer(Scene.Published), () => AimSets.TooFar(Seed, Count), AimMethod.Direct) { Target = 90, OutOfReach = true },
     ];
 
     /// <summary>Times and measures all rows.</summary>
@@ -53,7 +65,7 @@ internal static class PredictionTable
     {
         Aimer aimer = row.Aimer();
         AimRequest[] requests = row.Requests();
-        AimResult[] results = [.. requests.Select(request => aimer.Find(request, row.Method))];
+        AimResult[] results = [.. requests.Select(request => row.Answer(aimer, request))];
         double[] misses = [.. results.Select(result => result.Miss).Order()];
         double simulations = results.Average(result => (double)result.Simulations);
         double? through = results.Max(result => result.ThroughMiss);
@@ -75,7 +87,7 @@ internal static class PredictionTable
         row.ThroughMiss is { } through ? FormattableString.Invariant($"≤ {1e3 * through} mm at the point") : "",
     }.Where(part => part.Length > 0));
 
-    private static Aimer Rk2(double timeStep) => new(Scene.Default, new SolverSettings { Integrator = Integrator.Rk2 }, timeStep);
+    private static Aimer Rk2(double timeStep) => new(Scene.Published, new SolverSettings { Integrator = Integrator.Rk2 }, timeStep);
 
     private static AimRequest[] BothWalls() => [.. AimSets.AroundTheWall(41), .. AimSets.OverTheWall(41)];
 

@@ -61,7 +61,8 @@ internal static class QuickCommand
         IReadOnlyList<TargetRow> targets = [.. TargetTable.Rows.Where(row => Wanted(row.Name, only))];
         IReadOnlyList<FreeRow> free = [.. FreeTable.Rows.Where(row => Wanted(row.Name, only))];
         IReadOnlyList<PredictionRow> predictions = [.. PredictionTable.Rows.Where(row => Wanted("Prediction: " + row.Name, only))];
-        double share = seconds / Math.Max(1, targets.Count + free.Count + predictions.Count);
+        IReadOnlyList<WorldRow> world = [.. WorldTable.Rows.Where(row => Wanted("World: " + row.Name, only))];
+        double share = seconds / Math.Max(1, targets.Count + free.Count + world.Count + predictions.Count);
         if (targets.Count > 0)
         {
             Targets(text, targets, share);
@@ -72,14 +73,29 @@ internal static class QuickCommand
             Free(text, free, share);
         }
 
+        if (world.Count > 0)
+        {
+            WorldTable.Print(line => Print(text, line), world, share);
+        }
+
         if (predictions.Count > 0)
         {
             PredictionTable.Print(line => Print(text, line), predictions, share);
         }
 
-        if (Wanted(MonoTable.Name, only))
+        if (Wanted(FirstUseTable.Name, only))
         {
-            MonoTable.Print(line => Print(text, line), share);
+            FirstUseTable.Print(line => Print(text, line));
+        }
+
+        if (Wanted(ScriptTable.MonoName, only))
+        {
+            ScriptTable.Mono(line => Print(text, line), share);
+        }
+
+        if (Wanted(ScriptTable.AheadOfTimeName, only))
+        {
+            ScriptTable.AheadOfTime(line => Print(text, line));
         }
 
         return text.ToString();
@@ -142,6 +158,12 @@ internal static class QuickCommand
         if (table == "free")
         {
             Stopwatching.WarmUp([FreeTable.Rows[index].Subject()]);
+            return 0;
+        }
+
+        if (table == "first")
+        {
+            Console.Write(FirstUseTable.Measure(warm: index == 1));
             return 0;
         }
 

@@ -56,12 +56,13 @@ internal static class TargetTable
         },
         .. BatchRows.All,
         .. QueryRows.All,
+        .. MeasuredRows.All,
     ];
 
     private static Workload PlainRk2() => Workloads.Plain(PlainLawKind.Published, Integrator.Rk2, Fast);
 
     private static TargetRow Flight(string name, Integrator integrator, string set, IReadOnlyList<Shot> shots, double target, string thesis) =>
-        new($"flight step, {set}: {name}", () => Workloads.Flight(Scene.Default, integrator, shots), () => Workloads.Plain(PlainLawKind.Published, integrator, shots))
+        new($"flight step, {set}: {name}", () => Workloads.Flight(Scene.Published, integrator, shots), () => Workloads.Plain(PlainLawKind.Published, integrator, shots))
         {
             Target = target,
             Thesis = thesis,
@@ -77,7 +78,7 @@ internal static class TargetTable
     private static TargetRow Independent(string name, Integrator integrator) =>
         new(
             $"independent flight steps, fast: {name}",
-            () => Workloads.Independent(Scene.Default, integrator, Fast),
+            () => Workloads.Independent(Scene.Published, integrator, Fast),
             () => Workloads.PlainIndependent(PlainLawKind.Published, integrator, Fast));
 
     private static TargetRow Regularised(string name, Integrator integrator) =>
@@ -93,7 +94,7 @@ internal static class TargetTable
         new(
             $"regularised law, of the published law, {name}",
             () => Workloads.Flight(PlainFlight.SceneOf(PlainLawKind.Regularised), integrator, shots),
-            () => Workloads.Flight(Scene.Default, integrator, shots))
+            () => Workloads.Flight(Scene.Published, integrator, shots))
         {
             Target = 1.3,
         };

@@ -43,7 +43,7 @@ internal static class Workloads
 
     public static Workload Stopped(Integrator integrator)
     {
-        Simulator simulator = Compile(Scene.Default, integrator);
+        Simulator simulator = Compile(Scene.Published, integrator);
         BallState[] states = Shots.Stopped(simulator);
         var log = new StepLog();
         return OfParts(part => Batches.Chain(simulator, states.AsSpan(part, Part), Steps, H, log), Part * Steps);
@@ -52,7 +52,7 @@ internal static class Workloads
     /// <summary>Steps with one impact inside each.</summary>
     public static Workload Impacts(Integrator integrator)
     {
-        Simulator simulator = Compile(Scene.Default, integrator);
+        Simulator simulator = Compile(Scene.Published, integrator);
         BallState[] states = Shots.Launch(simulator, ShotSets.AboutToBounce);
         var log = new StepLog(2 * states.Length);
         return OfParts(part => Batches.OneStepEach(simulator, states.AsSpan(part, Part), H, log), Part);
@@ -61,7 +61,7 @@ internal static class Workloads
     /// <summary>Look-aheads of three seconds from the ground, bounces and all.</summary>
     public static Workload LookAhead(Integrator integrator, double h)
     {
-        Simulator simulator = Compile(Scene.Default, integrator);
+        Simulator simulator = Compile(Scene.Published, integrator);
         BallState[] states = Shots.Launch(simulator, ShotSets.Mixed);
         var log = new StepLog();
         return OfParts(part => Batches.LookAhead(simulator, states.AsSpan(part, Part), h, ShotSets.LookAhead, log), Part);

@@ -24,6 +24,36 @@ internal static class Batches
         return sum;
     }
 
+    /// <summary>The same among bodies that are put where they go before every step.</summary>
+    public static double ChainAmong(Simulator simulator, Bodies bodies, ReadOnlySpan<BallState> shots, int steps, double h, StepLog log)
+    {
+        double sum = 0;
+        foreach (BallState shot in shots)
+        {
+            BallState s = shot;
+            for (int k = 0; k < bodies.Count; k++)
+            {
+                Body body = bodies[k];
+                body.MoveTo(StadiumScenes.Place(k), body.Velocity, 0);
+            }
+
+            for (int i = 0; i < steps; i++)
+            {
+                for (int k = 0; k < bodies.Count; k++)
+                {
+                    Body body = bodies[k];
+                    body.MoveTo(body.Position + ((s.Time - body.Time) * body.Velocity), body.Velocity, s.Time);
+                }
+
+                simulator.Step(ref s, h, log);
+            }
+
+            sum += s.Position.X;
+        }
+
+        return sum;
+    }
+
     /// <summary>The same, reading the orientation after every step as a game does that draws the ball.</summary>
     public static double ChainWithOrientation(Simulator simulator, ReadOnlySpan<BallState> shots, int steps, double h, StepLog log)
     {

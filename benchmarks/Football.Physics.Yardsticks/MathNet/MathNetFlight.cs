@@ -13,7 +13,7 @@ public sealed class MathNetFlight
 
     public MathNetFlight(Integrator integrator, Scene? scene = null)
     {
-        scene ??= Scene.Default;
+        scene ??= Scene.Published;
         _law = new PlainFitted(scene, scene.Forces.Coefficients == CoefficientForm.Regularised);
         _wind = scene.Air.Wind;
         _fourthOrder = integrator switch

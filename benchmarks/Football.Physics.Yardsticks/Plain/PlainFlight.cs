@@ -19,9 +19,9 @@ public abstract class PlainFlight
     /// <summary>The library's scene with the same law.</summary>
     public static Scene SceneOf(PlainLawKind law) => law switch
     {
-        PlainLawKind.Published => Scene.Default,
-        PlainLawKind.Regularised => new Scene { Forces = ForceSet.Regularised },
-        PlainLawKind.Constant => new Scene { Forces = ForceSet.Constant },
+        PlainLawKind.Published => Scene.Published,
+        PlainLawKind.Regularised => Scene.Published with { Forces = ForceSet.Regularised },
+        PlainLawKind.Constant => Scene.Published with { Forces = ForceSet.Constant },
         _ => Scene.Vacuum,
     };
 

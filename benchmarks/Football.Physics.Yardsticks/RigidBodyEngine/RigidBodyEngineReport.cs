@@ -79,7 +79,7 @@ public sealed record RigidBodyEngineReport(
 
     private static double TrueCurlOf(Vector3d velocity, Vector3d spin)
     {
-        var simulator = new Simulator();
+        var simulator = new Simulator(Scene.Published);
         BallState s = simulator.Launch(new Vector3d(0, ShotSets.HighUp, 0), velocity, spin);
         simulator.Run(ref s, ShotSets.TimeStep, 1.0, StopAt.Time, new StepLog());
         return s.Position.X;
@@ -99,7 +99,7 @@ public sealed record RigidBodyEngineReport(
 
     private static double TrueRollOf(double speed)
     {
-        var simulator = new Simulator();
+        var simulator = new Simulator(Scene.Published);
         BallState s = simulator.Launch(new Vector3d(0, Radius, 0), new Vector3d(speed, 0, 0), new Vector3d(0, 0, -speed / Radius));
         simulator.Run(ref s, ShotSets.TimeStep, 60, StopAt.Rest, new StepLog());
         return s.Position.X;

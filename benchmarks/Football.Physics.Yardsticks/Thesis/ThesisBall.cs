@@ -19,7 +19,7 @@ public sealed class ThesisBall
     /// <param name="tolerance">ε of the search for the impact, s; 0 for the thesis' example of an eighth of the step.</param>
     public ThesisBall(Integrator method, Scene? scene = null, float tolerance = 1e-6f)
     {
-        _scene = scene ?? Scene.Default;
+        _scene = scene ?? Scene.Published;
         _method = method;
         _integrators = new ThesisIntegrators(new ThesisForces(_scene));
         _radius = (float)_scene.Ball.Radius;

@@ -57,6 +57,7 @@ internal static class CommandLineEntry
             AimCommand.Create(terminal),
             InterceptCommand.Create(terminal),
             SweepCommand.Create(terminal),
+            ReplayCommand.Create(terminal),
             GalleryCommand.Create(terminal),
             lab,
             help,

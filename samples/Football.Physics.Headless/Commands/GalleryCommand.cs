@@ -1,6 +1,7 @@
 using System.CommandLine;
 using Football.Physics.Headless.Gallery;
 using Football.Physics.Headless.Input;
+using Football.Physics.Headless.Replay;
 using Football.Physics.Headless.Simulate;
 
 namespace Football.Physics.Headless.Commands;
@@ -34,7 +35,7 @@ internal static class GalleryCommand
     {
         string full = Create(folder);
         IReadOnlyList<GalleryShot> shots = GalleryShots.All;
-        string[] names = [.. shots.Select(shot => shot.Id + ".svg"), "index.html"];
+        string[] names = [.. shots.Select(shot => shot.Id + ".svg"), ContactSheet.Moving, "index.html"];
         OutputFile[] files = [.. names.Select(name => OutputFile.Open("--out", Path.Combine(full, name))!)];
         ShownShot[] shown = Progress.Show(terminal, "shots", progress => shots.Select((shot, i) =>
         {
@@ -43,6 +44,7 @@ internal static class GalleryCommand
             files[i].Write(made.Drawing);
             return made;
         }).ToArray());
+        files[^2].Write(ReplayPage.Html("Football.Physics: gallery", [.. shown.Select(made => made.Moving)]));
         files[^1].Write(ContactSheet.Html(shown));
         foreach (OutputFile file in files)
         {

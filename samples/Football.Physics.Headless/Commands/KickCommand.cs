@@ -71,12 +71,9 @@ internal static class KickCommand
             terminal.Output.Write(ResultWriter.Result(null, shot.Samples ? flight.Outcome : flight.Outcome with { Samples = null }).Span);
         }
 
-        svg?.Write(ShotDrawing.Draw(new GalleryShot { Id = "kick", Name = Title(kick), About = "", Scenario = shot }, flight, null));
+        svg?.Write(ShotDrawing.Draw(new GalleryShot { Id = "kick", Name = kick.Text, About = "", Scenario = shot }, flight, null));
         return ExitCode.Done;
     }
-
-    private static string Title(KickNumbers kick) => FormattableString.Invariant(
-        $"{kick.Speed} m/s, {kick.Elevation}° up, {kick.Azimuth}° to the left, topspin {kick.TopSpin}, sidespin {kick.SideSpin} rad/s");
 
     private static double[] Parts(Vector3d v) => [v.X, v.Y, v.Z];
 }

@@ -15,8 +15,10 @@ internal sealed class ArrowItem(double x, double y, string caption) : ChartItem
     public override IEnumerable<XElement> Draw(PlotFrame frame)
     {
         yield return Arrow(26, 26, Reach);
-        yield return Svg.Text(48, 30, caption, size: 10, colour: Colour);
+        yield return Svg.Text(48, 30, caption, size: 11, colour: Colour);
     }
+
+    public override IEnumerable<(double X, double Y)> Ink(PlotFrame frame) => Dense.Line([(10, 26), (48 + Svg.WidthOf(caption), 26)]);
 
     public override XElement LegendKey(double x, double y) => Arrow(x, y, Reach / 2);
 

@@ -11,6 +11,9 @@ internal sealed class Chart(Axis x, Axis y)
     private const double Bottom = 40;
     private const double Row = 16;
 
+    /// <summary>With another chart that has its axis along in common: ends of that axis, and what a pixel is worth.</summary>
+    private (double Min, double Max, double Unit)? _shared;
+
     public string Title { get; init; } = "";
 
     /// <summary>Width of the whole, in pixels.</summary>
@@ -25,27 +28,47 @@ internal sealed class Chart(Axis x, Axis y)
     /// <summary>Whether a unit is as long along one axis as along the other. The axes are then made longer, never the data distorted.</summary>
     public bool EqualScales { get; init; }
 
-    public string Background { get; init; } = "#ffffff";
+    public string Background { get; init; } = Palette.Paper;
 
     /// <summary>What to draw, the first at the back.</summary>
     public List<ChartItem> Items { get; } = [];
+
+    /// <summary>Makes charts of equal scales alike: the same axis along, and a unit as long in one as in the other.</summary>
+    public static void SameScale(params IReadOnlyList<Chart> charts)
+    {
+        Bounds[] data = [.. charts.Select(chart => chart.Data)];
+        double min = data.Min(bounds => bounds.MinX);
+        double max = data.Max(bounds => bounds.MaxX);
+        foreach (Chart chart in charts)
+        {
+            chart._shared = (min, max, 0);
+        }
+
+        double unit = charts.Max(chart => chart.Unit);
+        foreach (Chart chart in charts)
+        {
+            chart._shared = (min, max, unit);
+        }
+    }
 
     /// <summary>The chart as an SVG element.</summary>
     public XElement Draw()
     {
         PlotFrame frame = Fit();
-        List<XElement> legend = Legend(out double legendHeight);
+        string[] title = [.. Svg.Lines(Title, Width - Left - Right, 13)];
+        List<XElement> legend = Legend(frame, title, out double legendHeight);
         double top = Top + legendHeight;
         XElement inside = Svg.Element(
             "svg",
             [("x", Left), ("y", top), ("width", frame.Width), ("height", frame.Height), ("overflow", "hidden")],
             Svg.Element("rect", [("width", frame.Width), ("height", frame.Height), ("fill", Background)]),
             Grid(frame),
-            Items.SelectMany(item => item.Draw(frame)));
+            Items.SelectMany(item => item.Draw(frame)),
+            Labels(frame));
         return Svg.Root(
             Width,
             top + frame.Height + Bottom,
-            Svg.Text(Left, 16, Title, size: 13, bold: true),
+            title.Select((line, i) => Svg.Text(Left, 16 + (i * Row), line, size: 13, bold: true)),
             legend,
             inside,
             Svg.Element("rect", [("x", Left), ("y", top), ("width", frame.Width), ("height", frame.Height), ("fill", "none"), ("stroke", Palette.Frame)]),
@@ -54,7 +77,7 @@ internal sealed class Chart(Axis x, Axis y)
             Svg.Element("g", [("transform", $"translate(14 {Svg.Number(top + (frame.Height / 2))}) rotate(-90)")], Svg.Text(0, 0, y.Title, "middle")));
     }
 
-    private static double AboutX(PlotFrame frame) => frame.Width / 70;
+    private static double AboutX(PlotFrame frame) => frame.Width / 64;
 
     private static double AboutY(PlotFrame frame) => Math.Max(3, frame.Height / 38);
 
@@ -78,33 +101,61 @@ internal sealed class Chart(Axis x, Axis y)
         {
             double at = Left + frame.X(tick);
             yield return Svg.Line(at, bottom, at, bottom + 4, Palette.Frame);
-            yield return Svg.Text(at, bottom + 16, Ticks.Label(tick), "middle", 10);
+            yield return Svg.Text(at, bottom + 16, Ticks.Label(tick), "middle", 11);
         }
 
         foreach (double tick in frame.YAxis.Ticks(AboutY(frame)))
         {
             double at = top + frame.Y(tick);
             yield return Svg.Line(Left - 4, at, Left, at, Palette.Frame);
-            yield return Svg.Text(Left - 7, at + 3.5, Ticks.Label(tick), "end", 10);
+            yield return Svg.Text(Left - 7, at + 3.5, Ticks.Label(tick), "end", 11);
         }
+    }
+
+    private Bounds Data => Items.Aggregate(Bounds.Empty, static (bounds, item) => bounds.With(item.Bounds));
+
+    private double PlotWidth => Width - Left - Right;
+
+    /// <summary>What a pixel is worth with equal scales.</summary>
+    private double Unit
+    {
+        get
+        {
+            (PlotAxis fitX, PlotAxis fitY) = Axes();
+            double rangeY = fitY.Max - fitY.Min;
+            double own = Math.Max((fitX.Max - fitX.Min) / PlotWidth, rangeY / MaximumPlotHeight);
+            return Math.Max(own, _shared?.Unit ?? 0);
+        }
+    }
+
+    private (PlotAxis X, PlotAxis Y) Axes()
+    {
+        Bounds data = Data;
+        return (PlotAxis.Fit(x, _shared?.Min ?? data.MinX, _shared?.Max ?? data.MaxX), PlotAxis.Fit(y, data.MinY, data.MaxY));
     }
 
     private PlotFrame Fit()
     {
-        Bounds data = Items.Aggregate(Bounds.Empty, static (bounds, item) => bounds.With(item.Bounds));
-        var fitX = PlotAxis.Fit(x, data.MinX, data.MaxX);
-        var fitY = PlotAxis.Fit(y, data.MinY, data.MaxY);
-        double width = Width - Left - Right;
+        (PlotAxis fitX, PlotAxis fitY) = Axes();
         if (!EqualScales)
         {
-            return new PlotFrame(fitX, fitY, width, PlotHeight);
+            return new PlotFrame(fitX, fitY, PlotWidth, PlotHeight);
         }
 
-        double rangeX = fitX.Max - fitX.Min;
-        double rangeY = fitY.Max - fitY.Min;
-        double height = Math.Clamp(width * rangeY / rangeX, PlotHeight, MaximumPlotHeight);
-        double unit = Math.Max(rangeX / width, rangeY / height);
-        return new PlotFrame(Widen(fitX, unit * width), Widen(fitY, unit * height), width, height);
+        double unit = Unit;
+        double height = Math.Clamp((fitY.Max - fitY.Min) / unit, PlotHeight, MaximumPlotHeight);
+        return new PlotFrame(Widen(fitX, unit * PlotWidth), Widen(fitY, unit * height), PlotWidth, height);
+    }
+
+    private List<XElement> Labels(PlotFrame frame)
+    {
+        var layout = new LabelLayout(frame.Width, frame.Height);
+        foreach (ChartItem item in Items)
+        {
+            layout.Draw(item.Ink(frame));
+        }
+
+        return [.. Items.SelectMany(item => item.Labels(frame)).Select(layout.Place)];
     }
 
     /// <summary>Makes an axis longer; an end that was asked for stays where it is.</summary>
@@ -116,18 +167,18 @@ internal sealed class Chart(Axis x, Axis y)
     }
 
     /// <summary>Entries from the right end of the title's row to the left of it, in further rows where they need them.</summary>
-    private List<XElement> Legend(out double height)
+    private List<XElement> Legend(PlotFrame frame, string[] title, out double height)
     {
-        List<ChartItem> entries = [.. Items.Where(item => item.Label is not null).DistinctBy(item => item.Label)];
+        List<ChartItem> entries = [.. Items.Where(item => item.Label is not null && item.IsSeen(frame)).DistinctBy(item => item.Label)];
         var drawn = new List<XElement>();
-        double begin = Left + Svg.WidthOf(Title, 13) + 24;
-        double total = entries.Sum(entry => 30 + Svg.WidthOf(entry.Label!, 10));
+        double begin = Left + Svg.WidthOf(title[^1], 13) + 24;
+        double total = entries.Sum(entry => 30 + Svg.WidthOf(entry.Label!, 11));
         bool besideTitle = begin + total <= Width - Right;
         double at = besideTitle ? Width - Right - total : Left;
-        double row = besideTitle ? 0 : 1;
+        double row = title.Length - (besideTitle ? 1 : 0);
         foreach (ChartItem entry in entries)
         {
-            double width = 30 + Svg.WidthOf(entry.Label!, 10);
+            double width = 30 + Svg.WidthOf(entry.Label!, 11);
             if (at + width > Width - Right + 1)
             {
                 at = Left;
@@ -136,7 +187,7 @@ internal sealed class Chart(Axis x, Axis y)
 
             double middle = 12 + (row * Row);
             drawn.Add(entry.LegendKey(at + 8, middle));
-            drawn.Add(Svg.Text(at + 20, middle + 3.5, entry.Label!, size: 10));
+            drawn.Add(Svg.Text(at + 20, middle + 3.5, entry.Label!, size: 11));
             at += width;
         }
 

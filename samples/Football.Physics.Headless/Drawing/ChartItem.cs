@@ -17,4 +17,17 @@ internal abstract class ChartItem
 
     /// <summary>Its sample in the legend, 16 wide around the given middle.</summary>
     public abstract XElement LegendKey(double x, double y);
+
+    /// <summary>Places of the page, in pixels, that a label must not cover; in a chart that shows nothing of it there are none.</summary>
+    public virtual IEnumerable<(double X, double Y)> Ink(PlotFrame frame) => [];
+
+    /// <summary>Words that belong to it.</summary>
+    public virtual IEnumerable<ChartLabel> Labels(PlotFrame frame) => [];
+
+    /// <summary>Whether anything of it is to be seen; what is not has no place in a legend.</summary>
+    public virtual bool IsSeen(PlotFrame frame) => true;
+
+    /// <summary>Whether a place is inside the plot.</summary>
+    protected static bool IsInside(PlotFrame frame, (double X, double Y) place) =>
+        place.X >= 0 && place.X <= frame.Width && place.Y >= 0 && place.Y <= frame.Height;
 }

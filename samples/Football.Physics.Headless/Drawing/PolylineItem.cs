@@ -42,4 +42,14 @@ internal sealed class PolylineItem(IReadOnlyList<PlotPoint> points) : ChartItem
     }
 
     public override XElement LegendKey(double x, double y) => Svg.Line(x - 8, y, x + 8, y, Colour, Width, Dash);
+
+    public override IEnumerable<(double X, double Y)> Ink(PlotFrame frame) =>
+        Dense.Line([.. points.Where(frame.Shows).Select(point => (frame.X(point.X), frame.Y(point.Y)))]);
+
+    /// <summary>A line of less than two pixels is none.</summary>
+    public override bool IsSeen(PlotFrame frame)
+    {
+        (double X, double Y)[] inside = [.. Ink(frame).Where(place => IsInside(frame, place))];
+        return inside.Length > 1 && Math.Max(inside.Max(place => place.X) - inside.Min(place => place.X), inside.Max(place => place.Y) - inside.Min(place => place.Y)) >= 2;
+    }
 }

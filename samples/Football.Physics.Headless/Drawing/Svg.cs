@@ -24,7 +24,24 @@ internal static class Svg
         return element;
     }
 
-    /// <summary>The outermost element of a drawing.</summary>
+    /// <summary>
+    /// What turns a drawing dark where that is preferred: each colour by its own name, so that programs that know no style sheets show the light one.
+    /// </summary>
+    public static string DarkStyle { get; } = StyleOf(Palette.Dark);
+
+    /// <summary>A drawing that stands for itself: with a title for those who do not see it, and dark where that is preferred.</summary>
+    public static XElement Standing(string title, XElement drawing) => Standing(title, drawing, Palette.Dark);
+
+    /// <summary>The same with dark colours of its own.</summary>
+    public static XElement Standing(string title, XElement drawing, IEnumerable<(string Light, string Dark)> dark)
+    {
+        drawing.SetAttributeValue("role", "img");
+        drawing.SetAttributeValue("aria-label", title);
+        drawing.AddFirst(Element("title", [], title), Element("style", [], StyleOf(dark)));
+        return drawing;
+    }
+
+    /// <summary>The outermost element of a drawing, or of a part of one.</summary>
     public static XElement Root(double width, double height, params object?[] content) => Element(
         "svg",
         [
@@ -44,5 +61,27 @@ internal static class Svg
     /// <summary>About how wide a text is.</summary>
     public static double WidthOf(string text, double size = 11) => text.Length * size * LetterWidth;
 
+    /// <summary>A text in lines that are not wider than a width; at least one.</summary>
+    public static IEnumerable<string> Lines(string text, double width, double size)
+    {
+        string line = "";
+        foreach (string word in text.Split(' '))
+        {
+            string longer = line.Length > 0 ? $"{line} {word}" : word;
+            if (line.Length > 0 && WidthOf(longer, size) > width)
+            {
+                yield return line;
+                longer = word;
+            }
+
+            line = longer;
+        }
+
+        yield return line;
+    }
+
     public static string Number(double value) => Math.Round(value, 2).ToString(CultureInfo.InvariantCulture);
+
+    private static string StyleOf(IEnumerable<(string Light, string Dark)> colours) => "@media (prefers-color-scheme: dark) { "
+        + string.Concat(colours.Select(pair => $"[fill=\"{pair.Light}\"] {{ fill: {pair.Dark} }} [stroke=\"{pair.Light}\"] {{ stroke: {pair.Dark} }} ")) + "}";
 }

@@ -26,11 +26,15 @@ internal sealed class Flight
     {
         get
         {
-            BallEvent? first = Events.Count > 0 && Outcome.Bounces > 0 ? Events[0] : null;
+            BallEvent? first = FirstTouchdown(Outcome);
             IEnumerable<Vector3d> before = Outcome.Samples!.TakeWhile(sample => first is null || sample.Time < first.Value.Time).Select(sample => sample.Position);
             return first is null ? before : before.Append(first.Value.Position);
         }
     }
+
+    /// <summary>The first impact with the ground; null where there is none.</summary>
+    public static BallEvent? FirstTouchdown(Outcome outcome) =>
+        outcome.Events.Where(item => item.Kind == BallEventKind.Impact && item.Thing == 0).Cast<BallEvent?>().FirstOrDefault();
 
     /// <summary>The legs of a shot whose path was kept.</summary>
     public static IEnumerable<(MotionState Motion, IReadOnlyList<Vector3d> Points)> LegsOf(Outcome outcome)
@@ -48,13 +52,7 @@ internal sealed class Flight
             }
 
             points.Add(item.Position);
-            MotionState after = item.Kind switch
-            {
-                BallEventKind.Impact => MotionState.Airborne,
-                BallEventKind.Slide => MotionState.Sliding,
-                BallEventKind.Roll => MotionState.Rolling,
-                _ => MotionState.Stopped,
-            };
+            MotionState after = MotionAfter.Of(item.Kind, motion);
             if (after != motion)
             {
                 yield return (motion, points);

@@ -26,9 +26,10 @@ internal static class FoundKick
             MaximumTopSpin = 60,
             MaximumSideSpin = 60,
         };
-        AimResult found = new Aimer().Find(request);
+        AimResult found = new Aimer(Scene.Measured).Find(request);
         var kick = new Scenario
         {
+            Scene = Scene.Measured with { Obstacles = [Furniture.Wall(Wall, 0.4, 3.4, 1.9)], Goals = [Furniture.Goal(Goal)] },
             Position = request.From,
             Velocity = found.Velocity,
             Spin = found.Spin,
@@ -45,10 +46,8 @@ internal static class FoundKick
             Scenario = kick,
             Comparison = kick with { Spin = Vector3d.Zero },
             ComparisonName = "without spin",
-            Landmarks = [Landmark.PenaltyArea(Goal), new("wall", Wall - 0.2, Wall + 0.2, 0.4, 3.4, 1.9), Landmark.Goal(Goal)],
             Points = [Through, Target],
-            GoalLine = Goal,
-            DrawnTo = 32,
+            DrawnTo = 30,
         };
     }
 }

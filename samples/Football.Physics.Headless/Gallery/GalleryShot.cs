@@ -1,3 +1,4 @@
+using Football.Physics.Headless.Replay;
 using Football.Physics.Headless.Simulate;
 
 namespace Football.Physics.Headless.Gallery;
@@ -15,20 +16,35 @@ internal sealed record GalleryShot
 
     public required Scenario Scenario { get; init; }
 
+    /// <summary>The scene in C#, without goals and walls, which a shot does not need to be kicked; empty for the default.</summary>
+    public string SceneCode { get; init; } = "";
+
+    /// <summary>The shot in C#.</summary>
+    public string Code
+    {
+        get
+        {
+            Vector3d from = Scenario.Position;
+            string place = from.Y > Scenario.Scene.Ball.Radius || from.Horizontal.Length > 0 ? FormattableString.Invariant($"ball.Place(new Vector3d({from.X:0.##}, {from.Y:0.##}, {from.Z:0.##}));\n") : "";
+            return $"var ball = new Ball({SceneCode});\n{place}{KickNumbers.Of(Scenario).Code}";
+        }
+    }
+
+    /// <summary>The command that kicks so, from the ground, over the default scene of the library.</summary>
+    public string Command => KickNumbers.Of(Scenario).Command + " --set profile=measured";
+
     /// <summary>The same with something changed, drawn beside it; null for none.</summary>
     public Scenario? Comparison { get; init; }
 
     /// <summary>What was changed.</summary>
     public string ComparisonName { get; init; } = "";
 
-    public IReadOnlyList<Landmark> Landmarks { get; init; } = [];
+    /// <summary>Lines on the ground, beside those of the scene's goals.</summary>
+    public IReadOnlyList<SceneShape> Markings { get; init; } = [];
 
     /// <summary>Points that the ball was aimed at, marked in the drawings.</summary>
     public IReadOnlyList<Vector3d> Points { get; init; } = [];
 
     /// <summary>Where the drawings end, along the view, m; null draws all of the way.</summary>
     public double? DrawnTo { get; init; }
-
-    /// <summary>Along the view to a vertical plane where the ball is looked at, m; null for none.</summary>
-    public double? GoalLine { get; init; }
 }

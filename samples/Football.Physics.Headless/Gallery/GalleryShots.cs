@@ -15,7 +15,10 @@ internal static class GalleryShots
 
     private static GalleryShot FreeKick()
     {
-        Scenario kick = Kick(25.5, left: -16, up: 19, top: 12, side: 60);
+        Scenario kick = Kick(25.5, left: -16, up: 19, top: 12, side: 60) with
+        {
+            Scene = new Scene { Obstacles = [Furniture.Wall(9.35, -3.1, 0.1, 1.85)], Goals = [Furniture.Goal(22)] },
+        };
         return new GalleryShot
         {
             Id = "free-kick",
@@ -24,16 +27,17 @@ internal static class GalleryShots
             Scenario = kick,
             Comparison = kick with { Spin = Vector3d.Zero },
             ComparisonName = "without spin",
-            Landmarks = [Landmark.PenaltyArea(22), new("wall", 9.15, 9.55, -3.1, 0.1, 1.85), Landmark.Goal(22)],
-            GoalLine = 22,
-            DrawnTo = 32,
+            DrawnTo = 30,
         };
     }
 
     private static GalleryShot Corner()
     {
         // Looking along the goal line from the corner to the right of the goal; the pitch is on the left.
-        Scenario kick = Kick(25, left: 19, up: 25, top: -10, side: -52);
+        Scenario kick = Kick(25, left: 19, up: 25, top: -10, side: -52) with
+        {
+            Scene = new Scene { Goals = [new Goal { Center = new Vector3d(0, 0, -34), Facing = new Vector3d(-1, 0, 0) }] },
+        };
         return new GalleryShot
         {
             Id = "corner",
@@ -42,11 +46,6 @@ internal static class GalleryShots
             Scenario = kick,
             Comparison = kick with { Spin = Vector3d.Zero },
             ComparisonName = "without spin",
-            Landmarks =
-            [
-                new("penalty area", 34 - 20.16, 34 + 20.16, 0, 16.5, 0),
-                new("goal", 34 - Landmark.GoalHalfWidth, 34 + Landmark.GoalHalfWidth, -2, 0, Landmark.GoalHeight),
-            ],
             DrawnTo = 56,
         };
     }
@@ -57,7 +56,9 @@ internal static class GalleryShots
         Name = "Goal kick",
         About = "Long and high with some backspin. The air takes nearly a third of the range that it would have in a vacuum.",
         Scenario = Kick(30, left: 0, up: 36, top: -25, side: 0),
-        Landmarks = [new("halfway line", 47, 47.12, -30, 30, 0)],
+        Comparison = Kick(30, left: 0, up: 36, top: -25, side: 0) with { Scene = Scene.Published },
+        ComparisonName = "by the published laws",
+        Markings = [Furniture.HalfwayLine(47)],
     };
 
     private static GalleryShot GoalKickInVacuum()
@@ -68,11 +69,12 @@ internal static class GalleryShots
             Id = "goal-kick-in-vacuum",
             Name = "The same in a vacuum",
             About = "The goal kick without air: a parabola. The dashed line is the kick in air.",
-            Scenario = kick with { Scene = Scene.Vacuum },
+            Scenario = kick with { Scene = Scene.Measured with { Forces = ForceSet.None } },
+            SceneCode = "Scene.Measured with { Forces = ForceSet.None }",
             Comparison = kick,
             ComparisonName = "in air",
             DrawnTo = 160,
-            Landmarks = [new("halfway line", 47, 47.12, -30, 30, 0)],
+            Markings = [Furniture.HalfwayLine(47)],
         };
     }
 
@@ -81,7 +83,10 @@ internal static class GalleryShots
         Id = "driven-pass",
         Name = "Driven pass",
         About = "Low and fast with backspin, which holds it up; it skips on wet turf.",
-        Scenario = Kick(26, left: 0, up: 8, top: -35, side: 0) with { Scene = new Scene { Ground = Ground.WetTurf } },
+        Scenario = Kick(26, left: 0, up: 8, top: -35, side: 0) with { Scene = Scene.Measured with { Ground = Ground.WateredTurf } },
+        Comparison = Kick(26, left: 0, up: 8, top: -35, side: 0) with { Scene = Scene.Published with { Ground = Ground.WetTurf } },
+        ComparisonName = "by the published laws",
+        SceneCode = "Scene.Measured with { Ground = Ground.WateredTurf }",
     };
 
     private static GalleryShot Chip() => new()
@@ -99,7 +104,7 @@ internal static class GalleryShots
         {
             Id = "no-spin-drive",
             Name = "Drive without spin",
-            About = "Struck through the middle: no Magnus force, and the low drag of a fast ball until it falls below 12 m/s. The dashed line has backspin.",
+            About = "Struck through the middle: no Magnus force, and the low drag of a fast ball, until it slows down. The dashed line has backspin.",
             Scenario = kick,
             Comparison = Kick(31, left: 0, up: 11, top: -40, side: 0),
             ComparisonName = "with backspin 40 rad/s",
@@ -128,11 +133,12 @@ internal static class GalleryShots
         return new GalleryShot
         {
             Id = "long-roll",
+            SceneCode = "new Scene { Ground = Ground.Indoor, Air = new Air { Wind = new Vector3d(-2, 0, 0) } }",
             Name = "Long roll",
-            About = "Rolling from the start on a hard court, across a side wind of 2 m/s that carries it to the left.",
+            About = "Rolling from the start on an indoor court, across a side wind of 2 m/s that carries it to the left.",
             Scenario = Shot(new Vector3d(0, Radius, 0), velocity, KickSpin.Vector(velocity, 11 / Radius, 0)) with
             {
-                Scene = new Scene { Ground = Ground.Court, Air = new Air { Wind = ViewFrame.Direction(2, 90, 0) } },
+                Scene = Scene.Measured with { Ground = Ground.Indoor, Air = new Air { Wind = ViewFrame.Direction(2, 90, 0) } },
             },
         };
     }
@@ -143,11 +149,12 @@ internal static class GalleryShots
         return new GalleryShot
         {
             Id = "high-ball-in-the-wind",
+            SceneCode = "Scene.Windy(new Vector3d(-7.778, 0, 7.778)) with { Ground = new Ground { Aerodynamics = GroundAerodynamics.None } }",
             Name = "High ball in the wind",
             About = "A high ball into a wind of 11 m/s, against it and from the right; dashed in still air. The wind's push on the ground is switched off here: it would roll the ball on for ever.",
             Scenario = kick with
             {
-                Scene = Scene.Windy(ViewFrame.Direction(11, 135, 0)) with { Ground = new Ground { Aerodynamics = GroundAerodynamics.None } },
+                Scene = Scene.Windy(ViewFrame.Direction(11, 135, 0)) with { Ground = Ground.DryTurf with { Aerodynamics = GroundAerodynamics.None } },
             },
             Comparison = kick,
             ComparisonName = "in still air",
@@ -157,11 +164,12 @@ internal static class GalleryShots
     private static GalleryShot Beach() => new()
     {
         Id = "beach-ball",
+        SceneCode = "new Scene { Ball = BallProperties.BeachBall, Ground = Ground.Sand }",
         Name = "Beach ball",
         About = "Large and light: the air stops it within metres, the sidespin throws it aside, and it stays where it lands on sand.",
         Scenario = Shot(new Vector3d(0, 1, 0), ViewFrame.Direction(16, 0, 30), KickSpin.Vector(ViewFrame.Direction(1, 0, 0), 0, 25)) with
         {
-            Scene = new Scene { Ball = BallProperties.BeachBall, Ground = Ground.Sand },
+            Scene = Scene.Measured with { Ball = BallProperties.BeachBall, Ground = Ground.Sand },
         },
     };
 
@@ -173,6 +181,7 @@ internal static class GalleryShots
 
     private static Scenario Shot(Vector3d position, Vector3d velocity, Vector3d spin) => new()
     {
+        Scene = Scene.Measured,
         Position = position,
         Velocity = velocity,
         Spin = spin,

@@ -1,35 +1,38 @@
 namespace Football.Physics.Headless.Gallery;
 
-/// <summary>Where a shot meets the plane of a goal that is looked at from the front. The model has no net: the ball flies on.</summary>
+/// <summary>Whether a shot is a goal, and by how much.</summary>
 internal static class GoalCrossing
 {
     /// <summary>Tells it in a sentence.</summary>
-    public static string Describe(Flight flight, double along)
+    public static string Describe(Flight flight, Goal goal)
     {
-        Vector3d? crossing = Find(flight, along);
+        BallEvent? scored = flight.Events.Where(item => item.Kind == BallEventKind.Goal).Cast<BallEvent?>().FirstOrDefault();
+        Vector3d? crossing = scored?.Position ?? Crossing(flight, goal);
         if (crossing is null)
         {
-            return "It does not reach the goal.";
+            return "It does not reach the goal line.";
         }
 
-        double post = Landmark.GoalHalfWidth - Math.Abs(ViewFrame.Left(crossing.Value));
-        double bar = Landmark.GoalHeight - crossing.Value.Y;
-        string side = ViewFrame.Left(crossing.Value) > 0 ? "left" : "right";
-        return post > 0 && bar > 0
-            ? FormattableString.Invariant($"A goal: over the line {post:0.00} m inside the {side} post, {crossing.Value.Y:0.00} m high (the model has no net, so it flies on).")
+        // Left and right as who shoots at it sees them.
+        double right = Vector3d.Dot(crossing.Value - goal.Center, Vector3d.Cross(-goal.Out, Vector3d.Up));
+        double post = (0.5 * goal.Width) - Math.Abs(right);
+        string side = right > 0 ? "right" : "left";
+        return scored is not null
+            ? FormattableString.Invariant($"A goal: over the line {post:0.00} m inside the {side} post, {crossing.Value.Y:0.00} m high.")
             : FormattableString.Invariant($"No goal: {Math.Max(0, -post):0.00} m outside the {side} post, {crossing.Value.Y:0.00} m high.");
     }
 
-    private static Vector3d? Find(Flight flight, double along)
+    /// <summary>Where the ball first passes the plane of the line from before it.</summary>
+    private static Vector3d? Crossing(Flight flight, Goal goal)
     {
         Vector3d last = flight.Start;
         foreach (Vector3d place in flight.Legs.SelectMany(leg => leg.Points))
         {
-            double from = ViewFrame.Along(last);
-            double to = ViewFrame.Along(place);
-            if (from < along && to >= along)
+            double from = Vector3d.Dot(last - goal.Center, goal.Out);
+            double to = Vector3d.Dot(place - goal.Center, goal.Out);
+            if (from > 0 && to <= 0)
             {
-                return last + ((along - from) / (to - from) * (place - last));
+                return last + (from / (from - to) * (place - last));
             }
 
             last = place;

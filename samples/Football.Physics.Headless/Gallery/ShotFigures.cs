@@ -28,7 +28,7 @@ internal sealed record ShotFigures(
     /// <summary>The figures of a shot whose path was kept.</summary>
     public static ShotFigures Of(Outcome outcome)
     {
-        BallEvent? touchdown = First(outcome, BallEventKind.Impact);
+        BallEvent? touchdown = Flight.FirstTouchdown(outcome);
         Moment launch = outcome.Samples![0];
         Vector3d? way = touchdown?.Position - launch.Position;
         Vector3d direction = launch.Velocity.Horizontal;

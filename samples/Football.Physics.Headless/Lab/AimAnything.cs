@@ -6,7 +6,7 @@ internal static class AimAnything
     /// <summary>Scenes that the requests are spread over.</summary>
     public const int Scenes = 100;
 
-    private static readonly ForceSet[] Laws = [new(), ForceSet.Regularised, ForceSet.Constant, new() { Magnus = ForceLaw.Constant }, ForceSet.None];
+    private static readonly ForceSet[] Laws = [ForceSet.Published, ForceSet.Regularised, ForceSet.Constant, ForceSet.Published with { Magnus = ForceLaw.Constant }, ForceSet.None];
 
     /// <summary>One of the scenes.</summary>
     public static Scene Scene(int seed, int index)
@@ -14,7 +14,7 @@ internal static class AimAnything
         var random = new Random((seed * 1000) + index);
         double angle = AimSets.Between(random, 0, 2 * Math.PI);
         double wind = index % 2 == 0 ? 0 : AimSets.Between(random, 0, 12);
-        return new Scene { Forces = Laws[index % Laws.Length], Air = new Air { Wind = wind * new Vector3d(Math.Cos(angle), 0, Math.Sin(angle)) } };
+        return Physics.Scene.Published with { Forces = Laws[index % Laws.Length], Air = new Air { Wind = wind * new Vector3d(Math.Cos(angle), 0, Math.Sin(angle)) } };
     }
 
     /// <summary>Requests for it.</summary>

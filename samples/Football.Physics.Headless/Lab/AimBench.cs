@@ -25,7 +25,7 @@ internal sealed class AimBench
     }
 
     /// <summary>The default scene with RK2.</summary>
-    public static AimBench Rk2(double timeStep) => new(Scene.Default, new SolverSettings { Integrator = Integrator.Rk2 }, timeStep);
+    public static AimBench Rk2(double timeStep) => new(Scene.Published, new SolverSettings { Integrator = Integrator.Rk2 }, timeStep);
 
     /// <summary>Answers every request.</summary>
     public AimShot[] Run(IReadOnlyList<AimRequest> requests, AimMethod method)

@@ -9,11 +9,22 @@ internal static class AimCharts
     private const int Bars = 40;
 
     /// <summary>Histogram of misses.</summary>
-    public static XElement Misses(AimRow row) => Histogram(row, "miss, mm", [.. row.Shots.Where(shot => shot.Miss <= 0.1).Select(shot => 1e3 * shot.Miss)], Palette.Blue);
+    /// <param name="row">Whose.</param>
+    /// <param name="all">Those whose axes are to be the same.</param>
+    public static XElement Misses(AimRow row, IEnumerable<AimRow> all)
+    {
+        static double[] Values(AimRow of) => [.. of.Shots.Where(shot => shot.Miss <= 0.1).Select(shot => 1e3 * shot.Miss)];
+        return Histogram(row, "miss, mm", Values(row), Palette.Blue, all.SelectMany(Values));
+    }
 
     /// <summary>Histogram of times; the slowest hundredth, which the machine and not the method made slow, is left out.</summary>
-    public static XElement Times(AimRow row) =>
-        Histogram(row, "time, µs", [.. row.Shots.Select(shot => shot.Microseconds).Order().Take((row.Shots.Count * 99) / 100)], Palette.Orange);
+    /// <param name="row">Whose.</param>
+    /// <param name="all">Those whose axes are to be the same.</param>
+    public static XElement Times(AimRow row, IEnumerable<AimRow> all)
+    {
+        static double[] Values(AimRow of) => [.. of.Shots.Select(shot => shot.Microseconds).Order().Take((of.Shots.Count * 99) / 100)];
+        return Histogram(row, "time, µs", Values(row), Palette.Orange, all.SelectMany(Values));
+    }
 
     /// <summary>How many kicks took how many iterations.</summary>
     public static XElement IterationCounts(AimRow row)
@@ -46,9 +57,9 @@ internal static class AimCharts
         return chart.Draw();
     }
 
-    private static XElement Histogram(AimRow row, string axis, double[] values, string colour)
+    private static XElement Histogram(AimRow row, string axis, double[] values, string colour, IEnumerable<double> all)
     {
-        var chart = new Chart(new Axis(axis) { Min = 0 }, new Axis("kicks") { Min = 0 }) { Title = row.Name, PlotHeight = 130 };
+        var chart = new Chart(new Axis(axis) { Min = 0, Max = all.DefaultIfEmpty(1).Max() }, new Axis("kicks") { Min = 0 }) { Title = row.Name, PlotHeight = 130 };
         if (values.Length > 0)
         {
             chart.Items.Add(BarsItem.Histogram(values, Bars, colour));

@@ -25,7 +25,7 @@ internal sealed class AimExperiments(int seed, bool quick)
             Remark = "True misses: the thesis measured its own at 10 ms.",
             Charts =
             [
-                AimCharts.Misses(rows[0]), AimCharts.Times(rows[0]), AimCharts.Misses(rows[1]), AimCharts.Times(rows[1]),
+                AimCharts.Misses(rows[0], rows), AimCharts.Times(rows[0], rows), AimCharts.Misses(rows[1], rows), AimCharts.Times(rows[1], rows),
                 AimCharts.Over("Iterations against distance", "distance, m", "iterations", shot => shot.Distance, shot => shot.Result.Iterations, rows),
             ],
         };
@@ -69,7 +69,7 @@ internal sealed class AimExperiments(int seed, bool quick)
         return new AimSection("4.1.3, the studio's setting: constant coefficients, semi-implicit Euler at 60 Hz, 20 to 30 m/s, spins within ±20", rows)
         {
             Remark = "The method does what it is asked to in its own integrator, which is itself centimetres off the truth.",
-            Charts = [AimCharts.Times(a), AimCharts.Misses(a), AimCharts.IterationCounts(a)],
+            Charts = [AimCharts.Times(a, [a]), AimCharts.Misses(a, [a]), AimCharts.IterationCounts(a)],
         };
     }
 
@@ -86,7 +86,7 @@ internal sealed class AimExperiments(int seed, bool quick)
         {
             Charts =
             [
-                AimCharts.Misses(rows[0]), AimCharts.Times(rows[0]), AimCharts.Misses(rows[1]), AimCharts.Times(rows[1]),
+                AimCharts.Misses(rows[0], rows), AimCharts.Times(rows[0], rows), AimCharts.Misses(rows[1], rows), AimCharts.Times(rows[1], rows),
                 AimCharts.Over("Iterations against distance", "distance, m", "iterations", shot => shot.Distance, shot => shot.Result.Iterations, rows),
             ],
         };

@@ -18,14 +18,18 @@ internal static class AimLab
         {
             Description = "Holds every one of the 10 000 random requests that was not hit against the dense scan, not one in four.",
         };
+        var profiles = new Option<bool>("--profiles") { Description = "Asks the same in both profiles, in weather, wind by height and gusts, and nothing else." };
         return LabOptions.Create(
             "aim",
             "The predictors: 4.1.3, 4.2.3, 4.3.2, and 10 000 random requests against a dense scan. The CSV has every kick.",
-            ["football lab aim --quick --csv kicks.csv"],
+            ["football lab aim --quick --csv kicks.csv", "football lab aim --profiles --quick"],
             terminal,
-            (parsed, seed, progress) => Run(unchecked((int)seed), parsed.GetValue(quick), parsed.GetValue(full), progress),
+            (parsed, seed, progress) => parsed.GetValue(profiles)
+                ? ProfileAims.Run(unchecked((int)seed), parsed.GetValue(quick) ? Requests / 20 : Requests, progress)
+                : Run(unchecked((int)seed), parsed.GetValue(quick), parsed.GetValue(full), progress),
             quick,
-            full);
+            full,
+            profiles);
     }
 
     private static LabReport Run(int seed, bool quick, bool full, Progress progress)
@@ -48,26 +52,7 @@ internal static class AimLab
 
         int count = quick ? Requests / 20 : Requests;
         var verdicts = AimVerdicts.Of(seed, count, full ? 1 : ScanEvery, done => progress.Report(done, count, () => "random requests"));
-        LabReport report = Report(seed, sections, verdicts);
-        report.Tables.Add(Known(seed, count, progress));
-        return report;
-    }
-
-    /// <summary>Kicks that were flown, asked for again.</summary>
-    private static LabTable Known(int seed, int count, Progress progress)
-    {
-        var table = new LabTable(
-            "Known kicks (5 to 35 m/s, up to 85°, spins, heights; 1 mm), and how many of them are not found again",
-            "wind up to, m/s", "balls", "kicks", "low arc", "high arc", "at their time", "no slower one", "below 45°", "two points below 45°", "most simulations");
-        foreach ((double wind, int balls) in ((double, int)[])[(0, 1), (0, 5), (20, 1), (20, 5)])
-        {
-            progress.Report(() => "known kicks");
-            var known = KnownKickCounts.Of(seed, count, wind, balls);
-            table.Add(
-                wind, balls, known.Kicks, known.LowMissed, known.HighMissed, known.TimedMissed, known.SlowestMissed, known.Flat, known.FlatTwoPointMissed, known.MostSimulations);
-        }
-
-        return table;
+        return Report(seed, sections, verdicts);
     }
 
     private static LabReport Report(int seed, List<AimSection> sections, AimVerdicts verdicts)
@@ -81,7 +66,7 @@ internal static class AimLab
                 "kick",
                 "section", "method", "distance", "speed", "status", "miss", "throughMiss", "elevation", "top", "side", "iterations", "simulations", "microseconds"),
             Picture = () => Figure.Stack(
-                "Aiming", [.. sections.Where(section => section.Charts.Count > 0).Select(section => Figure.Stack(section.Title, section.Charts))]),
+                "Aiming", [.. sections.Where(section => section.Charts.Count > 0).Select(section => Figure.Tile(section.Title, section.Charts))]),
         };
         foreach (AimSection section in sections)
         {

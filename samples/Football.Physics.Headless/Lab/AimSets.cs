@@ -6,7 +6,7 @@ internal static class AimSets
     private const double Radius = 0.11;
 
     /// <summary>Scene of the studio's comparison: constant coefficients.</summary>
-    public static Scene StudioScene { get; } = new() { Forces = ForceSet.Constant };
+    public static Scene StudioScene { get; } = Scene.Published with { Forces = ForceSet.Constant };
 
     /// <summary>Integrator of the studio's comparison.</summary>
     public static SolverSettings StudioSettings { get; } = new() { Integrator = Integrator.SemiImplicitEuler };
@@ -55,7 +55,7 @@ internal static class AimSets
     public static AimRequest[] TwoPoint(int seed, int count)
     {
         var random = new Random(seed);
-        var simulator = new Simulator();
+        var simulator = new Simulator(Scene.Published);
         var path = new Trajectory();
         return Make(count, () => Along(random, simulator, path));
     }
@@ -64,7 +64,7 @@ internal static class AimSets
     public static AimRequest[] TooFar(int seed, int count)
     {
         var random = new Random(seed);
-        var aimer = new Aimer();
+        var aimer = new Aimer(Scene.Published);
         return Make(count, () =>
         {
             AimRequest request = Before(random, InGoal(random), Between(random, 12, 45)) with

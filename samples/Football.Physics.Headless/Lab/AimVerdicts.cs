@@ -46,19 +46,30 @@ internal sealed class AimVerdicts
     /// <param name="count">How many.</param>
     /// <param name="scanEvery">Scans every so manieth of those that were not hit.</param>
     /// <param name="report">Told how many are done.</param>
-    public static AimVerdicts Of(int seed, int count, int scanEvery, Action<int> report)
+    public static AimVerdicts Of(int seed, int count, int scanEvery, Action<int> report) =>
+        Of(index => AimAnything.Scene(seed, index), seed, count, scanEvery, report);
+
+    /// <summary>The same in other scenes.</summary>
+    /// <param name="scene">The scene of an index.</param>
+    /// <param name="seed">Seed of the requests.</param>
+    /// <param name="count">How many.</param>
+    /// <param name="scanEvery">Scans every so manieth of those that were not hit.</param>
+    /// <param name="report">Told how many are done.</param>
+    public static AimVerdicts Of(Func<int, Scene> scene, int seed, int count, int scanEvery, Action<int> report)
     {
         var verdicts = new AimVerdicts();
         int perScene = (count + AimAnything.Scenes - 1) / AimAnything.Scenes;
-        Parallel.For(0, AimAnything.Scenes, index => verdicts.Run(seed, index, Math.Min(perScene, count - (index * perScene)), scanEvery, report));
+        Parallel.For(
+            0, AimAnything.Scenes, index => verdicts.Run(scene(index), seed, index, Math.Min(perScene, count - (index * perScene)), scanEvery, report));
         return verdicts;
     }
 
     /// <summary>All of it in a row.</summary>
-    public LabTable Table()
+    /// <param name="name">What was asked for.</param>
+    public LabTable Table(string name = "Random requests (5 to 40 m/s, spins, winds, laws, 1 to 70 m, heights, elevation bounds; 1 mm), direct, held against a dense scan")
     {
         var table = new LabTable(
-            "Random requests (5 to 40 m/s, spins, winds, laws, 1 to 70 m, heights, elevation bounds; 1 mm), direct, held against a dense scan",
+            name,
             "requests", "hit", "out of reach", "not converged", "without an answer", "worst hit, mm", "simulations: hit", "simulations: others", "scanned", "can be hit", "can be closer");
         int others = Requests - Hits;
         table.Add(
@@ -67,14 +78,13 @@ internal sealed class AimVerdicts
         return table;
     }
 
-    private void Run(int seed, int index, int count, int scanEvery, Action<int> report)
+    private void Run(Scene scene, int seed, int index, int count, int scanEvery, Action<int> report)
     {
         if (count <= 0)
         {
             return;
         }
 
-        Scene scene = AimAnything.Scene(seed, index);
         var aimer = new Aimer(scene);
         var scan = new AimScan(scene);
         int missed = 0;

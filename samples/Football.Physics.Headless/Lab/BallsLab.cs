@@ -95,7 +95,7 @@ internal static class BallsLab
         added.Items.Add(Line(spins, spin => Of(BallProperties.Football, SpinSpeed, spin).Drag - without, "measured laws", Palette.Blue));
         added.Items.Add(Line([.. spins.Where(spin => spin >= 0.05)], GoffAndCarre, "Goff & Carré", Palette.Orange, "4 3"));
         added.Items.Add(Line([.. spins.Where(spin => spin <= 0.3)], KiratidisAndLeinweber, "Kiratidis & Leinweber", Palette.Green, "4 3"));
-        return Figure.Stack("", [drag.Draw(), lift.Draw(), added.Draw()]);
+        return Figure.Tile("", [drag.Draw(), lift.Draw(), added.Draw()]);
     }
 
     private static PolylineItem Line(double[] at, Func<double, double> value, string label, string colour, string dash = "none") =>

@@ -9,6 +9,9 @@ namespace Football.Physics.Headless.Lab;
 /// <summary>football lab consistency: the thesis' test 3.4.2, how far the landing point depends on the step.</summary>
 internal static class ConsistencyLab
 {
+    /// <summary>Where the axes of all histograms begin, log₁₀ mm; smaller gaps count there.</summary>
+    private const double SmallestGap = -9;
+
     private const int Shots = 250;
     private const double Millimetre = 1e3;
     private static readonly string[] Gaps = ["10–20 ms", "20–40 ms", "10–40 ms"];
@@ -31,7 +34,7 @@ internal static class ConsistencyLab
         {
             foreach ((string law, ForceSet forces, bool locate) in new[]
             {
-                ("published, jump located", new ForceSet(), true), ("published, jump not located", new ForceSet(), false), ("regularised", ForceSet.Regularised, true),
+                ("published, jump located", ForceSet.Published, true), ("published, jump not located", ForceSet.Published, false), ("regularised", ForceSet.Regularised, true),
             })
             {
                 foreach (Integrator method in new[] { Integrator.Rk2, Integrator.Rk4 })
@@ -54,7 +57,7 @@ internal static class ConsistencyLab
             }
         }
 
-        report.Picture = () => Figure.Stack("How far apart shots land that differ only in the step", [.. charts.Select(make => make())]);
+        report.Picture = () => Figure.Tile("How far apart shots land that differ only in the step", [.. charts.Select(make => make())]);
         return report;
     }
 
@@ -82,7 +85,7 @@ internal static class ConsistencyLab
 
     private static double[][] Measure(Shot[] shots, ForceSet forces, bool locate, Integrator method)
     {
-        var simulator = new Simulator(new Scene { Forces = forces }, new SolverSettings { Integrator = method, LocateJump = locate });
+        var simulator = new Simulator(Scene.Published with { Forces = forces }, new SolverSettings { Integrator = method, LocateJump = locate });
         Vector3d[][] landings = [.. new[] { 0.01, 0.02, 0.04 }.Select(step => shots.Select(shot =>
         {
             BallState state = simulator.Launch(Shot.Spot, shot.Velocity, shot.Spin);
@@ -95,10 +98,10 @@ internal static class ConsistencyLab
 
     private static XElement Histogram(string title, double[][] gaps)
     {
-        var chart = new Chart(new Axis("log₁₀ of the gap, mm"), new Axis("shots") { Min = 0 }) { Title = title, PlotHeight = 150 };
+        var chart = new Chart(new Axis("log₁₀ of the gap, mm") { Min = SmallestGap, Max = 3 }, new Axis("shots") { Min = 0 }) { Title = title, PlotHeight = 150 };
         for (int i = 0; i < gaps.Length; i++)
         {
-            double[] logs = [.. gaps[i].Select(gap => Math.Log10(Math.Max(gap, 1e-13)))];
+            double[] logs = [.. gaps[i].Select(gap => Math.Log10(Math.Max(gap, Math.Pow(10, SmallestGap))))];
             chart.Items.Add(BarsItem.Histogram(logs, 30, Palette.Series[i], Gaps[i]));
         }
 

@@ -39,7 +39,7 @@ internal static class CostLab
         var charts = new List<Func<XElement>>();
         foreach (Integrator method in Enum.GetValues<Integrator>())
         {
-            var simulator = new Simulator(null, new SolverSettings { Integrator = method });
+            var simulator = new Simulator(Scene.Published, new SolverSettings { Integrator = method });
             Dictionary<MotionState, BallState[]> before = Collect(simulator, seed, frames);
             var log = new StepLog();
             foreach ((MotionState motion, BallState[] states) in before)
@@ -67,7 +67,7 @@ internal static class CostLab
 
         report.Notes.Add("Each frame is stepped 32 times in a row from a copy of its state, the copy included. Values above the 99th percentile are left out of the mean, as in the thesis.");
         report.Notes.Add("Ratios to plain code in one process, which is how the targets for time are judged: the benchmarks.");
-        report.Picture = () => Figure.Stack("Time of a step in flight", [.. charts.Select(make => make())]);
+        report.Picture = () => Figure.Tile("Time of a step in flight", [.. charts.Select(make => make())]);
         return report;
     }
 

@@ -30,7 +30,7 @@ internal sealed record KnownKick(AimRequest Request, double Time, Vector3d Betwe
     public static Scene Scene(Random random, int ball, double wind)
     {
         double angle = AimSets.Between(random, 0, 2 * Math.PI);
-        return new Scene
+        return Physics.Scene.Published with
         {
             Ball = Balls[ball],
             Air = new Air { Wind = AimSets.Between(random, 0, wind) * new Vector3d(Math.Cos(angle), 0, Math.Sin(angle)) },

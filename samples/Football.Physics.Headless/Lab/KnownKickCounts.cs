@@ -27,6 +27,9 @@ internal sealed class KnownKickCounts
 
     public int FlatTwoPointMissed { get; private set; }
 
+    /// <summary>Answers that are called a hit and miss when they are flown.</summary>
+    public int FalseHits { get; private set; }
+
     public int MostIterations { get; private set; }
 
     public int MostSimulations { get; private set; }
@@ -55,6 +58,7 @@ internal sealed class KnownKickCounts
         var simulator = new Simulator(scene);
         var aimer = new Aimer(scene);
         var path = new Trajectory(16384);
+        var truth = new TrueMiss(scene);
         for (int i = 0; i < count; i++)
         {
             KnownKick kick = KnownKick.Draw(random, simulator, path);
@@ -67,9 +71,12 @@ internal sealed class KnownKickCounts
             AimResult slowest = aimer.FindSlowest(request with { Speed = more * request.Speed });
             AimResult two = aimer.Find(kick.TwoPoint);
             bool passes = two.Miss <= request.Tolerance && two.ThroughMiss <= request.ThroughTolerance;
+            int falseHits = FalseHit(truth, request, in low, index, kick, scene) + FalseHit(truth, request, in high, index, kick, scene)
+                + FalseHit(truth, request, in slowest, index, kick, scene) + FalseHit(truth, kick.TwoPoint, in two, index, kick, scene);
             lock (_lock)
             {
                 Kicks++;
+                FalseHits += falseHits;
                 bool flat = kick.Elevation <= 45;
                 Flat += flat ? 1 : 0;
                 LowMissed += Missed(low.Status == AimStatus.Hit, "low", index, kick, scene, in low);
@@ -84,6 +91,19 @@ internal sealed class KnownKickCounts
                 MostSimulations = Math.Max(MostSimulations, Math.Max(low.Simulations, Math.Max(high.Simulations, two.Simulations)));
                 MeanSimulations += low.Simulations;
             }
+        }
+    }
+
+    private int FalseHit(TrueMiss truth, AimRequest request, in AimResult result, int index, KnownKick kick, Scene scene)
+    {
+        if (!result.HitsTarget || truth.Of(request, result.Velocity, result.Spin) <= TrueMiss.Rounding * request.Tolerance)
+        {
+            return 0;
+        }
+
+        lock (_lock)
+        {
+            return Missed(false, "false hit", index, kick, scene, in result);
         }
     }
 

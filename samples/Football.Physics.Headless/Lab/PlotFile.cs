@@ -2,6 +2,7 @@ using System.Diagnostics;
 using System.Text;
 using System.Xml.Linq;
 using Football.Physics.Headless.Commands;
+using Football.Physics.Headless.Drawing;
 using Football.Physics.Headless.Input;
 
 namespace Football.Physics.Headless.Lab;
@@ -33,8 +34,10 @@ internal sealed class PlotFile : IDisposable
         _ => throw new RefusedException("--plot", Quote.File(path), "a file that ends in .svg or .png"),
     };
 
-    public void Write(XElement drawing)
+    public void Write(XElement figure)
     {
+        // Its first words are its heading.
+        XElement drawing = Svg.Standing(figure.Descendants().FirstOrDefault(part => part.Name.LocalName == "text")?.Value ?? "Plot", figure);
         if (_renderer is null)
         {
             _file.Write(drawing);

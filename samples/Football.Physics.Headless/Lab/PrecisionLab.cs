@@ -82,14 +82,14 @@ internal static class PrecisionLab
             charts.Add(() => Draw($"{name}: error against time", "ns a second of motion", points, row => row.Nanoseconds));
         }
 
-        report.Picture = () => Figure.Stack("Work and precision", [.. charts.Select(make => make())]);
+        report.Picture = () => Figure.Tile("Work and precision", [.. charts.Select(make => make())]);
         return report;
     }
 
     /// <summary>RK4 with 0.1 ms, and how far 0.2 ms is from it.</summary>
     private static PrecisionPoint[] Reference(Shot[] shots, StopAt stop, LabReport report, string name)
     {
-        var simulator = new Simulator();
+        var simulator = new Simulator(Scene.Published);
         PrecisionPoint[] coarse = Play(simulator, shots, stop, ReferenceStep, out _);
         PrecisionPoint[] fine = Play(simulator, shots, stop, 0.5 * ReferenceStep, out _);
         var gaps = new Spread(coarse.Zip(fine, (a, b) => Vector3d.Distance(a.Place, b.Place)));
@@ -101,7 +101,7 @@ internal static class PrecisionLab
     /// <summary>Plays until the runtime has compiled everything for good: it counts calls, and waits for a tenth of a second without new ones.</summary>
     private static void WarmUp(SolverSettings settings, Shot[] shots, StopAt stop)
     {
-        var simulator = new Simulator(null, settings);
+        var simulator = new Simulator(Scene.Published, settings);
         for (int pass = 0; pass < 4; pass++)
         {
             for (int i = 0; i < 10; i++)
@@ -115,7 +115,7 @@ internal static class PrecisionLab
 
     private static PrecisionRow Measure(SolverSettings settings, double step, Shot[] shots, StopAt stop, PrecisionPoint[] reference, bool thesis, double atLeast)
     {
-        var simulator = new Simulator(null, settings);
+        var simulator = new Simulator(Scene.Published, settings);
         double fastest = double.PositiveInfinity;
         PrecisionPoint[] played = [];
         long evaluations = 0;

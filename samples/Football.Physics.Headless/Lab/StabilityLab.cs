@@ -4,6 +4,7 @@ using Football.Physics.Headless.Commands;
 using Football.Physics.Headless.Drawing;
 using Football.Physics.Headless.Lab.Hostile;
 using Football.Physics.Headless.Lab.Stability;
+using Football.Physics.Headless.Simulate;
 
 namespace Football.Physics.Headless.Lab;
 
@@ -21,10 +22,11 @@ internal static class StabilityLab
         Option<long> jobs = Arguments.Jobs("Threads; default: one a processor.");
         var scene = new Option<long?>("--scene") { HelpName = "I", Description = "Plays one scene by its number, and shows it as a scenario." };
         var hostile = new Option<bool>("--hostile") { Description = "Plays scenes from far outside football, drawn and checked in another way." };
+        Option<Profile> profile = new("--profile") { HelpName = "published|measured", Description = "Whose laws and ground; hostile scenes have their own.", DefaultValueFactory = _ => Profile.Published };
         return LabOptions.Create(
             "stability",
             "Random and adversarial scenes with every method: what must always hold, with a verdict a cell.",
-            ["football lab stability --scenes 100", "football lab stability --scene 7", "football lab stability --hostile --scenes 100"],
+            ["football lab stability --scenes 100", "football lab stability --scene 7", "football lab stability --profile measured --scenes 60", "football lab stability --hostile --scenes 100"],
             terminal,
             (parsed, seed, progress) =>
             {
@@ -32,24 +34,28 @@ internal static class StabilityLab
                 bool asked = parsed.GetResult(scenes) is { Implicit: false };
                 long count = parsed.GetValue(full) ? (isHostile ? HostileLab.Full : Full) : isHostile && !asked ? HostileLab.ByDefault : parsed.GetValue(scenes);
                 int threads = (int)parsed.GetValue(jobs);
+                StressScene Make(long index) => parsed.GetValue(profile) == Profile.Measured
+                    ? MeasuredStress.Of(StressGenerator.Make(seed, index), seed, index)
+                    : StressGenerator.Make(seed, index);
                 return (isHostile, parsed.GetValue(scene)) switch
                 {
                     (true, { } one) => HostileLab.One(terminal, one),
                     (true, null) => HostileLab.Run(seed, count, threads, progress),
-                    (false, { } one) => One(terminal, seed, one),
-                    (false, null) => Run(terminal, seed, count, threads, progress),
+                    (false, { } one) => One(terminal, seed, one, Make),
+                    (false, null) => Run(terminal, seed, count, threads, progress, Make),
                 };
             },
             scenes,
             full,
             jobs,
             scene,
-            hostile);
+            hostile,
+            profile);
     }
 
-    private static LabReport One(Terminal terminal, long seed, long index)
+    private static LabReport One(Terminal terminal, long seed, long index, Func<long, StressScene> make)
     {
-        StressScene scene = StressGenerator.Make(seed, index);
+        StressScene scene = make(index);
         terminal.Person.WriteLine(scene.Text());
         StressOutcome outcome = StressRun.Play(scene);
         var report = new LabReport { Name = "stability", Seed = seed, Failed = outcome.Failure is not null };
@@ -59,9 +65,9 @@ internal static class StabilityLab
         return report;
     }
 
-    private static LabReport Run(Terminal terminal, long seed, long scenes, int jobs, Progress progress)
+    private static LabReport Run(Terminal terminal, long seed, long scenes, int jobs, Progress progress, Func<long, StressScene> make)
     {
-        var matrix = new StressMatrix(seed);
+        var matrix = new StressMatrix(make);
         matrix.Play(
             scenes,
             jobs,

@@ -30,14 +30,15 @@ internal sealed class AimContext
     private int _most;
     private long _pieces;
 
-    public AimContext(Scene scene, SolverSettings settings, double timeStep)
+    public AimContext(Simulator game, double timeStep)
     {
-        _simulator = new Simulator(scene, SolverSettings.Default);
+        Scene scene = game.Scene;
+        _simulator = new Simulator(scene, SolverSettings.Default, game.Profile);
         Scene = scene;
-        Game = new Simulator(scene, settings);
+        Game = game;
         Upward = Weight.UpwardAcceleration(scene);
         Steps = AimSteps.Long;
-        var withoutGround = new Simulator(WithoutGround(scene), SolverSettings.Default);
+        var withoutGround = new Simulator(WithoutGround(scene), SolverSettings.Default, game.Profile);
         Planes = new PlaneShooter(this, withoutGround);
         TimedFlight = new TimedFlight(this, withoutGround);
         TimedRoll = new TimedRoll(this, _simulator);
@@ -151,6 +152,6 @@ internal sealed class AimContext
         return most * Math.Max(drag, Math.Abs(lift)) > Ruling * Math.Abs(Upward);
     }
 
-    /// <summary>The scene with its ground out of reach.</summary>
-    private static Scene WithoutGround(Scene scene) => scene with { Ground = scene.Ground with { Height = -0.5 * Limits.Length } };
+    /// <summary>The scene with a plain ground out of reach.</summary>
+    private static Scene WithoutGround(Scene scene) => scene with { Ground = Ground.Turf with { Height = -0.5 * Limits.Length } };
 }

@@ -21,16 +21,16 @@ public readonly struct AimResult
     }
 
     /// <summary>What became of the search.</summary>
-    public AimStatus Status { get; }
+    public AimStatus Status { get; init; }
 
     /// <summary>Whether the kick passes the target within the tolerance, whatever becomes of a point on the way.</summary>
     public bool HitsTarget => Status is AimStatus.Hit or AimStatus.TargetOnly;
 
     /// <summary>Velocity of the kick, m/s.</summary>
-    public Vector3d Velocity { get; }
+    public Vector3d Velocity { get; init; }
 
     /// <summary>Spin of the kick, rad/s, world frame.</summary>
-    public Vector3d Spin { get; }
+    public Vector3d Spin { get; init; }
 
     /// <summary>Speed of the kick, m/s.</summary>
     public double Speed => Velocity.Length;
@@ -60,26 +60,30 @@ public readonly struct AimResult
     /// Distance of the kick's closest approach to the target before its first impact, m: measured, or where that was not asked for, estimated.
     /// Of a kick for a time, the distance at that time.
     /// </summary>
-    public double Miss { get; }
+    public double Miss { get; init; }
 
     /// <summary>Distance of the closest approach to the point on the way, m; null without one.</summary>
-    public double? ThroughMiss { get; }
+    public double? ThroughMiss { get; init; }
 
     /// <summary>When the ball is closest to the target, s after the kick.</summary>
-    public double Time { get; }
+    public double Time { get; init; }
 
     /// <summary>Where it is then, m.</summary>
-    public Vector3d Closest { get; }
+    public Vector3d Closest { get; init; }
 
     /// <summary>Of the two kicks of this speed that reach a target, which one a hit is: the other than was asked for where only that lies within the bounds.</summary>
-    public AimArc Arc { get; }
+    public AimArc Arc { get; init; }
 
     /// <summary>Whether the kick stays on the ground from its start: it slides or rolls to the target.</summary>
-    public bool Rolls { get; }
+    public bool Rolls { get; init; }
 
     /// <summary>Iterations of the method.</summary>
-    public int Iterations { get; }
+    public int Iterations { get; init; }
 
     /// <summary>Forward simulations by the method, the measurement of the miss not counted.</summary>
-    public int Simulations { get; }
+    public int Simulations { get; init; }
+
+    /// <summary>The kick in a line.</summary>
+    public override string ToString() => FormattableString.Invariant(
+        $"{Status}: {Speed:0.##} m/s, elevation {ElevationDegrees:0.##}°, azimuth {AzimuthDegrees:0.##}°, spin ({TopSpin:0.#}, {SideSpin:0.#}) rad/s, {Miss:0.####} m off after {Time:0.###} s");
 }

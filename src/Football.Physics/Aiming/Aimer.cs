@@ -34,10 +34,20 @@ public sealed class Aimer
     /// <param name="timeStep">The step of the thesis' methods, s. Above 0; default 0.01.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public Aimer(Scene? scene = null, SolverSettings? settings = null, double timeStep = 0.01)
+        : this(new Simulator(scene, settings), timeStep)
+    {
+    }
+
+    /// <summary>For the balls of a compiled scene.</summary>
+    /// <param name="simulator">The scene; its settings are those of the thesis' methods.</param>
+    /// <param name="timeStep">The step of the thesis' methods, s. Above 0; default 0.01.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="timeStep"/> is out of range.</exception>
+    public Aimer(Simulator simulator, double timeStep = 0.01)
     {
         Check.Positive("solver.timeStep", timeStep);
         Check.AtLeast("solver.timeStep", timeStep, AimContext.LongestFlight * 1e-6);
-        _context = new AimContext(scene ?? Scene.Default, settings ?? SolverSettings.Default, timeStep);
+        _context = new AimContext(simulator ?? throw new ArgumentNullException(nameof(simulator)), timeStep);
         var problem = new PlaneProblem(_context);
         _times = new TimeSearch(_context);
         _slowest = new SlowestSearch(_context);
@@ -46,14 +56,6 @@ public sealed class Aimer
         _angle = new AngleAim(_context);
         _bisection = new BisectionAim(_context);
         _twoPoint = new TwoPointAim(_context, _angle, _bisection);
-    }
-
-    /// <summary>For the balls of a compiled scene.</summary>
-    /// <param name="simulator">The scene; its settings are those of the thesis' methods.</param>
-    /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
-    public Aimer(Simulator simulator)
-        : this((simulator ?? throw new ArgumentNullException(nameof(simulator))).Scene, simulator.Settings)
-    {
     }
 
     /// <summary>Finds a kick.</summary>

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace Football.Physics;
 
 /// <summary>The air by its laws one by one: drag, Magnus force and spin decay, with one form of the fitted drag coefficient between them.</summary>
-internal struct AirLaws<TFit, TDrag, TMagnus, TDecay> : IAir
+internal struct AirLaws<TFit, TDrag, TMagnus, TDecay> : ILawsAir
     where TFit : struct, IDragFit
     where TDrag : struct, IAirLaw
     where TMagnus : struct, IAirLaw

@@ -6,11 +6,11 @@ namespace Football.Physics;
 /// <remarks>A drag law that jumps is not located in such air: each evaluation takes the branch that holds there.</remarks>
 internal struct FieldAir : IAir
 {
-    private PointAir _air;
-    private IWind? _wind;
-    private KnuckleForce? _knuckle;
-    private double _radiusSquared;
-    private bool _jumps;
+    private readonly PointAir _air;
+    private readonly IWind? _wind;
+    private readonly KnuckleForce? _knuckle;
+    private readonly double _radiusSquared;
+    private readonly bool _jumps;
 
     public readonly bool Drags => _air.Drags;
 
@@ -43,9 +43,12 @@ internal struct FieldAir : IAir
     /// <summary>Whether a scene has such air.</summary>
     public static bool IsOf(Scene scene) => scene.Air.WindField is not null || scene.Forces.KnuckleSeed is not null;
 
-    public void Prepare(Scene scene)
+    /// <summary>The air of a scene with its wind by place and time, and its knuckle force.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="laws">Its laws alone.</param>
+    public FieldAir(Scene scene, PointAir laws)
     {
-        _air = PointAir.OfLaws(scene);
+        _air = laws;
         _jumps = _air.Jumps;
         _wind = scene.Air.WindField;
         _knuckle = KnuckleForce.Of(scene);

@@ -24,9 +24,6 @@ internal interface IAir : IFlightKernel<PointStep>
     /// <summary>A speed that the wind by place and time nowhere exceeds, m/s; 0 where it is steady.</summary>
     double FastestWind { get; }
 
-    /// <summary>Reads the constants of all laws from the scene.</summary>
-    void Prepare(Scene scene);
-
     /// <summary>Whether the fastest form of the laws holds along a step from here; where there is but one form it always does.</summary>
     /// <param name="speedSquared">|u|² at its start, m²/s².</param>
     /// <param name="spinRate">|ω| there, rad/s.</param>

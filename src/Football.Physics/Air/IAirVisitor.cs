@@ -5,5 +5,5 @@ internal interface IAirVisitor<TResult>
 {
     /// <summary>Makes something of the air.</summary>
     TResult Visit<TAir>(Scene scene)
-        where TAir : struct, IAir;
+        where TAir : struct, ILawsAir;
 }

@@ -5,8 +5,17 @@ namespace Football.Physics;
 /// <summary>The air of a scene with forces of the game's own: they may do anything, so the ball is integrated with its whole spin vector.</summary>
 internal struct OwnForcesAir : IAir
 {
-    private PointAir _air;
-    private OwnForces _forces;
+    private readonly PointAir _air;
+    private readonly OwnForces _forces;
+
+    /// <summary>The air of a scene with its forces.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="air">Its air without them.</param>
+    public OwnForcesAir(Scene scene, PointAir air)
+    {
+        _air = air;
+        _forces = new OwnForces(scene);
+    }
 
     public readonly bool Drags => _air.Drags;
 
@@ -31,12 +40,6 @@ internal struct OwnForcesAir : IAir
     public readonly double FastestWind => _air.FastestWind;
 
     public readonly RateBound Bound => _air.Bound;
-
-    public void Prepare(Scene scene)
-    {
-        _air = PointAir.Of(scene);
-        _forces = new OwnForces(scene);
-    }
 
     public readonly bool Covers(double speedSquared, double spinRate, double h) => true;
 

@@ -21,15 +21,9 @@ internal abstract class PointAir
     /// <inheritdoc cref="IAir.FastestWind"/>
     public abstract double FastestWind { get; }
 
-    /// <summary>The air of a scene, but for the game's own forces.</summary>
-    public static PointAir Of(Scene scene) => FieldAir.IsOf(scene) ? new Model<FieldAir>(scene) : OfLaws(scene);
-
-    /// <summary>The laws of a scene alone: without wind by place or time, and without a knuckle force.</summary>
-    public static PointAir OfLaws(Scene scene)
-    {
-        Maker maker = default;
-        return AirChoice.Choose<Maker, PointAir>(scene, ref maker);
-    }
+    /// <summary>An air, asked point by point.</summary>
+    public static PointAir Of<TAir>(in TAir air)
+        where TAir : struct, IAir => new Model<TAir>(in air);
 
     /// <inheritdoc cref="IAir.Evaluate"/>
     public abstract double Evaluate(in ForceInput ball, DragBranch branch, out AirFactors factors);
@@ -37,22 +31,12 @@ internal abstract class PointAir
     /// <inheritdoc cref="IFlightKernel{TStep}.AtStart"/>
     public abstract void AtPoint(PointStep step, double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay);
 
-    private struct Maker : IAirVisitor<PointAir>
-    {
-        public readonly PointAir Visit<TAir>(Scene scene)
-            where TAir : struct, IAir => new Model<TAir>(scene);
-    }
-
     private sealed class Model<TAir> : PointAir
         where TAir : struct, IAir
     {
         private TAir _air;
 
-        public Model(Scene scene)
-        {
-            _air = default;
-            _air.Prepare(scene);
-        }
+        public Model(in TAir air) => _air = air;
 
         public override bool Drags => _air.Drags;
 

@@ -9,7 +9,7 @@ namespace Football.Physics;
 /// <typeparam name="TDrag">The published drag, or none.</typeparam>
 /// <typeparam name="TMagnus">The published Magnus force, or none.</typeparam>
 /// <typeparam name="TDecay">The published spin decay, or none.</typeparam>
-internal struct PublishedAir<TDrag, TMagnus, TDecay> : IAir
+internal struct PublishedAir<TDrag, TMagnus, TDecay> : ILawsAir
     where TDrag : struct, IAirLaw
     where TMagnus : struct, IAirLaw
     where TDecay : struct, IAirLaw

@@ -10,7 +10,7 @@ namespace Football.Physics;
 /// <typeparam name="TDrag">Its drag, or none.</typeparam>
 /// <typeparam name="TMagnus">Its Magnus force, or none.</typeparam>
 /// <typeparam name="TDecay">Its spin decay, or none.</typeparam>
-internal struct SmoothAir<TLaw, TDrag, TMagnus, TDecay> : IAir
+internal struct SmoothAir<TLaw, TDrag, TMagnus, TDecay> : ILawsAir
     where TLaw : struct, ISmoothLaw
     where TDrag : struct, IAirLaw
     where TMagnus : struct, IAirLaw

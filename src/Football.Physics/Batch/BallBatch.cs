@@ -4,7 +4,8 @@ namespace Football.Physics;
 /// <remarks>
 /// Each result depends on its own launch alone: not on the others, their order, the number of threads or the width of the processor's
 /// registers. Made once and used again, a run on one thread allocates nothing. Not for several threads at once; <see cref="BatchSettings.Threads"/> is.
-/// Scenes with forces of a game's own, or with constant and fitted laws mixed, and what <see cref="BatchPrecision.Single"/> excepts, are
+/// Scenes with forces of a game's own, with wind by place and time or a knuckle force, with things to hit or ground that is not level, or with constant and
+/// fitted laws mixed, and what <see cref="BatchPrecision.Single"/> excepts, are
 /// flown ball by ball, in double.
 /// </remarks>
 public sealed class BallBatch
@@ -53,16 +54,19 @@ public sealed class BallBatch
     /// <param name="flights">Where the flights' ends go, each at its launch's index.</param>
     /// <param name="count">How many balls; 0 … the capacity of both.</param>
     /// <param name="duration">How long a flight may last, s. Above 0, at most 600; default 30.</param>
+    /// <param name="progress">Told now and then how many are done, on the thread that did them; default nobody.</param>
+    /// <param name="cancellation">Ends the run between two groups of balls; default never.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="OperationCanceledException">The run was cancelled. Some flights may have been written.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range. Some flights may have been written.</exception>
     /// <remarks>What a force of the game's own throws comes through as it was thrown, whatever the number of threads; some flights may have been written.</remarks>
-    public void Fly(BatchLaunches launches, BatchFlights flights, int count, double duration = 30)
+    public void Fly(BatchLaunches launches, BatchFlights flights, int count, double duration = 30, IProgress<int>? progress = null, CancellationToken cancellation = default)
     {
         _launches = launches ?? throw new ArgumentNullException(nameof(launches));
         _flights = flights ?? throw new ArgumentNullException(nameof(flights));
         Check.Within(nameof(count), count, 0, Math.Min(launches.Capacity, flights.Capacity));
         Check.Within(nameof(duration), duration, 0, 600, exclusiveLow: true);
         _duration = duration;
-        _groups.Run(count);
+        _groups.Run(count, progress, cancellation);
     }
 }

@@ -75,9 +75,12 @@ public sealed class BatchAimer
     /// <param name="aims">The requests.</param>
     /// <param name="kicks">Where the kicks go, each at its request's index.</param>
     /// <param name="count">How many; 0 … the capacity of both.</param>
+    /// <param name="progress">Told now and then how many are done, on the thread that did them; default nobody.</param>
+    /// <param name="cancellation">Ends the run between two groups of kicks; default never.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="OperationCanceledException">The run was cancelled. Some kicks may have been written.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range. Some kicks may have been written.</exception>
-    public void Find(BatchAims aims, BatchKicks kicks, int count)
+    public void Find(BatchAims aims, BatchKicks kicks, int count, IProgress<int>? progress = null, CancellationToken cancellation = default)
     {
         _aims = aims ?? throw new ArgumentNullException(nameof(aims));
         _kicks = kicks ?? throw new ArgumentNullException(nameof(kicks));
@@ -90,6 +93,6 @@ public sealed class BatchAimer
             worker.Begin(aims);
         }
 
-        _groups.Run(count);
+        _groups.Run(count, progress, cancellation);
     }
 }

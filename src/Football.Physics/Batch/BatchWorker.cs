@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Runtime.CompilerServices;
 
 namespace Football.Physics;
 
@@ -8,6 +9,9 @@ internal sealed class BatchWorker
     private readonly Scene _scene;
     private readonly BatchSettings _settings;
     private readonly Simulator _simulator;
+
+    /// <summary>The ground as any surface is; null where the impacts are those of the plain pitch.</summary>
+    private readonly ContactMaterial? _ground;
     private readonly LaneFlight? _lanes;
     private readonly LaneDomain _domain;
     private readonly LaneGroup _group = new();
@@ -23,6 +27,7 @@ internal sealed class BatchWorker
         _settings = settings;
         _simulator = new Simulator(scene, new SolverSettings { Integrator = settings.Integrator });
         _upward = Weight.UpwardAcceleration(scene);
+        _ground = World.Of(scene) is null ? null : new ContactMaterial(scene.Ground);
         _domain = new LaneDomain(scene, settings.TimeStep);
         if (settings.Precision == BatchPrecision.Single && LaneFlight.Covers(scene))
         {
@@ -36,6 +41,7 @@ internal sealed class BatchWorker
     }
 
     /// <summary>Flies some balls.</summary>
+    [MethodImpl(Hot.Path)]
     public void Fly(BatchLaunches launches, BatchFlights flights, int from, int count, double duration)
     {
         _group.Clear();
@@ -75,6 +81,7 @@ internal sealed class BatchWorker
         }
     }
 
+    [MethodImpl(Hot.Path)]
     private void FlyTogether(BatchLaunches launches, BatchFlights flights, int from, double duration)
     {
         int flying = _group.Flying;
@@ -125,8 +132,14 @@ internal sealed class BatchWorker
         double apex = _settings.FindApex ? _highest.Apex : 0;
         if (hit)
         {
-            BallEvent impact = _log.Events[0];
+            // Among things, other events may come before, and what is hit may be none of the ground.
+            BallEvent impact = LastImpact();
             Write(flights, index, BatchEnd.Impact, impact.Time, impact.Position, impact.VelocityBefore, impact.SpinBefore, apex);
+            if (_ground is not null)
+            {
+                flights.VelocityAfter[index] = impact.Velocity;
+                flights.SpinAfter[index] = impact.Spin;
+            }
         }
         else
         {
@@ -134,6 +147,18 @@ internal sealed class BatchWorker
         }
     }
 
+    private BallEvent LastImpact()
+    {
+        int i = _log.Events.Count - 1;
+        while (_log.Events[i].Kind != BallEventKind.Impact)
+        {
+            i--;
+        }
+
+        return _log.Events[i];
+    }
+
+    [MethodImpl(Hot.Path)]
     private void Write(
         BatchFlights flights, int index, BatchEnd end, double time, in Vector3d position, in Vector3d velocity, in Vector3d spin, double apex)
     {
@@ -141,7 +166,14 @@ internal sealed class BatchWorker
         Vector3d spinAfter = spin;
         if (end == BatchEnd.Impact)
         {
-            ImpactResponse.Apply(_scene.Ball, _scene.Ground, in velocity, in spin, out after, out spinAfter);
+            if (_ground is { } ground)
+            {
+                CoulombImpact.Apply(_scene.Ball, in ground, Vector3d.Up, Vector3d.Zero, in velocity, in spin, out after, out spinAfter);
+            }
+            else
+            {
+                ImpactResponse.Apply(_scene.Ball, _scene.Ground, in velocity, in spin, out after, out spinAfter);
+            }
         }
 
         flights.End[index] = end;

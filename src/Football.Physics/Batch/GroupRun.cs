@@ -16,7 +16,10 @@ internal sealed class GroupRun
     private int _count;
     private int _next;
     private int _failedAt;
+    private int _done;
     private ExceptionDispatchInfo? _failure;
+    private IProgress<int>? _progress;
+    private CancellationToken _cancellation;
 
     /// <summary>Makes a run that can be made again.</summary>
     /// <param name="threads">How many threads.</param>
@@ -29,8 +32,15 @@ internal sealed class GroupRun
     }
 
     /// <summary>Does so many balls.</summary>
-    public void Run(int count)
+    /// <param name="count">How many.</param>
+    /// <param name="progress">Told after every group how many are done; one call at a time.</param>
+    /// <param name="cancellation">Ends the run between two groups.</param>
+    /// <exception cref="OperationCanceledException">The run was cancelled.</exception>
+    public void Run(int count, IProgress<int>? progress = null, CancellationToken cancellation = default)
     {
+        _progress = progress;
+        _cancellation = cancellation;
+        _done = 0;
         _count = count;
         _next = 0;
         _failedAt = int.MaxValue;
@@ -57,13 +67,28 @@ internal sealed class GroupRun
                 return;
             }
 
+            int balls = Math.Min(LaneGroup.Size, _count - (int)from);
             try
             {
-                _work(thread, (int)from, Math.Min(LaneGroup.Size, _count - (int)from));
+                _cancellation.ThrowIfCancellationRequested();
+                _work(thread, (int)from, balls);
+                Report(balls);
             }
             catch (Exception e)
             {
                 Fail((int)from, e);
+            }
+        }
+    }
+
+    private void Report(int balls)
+    {
+        if (_progress is not null)
+        {
+            lock (_lock)
+            {
+                _done += balls;
+                _progress.Report(_done);
             }
         }
     }

@@ -46,42 +46,53 @@ internal readonly struct ContactSearch
     {
         first = default;
         double best = double.PositiveInfinity;
-        for (int i = 0; i < _world.Colliders.Length; i++)
-        {
-            if (i != carrier)
-            {
-                double at = FirstContact(_world.Colliders[i], Math.Min(best, _path.Length));
-                if (at < best)
-                {
-                    best = at;
-                    first = Gap.OfContact(_world, i);
-                }
-            }
-        }
-
-        for (int i = 0; i < _world.Nets.Length; i++)
+        int bestThing = -1;
+        int nets = _world.Colliders.Length;
+        int goals = nets + _world.Nets.Length;
+        var near = new NearThings(_world, _bounds.Grown(_world.Ball.Radius), _time, _path.Length);
+        while (near.Next(out int thing))
         {
             double until = Math.Min(best, _path.Length);
+            double at = double.PositiveInfinity;
             Gap gap = default;
-            bool inside = (s.Nets >> i & 1) != 0;
-            double side = World.SideOf(s.NetSides, i);
-            double at = inside ? Fall(gap = Gap.OfLeavingNet(_world, i, side), until) : MeetsNet(i, until, out gap);
-            if (at < best)
+            if (thing < nets)
+            {
+                gap = Gap.OfContact(_world, thing);
+                at = thing == carrier ? at : FirstContact(_world.Colliders[thing], until);
+            }
+            else if (thing < goals)
+            {
+                int net = thing - nets;
+                bool inside = (s.Nets >> net & 1) != 0;
+                at = inside ? at : MeetsNet(net, until, out gap);
+            }
+            else if ((s.GoalsPassed >> (thing - goals) & 1) == 0)
+            {
+                gap = Gap.OfGoal(_world, thing - goals);
+                at = Fall(in gap, until);
+                at = at <= until && _world.Goals[thing - goals].Contains(_path.At(at)) ? at : double.PositiveInfinity;
+            }
+
+            // Of what is met at one instant the first of the scene comes first, however the walk goes.
+            if (at < best || (at == best && thing < bestThing))
             {
                 best = at;
+                bestThing = thing;
                 first = gap;
             }
         }
 
-        for (int i = 0; i < _world.Goals.Length; i++)
+        // A net that the ball is in has grown with it, and is left wherever the ball is.
+        for (int net = 0; net < _world.Nets.Length && s.Nets >> net != 0; net++)
         {
-            if ((s.GoalsPassed >> i & 1) == 0)
+            if ((s.Nets >> net & 1) != 0)
             {
-                Gap gap = Gap.OfGoal(_world, i);
+                Gap gap = Gap.OfLeavingNet(_world, net, World.SideOf(s.NetSides, net));
                 double at = Fall(in gap, Math.Min(best, _path.Length));
-                if (at < best && _world.Goals[i].Contains(_path.At(at)))
+                if (at < best || (at == best && nets + net < bestThing))
                 {
                     best = at;
+                    bestThing = nets + net;
                     first = gap;
                 }
             }
@@ -96,13 +107,13 @@ internal readonly struct ContactSearch
         double r = _world.Ball.Radius;
         PathCubic path = _path;
         Bounds3d bounds = _bounds;
-        if (collider.Velocity != Vector3d.Zero)
+        if (collider.Moves)
         {
-            path = _path.SeenFrom(collider.Velocity, _time);
+            path = collider.Seen(in _path, _time);
             bounds = path.Bounds;
         }
 
-        if (Apart(in bounds, in collider.Bounds, r))
+        if (!bounds.Grown(r).Touches(in collider.Bounds))
         {
             return double.PositiveInfinity;
         }
@@ -233,9 +244,4 @@ internal readonly struct ContactSearch
         double root = Math.Sqrt((rate * rate) + (2.0 * bend * gap));
         return rate < 0 ? 2.0 * gap / (root - rate) : bend > 0 ? (rate + root) / bend : double.PositiveInfinity;
     }
-
-    private static bool Apart(in Bounds3d path, in Bounds3d thing, double radius) =>
-        path.Min.X - radius > thing.Max.X || path.Max.X + radius < thing.Min.X
-        || path.Min.Y - radius > thing.Max.Y || path.Max.Y + radius < thing.Min.Y
-        || path.Min.Z - radius > thing.Max.Z || path.Max.Z + radius < thing.Min.Z;
 }

@@ -22,7 +22,8 @@ internal struct Guides
     public static Guides Of(World world, in Vector3d position, in Vector3d velocity, double time, int carrier)
     {
         Guides guides = default;
-        for (int i = 0; i < world.Colliders.Length && guides.Count < 3; i++)
+        var near = NearThings.At(world, in position, time);
+        while (near.NextCollider(out int i))
         {
             if (i == carrier)
             {
@@ -118,12 +119,23 @@ internal struct Guides
         }
     }
 
+    /// <summary>Keeps the first three of the scene, in its order.</summary>
     private void Add(int collider)
     {
-        _first = Count == 0 ? collider : _first;
+        if (Count > 0 && collider < _first)
+        {
+            (collider, _first) = (_first, collider);
+        }
+
+        if (Count > 1 && collider < _second)
+        {
+            (collider, _second) = (_second, collider);
+        }
+
+        _third = Count == 2 ? collider : Count > 2 ? Math.Min(_third, collider) : _third;
         _second = Count == 1 ? collider : _second;
-        _third = Count == 2 ? collider : _third;
-        Count++;
+        _first = Count == 0 ? collider : _first;
+        Count = Math.Min(Count + 1, 3);
     }
 
     private readonly int At(int i) => i == 0 ? _first : i == 1 ? _second : _third;

@@ -34,9 +34,9 @@ internal sealed class Surroundings<TAir>
     /// <summary>Height of the centre of a ball on the level pitch, m; −∞ where there is none, or where the ground is one of many things.</summary>
     public readonly double ContactHeight;
 
-    public Surroundings(Scene scene)
+    public Surroundings(Scene scene, in TAir air)
     {
-        Air.Prepare(scene);
+        Air = air;
         AirActs = Air.Drags || Air.Lifts || Air.SpinDecays || Air.Varies;
         Ground = GroundForces.Of(scene);
         Wind = scene.Air.Wind;

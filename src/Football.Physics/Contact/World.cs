@@ -6,12 +6,7 @@ namespace Football.Physics;
 internal sealed class World
 {
     private readonly string[] _names;
-
-    /// <summary>Boxes around all that has one and stands still.</summary>
-    private readonly Bounds3d[] _boxes;
-
-    /// <summary>What has no box, or moves; but not level ground.</summary>
-    private readonly Collider[] _others;
+    private readonly Mover[] _movers;
 
     private World(Scene scene)
     {
@@ -25,28 +20,34 @@ internal sealed class World
         {
             IShape ground = scene.Ground.Heights is { } heights ? heights.Raised(scene.Ground.Height)
                 : new PlaneShape(new Vector3d(0, scene.Ground.Height, 0), scene.Ground.Normal);
-            colliders.Add(new Collider("ground", ground, new ContactMaterial(scene.Ground), default, default, default));
+            colliders.Add(new Collider("ground", ground, new ContactMaterial(scene.Ground)));
             Ground = colliders[0];
         }
 
         colliders.AddRange(scene.Obstacles.Select(obstacle => new Collider(obstacle)));
         colliders.AddRange(scene.Goals.SelectMany(goal => goal.Frame()).Select(obstacle => new Collider(obstacle)));
+        if (scene.Bodies is { Count: > 0 } bodies)
+        {
+            bodies.Use();
+            colliders.AddRange(bodies.Select(body => new Collider(body)));
+            Bodies = bodies;
+        }
+
         Colliders = [.. colliders];
         Nets = [.. scene.Nets.Concat(scene.Goals.SelectMany(goal => goal.Nets())).Select(net => new NetSheet(net, Ball))];
         Goals = [.. scene.Goals.Select(goal => new GoalMouth(goal, Ball))];
         FirstCollider = scene.Ground.IsNone ? 1 : 0;
+        IsLevel = scene.Ground.IsLevel;
         LevelContact = scene.Ground.IsNone || !scene.Ground.IsLevel ? double.NegativeInfinity : scene.Ground.Height + Ball.Radius;
-        bool IsOther(Collider collider) =>
-            (collider.Velocity != Vector3d.Zero || !(collider.Bounds.Max - collider.Bounds.Min).IsFinite) && !(collider == Ground && scene.Ground.IsLevel);
-        _others = Array.FindAll(Colliders, IsOther);
-        _boxes =
+        Moving = Of(collider => collider.Moves);
+        _movers = [.. Moving.Select(i => Colliders[i]).Where(collider => !collider.IsBody).Select(collider => new Mover(in collider.Bounds, collider.Velocity))];
+        Unbounded = Of(collider => !collider.Moves && !collider.Bounds.IsFinite);
+        Leaves =
         [
-            .. Colliders.Where(collider => !IsOther(collider) && collider != Ground).Select(collider => collider.Bounds),
-            .. Nets.Select(net => net.Bounds),
-            .. Goals.Select(goal => goal.Bounds),
+            .. Of(collider => !collider.Moves && collider.Bounds.IsFinite),
+            .. Enumerable.Range(Colliders.Length, Nets.Length + Goals.Length),
         ];
-        FastestSpeed = Colliders.Select(collider => collider.Velocity.Length).DefaultIfEmpty(0).Max();
-        Moves = Array.Exists(Colliders, collider => collider.Velocity != Vector3d.Zero);
+        Tree = new BoundsTree([.. Leaves.Select(BoundsOf)]);
         _names =
         [
             "ground",
@@ -65,6 +66,18 @@ internal sealed class World
     /// <summary>The ground, obstacles, posts and bars.</summary>
     public Collider[] Colliders { get; }
 
+    /// <summary>The colliders that move.</summary>
+    public int[] Moving { get; }
+
+    /// <summary>The colliders that stand still and have no bounds.</summary>
+    public int[] Unbounded { get; }
+
+    /// <summary>Boxes around all else.</summary>
+    public BoundsTree Tree { get; }
+
+    /// <summary>What is in each of the boxes of the tree: colliders are numbered first, then nets, then goals.</summary>
+    public int[] Leaves { get; }
+
     /// <summary>Nets.</summary>
     public NetSheet[] Nets { get; }
 
@@ -75,13 +88,16 @@ internal sealed class World
     public int FirstCollider { get; }
 
     /// <summary>Whether anything moves.</summary>
-    public bool Moves { get; }
+    public bool Moves => Moving.Length > 0;
+
+    /// <summary>What the game moves; null where that is nothing.</summary>
+    public Bodies? Bodies { get; }
+
+    /// <summary>Whether the ground is level.</summary>
+    public bool IsLevel { get; }
 
     /// <summary>Height of the centre of a ball on level ground, m; −∞ where there is none.</summary>
     public double LevelContact { get; }
-
-    /// <summary>The speed of the fastest thing, m/s.</summary>
-    public double FastestSpeed { get; }
 
     /// <summary>A ball that leaves a contact slower than this stays, m/s.</summary>
     public double MinimumBounceSpeed { get; }
@@ -105,25 +121,66 @@ internal sealed class World
             && ground.RollingFrictionBySpeed == 0
             && ground.DrillingLength == 0
             && ground.Aerodynamics != GroundAerodynamics.Full;
-        return plain && scene.Obstacles.Count == 0 && scene.Nets.Count == 0 && scene.Goals.Count == 0 ? null : new World(scene);
+        bool empty = scene.Obstacles.Count == 0 && scene.Nets.Count == 0 && scene.Goals.Count == 0 && scene.Bodies is not { Count: > 0 };
+        return plain && empty ? null : new World(scene);
     }
 
-    /// <summary>A distance, m, within which the ball can go without meeting anything but level ground; 0 where it touches something.</summary>
-    public double ClearanceAt(in Vector3d position, double time)
+    /// <summary>How long a ball goes on a straight way before it may meet anything but level ground and bodies, s; not longer than the way.</summary>
+    public double FreeFor(in StraightWay way)
     {
-        double nearest = double.PositiveInfinity;
-        for (int i = 0; i < _boxes.Length; i++)
+        // Most ways touch no box at all, and that is soon seen.
+        Bounds3d box = way.Box;
+        int node = 0;
+        double free = Tree.Next(in box, ref node, out _) ? Tree.FirstMet(in way, way.Duration) : way.Duration;
+
+        // What has no box is asked how far it is from the middle of the way.
+        Vector3d middle = way.Middle;
+        double half = 0.5 * way.Duration;
+        double reach = (half * way.Velocity.Length) + way.Around;
+        for (int i = 0; i < Unbounded.Length; i++)
         {
-            nearest = Math.Min(nearest, _boxes[i].DistanceSquared(in position));
+            Collider collider = Colliders[Unbounded[i]];
+            if (!(collider == Ground && IsLevel) && !(collider.At(in middle).Distance > reach))
+            {
+                // Closer it is asked from the start: no faster than at this speed can it be met.
+                double distance = collider.At(way.From).Distance - way.Around;
+                free = Math.Min(free, Math.Max(0, distance / way.Velocity.Length));
+            }
         }
 
-        nearest = Math.Sqrt(nearest);
-        foreach (Collider other in _others)
+        for (int i = 0; i < _movers.Length; i++)
         {
-            nearest = Math.Min(nearest, other.At(in position, time).Distance);
+            if (_movers[i].MayMeet(in middle, reach, way.Time + half, half))
+            {
+                Collider collider = Colliders[Moving[i]];
+                free = Math.Min(free, way.SeenFrom(collider.Velocity).Meets(collider.BoundsAt(way.Time)));
+            }
         }
 
-        return Math.Max(0, nearest - Ball.Radius);
+        return free;
+    }
+
+    /// <summary>Adds all numbers of what stands still, or moves by itself.</summary>
+    public void AddTo(ref ClearKey key)
+    {
+        key.Add(Ball.Radius);
+        for (int i = 0; i < Leaves.Length; i++)
+        {
+            key.Add(BoundsOf(Leaves[i]));
+        }
+
+        foreach (Collider collider in Colliders.Where(collider => !collider.IsBody))
+        {
+            // What has no bounds is told by what it says of two points.
+            ShapePoint low = collider.At(Vector3d.Zero);
+            ShapePoint high = collider.At(new Vector3d(11, 7, 5));
+            key.Add(low.Distance);
+            key.Add(low.Normal);
+            key.Add(high.Distance);
+            key.Add(high.Normal);
+            key.Add(in collider.Bounds);
+            key.Add(collider.Velocity);
+        }
     }
 
     /// <summary>The name of a thing.</summary>
@@ -135,6 +192,14 @@ internal sealed class World
 
     /// <summary>Index among the things of the scene of a goal.</summary>
     public int ThingOfGoal(int goal) => ThingOfNet(Nets.Length) + goal;
+
+    /// <summary>The colliders of a kind.</summary>
+    private int[] Of(Predicate<Collider> kind) => [.. Enumerable.Range(0, Colliders.Length).Where(i => kind(Colliders[i]))];
+
+    private Bounds3d BoundsOf(int thing) =>
+        thing < Colliders.Length ? Colliders[thing].Bounds
+        : thing < Colliders.Length + Nets.Length ? Nets[thing - Colliders.Length].Bounds
+        : Goals[thing - Colliders.Length - Nets.Length].Bounds;
 
     /// <summary>What carries the ball. A state of another scene may name what is not here: then it is the first thing.</summary>
     public Collider CarrierOf(in BallState s)

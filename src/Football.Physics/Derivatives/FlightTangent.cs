@@ -14,6 +14,11 @@ internal sealed class FlightTangent<TAir>
     private const double LongestTime = 0.0801;
     private const double LargestChange = 0.3;
 
+    /// <summary>No more change of the flow at once than this share of it, and of its part across the spin: a piece that has more is taken in parts.</summary>
+    private const double FlowShare = 0.09;
+    private const double AcrossShare = 0.25;
+    private const double MostParts = 32;
+
     /// <summary>A slower spin, rad/s, is left to the general form: its axis may be none.</summary>
     private const double SlowestSpin = 1e-2;
 
@@ -85,8 +90,8 @@ internal sealed class FlightTangent<TAir>
         // An even number of equal pieces has a state in the middle.
         double h = _times[_count] - _times[0];
         bool full = _count == MostPieces || h + (h / _count) > LongestTime
-            || ((_count & 1) == 0 && Math.Abs(_velocities[_count].Length - _velocities[0].Length) > LargestChange);
-        if (full)
+            || ((_count & 1) == 0 && (Math.Abs(_velocities[_count].Length - _velocities[0].Length) > LargestChange || Change(_count) > 0.5));
+        if (full || (_count == 1 && Change(1) > 0.5))
         {
             Integrate();
         }
@@ -121,14 +126,31 @@ internal sealed class FlightTangent<TAir>
             FlightGenerator.At(ref _around.Air, _branch, _needsAcross, in _velocities[0], _spins[0], in _axis, in _first, in _second, out _start);
         }
 
-        Middle(_times[0] + (0.5 * h), out Vector3d velocity, out double spin);
-        FlightGenerator.At(ref _around.Air, _branch, _needsAcross, in velocity, spin, in _axis, in _first, in _second, out FlightGenerator middle);
-        FlightGenerator.At(ref _around.Air, _branch, _needsAcross, in _velocities[_count], _spins[_count], in _axis, in _first, in _second, out FlightGenerator end);
-        Advance(h, in middle, in end);
-        _start = end;
+        int parts = _count == 1 ? 1 + (int)Math.Min(MostParts, Change(1)) : 1;
+        double part = h / parts;
+        for (int i = 0; i < parts; i++)
+        {
+            Motion(_times[0] + ((i + 0.5) * part), out Vector3d velocity, out double spin);
+            FlightGenerator.At(ref _around.Air, _branch, _needsAcross, in velocity, spin, in _axis, in _first, in _second, out FlightGenerator middle);
+            Motion(i == parts - 1 ? _times[_count] : _times[0] + ((i + 1) * part), out velocity, out spin);
+            FlightGenerator.At(ref _around.Air, _branch, _needsAcross, in velocity, spin, in _axis, in _first, in _second, out FlightGenerator end);
+            Advance(part, in middle, in end);
+            _start = end;
+        }
+
         _knowsStart = true;
         Store(0, _times[_count], _velocities[_count] + _around.Wind, _spins[_count]);
         _count = 0;
+    }
+
+    /// <summary>How much the flow changes over the first pieces, by what is allowed at once.</summary>
+    private double Change(int pieces)
+    {
+        Vector3d change = _velocities[pieces] - _velocities[0];
+        double across = Math.Min(Vector3d.Cross(in _axis, in _velocities[0]).LengthSquared, Vector3d.Cross(in _axis, in _velocities[pieces]).LengthSquared);
+        double flow = Math.Min(_velocities[0].LengthSquared, _velocities[pieces].LengthSquared);
+        double least = Math.Min(FlowShare * FlowShare * flow, (AcrossShare * AcrossShare * across) + 1e-6);
+        return Math.Sqrt(change.LengthSquared / least);
     }
 
     private void Advance(double h, in FlightGenerator middle, in FlightGenerator end)
@@ -156,8 +178,8 @@ internal sealed class FlightTangent<TAir>
         FlightColumns.Sum(in _columns, sixth, in sum, out _columns);
     }
 
-    /// <summary>The motion in the middle: a state that was there, or the cubic through four of them, or what there are.</summary>
-    private void Middle(double time, out Vector3d velocity, out double spin)
+    /// <summary>The motion at a time: a state that was there, or what is between two of them.</summary>
+    private void Motion(double time, out Vector3d velocity, out double spin)
     {
         int i = 0;
         while (_times[i] < time - 1e-9)

@@ -20,6 +20,10 @@ internal sealed class SceneTangent<TAir> : TangentObserver
     /// <summary>Parts for a slip that ends within one piece.</summary>
     private const double PartsOfWhole = 32;
 
+    /// <summary>A part of a flight changes the flow by no more than this share of it, and need not change it by less than this, m/s.</summary>
+    private const double FlowShare = 0.1;
+    private const double LeastFlow = 1e-3;
+
     private readonly Surroundings<TAir> _around;
     private readonly ImpactMap<TAir> _impacts;
     private readonly EventSurface<TAir> _surface;
@@ -41,14 +45,14 @@ internal sealed class SceneTangent<TAir> : TangentObserver
     /// <summary>Whether the last piece was the end of a slide, which leaves the spin of a roll.</summary>
     private bool _rolls;
 
-    public SceneTangent(Scene scene)
+    public SceneTangent(Scene scene, in TAir air)
     {
-        _around = new Surroundings<TAir>(scene);
+        _around = new Surroundings<TAir>(scene, in air);
         _impacts = new ImpactMap<TAir>(scene, _around);
         _surface = new EventSurface<TAir>(_around);
         _flight = new FlightTangent<TAir>(_around);
-        _now = new LocalMotion<TAir>(_around, scene.Ground.Heights is null);
-        _next = new LocalMotion<TAir>(_around, scene.Ground.Heights is null);
+        _now = new LocalMotion<TAir>(_around, scene.Ground.Heights is null, scene.Ball);
+        _next = new LocalMotion<TAir>(_around, scene.Ground.Heights is null, scene.Ball);
         _restEnergy = scene.Ground.RestEnergy;
         _ball = scene.Ball;
     }
@@ -70,6 +74,10 @@ internal sealed class SceneTangent<TAir> : TangentObserver
             Vector3d normal = _now.NormalAt(from.Position, from.Time);
             Tangent.Project(0, in normal);
             Tangent.Project(MotionVector.Velocity, in normal);
+            if (from.Motion == MotionState.Rolling)
+            {
+                Tangent.Roll(in normal, _around.Radius, _ball.InertiaFactor);
+            }
         }
     }
 
@@ -100,7 +108,7 @@ internal sealed class SceneTangent<TAir> : TangentObserver
 
         Motion start = MotionVector.Of(in before);
         Motion end = MotionVector.Of(in after);
-        if (before.Motion == MotionState.Sliding && _now.SlipAt(after.Time, in end) < LastPiece * _now.SlipAt(before.Time, in start))
+        if (before.Motion == MotionState.Sliding && _now.SpeedOnSurface(after.Time, in end) < LastPiece * _now.SpeedOnSurface(before.Time, in start))
         {
             EndSlide(before.Time, in start);
         }
@@ -228,6 +236,13 @@ internal sealed class SceneTangent<TAir> : TangentObserver
             ToEvent(new EventGradient(Vector3d.Zero, Vector3d.Zero, in normal, Vector3d.Dot(in normal, in rates.SpinAcceleration)));
         }
 
+        if (_next.IsPinned && !_now.IsPinned)
+        {
+            // It stands: it only spins about the normal.
+            Tangent.Clear(MotionVector.Velocity);
+            Tangent.Keep(MotionVector.Spin, _next.NormalAt(before.Position, before.Time));
+        }
+
         if (before.SpinRate == 0 && before.Motion == MotionState.Airborne)
         {
             Tangent.Clear(MotionVector.Spin);
@@ -285,7 +300,7 @@ internal sealed class SceneTangent<TAir> : TangentObserver
     {
         Array.Clear(_map, 0, _map.Length);
         _map[_map.Length - 1] = 1;
-        double width = SlipShare * _now.SlipAt(time, in start);
+        double width = SlipShare * _now.SpeedOnSurface(time, in start);
         Span<double> times = stackalloc double[MotionVector.Size];
         for (int i = 0; i < MotionVector.AirDistance; i++)
         {
@@ -336,16 +351,19 @@ internal sealed class SceneTangent<TAir> : TangentObserver
     /// <summary>How many parts to take a piece in: the direction of friction turns with 1/|s|, or 1/|v|, which must not change by much within a part.</summary>
     private int Parts(double time, in Motion start, in Motion end, double h)
     {
-        if (_now.Motion == MotionState.Airborne)
+        if (_now.IsPinned)
         {
             return 1;
         }
 
-        bool slides = _now.Motion == MotionState.Sliding;
-        double before = slides ? _now.SlipAt(time, in start) : start.Velocity.Length;
-        double after = slides ? _now.SlipAt(time + h, in end) : end.Velocity.Length;
+        // Where the flow all but stops it turns fast.
+        double slowest = Math.Min(_now.FlowAt(in start), _now.FlowAt(in end));
+        double turning = Vector3d.Distance(start.Velocity, end.Velocity) / ((FlowShare * slowest) + LeastFlow);
+        double before = _now.Motion == MotionState.Airborne ? 0 : _now.SpeedOnSurface(time, in start);
+        double after = _now.Motion == MotionState.Airborne ? 0 : _now.SpeedOnSurface(time + h, in end);
         double most = Math.Max(before, after);
-        return 1 + (most > 0 ? (int)(PartsOfWhole * (Math.Abs(before - after) / most)) : 0);
+        double stopping = most > 0 ? PartsOfWhole * (Math.Abs(before - after) / most) : 0;
+        return 1 + (int)Math.Min(PartsOfWhole, Math.Max(turning, stopping));
     }
 
     /// <summary>The motion between both ends of a piece: cubic Hermite interpolants.</summary>

@@ -137,6 +137,33 @@ internal sealed class Tangent
     }
 
     /// <summary>
+    /// The shortest of slides, of a ball that is all but rolling, up to where it rolls: δv' = δv − δs/(1 + 1/α), δω' = n × δv'/r + (n·δω) n.
+    /// </summary>
+    /// <param name="normal">n.</param>
+    /// <param name="radius">r, m.</param>
+    /// <param name="inertiaFactor">α.</param>
+    public void Roll(in Vector3d normal, double radius, double inertiaFactor)
+    {
+        for (int c = 0; c < Columns; c++)
+        {
+            Vector3d velocity = Column(MotionVector.Velocity, c);
+            Vector3d spin = Column(MotionVector.Spin, c);
+            velocity -= inertiaFactor / (1.0 + inertiaFactor) * Slip.Of(in velocity, in spin, in normal, radius);
+            Set(MotionVector.Velocity, c, in velocity);
+            Set(MotionVector.Spin, c, Slip.RollingSpin(in velocity, Vector3d.Dot(in spin, in normal), in normal, radius));
+        }
+    }
+
+    /// <summary>Keeps of three rows what is along a direction.</summary>
+    public void Keep(int row, in Vector3d normal)
+    {
+        for (int c = 0; c < Columns; c++)
+        {
+            Set(row, c, Dot(row, c, in normal) * normal);
+        }
+    }
+
+    /// <summary>
     /// The variational equation J̇ = A(t) J over a time h by Magnus' method of fourth order, J ← exp(Ω) J,
     /// Ω = h/2 (A₁ + A₂) + √3/12 h² [A₂, A₁] with A at both Gauss points: neither end is asked, where forces may have kinks.
     /// </summary>

@@ -17,9 +17,7 @@ internal abstract class TangentObserver : PieceObserver
     public static TangentObserver Of(Scene scene)
     {
         Maker maker = default;
-        return scene.Forces.Custom.Count > 0 ? maker.Visit<OwnForcesAir>(scene)
-            : FieldAir.IsOf(scene) ? maker.Visit<FieldAir>(scene)
-            : AirChoice.Choose<Maker, TangentObserver>(scene, ref maker);
+        return AirChoice.Choose<Maker, TangentObserver>(scene, ref maker);
     }
 
     public override bool Add(in PathPiece piece) => false;
@@ -39,6 +37,22 @@ internal abstract class TangentObserver : PieceObserver
     private struct Maker : IAirVisitor<TangentObserver>
     {
         public readonly TangentObserver Visit<TAir>(Scene scene)
-            where TAir : struct, IAir => new SceneTangent<TAir>(scene);
+            where TAir : struct, ILawsAir
+        {
+            TAir laws = default;
+            laws.Prepare(scene);
+            if (StepperFactory.HasLawsAlone(scene))
+            {
+                return new SceneTangent<TAir>(scene, in laws);
+            }
+
+            PointAir air = PointAir.Of(in laws);
+            if (scene.Forces.Custom.Count == 0)
+            {
+                return new SceneTangent<FieldAir>(scene, new FieldAir(scene, air));
+            }
+
+            return new SceneTangent<OwnForcesAir>(scene, new OwnForcesAir(scene, FieldAir.IsOf(scene) ? PointAir.Of(new FieldAir(scene, air)) : air));
+        }
     }
 }

@@ -60,4 +60,46 @@ public readonly struct BallEvent
 
     /// <summary>Spin just after, rad/s.</summary>
     public Vector3d Spin { get; }
+
+    /// <summary>Which tick of steps of one length it happened in, the first of which begins at time 0: the kick of a later tick does not change it.</summary>
+    /// <param name="timeStep">Length of a step, s; above 0.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="timeStep"/> is not above 0.</exception>
+    public long TickAt(double timeStep)
+    {
+        Check.Positive(nameof(timeStep), timeStep);
+        return (long)Math.Floor(Time / timeStep);
+    }
+
+    /// <summary>Speed against what was hit, along the normal, m/s: what a bounce sounds like. 0 for what is no impact.</summary>
+    public double NormalSpeed => Math.Abs(Vector3d.Dot(VelocityBefore, Normal));
+
+    /// <summary>Linear speed that the event took away, m/s.</summary>
+    public double SpeedLost => VelocityBefore.Length - Velocity.Length;
+
+    /// <summary>Slip of the ball's lowest point over what it touches, just before, m/s, towards which it rubs.</summary>
+    /// <param name="radius">Radius of the ball, m.</param>
+    public Vector3d SlipBefore(double radius)
+    {
+        // v + ω × (−r n), without its part along n.
+        Vector3d surface = VelocityBefore - (radius * Vector3d.Cross(SpinBefore, Normal));
+        return surface - (Vector3d.Dot(in surface, Normal) * Normal);
+    }
+
+    /// <summary>Energy that the event took away, of motion and of rotation, J.</summary>
+    /// <param name="ball">The ball.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="ball"/> is null.</exception>
+    public double EnergyLost(BallProperties ball)
+    {
+        if (ball is null)
+        {
+            throw new ArgumentNullException(nameof(ball));
+        }
+
+        double linear = VelocityBefore.LengthSquared - Velocity.LengthSquared;
+        double angular = SpinBefore.LengthSquared - Spin.LengthSquared;
+        return 0.5 * ((ball.Mass * linear) + (ball.MomentOfInertia * angular));
+    }
+
+    /// <summary>What happened, when and where.</summary>
+    public override string ToString() => FormattableString.Invariant($"{Kind} at {Time:0.###} s, {Position:0.###}, {Velocity:0.###} m/s");
 }

@@ -14,4 +14,7 @@ public readonly struct BallPose
 
     /// <summary>Orientation, body to world; norm 1.</summary>
     public Quaterniond Orientation { get; }
+
+    /// <summary>Place and orientation.</summary>
+    public override string ToString() => FormattableString.Invariant($"{Position:0.###}, {Orientation:0.###}");
 }

@@ -6,8 +6,8 @@ namespace Football.Physics;
 /// <remarks>
 /// Every step has the same length, so the trajectory is the same bits whatever the frame rate; kicks belong to ticks, not to frames.
 /// Games with a fixed update of their own call <see cref="Step"/> there and draw <see cref="PoseAt"/>; others call
-/// <see cref="Advance"/> once a frame and draw <see cref="Position"/> and <see cref="Orientation"/>. To roll back, keep copies of
-/// <see cref="State"/> by tick, <see cref="Restore"/> one, and step again: the kicks in <see cref="Kicks"/> are applied again.
+/// <see cref="Advance"/> once a frame and draw <see cref="Position"/> and <see cref="Orientation"/>. A <see cref="Rollback"/> keeps its
+/// last states and plays them again where a kick of the past was not known: the kicks in <see cref="Kicks"/> are applied again.
 /// Steps and drawing allocate nothing; a recording and the two logs grow.
 /// </remarks>
 public sealed class FixedStepRunner
@@ -19,18 +19,26 @@ public sealed class FixedStepRunner
     private BallState _previous;
     private double _left;
 
+    /// <summary>A ball at rest on the ground at the origin, at tick 0, in <see cref="Scene.Default"/> with <see cref="SolverSettings.Default"/>.</summary>
+    /// <inheritdoc cref="FixedStepRunner(Simulator, double, double)"/>
+    public FixedStepRunner(double timeStep = 0.01, double maximumFrameTime = 0.25)
+        : this(new Simulator(), timeStep, maximumFrameTime)
+    {
+    }
+
     /// <summary>A ball at rest on the ground at the origin, at tick 0.</summary>
-    /// <param name="simulator">The compiled scene; default <see cref="Scene.Default"/> with <see cref="SolverSettings.Default"/>.</param>
+    /// <param name="simulator">The compiled scene.</param>
     /// <param name="timeStep">Length of a step, s; at least a millionth of <paramref name="maximumFrameTime"/>, at most that; default 0.01.</param>
     /// <param name="maximumFrameTime">The longest frame that is made up for, s; above 0, at most 1e12; default 0.25. What a longer one has beyond it is dropped, and reported.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
-    public FixedStepRunner(Simulator? simulator = null, double timeStep = 0.01, double maximumFrameTime = 0.25)
+    public FixedStepRunner(Simulator simulator, double timeStep = 0.01, double maximumFrameTime = 0.25)
     {
         Check.Within(nameof(maximumFrameTime), maximumFrameTime, 0, Limits.Time, exclusiveLow: true);
         Check.Within(nameof(timeStep), timeStep, maximumFrameTime / MostSteps, maximumFrameTime);
         TimeStep = timeStep;
         MaximumFrameTime = maximumFrameTime;
-        _ball = new Ball(simulator ?? new Simulator());
+        _ball = new Ball(simulator);
         _previous = _ball.State;
     }
 
@@ -87,6 +95,9 @@ public sealed class FixedStepRunner
 
     /// <summary>Where the start, the hashes and the kicks of a match segment go; null when nothing is recorded.</summary>
     public MatchSegment? Recording { get; private set; }
+
+    /// <summary>What keeps its last states; null where nothing does.</summary>
+    internal Rollback? History { get; set; }
 
     /// <summary>Has the ball kicked when this tick's step begins, as player 0. <see cref="Ball.Kick(Vector3d, Vector3d)"/> kicks at once; this waits for the step.</summary>
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
@@ -215,6 +226,7 @@ public sealed class FixedStepRunner
         Tick = tick;
         _previous = state;
         Events.Clear();
+        History?.Begin(tick, in state);
         if (Recording is { } recording && !recording.TryRewind(tick, in state))
         {
             Recording = null;
@@ -264,5 +276,6 @@ public sealed class FixedStepRunner
         Tick++;
         Events.Add(_ball.Events);
         Recording?.Add(Snapshot.Hash(_ball.State));
+        History?.Keep(Tick, _ball.State);
     }
 }

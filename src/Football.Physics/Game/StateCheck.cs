@@ -52,6 +52,6 @@ internal static class StateCheck
         }
 
         Check.Within("state.carrier", state.Carrier, 0, int.MaxValue);
-        Check.Within("state.clearance", state.Clearance, 0, double.PositiveInfinity);
+        Check.Within("state.clearUntil", state.ClearUntil, 0, double.PositiveInfinity);
     }
 }

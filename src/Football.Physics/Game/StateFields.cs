@@ -17,7 +17,7 @@ internal interface IFieldVisitor
 internal static class StateFields
 {
     /// <summary>How many scalars there are; a test compares it with the struct itself.</summary>
-    public const int Count = 24;
+    public const int Count = 25;
 
     /// <summary>Visits every scalar, in a fixed order.</summary>
     public static void Visit<TVisitor>(ref BallState state, ref TVisitor visitor)
@@ -44,9 +44,10 @@ internal static class StateFields
         visitor.Bits(ref state.Nets);
         visitor.Bits(ref state.NetSides);
         visitor.Bits(ref state.GoalsPassed);
-        ulong clearance = (ulong)BitConverter.DoubleToInt64Bits(state.Clearance);
-        visitor.Bits(ref clearance);
-        state.Clearance = BitConverter.Int64BitsToDouble((long)clearance);
+        ulong clearUntil = (ulong)BitConverter.DoubleToInt64Bits(state.ClearUntil);
+        visitor.Bits(ref clearUntil);
+        state.ClearUntil = BitConverter.Int64BitsToDouble((long)clearUntil);
+        visitor.Bits(ref state.ClearIn);
         ulong airDistance = (ulong)BitConverter.DoubleToInt64Bits(state.AirDistance);
         visitor.Bits(ref airDistance);
         state.AirDistance = BitConverter.Int64BitsToDouble((long)airDistance);

@@ -84,10 +84,14 @@ internal readonly struct PathCubic
     /// <summary>The velocity at a time, m/s.</summary>
     public Vector3d VelocityAt(double t) => _c1 + (t * ((2.0 * _c2) + ((3.0 * t) * _c3)));
 
-    /// <summary>The path as something sees it that moves steadily and was at the origin at time 0.</summary>
+    /// <summary>The path as something sees it that moves steadily.</summary>
+    /// <param name="origin">Where its origin is at the start of the path, m.</param>
     /// <param name="velocity">Its velocity, m/s.</param>
-    /// <param name="time">Time at the start of the path, s.</param>
-    public PathCubic SeenFrom(in Vector3d velocity, double time) => new(_c0 - (time * velocity), _c1 - velocity, in _c2, in _c3, Length);
+    public PathCubic SeenFrom(in Vector3d origin, in Vector3d velocity) => new(_c0 - origin, _c1 - velocity, in _c2, in _c3, Length);
+
+    /// <summary>The same path in the axes of a thing that is turned.</summary>
+    public PathCubic InAxes(in RigidMotion thing) =>
+        new(thing.ToOwn(in _c0), thing.ToOwn(in _c1), thing.ToOwn(in _c2), thing.ToOwn(in _c3), Length);
 
     private static double Least(double a, double b, double c, double d) => Math.Min(Math.Min(a, b), Math.Min(c, d));
 

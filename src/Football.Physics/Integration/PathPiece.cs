@@ -89,6 +89,9 @@ public readonly struct PathPiece
         }
     }
 
+    /// <summary>When the centre is highest, s since the launch.</summary>
+    internal double ApexTime => StartVelocity.Y > 0 && EndVelocity.Y < 0 ? TurningTime(new Climb(in this)) : StartPosition.Y > EndPosition.Y ? Time : EndTime;
+
     /// <summary>Where the ball is at a time of the piece, m.</summary>
     /// <param name="time">Time since the launch, s; outside the piece its curve is continued.</param>
     public Vector3d PositionAt(double time)
@@ -174,6 +177,34 @@ public readonly struct PathPiece
         // The secant is a good start for Newton on the dense path.
         var distance = new PlaneDistance(in this, in point, in normal, before > 0);
         time = Time + (Roots.Newton(ref distance, 0, end, end * before / (before - after)) * Length);
+        return true;
+    }
+
+    /// <summary>When the piece comes back through a plane that it crossed, if it does.</summary>
+    /// <param name="point">A point of the plane.</param>
+    /// <param name="normal">Its normal; any length.</param>
+    /// <param name="crossed">When it crossed it first, s since the launch.</param>
+    /// <param name="time">When it comes back.</param>
+    internal bool CrossesBack(in Vector3d point, in Vector3d normal, double crossed, out double time)
+    {
+        double before = Vector3d.Dot(StartPosition - point, in normal);
+        double after = Vector3d.Dot(EndPosition - point, in normal);
+        time = crossed;
+        if (before < 0 != after < 0 || after == 0)
+        {
+            return false;
+        }
+
+        // Behind the plane it turns, and from there it comes back once.
+        double low = (crossed - Time) / Length;
+        var approach = new PlaneApproach(in this, in normal, before > 0);
+        approach.Evaluate(low, out double atCrossing);
+        approach.Evaluate(1, out double atEnd);
+        double turn = atCrossing < 0 && atEnd > 0 ? Roots.Illinois(ref approach, low, atCrossing, 1, atEnd, Closeness, MostEvaluations) : low;
+        var distance = new PlaneDistance(in this, in point, in normal, before < 0);
+        distance.Evaluate(turn, out double behind, out _);
+        double start = behind > 0 ? turn + ((1 - turn) * behind / (behind + Math.Abs(after))) : turn;
+        time = Time + (Roots.Newton(ref distance, turn, 1, start) * Length);
         return true;
     }
 

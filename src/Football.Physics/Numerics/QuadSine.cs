@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace Football.Physics;
 
 /// <summary>Sine and cosine of four angles at once, from + − × alone and without a branch: for sums of waves.</summary>
-/// <remarks>Absolute error below 1.5e-15 for angles of less than a turn; beyond, what rounding of the angle itself adds.</remarks>
+/// <remarks>Absolute error below 2e-15 for angles of less than a turn; beyond, what rounding of the angle itself adds.</remarks>
 internal static class QuadSine
 {
     /// <summary>Added to a number below 2⁵¹ it leaves the nearest whole number.</summary>

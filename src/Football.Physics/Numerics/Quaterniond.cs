@@ -1,20 +1,27 @@
+using System.Globalization;
 using System.Numerics;
+using System.Runtime.Serialization;
+using System.Text.Json.Serialization;
 
 namespace Football.Physics;
 
 /// <summary>A rotation as a unit quaternion of doubles, (x, y, z, w), turning body coordinates into world coordinates.</summary>
-public readonly struct Quaterniond : IEquatable<Quaterniond>
+public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
 {
     /// <summary>The x part of the vector.</summary>
+    [JsonInclude]
     public readonly double X;
 
     /// <summary>The y part of the vector.</summary>
+    [JsonInclude]
     public readonly double Y;
 
     /// <summary>The z part of the vector.</summary>
+    [JsonInclude]
     public readonly double Z;
 
     /// <summary>The scalar part.</summary>
+    [JsonInclude]
     public readonly double W;
 
     /// <summary>Makes a quaternion from its four parts; it is not normalised.</summary>
@@ -22,6 +29,7 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>
     /// <param name="y">Vector part, y.</param>
     /// <param name="z">Vector part, z.</param>
     /// <param name="w">Scalar part.</param>
+    [JsonConstructor]
     public Quaterniond(double x, double y, double z, double w)
     {
         X = x;
@@ -34,9 +42,13 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>
     public static Quaterniond Identity => new(0, 0, 0, 1);
 
     /// <summary>The square of the norm; 1 for a rotation.</summary>
+    [JsonIgnore]
+    [IgnoreDataMember]
     public double LengthSquared => (X * X) + (Y * Y) + (Z * Z) + (W * W);
 
     /// <summary>True when no part is infinite or NaN.</summary>
+    [JsonIgnore]
+    [IgnoreDataMember]
     public bool IsFinite => double.IsFinite(X) && double.IsFinite(Y) && double.IsFinite(Z) && double.IsFinite(W);
 
     /// <summary>The product a ⊗ b: first the rotation b, then a.</summary>
@@ -71,12 +83,16 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>
         return new(axis.X * sin, axis.Y * sin, axis.Z * sin, cos);
     }
 
+    /// <summary>An angle, rad, of which whole turns are all that a number can hold.</summary>
+    private const double NoDigits = 1e15;
+
     /// <summary>The rotation by a rotation vector: its length is the angle in radians, its direction the axis.</summary>
     /// <param name="rotation">Rotation vector, radians.</param>
     public static Quaterniond FromRotationVector(in Vector3d rotation)
     {
+        // So long a vector says nothing of the angle: it has no digits below a turn.
         double angle = rotation.Length;
-        return angle > 0 ? FromAxisAngle(rotation / angle, angle) : Identity;
+        return angle > 0 && angle < NoDigits ? FromAxisAngle(rotation / angle, angle) : Identity;
     }
 
     /// <summary>This rotation turned further by a rotation vector, as it is at the end of a step.</summary>
@@ -143,7 +159,16 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>
     public override int GetHashCode() => HashCode.Combine(X, Y, Z, W);
 
     /// <inheritdoc/>
-    public override string ToString() => FormattableString.Invariant($"({X}, {Y}, {Z}, {W})");
+    public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
+
+    /// <summary>The components with a format each, such as "F2".</summary>
+    /// <param name="format">A format of numbers; null for all digits.</param>
+    /// <param name="formatProvider">The culture; default the invariant one.</param>
+    public string ToString(string? format, IFormatProvider? formatProvider = null)
+    {
+        IFormatProvider culture = formatProvider ?? CultureInfo.InvariantCulture;
+        return $"({X.ToString(format, culture)}, {Y.ToString(format, culture)}, {Z.ToString(format, culture)}, {W.ToString(format, culture)})";
+    }
 
     // (−1)^k/(2k)! and (−1)^k/(2k + 1)!
     private const double C1 = -1.0 / 2.0;

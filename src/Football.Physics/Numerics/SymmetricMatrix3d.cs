@@ -59,6 +59,24 @@ public readonly struct SymmetricMatrix3d
     public static SymmetricMatrix3d Square(in Vector3d v) =>
         new(v.X * v.X, v.X * v.Y, v.X * v.Z, v.Y * v.Y, v.Y * v.Z, v.Z * v.Z);
 
+    /// <summary>The same in other axes.</summary>
+    /// <param name="x">The first of them, in these; of length 1.</param>
+    /// <param name="y">The second.</param>
+    /// <param name="z">The third.</param>
+    public SymmetricMatrix3d Along(in Vector3d x, in Vector3d y, in Vector3d z)
+    {
+        Vector3d ofX = this * x;
+        Vector3d ofY = this * y;
+        Vector3d ofZ = this * z;
+        return new(
+            Vector3d.Dot(in x, in ofX),
+            Vector3d.Dot(in x, in ofY),
+            Vector3d.Dot(in x, in ofZ),
+            Vector3d.Dot(in y, in ofY),
+            Vector3d.Dot(in y, in ofZ),
+            Vector3d.Dot(in z, in ofZ));
+    }
+
     /// <summary>Difference.</summary>
     /// <param name="a">A matrix.</param>
     /// <param name="b">What to subtract.</param>

@@ -1,25 +1,33 @@
+using System.Globalization;
 using System.Numerics;
 using System.Runtime.CompilerServices;
+using System.Runtime.Serialization;
+using System.Text.Json.Serialization;
 
 namespace Football.Physics;
 
 /// <summary>A vector of three doubles: the library's own arithmetic type, the same bits on every runtime.</summary>
 /// <remarks>Made from + − × ÷ √ only. <see cref="Vector3"/> is converted implicitly; the way back is <see cref="ToVector3"/>.</remarks>
-public readonly struct Vector3d : IEquatable<Vector3d>
+[JsonNumberHandling(JsonNumberHandling.AllowNamedFloatingPointLiterals)]
+public readonly struct Vector3d : IEquatable<Vector3d>, IFormattable
 {
     /// <summary>The component along x.</summary>
+    [JsonInclude]
     public readonly double X;
 
     /// <summary>The component along y, up.</summary>
+    [JsonInclude]
     public readonly double Y;
 
     /// <summary>The component along z.</summary>
+    [JsonInclude]
     public readonly double Z;
 
     /// <summary>Makes a vector from its three components.</summary>
     /// <param name="x">Component along x.</param>
     /// <param name="y">Component along y, up.</param>
     /// <param name="z">Component along z.</param>
+    [JsonConstructor]
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3d(double x, double y, double z)
     {
@@ -35,6 +43,8 @@ public readonly struct Vector3d : IEquatable<Vector3d>
     public static Vector3d Up => new(0, 1, 0);
 
     /// <summary>The square of the length.</summary>
+    [JsonIgnore]
+    [IgnoreDataMember]
     public double LengthSquared
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -42,12 +52,18 @@ public readonly struct Vector3d : IEquatable<Vector3d>
     }
 
     /// <summary>The length.</summary>
+    [JsonIgnore]
+    [IgnoreDataMember]
     public double Length => Math.Sqrt(LengthSquared);
 
     /// <summary>True when no component is infinite or NaN.</summary>
+    [JsonIgnore]
+    [IgnoreDataMember]
     public bool IsFinite => double.IsFinite(X) && double.IsFinite(Y) && double.IsFinite(Z);
 
     /// <summary>The vector without its vertical component.</summary>
+    [JsonIgnore]
+    [IgnoreDataMember]
     public Vector3d Horizontal => new(X, 0, Z);
 
     /// <summary>The unit vector of the same direction; zero for the zero vector.</summary>
@@ -160,5 +176,14 @@ public readonly struct Vector3d : IEquatable<Vector3d>
     public override int GetHashCode() => HashCode.Combine(X, Y, Z);
 
     /// <inheritdoc/>
-    public override string ToString() => FormattableString.Invariant($"({X}, {Y}, {Z})");
+    public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
+
+    /// <summary>The components with a format each, such as "F2".</summary>
+    /// <param name="format">A format of numbers; null for all digits.</param>
+    /// <param name="formatProvider">The culture; default the invariant one.</param>
+    public string ToString(string? format, IFormatProvider? formatProvider = null)
+    {
+        IFormatProvider culture = formatProvider ?? CultureInfo.InvariantCulture;
+        return $"({X.ToString(format, culture)}, {Y.ToString(format, culture)}, {Z.ToString(format, culture)})";
+    }
 }

@@ -3,9 +3,8 @@ namespace Football.Physics;
 /// <summary>Looking ahead: the simulation itself on a copy of the state.</summary>
 public static class LookAheads
 {
-    /// <summary>Longest step through forces of a game's own, which may be stiff, and the one that is taken instead of a longer one, s.</summary>
-    private const double LongestOwnStep = 0.04;
-    private const double OwnStep = 0.005;
+    /// <summary>Longest step through forces of a game's own that is taken as it was asked for, s.</summary>
+    internal const double LongestOwnStep = 0.04;
 
     /// <summary>Looks ahead. Allocates nothing once its trajectory has room.</summary>
     /// <param name="simulator">The scene, compiled for the integrator to look ahead with.</param>
@@ -15,6 +14,7 @@ public static class LookAheads
     /// <remarks>What a force of the game's own throws comes through; the path then ends before the step in which it did.</remarks>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="InvalidOperationException">A force of the game's own is not finite, or too stiff for any step.</exception>
     public static void LookAhead(this Simulator simulator, in BallState from, LookAheadRequest request, Trajectory into)
     {
         if (simulator is null)
@@ -45,12 +45,18 @@ public static class LookAheads
 
     private static void Run(Simulator simulator, in BallState from, LookAheadRequest request, Trajectory into, bool endsWhenFull)
     {
-        into.Begin(in from, request, simulator.Scene.Air.Wind, endsWhenFull);
+        into.Begin(simulator, in from, request, endsWhenFull);
         BallState state = from;
-        double step = simulator.Scene.Forces.Custom.Count > 0 && request.TimeStep > LongestOwnStep ? OwnStep : request.TimeStep;
         try
         {
-            simulator.Run(ref state, step, request.Duration, request.StopAt, into.Log, null);
+            if (simulator.Scene.Forces.Custom.Count > 0 && request.TimeStep > LongestOwnStep)
+            {
+                OwnForceSteps.Run(simulator, ref state, request, into.Log, into.Trial);
+            }
+            else
+            {
+                simulator.Run(ref state, request.TimeStep, request.Duration, request.StopAt, into.Log, null);
+            }
         }
         catch
         {
@@ -64,7 +70,7 @@ public static class LookAheads
     /// <summary>Looks ahead in whole steps, of which the last may end after the request does.</summary>
     internal static void LookAheadInWholeSteps(this Simulator simulator, in BallState from, LookAheadRequest request, Trajectory into)
     {
-        into.Begin(in from, request, simulator.Scene.Air.Wind, endsWhenFull: true);
+        into.Begin(simulator, in from, request, endsWhenFull: true);
         simulator.Extend(into, from.Time + request.Duration, request.TimeStep, request.StopAt);
     }
 

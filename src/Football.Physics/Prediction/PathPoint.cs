@@ -22,4 +22,7 @@ public readonly struct PathPoint
 
     /// <summary>Distance from what was asked for, m: 0 on a plane, the closest approach for a point.</summary>
     public double Distance { get; }
+
+    /// <summary>When and where, such as "1.25 s: (0, 1.5, −20)".</summary>
+    public override string ToString() => FormattableString.Invariant($"{Time:0.###} s: {Position:0.###}");
 }

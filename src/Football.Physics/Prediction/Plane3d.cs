@@ -1,3 +1,5 @@
+using System.Text.Json.Serialization;
+
 namespace Football.Physics;
 
 /// <summary>A plane through a point, such as a goal line's vertical plane.</summary>
@@ -7,6 +9,7 @@ public readonly struct Plane3d
     /// <param name="point">A point of it, m; components within ±1e6.</param>
     /// <param name="normal">Its normal; any length but zero.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range.</exception>
+    [JsonConstructor]
     public Plane3d(Vector3d point, Vector3d normal)
     {
         Check.Place(nameof(point), point);

@@ -54,6 +54,9 @@ public sealed class Trajectory
 
     internal StepLog Log { get; } = new();
 
+    /// <summary>For steps that are no part of the path.</summary>
+    internal StepLog Trial { get; } = new(1);
+
     internal int Count { get; private set; }
 
     /// <summary>A piece where it lies.</summary>
@@ -176,18 +179,18 @@ public sealed class Trajectory
     }
 
     /// <summary>Prepares for a look-ahead.</summary>
+    /// <param name="simulator">The scene.</param>
     /// <param name="from">Where it begins.</param>
     /// <param name="request">How far it goes.</param>
-    /// <param name="wind">The wind, m/s.</param>
     /// <param name="endsWhenFull">Whether it ends with the memory's last piece; else the first piece without room tells that it is too small.</param>
-    internal void Begin(in BallState from, LookAheadRequest request, in Vector3d wind, bool endsWhenFull)
+    internal void Begin(Simulator simulator, in BallState from, LookAheadRequest request, bool endsWhenFull)
     {
         _recorder.EndsWhenFull = endsWhenFull;
         Log.Clear();
         Count = 0;
         IsComplete = true;
         StartTime = from.Time;
-        _recorder.Begin(request, in wind);
+        _recorder.Begin(simulator, in from, request);
         _final = from;
     }
 
@@ -261,9 +264,7 @@ public sealed class Trajectory
         private bool _untilPlane;
         private Plane3d _plane;
         private bool _untilPassing;
-        private Vector3d _point;
-        private Vector3d _wind;
-        private double _closest;
+        private PassingCriterion? _passing;
 
         public Recorder(Trajectory owner) => _owner = owner;
 
@@ -275,15 +276,17 @@ public sealed class Trajectory
         /// <summary>Whether there was a piece without room.</summary>
         public bool Overflows { get; private set; }
 
-        public void Begin(LookAheadRequest request, in Vector3d wind)
+        public void Begin(Simulator simulator, in BallState from, LookAheadRequest request)
         {
             Overflows = false;
-            _wind = wind;
-            _closest = double.PositiveInfinity;
             _untilPlane = request.UntilPlane is not null;
             _plane = request.UntilPlane.GetValueOrDefault();
             _untilPassing = request.UntilPassing is not null;
-            _point = request.UntilPassing.GetValueOrDefault();
+            if (_untilPassing)
+            {
+                _passing ??= new PassingCriterion();
+                _passing.Begin(simulator, in from, request);
+            }
         }
 
         public override bool Add(in PathPiece piece)
@@ -298,15 +301,7 @@ public sealed class Trajectory
             pieces[_owner.Count++] = piece;
             bool full = EndsWhenFull && _owner.Count == pieces.Length;
             _owner.IsComplete = !full;
-            return full || (_untilPlane && piece.Crosses(_plane.Point, _plane.Normal, out _)) || (_untilPassing && HasPassed(in piece));
-        }
-
-        /// <summary>Whether a ball comes no closer to the point: over the ground it is further away than it ever was, and goes on so.</summary>
-        private bool HasPassed(in PathPiece piece)
-        {
-            _closest = Math.Min(_closest, piece.ClosestApproach(in _point, out _));
-            Vector3d away = (piece.EndPosition - _point).Horizontal;
-            return away.LengthSquared > _closest && Vector3d.Dot(in away, piece.EndVelocity) > 0 && !(Vector3d.Dot(in away, in _wind) < 0);
+            return full || (_untilPlane && piece.Crosses(_plane.Point, _plane.Normal, out _)) || (_untilPassing && _passing!.HasPassed(in piece));
         }
     }
 }

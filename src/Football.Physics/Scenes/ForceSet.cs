@@ -15,8 +15,8 @@ public sealed record ForceSet
     /// <summary>Law of the spin decay in air. Default <see cref="ForceLaw.Empirical"/>.</summary>
     public ForceLaw SpinDecay { get; init; } = ForceLaw.Empirical;
 
-    /// <summary>What the empirical laws follow. Default <see cref="CoefficientForm.Published"/>.</summary>
-    public CoefficientForm Coefficients { get; init; } = CoefficientForm.Published;
+    /// <summary>What the empirical laws follow. Default <see cref="CoefficientForm.Measured"/>.</summary>
+    public CoefficientForm Coefficients { get; init; } = CoefficientForm.Measured;
 
     /// <summary>C_D of the constant drag law. 0 … 1e15; default 0.25.</summary>
     public double DragCoefficient { get; init; } = 0.25;
@@ -42,11 +42,14 @@ public sealed record ForceSet
     /// <summary>Constant coefficients: the cheapest air.</summary>
     public static ForceSet Constant { get; } = new() { Drag = ForceLaw.Constant, Magnus = ForceLaw.Constant, SpinDecay = ForceLaw.Constant };
 
+    /// <summary>All forces by the laws of the thesis, as published.</summary>
+    public static ForceSet Published { get; } = new() { Coefficients = CoefficientForm.Published };
+
     /// <summary>All forces by the regularised law.</summary>
     public static ForceSet Regularised { get; } = new() { Coefficients = CoefficientForm.Regularised };
 
-    /// <summary>All forces by the measured laws.</summary>
-    public static ForceSet Measured { get; } = new() { Coefficients = CoefficientForm.Measured };
+    /// <summary>All forces by the measured laws: the default.</summary>
+    public static ForceSet Measured { get; } = new();
 
     internal void Validate()
     {

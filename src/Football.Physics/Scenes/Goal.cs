@@ -28,7 +28,7 @@ public sealed record Goal
     public bool HasNet { get; init; } = true;
 
     /// <summary>What posts and bar are made of. Default <see cref="Surface.GoalFrame"/>.</summary>
-    public Surface Surface { get; init; } = Surface.GoalFrame;
+    public Surface Surface { get; init; } = Surface.GoalFrame with { };
 
     /// <summary>The line's direction towards the right post, seen by who stands in the goal and looks at the pitch; of length 1.</summary>
     internal Vector3d Right => Vector3d.Cross(Out, Vector3d.Up);

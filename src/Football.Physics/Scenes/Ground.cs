@@ -1,42 +1,46 @@
+using System.Text.Json.Serialization;
+
 namespace Football.Physics;
 
-/// <summary>The ground: its shape, and how the ball bounces, slides and rolls on it. Level unless it says otherwise.</summary>
+/// <summary>The ground: its shape, and how the ball bounces, slides and rolls on it. Level unless it says otherwise; its numbers are those of <see cref="DryTurf"/> by default.</summary>
+/// <remarks>Numbers of presets are tagged: measured (by test rigs), derived, guess (no measurement found), or the thesis'.</remarks>
+[JsonNumberHandling(JsonNumberHandling.AllowNamedFloatingPointLiterals)]
 public sealed record Ground
 {
-    /// <summary>Normal restitution e_y. 0 … 1; default 0.6. Where <see cref="RestitutionSpeed"/> is finite, that at 6 m/s.</summary>
-    public double NormalRestitution { get; init; } = 0.6;
+    /// <summary>Normal restitution e_y. 0 … 1; that at an approach of 6 m/s where <see cref="RestitutionSpeed"/> is finite. Default 0.622 (measured).</summary>
+    public double NormalRestitution { get; init; } = 0.622;
 
-    /// <summary>Approach speed V_e at which restitution has fallen, e ∝ 1/√(1 + (v_n/V_e)²), m/s. Above 0; default infinite: the same at every speed.</summary>
-    public double RestitutionSpeed { get; init; } = double.PositiveInfinity;
+    /// <summary>Approach speed V_e at which restitution has fallen, e ∝ 1/√(1 + (v_n/V_e)²), m/s. Above 0; infinite for the same at every speed; default 30 (guess, 20 … ∞).</summary>
+    public double RestitutionSpeed { get; init; } = 30;
 
-    /// <summary>Tangential restitution along x, e_x. −1 … 1; default 0.5.</summary>
-    public double TangentialRestitutionX { get; init; } = 0.5;
+    /// <summary>Tangential restitution along x, e_x. −1 … 1; default 0.2 (measured).</summary>
+    public double TangentialRestitutionX { get; init; } = 0.2;
 
-    /// <summary>Tangential restitution along z, e_z. −1 … 1; default 0.5.</summary>
-    public double TangentialRestitutionZ { get; init; } = 0.5;
+    /// <summary>Tangential restitution along z, e_z. −1 … 1; default 0.2 (measured).</summary>
+    public double TangentialRestitutionZ { get; init; } = 0.2;
 
-    /// <summary>Restitution of the spin about the vertical, e_ω. 0 … 1; default 0.8.</summary>
-    public double SpinRestitution { get; init; } = 0.8;
+    /// <summary>Restitution of the spin about the vertical, e_ω. 0 … 1; default 1: it is drilling friction that takes of it.</summary>
+    public double SpinRestitution { get; init; } = 1;
 
-    /// <summary>Coefficient of friction of an impact: the tangential impulse is at most so many times the normal one. Not negative; default infinite: no limit.</summary>
-    public double ImpactFriction { get; init; } = double.PositiveInfinity;
+    /// <summary>Coefficient of friction of an impact: the tangential impulse is at most so many times the normal one. Not negative; infinite for no limit; default 1.2 (at least 0.91 derived, the value guess).</summary>
+    public double ImpactFriction { get; init; } = 1.2;
 
-    /// <summary>Coefficient of sliding friction μ_s. 0 … 1e9; default 0.5.</summary>
+    /// <summary>Coefficient of sliding friction μ_s. 0 … 1e9; default 0.5 (guess).</summary>
     public double SlidingFriction { get; init; } = 0.5;
 
-    /// <summary>Coefficient of rolling friction μ_r. 0 … 1e9; default 0.05.</summary>
-    public double RollingFriction { get; init; } = 0.05;
+    /// <summary>Coefficient of rolling friction μ_r, or c₀. 0 … 1e9; default 0.07 (measured, given c₁).</summary>
+    public double RollingFriction { get; init; } = 0.07;
 
-    /// <summary>What rolling friction gains by speed, c₁, s/m. Not negative; default 0.</summary>
-    public double RollingFrictionBySpeed { get; init; }
+    /// <summary>What rolling friction gains by speed, c₁, s/m. Not negative; default 0.006 (guess).</summary>
+    public double RollingFrictionBySpeed { get; init; } = 0.006;
 
-    /// <summary>Damping c_ω of the spin about the vertical on the ground, N m s. 0 … 1e12; default 0.002.</summary>
-    public double SpinDamping { get; init; } = 0.002;
+    /// <summary>Damping c_ω of the spin about the vertical on the ground, N m s. 0 … 1e12; default 0: it is drilling friction that takes of it.</summary>
+    public double SpinDamping { get; init; }
 
-    /// <summary>Lever b of the drilling friction about the normal, which takes b μ_s of the normal force as torque, m. Not negative; default 0.</summary>
-    public double DrillingLength { get; init; }
+    /// <summary>Lever b of the drilling friction about the normal, which takes b μ_s of the normal force as torque, m. Not negative; default 0.02 (guess).</summary>
+    public double DrillingLength { get; init; } = 0.02;
 
-    /// <summary>A ball that leaves an impact slower than this, upwards, stays down, m/s. 0.001 … 1e12; default 0.2.</summary>
+    /// <summary>A ball that leaves an impact slower than this, upwards, stays down, m/s. 0.001 … 1e12; default 0.2, a hop of 2 mm (guess).</summary>
     public double MinimumBounceSpeed { get; init; } = 0.2;
 
     /// <summary>A rolling ball with less kinetic energy than this is at rest, J. Above 0; default 1e-4.</summary>
@@ -51,93 +55,49 @@ public sealed record Ground
     /// <summary>Uneven ground: its heights, over <see cref="Height"/>. Default null: a plane.</summary>
     public HeightField? Heights { get; init; }
 
-    /// <summary>What is left of drag and Magnus force on the ground. Default <see cref="GroundAerodynamics.Horizontal"/>.</summary>
-    public GroundAerodynamics Aerodynamics { get; init; } = GroundAerodynamics.Horizontal;
+    /// <summary>What is left of drag and Magnus force on the ground. Default <see cref="GroundAerodynamics.Full"/>.</summary>
+    public GroundAerodynamics Aerodynamics { get; init; } = GroundAerodynamics.Full;
 
     /// <summary>Whether it is a level plane.</summary>
     public bool IsLevel => Heights is null && Normal.X == 0 && Normal.Z == 0;
 
-    /// <summary>No ground at all: the ball falls for ever.</summary>
-    public static Ground None { get; } = new() { Height = double.NegativeInfinity };
-
     /// <summary>Whether it is <see cref="None"/>.</summary>
     public bool IsNone => double.IsNegativeInfinity(Height);
 
-    /// <summary>The default: dry, mown turf.</summary>
-    public static Ground Turf { get; } = new();
+    /// <summary>
+    /// The default: dry, mown turf. Restitution 0.622, e_t 0.20 and c₀ 0.070 measured (they meet the windows of the FIFA rigs: drop 0.60 … 1.00 m,
+    /// angle 45 … 60 %, roll 4 … 10 m); impact friction 1.2, at least 0.91 derived; the rest guess.
+    /// </summary>
+    public static Ground DryTurf { get; } = new();
 
-    /// <summary>Wet turf: lower bounce, half the sliding friction, a faster roll.</summary>
-    public static Ground WetTurf { get; } = new() { NormalRestitution = 0.5, SlidingFriction = 0.25, RollingFriction = 0.035 };
+    /// <summary>
+    /// Artificial turf. Restitution 0.622, e_t 0.20 and c₀ 0.069 measured (windows of FIFA Quality Pro: drop 0.60 … 0.85 m, angle 45 … 60 %,
+    /// roll 4 … 8 m); impact friction 1.2, at least 0.91 derived; the rest guess.
+    /// </summary>
+    public static Ground ArtificialTurf { get; } = new() { SlidingFriction = 0.55, RollingFriction = 0.069, RollingFrictionBySpeed = 0.008 };
 
-    /// <summary>A hard, smooth court: high bounce, little rolling friction.</summary>
-    public static Ground Court { get; } = new() { NormalRestitution = 0.75, SlidingFriction = 0.6, RollingFriction = 0.015 };
-
-    /// <summary>Sand: hardly a bounce, and a short roll.</summary>
-    public static Ground Sand { get; } = new() { NormalRestitution = 0.15, TangentialRestitutionX = 0, TangentialRestitutionZ = 0, SlidingFriction = 0.7, RollingFriction = 0.3 };
-
-    /// <summary>What all surfaces of the measured profile share: V_e 30 m/s (guess), all of the air's force, no damping but drilling friction.</summary>
-    private static Ground Measured { get; } = new()
-    {
-        RestitutionSpeed = 30,
-        SpinRestitution = 1,
-        SpinDamping = 0,
-        Aerodynamics = GroundAerodynamics.Full,
-    };
-
-    /// <summary>Dry turf, measured profile. Evidence: e₆, e_t and c₀ measured (they meet the windows of the FIFA rigs: drop 0.60 … 1.00 m, angle 45 … 60 %, roll 4 … 10 m); impact friction at least 0.91 derived; the rest guess.</summary>
-    public static Ground DryTurf { get; } = Measured with
-    {
-        NormalRestitution = 0.622,
-        TangentialRestitutionX = 0.2,
-        TangentialRestitutionZ = 0.2,
-        ImpactFriction = 1.2,
-        SlidingFriction = 0.5,
-        RollingFriction = 0.07,
-        RollingFrictionBySpeed = 0.006,
-        DrillingLength = 0.02,
-    };
-
-    /// <summary>Artificial turf, measured profile. Evidence: e₆, e_t and c₀ measured (windows of FIFA Quality Pro: drop 0.60 … 0.85 m, angle 45 … 60 %, roll 4 … 8 m); the rest guess.</summary>
-    public static Ground ArtificialTurf { get; } = Measured with
-    {
-        NormalRestitution = 0.622,
-        TangentialRestitutionX = 0.2,
-        TangentialRestitutionZ = 0.2,
-        ImpactFriction = 1.2,
-        SlidingFriction = 0.55,
-        RollingFriction = 0.069,
-        RollingFrictionBySpeed = 0.008,
-        DrillingLength = 0.02,
-    };
-
-    /// <summary>Wet turf: it skids, measured profile. Evidence: drop measured (window 0.60 … 1.00 m); the rest guess.</summary>
-    public static Ground WateredTurf { get; } = Measured with
+    /// <summary>Watered turf: it skids. Restitution 0.570 measured (window: drop 0.60 … 1.00 m); the rest guess (impact friction 0.50 so that the ball skids at an angle of 67 %).</summary>
+    public static Ground WateredTurf { get; } = new()
     {
         NormalRestitution = 0.57,
-        TangentialRestitutionX = 0.2,
-        TangentialRestitutionZ = 0.2,
         ImpactFriction = 0.5,
         SlidingFriction = 0.25,
         RollingFriction = 0.064,
-        RollingFrictionBySpeed = 0.006,
         DrillingLength = 0.015,
     };
 
-    /// <summary>Hard, dry ground, measured profile. Evidence: guess (drop 1.01 m: the upper end of natural pitches).</summary>
-    public static Ground HardGround { get; } = Measured with
+    /// <summary>Hard, dry ground: all guess (drop 1.01 m, the upper end of natural pitches).</summary>
+    public static Ground HardGround { get; } = new()
     {
         NormalRestitution = 0.74,
-        TangentialRestitutionX = 0.2,
-        TangentialRestitutionZ = 0.2,
         ImpactFriction = 0.9,
-        SlidingFriction = 0.5,
         RollingFriction = 0.04,
         RollingFrictionBySpeed = 0.002,
         DrillingLength = 0.012,
     };
 
-    /// <summary>Long grass, measured profile. Evidence: guess (roll 3.5 m: near the historical limit of 3 m).</summary>
-    public static Ground LongGrass { get; } = Measured with
+    /// <summary>Long grass: all guess (roll 3.5 m, near the historical limit of 3 m).</summary>
+    public static Ground LongGrass { get; } = new()
     {
         NormalRestitution = 0.5,
         TangentialRestitutionX = 0.1,
@@ -149,12 +109,10 @@ public sealed record Ground
         DrillingLength = 0.03,
     };
 
-    /// <summary>An indoor court, measured profile. Evidence: guess.</summary>
-    public static Ground Indoor { get; } = Measured with
+    /// <summary>An indoor court: all guess.</summary>
+    public static Ground Indoor { get; } = new()
     {
         NormalRestitution = 0.77,
-        TangentialRestitutionX = 0.2,
-        TangentialRestitutionZ = 0.2,
         ImpactFriction = 0.8,
         SlidingFriction = 0.55,
         RollingFriction = 0.015,
@@ -162,12 +120,10 @@ public sealed record Ground
         DrillingLength = 0.006,
     };
 
-    /// <summary>Concrete, measured profile. Evidence: e₆ measured (a test ball bounces to 1.35 ± 0.03 m from 2 m); the rest guess.</summary>
-    public static Ground Concrete { get; } = Measured with
+    /// <summary>Concrete: restitution 0.861 measured (a test ball bounces to 1.35 ± 0.03 m from 2 m); the rest guess.</summary>
+    public static Ground Concrete { get; } = new()
     {
         NormalRestitution = 0.861,
-        TangentialRestitutionX = 0.2,
-        TangentialRestitutionZ = 0.2,
         ImpactFriction = 0.8,
         SlidingFriction = 0.6,
         RollingFriction = 0.013,
@@ -175,16 +131,54 @@ public sealed record Ground
         DrillingLength = 0.005,
     };
 
-    /// <summary>Snow, measured profile. Evidence: guess.</summary>
-    public static Ground Snow { get; } = Measured with
+    /// <summary>Snow: all guess.</summary>
+    public static Ground Snow { get; } = new()
     {
         NormalRestitution = 0.25,
-        TangentialRestitutionX = 0.0,
-        TangentialRestitutionZ = 0.0,
+        TangentialRestitutionX = 0,
+        TangentialRestitutionZ = 0,
         ImpactFriction = 0.4,
         SlidingFriction = 0.2,
         RollingFriction = 0.2,
         RollingFrictionBySpeed = 0.01,
         DrillingLength = 0.03,
     };
+
+    /// <summary>
+    /// Turf by the laws of the thesis: the same restitution at every speed, no limit by friction in an impact, the horizontal part of the air alone.
+    /// All numbers the thesis'.
+    /// </summary>
+    public static Ground Turf { get; } = new()
+    {
+        NormalRestitution = 0.6,
+        RestitutionSpeed = double.PositiveInfinity,
+        TangentialRestitutionX = 0.5,
+        TangentialRestitutionZ = 0.5,
+        SpinRestitution = 0.8,
+        ImpactFriction = double.PositiveInfinity,
+        RollingFriction = 0.05,
+        RollingFrictionBySpeed = 0,
+        SpinDamping = 0.002,
+        DrillingLength = 0,
+        Aerodynamics = GroundAerodynamics.Horizontal,
+    };
+
+    /// <summary>Wet turf by the same laws: lower bounce, half the sliding friction, a faster roll; its own numbers guess.</summary>
+    public static Ground WetTurf { get; } = Turf with { NormalRestitution = 0.5, SlidingFriction = 0.25, RollingFriction = 0.035 };
+
+    /// <summary>A hard, smooth court by the same laws: high bounce, little rolling friction; its own numbers guess.</summary>
+    public static Ground Court { get; } = Turf with { NormalRestitution = 0.75, SlidingFriction = 0.6, RollingFriction = 0.015 };
+
+    /// <summary>Sand by the same laws: hardly a bounce, and a short roll; its own numbers guess.</summary>
+    public static Ground Sand { get; } = Turf with
+    {
+        NormalRestitution = 0.15,
+        TangentialRestitutionX = 0,
+        TangentialRestitutionZ = 0,
+        SlidingFriction = 0.7,
+        RollingFriction = 0.3,
+    };
+
+    /// <summary>No ground at all: the ball falls for ever.</summary>
+    public static Ground None { get; } = Turf with { Height = double.NegativeInfinity };
 }

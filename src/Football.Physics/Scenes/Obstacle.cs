@@ -10,7 +10,7 @@ public sealed record Obstacle
     public required IShape Shape { get; init; }
 
     /// <summary>What it is made of. Default that of a goal's frame.</summary>
-    public Surface Surface { get; init; } = Surface.GoalFrame;
+    public Surface Surface { get; init; } = Surface.GoalFrame with { };
 
     /// <summary>Velocity, m/s; at most 1000. Default 0.</summary>
     public Vector3d Velocity { get; init; }

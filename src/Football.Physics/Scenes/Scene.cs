@@ -6,8 +6,10 @@ public sealed record Scene
     /// <summary>Nets, and goals, of a scene at most: a state says of each in one bit whether the ball is in it.</summary>
     private const int MostNets = 64;
 
+    // Copies: a serializer may write into the values that a new scene has.
+
     /// <summary>The ball. Default <see cref="BallProperties.Football"/>.</summary>
-    public BallProperties Ball { get; init; } = BallProperties.Football;
+    public BallProperties Ball { get; init; } = BallProperties.Football with { };
 
     /// <summary>The air. Default still air at sea level.</summary>
     public Air Air { get; init; } = new();
@@ -15,11 +17,11 @@ public sealed record Scene
     /// <summary>Gravitational acceleration g, m/s². Not negative, at most 1e9; default 9.81.</summary>
     public double Gravity { get; init; } = 9.81;
 
-    /// <summary>Which forces act, and by which law. Default all of them, as published.</summary>
-    public ForceSet Forces { get; init; } = new();
+    /// <summary>Which forces act, and by which law. Default all of them, by the measured laws.</summary>
+    public ForceSet Forces { get; init; } = ForceSet.Measured with { };
 
-    /// <summary>The ground. Default <see cref="Ground.Turf"/>.</summary>
-    public Ground Ground { get; init; } = Ground.Turf;
+    /// <summary>The ground. Default <see cref="Ground.DryTurf"/>.</summary>
+    public Ground Ground { get; init; } = Ground.DryTurf with { };
 
     /// <summary>Things that can be hit: walls, posts, players. Default none.</summary>
     public IReadOnlyList<Obstacle> Obstacles { get; init; } = [];
@@ -30,22 +32,25 @@ public sealed record Scene
     /// <summary>Goals, with their frames and nets; at most 64. Default none.</summary>
     public IReadOnlyList<Goal> Goals { get; init; } = [];
 
-    /// <summary>A football over turf in still air at sea level, with all forces.</summary>
-    public static Scene Default { get; } = new();
+    /// <summary>Things that the game moves: players' feet and heads, a keeper's hands. Default none.</summary>
+    public Bodies? Bodies { get; init; }
+
+    /// <summary>A football over dry turf in still air at sea level, by what wind tunnels, filmed flights and test rigs say.</summary>
+    public static Scene Measured { get; } = new();
+
+    /// <summary>The scene of whatever is given none: <see cref="Measured"/>.</summary>
+    public static Scene Default => Measured;
 
     /// <summary>The same by the laws and numbers of the thesis, as published.</summary>
-    public static Scene Published => Default;
+    public static Scene Published { get; } = new() { Forces = ForceSet.Published, Ground = Ground.Turf };
 
-    /// <summary>The same by the measured laws of the air.</summary>
-    public static Scene Measured { get; } = new() { Forces = ForceSet.Measured, Ground = Ground.DryTurf };
-
-    /// <summary>The same without air: no buoyancy, drag, Magnus force or spin decay.</summary>
-    public static Scene Vacuum { get; } = new() { Forces = ForceSet.None };
+    /// <summary>The published scene without air: no buoyancy, drag, Magnus force or spin decay.</summary>
+    public static Scene Vacuum { get; } = Published with { Forces = ForceSet.None };
 
     /// <summary>A stadium at 2 240 m (Mexico City) at 20 °C and 40 % humidity: air of 0.913 kg/m³, kinematic viscosity 1.99e-5 m²/s.</summary>
     public static Scene HighAltitude { get; } = new() { Air = Weather.AtAltitude(2240, 20, 0.4).ToAir() };
 
-    /// <summary>Default scene with a steady wind.</summary>
+    /// <summary>The default scene with a steady wind.</summary>
     /// <param name="wind">Wind velocity, m/s.</param>
     public static Scene Windy(Vector3d wind) => new() { Air = new Air { Wind = wind } };
 
@@ -119,6 +124,7 @@ public sealed record Scene
             Obstacles[i].Validate(FormattableString.Invariant($"obstacles[{i}]"), Ball.Radius);
         }
 
+        Bodies?.Validate(Ball.Radius);
         int nets = Nets.Count;
         for (int i = 0; i < Nets.Count; i++)
         {

@@ -1,6 +1,9 @@
+using System.Text.Json.Serialization;
+
 namespace Football.Physics;
 
 /// <summary>What a thing that can be hit is made of: how the ball bounces off it, slides and rolls on it.</summary>
+[JsonNumberHandling(JsonNumberHandling.AllowNamedFloatingPointLiterals)]
 public sealed record Surface
 {
     /// <summary>Normal restitution e. 0 … 1; default 0.7. Where <see cref="RestitutionSpeed"/> is finite, that at 6 m/s.</summary>
@@ -45,6 +48,52 @@ public sealed record Surface
         SpinRestitution = 1,
         SpinDamping = 0,
     };
+
+    /// <summary>Wooden boards round a pitch. Evidence: guess (stiffer than a panel of plastic, softer than concrete).</summary>
+    public static Surface Wood { get; } = new() { NormalRestitution = 0.65, ImpactFriction = 0.4, SlidingFriction = 0.4, RollingFriction = 0.02 };
+
+    /// <summary>Advertising boards: thin panels that give. Evidence: guess.</summary>
+    public static Surface Board { get; } = new() { NormalRestitution = 0.5, ImpactFriction = 0.35, SlidingFriction = 0.35, RollingFriction = 0.03 };
+
+    /// <summary>Concrete. Evidence: e measured (a test ball rises to 1.35 ± 0.03 m from 2 m, EN 12235); the rest guess.</summary>
+    public static Surface Concrete { get; } = new()
+    {
+        NormalRestitution = 0.82,
+        TangentialRestitution = 0.2,
+        ImpactFriction = 0.8,
+        SlidingFriction = 0.6,
+        RollingFriction = 0.013,
+    };
+
+    /// <summary>A boot, or a leg: leather on a limb that gives. Evidence: guess (e of kicks is measured at 0.4 … 0.7 with the foot's mass taken in).</summary>
+    public static Surface Boot { get; } = new() { NormalRestitution = 0.5, TangentialRestitution = 0.1, ImpactFriction = 0.5, SlidingFriction = 0.5 };
+
+    /// <summary>A head. Evidence: guess.</summary>
+    public static Surface Head { get; } = new() { NormalRestitution = 0.45, TangentialRestitution = 0.1, ImpactFriction = 0.5, SlidingFriction = 0.5 };
+
+    /// <summary>A keeper's glove: soft, and it grips. Evidence: guess.</summary>
+    public static Surface Glove { get; } = new() { NormalRestitution = 0.25, TangentialRestitution = 0, ImpactFriction = 1, SlidingFriction = 0.9, RollingFriction = 0.1 };
+
+    /// <summary>What a pitch is made of, for a thing of the same: a bank of turf, a ramp.</summary>
+    /// <param name="ground">The pitch; of its two tangential restitutions that along x counts.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="ground"/> is null.</exception>
+    public static Surface Of(Ground ground)
+    {
+        Check.Given(nameof(ground), ground);
+        return new Surface
+        {
+            NormalRestitution = ground.NormalRestitution,
+            RestitutionSpeed = ground.RestitutionSpeed,
+            TangentialRestitution = ground.TangentialRestitutionX,
+            SpinRestitution = ground.SpinRestitution,
+            ImpactFriction = ground.ImpactFriction,
+            SlidingFriction = ground.SlidingFriction,
+            RollingFriction = ground.RollingFriction,
+            RollingFrictionBySpeed = ground.RollingFrictionBySpeed,
+            SpinDamping = ground.SpinDamping,
+            DrillingLength = ground.DrillingLength,
+        };
+    }
 
     /// <summary>Checks every number.</summary>
     /// <param name="field">What the surface belongs to.</param>

@@ -26,9 +26,7 @@ internal sealed class ContactPhase<TAir>
         run.Log.Events.Add(new BallEvent(BallEventKind.Impact, 0, Vector3d.Up, s.Time, s.Position, in v, in w, in velocity, in spin));
         run.Log.Halted |= run.Log.StopAt == StopAt.Impact;
         s.Branch = DragBranch.Unknown;
-        run.Part = 0;
-        run.Pieces = 0;
-        if (Leaves(in s, in velocity, in spin, ref run))
+        if (run.Hit() && Leaves(in s, in velocity, in spin, ref run))
         {
             s.Velocity = velocity;
             s.SetFlightSpin(in spin);

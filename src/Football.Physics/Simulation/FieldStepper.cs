@@ -17,11 +17,11 @@ internal sealed class FieldStepper<TIntegrator> : Stepper<FieldAir, TIntegrator>
     private readonly double _fastestWind;
     private readonly TIntegrator _integrator;
 
-    public FieldStepper(Scene scene, SolverSettings settings)
-        : base(scene, settings)
+    public FieldStepper(Scene scene, SolverSettings settings, in FieldAir air)
+        : base(scene, settings, in air)
     {
         _integrator = default;
-        var around = new Surroundings<FieldAir>(scene);
+        var around = new Surroundings<FieldAir>(scene, in air);
         _system = new FieldSystem { Air = around.Air, Wind = around.Wind, Upward = around.Upward };
         _limit = StabilityLimit.Of(scene, ref around.Air, around.Upward, _integrator.Order);
         _contactHeight = around.ContactHeight;

@@ -36,14 +36,16 @@ internal class Stepper<TAir, TIntegrator> : Stepper
     private readonly RollPhase<TAir, TIntegrator> _roll;
     private readonly ImplicitPhase<TAir> _implicit;
     private readonly World? _world;
-    private readonly double _reachOfWorld;
+    private readonly ClearFlight? _clear;
+    private readonly ulong _clearKey;
     private readonly CarriedPhase<TAir, TIntegrator>? _carried;
     private readonly RestPhase<TAir>? _rest;
     private readonly WorldContact<TAir>? _worldContact;
+    private readonly BodyPush<TAir>? _bodies;
 
-    public Stepper(Scene scene, SolverSettings settings)
+    public Stepper(Scene scene, SolverSettings settings, in TAir air)
     {
-        var around = new Surroundings<TAir>(scene);
+        var around = new Surroundings<TAir>(scene, in air);
         _air = around.Air;
         _integrator = default;
         _wind = around.Wind;
@@ -56,8 +58,12 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         _locatesJump = jump.Acts;
         var contact = new ContactPhase<TAir>(scene, around);
         _world = around.World;
-        _reachOfWorld = _world is null ? 0 : _world.FastestSpeed + _wind.Length;
+        _clear = _world is null ? null : new ClearFlight(_world, in _limit, in _wind, _upward);
+
+        // Where there are bodies, no answer is good for longer than a step.
+        _clearKey = _clear is { LooksForBodies: false } ? _clear.Key : 0;
         _worldContact = _world is null ? null : new WorldContact<TAir>(around, scene.Ground.IsLevel);
+        _bodies = _world is { Bodies: not null } ? new BodyPush<TAir>(_world, _worldContact!) : null;
         WorldGuard<TAir>? guard = _world is null ? null : new WorldGuard<TAir>(_world, _worldContact!);
         _implicit = new ImplicitPhase<TAir>(around, contact, guard);
         _carried = guard is null ? null : new CarriedPhase<TAir, TIntegrator>(around, in _limit, jump, guard, _worldContact!, _implicit);
@@ -109,15 +115,15 @@ internal class Stepper<TAir, TIntegrator> : Stepper
             s.Branch = branch;
         }
 
-        if (_world is not null && !IsClear(ref s, dt))
+        bool covered = _air.Covers(speedSquared, spin, dt);
+        if (((_air.Drags || _air.Lifts || _air.SpinDecays) && !_limit.AllowsWhole(dt, speedSquared, spin, covered))
+            || (_integrator.GainsByHops && _limit.WithinHop(dt, y - _contactHeight, vy) < dt))
         {
             TakePieces(ref s, dt, log);
             return;
         }
 
-        bool covered = _air.Covers(speedSquared, spin, dt);
-        if (((_air.Drags || _air.Lifts || _air.SpinDecays) && !_limit.AllowsWhole(dt, speedSquared, spin, covered))
-            || (_integrator.GainsByHops && _limit.WithinHop(dt, y - _contactHeight, vy) < dt))
+        if (_clear is not null && !(s.Time + dt <= s.ClearUntil && s.ClearIn == _clearKey) && !_clear.Holds(ref s, dt, speedSquared))
         {
             TakePieces(ref s, dt, log);
             return;
@@ -158,32 +164,11 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         }
     }
 
-    /// <summary>
-    /// Whether a step can meet nothing but level ground. How far it goes is bounded by the speed at its start: forces change it by no more than itself
-    /// in a whole step, and gravity by g h.
-    /// </summary>
-    private bool IsClear(ref BallState s, double dt)
+    public override void Settle(ref BallState s)
     {
-        if (s.Nets != 0)
-        {
-            return false;
-        }
-
-        double reach = dt * ((2.0 * (Math.Abs(s.Velocity.X) + Math.Abs(s.Velocity.Y) + Math.Abs(s.Velocity.Z))) + (dt * Math.Abs(_upward)) + _reachOfWorld);
-        if (s.Clearance < reach)
-        {
-            s.Clearance = _world!.ClearanceAt(s.Position, s.Time);
-            if (s.Clearance < reach)
-            {
-                return false;
-            }
-        }
-
-        s.Clearance -= reach;
-        return true;
+        _worldContact!.Raise(ref s);
+        _worldContact.Settle(ref s);
     }
-
-    public override void Settle(ref BallState s) => _worldContact!.Settle(ref s);
 
     public override void AirFactors(double speed, double spinRate, out double drag, out double lift)
     {
@@ -308,7 +293,9 @@ internal class Stepper<TAir, TIntegrator> : Stepper
 
     private void TakePieces(ref BallState s, ref StepRun run)
     {
-        s.Clearance = 0;
+        s.ClearUntil = 0;
+        _worldContact?.Raise(ref s);
+        _bodies?.Apply(ref s, ref run);
         while (run.Left > 0 && (s.Motion != MotionState.Stopped || _rest is not null))
         {
             if (++run.Pieces > MostPieces)

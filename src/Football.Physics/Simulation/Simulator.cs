@@ -17,12 +17,24 @@ public sealed class Simulator
     /// <param name="settings">How to integrate it; default <see cref="SolverSettings.Default"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public Simulator(Scene? scene = null, SolverSettings? settings = null)
+        : this(scene, settings, AirProfile.All)
     {
+    }
+
+    /// <summary>Checks a scene and compiles it, with the code of one profile only: for small programs that are compiled ahead of time.</summary>
+    /// <param name="scene">The scene; null for <see cref="Scene.Default"/>.</param>
+    /// <param name="settings">How to integrate it; null for <see cref="SolverSettings.Default"/>.</param>
+    /// <param name="profile">The laws of the air that the scene has.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="profile"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the scene has other laws; the message names field, value and range.</exception>
+    public Simulator(Scene? scene, SolverSettings? settings, AirProfile profile)
+    {
+        Profile = profile ?? throw new ArgumentNullException(nameof(profile));
         Scene = scene ?? Scene.Default;
         Settings = settings ?? SolverSettings.Default;
         Scene.Validate();
         Settings.Validate();
-        _stepper = StepperFactory.Create(Scene, Settings);
+        _stepper = profile.Compile(Scene, Settings);
         _contact = Scene.Ground.Height + Scene.Ball.Radius;
         _world = World.Of(Scene);
         _hasOwnForces = Scene.Forces.Custom.Count > 0;
@@ -34,6 +46,9 @@ public sealed class Simulator
 
     /// <summary>How it is integrated.</summary>
     public SolverSettings Settings { get; }
+
+    /// <summary>The laws of the air that it was made for.</summary>
+    public AirProfile Profile { get; }
 
     /// <summary>Height of the centre of a ball on the ground, m.</summary>
     public double ContactHeight => _contact;
@@ -73,7 +88,6 @@ public sealed class Simulator
         state.Motion = MotionState.Airborne;
         if (_world is not null)
         {
-            Raise(ref state);
             _stepper.Settle(ref state);
         }
         else if (position.Y <= _contact)
@@ -156,22 +170,6 @@ public sealed class Simulator
         state = next;
     }
 
-    /// <summary>A ball that starts inside the ground is raised to it.</summary>
-    private void Raise(ref BallState state)
-    {
-        for (int i = 0; i < 4 && _world!.Ground is { } ground; i++)
-        {
-            ShapePoint at = ground.At(state.Position, 0);
-            double below = Scene.Ball.Radius - at.Distance;
-            if (!(below > 0))
-            {
-                break;
-            }
-
-            state.Position += below * at.Normal;
-        }
-    }
-
     private static void RefuseStep(double dt, StepLog? log)
     {
         Check.Within("dt", dt, 0, Limits.Time);
@@ -203,6 +201,9 @@ public sealed class Simulator
         Check.Advances("timeStep", timeStep, state.Time + duration);
         return Run(ref state, timeStep, duration, stopAt, log, null);
     }
+
+    /// <summary>Whether there is more to meet than a level pitch.</summary>
+    internal bool HasThings => _world is not null;
 
     /// <inheritdoc cref="Stepper.AirFactors"/>
     internal void AirFactors(double speed, double spinRate, out double drag, out double lift) =>

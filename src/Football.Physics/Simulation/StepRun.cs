@@ -21,8 +21,14 @@ internal ref struct StepRun
     /// <summary>Where the step had to be divided: the length of its parts, s; else 0.</summary>
     public double Part;
 
+    /// <summary>Impacts that one step may have; after that the ball stays on what it hits, so that every step ends.</summary>
+    public const int MostImpacts = 4096;
+
     /// <summary>Pieces since the last impact.</summary>
     public int Pieces;
+
+    /// <summary>Impacts in the whole step.</summary>
+    public int AllImpacts;
 
     /// <summary>Pieces so far that were taken by implicit Euler.</summary>
     public int Implicit;
@@ -38,6 +44,16 @@ internal ref struct StepRun
 
     /// <summary>Keeps the length of a part that is shorter than what was asked for, s.</summary>
     public void Keep(double part, double asked) => Part = part < asked ? part : Part;
+
+    /// <summary>Counts an impact: after it the step is divided anew.</summary>
+    /// <returns>Whether the ball may bounce.</returns>
+    public bool Hit()
+    {
+        bool bounces = AllImpacts++ < MostImpacts;
+        Pieces = bounces ? 0 : Pieces;
+        Part = 0;
+        return bounces;
+    }
 
     /// <summary>Counts a piece as done: the clock goes on, and the time left gets less.</summary>
     public void Advance(ref BallState s, double h)

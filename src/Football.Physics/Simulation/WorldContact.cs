@@ -7,6 +7,12 @@ internal sealed class WorldContact<TAir>
     /// <summary>More impacts than this at one instant, and the ball is wedged: it goes along with what pushes it.</summary>
     private const int MostAtOnce = 64;
 
+    /// <summary>A ball is raised out of the ground in so many steps: more than one where that is curved.</summary>
+    private const int MostRaises = 4;
+
+    /// <summary>Less than this is no overlap to be raised from, m.</summary>
+    private const double Overlap = 1e-9;
+
     private readonly Surroundings<TAir> _around;
     private readonly World _world;
     private readonly bool _levelGround;
@@ -43,10 +49,12 @@ internal sealed class WorldContact<TAir>
         }
 
         s.Branch = DragBranch.Unknown;
-        run.Part = 0;
-        run.Pieces = 0;
+        bool may = run.Hit();
         double off = Vector3d.Dot(velocity - hit.Velocity, in n);
-        bool bounces = off >= _world.MinimumBounceSpeed;
+
+        // What would be back within a microsecond stays down: so an impact takes time, however strong the ball is pressed.
+        bool bounces = may && off >= _world.MinimumBounceSpeed
+            && off >= 0.5 * StabilityLimit.ShortestHop * Load(in s, velocity - (off * n), in spin, hit, in at);
         velocity = bounces ? velocity : velocity - (off * n);
         if (carried && s.Carrier != thing)
         {
@@ -100,6 +108,22 @@ internal sealed class WorldContact<TAir>
         s.Motion = MotionState.Stopped;
     }
 
+    /// <summary>A ball inside the ground, where a state says so, is raised to it.</summary>
+    public void Raise(ref BallState s)
+    {
+        for (int i = 0; i < MostRaises && _world.Ground is { } ground; i++)
+        {
+            ShapePoint at = ground.At(s.Position);
+            double below = _world.Ball.Radius - at.Distance;
+            if (!(below > Overlap))
+            {
+                break;
+            }
+
+            s.Position += below * at.Normal;
+        }
+    }
+
     /// <summary>Whether a collider would carry a ball that touches it: N/m is above zero.</summary>
     public bool IsPressed(in BallState s, int collider)
     {
@@ -111,28 +135,42 @@ internal sealed class WorldContact<TAir>
     /// <summary>A ball that is placed: carried, where it touches something slowly enough and is pressed on it; else in the air.</summary>
     public void Settle(ref BallState s)
     {
-        for (int i = 0; i < _world.Colliders.Length; i++)
+        int first = int.MaxValue;
+        var near = NearThings.At(_world, s.Position, s.Time);
+        while (near.NextCollider(out int i))
         {
-            Collider collider = _world.Colliders[i];
-            ShapePoint at = collider.At(s.Position, s.Time);
-            Vector3d velocity = s.Velocity;
-            Vector3d spin = s.Spin;
-            double off = Vector3d.Dot(velocity - collider.Velocity, at.Normal);
-            velocity -= off * at.Normal;
-
-            // On a level pitch that is so up to the speed of the slowest bounce; on anything else what comes closer hits.
-            bool stays = off < _world.MinimumBounceSpeed && off > (_levelGround && collider == _world.Ground ? -_world.MinimumBounceSpeed : -double.Epsilon);
-            if (at.Distance - _world.Ball.Radius <= ContactSearch.Touching && stays
-                && Load(in s, in velocity, in spin, collider, in at) > 0)
-            {
-                s.Velocity = velocity;
-                s.Carrier = i + _world.FirstCollider;
-                bool rolls = Slip.Of(velocity - collider.Velocity, in spin, at.Normal, _world.Ball.Radius).Length < Slip.Rolling;
-                s.SetGroundSpin(in spin);
-                s.Motion = rolls ? MotionState.Rolling : MotionState.Sliding;
-                return;
-            }
+            first = i < first && TakesUp(in s, i, out _) ? i : first;
         }
+
+        if (first < int.MaxValue)
+        {
+            TakesUp(in s, first, out Vector3d velocity);
+            Collider collider = _world.Colliders[first];
+            Vector3d spin = s.Spin;
+            Vector3d n = collider.At(s.Position, s.Time).Normal;
+            s.Velocity = velocity;
+            s.Carrier = first + _world.FirstCollider;
+            bool rolls = Slip.Of(velocity - collider.Velocity, in spin, in n, _world.Ball.Radius).Length < Slip.Rolling;
+            s.SetGroundSpin(in spin);
+            s.Motion = rolls ? MotionState.Rolling : MotionState.Sliding;
+        }
+    }
+
+    /// <summary>Whether a collider carries a ball that is placed.</summary>
+    /// <param name="s">The ball.</param>
+    /// <param name="index">The collider.</param>
+    /// <param name="velocity">The ball's velocity along the surface, m/s.</param>
+    private bool TakesUp(in BallState s, int index, out Vector3d velocity)
+    {
+        Collider collider = _world.Colliders[index];
+        ShapePoint at = collider.At(s.Position, s.Time);
+        double off = Vector3d.Dot(s.Velocity - collider.Velocity, at.Normal);
+        velocity = s.Velocity - (off * at.Normal);
+
+        // On a level pitch that is so up to the speed of the slowest bounce; on anything else what comes closer hits.
+        double slowest = _levelGround && collider == _world.Ground ? -_world.MinimumBounceSpeed : -double.Epsilon;
+        return at.Distance - _world.Ball.Radius <= ContactSearch.Touching && off < _world.MinimumBounceSpeed && off > slowest
+            && Load(in s, in velocity, s.Spin, collider, in at) > 0;
     }
 
     /// <summary>A carried ball was hit by something else: it keeps its carrier unless the impulse lifts it.</summary>

@@ -30,24 +30,31 @@ internal sealed class WorldGuard<TAir>
     public bool HitsAtOnce(ref BallState s, ref StepRun run)
     {
         long carrier = s.Motion == MotionState.Airborne ? -1 : s.Carrier - _world.FirstCollider;
-        for (int i = 0; i < _world.Colliders.Length; i++)
+        int first = int.MaxValue;
+        var near = NearThings.At(_world, s.Position, s.Time);
+        while (near.NextCollider(out int i))
         {
-            if (i == carrier)
+            if (i == carrier || i > first)
             {
                 continue;
             }
 
             Gap.OfContact(_world, i).Evaluate(s.Position, s.Velocity, s.Time, out double gap, out double rate);
+
             // The ground takes a ball that it presses at any speed, even where nothing comes closer.
-            bool hits = rate < -ContactSearch.Approaching || (rate <= ContactSearch.Approaching && carrier < 0 && _world.Colliders[i] == _world.Ground && _contact.IsPressed(in s, i));
-            if (gap <= ContactSearch.Touching && hits)
-            {
-                _contact.Impact(ref s, i, ref run);
-                return true;
-            }
+            bool isGround = carrier < 0 && _world.Colliders[i] == _world.Ground;
+            bool hits = gap <= ContactSearch.Touching
+                && (rate < -ContactSearch.Approaching || (rate <= ContactSearch.Approaching && isGround && _contact.IsPressed(in s, i)));
+            first = hits ? i : first;
         }
 
-        return false;
+        if (first == int.MaxValue)
+        {
+            return false;
+        }
+
+        _contact.Impact(ref s, first, ref run);
+        return true;
     }
 
     /// <summary>Ends a piece at the first thing that it meets.</summary>

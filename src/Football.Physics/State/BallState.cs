@@ -72,8 +72,11 @@ public struct BallState
     /// <summary>The goals whose plane the ball has passed since it was placed or kicked, a bit each.</summary>
     internal ulong GoalsPassed;
 
-    /// <summary>Nothing but level ground is nearer to the ball than this, m: until it has gone so far, no thing need be asked. 0 where that is not known.</summary>
-    internal double Clearance;
+    /// <summary>Until this time, s, the flight was found to meet nothing but level ground; 0 where that is not known.</summary>
+    internal double ClearUntil;
+
+    /// <summary>A key of the scene for which that was found.</summary>
+    internal ulong ClearIn;
 
     /// <summary>Distance flown through the air since the kick, m, where a knuckle force depends on it; else 0.</summary>
     internal double AirDistance;

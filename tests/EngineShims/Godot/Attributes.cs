@@ -10,9 +10,32 @@ public sealed class GlobalClassAttribute : Attribute
 {
 }
 
+[AttributeUsage(AttributeTargets.Class)]
+public sealed class IconAttribute : Attribute
+{
+    public IconAttribute(string path) => Path = path;
+
+    public string Path { get; }
+}
+
+public enum PropertyHint
+{
+    None,
+    Range,
+}
+
 [AttributeUsage(AttributeTargets.Property | AttributeTargets.Field)]
 public sealed class ExportAttribute : Attribute
 {
+    public ExportAttribute(PropertyHint hint = PropertyHint.None, string hintString = "")
+    {
+        Hint = hint;
+        HintString = hintString;
+    }
+
+    public PropertyHint Hint { get; }
+
+    public string HintString { get; }
 }
 
 [AttributeUsage(AttributeTargets.Delegate)]

@@ -5,6 +5,11 @@ public class GodotObject
     /// <summary>What was emitted, in order.</summary>
     public List<(string Signal, Variant[] Arguments)> Emitted { get; } = [];
 
+    /// <summary>What was set by name.</summary>
+    public Dictionary<string, Variant> Properties { get; } = [];
+
+    public void Set(StringName property, Variant value) => Properties[property.ToString()] = value;
+
     public void EmitSignal(StringName signal, params Variant[] arguments)
     {
         // As the engine does: the signal must be declared, with as many arguments.
@@ -40,6 +45,14 @@ public class Node : GodotObject
     {
     }
 
+    public virtual void _UnhandledInput(InputEvent @event)
+    {
+    }
+
+    public class SignalName
+    {
+    }
+
     private readonly Dictionary<string, Node> _children = [];
 
     public IReadOnlyCollection<Node> GetChildren() => _children.Values;
@@ -61,7 +74,7 @@ public class Node : GodotObject
 
 public class Node3D : Node
 {
-    public Transform3D GlobalTransform { get; set; }
+    public Transform3D GlobalTransform { get; set; } = new(Basis.Identity, Vector3.Zero);
 
     public Vector3 GlobalPosition
     {
@@ -74,31 +87,8 @@ public class Resource : GodotObject
 {
 }
 
-public class Texture2D : Resource
-{
-}
-
-public class Script : Resource
-{
-}
-
 public class EditorPlugin : Node
 {
-    public List<string> Types { get; } = [];
-
-    public void AddCustomType(string type, string @base, Script script, Texture2D? icon)
-    {
-        ArgumentNullException.ThrowIfNull(script);
-        Types.Add(type + ":" + @base);
-    }
-
-    public void RemoveCustomType(string type) => Types.RemoveAll(known => known.StartsWith(type + ":", StringComparison.Ordinal));
-}
-
-public static class GD
-{
-    public static T Load<T>(string path)
-        where T : Resource, new() => path.StartsWith("res://", StringComparison.Ordinal) ? new T() : throw new ArgumentException(path, nameof(path));
 }
 
 public static class Engine

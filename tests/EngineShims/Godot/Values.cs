@@ -34,13 +34,41 @@ public struct Quaternion
     }
 }
 
+public struct Vector2
+{
+    public float X;
+    public float Y;
+}
+
+/// <summary>Three columns, as Godot has them.</summary>
 public struct Basis
 {
-    public Basis(Quaternion quaternion) => Rotation = quaternion;
+    public Vector3 X;
+    public Vector3 Y;
+    public Vector3 Z;
 
-    public Quaternion Rotation { get; }
+    public Basis(Vector3 x, Vector3 y, Vector3 z)
+    {
+        X = x;
+        Y = y;
+        Z = z;
+    }
 
-    public readonly Quaternion GetRotationQuaternion() => Rotation;
+    public Basis(Quaternion q)
+    {
+        X = new Vector3(1 - (2 * ((q.Y * q.Y) + (q.Z * q.Z))), 2 * ((q.X * q.Y) + (q.W * q.Z)), 2 * ((q.X * q.Z) - (q.W * q.Y)));
+        Y = new Vector3(2 * ((q.X * q.Y) - (q.W * q.Z)), 1 - (2 * ((q.X * q.X) + (q.Z * q.Z))), 2 * ((q.Y * q.Z) + (q.W * q.X)));
+        Z = new Vector3(2 * ((q.X * q.Z) + (q.W * q.Y)), 2 * ((q.Y * q.Z) - (q.W * q.X)), 1 - (2 * ((q.X * q.X) + (q.Y * q.Y))));
+    }
+
+    public static Basis Identity => new(new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1));
+
+    public static Vector3 operator *(Basis basis, Vector3 v) => new(
+        (basis.X.X * v.X) + (basis.Y.X * v.Y) + (basis.Z.X * v.Z),
+        (basis.X.Y * v.X) + (basis.Y.Y * v.Y) + (basis.Z.Y * v.Z),
+        (basis.X.Z * v.X) + (basis.Y.Z * v.Y) + (basis.Z.Z * v.Z));
+
+    public static Basis operator *(Basis a, Basis b) => new(a * b.X, a * b.Y, a * b.Z);
 }
 
 public struct Transform3D
@@ -75,4 +103,6 @@ public readonly struct Variant
     public static implicit operator Variant(Vector3 value) => new(value);
 
     public static implicit operator Variant(double value) => new(value);
+
+    public static implicit operator Variant(int value) => new(value);
 }

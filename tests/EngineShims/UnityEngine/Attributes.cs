@@ -16,11 +16,25 @@ namespace UnityEngine
     }
 
     [AttributeUsage(AttributeTargets.Field)]
-    public sealed class MinAttribute : Attribute
+    public sealed class HeaderAttribute : Attribute
     {
-        public MinAttribute(float min) => this.min = min;
+        public HeaderAttribute(string header) => this.header = header;
+
+        public string header { get; }
+    }
+
+    [AttributeUsage(AttributeTargets.Field)]
+    public sealed class RangeAttribute : Attribute
+    {
+        public RangeAttribute(float min, float max)
+        {
+            this.min = min;
+            this.max = max;
+        }
 
         public float min { get; }
+
+        public float max { get; }
     }
 
     [AttributeUsage(AttributeTargets.Class)]
@@ -34,6 +48,14 @@ namespace UnityEngine
     [AttributeUsage(AttributeTargets.Class)]
     public sealed class DisallowMultipleComponent : Attribute
     {
+    }
+
+    [AttributeUsage(AttributeTargets.Class)]
+    public sealed class RequireComponent : Attribute
+    {
+        public RequireComponent(Type requiredComponent) => m_Type0 = requiredComponent;
+
+        public Type m_Type0 { get; }
     }
 
     [AttributeUsage(AttributeTargets.Class)]

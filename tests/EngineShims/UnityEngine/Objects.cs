@@ -1,11 +1,14 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics.CodeAnalysis;
 using System.Reflection;
 
 namespace UnityEngine
 {
     public class Object
     {
+        public string name { get; set; } = "";
+
         public static bool operator ==(Object? a, Object? b) => ReferenceEquals(a, b);
 
         public static bool operator !=(Object? a, Object? b) => !ReferenceEquals(a, b);
@@ -17,19 +20,6 @@ namespace UnityEngine
             where T : ScriptableObject => Activator.CreateInstance<T>();
     }
 
-    public class Transform : Object
-    {
-        public Vector3 position { get; set; }
-
-        public Quaternion rotation { get; set; } = Quaternion.identity;
-
-        public void SetPositionAndRotation(Vector3 position, Quaternion rotation)
-        {
-            this.position = position;
-            this.rotation = rotation;
-        }
-    }
-
     public class Component : Object
     {
         public GameObject gameObject { get; internal set; } = null!;
@@ -38,10 +28,59 @@ namespace UnityEngine
 
         public T GetComponent<T>()
             where T : Component => gameObject.GetComponent<T>();
+
+        public bool TryGetComponent<T>([NotNullWhen(true)] out T? component)
+            where T : Component => gameObject.TryGetComponent(out component);
+    }
+
+    public class Transform : Component
+    {
+        public Vector3 position { get; set; }
+
+        public Quaternion rotation { get; set; } = Quaternion.identity;
+
+        public Vector3 localScale { get; set; } = new Vector3(1f, 1f, 1f);
+
+        public void SetPositionAndRotation(Vector3 position, Quaternion rotation)
+        {
+            this.position = position;
+            this.rotation = rotation;
+        }
     }
 
     public class MonoBehaviour : Component
     {
+    }
+
+    public class Collider : Component
+    {
+        public bool isTrigger { get; set; }
+    }
+
+    public enum RigidbodyInterpolation
+    {
+        None,
+        Interpolate,
+        Extrapolate,
+    }
+
+    public class Rigidbody : Component
+    {
+        public bool isKinematic { get; set; }
+
+        public bool useGravity { get; set; } = true;
+
+        public RigidbodyInterpolation interpolation { get; set; }
+    }
+
+    public enum PrimitiveType
+    {
+        Sphere,
+        Capsule,
+        Cylinder,
+        Cube,
+        Plane,
+        Quad,
     }
 
     /// <summary>Holds components, and calls their messages as the engine's player loop would.</summary>
@@ -51,10 +90,24 @@ namespace UnityEngine
 
         public Transform transform { get; } = new Transform();
 
+        public static GameObject CreatePrimitive(PrimitiveType type)
+        {
+            var made = new GameObject { name = type.ToString() };
+            made.Attach<Collider>();
+            return made;
+        }
+
         /// <summary>Adds a component without Awake, so that a test can set its fields as the inspector would.</summary>
         public T Attach<T>()
             where T : Component, new()
         {
+            foreach (RequireComponent required in typeof(T).GetCustomAttributes<RequireComponent>())
+            {
+                var needed = (Component)Activator.CreateInstance(required.m_Type0)!;
+                needed.gameObject = this;
+                _components.Add(needed);
+            }
+
             var component = new T { gameObject = this };
             _components.Add(component);
             return component;
@@ -70,17 +123,13 @@ namespace UnityEngine
         }
 
         public T GetComponent<T>()
+            where T : Component => TryGetComponent(out T? found) ? found : throw new InvalidOperationException("There is no " + typeof(T).Name + ".");
+
+        public bool TryGetComponent<T>([NotNullWhen(true)] out T? component)
             where T : Component
         {
-            foreach (Component component in _components)
-            {
-                if (component is T found)
-                {
-                    return found;
-                }
-            }
-
-            throw new InvalidOperationException("There is no " + typeof(T).Name + ".");
+            component = _components.Find(item => item is T) as T;
+            return !ReferenceEquals(component, null);
         }
 
         /// <summary>Sends a message to all components, private methods included.</summary>

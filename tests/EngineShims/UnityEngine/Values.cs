@@ -16,6 +16,14 @@ namespace UnityEngine
         public static Vector3 zero => default;
 
         public static Vector3 forward => new Vector3(0f, 0f, 1f);
+
+        public readonly float magnitude => (float)System.Math.Sqrt((x * x) + (y * y) + (z * z));
+
+        public static Vector3 operator +(Vector3 a, Vector3 b) => new Vector3(a.x + b.x, a.y + b.y, a.z + b.z);
+
+        public static Vector3 operator -(Vector3 a, Vector3 b) => new Vector3(a.x - b.x, a.y - b.y, a.z - b.z);
+
+        public static Vector3 operator *(Vector3 a, float s) => new Vector3(a.x * s, a.y * s, a.z * s);
     }
 
     public struct Quaternion
@@ -32,6 +40,8 @@ namespace UnityEngine
             this.z = z;
             this.w = w;
         }
+
+        public static Quaternion Euler(float x, float y, float z) => new Quaternion(0f, 0f, (float)System.Math.Sin(z * System.Math.PI / 360), (float)System.Math.Cos(z * System.Math.PI / 360));
 
         public static Quaternion identity => new Quaternion(0f, 0f, 0f, 1f);
     }

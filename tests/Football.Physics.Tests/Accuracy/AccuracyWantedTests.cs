@@ -9,10 +9,10 @@ public sealed class AccuracyWantedTests
 
     private static readonly Dictionary<string, Scene> s_scenes = new()
     {
-        ["published"] = Scene.Default,
-        ["wind"] = Scene.Windy(new Vector3d(6, 0.5, -5)),
-        ["regularised"] = new() { Forces = ForceSet.Regularised },
-        ["constant"] = new() { Forces = ForceSet.Constant },
+        ["published"] = Scene.Published,
+        ["wind"] = Scene.Published with { Air = new Air { Wind = new Vector3d(6, 0.5, -5) } },
+        ["regularised"] = Scene.Published with { Forces = ForceSet.Regularised },
+        ["constant"] = Scene.Published with { Forces = ForceSet.Constant },
         ["small ball"] = new() { Ball = BallProperties.YouthFootball },
     };
 

@@ -42,7 +42,7 @@ public sealed class ConsistencyTests
             Vector3d velocity = random.Velocity(10, 30, 5, 40);
             Vector3d spin = random.Uniform(0, 60) * random.Direction();
             BallState Play(double step) => Flight.Play(
-                Scene.Default, Flight.With(integrator), step, 0.8, StopAt.Time, new Vector3d(0, 2, 0), velocity, spin, out _);
+                Scene.Published, Flight.With(integrator), step, 0.8, StopAt.Time, new Vector3d(0, 2, 0), velocity, spin, out _);
             errors.Add($"{velocity}, {spin}", Vector3d.Distance(Play(0.02).Position, Play(0.01).Position));
         }
 
@@ -56,7 +56,7 @@ public sealed class ConsistencyTests
         var random = new Shots(21);
         for (int i = 0; i < 20; i++)
         {
-            var simulator = new Simulator();
+            var simulator = new Simulator(Scene.Published);
             BallState even = simulator.Launch(new Vector3d(0, 0.5, 0), random.Velocity(5, 20, 0, 40), random.Uniform(0, 40) * random.Direction());
             BallState uneven = even;
             var evenLog = new StepLog();
@@ -81,7 +81,7 @@ public sealed class ConsistencyTests
         {
             Vector3d velocity = random.Velocity(slow, fast, 5, 35);
             Vector3d spin = random.Uniform(leastSpin, mostSpin) * random.Direction();
-            Vector3d Land(double step) => Flight.ToImpact(Scene.Default, integrator, step, new Vector3d(0, 0.11, 0), velocity, spin).Position;
+            Vector3d Land(double step) => Flight.ToImpact(Scene.Published, integrator, step, new Vector3d(0, 0.11, 0), velocity, spin).Position;
             (Vector3d a, Vector3d b, Vector3d c) = (Land(0.01), Land(0.02), Land(0.04));
             string name = $"{velocity}, {spin}";
             gaps.Fine.Add(name, Vector3d.Distance(a, b));

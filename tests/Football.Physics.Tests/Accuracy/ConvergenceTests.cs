@@ -36,7 +36,7 @@ public sealed class ConvergenceTests
             Vector3d spin = random.Uniform(30, 60) * random.Direction();
             if (Crosses(velocity, spin, (speed, sp) => speed - FittedDrag.CriticalSpeed, sp => sp > 0.1))
             {
-                orders.Add(OrderOf(new Scene(), integrator, coarsest, velocity, spin));
+                orders.Add(OrderOf(Scene.Published, integrator, coarsest, velocity, spin));
             }
         }
 
@@ -57,7 +57,7 @@ public sealed class ConvergenceTests
             Vector3d spin = random.Uniform(0.044, 0.049) * velocity.Length / Flight.Radius * random.Direction();
             if (Crosses(velocity, spin, (speed, sp) => FittedDrag.CriticalSpin - sp, _ => true))
             {
-                orders.Add(OrderOf(new Scene(), integrator, coarsest, velocity, spin));
+                orders.Add(OrderOf(Scene.Published, integrator, coarsest, velocity, spin));
             }
         }
 
@@ -111,7 +111,7 @@ public sealed class ConvergenceTests
         // An updraught that fades with height, and a gust in time.
         var gust = Force.From(ball =>
             new Vector3d(0.4 * Math.Sin(3 * ball.Time), 0.3 * Math.Exp(-0.2 * ball.Position.Y), 0.01 * ball.AirVelocity.X));
-        Scene scene = new() { Forces = new ForceSet { Coefficients = CoefficientForm.Regularised, Drag = ForceLaw.Constant, Magnus = ForceLaw.Constant, Custom = [gust] } };
+        Scene scene = Scene.Published with { Forces = ForceSet.Published with { Coefficients = CoefficientForm.Regularised, Drag = ForceLaw.Constant, Magnus = ForceLaw.Constant, Custom = [gust] } };
         var random = new Shots(77);
         Order.Hold(integrator.ToString(), [.. Enumerable.Range(0, 12).Select(_ =>
             OrderOf(scene, integrator, coarsest, random.Velocity(15, 30, 15, 35), random.Uniform(10, 60) * random.Direction()))], low, high);
@@ -154,7 +154,7 @@ public sealed class ConvergenceTests
     {
         var random = new Shots(223);
         var errors = new Errors("resting place");
-        var scene = new Scene { Air = new Air { Wind = new Vector3d(3, 0, 1) } };
+        var scene = Scene.Published with { Air = new Air { Wind = new Vector3d(3, 0, 1) } };
         for (int i = 0; i < 12; i++)
         {
             Vector3d velocity = random.Velocity(5, 15, 0, 0);
@@ -171,7 +171,7 @@ public sealed class ConvergenceTests
         errors.Hold(p95: 1e-7);
     }
 
-    private static Scene Ground(Vector3d wind) => new() { Air = new Air { Wind = wind }, Forces = new ForceSet { Coefficients = CoefficientForm.Regularised } };
+    private static Scene Ground(Vector3d wind) => Scene.Published with { Air = new Air { Wind = wind }, Forces = ForceSet.Published with { Coefficients = CoefficientForm.Regularised } };
 
     private static double OrderOf(Scene scene, Integrator integrator, double coarsest, Vector3d velocity, Vector3d spin)
     {
@@ -199,7 +199,7 @@ public sealed class ConvergenceTests
     /// <summary>Whether a shot really crosses one surface of the jump, once, while the other condition holds throughout.</summary>
     private static bool Crosses(Vector3d velocity, Vector3d spin, Func<double, double, double> side, Func<double, bool> other)
     {
-        var simulator = new Simulator();
+        var simulator = new Simulator(Scene.Published);
         BallState state = simulator.Launch(new Vector3d(0, 0.11, 0), velocity, spin);
         var log = new StepLog();
         int changes = 0;

@@ -120,7 +120,7 @@ public sealed class FlightClosedFormTests
     public void A_flight_in_wind_is_the_flight_in_still_air_seen_from_a_moving_frame(CoefficientForm form)
     {
         var wind = new Vector3d(4, -1, 6);
-        var scene = new Scene { Forces = new ForceSet { Coefficients = form } };
+        var scene = Scene.Published with { Forces = ForceSet.Published with { Coefficients = form } };
         BallState still = Fly(scene, 0.01, 2, new Vector3d(18, 6, -9), new Vector3d(10, 30, -20));
         BallState windy = Fly(scene with { Air = new Air { Wind = wind } }, 0.01, 2, new Vector3d(22, 5, -3), new Vector3d(10, 30, -20));
         Assert.Equal(0, Vector3d.Distance(still.Velocity + wind, windy.Velocity), 1e-10);
@@ -131,7 +131,7 @@ public sealed class FlightClosedFormTests
     [Fact]
     public void The_check_value_of_the_design_notes_holds()
     {
-        var scene = new Scene { Air = new Air { Density = 1.2041, KinematicViscosity = 1.51e-5 } };
+        var scene = Scene.Published with { Air = new Air { Density = 1.2041, KinematicViscosity = 1.51e-5 } };
         var simulator = new Simulator(scene);
         BallState state = simulator.Launch(s_high, new Vector3d(24, 7, 1), new Vector3d(1, 20, 15));
         var log = new StepLog();
@@ -146,7 +146,7 @@ public sealed class FlightClosedFormTests
         Assert.Equal(0, log.Events.Count);
     }
 
-    private static Scene Air(ForceSet forces, double gravity) => new() { Gravity = gravity, Forces = forces };
+    private static Scene Air(ForceSet forces, double gravity) => Scene.Published with { Gravity = gravity, Forces = forces };
 
     private static BallState Fly(Scene scene, double timeStep, double duration, Vector3d velocity, Vector3d spin) =>
         Flight.Play(scene, SolverSettings.Default, timeStep, duration, StopAt.Time, s_high, velocity, spin, out _);

@@ -6,7 +6,7 @@ public sealed class ShortVisitTests
     [Fact]
     public void A_visit_to_the_law_with_spin_is_not_missed_by_a_large_step()
     {
-        var simulator = new Simulator();
+        var simulator = new Simulator(Scene.Published);
         var random = new Random(5);
         var log = new StepLog();
         double Between(double low, double high) => low + ((high - low) * random.NextDouble());

@@ -31,7 +31,7 @@ public sealed class ClockTests
     [Fact]
     public void A_run_at_a_clock_of_1e15_is_refused_and_one_in_longer_steps_ends()
     {
-        var simulator = new Simulator();
+        var simulator = new Simulator(Scene.Published);
         BallState state = At(simulator, 1e15);
         ArgumentOutOfRangeException refused = Assert.Throws<ArgumentOutOfRangeException>(() => simulator.Run(ref state, 0.01, 1, StopAt.Time, new StepLog()));
         Assert.StartsWith("timeStep is 0.01; allowed: more than the rounding of a clock at 1000000000000001 s", refused.Message);
@@ -42,7 +42,7 @@ public sealed class ClockTests
     [Fact]
     public void A_look_ahead_from_a_clock_of_1e17_is_refused()
     {
-        var simulator = new Simulator();
+        var simulator = new Simulator(Scene.Published);
         BallState state = At(simulator, 1e17);
         var path = new Trajectory();
         Assert.Equal("lookAhead.timeStep", Assert.Throws<ArgumentOutOfRangeException>(() => simulator.LookAhead(in state, new LookAheadRequest(), path)).ParamName);

@@ -63,8 +63,8 @@ public sealed class BallBatchTests
     {
         const int many = 10_000;
         BatchLaunches launches = BatchScenes.Launches(6, many, slow, fast, mostSpin);
-        BatchFlights single = BatchScenes.Fly(new BallBatch(null, new BatchSettings { TimeStep = step }), launches);
-        BatchFlights twice = BatchScenes.Fly(new BallBatch(null, new BatchSettings { TimeStep = step, Precision = BatchPrecision.Double }), launches);
+        BatchFlights single = BatchScenes.Fly(new BallBatch(Scene.Published, new BatchSettings { TimeStep = step }), launches);
+        BatchFlights twice = BatchScenes.Fly(new BallBatch(Scene.Published, new BatchSettings { TimeStep = step, Precision = BatchPrecision.Double }), launches);
         double[] apart = [.. Enumerable.Range(0, many).Select(i => Vector3d.Distance(single.Position[i], twice.Position[i])).Order()];
         FlewInLanes(apart);
         Assert.True(apart[many * 99 / 100] < nearlyAll, $"99 % within {apart[many * 99 / 100]:e2} m");
@@ -113,10 +113,10 @@ public sealed class BallBatchTests
     [Fact]
     public void In_double_it_is_the_single_ball_to_the_bit()
     {
-        var batch = new BallBatch(null, new BatchSettings { Precision = BatchPrecision.Double });
+        var batch = new BallBatch(Scene.Published, new BatchSettings { Precision = BatchPrecision.Double });
         BatchLaunches launches = BatchScenes.Launches(4, 50);
         BatchFlights flights = BatchScenes.Fly(batch, launches);
-        var simulator = new Simulator();
+        var simulator = new Simulator(Scene.Published);
         for (int i = 0; i < 50; i++)
         {
             BallState state = simulator.Launch(launches.Position[i], launches.Velocity[i], launches.Spin[i]);
@@ -136,8 +136,8 @@ public sealed class BallBatchTests
         launches.Set(1, default, new Vector3d(150, 30, 0), new Vector3d(0, 10, 0));
         launches.Set(2, default, new Vector3d(20, 10, 0), new Vector3d(0, 9999, 0));
         launches.Set(3, default, new Vector3d(20, -1, 0), new Vector3d(0, 10, 0));
-        BatchFlights flights = BatchScenes.Fly(new BallBatch(), launches);
-        BatchFlights twice = BatchScenes.Fly(new BallBatch(null, new BatchSettings { Precision = BatchPrecision.Double }), launches);
+        BatchFlights flights = BatchScenes.Fly(new BallBatch(Scene.Published), launches);
+        BatchFlights twice = BatchScenes.Fly(new BallBatch(Scene.Published, new BatchSettings { Precision = BatchPrecision.Double }), launches);
         foreach (int i in (int[])[0, 1, 3])
         {
             Assert.Equal(BatchScenes.Bits(twice, i), BatchScenes.Bits(flights, i));
@@ -152,7 +152,7 @@ public sealed class BallBatchTests
     {
         var launches = new BatchLaunches(1);
         launches.Set(0, default, new Vector3d(5, 0.1, 0), default);
-        BatchFlights flights = BatchScenes.Fly(new BallBatch(), launches);
+        BatchFlights flights = BatchScenes.Fly(new BallBatch(Scene.Published), launches);
         Assert.Equal(BatchEnd.Ground, flights.End[0]);
         Assert.Equal(0, flights.Time[0]);
         Assert.Equal(0.11, flights.Position[0].Y);
@@ -162,9 +162,9 @@ public sealed class BallBatchTests
     public void A_scene_with_a_force_of_its_own_flies_alone_and_feels_it()
     {
         BatchLaunches launches = BatchScenes.Launches(5, 20);
-        BatchFlights without = BatchScenes.Fly(new BallBatch(), launches);
+        BatchFlights without = BatchScenes.Fly(new BallBatch(Scene.Published), launches);
         var gust = Force.From(ball => new Vector3d(0.4 + (0.1 * ball.Position.Y), 0, -0.02 * ball.AirVelocity.Z));
-        BatchFlights flights = AreFlownAlone(new Scene { Forces = new ForceSet { Custom = [gust] } }, launches);
+        BatchFlights flights = AreFlownAlone(Scene.Published with { Forces = ForceSet.Published with { Custom = [gust] } }, launches);
         for (int i = 0; i < 20; i++)
         {
             // Half a metre in a second, and there is no shot so short.
@@ -174,12 +174,12 @@ public sealed class BallBatchTests
 
     [Fact]
     public void A_scene_of_constant_and_fitted_laws_flies_alone() =>
-        AreFlownAlone(new Scene { Forces = new ForceSet { Drag = ForceLaw.Constant } }, BatchScenes.Launches(5, 20));
+        AreFlownAlone(Scene.Published with { Forces = ForceSet.Published with { Drag = ForceLaw.Constant } }, BatchScenes.Launches(5, 20));
 
     [Fact]
     public void Refuses_what_is_out_of_range()
     {
-        var batch = new BallBatch(null, new BatchSettings { Threads = 2 });
+        var batch = new BallBatch(Scene.Published, new BatchSettings { Threads = 2 });
         var launches = new BatchLaunches(700);
         var flights = new BatchFlights(700);
         for (int i = 0; i < 700; i++)
@@ -194,9 +194,9 @@ public sealed class BallBatchTests
         Assert.Throws<ArgumentOutOfRangeException>(() => batch.Fly(launches, flights, 701));
         Assert.Throws<ArgumentOutOfRangeException>(() => batch.Fly(launches, flights, 1, 0));
         Assert.Throws<ArgumentNullException>(() => batch.Fly(null!, flights, 1));
-        Assert.Throws<ArgumentOutOfRangeException>(() => new BallBatch(null, new BatchSettings { Integrator = Integrator.Euler }));
-        Assert.Throws<ArgumentOutOfRangeException>(() => new BallBatch(null, new BatchSettings { TimeStep = 0 }));
-        Assert.Throws<ArgumentOutOfRangeException>(() => new BallBatch(null, new BatchSettings { Threads = 0 }));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new BallBatch(Scene.Published, new BatchSettings { Integrator = Integrator.Euler }));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new BallBatch(Scene.Published, new BatchSettings { TimeStep = 0 }));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new BallBatch(Scene.Published, new BatchSettings { Threads = 0 }));
     }
 
     /// <summary>To the bit what is flown in double, which lanes of floats never are.</summary>
@@ -217,7 +217,18 @@ public sealed class BallBatchTests
 
     private static void ImpactIsApplied(Scene scene, BatchFlights flights, int i)
     {
-        ImpactResponse.Apply(scene.Ball, scene.Ground, flights.Velocity[i], flights.Spin[i], out Vector3d velocity, out Vector3d spin);
+        Vector3d velocity;
+        Vector3d spin;
+        if (World.Of(scene) is null)
+        {
+            ImpactResponse.Apply(scene.Ball, scene.Ground, flights.Velocity[i], flights.Spin[i], out velocity, out spin);
+        }
+        else
+        {
+            CoulombImpact.Apply(
+                scene.Ball, new ContactMaterial(scene.Ground), Vector3d.Up, Vector3d.Zero, flights.Velocity[i], flights.Spin[i], out velocity, out spin);
+        }
+
         Assert.Equal(velocity, flights.VelocityAfter[i]);
         Assert.Equal(spin, flights.SpinAfter[i]);
     }

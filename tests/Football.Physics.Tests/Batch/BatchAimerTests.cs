@@ -18,7 +18,7 @@ public sealed class BatchAimerTests
         var kicks = new BatchKicks(Count);
         var aimer = new BatchAimer(scene);
         aimer.Find(aims, kicks, Count);
-        var meter = new AimContext(scene, SolverSettings.Default, 0.01).Miss;
+        var meter = new AimContext(new Simulator(scene), 0.01).Miss;
         var single = new Aimer(scene);
         int hits = 0;
         for (int i = 0; i < Count; i++)
@@ -55,8 +55,8 @@ public sealed class BatchAimerTests
         }
 
         var kicks = new BatchKicks(many);
-        new BatchAimer().Find(aims, kicks, many);
-        var meter = new AimContext(Scene.Default, SolverSettings.Default, 0.01).Miss;
+        new BatchAimer(Scene.Published).Find(aims, kicks, many);
+        var meter = new AimContext(new Simulator(Scene.Published), 0.01).Miss;
         int hits = 0;
         for (int i = 0; i < many; i++)
         {
@@ -87,8 +87,8 @@ public sealed class BatchAimerTests
         }
 
         var kicks = new BatchKicks(many);
-        new BatchAimer().Find(aims, kicks, many);
-        MissMeter meter = new AimContext(Scene.Default, SolverSettings.Default, 0.01).Miss;
+        new BatchAimer(Scene.Published).Find(aims, kicks, many);
+        MissMeter meter = new AimContext(new Simulator(Scene.Published), 0.01).Miss;
         int hits = 0;
         for (int i = 0; i < many; i++)
         {
@@ -109,8 +109,8 @@ public sealed class BatchAimerTests
         // Half of them near or beyond the reach.
         BatchAims aims = Aims(22, 10, 22, 0);
         var kicks = new BatchKicks(Count);
-        new BatchAimer().Find(aims, kicks, Count);
-        var single = new Aimer();
+        new BatchAimer(Scene.Published).Find(aims, kicks, Count);
+        var single = new Aimer(Scene.Published);
         int refused = 0;
         for (int i = 0; i < Count; i++)
         {
@@ -132,11 +132,11 @@ public sealed class BatchAimerTests
     {
         BatchAims aims = Aims(23, 15, 30, 0);
         var one = new BatchKicks(Count);
-        new BatchAimer(Scene.Default, 1, 1).Find(aims, one, Count);
+        new BatchAimer(Scene.Published, 1, 1).Find(aims, one, Count);
         foreach ((int threads, int lanes, int count) in ((int, int, int)[])[(1, 4, Count), (1, 8, Count), (3, 16, Count), (1, 16, 77)])
         {
             var other = new BatchKicks(Count);
-            new BatchAimer(Scene.Default, threads, lanes).Find(aims, other, count);
+            new BatchAimer(Scene.Published, threads, lanes).Find(aims, other, count);
             for (int i = 0; i < count; i++)
             {
                 Assert.Equal(one.Status[i], other.Status[i]);
@@ -152,12 +152,12 @@ public sealed class BatchAimerTests
         var aims = new BatchAims(2);
         aims.Set(0, default, new Vector3d(10, 1, 0), 25);
         aims.Set(1, default, new Vector3d(10, 1, 0), -25);
-        var aimer = new BatchAimer();
+        var aimer = new BatchAimer(Scene.Published);
         string message = Assert.Throws<ArgumentOutOfRangeException>(() => aimer.Find(aims, new BatchKicks(2), 2)).Message;
         Assert.Contains("aim.speed[1] is -25", message, StringComparison.Ordinal);
         Assert.Throws<ArgumentOutOfRangeException>(() => aimer.Find(aims, new BatchKicks(2), 3));
         Assert.Throws<ArgumentOutOfRangeException>(() => aimer.Find(new BatchAims(1) { MinimumElevationDegrees = 50 }, new BatchKicks(1), 1));
-        Assert.Throws<ArgumentOutOfRangeException>(() => new BatchAimer(null, 0));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new BatchAimer(Scene.Published, 0));
     }
 
     private static BatchAims Aims(int seed, double slow, double fast, double ground)

@@ -31,8 +31,8 @@ public sealed class BatchDeterminismTests
     public void Threads_give_the_same_bits(int threads)
     {
         BatchLaunches launches = BatchScenes.Launches(12, Count);
-        BatchFlights one = BatchScenes.Fly(new BallBatch(), launches);
-        BatchFlights many = BatchScenes.Fly(new BallBatch(null, new BatchSettings { Threads = threads }), launches);
+        BatchFlights one = BatchScenes.Fly(new BallBatch(Scene.Published), launches);
+        BatchFlights many = BatchScenes.Fly(new BallBatch(Scene.Published, new BatchSettings { Threads = threads }), launches);
         for (int i = 0; i < Count; i++)
         {
             Assert.Equal(BatchScenes.Bits(one, i), BatchScenes.Bits(many, i));
@@ -43,7 +43,7 @@ public sealed class BatchDeterminismTests
     public void Order_and_company_do_not_matter()
     {
         BatchLaunches launches = BatchScenes.Launches(13, Count, 8, 30);
-        BatchFlights straight = BatchScenes.Fly(new BallBatch(), launches);
+        BatchFlights straight = BatchScenes.Fly(new BallBatch(Scene.Published), launches);
         var shuffled = new BatchLaunches(Count / 2);
         int Place(int i) => i * 7 % Count;
         for (int i = 0; i < Count / 2; i++)
@@ -51,7 +51,7 @@ public sealed class BatchDeterminismTests
             shuffled.Set(i, launches.Position[Place(i)], launches.Velocity[Place(i)], launches.Spin[Place(i)]);
         }
 
-        BatchFlights other = BatchScenes.Fly(new BallBatch(), shuffled);
+        BatchFlights other = BatchScenes.Fly(new BallBatch(Scene.Published), shuffled);
         for (int i = 0; i < Count / 2; i++)
         {
             Assert.Equal(BatchScenes.Bits(straight, Place(i)), BatchScenes.Bits(other, i));
@@ -65,7 +65,7 @@ public sealed class BatchDeterminismTests
         var flights = new BatchFlights(Count);
         foreach (BatchPrecision precision in (BatchPrecision[])[BatchPrecision.Single, BatchPrecision.Double])
         {
-            var batch = new BallBatch(null, new BatchSettings { Precision = precision, FindApex = true, TimeStep = 0.05 });
+            var batch = new BallBatch(Scene.Published, new BatchSettings { Precision = precision, FindApex = true, TimeStep = 0.05 });
             batch.Fly(launches, flights, Count);
             long before = GC.GetAllocatedBytesForCurrentThread();
             batch.Fly(launches, flights, Count);

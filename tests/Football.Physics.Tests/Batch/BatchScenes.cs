@@ -7,16 +7,24 @@ internal static class BatchScenes
 {
     public static readonly IReadOnlyDictionary<string, Scene> All = new Dictionary<string, Scene>
     {
-        ["published"] = Scene.Default,
-        ["wind"] = Scene.Windy(new Vector3d(4, 1, -3)),
-        ["regularised"] = new() { Forces = ForceSet.Regularised, Air = new Air { Wind = new Vector3d(-2, 0, 5) } },
-        ["constant"] = new() { Forces = ForceSet.Constant with { SpinDecayCoefficient = 1e-4 } },
+        ["published"] = Scene.Published,
+        ["wind"] = Scene.Published with { Air = new Air { Wind = new Vector3d(4, 1, -3) } },
+        ["regularised"] = Scene.Published with { Forces = ForceSet.Regularised, Air = new Air { Wind = new Vector3d(-2, 0, 5) } },
+        ["constant"] = Scene.Published with { Forces = ForceSet.Constant with { SpinDecayCoefficient = 1e-4 } },
         ["vacuum"] = Scene.Vacuum,
-        ["no lift"] = new() { Forces = new ForceSet { Magnus = ForceLaw.None } },
-        ["no decay, small ball, raised ground"] = new()
+        ["no lift"] = Scene.Published with { Forces = ForceSet.Published with { Magnus = ForceLaw.None } },
+        ["measured"] = Scene.Measured,
+        ["measured, wind, Jabulani, thin air"] = Scene.Measured with
+        {
+            Ball = BallProperties.Jabulani,
+            Air = Weather.AtAltitude(2240).ToAir() with { Wind = new Vector3d(-3, 0.5, 5) },
+            Forces = ForceSet.Measured with { SpinDecay = ForceLaw.None },
+            Ground = Ground.WateredTurf with { Height = 1 },
+        },
+        ["no decay, small ball, raised ground"] = Scene.Published with
         {
             Ball = BallProperties.YouthFootball,
-            Forces = new ForceSet { SpinDecay = ForceLaw.None },
+            Forces = ForceSet.Published with { SpinDecay = ForceLaw.None },
             Ground = Ground.WetTurf with { Height = 3 },
         },
     };

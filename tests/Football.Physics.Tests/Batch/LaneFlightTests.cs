@@ -12,11 +12,11 @@ public sealed class LaneFlightTests
     [Fact]
     public void A_law_of_a_file_of_its_own_flies_as_its_equations_say()
     {
-        Scene scene = Scene.Default;
+        Scene scene = Scene.Published;
         LaneGroup one = Launch(out Vector3d[] velocities, out Vector3d[] spins);
         LaneGroup eight = Launch(out _, out _);
-        new LaneKernel<Lanes1, MeasuredLaneLaw<Lanes1>, LaneRk4>(scene, 0.01, upAlongX: false, findsApex: false).Fly(one, Duration);
-        new LaneKernel<Lanes8, MeasuredLaneLaw<Lanes8>, LaneRk4>(scene, 0.01, upAlongX: false, findsApex: false).Fly(eight, Duration);
+        new LaneKernel<Lanes1, InventedLaneLaw<Lanes1>, LaneRk4>(scene, 0.01, upAlongX: false, findsApex: false).Fly(one, Duration);
+        new LaneKernel<Lanes8, InventedLaneLaw<Lanes8>, LaneRk4>(scene, 0.01, upAlongX: false, findsApex: false).Fly(eight, Duration);
         for (int i = 0; i < Balls; i++)
         {
             Vector3d place = Vector3d.Zero;
@@ -46,7 +46,7 @@ public sealed class LaneFlightTests
         ];
         foreach (ForceSet forces in unknown)
         {
-            var scene = new Scene { Forces = forces };
+            var scene = Scene.Published with { Forces = forces };
             Assert.Throws<ArgumentOutOfRangeException>(() => LaneFlight.Covers(scene));
             Assert.Throws<ArgumentOutOfRangeException>(() => Create(scene));
             Assert.Throws<ArgumentOutOfRangeException>(() => new LaneDomain(scene, 0.01));
@@ -60,7 +60,7 @@ public sealed class LaneFlightTests
     {
         foreach (int form in (int[])[-1, 3, 7])
         {
-            var scene = new Scene { Forces = new ForceSet { Coefficients = (CoefficientForm)form } };
+            var scene = Scene.Published with { Forces = ForceSet.Published with { Coefficients = (CoefficientForm)form } };
             string message = Assert.Throws<ArgumentOutOfRangeException>(() => Create(scene)).Message;
             Assert.Contains($"forces.coefficients is {form}", message, StringComparison.Ordinal);
             Assert.Throws<ArgumentOutOfRangeException>(() => new BallBatch(scene));
@@ -69,30 +69,22 @@ public sealed class LaneFlightTests
     }
 
     [Fact]
-    public void The_measured_laws_and_air_by_place_and_time_are_left_to_the_single_ball()
+    public void Air_by_place_and_time_and_things_to_hit_are_left_to_the_single_ball()
     {
-        Assert.False(LaneFlight.Covers(Scene.Measured));
-        Assert.False(LaneFlight.Covers(new Scene { Air = new Air { WindField = new WindByHeight(5, 1, 0) } }));
-        Assert.False(LaneFlight.Covers(new Scene { Forces = new ForceSet { KnuckleSeed = 1 } }));
-        var launches = new BatchLaunches(2);
-        var flights = new BatchFlights(2);
-        var velocity = new Vector3d(22, 6, -3);
-        var spin = new Vector3d(0, 40, -10);
-        launches.Set(0, new Vector3d(0, 1, 0), velocity, spin);
-        launches.Set(1, new Vector3d(0, 2, 0), velocity, spin);
-        new BallBatch(Scene.Measured).Fly(launches, flights, 2);
-        BallState alone = Support.Flight.Play(Scene.Measured, SolverSettings.Default, 0.01, 5, StopAt.Impact, new Vector3d(0, 1, 0), velocity, spin, out _);
-        Assert.InRange(Math.Abs(alone.Position.X - flights.Position.X[0]), 0, 1e-5);
-        Assert.InRange(Math.Abs(alone.Position.Z - flights.Position.Z[0]), 0, 1e-5);
+        Assert.True(LaneFlight.Covers(Scene.Measured));
+        Assert.False(LaneFlight.Covers(Scene.Measured with { Ground = Ground.DryTurf with { Normal = new Vector3d(0.1, 1, 0) } }));
+        Assert.False(LaneFlight.Covers(Scene.Measured with { Obstacles = [new Obstacle { Shape = new SphereShape(Vector3d.Zero, 0.5) }] }));
+        Assert.False(LaneFlight.Covers(Scene.Published with { Air = new Air { WindField = new WindByHeight(5, 1, 0) } }));
+        Assert.False(LaneFlight.Covers(Scene.Published with { Forces = ForceSet.Published with { KnuckleSeed = 1 } }));
     }
 
     [Fact]
     public void Laws_of_two_kinds_are_left_to_the_single_ball()
     {
-        var scene = new Scene { Forces = new ForceSet { Drag = ForceLaw.Constant, Magnus = ForceLaw.None } };
+        var scene = Scene.Published with { Forces = ForceSet.Published with { Drag = ForceLaw.Constant, Magnus = ForceLaw.None } };
         Assert.False(LaneFlight.Covers(scene));
         Assert.Throws<ArgumentOutOfRangeException>(() => Create(scene));
-        Assert.True(LaneFlight.Covers(new Scene { Forces = new ForceSet { Drag = ForceLaw.None } }));
+        Assert.True(LaneFlight.Covers(Scene.Published with { Forces = ForceSet.Published with { Drag = ForceLaw.None } }));
     }
 
     private static LaneFlight Create(Scene scene) => LaneFlight.Create(scene, fourthOrder: true, 0.01, 8);
@@ -118,10 +110,10 @@ public sealed class LaneFlightTests
     /// <summary>Classical Runge–Kutta.</summary>
     private static void Step(Scene scene, ref Vector3d place, ref Vector3d u, ref Vector3d w, double h)
     {
-        MotionRates k1 = MeasuredLaneLaw<Lanes1>.Rates(scene, u, w);
-        MotionRates k2 = MeasuredLaneLaw<Lanes1>.Rates(scene, u + (0.5 * h * k1.Acceleration), w + (0.5 * h * k1.SpinAcceleration));
-        MotionRates k3 = MeasuredLaneLaw<Lanes1>.Rates(scene, u + (0.5 * h * k2.Acceleration), w + (0.5 * h * k2.SpinAcceleration));
-        MotionRates k4 = MeasuredLaneLaw<Lanes1>.Rates(scene, u + (h * k3.Acceleration), w + (h * k3.SpinAcceleration));
+        MotionRates k1 = InventedLaneLaw<Lanes1>.Rates(scene, u, w);
+        MotionRates k2 = InventedLaneLaw<Lanes1>.Rates(scene, u + (0.5 * h * k1.Acceleration), w + (0.5 * h * k1.SpinAcceleration));
+        MotionRates k3 = InventedLaneLaw<Lanes1>.Rates(scene, u + (0.5 * h * k2.Acceleration), w + (0.5 * h * k2.SpinAcceleration));
+        MotionRates k4 = InventedLaneLaw<Lanes1>.Rates(scene, u + (h * k3.Acceleration), w + (h * k3.SpinAcceleration));
         place += (h * u) + (h * h / 6 * (k1.Acceleration + k2.Acceleration + k3.Acceleration));
         u += h / 6 * (k1.Acceleration + (2 * k2.Acceleration) + (2 * k3.Acceleration) + k4.Acceleration);
         w += h / 6 * (k1.SpinAcceleration + (2 * k2.SpinAcceleration) + (2 * k3.SpinAcceleration) + k4.SpinAcceleration);

@@ -91,7 +91,7 @@ public sealed class FixedStepRunnerTests
     [InlineData(0.01, double.PositiveInfinity)]
     [InlineData(0.5, 0.25)]
     public void Settings_out_of_range_are_refused(double timeStep, double maximumFrameTime) =>
-        Assert.Throws<ArgumentOutOfRangeException>(() => new FixedStepRunner(null, timeStep, maximumFrameTime));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new FixedStepRunner(timeStep, maximumFrameTime));
 
     [Fact]
     public void Stepping_and_drawing_allocate_nothing()

@@ -11,9 +11,9 @@ internal static class Inputs
     private static readonly Simulator[] s_simulators =
     [
         new(),
-        new(Scene.Windy(new Vector3d(4, 0, -7))),
-        new(Scene.Default with { Forces = ForceSet.Regularised, Ground = Ground.WetTurf }),
-        new(Scene.Default with { Forces = ForceSet.Constant }, new SolverSettings { Integrator = Integrator.Rk2 }),
+        new(Scene.Published with { Air = new Air { Wind = new Vector3d(4, 0, -7) } }),
+        new(Scene.Published with { Forces = ForceSet.Regularised, Ground = Ground.WetTurf }),
+        new(Scene.Published with { Forces = ForceSet.Constant }, new SolverSettings { Integrator = Integrator.Rk2 }),
         new(Scene.Vacuum, new SolverSettings { Integrator = Integrator.SemiImplicitEuler, CollisionTiming = CollisionTiming.Bisection }),
         new(Scene.Measured with
         {
@@ -21,7 +21,7 @@ internal static class Inputs
             Air = new Air { WindField = new WindByHeight(6, 1, -2, gusts: new Gusts { Seed = 11 }) },
             Forces = ForceSet.Measured with { KnuckleSeed = -5 },
         }),
-        new(Scene.Default with { Forces = new ForceSet { Custom = [Force.From(ball => new Vector3d(0.1 * ball.Velocity.Y, 0, 0.2))] } }),
+        new(Scene.Published with { Forces = ForceSet.Published with { Custom = [Force.From(ball => new Vector3d(0.1 * ball.Velocity.Y, 0, 0.2))] } }),
     ];
 
     public static Gen<Simulator> Simulators => Gen.Elements(s_simulators);

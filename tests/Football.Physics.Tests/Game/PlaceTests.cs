@@ -45,7 +45,7 @@ public sealed class PlaceTests
     [Fact]
     public void A_force_that_is_not_finite_is_refused_by_name_and_nothing_has_changed()
     {
-        var ball = new Ball(new Scene { Forces = new ForceSet { Custom = [new Broken()] } });
+        var ball = new Ball(Scene.Published with { Forces = ForceSet.Published with { Custom = [new Broken()] } });
         ball.Place(new Vector3d(0, 2, 0));
         BallState before = ball.State;
         string message = Assert.Throws<InvalidOperationException>(() => ball.Step(0.01)).Message;
@@ -56,10 +56,10 @@ public sealed class PlaceTests
     [Fact]
     public void A_scene_without_one_of_its_parts_is_refused_by_name()
     {
-        Assert.Equal("ball", Assert.Throws<ArgumentNullException>(() => new Simulator(new Scene { Ball = null! })).ParamName);
-        Assert.Equal("air", Assert.Throws<ArgumentNullException>(() => new Simulator(new Scene { Air = null! })).ParamName);
-        Assert.Equal("forces", Assert.Throws<ArgumentNullException>(() => new Simulator(new Scene { Forces = null! })).ParamName);
-        Assert.Equal("ground", Assert.Throws<ArgumentNullException>(() => new Simulator(new Scene { Ground = null! })).ParamName);
+        Assert.Equal("ball", Assert.Throws<ArgumentNullException>(() => new Simulator(Scene.Published with { Ball = null! })).ParamName);
+        Assert.Equal("air", Assert.Throws<ArgumentNullException>(() => new Simulator(Scene.Published with { Air = null! })).ParamName);
+        Assert.Equal("forces", Assert.Throws<ArgumentNullException>(() => new Simulator(Scene.Published with { Forces = null! })).ParamName);
+        Assert.Equal("ground", Assert.Throws<ArgumentNullException>(() => new Simulator(Scene.Published with { Ground = null! })).ParamName);
     }
 
     private sealed class Broken : IForce

@@ -135,8 +135,8 @@ public sealed class RollbackTests
     public void Another_scene_diverges_as_soon_as_it_shows()
     {
         KickInput[] kicks = [new(20, new Vector3d(2, 6, -20), new Vector3d(0, 30, 0))];
-        MatchSegment segment = Record(new Simulator(), kicks, 0);
-        var windy = new Simulator(Scene.Windy(new Vector3d(0, 0, 1)));
+        MatchSegment segment = Record(new Simulator(Scene.Published), kicks, 0);
+        var windy = new Simulator(Scene.Published with { Air = new Air { Wind = new Vector3d(0, 0, 1) } });
         Assert.Equal(21, segment.FirstDivergence(windy));
     }
 
@@ -164,7 +164,7 @@ public sealed class RollbackTests
     public void Broken_bytes_are_refused_whatever_is_broken()
     {
         KickInput[] kicks = [new(3, new Vector3d(2.5, 6, -20), new Vector3d(0, 30.1, 0)), new(9, new Vector3d(1, 2, 3), Vector3d.Zero, 2)];
-        byte[] bytes = Record(new Simulator(), kicks, 0).ToBytes();
+        byte[] bytes = Record(new Simulator(Scene.Published), kicks, 0).ToBytes();
         for (int length = 0; length < bytes.Length; length++)
         {
             Assert.Throws<FormatException>(() => MatchSegment.FromBytes(bytes.AsSpan(0, length)));

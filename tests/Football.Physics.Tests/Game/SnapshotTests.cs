@@ -61,7 +61,7 @@ public sealed class SnapshotTests
     [Fact]
     public void Zero_and_minus_zero_are_not_the_same()
     {
-        var simulator = new Simulator();
+        var simulator = new Simulator(Scene.Published);
         BallState a = simulator.Launch(new Vector3d(0.0, 1, 0), Vector3d.Zero, Vector3d.Zero);
         BallState b = simulator.Launch(new Vector3d(-0.0, 1, 0), Vector3d.Zero, Vector3d.Zero);
         Assert.False(Snapshot.Same(a, b));
@@ -97,7 +97,7 @@ public sealed class SnapshotTests
 
     private static BallState Flying()
     {
-        var runner = new FixedStepRunner();
+        var runner = new FixedStepRunner(new Simulator(Scene.Published));
         runner.QueueKick(new Vector3d(3, 8, -22), new Vector3d(5, 30, 2));
         return Inputs.Play(runner, 25)[25];
     }

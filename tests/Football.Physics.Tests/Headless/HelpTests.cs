@@ -32,7 +32,7 @@ public sealed class HelpTests
     {
         FootballCommand done = FootballCommand.Run("", args);
         Assert.Equal((0, ""), (done.ExitCode, done.Error));
-        foreach (string name in args.Contains("lab") ? ["vacuum", "consistency", "cost", "precision", "stability", "aim", "fuzz"] : (string[])["kick", "simulate", "aim", "sweep", "gallery", "lab", "help"])
+        foreach (string name in args.Contains("lab") ? ["vacuum", "consistency", "cost", "precision", "stability", "aim", "fuzz"] : (string[])["kick", "simulate", "aim", "sweep", "replay", "gallery", "lab", "help"])
         {
             Assert.Contains($"\n  {name}", done.Output);
         }

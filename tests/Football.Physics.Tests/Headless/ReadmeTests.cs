@@ -5,10 +5,10 @@ using Football.Physics.Tests.Support;
 
 namespace Football.Physics.Tests.Headless;
 
-/// <summary>The tables of the README are what its commands print: the lab's errors, and the rows of docs/benchmarks.md.</summary>
+/// <summary>The tables of the page on accuracy and speed are what its commands print: the lab's errors, and the rows of docs/benchmarks.md.</summary>
 public sealed class ReadmeTests
 {
-    private const string Page = "README.md";
+    private const string Page = "docs/accuracy-and-speed.md";
 
     [Fact]
     public void Its_errors_are_those_of_the_lab()

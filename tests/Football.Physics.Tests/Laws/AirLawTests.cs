@@ -20,7 +20,7 @@ public sealed class AirLawTests
     [Fact]
     public void Constant_drag_is_the_equation() =>
         Compare<NoDragFit, ConstantDrag, NoAirLaw, NoAirLaw>(
-            (u, w) => PlainLaws.Drag(LawGrid.Scene, 0.31, u), (_, _) => 0, new ForceSet { DragCoefficient = 0.31 });
+            (u, w) => PlainLaws.Drag(LawGrid.Scene, 0.31, u), (_, _) => 0, ForceSet.Published with { DragCoefficient = 0.31 });
 
     [Fact]
     public void Published_lift_is_the_equation() =>
@@ -38,14 +38,14 @@ public sealed class AirLawTests
             (u, w) => PlainLaws.Drag(LawGrid.Scene, 0.31, u)
                 + PlainLaws.Magnus(LawGrid.Scene, PlainLaws.Lift(PlainLaws.Published(u.Length, Sp(u, w)), Sp(u, w)), u, w),
             (_, _) => 0,
-            new ForceSet { DragCoefficient = 0.31 });
+            ForceSet.Published with { DragCoefficient = 0.31 });
 
     [Theory]
     [InlineData(0.37)]
     [InlineData(-0.2)]
     public void Constant_lift_is_the_equation(double coefficient) =>
         Compare<NoDragFit, NoAirLaw, ConstantMagnus, NoAirLaw>(
-            (u, w) => PlainLaws.ConstantMagnus(LawGrid.Scene, coefficient, u, w), (_, _) => 0, new ForceSet { MagnusCoefficient = coefficient });
+            (u, w) => PlainLaws.ConstantMagnus(LawGrid.Scene, coefficient, u, w), (_, _) => 0, ForceSet.Published with { MagnusCoefficient = coefficient });
 
     [Fact]
     public void Spin_decay_is_the_equation() =>
@@ -55,7 +55,7 @@ public sealed class AirLawTests
     [Fact]
     public void Constant_spin_decay_is_the_equation() =>
         Compare<NoDragFit, NoAirLaw, NoAirLaw, ConstantSpinDecay>(
-            (_, _) => Vector3d.Zero, (_, spin) => 3e-5 * spin, new ForceSet { SpinDecayCoefficient = 3e-5 });
+            (_, _) => Vector3d.Zero, (_, spin) => 3e-5 * spin, ForceSet.Published with { SpinDecayCoefficient = 3e-5 });
 
     [Fact]
     public void All_laws_together_add_up() =>
@@ -71,7 +71,7 @@ public sealed class AirLawTests
     public void There_is_no_drag_and_no_lift_below_a_nanometre_a_second()
     {
         AirRatesAt<PublishedDragFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>(
-            new ForceSet(), 0.99e-9, 50, out double drag, out double lift, out double decay);
+            ForceSet.Published, 0.99e-9, 50, out double drag, out double lift, out double decay);
         Assert.Equal(0, drag);
         Assert.Equal(0, lift);
         Assert.InRange(decay * LawGrid.Scene.Ball.MomentOfInertia / PlainLaws.DecayTorque(LawGrid.Scene, 0, 50), 1 - 1e-8, 1 + 1e-8);
@@ -82,8 +82,8 @@ public sealed class AirLawTests
     {
         // c Sp^d passes C_D0 there.
         double spin = Math.Pow(PlainLaws.AtRest / FittedDrag.C, 1 / FittedDrag.D) * 20 / LawGrid.Scene.Ball.Radius;
-        AirRatesAt<PublishedDragFit, NoAirLaw, EmpiricalMagnus, NoAirLaw>(new ForceSet(), 20, 0.999 * spin, out _, out double below, out _);
-        AirRatesAt<PublishedDragFit, NoAirLaw, EmpiricalMagnus, NoAirLaw>(new ForceSet(), 20, 1.001 * spin, out _, out double above, out _);
+        AirRatesAt<PublishedDragFit, NoAirLaw, EmpiricalMagnus, NoAirLaw>(ForceSet.Published, 20, 0.999 * spin, out _, out double below, out _);
+        AirRatesAt<PublishedDragFit, NoAirLaw, EmpiricalMagnus, NoAirLaw>(ForceSet.Published, 20, 1.001 * spin, out _, out double above, out _);
         Assert.True(below > 0);
         Assert.Equal(0, above);
     }
@@ -188,7 +188,7 @@ public sealed class AirLawTests
         {
             Vector3d u = speed * direction;
             Vector3d w = spin * axis;
-            AirRatesAt<TFit, TDrag, TMagnus, TDecay>(forces ?? new ForceSet(), speed, spin, out double drag, out double lift, out double decay);
+            AirRatesAt<TFit, TDrag, TMagnus, TDecay>(forces ?? ForceSet.Published, speed, spin, out double drag, out double lift, out double decay);
             Vector3d acceleration = (lift * Vector3d.Cross(axis, u)) - (drag * u);
             Vector3d expected = force(u, w) / LawGrid.Scene.Ball.Mass;
             double expectedDecay = torque(speed, spin) / LawGrid.Scene.Ball.MomentOfInertia;

@@ -6,9 +6,11 @@ public sealed class AirRatesTests
     private static readonly Scene s_scene = LawGrid.Scene;
 
     private static MotionRates InFlight<TAir>(in Vector3d u, in Vector3d w)
-        where TAir : struct, IAir
+        where TAir : struct, ILawsAir
     {
-        var flight = new FlightSystem<TAir> { Around = new Surroundings<TAir>(s_scene), Branch = DragBranch.Spinning };
+        TAir air = default;
+        air.Prepare(s_scene);
+        var flight = new FlightSystem<TAir> { Around = new Surroundings<TAir>(s_scene, in air), Branch = DragBranch.Spinning };
         flight.Rates(0, new Football.Physics.Motion(Vector3d.Zero, in u, in w), out MotionRates rates);
         return new MotionRates(rates.Acceleration - new Vector3d(0, flight.Around.Upward, 0), in rates.SpinAcceleration);
     }
@@ -48,9 +50,11 @@ public sealed class AirRatesTests
     [Fact]
     public void Decay_at_zero_spin_acts_against_the_spin_that_is_about_to_start()
     {
+        AirLaws<NoDragFit, NoAirLaw, NoAirLaw, EmpiricalSpinDecay> air = default;
+        air.Prepare(s_scene);
         var sliding = new SlidingSystem<AirLaws<NoDragFit, NoAirLaw, NoAirLaw, EmpiricalSpinDecay>>
         {
-            Around = new Surroundings<AirLaws<NoDragFit, NoAirLaw, NoAirLaw, EmpiricalSpinDecay>>(s_scene),
+            Around = new Surroundings<AirLaws<NoDragFit, NoAirLaw, NoAirLaw, EmpiricalSpinDecay>>(s_scene, in air),
             Branch = DragBranch.NoSpin,
         };
         sliding.Pushed(0, new PlanarMotion { VX = 8 }, 0, -1, out PlanarRates rates);

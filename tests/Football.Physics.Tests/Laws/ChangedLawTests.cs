@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using System.Reflection;
 using System.Runtime.Loader;
+using System.Text.RegularExpressions;
 using Football.Physics.Tests.Support;
 
 namespace Football.Physics.Tests.Laws;
@@ -73,7 +74,7 @@ public sealed class ChangedLawTests : IDisposable
         }
 
         const string Library = "src/Football.Physics/Football.Physics.csproj";
-        Write(Library, RepositoryFiles.Text(Library).Replace(
+        Write(Library, Regex.Replace(RepositoryFiles.Text(Library), "<Import [^>]*/>", "").Replace(
             "<TargetFrameworks>netstandard2.1;net8.0;net10.0</TargetFrameworks>", "<TargetFramework>net10.0</TargetFramework>", StringComparison.Ordinal));
         const string Project = Tests + "/Football.Physics.Tests.csproj";
         const string OwnCompile = "<Compile Include=\"../../benchmarks/Football.Physics.Yardsticks/Plain/FittedLaws.cs\" Link=\"Laws/FittedLaws.cs\" />";

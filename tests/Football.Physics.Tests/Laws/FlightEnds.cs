@@ -13,7 +13,7 @@ internal static class FlightEnds
                 var launches = new BatchLaunches(1);
                 var flights = new BatchFlights(1);
                 launches.Set(0, default, new Vector3d(3, 7, -24), new Vector3d(-8, 30, 0));
-                var scene = new Scene { Forces = new ForceSet { Coefficients = form } };
+                var scene = Scene.Published with { Forces = ForceSet.Published with { Coefficients = form } };
                 new BallBatch(scene, new BatchSettings { Precision = precision }).Fly(launches, flights, 1);
                 yield return flights.Position.X[0];
                 yield return flights.Position.Z[0];

@@ -114,12 +114,12 @@ public sealed class AnySceneTests
 
             // Heavier than the air it displaces.
             double mass = Log(0.02, 10) + (1.2 * density * 4.2 * radius * radius * radius);
-            var scene = new Scene
+            var scene = Scene.Published with
             {
                 Ball = new BallProperties { Mass = mass, Radius = radius, InertiaFactor = random.Uniform(0.05, 1) },
                 Air = new Air { Density = density, KinematicViscosity = Log(1e-6, 1e-3), Wind = Perhaps(Log(0.1, 60)) * random.Direction() },
                 Gravity = Perhaps(Log(0.5, 40)),
-                Forces = new ForceSet
+                Forces = ForceSet.Published with
                 {
                     Buoyancy = random.Uniform(0, 1) < 0.5,
                     Drag = Any<ForceLaw>(),
@@ -130,7 +130,7 @@ public sealed class AnySceneTests
                     MagnusCoefficient = random.Uniform(-0.2, 0.2),
                     SpinDecayCoefficient = Perhaps(Log(1e-6, 1e-2)),
                 },
-                Ground = new Ground
+                Ground = Ground.Turf with
                 {
                     Height = random.Uniform(-10, 10),
                     NormalRestitution = random.Uniform(0, 1),

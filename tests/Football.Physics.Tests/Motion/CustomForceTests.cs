@@ -13,10 +13,10 @@ public sealed class CustomForceTests
     [MemberData(nameof(Integrators))]
     public void A_constant_force_is_more_gravity(Integrator integrator)
     {
-        Scene heavy = Scene.Default with { Gravity = 9.81 + 2, Forces = new ForceSet { Buoyancy = false } };
-        Scene pulled = Scene.Default with
+        Scene heavy = Scene.Published with { Gravity = 9.81 + 2, Forces = ForceSet.Published with { Buoyancy = false } };
+        Scene pulled = Scene.Published with
         {
-            Forces = new ForceSet { Buoyancy = false, Custom = [Force.From(_ => new Vector3d(0, -2 * 0.43, 0))] },
+            Forces = ForceSet.Published with { Buoyancy = false, Custom = [Force.From(_ => new Vector3d(0, -2 * 0.43, 0))] },
         };
         BallEvent expected = Flight.ToImpact(heavy, integrator, 0.01, new Vector3d(0, 0.11, 0), new Vector3d(16, 9, 3), new Vector3d(3, 30, -9));
         BallEvent actual = Flight.ToImpact(pulled, integrator, 0.01, new Vector3d(0, 0.11, 0), new Vector3d(16, 9, 3), new Vector3d(3, 30, -9));
@@ -31,7 +31,7 @@ public sealed class CustomForceTests
     {
         const double Coefficient = 0.3;
         double k = 0.5 * 1.2 * Coefficient * Math.PI * 0.11 * 0.11;
-        var builtIn = new Scene { Air = new Air { Wind = new Vector3d(3, 1, -2) }, Forces = new ForceSet { Drag = ForceLaw.Constant, DragCoefficient = Coefficient, Coefficients = CoefficientForm.Regularised } };
+        var builtIn = Scene.Published with { Air = new Air { Wind = new Vector3d(3, 1, -2) }, Forces = ForceSet.Published with { Drag = ForceLaw.Constant, DragCoefficient = Coefficient, Coefficients = CoefficientForm.Regularised } };
         Scene copy = builtIn with
         {
             Forces = builtIn.Forces with { Drag = ForceLaw.None, Custom = [Force.From(ball => -k * ball.AirVelocity.Length * ball.AirVelocity)] },
@@ -46,8 +46,8 @@ public sealed class CustomForceTests
     [Fact]
     public void A_force_that_does_nothing_changes_nothing_through_a_whole_life()
     {
-        Scene scene = Scene.Windy(new Vector3d(2, 0, 1));
-        Scene idle = scene with { Forces = new ForceSet { Custom = [Force.From(_ => Vector3d.Zero)] } };
+        Scene scene = Scene.Published with { Air = new Air { Wind = new Vector3d(2, 0, 1) } };
+        Scene idle = scene with { Forces = ForceSet.Published with { Custom = [Force.From(_ => Vector3d.Zero)] } };
         var random = new Shots(81);
         for (int i = 0; i < 20; i++)
         {
@@ -67,10 +67,10 @@ public sealed class CustomForceTests
     [InlineData(CoefficientForm.Regularised)]
     public void A_law_that_is_left_out_does_not_act_beside_a_force_of_the_game(CoefficientForm form)
     {
-        var scene = new Scene
+        var scene = Scene.Published with
         {
             Gravity = 0,
-            Forces = new ForceSet { Drag = ForceLaw.None, Coefficients = form, Custom = [Force.From(_ => Vector3d.Zero)] },
+            Forces = ForceSet.Published with { Drag = ForceLaw.None, Coefficients = form, Custom = [Force.From(_ => Vector3d.Zero)] },
         };
         BallState end = Flight.Play(scene, SolverSettings.Default, 0.01, 1, StopAt.Time, s_high, new Vector3d(20, 5, 3), new Vector3d(3, 30, -9), out _);
         Assert.Equal(new Vector3d(20, 5, 3).Length, end.Velocity.Length, 1e-6);
@@ -80,7 +80,7 @@ public sealed class CustomForceTests
     [Fact]
     public void A_torque_of_the_game_turns_the_spin()
     {
-        var scene = new Scene { Forces = ForceSet.None with { Custom = [new Torque(new Vector3d(0.001, 0.02, -0.003))] } };
+        var scene = Scene.Published with { Forces = ForceSet.None with { Custom = [new Torque(new Vector3d(0.001, 0.02, -0.003))] } };
         BallState state = Flight.Play(scene, SolverSettings.Default, 0.01, 2, StopAt.Time, s_high, Vector3d.Zero, new Vector3d(5, 0, 0), out _);
         Vector3d expected = new Vector3d(5, 0, 0) + (2 / scene.Ball.MomentOfInertia * new Vector3d(0.001, 0.02, -0.003));
         Assert.InRange(Vector3d.Distance(expected, state.Spin), 0, 1e-11);
@@ -90,7 +90,7 @@ public sealed class CustomForceTests
     [Fact]
     public void A_torque_of_the_game_turns_the_ball()
     {
-        var scene = new Scene { Forces = ForceSet.None with { Custom = [new Torque(new Vector3d(0, 0.003, 0))] } };
+        var scene = Scene.Published with { Forces = ForceSet.None with { Custom = [new Torque(new Vector3d(0, 0.003, 0))] } };
         BallState state = Flight.Play(scene, SolverSettings.Default, 0.01, 0.5, StopAt.Time, s_high, Vector3d.Zero, Vector3d.Zero, out _);
         double angle = 0.5 * 0.003 / scene.Ball.MomentOfInertia * 0.25;
         Assert.Equal(Math.Sin(angle / 2), state.Orientation.Y, 1e-10);
@@ -99,7 +99,7 @@ public sealed class CustomForceTests
     [Fact]
     public void A_torque_of_the_game_may_reverse_a_spin()
     {
-        var scene = new Scene { Forces = new ForceSet { Custom = [new Torque(new Vector3d(0, -0.01, 0))] } };
+        var scene = Scene.Published with { Forces = ForceSet.Published with { Custom = [new Torque(new Vector3d(0, -0.01, 0))] } };
         BallState state = Flight.Play(scene, SolverSettings.Default, 0.01, 2, StopAt.Time, s_high, new Vector3d(10, 0, 0), new Vector3d(0, 2, 0), out _);
         Assert.True(state.Spin.Y < -1);
     }
@@ -108,7 +108,7 @@ public sealed class CustomForceTests
     public void A_force_sees_the_ball_as_it_is()
     {
         var seen = new Recorder();
-        Scene scene = Scene.Windy(new Vector3d(1, 2, 3)) with { Forces = new ForceSet { Custom = [seen] } };
+        Scene scene = Scene.Published with { Air = new Air { Wind = new Vector3d(1, 2, 3) }, Forces = ForceSet.Published with { Custom = [seen] } };
         var simulator = new Simulator(scene, Flight.With(Integrator.Euler));
         BallState state = simulator.Launch(new Vector3d(0, 5, 0), new Vector3d(10, 1, 2), new Vector3d(4, 5, 6));
         var log = new StepLog();
@@ -128,7 +128,7 @@ public sealed class CustomForceTests
     [Fact]
     public void Forces_add_up_in_their_order_and_by_mass()
     {
-        var scene = new Scene
+        var scene = Scene.Published with
         {
             Gravity = 0,
             Ball = new BallProperties { Mass = 2 },

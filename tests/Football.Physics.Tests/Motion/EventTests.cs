@@ -15,7 +15,7 @@ public sealed class EventTests
         for (int i = 0; i < 40; i++)
         {
             Flight.Play(
-                Scene.Windy(new Vector3d(random.Uniform(-3, 3), 0, random.Uniform(-3, 3))),
+                Scene.Published with { Air = new Air { Wind = new Vector3d(random.Uniform(-3, 3), 0, random.Uniform(-3, 3)) } },
                 Flight.With(integrator),
                 0.005,
                 100,
@@ -77,7 +77,7 @@ public sealed class EventTests
     public void An_impact_hidden_between_the_ends_of_a_step_is_found()
     {
         // Light enough for the wind to blow it up again.
-        Scene scene = new()
+        Scene scene = Scene.Published with
         {
             Gravity = 0,
             Air = new Air { Wind = new Vector3d(0, 10, 0) },
@@ -101,7 +101,7 @@ public sealed class EventTests
         {
             foreach (double timeStep in new[] { 0.04, 0.1, 0.5 })
             {
-                var simulator = new Simulator(Scene.Default, Flight.With(integrator));
+                var simulator = new Simulator(Scene.Published, Flight.With(integrator));
                 BallState state = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(3, vertical, 0), Vector3d.Zero);
                 var log = new StepLog();
                 for (int i = 0; i < 20; i++)
@@ -124,7 +124,7 @@ public sealed class EventTests
     public void The_impact_time_is_the_root_of_the_step_itself(Integrator integrator)
     {
         var random = new Shots(24);
-        var simulator = new Simulator(new Scene { Forces = ForceSet.Regularised }, Flight.With(integrator));
+        var simulator = new Simulator(Scene.Published with { Forces = ForceSet.Regularised }, Flight.With(integrator));
         foreach ((double timeStep, double tolerance) in new[] { (0.01, 1e-12), (0.04, 1e-12), (0.25, 1e-9) })
         {
             for (int i = 0; i < 40; i++)
@@ -188,7 +188,7 @@ public sealed class EventTests
         foreach (Integrator integrator in Flight.Integrators)
         {
             Flight.Play(
-                new Scene { Forces = ForceSet.Regularised }, Flight.With(integrator), 0.01, 0.5, StopAt.Time, new Vector3d(0, 30, 0), new Vector3d(20, 5, 0), new Vector3d(3, 4, 5), out StepLog log);
+                Scene.Published with { Forces = ForceSet.Regularised }, Flight.With(integrator), 0.01, 0.5, StopAt.Time, new Vector3d(0, 30, 0), new Vector3d(20, 5, 0), new Vector3d(3, 4, 5), out StepLog log);
             Assert.Equal(50, log.Steps);
             Assert.Equal(50 * expected[(int)integrator], log.Evaluations);
         }
@@ -199,7 +199,7 @@ public sealed class EventTests
     {
         foreach (Integrator integrator in Flight.Integrators)
         {
-            var simulator = new Simulator(Scene.Default, Flight.With(integrator));
+            var simulator = new Simulator(Scene.Published, Flight.With(integrator));
             BallState alone = simulator.Launch(new Vector3d(0, 30, 0), new Vector3d(20, 5, 0), new Vector3d(3, 4, 15));
             BallState watched = alone;
             var log = new StepLog();
@@ -224,7 +224,7 @@ public sealed class EventTests
         {
             // Slow shots with little spin: the ones that chatter between the branches.
             Flight.Play(
-                Scene.Default,
+                Scene.Published,
                 SolverSettings.Default,
                 0.01,
                 60,

@@ -112,11 +112,11 @@ public sealed class ImpactTests
         var log = new StepLog();
         for (int i = 0; i < Impacts; i++)
         {
-            var scene = new Scene
+            var scene = Scene.Published with
             {
                 Ball = new BallProperties { Mass = random.Uniform(0.05, 3), Radius = random.Uniform(0.02, 0.3), InertiaFactor = random.Uniform(0.05, 1) },
                 Air = new Air { Density = random.Uniform(0, 1.3) },
-                Ground = new Ground
+                Ground = Ground.Turf with
                 {
                     Height = random.Uniform(-3, 3),
                     NormalRestitution = random.Uniform(0, 1),

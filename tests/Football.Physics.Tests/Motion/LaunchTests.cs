@@ -6,7 +6,7 @@ namespace Football.Physics.Tests.Motion;
 public sealed class LaunchTests
 {
     private const double Threshold = 0.2;
-    private static readonly Simulator s_simulator = new(new Scene { Ground = new Ground { Height = 1.5, MinimumBounceSpeed = Threshold } });
+    private static readonly Simulator s_simulator = new(Scene.Published with { Ground = Ground.Turf with { Height = 1.5, MinimumBounceSpeed = Threshold } });
 
     [Fact]
     public void A_launch_below_contact_height_is_raised_to_it()
@@ -71,7 +71,7 @@ public sealed class LaunchTests
     [InlineData(0.3999, MotionState.Sliding, "Impact Slide")]
     public void After_an_impact_a_ball_slower_than_the_minimum_bounce_speed_stays_down(double speed, MotionState motion, string events)
     {
-        var simulator = new Simulator(new Scene { Ground = new Ground { NormalRestitution = 0.5, MinimumBounceSpeed = 0.2 } });
+        var simulator = new Simulator(Scene.Published with { Ground = Ground.Turf with { NormalRestitution = 0.5, MinimumBounceSpeed = 0.2 } });
         BallState state = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(2, -speed, 0), Vector3d.Zero);
         var log = new StepLog();
         simulator.Run(ref state, 0.01, 1, StopAt.Impact, log);
@@ -91,7 +91,7 @@ public sealed class LaunchTests
     [Fact]
     public void A_ball_that_does_not_bounce_at_all_slides_or_rolls_at_once()
     {
-        var simulator = new Simulator(new Scene { Ground = new Ground { NormalRestitution = 0 } });
+        var simulator = new Simulator(Scene.Published with { Ground = Ground.Turf with { NormalRestitution = 0 } });
         BallState slides = simulator.Launch(new Vector3d(0, 2, 0), new Vector3d(4, 0, 0), Vector3d.Zero);
         var log = new StepLog();
         simulator.Run(ref slides, 0.01, 60, StopAt.Rest, log);
@@ -107,7 +107,7 @@ public sealed class LaunchTests
     [Fact]
     public void A_ball_without_slip_after_its_last_impact_rolls_and_emits_no_slide()
     {
-        var simulator = new Simulator();
+        var simulator = new Simulator(Scene.Published);
         BallState state = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(3, -0.3, 0), new Vector3d(0, 0, -3 / 0.11));
         var log = new StepLog();
         simulator.Step(ref state, 0.01, log);
@@ -118,7 +118,7 @@ public sealed class LaunchTests
     [Fact]
     public void A_ball_lighter_than_the_air_leaves_the_ground()
     {
-        var simulator = new Simulator(new Scene { Ball = new BallProperties { Mass = 0.03, Radius = 0.2 } });
+        var simulator = new Simulator(Scene.Published with { Ball = new BallProperties { Mass = 0.03, Radius = 0.2 } });
         foreach (Vector3d velocity in new[] { Vector3d.Zero, new Vector3d(2, 0, 0), new Vector3d(0, -3, 0) })
         {
             BallState state = simulator.Launch(new Vector3d(0, 0.2, 0), velocity, Vector3d.Zero);
@@ -135,7 +135,7 @@ public sealed class LaunchTests
     [Fact]
     public void A_balloon_in_a_downdraught_does_not_sink_into_the_ground()
     {
-        var scene = new Scene { Ball = new BallProperties { Mass = 0.03, Radius = 0.2 }, Air = new Air { Wind = new Vector3d(2, -5, 0) } };
+        var scene = Scene.Published with { Ball = new BallProperties { Mass = 0.03, Radius = 0.2 }, Air = new Air { Wind = new Vector3d(2, -5, 0) } };
         foreach (Integrator integrator in Flight.Integrators)
         {
             var simulator = new Simulator(scene, Flight.With(integrator));

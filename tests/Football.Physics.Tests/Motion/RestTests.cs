@@ -15,7 +15,7 @@ public sealed class RestTests
     {
         foreach (Vector3d wind in new[] { Vector3d.Zero, new Vector3d(30, 3, -50) })
         {
-            var simulator = new Simulator(Scene.Windy(wind), Flight.With(integrator));
+            var simulator = new Simulator(Scene.Published with { Air = new Air { Wind = wind } }, Flight.With(integrator));
             BallState state = simulator.Launch(new Vector3d(1.1, 0.11, -3.3), Vector3d.Zero, Vector3d.Zero, s_turned);
             BallState start = state;
             var log = new StepLog();
@@ -42,7 +42,7 @@ public sealed class RestTests
     {
         foreach (CoefficientForm form in Enum.GetValues<CoefficientForm>())
         {
-            var simulator = new Simulator(new Scene { Gravity = 0, Forces = new ForceSet { Coefficients = form } }, Flight.With(integrator));
+            var simulator = new Simulator(Scene.Published with { Gravity = 0, Forces = ForceSet.Published with { Coefficients = form } }, Flight.With(integrator));
             BallState state = simulator.Launch(new Vector3d(1.1, 5, -3.3), Vector3d.Zero, Vector3d.Zero, s_turned);
             BallState start = state;
             var log = new StepLog();
@@ -60,7 +60,7 @@ public sealed class RestTests
     [Fact]
     public void A_ball_that_came_to_rest_stays_put_in_wind_until_the_next_kick()
     {
-        var simulator = new Simulator(Scene.Windy(new Vector3d(-3, 0, 1)));
+        var simulator = new Simulator(Scene.Published with { Air = new Air { Wind = new Vector3d(-3, 0, 1) } });
         BallState state = simulator.Launch(new Vector3d(0, 1, 0), new Vector3d(6, 2, 0), new Vector3d(0, 3, 20));
         var log = new StepLog();
         Assert.True(simulator.Run(ref state, 0.01, 60, StopAt.Rest, log));
@@ -90,7 +90,7 @@ public sealed class RestTests
             for (int i = 0; i < 20; i++)
             {
                 double energy = random.Uniform(1e-5, 0.05);
-                var scene = new Scene { Ground = new Ground { RestEnergy = energy }, Air = new Air { Wind = new Vector3d(1, 0, 0.5) } };
+                var scene = Scene.Published with { Ground = Ground.Turf with { RestEnergy = energy }, Air = new Air { Wind = new Vector3d(1, 0, 0.5) } };
                 Vector3d velocity = random.Velocity(1, 10, 0, 40);
                 Flight.Play(
                     scene, Flight.With(integrator), 0.005, 100, StopAt.Rest, new Vector3d(0, 0.11, 0), velocity, random.Uniform(0, 40) * random.Direction(), out StepLog log);

@@ -28,7 +28,7 @@ public sealed class RollTests
     public void A_rolling_ball_spins_as_it_moves()
     {
         BallState state = Flight.Play(
-            Scene.Default, SolverSettings.Default, 0.01, 1, StopAt.Time, s_start, new Vector3d(3, 0, 4), new Vector3d(4 / Flight.Radius, 7, -3 / Flight.Radius), out _);
+            Scene.Published, SolverSettings.Default, 0.01, 1, StopAt.Time, s_start, new Vector3d(3, 0, 4), new Vector3d(4 / Flight.Radius, 7, -3 / Flight.Radius), out _);
         Assert.Equal(MotionState.Rolling, state.Motion);
         Assert.Equal(0, Slip.Of(state.Velocity, state.Spin, Flight.Radius).Length, 1e-14);
         Assert.Equal(0.75, state.Velocity.X / state.Velocity.Z, 0.05);
@@ -62,7 +62,7 @@ public sealed class RollTests
     [Fact]
     public void A_light_touch_of_wind_rolls_a_ball_on_but_not_a_ball_at_rest()
     {
-        Scene scene = Scene.Windy(new Vector3d(40, 0, 0));
+        Scene scene = Scene.Published with { Air = new Air { Wind = new Vector3d(40, 0, 0) } };
         BallState rolling = Flight.Play(
             scene, SolverSettings.Default, 0.01, 20, StopAt.Time, s_start, new Vector3d(1, 0, 0), new Vector3d(0, 0, -1 / Flight.Radius), out _);
         Assert.Equal(MotionState.Rolling, rolling.Motion);
@@ -76,7 +76,7 @@ public sealed class RollTests
     [Fact]
     public void A_driven_roll_ends_at_the_balance_of_drag_and_friction()
     {
-        var scene = new Scene
+        var scene = Scene.Published with
         {
             Air = new Air { Wind = new Vector3d(20, 0, 0) },
             Forces = ForceSet.None with { Drag = ForceLaw.Constant, DragCoefficient = 0.5 },
@@ -92,7 +92,7 @@ public sealed class RollTests
     [Fact]
     public void Without_aerodynamics_on_the_ground_the_air_only_brakes_the_spin()
     {
-        Scene bare = new() { Ground = Ground.Turf with { Aerodynamics = GroundAerodynamics.None }, Forces = new ForceSet { Buoyancy = false } };
+        Scene bare = Scene.Published with { Ground = Ground.Turf with { Aerodynamics = GroundAerodynamics.None }, Forces = ForceSet.Published with { Buoyancy = false } };
         Scene vacuum = Scene.Vacuum;
         var velocity = new Vector3d(16, 0, 0);
         var spin = new Vector3d(0, 60, -16 / Flight.Radius);
@@ -113,14 +113,14 @@ public sealed class RollTests
     [InlineData(CoefficientForm.Regularised)]
     public void A_law_that_is_left_out_does_not_act_on_the_ground(CoefficientForm form)
     {
-        Scene scene = new() { Ground = Ground.Turf with { RollingFriction = 0 } };
+        Scene scene = Scene.Published with { Ground = Ground.Turf with { RollingFriction = 0 } };
         var spin = new Vector3d(0, 50, -20 / Flight.Radius);
         BallState Roll(ForceSet forces) => Flight.Play(
             scene with { Forces = forces with { Coefficients = form } }, SolverSettings.Default, 0.01, 1, StopAt.Time, s_start, new Vector3d(20, 0, 0), spin, out _);
-        BallState lifted = Roll(new ForceSet { Drag = ForceLaw.None });
+        BallState lifted = Roll(ForceSet.Published with { Drag = ForceLaw.None });
         Assert.Equal(20, lifted.Velocity.Length, 1e-6);
         Assert.True(lifted.Velocity.Z < -1);
-        BallState braked = Roll(new ForceSet { Magnus = ForceLaw.None });
+        BallState braked = Roll(ForceSet.Published with { Magnus = ForceLaw.None });
         Assert.Equal(0, braked.Velocity.Z);
         Assert.True(braked.Velocity.X < 15);
     }
@@ -128,7 +128,7 @@ public sealed class RollTests
     [Fact]
     public void Friction_never_turns_a_roll_back_whatever_the_step()
     {
-        var scene = new Scene { Ground = Ground.Turf with { RollingFriction = 3, SpinDamping = 5, RestEnergy = 1e-12 } };
+        var scene = Scene.Published with { Ground = Ground.Turf with { RollingFriction = 3, SpinDamping = 5, RestEnergy = 1e-12 } };
         foreach (Integrator integrator in Flight.Integrators)
         {
             foreach (double timeStep in new[] { 0.002, 0.05, 0.7, 5 })

@@ -88,7 +88,7 @@ public sealed class SlideTests
         var random = new Shots(219);
         foreach (Integrator integrator in Flight.Integrators)
         {
-            var simulator = new Simulator(new Scene { Air = new Air { Wind = new Vector3d(3, 0, -2) } }, Flight.With(integrator));
+            var simulator = new Simulator(Scene.Published with { Air = new Air { Wind = new Vector3d(3, 0, -2) } }, Flight.With(integrator));
             foreach (double timeStep in new[] { 0.003, 0.02, 0.2, 1.5 })
             {
                 for (int i = 0; i < 20; i++)

@@ -14,7 +14,7 @@ public sealed class SpinDecayTests
     {
         foreach (CoefficientForm form in Enum.GetValues<CoefficientForm>())
         {
-            Scene scene = new() { Gravity = 0, Forces = new ForceSet { SpinDecay = law, SpinDecayCoefficient = 0.01, Coefficients = form } };
+            Scene scene = Scene.Published with { Gravity = 0, Forces = ForceSet.Published with { SpinDecay = law, SpinDecayCoefficient = 0.01, Coefficients = form } };
             ForEach(scene, (simulator, state, timeStep) =>
             {
                 Vector3d axis = state.Spin / state.Spin.Length;
@@ -36,7 +36,7 @@ public sealed class SpinDecayTests
     public void A_tiny_spin_is_gone_at_the_instant_the_torque_says_and_stays_gone()
     {
         // The torque on a ball at rest in the spin's sense is finite: ω̇ ≈ −0.5 rad/s² at 25 m/s.
-        Scene scene = new() { Gravity = 0, Forces = ForceSet.None with { SpinDecay = ForceLaw.Empirical } };
+        Scene scene = Scene.Published with { Gravity = 0, Forces = ForceSet.None with { Coefficients = CoefficientForm.Published, SpinDecay = ForceLaw.Empirical } };
         double rate = Laws.PlainLaws.DecayTorque(scene, 25, 0) / scene.Ball.MomentOfInertia;
         Assert.InRange(rate, 0.4, 0.6);
         foreach (Integrator integrator in Flight.Integrators)
@@ -61,7 +61,7 @@ public sealed class SpinDecayTests
     [Fact]
     public void The_angle_turned_until_the_spin_is_gone_is_half_the_spin_times_its_time()
     {
-        Scene scene = new() { Gravity = 0, Forces = ForceSet.None with { SpinDecay = ForceLaw.Empirical } };
+        Scene scene = Scene.Published with { Gravity = 0, Forces = ForceSet.None with { Coefficients = CoefficientForm.Published, SpinDecay = ForceLaw.Empirical } };
         double rate = Laws.PlainLaws.DecayTorque(scene, 25, 0) / scene.Ball.MomentOfInertia;
         BallState state = Flight.Play(scene, SolverSettings.Default, 0.5, 2, StopAt.Time, s_high, new Vector3d(25, 0, 0), new Vector3d(0, 0.05, 0), out _);
         double angle = 0.05 * 0.05 / (2 * rate);
@@ -74,7 +74,7 @@ public sealed class SpinDecayTests
         foreach (Integrator integrator in Flight.Integrators)
         {
             BallState state = Flight.Play(
-                Scene.Windy(new Vector3d(5, 1, 3)), Flight.With(integrator), 0.01, 2, StopAt.Time, s_high, new Vector3d(25, 5, 3), Vector3d.Zero, out _);
+                Scene.Published with { Air = new Air { Wind = new Vector3d(5, 1, 3) } }, Flight.With(integrator), 0.01, 2, StopAt.Time, s_high, new Vector3d(25, 5, 3), Vector3d.Zero, out _);
             Assert.Equal(Vector3d.Zero, state.Spin);
             Assert.Equal(Quaterniond.Identity, state.Orientation);
         }
@@ -83,7 +83,7 @@ public sealed class SpinDecayTests
     [Fact]
     public void Drag_never_turns_the_ball_round_whatever_the_step()
     {
-        Scene scene = new() { Gravity = 0, Air = new Air { Density = 1000 }, Forces = new ForceSet { Magnus = ForceLaw.None } };
+        Scene scene = Scene.Published with { Gravity = 0, Air = new Air { Density = 1000 }, Forces = ForceSet.Published with { Magnus = ForceLaw.None } };
         foreach (CoefficientForm form in Enum.GetValues<CoefficientForm>())
         {
             ForEach(scene with { Forces = scene.Forces with { Coefficients = form } }, (simulator, state, timeStep) =>

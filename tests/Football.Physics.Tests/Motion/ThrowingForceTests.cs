@@ -15,7 +15,7 @@ public sealed class ThrowingForceTests
     public void Whenever_it_throws_the_ball_is_as_before_the_step(Integrator integrator)
     {
         var force = new Failing();
-        var simulator = new Simulator(Scene.Default with { Forces = new ForceSet { Custom = [force] } }, new SolverSettings { Integrator = integrator });
+        var simulator = new Simulator(Scene.Published with { Forces = ForceSet.Published with { Custom = [force] } }, new SolverSettings { Integrator = integrator });
         var log = new StepLog(1);
         int failed = 0;
         for (int after = 0; after < 4000; after += 7)
@@ -49,7 +49,7 @@ public sealed class ThrowingForceTests
     public void A_runner_goes_on_as_if_nothing_had_happened()
     {
         var force = new Failing();
-        var simulator = new Simulator(Scene.Default with { Forces = new ForceSet { Custom = [force] } });
+        var simulator = new Simulator(Scene.Published with { Forces = ForceSet.Published with { Custom = [force] } });
         for (int after = 0; after < 3000; after += 61)
         {
             force.Begin(int.MaxValue);
@@ -86,7 +86,7 @@ public sealed class ThrowingForceTests
     public void A_kick_of_a_tick_that_fails_is_applied_once_it_does_not()
     {
         var force = new Failing();
-        FixedStepRunner runner = Runner(new Simulator(Scene.Default with { Forces = new ForceSet { Custom = [force] } }));
+        FixedStepRunner runner = Runner(new Simulator(Scene.Published with { Forces = ForceSet.Published with { Custom = [force] } }));
         force.Begin(0);
         BallState before = runner.State;
         Assert.Throws<FailedException>(runner.Step);
@@ -103,7 +103,7 @@ public sealed class ThrowingForceTests
     public void A_look_ahead_that_fails_leaves_a_path_without_overlap(bool kept)
     {
         var force = new Failing();
-        var simulator = new Simulator(Scene.Default with { Forces = new ForceSet { Custom = [force] } });
+        var simulator = new Simulator(Scene.Published with { Forces = ForceSet.Published with { Custom = [force] } });
         int failures = 0;
         for (int after = 0; after < 2000; after += 31)
         {
@@ -150,7 +150,7 @@ public sealed class ThrowingForceTests
     public void A_batch_throws_the_same_whatever_the_number_of_threads(int threads)
     {
         const int Count = 600;
-        Scene scene = Scene.Default with { Forces = new ForceSet { Custom = [new FailingAt(333, 100, 580)] } };
+        Scene scene = Scene.Published with { Forces = ForceSet.Published with { Custom = [new FailingAt(333, 100, 580)] } };
         var batch = new BallBatch(scene, new BatchSettings { Threads = threads });
         var launches = new BatchLaunches(Count);
         for (int i = 0; i < Count; i++)
@@ -178,7 +178,7 @@ public sealed class ThrowingForceTests
         foreach (bool torque in (bool[])[false, true])
         {
             var force = new Poison(value, torque, 0.1);
-            var ball = new Ball(Scene.Default with { Forces = new ForceSet { Custom = [Force.From(_ => Vector3d.Up), force] } });
+            var ball = new Ball(Scene.Published with { Forces = ForceSet.Published with { Custom = [Force.From(_ => Vector3d.Up), force] } });
             ball.Kick(s_velocity, s_spin);
             BallState before = ball.State;
             InvalidOperationException refused = Assert.Throws<InvalidOperationException>((Action)(() =>
@@ -211,7 +211,7 @@ public sealed class ThrowingForceTests
             {
                 foreach (double step in (double[])[0.01, 0.2, 3])
                 {
-                    var ball = new Ball(Scene.Default with { Forces = new ForceSet { Custom = [force] } }, new SolverSettings { Integrator = integrator });
+                    var ball = new Ball(Scene.Published with { Forces = ForceSet.Published with { Custom = [force] } }, new SolverSettings { Integrator = integrator });
                     ball.Kick(s_velocity, s_spin);
                     for (int i = 0; i < 300; i++)
                     {

@@ -19,9 +19,9 @@ public sealed class WindFieldTests
         {
             foreach (double steady in new[] { 0, 0.5 })
             {
-                var forces = new ForceSet { Coefficients = form };
-                Scene field = new() { Forces = forces, Air = new Air { Wind = steady * s_wind, WindField = new UniformWind((1 - steady) * s_wind) } };
-                Scene wind = new() { Forces = forces, Air = new Air { Wind = s_wind } };
+                var forces = ForceSet.Published with { Coefficients = form };
+                Scene field = Scene.Published with { Forces = forces, Air = new Air { Wind = steady * s_wind, WindField = new UniformWind((1 - steady) * s_wind) } };
+                Scene wind = Scene.Published with { Forces = forces, Air = new Air { Wind = s_wind } };
                 foreach (Integrator integrator in Flight.Integrators)
                 {
                     Same(field, wind, integrator, 1e-9);
@@ -34,8 +34,8 @@ public sealed class WindFieldTests
     [Fact]
     public void So_it_is_for_the_published_law_to_what_its_jump_costs()
     {
-        var scene = new Scene { Air = new Air { WindField = new UniformWind(s_wind) } };
-        Same(scene, Scene.Windy(s_wind), Integrator.Rk4, 0.05);
+        var scene = Scene.Published with { Air = new Air { WindField = new UniformWind(s_wind) } };
+        Same(scene, Scene.Published with { Air = new Air { Wind = s_wind } }, Integrator.Rk4, 0.05);
     }
 
     [Fact]

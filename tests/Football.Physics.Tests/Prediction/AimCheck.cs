@@ -1,3 +1,4 @@
+using Football.Physics.Headless.Lab;
 using Football.Physics.Tests.Support;
 
 namespace Football.Physics.Tests.Predictors;
@@ -26,23 +27,8 @@ internal static class AimCheck
     }
 
     /// <summary>The closest approach before the first impact, in RK4 at 5 ms.</summary>
-    public static double TrueMiss(AimRequest request, in AimResult result, Scene? scene = null)
-    {
-        var simulator = new Simulator(scene);
-        var path = new Trajectory(8192);
-        BallState ball = simulator.Launch(request.From, result.Velocity, result.Spin);
-        var look = new LookAheadRequest { TimeStep = 0.005, Duration = 30, StopAt = StopAt.Impact };
-        simulator.LookAhead(in ball, look, path);
-        while (!path.IsComplete)
-        {
-            // A step of a light ball that spins fast has many parts.
-            path = new Trajectory(8 * path.Pieces.Length);
-            simulator.LookAhead(in ball, look, path);
-        }
-
-        // A target below contact height is raised to it, as a ball is.
-        return path.ClosestApproach(new Vector3d(request.Target.X, Math.Max(request.Target.Y, simulator.ContactHeight), request.Target.Z)).Distance;
-    }
+    public static double TrueMiss(AimRequest request, in AimResult result, Scene? scene = null) =>
+        new TrueMiss(scene ?? Scene.Published).Of(request, result.Velocity, result.Spin);
 
     /// <summary>A request like those of a match.</summary>
     public static AimRequest Any(Shots random)

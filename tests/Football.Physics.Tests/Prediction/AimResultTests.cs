@@ -8,7 +8,7 @@ public sealed class AimResultTests
     [Fact]
     public void The_arc_is_the_one_that_was_found()
     {
-        var aimer = new Aimer();
+        var aimer = new Aimer(Scene.Published);
         Assert.Equal(AimArc.Low, aimer.Find(s_pass).Arc);
         Assert.Equal(AimArc.Low, aimer.Find(s_pass with { Arc = AimArc.High }).Arc); // it is steeper than 45°
         AimResult high = aimer.Find(s_pass with { Arc = AimArc.High, MaximumElevationDegrees = 85 });
@@ -19,7 +19,7 @@ public sealed class AimResultTests
     [Fact]
     public void A_kick_that_rolls_says_so()
     {
-        var aimer = new Aimer();
+        var aimer = new Aimer(Scene.Published);
         Assert.True(aimer.Find(new AimRequest { From = new Vector3d(0, 0.11, 0), Target = new Vector3d(35, 0.11, 4), Speed = 15 }).Rolls);
         Assert.False(aimer.Find(s_pass).Rolls);
     }
@@ -27,7 +27,7 @@ public sealed class AimResultTests
     [Fact]
     public void Its_numbers_are_those_of_the_request()
     {
-        AimResult kick = new Aimer(new Simulator()).Find(s_pass);
+        AimResult kick = new Aimer(new Simulator(Scene.Published)).Find(s_pass);
         Assert.Equal(20, kick.Speed, 1e-9);
         Assert.Equal(12, kick.TopSpin, 1e-9);
         Assert.Equal(-7, kick.SideSpin, 1e-9);
@@ -43,7 +43,7 @@ public sealed class AimResultTests
     [Fact]
     public void A_point_on_the_way_that_is_missed_is_no_hit()
     {
-        AimResult result = new Aimer().Find(s_pass with { Through = new Vector3d(1, 4, -10), MaximumTopSpin = 5, MaximumSideSpin = 5 });
+        AimResult result = new Aimer(Scene.Published).Find(s_pass with { Through = new Vector3d(1, 4, -10), MaximumTopSpin = 5, MaximumSideSpin = 5 });
         Assert.Equal((AimStatus.TargetOnly, true), (result.Status, result.HitsTarget));
         Assert.True(result.ThroughMiss > 0.1 && result.Miss <= 0.01);
     }
@@ -51,7 +51,7 @@ public sealed class AimResultTests
     [Fact]
     public void A_ball_can_be_kicked_with_it()
     {
-        AimResult kick = new Aimer().Find(s_pass);
+        AimResult kick = new Aimer(Scene.Published).Find(s_pass);
         var ball = new Ball();
         ball.Kick(in kick);
         Assert.Equal(kick.Velocity, ball.State.Velocity);
@@ -62,5 +62,5 @@ public sealed class AimResultTests
 
     [Fact]
     public void A_request_without_a_target_is_refused() =>
-        Assert.Contains("aim.target", Assert.Throws<ArgumentOutOfRangeException>(() => new Aimer().Find(new AimRequest { Speed = 20 })).Message, StringComparison.Ordinal);
+        Assert.Contains("aim.target", Assert.Throws<ArgumentOutOfRangeException>(() => new Aimer(Scene.Published).Find(new AimRequest { Speed = 20 })).Message, StringComparison.Ordinal);
 }

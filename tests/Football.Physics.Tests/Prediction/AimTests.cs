@@ -13,7 +13,7 @@ public sealed class AimTests
     public void Every_kick_is_what_it_says(AimMethod method)
     {
         var random = new Shots(1);
-        var aimer = new Aimer(timeStep: 0.02);
+        var aimer = new Aimer(Scene.Published, timeStep: 0.02);
         int hits = 0;
         for (int i = 0; i < 300; i++)
         {
@@ -30,7 +30,7 @@ public sealed class AimTests
     public void Direct_hits_whatever_another_method_hits()
     {
         var random = new Shots(2);
-        var aimer = new Aimer();
+        var aimer = new Aimer(Scene.Published);
         int hits = 0;
         for (int i = 0; i < 300; i++)
         {
@@ -49,7 +49,7 @@ public sealed class AimTests
     public void The_high_arc_is_the_higher_of_two_hits()
     {
         var random = new Shots(3);
-        var aimer = new Aimer();
+        var aimer = new Aimer(Scene.Published);
         int both = 0;
         for (int i = 0; i < 200; i++)
         {
@@ -71,7 +71,7 @@ public sealed class AimTests
     public void A_mirrored_request_has_the_mirrored_kick()
     {
         var random = new Shots(4);
-        var aimer = new Aimer();
+        var aimer = new Aimer(Scene.Published);
         static Vector3d Mirror(Vector3d v) => new(v.X, v.Y, -v.Z);
         for (int i = 0; i < 200; i++)
         {
@@ -87,7 +87,7 @@ public sealed class AimTests
     public void Without_measuring_the_estimate_of_a_hit_is_a_hit()
     {
         var random = new Shots(5);
-        var aimer = new Aimer();
+        var aimer = new Aimer(Scene.Published);
         for (int i = 0; i < 200; i++)
         {
             AimRequest request = AimCheck.Any(random);
@@ -101,7 +101,7 @@ public sealed class AimTests
     [Fact]
     public void Direct_takes_two_flights_and_a_bit()
     {
-        var aimer = new Aimer();
+        var aimer = new Aimer(Scene.Published);
         AimResult[] results = [.. AimSets.Thesis(1, 200).Select(request => aimer.Find(request))];
         Assert.All(results, result => Assert.InRange(result.Miss, 0, 1e-3));
         Assert.InRange(results.Average(result => result.Simulations), 1.5, 2.3);
@@ -115,7 +115,7 @@ public sealed class AimTests
     public void A_search_allocates_nothing(AimMethod method)
     {
         var random = new Shots(6);
-        var aimer = new Aimer(timeStep: 0.02);
+        var aimer = new Aimer(Scene.Published, timeStep: 0.02);
         AimRequest[] requests = [.. Enumerable.Range(0, 100).Select(i =>
         {
             AimRequest request = AimCheck.Any(random);
@@ -148,7 +148,7 @@ public sealed class AimTests
     public void A_moving_target_is_met_where_it_is_then()
     {
         var random = new Shots(7);
-        var aimer = new Aimer();
+        var aimer = new Aimer(Scene.Published);
         int hits = 0;
         for (int i = 0; i < 300; i++)
         {
@@ -167,7 +167,7 @@ public sealed class AimTests
     public void The_slowest_kick_hits_and_a_slower_one_does_not()
     {
         var random = new Shots(8);
-        var aimer = new Aimer();
+        var aimer = new Aimer(Scene.Published);
         int hits = 0;
         for (int i = 0; i < 200; i++)
         {
@@ -199,7 +199,7 @@ public sealed class AimTests
     public void A_kick_for_a_time_is_there_then()
     {
         var random = new Shots(9);
-        var aimer = new Aimer();
+        var aimer = new Aimer(Scene.Published);
         int hits = 0;
         int grazes = 0;
         for (int i = 0; i < 200; i++)

@@ -36,7 +36,7 @@ public sealed class KnownKickTests
     [Fact]
     public void A_kick_in_wind_that_a_scan_over_elevations_loses_is_found()
     {
-        var scene = new Scene { Air = new Air { Wind = new Vector3d(-11.7, 0, -5.3) } };
+        var scene = Scene.Published with { Air = new Air { Wind = new Vector3d(-11.7, 0, -5.3) } };
         var request = new AimRequest { From = new Vector3d(0, 0.11, 0), Target = new Vector3d(10, 2, -15), Speed = 31, MinimumElevationDegrees = 30, MaximumElevationDegrees = 85 };
         AimResult result = new Aimer(scene).Find(request);
         AimCheck.Holds(request, in result, scene);
@@ -64,11 +64,11 @@ public sealed class KnownKickTests
             TopSpin = top,
             MaximumElevationDegrees = highest,
         };
-        AimResult result = new Aimer().FindSlowest(request);
+        AimResult result = new Aimer(Scene.Published).FindSlowest(request);
         AimCheck.Holds(request, in result, speed: result.Velocity.Length);
         Assert.Equal((AimStatus.Hit, 0.0), (result.Status, result.Velocity.Y));
         Assert.InRange(result.Velocity.Length, 0.5 * atMost, atMost);
-        Assert.NotEqual(AimStatus.Hit, new Aimer().Find(request with { Speed = 0.99 * result.Velocity.Length }).Status);
+        Assert.NotEqual(AimStatus.Hit, new Aimer(Scene.Published).Find(request with { Speed = 0.99 * result.Velocity.Length }).Status);
     }
 
     [Fact]
@@ -83,7 +83,7 @@ public sealed class KnownKickTests
             SideSpin = -13.305187693522143,
             Tolerance = 1e-3,
         };
-        AimResult result = new Aimer().FindSlowest(request);
+        AimResult result = new Aimer(Scene.Published).FindSlowest(request);
         AimCheck.Holds(request, in result, speed: result.Velocity.Length);
         Assert.Equal(AimStatus.Hit, result.Status);
     }
@@ -100,7 +100,7 @@ public sealed class KnownKickTests
             MaximumElevationDegrees = 90,
             Arc = AimArc.High,
         };
-        var aimer = new Aimer();
+        var aimer = new Aimer(Scene.Published);
         AimResult found = aimer.Find(request);
         AimResult timed = aimer.FindAtTime(request, found.Time);
         Assert.Equal((AimStatus.Hit, AimStatus.Hit), (found.Status, timed.Status));
@@ -110,7 +110,7 @@ public sealed class KnownKickTests
     [Fact]
     public void A_pass_along_the_ground_is_found_at_its_own_time()
     {
-        var aimer = new Aimer();
+        var aimer = new Aimer(Scene.Published);
         foreach (double distance in (double[])[5, 12, 25])
         {
             var request = new AimRequest { From = new Vector3d(0, 0.11, 0), Target = new Vector3d(distance, 0.11, 3), Speed = 16, SideSpin = 10, MaximumElevationDegrees = 0 };
@@ -124,7 +124,7 @@ public sealed class KnownKickTests
     public void A_time_that_is_too_short_has_the_distance_that_is_left()
     {
         var request = new AimRequest { From = new Vector3d(0, 0.11, 0), Target = new Vector3d(20, 1, 0), Speed = 25 };
-        AimResult result = new Aimer().FindAtTime(request, 0.4);
+        AimResult result = new Aimer(Scene.Published).FindAtTime(request, 0.4);
         Assert.Equal(AimStatus.OutOfReach, result.Status);
         Assert.InRange(result.Miss, 8, 12);
     }
@@ -141,7 +141,7 @@ public sealed class KnownKickTests
             MaximumElevationDegrees = 60,
             Tolerance = 1e-3,
         };
-        var aimer = new Aimer();
+        var aimer = new Aimer(Scene.Published);
         AimResult measured = aimer.Find(request);
         AimCheck.Holds(request, in measured);
         AimResult estimated = aimer.Find(request, measure: false);
@@ -152,7 +152,7 @@ public sealed class KnownKickTests
     public void A_target_on_the_grass_is_raised_to_contact_height_as_the_ball_is()
     {
         var request = new AimRequest { From = Vector3d.Zero, Target = new Vector3d(15, 0, 0) };
-        AimResult result = new Aimer().Find(request);
+        AimResult result = new Aimer(Scene.Published).Find(request);
         Assert.Equal(AimStatus.Hit, result.Status);
         Assert.InRange(result.Simulations, 1, 30);
     }
@@ -162,5 +162,5 @@ public sealed class KnownKickTests
     [InlineData(AimMethod.Angle)]
     [InlineData(AimMethod.Bisection)]
     public void A_target_at_the_ball_is_degenerate(AimMethod method) =>
-        Assert.Equal(AimStatus.Degenerate, new Aimer().Find(new AimRequest { From = new Vector3d(0, 0.5, 0), Target = new Vector3d(0, 0.5, 0) }, method).Status);
+        Assert.Equal(AimStatus.Degenerate, new Aimer(Scene.Published).Find(new AimRequest { From = new Vector3d(0, 0.5, 0), Target = new Vector3d(0, 0.5, 0) }, method).Status);
 }

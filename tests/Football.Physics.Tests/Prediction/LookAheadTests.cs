@@ -5,7 +5,7 @@ namespace Football.Physics.Tests.Predictors;
 /// <summary>A look-ahead is the simulation itself, dense in time.</summary>
 public sealed class LookAheadTests
 {
-    private static readonly Simulator s_simulator = new();
+    private static readonly Simulator s_simulator = new(Scene.Published);
 
     [Theory]
     [InlineData(Integrator.Euler)]
@@ -14,7 +14,7 @@ public sealed class LookAheadTests
     [InlineData(Integrator.Rk4)]
     public void Its_events_and_its_end_are_those_of_a_run_bit_for_bit(Integrator integrator)
     {
-        var simulator = new Simulator(Scene.Default, Flight.With(integrator));
+        var simulator = new Simulator(Scene.Published, Flight.With(integrator));
         var path = new Trajectory(4096);
         foreach (BallState ball in Kicks(1, 20))
         {

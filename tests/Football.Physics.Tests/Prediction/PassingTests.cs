@@ -9,7 +9,7 @@ public sealed class PassingTests
     public void A_plane_that_is_crossed_twice_within_a_piece_is_crossed()
     {
         var random = new Shots(31);
-        var simulator = new Simulator();
+        var simulator = new Simulator(Scene.Published);
         var path = new Trajectory();
         int twice = 0;
         for (int i = 0; i < 1000; i++)
@@ -30,7 +30,7 @@ public sealed class PassingTests
     public void Until_passing_does_not_end_before_the_closest_approach()
     {
         var random = new Shots(32);
-        var simulator = new Simulator();
+        var simulator = new Simulator(Scene.Published);
         var whole = new Trajectory(2048);
         var until = new Trajectory(2048);
         int shorter = 0;
@@ -51,7 +51,7 @@ public sealed class PassingTests
     [Fact]
     public void Memory_that_fits_exactly_is_complete()
     {
-        var simulator = new Simulator();
+        var simulator = new Simulator(Scene.Published);
         BallState ball = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(3, 6, -15), new Vector3d(0, 20, 0));
         var request = new LookAheadRequest { StopAt = StopAt.Rest, Duration = 60 };
         var path = new Trajectory(4096);
@@ -73,7 +73,7 @@ public sealed class PassingTests
     public void Stiff_forces_do_not_diverge_at_the_default_step(double damping, double stiffness)
     {
         IForce net = Force.From(ball => (-damping * ball.Velocity) - (stiffness * new Vector3d(0, 0, Math.Min(0, ball.Position.Z + 11))));
-        var simulator = new Simulator(new Scene { Forces = new ForceSet { Custom = [net] } });
+        var simulator = new Simulator(Scene.Published with { Forces = ForceSet.Published with { Custom = [net] } });
         BallState ball = simulator.Launch(new Vector3d(0, 1.5, 0), new Vector3d(1, 3, -20), default);
         var path = new Trajectory(16384);
         simulator.LookAhead(in ball, new LookAheadRequest { Duration = 1.5, StopAt = StopAt.Impact }, path);
@@ -88,7 +88,7 @@ public sealed class PassingTests
     [Fact]
     public void A_time_that_is_no_number_is_refused()
     {
-        var simulator = new Simulator();
+        var simulator = new Simulator(Scene.Published);
         BallState ball = simulator.Launch(new Vector3d(0, 1, 0), new Vector3d(1, 3, -20), default);
         var path = new Trajectory();
         simulator.LookAhead(in ball, new LookAheadRequest(), path);

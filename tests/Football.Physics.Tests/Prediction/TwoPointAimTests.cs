@@ -8,7 +8,7 @@ public sealed class TwoPointAimTests
     [Fact]
     public void Direct_passes_both_points_of_every_kick_there_is()
     {
-        var aimer = new Aimer();
+        var aimer = new Aimer(Scene.Published);
         int simulations = 0;
         foreach (AimRequest request in AimSets.TwoPoint(1, 300))
         {
@@ -26,7 +26,7 @@ public sealed class TwoPointAimTests
     [InlineData(false)]
     public void Where_the_spin_is_at_its_limit_the_target_is_hit_and_the_miss_of_the_point_is_told(bool around)
     {
-        var aimer = new Aimer(settings: new SolverSettings { Integrator = Integrator.Rk2 }, timeStep: 0.04);
+        var aimer = new Aimer(Scene.Published, settings: new SolverSettings { Integrator = Integrator.Rk2 }, timeStep: 0.04);
         int saturated = 0;
         int simulations = 0;
         foreach (AimRequest request in around ? AimSets.AroundTheWall(41) : AimSets.OverTheWall(41))
@@ -55,7 +55,7 @@ public sealed class TwoPointAimTests
     [Fact]
     public void Without_spin_it_hits_the_target()
     {
-        var aimer = new Aimer();
+        var aimer = new Aimer(Scene.Published);
         foreach (AimRequest request in AimSets.OverTheWall(21))
         {
             AimResult result = aimer.Find(request with { MaximumTopSpin = 0, MaximumSideSpin = 0 });

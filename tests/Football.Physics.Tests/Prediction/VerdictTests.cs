@@ -42,7 +42,7 @@ public sealed class VerdictTests
             MaximumElevationDegrees = highest,
             Tolerance = 1e-3,
         };
-        AimResult result = new Aimer().Find(request);
+        AimResult result = new Aimer(Scene.Published).Find(request);
         Assert.Equal(AimStatus.Hit, result.Status);
         Assert.InRange(AimCheck.TrueMiss(request, in result), 0, 1e-3);
     }
@@ -85,7 +85,7 @@ public sealed class VerdictTests
     public void A_ball_that_rolls_below_the_target_is_turned_by_what_its_spin_bends_it()
     {
         var request = new AimRequest { From = new Vector3d(0, 0.11, 0), Target = new Vector3d(40, 0.61, 0), Speed = 16, TopSpin = 20, SideSpin = -55 };
-        AimResult result = new Aimer().Find(request);
+        AimResult result = new Aimer(Scene.Published).Find(request);
         Assert.Equal((AimStatus.OutOfReach, 0.0), (result.Status, result.Velocity.Y));
         Assert.InRange(result.Miss, 0.5, 0.501);
     }
@@ -106,7 +106,7 @@ public sealed class VerdictTests
     public void A_target_on_the_ground_beyond_every_flight_is_hit_by_rolling()
     {
         var request = new AimRequest { From = new Vector3d(0, 0.11, 0), Target = new Vector3d(35, 0.11, 4), Speed = 15, SideSpin = 25 };
-        AimResult result = new Aimer().Find(request);
+        AimResult result = new Aimer(Scene.Published).Find(request);
         Assert.Equal((AimStatus.Hit, 0.0), (result.Status, result.Velocity.Y));
         AimCheck.Holds(request, in result);
     }
@@ -114,7 +114,7 @@ public sealed class VerdictTests
     [Fact]
     public void Out_of_reach_takes_a_handful_of_flights()
     {
-        var aimer = new Aimer();
+        var aimer = new Aimer(Scene.Published);
         AimResult[] results = [.. AimSets.TooFar(1, 64).Select(request => aimer.Find(request))];
         Assert.All(results, result => Assert.Equal(AimStatus.OutOfReach, result.Status));
         Assert.InRange(results.Average(result => result.Simulations), 1, 5);
@@ -150,7 +150,7 @@ public sealed class VerdictTests
     [Fact]
     public void A_tolerance_below_what_can_be_simulated_is_not_called_out_of_reach()
     {
-        AimResult result = new Aimer().Find(new AimRequest { From = new Vector3d(0, 0.11, 0), Target = new Vector3d(18, 1, 3), TopSpin = 20, SideSpin = 10, Tolerance = 1e-300 });
+        AimResult result = new Aimer(Scene.Published).Find(new AimRequest { From = new Vector3d(0, 0.11, 0), Target = new Vector3d(18, 1, 3), TopSpin = 20, SideSpin = 10, Tolerance = 1e-300 });
         Assert.NotEqual(AimStatus.OutOfReach, result.Status);
         Assert.InRange(result.Miss, 0, 1e-4);
     }

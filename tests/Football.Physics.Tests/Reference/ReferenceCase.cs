@@ -61,7 +61,7 @@ internal sealed class ReferenceCase
         JsonElement air = scenario.GetProperty("air");
         JsonElement forces = scenario.GetProperty("forces");
         JsonElement ground = scenario.GetProperty("ground");
-        return new Scene
+        return Scene.Published with
         {
             Ball = new BallProperties { Mass = Number(ball, "mass"), Radius = Number(ball, "radius"), InertiaFactor = Number(ball, "inertiaFactor") },
             Air = new Air
@@ -71,7 +71,7 @@ internal sealed class ReferenceCase
                 Wind = Vector(air.GetProperty("wind")),
             },
             Gravity = Number(scenario, "gravity"),
-            Forces = new ForceSet
+            Forces = ForceSet.Published with
             {
                 Buoyancy = forces.GetProperty("buoyancy").GetBoolean(),
                 Drag = Choice<ForceLaw>(forces, "drag"),
@@ -82,7 +82,7 @@ internal sealed class ReferenceCase
                 MagnusCoefficient = Number(forces, "magnusCoefficient"),
                 SpinDecayCoefficient = Number(forces, "spinDecayCoefficient"),
             },
-            Ground = new Ground
+            Ground = Ground.Turf with
             {
                 NormalRestitution = Number(ground, "normalRestitution"),
                 TangentialRestitutionX = ground.GetProperty("tangentialRestitution")[0].GetDouble(),

@@ -87,6 +87,6 @@ public sealed class WindTests
     [Fact]
     public void A_wind_that_says_it_is_faster_than_the_limit_is_refused() => Assert.Contains(
         "air.windField.fastest is 1001; allowed: 0 … 1000",
-        Assert.Throws<ArgumentOutOfRangeException>(() => new Simulator(new Scene { Air = new Air { WindField = new UniformWind(new Vector3d(1001, 0, 0)) } })).Message,
+        Assert.Throws<ArgumentOutOfRangeException>(() => new Simulator(Scene.Published with { Air = new Air { WindField = new UniformWind(new Vector3d(1001, 0, 0)) } })).Message,
         StringComparison.Ordinal);
 }

@@ -21,7 +21,7 @@ public sealed class AirBoundsTests
     [Theory]
     [MemberData(nameof(Laws))]
     public void Drag_keeps_within_its_bounds(ForceLaw law, CoefficientForm form) => Holds(
-        new ForceSet { Drag = law, Magnus = ForceLaw.None, SpinDecay = ForceLaw.None, Coefficients = form },
+        ForceSet.Published with { Drag = law, Magnus = ForceLaw.None, SpinDecay = ForceLaw.None, Coefficients = form },
         (simulator, speed, spin) =>
         {
             simulator.AirFactors(speed, spin, out double drag, out _);
@@ -32,7 +32,7 @@ public sealed class AirBoundsTests
     [Theory]
     [MemberData(nameof(Laws))]
     public void The_Magnus_force_keeps_within_its_bounds(ForceLaw law, CoefficientForm form) => Holds(
-        new ForceSet { Drag = ForceLaw.None, Magnus = law, SpinDecay = ForceLaw.None, Coefficients = form },
+        ForceSet.Published with { Drag = ForceLaw.None, Magnus = law, SpinDecay = ForceLaw.None, Coefficients = form },
         (simulator, speed, spin) =>
         {
             simulator.AirFactors(speed, spin, out _, out double lift);
@@ -45,7 +45,7 @@ public sealed class AirBoundsTests
     {
         foreach (ForceLaw law in (ForceLaw[])[ForceLaw.Empirical, ForceLaw.Constant])
         {
-            Scene scene = SceneOf(ForceSet.None with { SpinDecay = law, SpinDecayCoefficient = 1e-4 });
+            Scene scene = SceneOf(ForceSet.None with { Coefficients = CoefficientForm.Published, SpinDecay = law, SpinDecayCoefficient = 1e-4 });
             var bounds = new AirBounds(scene);
             var simulator = new Simulator(scene);
             foreach (double speed in s_speeds)
@@ -111,5 +111,5 @@ public sealed class AirBoundsTests
     private static bool Jumps(double speed, double h, double surface) =>
         Math.Abs(speed - 12.19) < 2 * h || Math.Abs((surface / speed) - 0.05) < 4 * Difference * 0.05;
 
-    private static Scene SceneOf(ForceSet forces) => new() { Ball = new BallProperties { Mass = 0.3, Radius = 0.15 }, Forces = forces };
+    private static Scene SceneOf(ForceSet forces) => Scene.Published with { Ball = new BallProperties { Mass = 0.3, Radius = 0.15 }, Forces = forces };
 }

@@ -9,18 +9,18 @@ public sealed class EnergyCheckTests
 {
     private static readonly Dictionary<string, (Scene Scene, Vector3d Position, Vector3d Velocity, Vector3d Spin)> s_balls = new()
     {
-        ["at rest in the air"] = (Scene.Default, new(0, 20, 0), Vector3d.Zero, Vector3d.Zero),
-        ["at rest in the wind"] = (Scene.Windy(new Vector3d(3, 1, 12)), new(0, 20, 0), Vector3d.Zero, Vector3d.Zero),
+        ["at rest in the air"] = (Scene.Published, new(0, 20, 0), Vector3d.Zero, Vector3d.Zero),
+        ["at rest in the wind"] = (Scene.Published with { Air = new Air { Wind = new Vector3d(3, 1, 12) } }, new(0, 20, 0), Vector3d.Zero, Vector3d.Zero),
         ["at rest in vacuum"] = (Scene.Vacuum, new(0, 500, 0), Vector3d.Zero, Vector3d.Zero),
-        ["a shot"] = (Scene.Default, new(0, 20, 0), new(22, 9, 3), new(5, 60, -20)),
-        ["a shot without drag"] = (new() { Forces = new ForceSet { Drag = ForceLaw.None } }, new(0, 20, 0), new(22, 9, 3), new(5, 60, -20)),
+        ["a shot"] = (Scene.Published, new(0, 20, 0), new(22, 9, 3), new(5, 60, -20)),
+        ["a shot without drag"] = (Scene.Published with { Forces = ForceSet.Published with { Drag = ForceLaw.None } }, new(0, 20, 0), new(22, 9, 3), new(5, 60, -20)),
         ["a shot with a constant Magnus force alone"] = (
-            new() { Gravity = 0, Forces = ForceSet.None with { Magnus = ForceLaw.Constant } }, new(0, 20, 0), new(22, 9, 3), new(5, 60, -20)),
-        ["a beach ball"] = (new() { Ball = BallProperties.BeachBall }, new(0, 20, 0), new(12, 3, 0), new(5, 60, -20)),
-        ["a bounce"] = (Scene.Default, new(0, 0.111, 0), new(12, -3, 0), new(5, 60, -20)),
-        ["a slide"] = (Scene.Default, new(0, 0.11, 0), new(12, 0, 0), Vector3d.Zero),
-        ["a roll"] = (Scene.Default, new(0, 0.11, 0), new(4, 0, 0), new(0, 0, -4 / 0.11)),
-        ["at rest on the ground"] = (Scene.Default, new(0, 0.11, 0), Vector3d.Zero, Vector3d.Zero),
+            Scene.Published with { Gravity = 0, Forces = ForceSet.None with { Magnus = ForceLaw.Constant } }, new(0, 20, 0), new(22, 9, 3), new(5, 60, -20)),
+        ["a beach ball"] = (Scene.Published with { Ball = BallProperties.BeachBall }, new(0, 20, 0), new(12, 3, 0), new(5, 60, -20)),
+        ["a bounce"] = (Scene.Published, new(0, 0.111, 0), new(12, -3, 0), new(5, 60, -20)),
+        ["a slide"] = (Scene.Published, new(0, 0.11, 0), new(12, 0, 0), Vector3d.Zero),
+        ["a roll"] = (Scene.Published, new(0, 0.11, 0), new(4, 0, 0), new(0, 0, -4 / 0.11)),
+        ["at rest on the ground"] = (Scene.Published, new(0, 0.11, 0), Vector3d.Zero, Vector3d.Zero),
     };
 
     private static readonly double[] s_frames = [0.001, 0.01, 0.04, 1];

@@ -43,12 +43,12 @@ public sealed class ExtremeNumberTests
         {
             double Any(double low, double usual, double high) => random.Chance(0.4) ? usual : random.Any(low, high);
             ForceLaw Law() => (ForceLaw)random.Below(3);
-            var scene = new Scene
+            var scene = Scene.Published with
             {
                 Ball = new BallProperties { Mass = random.Any(1e-300, 1e-200, 1e-12, 0.43, 0.43, 1e12, 1e100), Radius = Any(1e-9, 0.11, 1e6), InertiaFactor = Any(1e-12, 0.4, 1) },
                 Air = new Air { Density = Any(0, 1.2, 1e12), KinematicViscosity = Any(1e-15, 1.5e-5, 1e15), Wind = new Vector3d(Any(-500, 0, 500), Any(-500, 0, 500), 0) },
                 Gravity = Any(0, 9.81, 1e9),
-                Forces = new ForceSet
+                Forces = ForceSet.Published with
                 {
                     Drag = Law(),
                     Magnus = Law(),
@@ -58,7 +58,7 @@ public sealed class ExtremeNumberTests
                     MagnusCoefficient = Any(-1e15, 0.25, 1e15),
                     SpinDecayCoefficient = Any(0, 1e-4, 1e15),
                 },
-                Ground = new Ground
+                Ground = Ground.Turf with
                 {
                     NormalRestitution = Any(0, 0.6, 1),
                     SpinRestitution = Any(0, 0.8, 1),
@@ -95,7 +95,7 @@ public sealed class ExtremeNumberTests
     [Fact]
     public void A_slide_without_friction_and_with_hardly_a_spin_stays_finite()
     {
-        Scene scene = Scene.Default with { Ground = Ground.Turf with { SlidingFriction = 0 } };
+        Scene scene = Scene.Published with { Ground = Ground.Turf with { SlidingFriction = 0 } };
         foreach (double spin in (double[])[1e-200, -1e-200])
         {
             var simulator = new Simulator(scene);
@@ -108,7 +108,7 @@ public sealed class ExtremeNumberTests
     [Fact]
     public void A_spin_that_has_hardly_a_digit_left_ends()
     {
-        var simulator = new Simulator();
+        var simulator = new Simulator(Scene.Published);
         foreach (double spin in (double[])[double.Epsilon, 2e-323, 1e-322, 1e-321, 1e-310, 1e-300])
         {
             BallState state = simulator.Launch(new Vector3d(0, 2, 0), new Vector3d(10, 3, 3), Vector3d.Up);
@@ -134,6 +134,6 @@ public sealed class ExtremeNumberTests
 
     private static IEnumerable<Scene> Scenes() =>
         from friction in (double[])[0, 0.5]
-        from forces in (ForceSet[])[new ForceSet(), ForceSet.Regularised, ForceSet.Constant with { SpinDecayCoefficient = 1e-4 }, ForceSet.None]
-        select new Scene { Forces = forces, Ground = Ground.Turf with { SlidingFriction = friction } };
+        from forces in (ForceSet[])[ForceSet.Published, ForceSet.Regularised, ForceSet.Constant with { SpinDecayCoefficient = 1e-4 }, ForceSet.None]
+        select Scene.Published with { Forces = forces, Ground = Ground.Turf with { SlidingFriction = friction } };
 }

@@ -86,13 +86,13 @@ public sealed class FoundByTheLabTests
     [Fact]
     public void A_fast_spin_of_a_slow_ball_on_the_ground_in_dense_air_only_decays()
     {
-        var scene = new Scene
+        var scene = Scene.Published with
         {
             Ball = new BallProperties { Mass = 1100, Radius = 0.24, InertiaFactor = 0.004 },
             Air = new Air { Density = 1e6, KinematicViscosity = 40 },
             Gravity = 0,
             Forces = ForceSet.Regularised,
-            Ground = new Ground { NormalRestitution = 0, RollingFriction = 0 },
+            Ground = Ground.Turf with { NormalRestitution = 0, RollingFriction = 0 },
         };
         var log = new StepLog();
         foreach (Integrator integrator in Enum.GetValues<Integrator>())
@@ -130,12 +130,12 @@ public sealed class FoundByTheLabTests
     [InlineData(0.009, 2.0)]
     public void A_spin_that_the_air_stops_while_the_ball_slides_stays_stopped(double friction, double step)
     {
-        var scene = new Scene
+        var scene = Scene.Published with
         {
             Ball = BallProperties.BeachBall,
             Gravity = 2.5,
-            Forces = new ForceSet { Buoyancy = false, Drag = ForceLaw.None, Magnus = ForceLaw.None },
-            Ground = new Ground { NormalRestitution = 0, SlidingFriction = friction, SpinDamping = 0 },
+            Forces = ForceSet.Published with { Buoyancy = false, Drag = ForceLaw.None, Magnus = ForceLaw.None },
+            Ground = Ground.Turf with { NormalRestitution = 0, SlidingFriction = friction, SpinDamping = 0 },
         };
         var log = new StepLog();
         foreach (Integrator integrator in Enum.GetValues<Integrator>())
@@ -160,12 +160,12 @@ public sealed class FoundByTheLabTests
     [InlineData(ForceLaw.Empirical)]
     public void A_huge_ball_without_inertia_that_goes_with_the_wind_stays_with_it(ForceLaw drag)
     {
-        var scene = new Scene
+        var scene = Scene.Published with
         {
             Ball = new BallProperties { Mass = 1e-4, Radius = 97, InertiaFactor = 0.01 },
             Air = new Air { Density = 1e6, KinematicViscosity = 7.8, Wind = new Vector3d(-0.1, 0.135, -0.07) },
             Gravity = 0.001,
-            Forces = new ForceSet
+            Forces = ForceSet.Published with
             {
                 Buoyancy = false,
                 Drag = drag,
@@ -191,13 +191,13 @@ public sealed class FoundByTheLabTests
     [Fact]
     public void A_huge_ball_without_inertia_that_has_stopped_on_the_ground_stays_there()
     {
-        var scene = new Scene
+        var scene = Scene.Published with
         {
             Ball = new BallProperties { Mass = 4e-194, Radius = 77, InertiaFactor = 0.024 },
             Air = new Air { Density = 1e6, KinematicViscosity = 0.026 },
             Gravity = 1000,
-            Forces = new ForceSet { Buoyancy = false, Drag = ForceLaw.None, Magnus = ForceLaw.Constant, SpinDecay = ForceLaw.None },
-            Ground = new Ground { NormalRestitution = 0, SlidingFriction = 0.012, RollingFriction = 0, SpinDamping = 0, RestEnergy = 1e-9 },
+            Forces = ForceSet.Published with { Buoyancy = false, Drag = ForceLaw.None, Magnus = ForceLaw.Constant, SpinDecay = ForceLaw.None },
+            Ground = Ground.Turf with { NormalRestitution = 0, SlidingFriction = 0.012, RollingFriction = 0, SpinDamping = 0, RestEnergy = 1e-9 },
         };
         var log = new StepLog();
         foreach (Integrator integrator in Enum.GetValues<Integrator>())
@@ -222,7 +222,7 @@ public sealed class FoundByTheLabTests
     public void Gravity_that_turns_a_ball_round_within_a_step_leaves_its_drag_alone(Integrator integrator)
     {
         const double Step = 0.0028;
-        var simulator = new Simulator(new Scene { Gravity = 1000 }, new SolverSettings { Integrator = integrator });
+        var simulator = new Simulator(Scene.Published with { Gravity = 1000 }, new SolverSettings { Integrator = integrator });
         BallState once = simulator.Launch(new Vector3d(0, 10, 0), new Vector3d(0, 1.87, 0), new Vector3d(0, 5, 0));
         BallState often = once;
         var log = new StepLog();

@@ -58,7 +58,7 @@ public sealed class HostileTests
     {
         HostileScene scene = HostileGenerator.Make(1) with
         {
-            Scene = new Scene { Gravity = 0, Forces = new ForceSet { Buoyancy = false, Magnus = ForceLaw.None } },
+            Scene = Scene.Published with { Gravity = 0, Forces = ForceSet.Published with { Buoyancy = false, Magnus = ForceLaw.None } },
             Settings = SolverSettings.Default,
             Frames = [0.01],
         };

@@ -88,10 +88,10 @@ public sealed class StressTests
         {
             Kind = StressKind.AnyShot,
             Integrator = Method,
-            Scene = new Scene
+            Scene = Physics.Scene.Published with
             {
                 Ball = Ball,
-                Ground = new Ground { NormalRestitution = 0.01 * Restitution, SlidingFriction = 0.1 * Friction, RollingFriction = 0.01 * Friction },
+                Ground = Ground.Turf with { NormalRestitution = 0.01 * Restitution, SlidingFriction = 0.1 * Friction, RollingFriction = 0.01 * Friction },
             },
             Settings = new SolverSettings { Integrator = Method },
             Position = new Vector3d(0, Ball.Radius + (0.01 * Height), 0),

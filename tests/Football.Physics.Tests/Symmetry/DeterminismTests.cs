@@ -31,7 +31,7 @@ public sealed class DeterminismTests
     [Fact]
     public void Balls_that_share_a_simulator_do_not_disturb_each_other()
     {
-        var simulator = new Simulator(Scene.Windy(new Vector3d(2, 0, 3)));
+        var simulator = new Simulator(Scene.Published with { Air = new Air { Wind = new Vector3d(2, 0, 3) } });
         var random = new Shots(41);
         BallState[] together = [.. Enumerable.Range(0, 8).Select(_ =>
             simulator.Launch(new Vector3d(0, 0.3, 0), random.Velocity(5, 25, 5, 40), random.Uniform(0, 50) * random.Direction()))];
@@ -89,7 +89,7 @@ public sealed class DeterminismTests
     {
         foreach (CollisionTiming timing in Enum.GetValues<CollisionTiming>())
         {
-            foreach (Scene scene in new[] { Scene.Default, Scene.Vacuum, new Scene { Forces = ForceSet.Regularised }, new Scene { Forces = ForceSet.Constant }, WithForce(), WithGusts() })
+            foreach (Scene scene in new[] { Scene.Published, Scene.Vacuum, Scene.Published with { Forces = ForceSet.Regularised }, Scene.Published with { Forces = ForceSet.Constant }, WithForce(), WithGusts() })
             {
                 var simulator = new Simulator(scene, new SolverSettings { Integrator = integrator, CollisionTiming = timing });
                 var log = new StepLog(256);
@@ -119,7 +119,7 @@ public sealed class DeterminismTests
     [Fact]
     public void A_run_allocates_nothing()
     {
-        var simulator = new Simulator();
+        var simulator = new Simulator(Scene.Published);
         var log = new StepLog();
         static long Allocated(Simulator simulator, StepLog log)
         {
@@ -161,7 +161,7 @@ public sealed class DeterminismTests
     public void The_state_holds_no_references() => Assert.False(RuntimeHelpers.IsReferenceOrContainsReferences<BallState>());
 
     private static Scene WithForce() =>
-        new() { Forces = new ForceSet { Custom = [Force.From(ball => new Vector3d(0.01 * ball.Velocity.X, 0, 0.02))] } };
+        Scene.Published with { Forces = ForceSet.Published with { Custom = [Force.From(ball => new Vector3d(0.01 * ball.Velocity.X, 0, 0.02))] } };
 
     private static void Live(Simulator simulator, StepLog log)
     {

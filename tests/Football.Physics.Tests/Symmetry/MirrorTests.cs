@@ -39,7 +39,7 @@ public sealed class MirrorTests
         };
         foreach (Mirror mirror in new[] { Mirror.InX, Mirror.InZ })
         {
-            Compare(mirror, Scene.Windy(new Vector3d(3, 1, -4)), settings, new Vector3d(1, 0.11, 2), new Vector3d(9, 6, -3), new Vector3d(20, 9, -30), Quaterniond.Identity);
+            Compare(mirror, Scene.Published with { Air = new Air { Wind = new Vector3d(3, 1, -4) } }, settings, new Vector3d(1, 0.11, 2), new Vector3d(9, 6, -3), new Vector3d(20, 9, -30), Quaterniond.Identity);
         }
     }
 
@@ -48,7 +48,7 @@ public sealed class MirrorTests
     {
         foreach (Integrator integrator in Flight.Integrators)
         {
-            var simulator = new Simulator(Scene.Windy(new Vector3d(0, 0, 5)), Flight.With(integrator));
+            var simulator = new Simulator(Scene.Published with { Air = new Air { Wind = new Vector3d(0, 0, 5) } }, Flight.With(integrator));
             BallState state = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(0, 8, -20), new Vector3d(-50, 0, 0));
             simulator.Run(ref state, 0.005, 30, StopAt.Rest, new StepLog());
             Assert.Equal(0, state.Position.X);
@@ -61,25 +61,26 @@ public sealed class MirrorTests
     public void A_turned_shot_is_the_turn_of_the_shot()
     {
         static Vector3d Turn(Vector3d v) => new(v.Z, v.Y, -v.X);
-        var scene = Scene.Windy(new Vector3d(2, 0, -3));
+        var scene = Scene.Published with { Air = new Air { Wind = new Vector3d(2, 0, -3) } };
         var velocity = new Vector3d(14, 7, 3);
         var spin = new Vector3d(5, 30, -20);
         BallState a = Flight.Play(scene, SolverSettings.Default, 0.01, 30, StopAt.Rest, new Vector3d(0, 0.11, 0), velocity, spin, out _);
         BallState b = Flight.Play(
-            Scene.Windy(Turn(scene.Air.Wind)), SolverSettings.Default, 0.01, 30, StopAt.Rest, new Vector3d(0, 0.11, 0), Turn(velocity), Turn(spin), out _);
+            Scene.Published with { Air = new Air { Wind = Turn(scene.Air.Wind) } }, SolverSettings.Default, 0.01, 30, StopAt.Rest, new Vector3d(0, 0.11, 0), Turn(velocity), Turn(spin), out _);
         Assert.InRange(Vector3d.Distance(Turn(a.Position), b.Position), 0, 1e-8);
     }
 
     private static IEnumerable<Scene> Scenes()
     {
-        yield return Scene.Default;
-        yield return Scene.Windy(new Vector3d(5, 0.5, -7)) with
+        yield return Scene.Published;
+        yield return Scene.Published with
         {
+            Air = new Air { Wind = new Vector3d(5, 0.5, -7) },
             Ground = Ground.Turf with { TangentialRestitutionX = 0.7, TangentialRestitutionZ = -0.2, RollingFriction = 0.1 },
         };
-        yield return new Scene { Air = new Air { Wind = new Vector3d(-3, 0, 1) }, Forces = ForceSet.Regularised };
+        yield return Scene.Published with { Air = new Air { Wind = new Vector3d(-3, 0, 1) }, Forces = ForceSet.Regularised };
         yield return Scene.Measured with { Air = new Air { Wind = new Vector3d(2, 0, -4) } };
-        yield return new Scene { Forces = ForceSet.Constant with { SpinDecayCoefficient = 1e-4 }, Ground = Ground.Court };
+        yield return Scene.Published with { Forces = ForceSet.Constant with { SpinDecayCoefficient = 1e-4 }, Ground = Ground.Court };
     }
 
     private static void Compare(

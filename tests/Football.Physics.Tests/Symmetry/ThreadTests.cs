@@ -10,14 +10,14 @@ public sealed class ThreadTests
 
     private static readonly Dictionary<string, Scene> s_scenes = new()
     {
-        ["published"] = Scene.Default,
-        ["wind"] = Scene.Windy(new Vector3d(6, 1, -4)),
-        ["regularised"] = Scene.Default with { Forces = ForceSet.Regularised },
-        ["constant"] = Scene.Default with { Forces = ForceSet.Constant },
-        ["constant decay"] = Scene.Default with { Forces = new ForceSet { SpinDecay = ForceLaw.Constant, SpinDecayCoefficient = 1e-3 } },
+        ["published"] = Scene.Published,
+        ["wind"] = Scene.Published with { Air = new Air { Wind = new Vector3d(6, 1, -4) } },
+        ["regularised"] = Scene.Published with { Forces = ForceSet.Regularised },
+        ["constant"] = Scene.Published with { Forces = ForceSet.Constant },
+        ["constant decay"] = Scene.Published with { Forces = ForceSet.Published with { SpinDecay = ForceLaw.Constant, SpinDecayCoefficient = 1e-3 } },
         ["vacuum"] = Scene.Vacuum,
-        ["strong air"] = Scene.Default with { Ball = new BallProperties { Mass = 1e-4 } },
-        ["own force"] = Scene.Default with { Forces = new ForceSet { Custom = [Force.From(ball => new Vector3d(0.1 * ball.Velocity.Y, 0, 0.2))] } },
+        ["strong air"] = Scene.Published with { Ball = new BallProperties { Mass = 1e-4 } },
+        ["own force"] = Scene.Published with { Forces = ForceSet.Published with { Custom = [Force.From(ball => new Vector3d(0.1 * ball.Velocity.Y, 0, 0.2))] } },
     };
 
     [Theory]

@@ -85,7 +85,7 @@ public sealed class ShapeTests
         Assert.Contains("halfSize[1] is 0", Assert.Throws<ArgumentOutOfRangeException>(() => new BoxShape(Vector3d.Zero, new Vector3d(1, 0, 1))).Message, StringComparison.Ordinal);
         Assert.Contains("normal is (0, 0, 0)", Assert.Throws<ArgumentOutOfRangeException>(() => new PlaneShape(Vector3d.Zero, Vector3d.Zero)).Message, StringComparison.Ordinal);
         Assert.Contains("radius is 0", Assert.Throws<ArgumentOutOfRangeException>(() => new SphereShape(Vector3d.Zero, 0)).Message, StringComparison.Ordinal);
-        var steep = new Scene { Ground = new Ground { Heights = new HeightField(0, 0, 1, new double[,] { { 0, 0 }, { 3, 3 }, { 0, 0 } }) } };
+        var steep = Scene.Published with { Ground = Ground.Turf with { Heights = new HeightField(0, 0, 1, new double[,] { { 0, 0 }, { 3, 3 }, { 0, 0 } }) } };
         Assert.Contains("ground.heights", Assert.Throws<ArgumentOutOfRangeException>(() => new Simulator(steep)).Message, StringComparison.Ordinal);
     }
 

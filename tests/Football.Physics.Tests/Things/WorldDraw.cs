@@ -9,7 +9,7 @@ internal sealed class WorldDraw
     {
         _random = new Random(seed);
         int count = 1 + _random.Next(12);
-        Scene = new Scene
+        Scene = Scene.Published with
         {
             Ground = DrawGround(),
             Obstacles = [.. Enumerable.Range(0, count).Select(_ => DrawObstacle(moves && _random.Next(3) == 0))],

@@ -5,19 +5,19 @@ namespace Football.Physics.Tests.Things;
 /// <summary>The order of the integrator survives impacts with round things, both ends of a net, and curved ground.</summary>
 public sealed class WorldOrderTests
 {
-    private static readonly Scene s_post = new()
+    private static readonly Scene s_post = Scene.Published with
     {
         Obstacles = [new Obstacle { Shape = new CapsuleShape(new Vector3d(0, 0, -10), new Vector3d(0, 2.5, -10), 0.06) }],
         Forces = ForceSet.Regularised,
     };
 
-    private static readonly Scene s_net = new()
+    private static readonly Scene s_net = Scene.Published with
     {
         Nets = [new Net { Center = new Vector3d(0, 1.25, -10), Normal = new Vector3d(0, 0, 1), Along = new Vector3d(1, 0, 0), HalfLength = 3, HalfWidth = 1.25, Stiffness = 60, Damping = 0.3, TangentialDamping = 5, SpinDamping = 0.002 }],
         Forces = ForceSet.Regularised,
     };
 
-    private static readonly Scene s_bowl = new()
+    private static readonly Scene s_bowl = Scene.Published with
     {
         Ground = Ground.Turf with { Heights = new HeightField(-10, -10, 5, new double[,] { { 2, 1.5, 1, 1.5, 2 }, { 1.5, 0.5, 0.3, 0.5, 1.5 }, { 1, 0.3, 0, 0.3, 1 }, { 1.5, 0.5, 0.3, 0.5, 1.5 }, { 2, 1.5, 1, 1.5, 2 } }) },
         Forces = ForceSet.Regularised,

@@ -11,11 +11,11 @@ internal sealed class SnapshotFuzz : FuzzTarget
     public static IReadOnlyList<Simulator> Simulators { get; } =
     [
         new(),
-        new(Scene.Windy(new Vector3d(4, 1, -7))),
-        new(Scene.Default with { Forces = ForceSet.Regularised, Ground = Ground.WetTurf }),
-        new(Scene.Default with { Forces = ForceSet.Constant }, new SolverSettings { Integrator = Integrator.Rk2 }),
+        new(Scene.Published with { Air = new Air { Wind = new Vector3d(4, 1, -7) } }),
+        new(Scene.Published with { Forces = ForceSet.Regularised, Ground = Ground.WetTurf }),
+        new(Scene.Published with { Forces = ForceSet.Constant }, new SolverSettings { Integrator = Integrator.Rk2 }),
         new(Scene.Vacuum, new SolverSettings { Integrator = Integrator.SemiImplicitEuler, CollisionTiming = CollisionTiming.Bisection }),
-        new(Scene.Default with { Ball = BallProperties.BeachBall }, new SolverSettings { Integrator = Integrator.Euler }),
+        new(Scene.Published with { Ball = BallProperties.BeachBall }, new SolverSettings { Integrator = Integrator.Euler }),
     ];
 
     public override string Name => "snapshots";

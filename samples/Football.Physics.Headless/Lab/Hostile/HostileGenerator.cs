@@ -24,7 +24,7 @@ internal static class HostileGenerator
         return new HostileScene
         {
             Number = number,
-            Scene = new Scene { Ball = ball, Gravity = gravity, Air = air, Ground = ground, Forces = forces },
+            Scene = Scene.Published with { Ball = ball, Gravity = gravity, Air = air, Ground = ground, Forces = forces },
             Settings = settings,
             Position = position,
             Velocity = velocity,
@@ -62,7 +62,7 @@ internal static class HostileGenerator
     private static Ground AnyGround(HostileRandom random)
     {
         double height = random.Any(0, 0, Farthest, -Farthest, random.Uniform(-Farthest, Farthest), random.Uniform(-5, 5));
-        return new Ground
+        return Ground.Turf with
         {
             Height = height,
             NormalRestitution = random.Any(0.0, 1.0, 0.6, random.Share(), 1 - 1e-9, 1e-12),
@@ -80,7 +80,7 @@ internal static class HostileGenerator
 
     private static ForceSet Forces(HostileRandom random, int kind, double groundHeight)
     {
-        var forces = new ForceSet
+        var forces = ForceSet.Published with
         {
             Buoyancy = random.Chance(0.7),
             Coefficients = random.Chance(0.7) ? CoefficientForm.Published : CoefficientForm.Regularised,

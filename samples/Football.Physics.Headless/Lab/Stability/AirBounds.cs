@@ -24,12 +24,16 @@ internal sealed class AirBounds
     private readonly double _scale;
     private readonly double _spinDecay;
     private readonly double _radius;
+    private readonly DragCurve _curve;
+    private readonly double _perSpeed; // 2r/ν, s/m
 
     public AirBounds(Scene scene)
     {
         BallProperties ball = scene.Ball;
         double r = ball.Radius;
         _radius = r;
+        _curve = ball.DragCurve;
+        _perSpeed = 2 * r / scene.Air.KinematicViscosity;
         double area = Math.PI * r * r;
         _forces = scene.Forces;
         _regularised = scene.Forces.Coefficients == CoefficientForm.Regularised;
@@ -58,7 +62,27 @@ internal sealed class AirBounds
     /// <summary>|A| at most, m/s².</summary>
     /// <param name="speed">Highest air speed, m/s.</param>
     /// <param name="surface">Highest s, m/s.</param>
-    public double Size(double speed, double surface) => Over(speed, speed, surface, surface).Size;
+    public double Size(double speed, double surface) =>
+        _forces.Coefficients == CoefficientForm.Measured ? MeasuredSize(speed, surface) : Over(speed, speed, surface, surface).Size;
+
+    /// <summary>The same by the measured laws: C_D grows with the Reynolds number without end, C_L is 0.32 at most.</summary>
+    private double MeasuredSize(double speed, double surface)
+    {
+        double beyond = Math.Max(0, (_perSpeed * speed) - _curve.RiseFrom) * (_curve.Risen - _curve.Supercritical) / (_curve.RiseTo - _curve.RiseFrom);
+        double drag = _forces.Drag switch
+        {
+            ForceLaw.None => 0,
+            ForceLaw.Constant => _forces.DragCoefficient,
+            _ => Math.Max(_curve.Subcritical, _curve.Supercritical) + beyond + 0.30,
+        };
+        double lift = _forces.Magnus switch
+        {
+            ForceLaw.None => 0,
+            ForceLaw.Constant => 2 * Math.Abs(_forces.MagnusCoefficient) * surface * speed,
+            _ => 0.32 * speed * speed,
+        };
+        return _scale * ((drag * speed * speed) + lift);
+    }
 
     /// <summary>The bounds over a range of speeds and spins.</summary>
     /// <param name="slow">Lowest air speed, m/s.</param>

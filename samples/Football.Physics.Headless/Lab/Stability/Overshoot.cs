@@ -15,7 +15,7 @@ internal static class Overshoot
         var table = new LabTable(
             "drag overshoots from this step on (beach ball, 200 m/s, C_D 0.25)",
             "method", "reverses from z", "grows from z", "z = 1 at, ms", "reverses at, ms", "parts of a 1 s step", "speed after, m/s");
-        Scene scene = new()
+        Scene scene = Scene.Published with
         {
             Ball = BallProperties.BeachBall,
             Gravity = 0,

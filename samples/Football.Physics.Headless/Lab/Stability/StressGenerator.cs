@@ -59,7 +59,7 @@ internal static class StressGenerator
             forces = forces with { SpinDecay = ForceLaw.Empirical };
         }
 
-        var scene = new Scene { Ball = ball, Air = air, Ground = ground, Gravity = gravity, Forces = forces };
+        var scene = Scene.Published with { Ball = ball, Air = air, Ground = ground, Gravity = gravity, Forces = forces };
         Launch(random, kind, scene, out Vector3d position, out Vector3d velocity, out Vector3d spin);
         double[] frames = Frames(random, kind);
         var made = new StressScene
@@ -139,7 +139,7 @@ internal static class StressGenerator
     {
         bool rests = kind == StressKind.ComesToRest;
         double Friction() => rests ? random.Log(0.01, 2) : random.Chance(0.2) ? 0 : random.Log(1e-3, 2);
-        return new Ground
+        return Ground.Turf with
         {
             Height = random.Chance(0.5) ? 0 : random.Uniform(-20, 20),
             NormalRestitution = rests ? random.Uniform(0, 0.95)
@@ -162,13 +162,13 @@ internal static class StressGenerator
         CoefficientForm form = random.Chance(0.7) ? CoefficientForm.Published : CoefficientForm.Regularised;
         if (kind is StressKind.SlidingMode || random.Chance(0.6))
         {
-            return new ForceSet { Coefficients = form };
+            return ForceSet.Published with { Coefficients = form };
         }
 
         // Without drag a Magnus force may keep a ball in the air for ever.
         ForceLaw drag = random.Any(ForceLaw.Empirical, ForceLaw.Constant, ForceLaw.None);
         bool floats = kind == StressKind.ComesToRest && drag == ForceLaw.None;
-        return new ForceSet
+        return ForceSet.Published with
         {
             Buoyancy = random.Chance(0.7),
             Drag = drag,

@@ -4,7 +4,7 @@ using System.Diagnostics;
 namespace Football.Physics.Headless.Lab.Stability;
 
 /// <summary>Plays many scenes on all processors and sorts their verdicts into cells.</summary>
-internal sealed class StressMatrix(long seed)
+internal sealed class StressMatrix(Func<long, StressScene> make)
 {
     /// <summary>A scene that runs for longer than this, s, is worth a word.</summary>
     private const double Long = 10;
@@ -46,7 +46,7 @@ internal sealed class StressMatrix(long seed)
             TimeSpan.FromSeconds(Long));
         Parallel.For(0L, scenes, new ParallelOptions { MaxDegreeOfParallelism = jobs }, index =>
         {
-            StressScene scene = StressGenerator.Make(seed, index);
+            StressScene scene = make(index);
             long start = Stopwatch.GetTimestamp();
             _running[index] = start;
             StressOutcome outcome = StressRun.Play(scene);

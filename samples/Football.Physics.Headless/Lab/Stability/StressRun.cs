@@ -144,8 +144,9 @@ internal sealed class StressRun
             }
         }
 
-        // A ball that is heavier than the air slides, rolls and rests once.
-        return others <= 3 || _scene.Upward > 0 ? null : Fail("events", $"{others} of a ball on the ground");
+        // A ball that is heavier than the air slides, rolls and rests once, if no lift takes it off the ground again.
+        bool leaves = _scene.Scene.Ground.Aerodynamics == GroundAerodynamics.Full;
+        return others <= 3 || _scene.Upward > 0 || leaves ? null : Fail("events", $"{others} of a ball on the ground");
     }
 
     /// <summary>How long a hop lasts at least: 2 v/a with the largest downward acceleration; semi-implicit Euler, which falls before it rises, half as long.</summary>
@@ -160,7 +161,8 @@ internal sealed class StressRun
 
     private StressFailure? Energy(in BallState before, double dt)
     {
-        if (_energy.Of(in before, dt, in _state, _log.Events.Span) is not { } frame)
+        // What a method's own error can do by the measured laws is bounded nowhere: of their frames the impacts alone are judged.
+        if (_scene.Measured || _energy.Of(in before, dt, in _state, _log.Events.Span) is not { } frame)
         {
             return null;
         }
@@ -182,7 +184,8 @@ internal sealed class StressRun
             return Vector3d.Dot(before.Spin, in spin) >= 0 ? null : Fail("reversal", $"spin in flight {before.Spin} to {spin}");
         }
 
-        if (before.Spin.Y * spin.Y < 0)
+        // What is left of a spin that has ended is rounding.
+        if (before.Spin.Y * spin.Y < -1e-15 * before.Spin.Y * before.Spin.Y)
         {
             return Fail("reversal", $"spin about the vertical {before.Spin.Y} to {spin.Y}, {_state.Motion}");
         }

@@ -28,6 +28,9 @@ internal sealed record StressScene
     /// <summary>Whether the air can give the ball energy.</summary>
     public bool Windy => Scene.Air.Wind.Length > 0;
 
+    /// <summary>Whether its laws of the air are the measured ones.</summary>
+    public bool Measured => Scene.Forces.Coefficients == CoefficientForm.Measured;
+
     /// <summary>Upward acceleration by gravity and buoyancy, m/s².</summary>
     public double Upward => -Scene.Gravity + (Scene.Forces.Buoyancy
         ? 4.0 / 3.0 * Math.PI * Math.Pow(Scene.Ball.Radius, 3) * Scene.Air.Density * Scene.Gravity / Scene.Ball.Mass
@@ -40,12 +43,20 @@ internal sealed record StressScene
         static string V(Vector3d v) => $"[{N(v.X)},{N(v.Y)},{N(v.Z)}]";
         ForceSet f = Scene.Forces;
         Ground g = Scene.Ground;
-        return $"{{\"ball\":{{\"mass\":{N(Scene.Ball.Mass)},\"radius\":{N(Scene.Ball.Radius)},\"inertiaFactor\":{N(Scene.Ball.InertiaFactor)}}},"
+        static string Limit(double value) => double.IsPositiveInfinity(value) ? "null" : N(value);
+        string type = MeasuredStress.Curves.First(item => item.Curve == Scene.Ball.DragCurve).Type;
+        string profile = Measured ? "\"profile\":\"measured\"," : "";
+        string ofBall = Measured ? $"\"type\":\"{type}\"," : "";
+        string ofGround = Measured
+            ? $"\"restitutionSpeed\":{Limit(g.RestitutionSpeed)},\"impactFriction\":{Limit(g.ImpactFriction)},\"rollingFrictionBySpeed\":{N(g.RollingFrictionBySpeed)},"
+                + $"\"drillingLength\":{N(g.DrillingLength)},"
+            : "";
+        return $"{{{profile}\"ball\":{{{ofBall}\"mass\":{N(Scene.Ball.Mass)},\"radius\":{N(Scene.Ball.Radius)},\"inertiaFactor\":{N(Scene.Ball.InertiaFactor)}}},"
             + $"\"air\":{{\"density\":{N(Scene.Air.Density)},\"kinematicViscosity\":{N(Scene.Air.KinematicViscosity)},\"wind\":{V(Scene.Air.Wind)}}},"
             + $"\"gravity\":{N(Scene.Gravity)},\"forces\":{{\"buoyancy\":{(f.Buoyancy ? "true" : "false")},\"drag\":\"{Name(f.Drag)}\",\"magnus\":\"{Name(f.Magnus)}\","
             + $"\"spinDecay\":\"{Name(f.SpinDecay)}\",\"coefficients\":\"{Name(f.Coefficients)}\",\"dragCoefficient\":{N(f.DragCoefficient)},"
             + $"\"magnusCoefficient\":{N(f.MagnusCoefficient)},\"spinDecayCoefficient\":{N(f.SpinDecayCoefficient)}}},"
-            + $"\"ground\":{{\"normalRestitution\":{N(g.NormalRestitution)},\"tangentialRestitution\":[{N(g.TangentialRestitutionX)},{N(g.TangentialRestitutionZ)}],"
+            + $"\"ground\":{{{ofGround}\"normalRestitution\":{N(g.NormalRestitution)},\"tangentialRestitution\":[{N(g.TangentialRestitutionX)},{N(g.TangentialRestitutionZ)}],"
             + $"\"spinRestitution\":{N(g.SpinRestitution)},\"slidingFriction\":{N(g.SlidingFriction)},\"rollingFriction\":{N(g.RollingFriction)},"
             + $"\"spinDamping\":{N(g.SpinDamping)},\"minimumBounceSpeed\":{N(g.MinimumBounceSpeed)},\"restEnergy\":{N(g.RestEnergy)},"
             + $"\"height\":{N(g.Height)},\"aerodynamics\":\"{Name(g.Aerodynamics)}\"}},"

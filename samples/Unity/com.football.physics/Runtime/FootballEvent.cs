@@ -5,8 +5,10 @@ namespace Football.Physics.Unity
     /// <summary>Something that happened to a ball, in Unity's frame.</summary>
     public readonly struct FootballEvent
     {
-        internal FootballEvent(in BallEvent happened)
+        internal FootballEvent(in BallEvent happened, string surface)
         {
+            Surface = surface;
+            Normal = UnityFrame.ToUnity(happened.Normal);
             Kind = happened.Kind;
             Time = happened.Time;
             Position = UnityFrame.ToUnity(happened.Position);
@@ -18,6 +20,12 @@ namespace Football.Physics.Unity
 
         /// <summary>What happened.</summary>
         public BallEventKind Kind { get; }
+
+        /// <summary>What was hit, met or passed, or carries the ball: "ground", "left post", "back net", the name of an obstacle; null for none.</summary>
+        public string Surface { get; }
+
+        /// <summary>Normal of the contact, from the thing to the ball; zero where there is none.</summary>
+        public Vector3 Normal { get; }
 
         /// <summary>When, s of the ball's own time: exact, inside the fixed step.</summary>
         public double Time { get; }

@@ -11,16 +11,23 @@ internal sealed class KnuckleForce
     private const int Waves = 4;
 
     /// <summary>Strouhal number 2r f/|u| of the middle of the spectrum (measured).</summary>
-    private const double Strouhal = 0.0183;
+    public const double Strouhal = 0.0183;
+
+    /// <summary>How the force grows with the speed (measured: by 320 % from 20 to 30 m/s).</summary>
+    public const double Growth = 2.9;
+
+    /// <summary>Spin parameter up to which all of it acts (guess).</summary>
+    public const double LeastSpin = 0.02;
+
+    /// <summary>How much farther none of it does (guess).</summary>
+    public const double SpinWidth = 0.04;
 
     private const double Slowest = 3;
     private const double Fastest = 40;
-    private const double LeastSpin = 0.02;
-    private const double SpinWidth = 0.04;
 
     private static readonly double[] Frequency = [0.45, 0.75, 1, 1.4];
     private static readonly double[] Weight = [0.70, 0.95, 1, 0.60];
-    private static readonly PowerTable Power = new(2.9);
+    private static readonly PowerTable Power = new(Growth);
 
     private readonly Quad _amplitude;
     private readonly FourWaves _first;

@@ -24,6 +24,9 @@ internal struct MeasuredLaw : ISmoothLaw
     private double _radius;
     private double _perSpeed; // 2r/ν, s/m
 
+    /// <summary>Beyond this Reynolds number, that of a ball twice as fast as any that is kicked, C_D rises no further: so that it has a bound.</summary>
+    private double _largest;
+
     public readonly bool NeedsSpinAcross
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -37,7 +40,7 @@ internal struct MeasuredLaw : ISmoothLaw
     }
 
     public readonly SmoothTables Tables =>
-        Shared.GetValue(_curve, static curve => new SmoothTables(new MeasuredLaw { _drag = new ReynoldsDrag(curve) }, Reynolds, Crisis));
+        Shared.GetValue(_curve, static curve => new SmoothTables(new MeasuredLaw { _drag = new ReynoldsDrag(curve), _largest = double.PositiveInfinity }, Reynolds, Crisis));
 
     // C_L |u| ≤ L |u|
     public readonly RateBound LiftBound => new(_k * SaturatingLift.Limit, 0, 0);
@@ -49,19 +52,23 @@ internal struct MeasuredLaw : ISmoothLaw
 
     public void Prepare(Scene scene)
     {
-        _curve = scene.Ball.DragCurve;
+        _curve = Canonical(scene.Ball.DragCurve);
         _drag = new ReynoldsDrag(_curve);
         _decay.Prepare(scene);
         _k = AirScale.DynamicArea(scene);
         _radius = scene.Ball.Radius;
         _perSpeed = 2.0 * _radius / scene.Air.KinematicViscosity;
+        _largest = _perSpeed * (2.0 * Limits.Speed);
     }
+
+    /// <summary>The one instance of a curve that many balls have, whoever copied it: its tables are made once.</summary>
+    private static DragCurve Canonical(DragCurve curve) => curve == DragCurve.Generic ? DragCurve.Generic : curve;
 
     // C_D without spin, what the crisis leaves of the drag by spin, and of the lift
     public readonly void OfSpeed(double speed, out LawFactors factors)
     {
         double share = _drag.SubcriticalShare(speed);
-        factors.First = _drag.Coefficient(speed);
+        factors.First = _drag.Coefficient(Math.Min(speed, _largest));
         factors.Second = SpinDrag.OfShare(share);
         factors.Third = SaturatingLift.OfShare(share);
         factors.Fourth = 0;

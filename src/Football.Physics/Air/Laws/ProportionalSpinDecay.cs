@@ -6,10 +6,10 @@ namespace Football.Physics;
 internal struct ProportionalSpinDecay : IAirLaw
 {
     /// <summary>β. Measured on golf balls (Smits and Smith 1994), scaled: for footballs a guess, 0.003 … 0.012.</summary>
-    private const double Beta = 0.0096;
+    public const double Beta = 0.0096;
 
     /// <summary>ε, 1/s, the decay in still air of density 1.2. Guess, 0.003 … 0.006.</summary>
-    private const double AtRest = 0.004;
+    public const double AtRest = 0.004;
 
     private double _perMetre; // β π ρ r⁴ / I, 1/m
     private double _atRest; // ε ρ/1.2, 1/s

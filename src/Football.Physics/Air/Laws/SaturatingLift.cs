@@ -11,10 +11,10 @@ internal static class SaturatingLift
     public const double Limit = 0.32;
 
     /// <summary>S₀, the spin parameter of 1/√2 of that (likewise).</summary>
-    private const double Scale = 0.14;
+    public const double Scale = 0.14;
 
     /// <summary>η₀, what is left of it below the drag crisis. Guess, 0 … 1.</summary>
-    private const double Subcritical = 0.4;
+    public const double Subcritical = 0.4;
 
     /// <summary>C_L/S above the crisis, L/√(S² + S₀²).</summary>
     public static double PerSpin(double spinParameter) => Limit / Math.Sqrt((spinParameter * spinParameter) + (Scale * Scale));

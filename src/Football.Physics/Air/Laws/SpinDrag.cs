@@ -8,10 +8,10 @@ internal static class SpinDrag
     public const double Limit = 0.30;
 
     /// <summary>S_D, the spin parameter of 1/√2 of that (likewise).</summary>
-    private const double Scale = 0.577;
+    public const double Scale = 0.577;
 
     /// <summary>κ₀, what is left of it below the drag crisis. Guess, 0 … 1.</summary>
-    private const double Subcritical = 0.5;
+    public const double Subcritical = 0.5;
 
     /// <summary>D S/√(S² + S_D²).</summary>
     public static double OfSpin(double spinParameter) => Limit * spinParameter / Math.Sqrt((spinParameter * spinParameter) + (Scale * Scale));

@@ -19,12 +19,12 @@ internal abstract class LaneFlight
     public abstract void Fly(LaneGroup group, double duration);
 
     /// <summary>
-    /// Whether there is a flight in lanes for the laws of a scene: those of one kind but the measured ones, or none, without a force of the game's
-    /// own, wind by place and time, or a knuckle force.
+    /// Whether there is a flight in lanes for a scene: laws of one kind, or none, without a force of the game's own, wind by place and time, or a
+    /// knuckle force, and nothing to hit but level ground.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>
-    public static bool Covers(Scene scene) => scene.Forces.Custom.Count == 0 && !FieldAir.IsOf(scene) && KindOf(scene.Forces) is { } kind
-        && !(kind == ForceLaw.Empirical && scene.Forces.Coefficients == CoefficientForm.Measured);
+    public static bool Covers(Scene scene) => scene.Forces.Custom.Count == 0 && !FieldAir.IsOf(scene) && KindOf(scene.Forces) is not null
+        && scene.Ground.IsLevel && scene.Obstacles.Count == 0 && scene.Nets.Count == 0 && scene.Goals.Count == 0;
 
     /// <summary>Compiles a scene.</summary>
     /// <param name="scene">The scene.</param>
@@ -81,7 +81,9 @@ internal abstract class LaneFlight
                 new LaneKernel<F, FittedLaneLaw<F, PublishedLaneFit<F>>, TMethod>(scene, timeStep, upAlongX, findsApex),
             ForceLaw.Empirical when form == CoefficientForm.Regularised =>
                 new LaneKernel<F, FittedLaneLaw<F, RegularisedLaneFit<F>>, TMethod>(scene, timeStep, upAlongX, findsApex),
-            ForceLaw.Empirical => throw Check.Refusal("forces.coefficients", form.ToString(), "Published | Regularised"),
+            ForceLaw.Empirical when form == CoefficientForm.Measured =>
+                new LaneKernel<F, MeasuredLaneLaw<F>, TMethod>(scene, timeStep, upAlongX, findsApex),
+            ForceLaw.Empirical => throw Check.Refusal("forces.coefficients", form.ToString(), "Published | Regularised | Measured"),
             _ => throw new ArgumentOutOfRangeException(nameof(scene), "Laws of several kinds are not flown in lanes."),
         };
     }

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>A group of balls in flight, and where their flights ended. Small enough for the first-level cache.</summary>
@@ -129,6 +131,7 @@ internal sealed class LaneGroup
     /// <param name="count">How many balls it holds.</param>
     /// <param name="jump">Where the law jumps.</param>
     /// <param name="length">Length of the step, s.</param>
+    [MethodImpl(Hot.Path)]
     public void NoteCrossings(int at, int count, in LaneJump jump, float length)
     {
         int end = at + count < Flying ? at + count : Flying;
@@ -149,6 +152,7 @@ internal sealed class LaneGroup
     }
 
     /// <summary>Puts the balls that crossed the jump back in their places.</summary>
+    [MethodImpl(Hot.Path)]
     public void Rejoin(in LaneJump jump, float length)
     {
         for (int i = 0; i < CrossingCount; i++)
@@ -177,6 +181,7 @@ internal sealed class LaneGroup
     }
 
     /// <summary>Takes the balls that ended out of the state after the step, the last ones into their places.</summary>
+    [MethodImpl(Hot.Path)]
     public void Compact()
     {
         for (int i = EndedCount - 1; i >= 0; i--)
@@ -201,6 +206,7 @@ internal sealed class LaneGroup
     }
 
     /// <summary>Notes the places of one register whose balls ended or were at their highest in this step.</summary>
+    [MethodImpl(Hot.Path)]
     public void Note(int at, int count, float time, bool tops)
     {
         int end = at + count < Flying ? at + count : Flying;

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>Whether a ball comes so close to the drag law's jump that a step in floats does not tell on which side it is.</summary>
@@ -21,6 +23,7 @@ internal static class LaneJumpCheck
     /// <param name="inside">Whether the step began on the branch with spin.</param>
     /// <param name="crosses">Whether it ended on the other.</param>
     /// <param name="length">Length of the step, s.</param>
+    [MethodImpl(Hot.Path)]
     public static bool Grazes(LaneState now, LaneState next, int at, in LaneJump jump, bool inside, bool crosses, double length)
     {
         double bend = Distances(now, at, next, at, in jump, length, out LaneParabola bySpeed, out LaneParabola bySpin);
@@ -45,6 +48,7 @@ internal static class LaneJumpCheck
     /// <param name="jump">Where the law jumps.</param>
     /// <param name="inside">Whether it enters the branch with spin.</param>
     /// <param name="length">Length of the rest of the step, s.</param>
+    [MethodImpl(Hot.Path)]
     public static bool Slides(LaneState middle, int from, LaneState next, int to, in LaneJump jump, bool inside, double length)
     {
         if (!(length > 0))

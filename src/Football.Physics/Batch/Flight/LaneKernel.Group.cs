@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>The flight of a group: step by step, in each all balls, so that the processor always has independent work.</summary>
@@ -30,6 +32,7 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod> : LaneFlight
         _law.Prepare(scene);
     }
 
+    [MethodImpl(Hot.Path)]
     public override void Fly(LaneGroup group, double duration)
     {
         double h = TimeStep;

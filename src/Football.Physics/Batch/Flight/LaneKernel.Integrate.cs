@@ -10,7 +10,7 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
 #endif
 {
     /// <summary>The changes of velocity, spin and place in a step.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
     private static void Integrate<TBranch>(
         ref TLaw law, in LaneWeight weight, TBranch branch, F nx, F ny, F nz, F h, F ux, F uy, F uz, F w,
         out F dux, out F duy, out F duz, out F dw, out F dpx, out F dpy, out F dpz)
@@ -46,7 +46,10 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
             F vw = F.Plus(w, ahead, b);
             if (law.Acts)
             {
-                law.Evaluate(in step, in branch, F.Squares(vx, vy, vz), vw, out F drag, out F lift, out F decay);
+                F across = law.NeedsSpinAcross
+                    ? F.Squares(F.Minus(ny, vz, nz, vy), F.Minus(nz, vx, nx, vz), F.Minus(nx, vy, ny, vx))
+                    : default;
+                law.Evaluate(in step, in branch, F.Squares(vx, vy, vz), across, vw, out F drag, out F lift, out F decay);
 
                 // L (ω̂ × u) − D u + g
                 ax = F.Minus(lift, F.Minus(ny, vz, nz, vy), drag, vx) + gx;

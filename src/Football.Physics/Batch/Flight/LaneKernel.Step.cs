@@ -10,7 +10,7 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
 #endif
 {
     /// <summary>A step of all balls of a group.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
     private void Step(LaneGroup group, float length)
     {
         LaneState now = group.Now;
@@ -104,7 +104,7 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
     }
 
     /// <summary>Notes the balls that came to their limits in a step, or to the top of their way.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
     private void Note(LaneGroup group, float time)
     {
         LaneState now = group.Now;
@@ -129,6 +129,7 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
     }
 
     /// <summary>The drag law's branches at the launch.</summary>
+    [MethodImpl(Hot.Path)]
     private void FindBranch(LaneGroup group)
     {
         LaneState now = group.Now;
@@ -143,7 +144,7 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
     /// Takes a step again for the balls that cross the drag law's jump in it: up to the crossing on the branch it began with, from there
     /// on the other. The crossing is the root of a parabola through the function that changes sign there.
     /// </summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
     private void CutAtJump(LaneCrossings balls, int i, F h)
     {
         LaneState now = balls.Now;

@@ -1,9 +1,12 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>Finds what happens inside the last step of a ball in lanes, in double: where it comes to its limit, and its highest point.</summary>
 internal static class LaneLocator
 {
     /// <summary>Ends a flight where its cubic Hermite interpolant comes to the limit.</summary>
+    [MethodImpl(Hot.Path)]
     public static void Reach(LaneGroup group, int at, double time, double length)
     {
         double limit = group.Limit[at];
@@ -23,6 +26,7 @@ internal static class LaneLocator
     }
 
     /// <summary>Notes the highest point of the last step.</summary>
+    [MethodImpl(Hot.Path)]
     public static void Top(LaneGroup group, int at, double time, double length)
     {
         var piece = new LanePiece(group, at, time, length);

@@ -26,6 +26,12 @@ internal struct ConstantLaneLaw<TLane> : ILaneLaw<TLane>
         get => false;
     }
 
+    public readonly bool NeedsSpinAcross
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
+
     public void Prepare(Scene scene)
     {
         AirFlow unit = default;
@@ -40,7 +46,8 @@ internal struct ConstantLaneLaw<TLane> : ILaneLaw<TLane>
     public readonly void Begin(F spin, out LaneSpin<F> step) => step = default;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void Evaluate<TBranch>(in LaneSpin<F> step, in TBranch branch, F speedSquared, F spin, out F drag, out F lift, out F decay)
+    public readonly void Evaluate<TBranch>(
+        in LaneSpin<F> step, in TBranch branch, F speedSquared, F acrossSquared, F spin, out F drag, out F lift, out F decay)
         where TBranch : struct, ILaneBranch<F>
     {
         drag = _drag * F.Sqrt(speedSquared);

@@ -57,6 +57,12 @@ internal struct FittedLaneLaw<TLane, TFit> : ILaneLaw<TLane>
         get => default(TFit).Jumps;
     }
 
+    public readonly bool NeedsSpinAcross
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
+
     public void Prepare(Scene scene)
     {
         // Where speed, spin parameter and coefficients are 1, the laws tell their scales; that of what is left out is 0.
@@ -110,7 +116,8 @@ internal struct FittedLaneLaw<TLane, TFit> : ILaneLaw<TLane>
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void Evaluate<TBranch>(in LaneSpin<F> step, in TBranch branch, F speedSquared, F spin, out F drag, out F lift, out F decay)
+    public readonly void Evaluate<TBranch>(
+        in LaneSpin<F> step, in TBranch branch, F speedSquared, F acrossSquared, F spin, out F drag, out F lift, out F decay)
         where TBranch : struct, ILaneBranch<F>
     {
         F one = F.Of(1f);

@@ -21,6 +21,9 @@ internal interface ILaneLaw<TLane>
     /// <summary>Whether the drag coefficient jumps where <see cref="LaneJump"/> says: steps are then locked to a branch, and cut at the jump.</summary>
     bool Jumps { get; }
 
+    /// <summary>Whether the law goes by the spin across the motion.</summary>
+    bool NeedsSpinAcross { get; }
+
     /// <summary>Reads the law's numbers from the scene.</summary>
     void Prepare(Scene scene);
 
@@ -33,10 +36,12 @@ internal interface ILaneLaw<TLane>
     /// <param name="step">From <see cref="Begin"/>.</param>
     /// <param name="branch">On which branch of the drag law the balls are.</param>
     /// <param name="speedSquared">|u|², m²/s².</param>
+    /// <param name="acrossSquared">|ω̂ × u|², m²/s², where <see cref="NeedsSpinAcross"/>; else nothing.</param>
     /// <param name="spin">|ω|, rad/s; slightly negative in a stage that overshoots zero.</param>
     /// <param name="drag">1/s.</param>
     /// <param name="lift">1/s.</param>
     /// <param name="decay">rad/s².</param>
-    void Evaluate<TBranch>(in LaneSpin<F> step, in TBranch branch, F speedSquared, F spin, out F drag, out F lift, out F decay)
+    void Evaluate<TBranch>(
+        in LaneSpin<F> step, in TBranch branch, F speedSquared, F acrossSquared, F spin, out F drag, out F lift, out F decay)
         where TBranch : struct, ILaneBranch<F>;
 }

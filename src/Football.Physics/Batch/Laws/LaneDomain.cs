@@ -28,7 +28,20 @@ internal readonly struct LaneDomain
         _radius = scene.Ball.Radius;
         _gravity = Math.Abs(Weight.UpwardAcceleration(scene));
         _step = timeStep;
-        _bound = SceneLaws.Drag(scene).Bound + SceneLaws.Magnus(scene).Bound + SceneLaws.SpinDecay(scene).Bound;
+        _bound = DragBound(scene) + SceneLaws.Magnus(scene).Bound + SceneLaws.SpinDecay(scene).Bound;
+    }
+
+    /// <summary>The bound of the drag within the domain: the measured law's rises with the speed, without end.</summary>
+    private static RateBound DragBound(Scene scene)
+    {
+        if (scene.Forces.Drag != ForceLaw.Empirical || scene.Forces.Coefficients != CoefficientForm.Measured)
+        {
+            return SceneLaws.Drag(scene).Bound;
+        }
+
+        MeasuredLaw law = default;
+        law.Prepare(scene);
+        return law.DragBound(GreatestSpeed);
     }
 
     /// <summary>Whether a flight stays within the domain.</summary>

@@ -23,6 +23,9 @@ public readonly struct Bounds3d
     /// <summary>The highest corner, m.</summary>
     public Vector3d Max { get; }
 
+    /// <summary>Whether it ends on all sides.</summary>
+    internal bool IsFinite => Min.IsFinite && Max.IsFinite;
+
     /// <summary>A box around a point.</summary>
     /// <param name="center">The point, m.</param>
     /// <param name="x">Half its size along x, m.</param>
@@ -39,6 +42,35 @@ public readonly struct Bounds3d
     public Bounds3d With(in Bounds3d other) => new(
         new Vector3d(Math.Min(Min.X, other.Min.X), Math.Min(Min.Y, other.Min.Y), Math.Min(Min.Z, other.Min.Z)),
         new Vector3d(Math.Max(Max.X, other.Max.X), Math.Max(Max.Y, other.Max.Y), Math.Max(Max.Z, other.Max.Z)));
+
+    /// <summary>The point in its middle, as a box.</summary>
+    internal Bounds3d AtCenter
+    {
+        get
+        {
+            Vector3d center = 0.5 * (Min + Max);
+            return new Bounds3d(in center, in center);
+        }
+    }
+
+    /// <summary>Whether two boxes have a point in common.</summary>
+    /// <param name="other">The other box.</param>
+    public bool Touches(in Bounds3d other) =>
+        Min.X <= other.Max.X && Max.X >= other.Min.X
+        && Min.Y <= other.Max.Y && Max.Y >= other.Min.Y
+        && Min.Z <= other.Max.Z && Max.Z >= other.Min.Z;
+
+    /// <summary>The box, larger on all sides.</summary>
+    /// <param name="margin">By how much, m.</param>
+    public Bounds3d Grown(double margin)
+    {
+        var by = new Vector3d(margin, margin, margin);
+        return new Bounds3d(Min - by, Max + by);
+    }
+
+    /// <summary>The box, moved.</summary>
+    /// <param name="by">By how much, m.</param>
+    public Bounds3d Moved(in Vector3d by) => new(Min + by, Max + by);
 
     /// <summary>The square of the distance of a point from the box, m²; 0 inside.</summary>
     /// <param name="point">The point, m.</param>

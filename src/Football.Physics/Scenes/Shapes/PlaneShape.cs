@@ -27,7 +27,9 @@ public sealed class PlaneShape : IShape
     public double HollowCurvature => 0;
 
     /// <inheritdoc/>
-    public Bounds3d Bounds => Bounds3d.Everywhere;
+    public Bounds3d Bounds => Normal == Vector3d.Up
+        ? new(Bounds3d.Everywhere.Min, new Vector3d(double.PositiveInfinity, Point.Y, double.PositiveInfinity))
+        : Bounds3d.Everywhere;
 
     /// <inheritdoc/>
     public ShapePoint At(in Vector3d point) => new(Vector3d.Dot(in point, Normal) - _offset, Normal, SymmetricMatrix3d.Zero);

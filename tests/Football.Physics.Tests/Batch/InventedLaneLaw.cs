@@ -4,7 +4,7 @@ namespace Football.Physics.Tests.Batch;
 /// A law that the library does not have, all of it in this file: C_D falls smoothly with the speed and rises with the spin parameter S,
 /// C_L saturates, the spin decays in proportion to speed and spin.
 /// </summary>
-internal struct MeasuredLaneLaw<F> : ILaneLaw<F>
+internal struct InventedLaneLaw<F> : ILaneLaw<F>
     where F : struct, ILane<F>
 {
     private const float Slowest = 0.01f;
@@ -16,6 +16,8 @@ internal struct MeasuredLaneLaw<F> : ILaneLaw<F>
 
     public readonly bool Jumps => false;
 
+    public readonly bool NeedsSpinAcross => false;
+
     public void Prepare(Scene scene)
     {
         _scale = (float)AirScale.DynamicArea(scene);
@@ -24,7 +26,8 @@ internal struct MeasuredLaneLaw<F> : ILaneLaw<F>
 
     public readonly void Begin(F spin, out LaneSpin<F> step) => step = default;
 
-    public readonly void Evaluate<TBranch>(in LaneSpin<F> step, in TBranch branch, F speedSquared, F spin, out F drag, out F lift, out F decay)
+    public readonly void Evaluate<TBranch>(
+        in LaneSpin<F> step, in TBranch branch, F speedSquared, F acrossSquared, F spin, out F drag, out F lift, out F decay)
         where TBranch : struct, ILaneBranch<F>
     {
         F one = F.Of(1f);

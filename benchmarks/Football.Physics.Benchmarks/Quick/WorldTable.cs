@@ -1,0 +1,83 @@
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Benchmarks;
+
+/// <summary>The rows of "The ball among things": RK2 at 10 ms, flights that hit nothing, beside the same flights over an empty pitch.</summary>
+internal static class WorldTable
+{
+    private const int Steps = 60;
+    private const double H = ShotSets.TimeStep;
+
+    private static readonly Vector3d s_midfield = new(4, 1, 1);
+    private static readonly Vector3d s_nearGoal = new(1, 0.5, -49.5);
+
+    public static IReadOnlyList<WorldRow> Rows { get; } =
+    [
+        new("goals, nets and boards, midfield", 1.15, () => Flights(StadiumScenes.WithoutPlayers, s_midfield), () => Empty(s_midfield)),
+        new("and 22 players who stand, midfield", 1.15, () => Flights(StadiumScenes.WithStandingPlayers, s_midfield), () => Empty(s_midfield)),
+        new("and 22 players who run, midfield", 1.15, () => Flights(StadiumScenes.WithRunningPlayers, s_midfield), () => Empty(s_midfield)),
+        new("and 22 bodies, midfield", 1.15, () => Flights(StadiumScenes.WithBodies(out _), s_midfield), () => Empty(s_midfield)),
+        new("and 22 bodies that the game moves before every step, midfield", null, MovedFlights, () => Empty(s_midfield)),
+        new("goals, nets and boards, before the goal", 2, () => Flights(StadiumScenes.WithoutPlayers, s_nearGoal), () => Empty(s_nearGoal)),
+        new("and 22 players who stand, before the goal", 2, () => Flights(StadiumScenes.WithStandingPlayers, s_nearGoal), () => Empty(s_nearGoal)),
+        new("and 22 bodies, before the goal", 2, () => Flights(StadiumScenes.WithBodies(out _), s_nearGoal), () => Empty(s_nearGoal)),
+    ];
+
+    /// <summary>Times the rows.</summary>
+    public static void Print(Action<string> print, IReadOnlyList<WorldRow> rows, double share)
+    {
+        (WorldRow Row, Workload Subject, Workload Empty)[] work = [.. rows.Select(row => (row, row.Subject(), row.Empty()))];
+        Stopwatching.WarmUp([.. work.SelectMany(w => new[] { w.Subject, w.Empty })]);
+        print("");
+        print("## The ball among things");
+        print("");
+        print("RK2 at 10 ms: fast shots of 0.6 s that meet nothing, beside the same over an empty pitch. Before the goal: from 3 m before its line, any way.");
+        print("");
+        print("| | ns a step | empty pitch then, ns | ratio | reach | | bytes |");
+        print("|---|--:|--:|--:|--:|---|--:|");
+        foreach ((WorldRow row, Workload subject, Workload empty) in work)
+        {
+            Timing time = Stopwatching.Measure(subject, empty, share);
+            string verdict = row.Target is { } target ? (time.Ratio <= target ? "reached" : "**missed**") : "";
+            string reach = row.Target is { } t ? $"≤ {Text.Number(t)}" : "";
+            print($"| {row.Name} | {Text.Number(time.Nanoseconds)} | {Text.Number(time.YardstickNanoseconds)} | {Text.Number(time.Ratio)} | {reach} | {verdict} | {Text.Number(time.Bytes)} |");
+        }
+    }
+
+    private static Workload Empty(in Vector3d from) => Flights(Scene.Published, in from);
+
+    private static Workload Flights(Scene scene, in Vector3d from)
+    {
+        var simulator = new Simulator(scene, new SolverSettings { Integrator = Integrator.Rk2 });
+        BallState[] states = Shots.Launch(simulator, Free(from));
+        var log = new StepLog();
+        return new Workload(() => Batches.Chain(simulator, states, Steps, H, log), states.Length * Steps);
+    }
+
+    /// <summary>The same with every body put where it is before every step: the time is that of both.</summary>
+    private static Workload MovedFlights()
+    {
+        var simulator = new Simulator(StadiumScenes.WithBodies(out Bodies players), new SolverSettings { Integrator = Integrator.Rk2 });
+        BallState[] states = Shots.Launch(simulator, Free(s_midfield));
+        var log = new StepLog();
+        return new Workload(() => Batches.ChainAmong(simulator, players, states, Steps, H, log), states.Length * Steps);
+    }
+
+    /// <summary>Fast shots that meet nothing in any of the scenes.</summary>
+    private static IReadOnlyList<Shot> Free(Vector3d from)
+    {
+        Simulator[] all =
+        [
+            new(StadiumScenes.WithoutPlayers), new(StadiumScenes.WithStandingPlayers), new(StadiumScenes.WithRunningPlayers), new(StadiumScenes.WithBodies(out _)),
+        ];
+        return [.. ShotSets.Make(7, 24, 24, 20, 30, 20, 45, 4 * ShotSets.Count).Select(shot => shot with { Position = from }).Where(shot => all.All(simulator => MeetsNothing(simulator, shot))).Take(16)];
+    }
+
+    private static bool MeetsNothing(Simulator simulator, Shot shot)
+    {
+        BallState state = simulator.Launch(shot.Position, shot.Velocity, shot.Spin);
+        var log = new StepLog();
+        simulator.Run(ref state, H, Steps * H, StopAt.Time, log);
+        return log.Events.Count == 0;
+    }
+}

@@ -1,0 +1,47 @@
+namespace Football.Physics.Benchmarks;
+
+/// <summary>A stadium with all that a match has: two goals with nets, boards, twenty-two players.</summary>
+internal static class StadiumScenes
+{
+    private const int Team = 11;
+
+    /// <summary>Goals, nets and boards alone.</summary>
+    public static Scene WithoutPlayers { get; } = Pitch.Stadium.On(Scene.Published);
+
+    /// <summary>Players who stand.</summary>
+    public static Scene WithStandingPlayers { get; } = With(i => default);
+
+    /// <summary>Players who run, at a constant velocity each.</summary>
+    public static Scene WithRunningPlayers { get; } = With(i => new Vector3d(3.0 * ((i % 5) - 2), 0, 3.0 * ((i % 3) - 1)));
+
+    /// <summary>Players whom the game moves.</summary>
+    public static Scene WithBodies(out Bodies players)
+    {
+        players = new Bodies();
+        for (int i = 0; i < 2 * Team; i++)
+        {
+            players.Add($"player {i}", Player(Vector3d.Zero)).MoveTo(Place(i), new Vector3d(3.0 * ((i % 5) - 2), 0, 3.0 * ((i % 3) - 1)), 0);
+        }
+
+        return WithoutPlayers with { Bodies = players };
+    }
+
+    /// <summary>Where a player stands: ten in lines across each half, one in goal.</summary>
+    public static Vector3d Place(int player)
+    {
+        int of = player % Team;
+        double side = player < Team ? -1 : 1;
+        return of == 0 ? new Vector3d(0, 0, side * 51) : new Vector3d((15.0 * ((of - 1) % 4)) - 22, 0, side * (6 + (15.0 * ((of - 1) / 4))));
+    }
+
+    private static Scene With(Func<int, Vector3d> velocity) => WithoutPlayers with
+    {
+        Obstacles =
+        [
+            .. WithoutPlayers.Obstacles,
+            .. Enumerable.Range(0, 2 * Team).Select(i => new Obstacle { Name = $"player {i}", Shape = Player(Place(i)), Surface = Surface.Boot, Velocity = velocity(i) }),
+        ],
+    };
+
+    private static CapsuleShape Player(in Vector3d at) => new(at + new Vector3d(0, 0.25, 0), at + new Vector3d(0, 1.6, 0), 0.25);
+}

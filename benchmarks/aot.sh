@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Programs of one ball as NativeAOT publishes them: their size, and how long it takes. A table in Markdown.
+#   benchmarks/aot.sh
+# Needs a C compiler.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 MSBUILDTERMINALLOGGER=off MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=false
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+rid=$(dotnet --info | awk '$1 == "RID:" { print $2; exit }')
+case $rid in *-arm64) rid=linux-arm64 ;; *) rid=linux-x64 ;; esac
+
+publish() {
+  local start end
+  dotnet restore tests/Package.Consumer -r "$rid" -p:NativeProgram=true "-p:SmallProgram=$1" -p:LibraryProject=true --artifacts-path "$work/$1" > "$work/log" 2>&1 \
+    && dotnet build -c Release -f net8.0 src/Football.Physics --artifacts-path "$work/$1" -p:RunAnalyzers=false > "$work/log" 2>&1 \
+    && start=$(date +%s) \
+    && dotnet publish tests/Package.Consumer --no-restore -c Release -r "$rid" -p:NativeProgram=true "-p:SmallProgram=$1" -p:LibraryProject=true \
+      --artifacts-path "$work/$1" -o "$work/out/$1" > "$work/log" 2>&1 \
+    && end=$(date +%s) \
+    || { tail -n 5 "$work/log" >&2; exit 1; }
+  echo "| $2 | $(( $(stat -c %s "$work/out/$1/consumer") / 1024 )) | $(( end - start )) | $3 |"
+}
+
+echo "| program | KiB | publishing, s | reach |"
+echo "|---|--:|--:|---|"
+publish Nothing "without the library" ""
+publish OneProfile "one ball, \`AirProfile.Measured\`" "≤ 3584 KiB, ≤ 25 s"
+publish AllLaws "one ball, all laws" ""

@@ -1,0 +1,45 @@
+using Football.Physics.Headless.Drawing;
+using Football.Physics.Headless.Replay;
+
+namespace Football.Physics.Headless.Gallery;
+
+/// <summary>What stands in a scene, as items of a chart that looks at it from the side or from above.</summary>
+internal static class SceneDrawing
+{
+    /// <summary>Adds goals, nets, obstacles and, from above, the markings.</summary>
+    /// <param name="chart">The chart.</param>
+    /// <param name="shapes">What there is.</param>
+    /// <param name="project">Where a place of the world is in the chart.</param>
+    /// <param name="fromAbove">Whether the markings are to be seen.</param>
+    public static void Add(Chart chart, IReadOnlyList<SceneShape> shapes, Func<Vector3d, PlotPoint> project, bool fromAbove)
+    {
+        foreach (SceneShape shape in shapes)
+        {
+            PlotPoint[][] lines = [.. shape.Lines.Select(line => line.Select(project).ToArray())];
+            PlotPoint[][] faces = [.. shape.Faces.Select(face => face.Select(project).ToArray())];
+            ChartItem? item = shape.Kind switch
+            {
+                SceneShapeKind.Marking => fromAbove ? new LinesItem(lines) { Colour = Palette.Marking, Width = 1.2, Caption = shape.Name, NeedsRoom = false } : null,
+                SceneShapeKind.Net => new LinesItem(lines) { Colour = Palette.Frame, Width = 0.4 },
+                SceneShapeKind.Frame => new LinesItem(lines)
+                {
+                    Colour = Palette.Posts,
+                    Width = 2,
+                    Thickness = 2 * shape.Radius,
+                    Caption = shape.Name == "crossbar" ? "goal" : "",
+                },
+                SceneShapeKind.Obstacle when faces.Length > 0 => new PolygonItem(faces) { Colour = Palette.Frame, Caption = shape.Name },
+                SceneShapeKind.Obstacle when lines[0].Length == 1 => new PolygonItem([Circle(lines[0][0], shape.Radius)]) { Colour = Palette.Frame, Caption = shape.Name },
+                SceneShapeKind.Obstacle => new LinesItem(lines) { Colour = Palette.Frame, Thickness = 2 * shape.Radius, Caption = shape.Name },
+                _ => throw new ArgumentOutOfRangeException(nameof(shapes), shape.Kind, null),
+            };
+            if (item is not null)
+            {
+                chart.Items.Add(item);
+            }
+        }
+    }
+
+    private static PlotPoint[] Circle(PlotPoint middle, double radius) =>
+        [.. Enumerable.Range(0, 32).Select(i => Math.SinCos(2 * Math.PI * i / 32)).Select(at => new PlotPoint(middle.X + (radius * at.Cos), middle.Y + (radius * at.Sin)))];
+}

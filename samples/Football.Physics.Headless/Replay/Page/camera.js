@@ -1,0 +1,102 @@
+// A camera that turns about what it looks at.
+const FIELD = 40 * Math.PI / 180;
+const NEAR = 0.15;
+
+class Camera {
+  constructor() {
+    this.target = [0, 0, 0];
+    this.yaw = 0;
+    this.pitch = 0.2;
+    this.distance = 20;
+    this.size(100, 100);
+    this.update();
+  }
+
+  size(width, height) {
+    this.width = width;
+    this.height = height;
+    this.focus = 0.5 * Math.min(height, 1.4 * width) / Math.tan(0.5 * FIELD);
+  }
+
+  update() {
+    const [sy, cy, sp, cp] = [Math.sin(this.yaw), Math.cos(this.yaw), Math.sin(this.pitch), Math.cos(this.pitch)];
+    this.forward = [-sy * cp, -sp, -cy * cp];
+    this.right = [cy, 0, -sy];
+    this.up = cross(this.right, this.forward);
+    this.eye = sub(this.target, mul(this.distance, this.forward));
+  }
+
+  // Right, up and forward of the eye, m.
+  see(p) {
+    const d = sub(p, this.eye);
+    return [dot(d, this.right), dot(d, this.up), dot(d, this.forward)];
+  }
+
+  screen(c) {
+    const s = this.focus / c[2];
+    return [0.5 * this.width + s * c[0], this.middle() - s * c[1], s];
+  }
+
+  // The bar at the foot of the page hides a part of the picture.
+  middle() { return 0.47 * this.height; }
+
+  project(p) {
+    const c = this.see(p);
+    return c[2] > NEAR ? this.screen(c) : null;
+  }
+
+  // The part of a closed or open line that is before the eye, on the screen.
+  clipped(line, closed) {
+    const seen = line.map(p => this.see(p));
+    const out = [];
+    const n = seen.length;
+    for (let i = 0; i < n; i++) {
+      const a = seen[i], b = seen[(i + 1) % n];
+      if (a[2] > NEAR) out.push(this.screen(a));
+      if (i + 1 === n && !closed) break;
+      if ((a[2] > NEAR) !== (b[2] > NEAR)) out.push(this.screen(lerp(a, b, (NEAR - a[2]) / (b[2] - a[2]) + 1e-9)));
+    }
+    return out;
+  }
+
+  pixelsAt(p) {
+    const c = this.see(p);
+    return c[2] > NEAR ? this.focus / c[2] : 0;
+  }
+
+  // Goes as near as all the places can still be seen between margins, in pixels.
+  fit(places, margin) {
+    const low = [0, 1, 2].map(i => Math.min(...places.map(p => p[i])));
+    const high = [0, 1, 2].map(i => Math.max(...places.map(p => p[i])));
+    this.target = lerp(low, high, 0.5);
+    const inside = () => places.every(p => {
+      const s = this.project(p);
+      return s && s[0] > margin.left && s[0] < this.width - margin.right && s[1] > margin.top && s[1] < this.height - margin.bottom;
+    });
+    // By turns the distance and the middle of what is seen.
+    for (let round = 0; round < 20; round++) {
+      if (round > 0) this.center(places, margin);
+      let near = 1, far = 4000;
+      for (let i = 0; i < 26; i++) {
+        this.distance = Math.sqrt(near * far);
+        this.update();
+        if (inside()) far = this.distance; else near = this.distance;
+      }
+      this.distance = far;
+      this.update();
+    }
+  }
+
+  center(places, margin) {
+    const seen = places.map(p => this.project(p)).filter(s => s);
+    if (seen.length === 0) return;
+    const x = 0.5 * (Math.min(...seen.map(s => s[0])) + Math.max(...seen.map(s => s[0])));
+    const y = 0.5 * (Math.min(...seen.map(s => s[1])) + Math.max(...seen.map(s => s[1])));
+    // By the nearest place, which moves most on the screen.
+    const s = 1 / Math.max(...seen.map(at => at[2]));
+    this.target = add(this.target, add(
+      mul(s * (x - 0.5 * (margin.left + this.width - margin.right)), this.right),
+      mul(-s * (y - 0.5 * (margin.top + this.height - margin.bottom)), this.up)));
+    this.update();
+  }
+}

@@ -1,0 +1,50 @@
+// The way of a ball: keys of time, place, velocity before and after, spin, orientation and motion.
+const WIDTH = 18;
+const MOTIONS = ["flies", "slides", "rolls", "rests"];
+
+class Track {
+  constructor(shot) {
+    const k = shot.keys;
+    this.keys = [];
+    for (let i = 0; i < k.length; i += WIDTH) {
+      this.keys.push({
+        t: k[i], p: k.slice(i + 1, i + 4), before: k.slice(i + 4, i + 7), v: k.slice(i + 7, i + 10),
+        spin: k.slice(i + 10, i + 13), q: k.slice(i + 13, i + 17), motion: k[i + 17],
+      });
+    }
+    this.end = this.keys[this.keys.length - 1].t;
+    this.path = this.sampled();
+  }
+
+  index(t) {
+    let low = 0, high = this.keys.length - 1;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (this.keys[middle].t <= t) low = middle; else high = middle;
+    }
+    return low;
+  }
+
+  // The ball at a time: the cubic through places and velocities, and the shorter way from orientation to orientation.
+  at(t) {
+    const i = this.index(t), a = this.keys[i], b = this.keys[Math.min(i + 1, this.keys.length - 1)];
+    const h = b.t - a.t;
+    if (!(h > 0) || t >= this.end) return { t: Math.min(t, this.end), p: b.p, v: b.v, spin: b.spin, q: b.q, motion: b.motion };
+    const s = clamp((t - a.t) / h, 0, 1), r = 1 - s;
+    const p = [0, 1, 2].map(j =>
+      r * r * (1 + 2 * s) * a.p[j] + s * s * (1 + 2 * r) * b.p[j] + h * s * r * (r * a.v[j] - s * b.before[j]));
+    return { t, p, v: lerp(a.v, b.before, s), spin: lerp(a.spin, b.spin, s), q: slerp(a.q, b.q, s), motion: a.motion };
+  }
+
+  // Points for drawing: close in time, and every key.
+  sampled() {
+    const path = [];
+    for (let i = 0; i + 1 < this.keys.length; i++) {
+      const a = this.keys[i], b = this.keys[i + 1];
+      const parts = Math.max(1, Math.ceil((b.t - a.t) / 0.04));
+      for (let j = 0; j < parts; j++) path.push(this.at(a.t + (j / parts) * (b.t - a.t)));
+    }
+    path.push(this.at(this.end));
+    return path;
+  }
+}

@@ -1,0 +1,13 @@
+namespace Football.Physics.Headless.Replay;
+
+/// <summary>What a shape of a picture is, which decides its colour.</summary>
+internal enum SceneShapeKind
+{
+    /// <summary>Posts and bar.</summary>
+    Frame,
+    Net,
+    Obstacle,
+
+    /// <summary>A line on the ground.</summary>
+    Marking,
+}

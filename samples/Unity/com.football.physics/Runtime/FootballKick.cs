@@ -1,0 +1,49 @@
+using System;
+using UnityEngine;
+
+namespace Football.Physics.Unity
+{
+    /// <summary>A kick in numbers, for the inspector.</summary>
+    [Serializable]
+    public sealed class FootballKick
+    {
+        /// <summary>m/s.</summary>
+        [Range(0f, 60f), Tooltip("m/s; a hard shot has 30.")]
+        public float speed = 25f;
+
+        /// <summary>Degrees above the horizontal.</summary>
+        [Range(-90f, 90f), Tooltip("Degrees above the horizontal.")]
+        public float elevation = 15f;
+
+        /// <summary>Degrees to the right of forward, as Unity turns about y.</summary>
+        [Range(-180f, 180f), Tooltip("Degrees to the right of forward (z).")]
+        public float heading;
+
+        /// <summary>rad/s; negative is backspin.</summary>
+        [Range(-200f, 200f), Tooltip("rad/s; positive dips, negative is backspin.")]
+        public float topSpin;
+
+        /// <summary>rad/s; positive bends to the left.</summary>
+        [Range(-200f, 200f), Tooltip("rad/s; positive bends to the left.")]
+        public float sideSpin;
+
+        /// <summary>Its direction, in Unity's frame.</summary>
+        public Vector3 Direction
+        {
+            get
+            {
+                float up = elevation * Mathf.Deg2Rad;
+                float right = heading * Mathf.Deg2Rad;
+                return new Vector3(Mathf.Cos(up) * Mathf.Sin(right), Mathf.Sin(up), Mathf.Cos(up) * Mathf.Cos(right));
+            }
+        }
+
+        /// <summary>Takes speed and angles from a velocity.</summary>
+        public void Set(Vector3 velocity)
+        {
+            speed = velocity.magnitude;
+            elevation = Mathf.Atan2(velocity.y, Mathf.Sqrt((velocity.x * velocity.x) + (velocity.z * velocity.z))) * Mathf.Rad2Deg;
+            heading = Mathf.Atan2(velocity.x, velocity.z) * Mathf.Rad2Deg;
+        }
+    }
+}

@@ -1,0 +1,11 @@
+using System;
+using UnityEngine.Events;
+
+namespace Football.Physics.Unity
+{
+    /// <summary>An event of a ball for the inspector.</summary>
+    [Serializable]
+    public sealed class FootballUnityEvent : UnityEvent<FootballEvent>
+    {
+    }
+}

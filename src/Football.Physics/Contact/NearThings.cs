@@ -1,0 +1,89 @@
+namespace Football.Physics;
+
+/// <summary>A walk over the things of a world that a box touches, in no order: what has no bounds, the tree of what stands still, what moves.</summary>
+internal struct NearThings
+{
+    private readonly World _world;
+    private readonly Bounds3d _box;
+    private readonly double _time;
+    private readonly double _duration;
+    private int _unbounded;
+    private int _node;
+    private int _moving;
+
+    /// <summary>A walk.</summary>
+    /// <param name="world">The world.</param>
+    /// <param name="box">The box.</param>
+    /// <param name="time">When, s.</param>
+    /// <param name="duration">How long, s.</param>
+    public NearThings(World world, in Bounds3d box, double time, double duration)
+    {
+        _world = world;
+        _box = box;
+        _time = time;
+        _duration = duration;
+        _unbounded = 0;
+        _node = 0;
+        _moving = 0;
+    }
+
+    /// <summary>What touches a ball, or nearly, at a place.</summary>
+    public static NearThings At(World world, in Vector3d position, double time) =>
+        new(world, new Bounds3d(in position, in position).Grown(world.Ball.Radius + (2.0 * ContactSearch.Touching)), time, 0);
+
+    /// <summary>Goes on to the next collider.</summary>
+    /// <param name="collider">Its index.</param>
+    /// <returns>False at the end.</returns>
+    public bool NextCollider(out int collider)
+    {
+        while (Next(out collider))
+        {
+            if (collider < _world.Colliders.Length)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>Goes on to the next thing: colliders are numbered first, then nets, then goals.</summary>
+    /// <param name="thing">Its number.</param>
+    /// <returns>False at the end.</returns>
+    public bool Next(out int thing)
+    {
+        while (_unbounded < _world.Unbounded.Length)
+        {
+            thing = _world.Unbounded[_unbounded++];
+            if (_world.Colliders[thing].Bounds.Touches(in _box))
+            {
+                return true;
+            }
+        }
+
+        if (_world.Tree.Next(in _box, ref _node, out int leaf))
+        {
+            thing = _world.Leaves[leaf];
+            return true;
+        }
+
+        while (_moving < _world.Moving.Length)
+        {
+            thing = _world.Moving[_moving++];
+            Collider collider = _world.Colliders[thing];
+            Bounds3d bounds = collider.BoundsAt(_time);
+            if (_duration > 0)
+            {
+                bounds = bounds.With(bounds.Moved(_duration * collider.Velocity));
+            }
+
+            if (bounds.Touches(in _box))
+            {
+                return true;
+            }
+        }
+
+        thing = -1;
+        return false;
+    }
+}

@@ -1,0 +1,106 @@
+using System.Collections;
+
+namespace Football.Physics;
+
+/// <summary>The things of a scene that the game moves: players' feet, legs and heads, a keeper's hands.</summary>
+/// <remarks>
+/// All are added before the first simulator of the scene is built. A scene with bodies is for one match: they are where the game has put them last, and
+/// its simulators are not for several threads at once. Snapshots and logs do not hold them: who steps again puts them there again.
+/// </remarks>
+public sealed class Bodies : IReadOnlyList<Body>
+{
+    /// <summary>Nobody relies for longer than this, s, on where a body is expected.</summary>
+    internal const double Foresight = 0.25;
+
+    private readonly List<Body> _bodies = [];
+    private Mover[] _movers = [];
+    private bool _inUse;
+    private double _tick = double.NaN;
+    private double _before;
+    private double _inTick;
+
+    /// <summary>How many there are.</summary>
+    public int Count => _bodies.Count;
+
+    /// <inheritdoc/>
+    public Body this[int index] => _bodies[index];
+
+    /// <summary>Adds a body.</summary>
+    /// <param name="name">Its name, for events and messages.</param>
+    /// <param name="shape">Its shape, in its own frame.</param>
+    /// <param name="surface">What it is made of; default <see cref="Surface.Boot"/>.</param>
+    /// <returns>The body, at the origin, for the game to move.</returns>
+    /// <exception cref="ArgumentNullException">Name or shape is null.</exception>
+    /// <exception cref="InvalidOperationException">A simulator uses the bodies already.</exception>
+    public Body Add(string name, IShape shape, Surface? surface = null)
+    {
+        Check.Given(nameof(name), name);
+        Check.Given(nameof(shape), shape);
+        if (_inUse)
+        {
+            throw new InvalidOperationException("bodies: a simulator uses them already; add all of them before it is built.");
+        }
+
+        var body = new Body(this, _bodies.Count, name, shape, surface ?? Surface.Boot);
+        _bodies.Add(body);
+        Array.Resize(ref _movers, _bodies.Count);
+        Update(body);
+        return body;
+    }
+
+    /// <inheritdoc/>
+    public IEnumerator<Body> GetEnumerator() => _bodies.GetEnumerator();
+
+    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+
+    /// <summary>At least how far any of them can have been put from where it was expected, m, since there is this number: it only grows.</summary>
+    internal double Strayed => _before + _inTick;
+
+    /// <summary>From now on they are as many as they are.</summary>
+    internal void Use() => _inUse = true;
+
+    /// <summary>How long a ball goes on a straight way before it may meet any of them, s; not longer than the way.</summary>
+    internal double FreeFor(in StraightWay way)
+    {
+        double free = way.Duration;
+        double half = 0.5 * way.Duration;
+        double time = way.Time + half;
+        Vector3d middle = way.Middle;
+        double reach = (half * way.Velocity.Length) + way.Around;
+        for (int i = 0; i < _movers.Length; i++)
+        {
+            if (_movers[i].MayMeet(in middle, reach, time, half))
+            {
+                free = Math.Min(free, way.SeenFrom(_bodies[i].Velocity).Meets(_bodies[i].BoundsAt(way.Time)));
+            }
+        }
+
+        return free;
+    }
+
+    /// <summary>A body was added, or moved: what a quick look needs is kept in one place.</summary>
+    internal void Update(Body body) => _movers[body.Index] = new Mover(body.BoundsAt(0), body.Velocity);
+
+    internal void Validate(double radius)
+    {
+        for (int i = 0; i < Count; i++)
+        {
+            string field = FormattableString.Invariant($"bodies[{i}]");
+            Check.Within(field + ".shape.hollowCurvature", _bodies[i].Shape.HollowCurvature, 0, 0.5 / radius);
+            _bodies[i].Surface.Validate(field + ".surface");
+        }
+    }
+
+    /// <summary>A body was moved.</summary>
+    /// <param name="jump">How far from where it was expected, and goes on to stray by its new velocity, m.</param>
+    /// <param name="time">When, s.</param>
+    /// <param name="again">Whether it was moved at that time before: then it may have strayed twice.</param>
+    internal void Moved(double jump, double time, bool again)
+    {
+        // All that are moved at one time have strayed no further than the one that strayed furthest.
+        bool sameTick = time == _tick;
+        _before += sameTick ? 0 : _inTick;
+        _inTick = !sameTick ? jump : again ? _inTick + jump : Math.Max(_inTick, jump);
+        _tick = time;
+    }
+}

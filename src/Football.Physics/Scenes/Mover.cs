@@ -1,0 +1,31 @@
+namespace Football.Physics;
+
+/// <summary>A ball around a thing that moves, for a quick look: most are too far to be met.</summary>
+internal readonly struct Mover
+{
+    private readonly Vector3d _center;
+    private readonly Vector3d _velocity;
+    private readonly double _radius;
+
+    /// <summary>Around a box that is there at time 0.</summary>
+    public Mover(in Bounds3d box, in Vector3d velocity)
+    {
+        _center = 0.5 * (box.Min + box.Max);
+        _radius = 0.5 * (box.Max - box.Min).Length;
+        _velocity = velocity;
+    }
+
+    /// <summary>Whether it may be met on a way.</summary>
+    /// <param name="middle">The middle of the way, m.</param>
+    /// <param name="reach">How far the way goes from there, and what lies around it, m.</param>
+    /// <param name="time">When the ball is in the middle, s.</param>
+    /// <param name="half">How long it goes from there, s.</param>
+    public bool MayMeet(in Vector3d middle, double reach, double time, double half)
+    {
+        double x = _center.X + (time * _velocity.X) - middle.X;
+        double y = _center.Y + (time * _velocity.Y) - middle.Y;
+        double z = _center.Z + (time * _velocity.Z) - middle.Z;
+        double near = reach + _radius + (half * (Math.Abs(_velocity.X) + Math.Abs(_velocity.Y) + Math.Abs(_velocity.Z)));
+        return !((x * x) + (y * y) + (z * z) > near * near);
+    }
+}

@@ -1,0 +1,114 @@
+namespace Football.Physics;
+
+/// <summary>
+/// What the game has done to a ball by moving its bodies between two steps: one that was put over the ball pushes it out, one that was taken away from
+/// under it lets it go. Its velocity stays: what a body gives to the ball it gives by hitting it.
+/// </summary>
+internal sealed class BodyPush<TAir>
+    where TAir : struct, IAir
+{
+    /// <summary>How often the ball is pushed, from one body onto the next, at most: between two that close in on it there is no place.</summary>
+    private const int MostPushes = 64;
+
+    /// <summary>Steps of Newton's method at most.</summary>
+    private const int MostSteps = 20;
+
+    private readonly World _world;
+    private readonly WorldContact<TAir> _contact;
+
+    public BodyPush(World world, WorldContact<TAir> contact)
+    {
+        _world = world;
+        _contact = contact;
+    }
+
+    /// <summary>Before the pieces of a step.</summary>
+    public void Apply(ref BallState s, ref StepRun run)
+    {
+        LetGo(ref s, ref run);
+        for (int i = 0; i < MostPushes && Deepest(in s) is var deepest && deepest >= 0; i++)
+        {
+            PushOut(ref s, _world.Colliders[deepest]);
+        }
+    }
+
+    /// <summary>Out of one thing: Newton on the gap, along the way that is open to the ball.</summary>
+    private void PushOut(ref BallState s, Collider collider)
+    {
+        for (int i = 0; i < MostSteps; i++)
+        {
+            ShapePoint at = collider.At(s.Position, s.Time);
+            double gap = at.Distance - _world.Ball.Radius;
+            if (Math.Abs(gap) <= 0.5 * ContactSearch.Touching)
+            {
+                return;
+            }
+
+            s.Position -= gap * Way(in s, at.Normal);
+            StayOnCarrier(ref s);
+        }
+    }
+
+    /// <summary>A body that carried the ball and is no longer where it was expected carries it no more.</summary>
+    private void LetGo(ref BallState s, ref StepRun run)
+    {
+        if (s.Motion == MotionState.Airborne || !_world.CarrierOf(in s).IsBody)
+        {
+            return;
+        }
+
+        Collider carrier = _world.CarrierOf(in s);
+        ShapePoint at = carrier.At(s.Position, s.Time);
+        double off = Vector3d.Dot(s.Velocity - carrier.Velocity, at.Normal);
+        if (Math.Abs(at.Distance - _world.Ball.Radius) > ContactSearch.Touching || Math.Abs(off) > ContactSearch.Approaching)
+        {
+            _contact.Leave(ref s, s.Velocity, s.Spin, ref run);
+        }
+    }
+
+    /// <summary>The thing that the ball overlaps most; −1 where it overlaps nothing.</summary>
+    private int Deepest(in BallState s)
+    {
+        double depth = ContactSearch.Touching;
+        int deepest = -1;
+        long carrier = s.Motion == MotionState.Airborne ? -1 : s.Carrier - _world.FirstCollider;
+        var near = NearThings.At(_world, s.Position, s.Time);
+        while (near.NextCollider(out int i))
+        {
+            double overlap = _world.Ball.Radius - _world.Colliders[i].At(s.Position, s.Time).Distance;
+            if (i != carrier && (overlap > depth || (overlap == depth && i < deepest)))
+            {
+                depth = overlap;
+                deepest = i;
+            }
+        }
+
+        return deepest;
+    }
+
+    /// <summary>The way out along a normal: for a ball that something carries along that surface, or off it where the push points that way.</summary>
+    private Vector3d Way(in BallState s, in Vector3d normal)
+    {
+        if (s.Motion == MotionState.Airborne)
+        {
+            return normal;
+        }
+
+        Vector3d up = _world.CarrierOf(in s).At(s.Position, s.Time).Normal;
+        Vector3d along = normal - (Vector3d.Dot(in normal, in up) * up);
+        double share = along.LengthSquared;
+
+        // Trodden on from straight above, it slips out somewhere: forward.
+        return share > 1e-12 ? along / Math.Max(share, 0.01) : Vector3d.Cross(in up, Math.Abs(up.X) < 0.9 ? new Vector3d(1, 0, 0) : Vector3d.Up);
+    }
+
+    /// <summary>Back onto what carries it, which may be curved.</summary>
+    private void StayOnCarrier(ref BallState s)
+    {
+        if (s.Motion != MotionState.Airborne)
+        {
+            ShapePoint at = _world.CarrierOf(in s).At(s.Position, s.Time);
+            s.Position += (_world.Ball.Radius - at.Distance) * at.Normal;
+        }
+    }
+}

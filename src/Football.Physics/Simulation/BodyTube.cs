@@ -1,0 +1,61 @@
+namespace Football.Physics;
+
+/// <summary>
+/// A straight tube along the way of a ball in which no body was found, for some time. Until a ball leaves it, or bodies have strayed by its width from
+/// where they were expected, none of them need be asked. Kept beside the bodies, not with the ball: it changes nothing but what is looked at.
+/// </summary>
+internal sealed class BodyTube
+{
+    /// <summary>Its least width, m: what bodies that do not go quite straight may stray.</summary>
+    private const double LeastWidth = 0.1;
+
+    private readonly Bodies _bodies;
+    private readonly double _ballRadius;
+    private Vector3d _from;
+    private Vector3d _velocity;
+    private double _spinRate;
+    private double _time;
+    private double _duration = -1;
+    private double _width;
+    private double _strayed;
+
+    public BodyTube(Bodies bodies, double ballRadius)
+    {
+        _bodies = bodies;
+        _ballRadius = ballRadius;
+    }
+
+    /// <summary>Whether a ball stays in it during a step.</summary>
+    public bool Holds(in BallState s, double dt)
+    {
+        double gone = s.Time - _time;
+        if (!(gone >= 0 && gone + dt <= _duration && s.SpinRate <= _spinRate))
+        {
+            return false;
+        }
+
+        double x = Math.Abs(s.Position.X - _from.X - (gone * _velocity.X)) + (_duration * Math.Abs(s.Velocity.X - _velocity.X));
+        double y = Math.Abs(s.Position.Y - _from.Y - (gone * _velocity.Y)) + (_duration * Math.Abs(s.Velocity.Y - _velocity.Y));
+        double z = Math.Abs(s.Position.Z - _from.Z - (gone * _velocity.Z)) + (_duration * Math.Abs(s.Velocity.Z - _velocity.Z));
+        return x + y + z + (_bodies.Strayed - _strayed) <= _width;
+    }
+
+    /// <summary>Looks for a new one.</summary>
+    /// <param name="s">The ball.</param>
+    /// <param name="dt">Length of its step, s.</param>
+    /// <param name="ahead">How far to look, s.</param>
+    /// <param name="bend">How far the ball may go from a straight line in that time, m.</param>
+    /// <returns>Whether it is long enough for the step.</returns>
+    public bool Renew(in BallState s, double dt, double ahead, double bend)
+    {
+        _width = LeastWidth + (2.0 * bend);
+        var way = new StraightWay(s.Position, s.Velocity, s.Time, ahead, _ballRadius + _width + bend);
+        _from = s.Position;
+        _velocity = s.Velocity;
+        _spinRate = s.SpinRate;
+        _time = s.Time;
+        _strayed = _bodies.Strayed;
+        _duration = _bodies.FreeFor(in way);
+        return dt <= _duration;
+    }
+}

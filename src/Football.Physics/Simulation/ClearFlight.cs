@@ -1,0 +1,95 @@
+namespace Football.Physics;
+
+/// <summary>
+/// Whether a flight meets nothing but level ground. The broad phase is asked for several steps at once, and its answer is kept with the state as a time:
+/// until then a step asks nothing. It holds for the scene in which it was given, which a key tells from others.
+/// </summary>
+internal sealed class ClearFlight
+{
+    /// <summary>How many steps ahead it looks, where the air changes little in one.</summary>
+    private const double Ahead = 16;
+
+    /// <summary>Where that is not free, how many steps ahead it looks next: less of a bend lies around those.</summary>
+    private const double Nearer = 4;
+
+    /// <summary>The same for bodies, which may stray.</summary>
+    private const double AheadOfBodies = 8;
+
+    /// <summary>Up to this change of the motion by the air in a step no method makes a ball faster by more than a tenth in all steps ahead.</summary>
+    private const double SmallChange = 0.05;
+
+    private readonly World _world;
+    private readonly StabilityLimit _limit;
+    private readonly double _weight;
+    private readonly BodyTube? _tube;
+
+    public ClearFlight(World world, in StabilityLimit limit, in Vector3d wind, double upward)
+    {
+        _world = world;
+        _limit = limit;
+        _weight = Math.Abs(upward);
+        _tube = world.Bodies is { } bodies ? new BodyTube(bodies, world.Ball.Radius) : null;
+        var key = new ClearKey();
+        key.Add(limit.Bound.PerSpeed);
+        key.Add(limit.Bound.PerSpin);
+        key.Add(limit.Bound.Constant);
+        key.Add(upward);
+        key.Add(in wind);
+        world.AddTo(ref key);
+        Key = key.Value;
+    }
+
+    /// <summary>The key of the scene.</summary>
+    public ulong Key { get; }
+
+    /// <summary>Whether there are bodies to look for in every step.</summary>
+    public bool LooksForBodies => _tube is not null;
+
+    /// <summary>Whether the next step meets nothing.</summary>
+    /// <param name="s">The ball, in the air.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="airSpeedSquared">|u|², m²/s².</param>
+    public bool Holds(ref BallState s, double dt, double airSpeedSquared)
+    {
+        bool isKnown = s.Time + dt <= s.ClearUntil && s.ClearIn == Key;
+        if (isKnown && (_tube is null || _tube.Holds(in s, dt)))
+        {
+            return true;
+        }
+
+        if (s.Nets != 0)
+        {
+            return false;
+        }
+
+        // The way ahead is a straight line, and as much around it as forces can bend it.
+        double speed = Math.Sqrt(airSpeedSquared);
+        double steps = dt * _limit.RateAtMost(speed, s.SpinRate) <= SmallChange ? Ahead : 1.0;
+        return (isKnown || IsFree(ref s, dt, steps, speed) || (steps > 1.0 && (IsFree(ref s, dt, Nearer, speed) || IsFree(ref s, dt, 1.0, speed))))
+            && (_tube is null || Renew(in s, dt, Math.Min(steps, AheadOfBodies), speed) || (steps > 1.0 && Renew(in s, dt, 1.0, speed)));
+    }
+
+    private bool IsFree(ref BallState s, double dt, double steps, double speed)
+    {
+        double ahead = steps * dt;
+        double around = _world.Ball.Radius + Bend(speed, s.SpinRate, ahead);
+        double free = _world.FreeFor(new StraightWay(s.Position, s.Velocity, s.Time, ahead, around));
+        s.ClearUntil = s.Time + free;
+        s.ClearIn = Key;
+        return dt <= free;
+    }
+
+    private bool Renew(in BallState s, double dt, double steps, double speed)
+    {
+        double ahead = Math.Min(steps * dt, Math.Max(dt, Bodies.Foresight));
+        return _tube!.Renew(in s, dt, ahead, Bend(speed, s.SpinRate, ahead));
+    }
+
+    /// <summary>A bound of how far the ball goes off a straight line, m: ½ a t² with all that the air can do to the speed that the ball may have then.</summary>
+    private double Bend(double speed, double spinRate, double ahead)
+    {
+        double most = 1.1 * (speed + (ahead * _weight));
+        double acceleration = _weight + (_limit.RateAtMost(most, spinRate) * most);
+        return 0.5 * acceleration * ahead * ahead;
+    }
+}

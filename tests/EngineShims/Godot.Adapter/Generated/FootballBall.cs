@@ -1,0 +1,18 @@
+using Godot;
+
+namespace Football.Physics.GodotAddon;
+
+/// <summary>What Godot's source generator adds: the names of the signals that the node declares.</summary>
+public partial class FootballBall
+{
+    public new class SignalName : Node.SignalName
+    {
+        public static readonly StringName Impact = new(nameof(Impact));
+        public static readonly StringName Slide = new(nameof(Slide));
+        public static readonly StringName Roll = new(nameof(Roll));
+        public static readonly StringName Rest = new(nameof(Rest));
+        public static readonly StringName Leave = new(nameof(Leave));
+        public static readonly StringName Net = new(nameof(Net));
+        public static readonly StringName Goal = new(nameof(Goal));
+    }
+}

@@ -1,0 +1,142 @@
+using System.Globalization;
+using System.Text;
+
+namespace Football.Physics.Tests.Scenes;
+
+/// <summary>Every number of the measured profile's presets as the code has it, with what it rests on.</summary>
+internal static class PresetTable
+{
+    private const string Rigs = "FIFA's rigs";
+    private const string Tunnel = "Kiratidis and Leinweber, arXiv:1710.02784";
+
+    /// <summary>The table in Markdown.</summary>
+    public static string Markdown()
+    {
+        var text = new StringBuilder("\n| preset | number | value | | source or range |\n|---|---|--:|---|---|\n");
+        foreach ((string preset, string number, double value, string tag, string source) in Rows())
+        {
+            text.Append(CultureInfo.InvariantCulture, $"| {preset} | {number} | {Text(value)} | {tag} | {source} |\n");
+        }
+
+        return text.Append('\n').ToString();
+    }
+
+    public static IEnumerable<(string Preset, string Number, double Value, string Tag, string Source)> Rows() =>
+        Ball().Concat(Curves()).Concat(Laws()).Concat(Surfaces()).Concat(Weathers());
+
+    private static IEnumerable<(string, string, double, string, string)> Ball()
+    {
+        BallProperties ball = BallProperties.Football;
+        yield return ("ball", "mass, kg", ball.Mass, "law", "IFAB, Law 2: 0.41 … 0.45");
+        yield return ("ball", "radius, m", ball.Radius, "law", "IFAB, Law 2: 68 … 70 cm around");
+        yield return ("ball", "α", ball.InertiaFactor, "derived", "a thin shell; layered balls ±0.03, guess");
+        yield return ("ball", "K, N", ball.KnuckleForce, "guess", "1.0 … 2.2");
+        yield return ("Tango 12", "K, N", BallProperties.Tango12.KnuckleForce, "guess", "of Cafusa, 1.0 … 2.2 measured");
+        yield return ("Teamgeist", "K, N", BallProperties.Teamgeist.KnuckleForce, "measured", "Hong and Asai 2014: 0.6 … 0.9");
+        yield return ("Jabulani", "K, N", BallProperties.Jabulani.KnuckleForce, "measured", "Hong and Asai 2014: 1.1 … 3.1");
+        yield return ("Brazuca", "K, N", BallProperties.Brazuca.KnuckleForce, "guess", "as the others");
+    }
+
+    private static IEnumerable<(string, string, double, string, string)> Curves()
+    {
+        (string Name, DragCurve Curve, string Tag, string Source)[] curves =
+        [
+            ("ball", DragCurve.Generic, "derived", "mean of Tango 12, Teamgeist and Brazuca, rounded"), ("Tango 12", DragCurve.Tango12, "measured", Tunnel),
+            ("Teamgeist", DragCurve.Teamgeist, "measured", Tunnel), ("Jabulani", DragCurve.Jabulani, "measured", Tunnel), ("Brazuca", DragCurve.Brazuca, "measured", Tunnel),
+        ];
+        foreach ((string name, DragCurve curve, string tag, string source) in curves)
+        {
+            yield return (name, "a", curve.Subcritical, tag, source);
+            yield return (name, "Re_c", curve.CriticalReynolds, tag, source);
+            yield return (name, "Re_s", curve.Width, tag, source);
+            yield return (name, "b₀", curve.Supercritical, tag, source);
+            yield return (name, "b₁", curve.Risen, tag, source);
+            yield return (name, "Re₀", curve.RiseFrom, tag, source);
+            yield return (name, "Re₁", curve.RiseTo, tag, source);
+        }
+    }
+
+    private static IEnumerable<(string, string, double, string, string)> Laws()
+    {
+        yield return ("lift", "L", SaturatingLift.Limit, "measured", "fit to 13 points: Asai 2007; Goff and Carré 2009; Kiratidis and Leinweber");
+        yield return ("lift", "S₀", SaturatingLift.Scale, "measured", "the same fit");
+        yield return ("lift", "η₀", SaturatingLift.Subcritical, "guess", "0 … 1");
+        yield return ("drag by spin", "D", SpinDrag.Limit, "measured", "between Goff and Carré 2009 and Kiratidis and Leinweber");
+        yield return ("drag by spin", "S_D", SpinDrag.Scale, "measured", "likewise");
+        yield return ("drag by spin", "κ₀", SpinDrag.Subcritical, "guess", "0 … 1");
+        yield return ("spin decay", "β", ProportionalSpinDecay.Beta, "guess", "measured on golf balls, Smits and Smith 1994; 0.003 … 0.012");
+        yield return ("spin decay", "ε, 1/s", ProportionalSpinDecay.AtRest, "guess", "0.003 … 0.006");
+        yield return ("knuckle force", "Strouhal number", KnuckleForce.Strouhal, "measured", "Hong and Asai 2014: peak at 2.5 Hz at 30 m/s");
+        yield return ("knuckle force", "power of the speed", KnuckleForce.Growth, "measured", "Hong and Asai 2014: 320 % from 20 to 30 m/s");
+        yield return ("knuckle force", "S of all of it", KnuckleForce.LeastSpin, "guess", "");
+        yield return ("knuckle force", "S of none of it", KnuckleForce.LeastSpin + KnuckleForce.SpinWidth, "guess", "");
+        var foot = new Foot();
+        yield return ("foot", "mass, kg", foot.Mass, "guess", "1.5 … 3");
+        yield return ("foot", "e", foot.Restitution, "guess", "0.5 … 0.6");
+        yield return ("foot", "e_t", foot.TangentialRestitution, "guess", "the ball leaves without slip");
+        yield return ("foot", "μ", foot.Friction, "guess", "leather 0.37 … 0.63 measured, and 0.5 for the dent");
+    }
+
+    private static IEnumerable<(string, string, double, string, string)> Surfaces()
+    {
+        (string Name, Ground Ground, Dictionary<string, (string Tag, string Source)> Known)[] grounds =
+        [
+            ("dry turf", Ground.DryTurf, OfTurf("drop 0.60 … 1.00 m, angle 45 … 60 %, roll 4 … 10 m")),
+            ("artificial turf", Ground.ArtificialTurf, OfTurf("FIFA Quality Pro: drop 0.60 … 0.85 m, angle 45 … 60 %, roll 4 … 8 m")),
+            ("watered turf", Ground.WateredTurf, new() { ["e₆"] = ("measured", Rigs + ": drop 0.60 … 1.00 m") }),
+            ("hard ground", Ground.HardGround, new()),
+            ("long grass", Ground.LongGrass, new()),
+            ("indoor", Ground.Indoor, new()),
+            ("concrete", Ground.Concrete, new() { ["e₆"] = ("measured", "a test ball bounces to 1.35 ± 0.03 m from 2 m") }),
+            ("snow", Ground.Snow, new()),
+        ];
+        foreach ((string name, Ground ground, Dictionary<string, (string Tag, string Source)> known) in grounds)
+        {
+            foreach ((string number, double value) in NumbersOf(ground))
+            {
+                (string tag, string source) = known.GetValueOrDefault(number, ("guess", ""));
+                yield return (name, number, value, tag, source);
+            }
+        }
+
+        yield return ("all surfaces", "V_e, m/s", Ground.DryTurf.RestitutionSpeed, "guess", "20 … ∞");
+        yield return ("all surfaces", "least bounce, m/s", Ground.DryTurf.MinimumBounceSpeed, "guess", "a hop of 2 mm");
+        yield return ("all surfaces", "rest energy, J", Ground.DryTurf.RestEnergy, "guess", "");
+        Surface frame = Surface.MeasuredFrame;
+        yield return ("goal frame", "e₆", frame.NormalRestitution, "guess", "others' priors 0.65 … 0.80");
+        yield return ("goal frame", "V_e, m/s", frame.RestitutionSpeed, "guess", "");
+        yield return ("goal frame", "e_t", frame.TangentialRestitution, "guess", "");
+        yield return ("goal frame", "μ_i", frame.ImpactFriction, "guess", "");
+    }
+
+    private static IEnumerable<(string, string, double, string, string)> Weathers()
+    {
+        var weather = new Weather();
+        var wind = new WindByHeight(1, 1, 0);
+        var gusts = new Gusts();
+        yield return ("weather", "temperature, °C", weather.Temperature, "guess", "a mild day");
+        yield return ("weather", "humidity", weather.Humidity, "guess", "likewise");
+        yield return ("weather", "pressure, Pa", weather.Pressure, "law", "standard atmosphere");
+        yield return ("wind by height", "reference height, m", wind.ReferenceHeight, "law", "where meteorology measures wind");
+        yield return ("wind by height", "roughness, m", wind.Roughness, "measured", "short grass");
+        yield return ("gusts", "intensity", gusts.Intensity, "guess", "open grassland at 10 m");
+        yield return ("gusts", "length, m", gusts.Length, "guess", "");
+    }
+
+    private static Dictionary<string, (string Tag, string Source)> OfTurf(string windows) => new()
+    {
+        ["e₆"] = ("measured", $"{Rigs}: {windows}"),
+        ["e_t"] = ("measured", "the same windows"),
+        ["μ_i"] = ("guess", "at least 0.91 derived from the angle"),
+        ["c₀"] = ("measured", "the same windows, given c₁"),
+    };
+
+    private static IEnumerable<(string Number, double Value)> NumbersOf(Ground ground) =>
+    [
+        ("e₆", ground.NormalRestitution), ("e_t", ground.TangentialRestitutionX), ("μ_i", ground.ImpactFriction), ("μ_s", ground.SlidingFriction),
+        ("c₀", ground.RollingFriction), ("c₁, s/m", ground.RollingFrictionBySpeed), ("b, m", ground.DrillingLength),
+    ];
+
+    private static string Text(double value) =>
+        value >= 1000 ? value.ToString("0", CultureInfo.InvariantCulture) : value.ToString("0.####", CultureInfo.InvariantCulture);
+}

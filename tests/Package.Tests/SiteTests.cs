@@ -1,0 +1,71 @@
+using System.Text.RegularExpressions;
+using Football.Physics.Site;
+
+namespace Football.Physics.Package.Tests;
+
+/// <summary>The site: every page is there and reached, no link of it is dead, it needs no network, and its search knows every section.</summary>
+public sealed partial class SiteTests
+{
+    private static readonly string s_folder = Directory.CreateTempSubdirectory("football-site-").FullName;
+    private static readonly IReadOnlyList<string> s_pages = SiteWriter.Write(Repository.Root, s_folder);
+
+    [Fact]
+    public void It_has_every_page_and_each_names_all_others()
+    {
+        string[] sources = Directory.GetFiles(Path.Combine(Repository.Root, "docs"), "*.md");
+        Assert.Equal(sources.Length + 1, s_pages.Count);
+        Assert.Equal("index.html", s_pages[0]);
+        Assert.All(s_pages, page => Assert.All(s_pages, other => Assert.Contains($"<a href=\"{other}\"", Text(page))));
+    }
+
+    [Fact]
+    public void No_link_is_dead_to_the_last_heading()
+    {
+        Dictionary<string, HashSet<string>> anchors = s_pages.ToDictionary(page => page, page => Id().Matches(Text(page)).Select(match => match.Groups[1].Value).ToHashSet());
+        foreach (string page in s_pages)
+        {
+            foreach (string url in Url().Matches(Text(page)).Select(match => match.Groups[1].Value).Where(url => !url.Contains("://", StringComparison.Ordinal)))
+            {
+                string[] parts = url.Split('#', 2);
+                string file = parts[0].Length > 0 ? parts[0] : page;
+                Assert.True(File.Exists(Path.Combine(s_folder, file)), $"{page}: {url}");
+                Assert.True(parts.Length == 1 || anchors[file].Contains(parts[1]), $"{page}: {url} is no heading of {file}");
+            }
+        }
+    }
+
+    [Fact]
+    public void It_needs_no_network()
+    {
+        foreach (string page in s_pages)
+        {
+            Assert.DoesNotMatch("(src|link [^>]*href)=\"https?:", Text(page));
+        }
+
+        Assert.DoesNotContain("http", Text("style.css"));
+        Assert.DoesNotContain("fetch(", Text("search.js"));
+        Assert.Contains("prefers-color-scheme: dark", Text("style.css"));
+    }
+
+    [Theory]
+    [InlineData("Rollback", "determinism.html#rollback")]
+    [InlineData("bouncing pass", "cookbook.html#a-bouncing-pass")]
+    [InlineData("UntilPlane", "prediction.html#looking-ahead")]
+    public void Its_search_knows(string words, string address)
+    {
+        string index = Text("search.js");
+        int from = index.IndexOf($"\"{address}\"", StringComparison.Ordinal);
+        Assert.True(from > 0, address);
+        int end = index.IndexOf("\"],[", from, StringComparison.Ordinal);
+        int begin = index.LastIndexOf("],[", from, StringComparison.Ordinal);
+        Assert.Contains(words, index[begin..end], StringComparison.OrdinalIgnoreCase);
+    }
+
+    private static string Text(string file) => File.ReadAllText(Path.Combine(s_folder, file));
+
+    [GeneratedRegex("id=\"([^\"]+)\"")]
+    private static partial Regex Id();
+
+    [GeneratedRegex("(?:href|src)=\"([^\"]+)\"")]
+    private static partial Regex Url();
+}
