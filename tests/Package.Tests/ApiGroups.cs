@@ -29,6 +29,10 @@ internal static class ApiGroups
         ["Bodies"] = "Things that the ball meets",
         ["Pitch"] = "Things that the ball meets",
         ["RigidMotion"] = "Things that the ball meets",
+        ["IEngineColliders"] = "Things that the ball meets",
+        ["EngineCollider"] = "Things that the ball meets",
+        ["EngineHits"] = "Things that the ball meets",
+        ["SphereCast"] = "Things that the ball meets",
     };
 
     private static readonly Dictionary<string, string> s_folders = Directory

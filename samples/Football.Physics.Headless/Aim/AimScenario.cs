@@ -80,6 +80,7 @@ internal sealed record AimScenario
             SideSpin = spin.Number("side", request.SideSpin),
             MinimumElevationDegrees = elevation.Number("min", request.MinimumElevationDegrees),
             MaximumElevationDegrees = elevation.Number("max", request.MaximumElevationDegrees),
+            SpinIsFree = spin.Flag("free", request.SpinIsFree),
             MaximumTopSpin = maxSpin.Number("top", request.MaximumTopSpin),
             MaximumSideSpin = maxSpin.Number("side", request.MaximumSideSpin),
             Tolerance = aim.Number("tolerance", request.Tolerance),

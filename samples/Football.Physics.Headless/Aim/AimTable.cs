@@ -13,6 +13,11 @@ internal static class AimTable
         Table table = new Table().Border(TableBorder.Simple).AddColumns("", "");
         void Row(string name, FormattableString value) => table.AddRow(Markup.Escape(name), Markup.Escape(value.ToString(CultureInfo.InvariantCulture)));
         Row("status", $"{Words.Of(kick.Status)}");
+        if (kick.BlockedBy is { } blocker)
+        {
+            Row("in the way", $"{blocker}");
+        }
+
         Row("speed", $"{kick.Speed:0.00} m/s");
         Row("elevation", $"{kick.ElevationDegrees:0.00}°");
         Row("velocity", $"{kick.Velocity.X:0.000}, {kick.Velocity.Y:0.000}, {kick.Velocity.Z:0.000} m/s");

@@ -32,6 +32,10 @@ internal static class AimWriter
         json.WriteNumber("simulations", result.Simulations);
         json.WriteString("arc", Words.Of(result.Arc));
         json.WriteBoolean("rolls", result.Rolls);
+        if (result.BlockedBy is { } blocker)
+        {
+            json.WriteString("blockedBy", blocker);
+        }
     });
 
     private static void WriteVector(Utf8JsonWriter json, string name, in Vector3d vector)

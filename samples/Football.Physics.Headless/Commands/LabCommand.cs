@@ -3,6 +3,8 @@ using Football.Physics.Headless.Lab;
 using Football.Physics.Headless.Lab.BankShots;
 using Football.Physics.Headless.Lab.Derivatives;
 using Football.Physics.Headless.Lab.Intercept;
+using Football.Physics.Headless.Lab.Queries;
+using Football.Physics.Headless.Lab.Obstacles;
 
 namespace Football.Physics.Headless.Commands;
 
@@ -29,5 +31,8 @@ internal static class LabCommand
         InterceptLab.Create(terminal),
         DerivativesLab.Create(terminal),
         BankShotLab.Create(terminal),
+        ScatterLab.Create(terminal),
+        FitLab.Create(terminal),
+        ObstaclesLab.Create(terminal),
     };
 }

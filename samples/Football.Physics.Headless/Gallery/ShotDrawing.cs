@@ -112,6 +112,12 @@ internal static class ShotDrawing
             chart.Items.Add(new PolylineItem([.. points.Select(project)]) { Width = 2, Colour = colour, Label = legend ? does : null });
         }
 
+        (IReadOnlyList<Vector3d[]> bulges, double depth) = DeepestBulges.Of(shot.Scenario);
+        if (bulges.Count > 0)
+        {
+            chart.Items.Add(new LinesItem([.. bulges.Select(line => line.Select(project).ToArray())]) { Colour = Palette.Ink, Width = 0.8, Caption = legend ? FormattableString.Invariant($"net, {depth:0.0} m deep") : "" });
+        }
+
         AddSeconds(chart, flight, project);
         if (shot.Points.Count > 0)
         {

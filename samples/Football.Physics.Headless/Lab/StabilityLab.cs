@@ -4,6 +4,7 @@ using Football.Physics.Headless.Commands;
 using Football.Physics.Headless.Drawing;
 using Football.Physics.Headless.Lab.Hostile;
 using Football.Physics.Headless.Lab.Stability;
+using Football.Physics.Headless.Lab.Stability.Things;
 using Football.Physics.Headless.Simulate;
 
 namespace Football.Physics.Headless.Lab;
@@ -22,17 +23,30 @@ internal static class StabilityLab
         Option<long> jobs = Arguments.Jobs("Threads; default: one a processor.");
         var scene = new Option<long?>("--scene") { HelpName = "I", Description = "Plays one scene by its number, and shows it as a scenario." };
         var hostile = new Option<bool>("--hostile") { Description = "Plays scenes from far outside football, drawn and checked in another way." };
+        var things = new Option<bool>("--things") { Description = "Plays scenes with obstacles, bodies, nets and slopes, with checks of their own." };
         Option<Profile> profile = new("--profile") { HelpName = "published|measured", Description = "Whose laws and ground; hostile scenes have their own.", DefaultValueFactory = _ => Profile.Published };
         return LabOptions.Create(
             "stability",
             "Random and adversarial scenes with every method: what must always hold, with a verdict a cell.",
-            ["football lab stability --scenes 100", "football lab stability --scene 7", "football lab stability --profile measured --scenes 60", "football lab stability --hostile --scenes 100"],
+            ["football lab stability --scenes 100", "football lab stability --scene 7", "football lab stability --profile measured --scenes 60", "football lab stability --hostile --scenes 100", "football lab stability --things --scenes 100"],
             terminal,
             (parsed, seed, progress) =>
             {
                 bool isHostile = parsed.GetValue(hostile);
+                bool hasThings = parsed.GetValue(things);
                 bool asked = parsed.GetResult(scenes) is { Implicit: false };
                 long count = parsed.GetValue(full) ? (isHostile ? HostileLab.Full : Full) : isHostile && !asked ? HostileLab.ByDefault : parsed.GetValue(scenes);
+                if (hasThings)
+                {
+                    if (parsed.GetValue(scene) is { } number)
+                    {
+                        return ThingsLab.One(seed, number);
+                    }
+
+                    count = parsed.GetValue(full) ? ThingsLab.Full : asked ? count : ThingsLab.ByDefault;
+                    return ThingsLab.Run(terminal, seed, count, (int)parsed.GetValue(jobs), progress);
+                }
+
                 int threads = (int)parsed.GetValue(jobs);
                 StressScene Make(long index) => parsed.GetValue(profile) == Profile.Measured
                     ? MeasuredStress.Of(StressGenerator.Make(seed, index), seed, index)
@@ -50,6 +64,7 @@ internal static class StabilityLab
             jobs,
             scene,
             hostile,
+            things,
             profile);
     }
 

@@ -33,21 +33,28 @@ internal sealed class AimContext
     public AimContext(Simulator game, double timeStep)
     {
         Scene scene = game.Scene;
-        _simulator = new Simulator(scene, SolverSettings.Default, game.Profile);
+        HasThings = scene.Obstacles.Count > 0 || scene.Nets.Count > 0 || scene.Goals.Count > 0 || scene.Bodies is not null || scene.EngineColliders is not null;
+        var real = new Simulator(scene, SolverSettings.Default, game.Profile);
+        Scene open = HasThings ? WithoutThings(scene) : scene;
+        _simulator = HasThings ? new Simulator(open, SolverSettings.Default, game.Profile) : real;
+        Simulator openGame = HasThings ? new Simulator(open, game.Settings, game.Profile) : game;
         Scene = scene;
         Game = game;
         Upward = Weight.UpwardAcceleration(scene);
         Steps = AimSteps.Long;
-        var withoutGround = new Simulator(WithoutGround(scene), SolverSettings.Default, game.Profile);
+        var withoutGround = new Simulator(WithoutGround(open), SolverSettings.Default, game.Profile);
         Planes = new PlaneShooter(this, withoutGround);
         TimedFlight = new TimedFlight(this, withoutGround);
         TimedRoll = new TimedRoll(this, _simulator);
         Approaches = new ApproachShooter(this, _simulator);
-        Frames = new FrameShooter(this, Game, timeStep);
-        Miss = new MissMeter(this, _simulator);
+        Frames = new FrameShooter(this, openGame, timeStep);
+        Miss = new MissMeter(this, real);
     }
 
     public Scene Scene { get; }
+
+    /// <summary>Whether there is anything in the scene but the ground. Kicks are sought as if there were not, and then looked at where there is.</summary>
+    public bool HasThings { get; }
 
     /// <summary>The scene with the game's own integrator.</summary>
     public Simulator Game { get; }
@@ -151,6 +158,8 @@ internal sealed class AimContext
         _simulator.AirFactors(most, spinRate, out double drag, out double lift);
         return most * Math.Max(drag, Math.Abs(lift)) > Ruling * Math.Abs(Upward);
     }
+
+    private static Scene WithoutThings(Scene scene) => scene with { Obstacles = [], Nets = [], Goals = [], Bodies = null, EngineColliders = null };
 
     /// <summary>The scene with a plain ground out of reach.</summary>
     private static Scene WithoutGround(Scene scene) => scene with { Ground = Ground.Turf with { Height = -0.5 * Limits.Length } };

@@ -54,6 +54,15 @@ public sealed record AimRequest
     /// </summary>
     public AimArc Arc { get; init; } = AimArc.Low;
 
+    /// <summary>
+    /// Whether the spin may be changed, within <see cref="MaximumTopSpin"/> and <see cref="MaximumSideSpin"/>, to bring a kick round what is in its way.
+    /// Default not. Used by <see cref="AimMethod.Direct"/> without a point on the way.
+    /// </summary>
+    public bool SpinIsFree { get; init; }
+
+    /// <summary>When the ball is kicked, on the clock of the bodies of the scene, s; within ±1e12, default 0. Nothing else depends on it.</summary>
+    public double KickTime { get; init; }
+
     /// <summary>Checks every number.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public void Validate()
@@ -78,5 +87,6 @@ public sealed record AimRequest
         Check.Positive("aim.throughTolerance", ThroughTolerance);
         Check.Defined("aim.arc", Arc, (int)Arc, 2);
         Check.AtLeast("aim.maxIterations", MaximumIterations, 1);
+        Check.Within("aim.kickTime", KickTime, -Limits.Time, Limits.Time);
     }
 }

@@ -5,7 +5,7 @@ public readonly struct AimResult
 {
     private const double Degrees = 180.0 / Math.PI;
 
-    internal AimResult(AimStatus status, in Vector3d velocity, in Vector3d spin, in MeasuredMiss measured, AimArc arc, bool rolls, int iterations, int simulations)
+    internal AimResult(AimStatus status, in Vector3d velocity, in Vector3d spin, in MeasuredMiss measured, AimArc arc, bool rolls, int iterations, int simulations, string? blockedBy)
     {
         Status = status;
         Velocity = velocity;
@@ -18,6 +18,7 @@ public readonly struct AimResult
         Rolls = rolls;
         Iterations = iterations;
         Simulations = simulations;
+        BlockedBy = blockedBy;
     }
 
     /// <summary>What became of the search.</summary>
@@ -82,6 +83,9 @@ public readonly struct AimResult
 
     /// <summary>Forward simulations by the method, the measurement of the miss not counted.</summary>
     public int Simulations { get; init; }
+
+    /// <summary>The name of what is in the way of a kick that is <see cref="AimStatus.Blocked"/>: an obstacle's, a net's, "left post" …; else null.</summary>
+    public string? BlockedBy { get; init; }
 
     /// <summary>The kick in a line.</summary>
     public override string ToString() => FormattableString.Invariant(

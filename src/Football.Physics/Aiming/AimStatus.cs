@@ -17,4 +17,7 @@ public enum AimStatus
 
     /// <summary>The kick passes the target within the tolerance, but not the point on the way: the spins allowed do not bend it enough.</summary>
     TargetOnly = 4,
+
+    /// <summary>The kick returned would hit, but something of the scene is in its way: <see cref="AimResult.BlockedBy"/> says what.</summary>
+    Blocked = 5,
 }

@@ -13,6 +13,9 @@ public sealed class Aimer
     /// <summary>How much earlier than asked a ball may touch the ground at its target, s.</summary>
     private const double LargestDelay = 1e-4;
 
+    /// <summary>How many spins are tried on each side of the one that was asked for, along each axis.</summary>
+    private const int SpinRings = 4;
+
     /// <summary>Below this elevation, rad, a kick that does not descend to its target is on the low arc.</summary>
     private const double FlatKick = 0.5;
 
@@ -77,8 +80,9 @@ public sealed class Aimer
         };
         AimSolution solution = finder.Find(request);
         AimResult result = Report(request, in solution, measure);
+        bool blocked = result.Status == AimStatus.Blocked;
         bool astray = result.Miss > ((1.0 + Astray) * solution.Miss) + (Astray * NearMiss);
-        if (method == AimMethod.Direct && !result.HitsTarget && (solution.Status == AimStatus.Hit || solution.Miss < NearMiss || astray))
+        if (method == AimMethod.Direct && !result.HitsTarget && !blocked && (solution.Status == AimStatus.Hit || solution.Miss < NearMiss || astray))
         {
             // A kick that grazes the drag law's jump goes elsewhere in finer steps: once more in those.
             _context.Steps = AimSteps.Short;
@@ -93,7 +97,7 @@ public sealed class Aimer
             result = finer.HitsTarget || !(result.Miss < finer.Miss) ? finer : Report(request, in solution, measure);
         }
 
-        return result;
+        return result.Status == AimStatus.Blocked && method == AimMethod.Direct && request.Through is null ? Around(request, in result, measure) : result;
     }
 
     /// <summary>Finds the slowest kick that hits a target.</summary>
@@ -143,6 +147,43 @@ public sealed class Aimer
         return result;
     }
 
+    /// <summary>The other arc, and where the spin may be chosen other spins on both, nearest first: what is a hit there is not blocked.</summary>
+    private AimResult Around(AimRequest request, in AimResult blocked, bool measure)
+    {
+        AimArc other = request.Arc == AimArc.Low ? AimArc.High : AimArc.Low;
+        AimResult found = With(request, other, request.TopSpin, request.SideSpin, measure);
+        for (int ring = 1; ring <= SpinRings && request.SpinIsFree && !found.HitsTarget; ring++)
+        {
+            for (int place = 0; place < 16 * ring && !found.HitsTarget; place++)
+            {
+                SpinOnRing(request, ring, place / 2, out double top, out double side);
+                found = With(request, place % 2 == 0 ? request.Arc : other, top, side, measure);
+            }
+        }
+
+        return found.HitsTarget ? found : blocked;
+    }
+
+    private AimResult With(AimRequest request, AimArc arc, double top, double side, bool measure)
+    {
+        AimSolution solution = _direct.Find(request, request.Speed, arc, top, side);
+        return Report(request, in solution, measure);
+    }
+
+    /// <summary>A place on the square ring of that size about the spin that was asked for, corner included; within what is allowed.</summary>
+    private static void SpinOnRing(AimRequest request, int ring, int place, out double top, out double side)
+    {
+        // Sidespin first: it is what mostly goes round.
+        int along = (place % (2 * ring)) - ring;
+        int edge = place / (2 * ring);
+        int x = edge switch { 0 => ring, 1 => -ring, 2 => -along, _ => along };
+        int y = edge switch { 0 => along, 1 => -along, 2 => ring, _ => -ring };
+        side = Within(request.SideSpin + (request.MaximumSideSpin * x / SpinRings), request.MaximumSideSpin);
+        top = Within(request.TopSpin + (request.MaximumTopSpin * y / SpinRings), request.MaximumTopSpin);
+    }
+
+    private static double Within(double spin, double most) => Math.Min(Math.Max(spin, -most), most);
+
     private AimResult AtTime(AimRequest request, double time)
     {
         if (!_times.AtTime(request, time, out AimSolution solution))
@@ -155,7 +196,7 @@ public sealed class Aimer
         solution.Vectors(out Vector3d velocity, out Vector3d spin);
         MeasuredMiss measured = _context.Miss.MeasureAt(request, in velocity, in spin, time);
         bool there = measured.Distance <= request.Tolerance && time - measured.Time <= LargestDelay;
-        AimStatus status = there ? AimStatus.Hit : solution.Status == AimStatus.Hit ? AimStatus.NotConverged : solution.Status;
+        AimStatus status = there ? AimStatus.Hit : Missed(in solution, in measured);
         return Result(request, status, in solution, in velocity, in spin, in measured);
     }
 
@@ -192,7 +233,7 @@ public sealed class Aimer
     private AimResult Report(AimRequest request, in AimSolution solution, bool measure)
     {
         solution.Vectors(out Vector3d velocity, out Vector3d spin);
-        if (!measure)
+        if (!measure && !_context.HasThings)
         {
             double? throughMiss = request.Through is null ? null : solution.ThroughMiss;
             var estimated = new MeasuredMiss(solution.Miss, throughMiss, solution.Time, request.Target);
@@ -204,10 +245,13 @@ public sealed class Aimer
         // The measured miss decides; a method may only say why there is none.
         AimStatus status = _context.Frame(request).IsDegenerate ? AimStatus.Degenerate
             : measured.Distance <= request.Tolerance ? Judge(request, AimStatus.Hit, in measured)
-            : solution.Status == AimStatus.Hit ? AimStatus.NotConverged
-            : solution.Status;
+            : Missed(in solution, in measured);
         return Result(request, status, in solution, in velocity, in spin, in measured);
     }
+
+    /// <summary>What it is where the measured kick misses: what a method took for a hit is in need of finer steps, or something is in the way.</summary>
+    private static AimStatus Missed(in AimSolution solution, in MeasuredMiss measured) =>
+        solution.Status != AimStatus.Hit ? solution.Status : measured.Blocker == MeasuredMiss.NoThing ? AimStatus.NotConverged : AimStatus.Blocked;
 
     /// <summary>A hit that misses the point on the way is one of the target only.</summary>
     private AimStatus Judge(AimRequest request, AimStatus status, in MeasuredMiss measured) =>
@@ -224,6 +268,7 @@ public sealed class Aimer
         bool hits = status is AimStatus.Hit or AimStatus.TargetOnly;
         bool flat = rolls || (solution.Kick.Elevation < FlatKick && frame.Target.Y >= frame.From.Y);
         AimArc arc = solution.Arc ?? (flat || !hits ? AimArc.Low : _times.ArcOf(request, in solution));
-        return new AimResult(status, in velocity, in spin, in measured, arc, rolls, iterations, simulations);
+        string? blocker = status == AimStatus.Blocked ? _context.Miss.NameOf(measured.Blocker) : null;
+        return new AimResult(status, in velocity, in spin, in measured, arc, rolls, iterations, simulations, blocker);
     }
 }

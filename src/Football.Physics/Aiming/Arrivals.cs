@@ -82,5 +82,5 @@ public static class Arrivals
     }
 
     private static AimResult Failed(in AimResult kick, AimStatus status) => new(
-        status, kick.Velocity, kick.Spin, new MeasuredMiss(kick.Miss, kick.ThroughMiss, kick.Time, kick.Closest), kick.Arc, kick.Rolls, kick.Iterations, kick.Simulations);
+        status, kick.Velocity, kick.Spin, new MeasuredMiss(kick.Miss, kick.ThroughMiss, kick.Time, kick.Closest), kick.Arc, kick.Rolls, kick.Iterations, kick.Simulations, kick.BlockedBy);
 }

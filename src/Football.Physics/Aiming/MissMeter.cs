@@ -21,7 +21,9 @@ internal sealed class MissMeter : PieceObserver
     private double _best;
     private double _bestThrough;
     private double _time;
+    private double _start;
     private Vector3d _position;
+    private int _blocker;
 
     /// <param name="context">What the searches share.</param>
     /// <param name="simulator">The scene.</param>
@@ -35,29 +37,39 @@ internal sealed class MissMeter : PieceObserver
 
     public override bool WantsEndAcceleration => true;
 
+    /// <summary>The name of what is in the way.</summary>
+    public string? NameOf(int thing) => _simulator.NameOf(thing);
+
     /// <summary>Flies a kick and measures.</summary>
     public MeasuredMiss Measure(AimRequest request, in Vector3d velocity, in Vector3d spin)
     {
-        BallState state = _simulator.Launch(request.From, velocity, spin);
-        _target = AimContext.Raised(_simulator, request.Target);
+        BallState state = _simulator.LaunchAt(request.From, velocity, spin, request.KickTime);
+
+        // On the clock of the scene the target has been on its way since time 0.
         _targetVelocity = request.TargetVelocity;
+        _target = AimContext.Raised(_simulator, request.Target) - (request.KickTime * _targetVelocity);
         _through = request.Through is { } way ? AimContext.Raised(_simulator, way) : null;
-        _time = 0;
+        _start = request.KickTime;
+        _time = _start;
+        _blocker = MeasuredMiss.NoThing;
         _position = state.Position;
-        _best = (_position - _target).LengthSquared;
+        _best = (_position - _target - (_start * _targetVelocity)).LengthSquared;
         _bestThrough = _through is { } point ? (_position - point).LengthSquared : 0;
         Fly(ref state, Step(in velocity, in spin));
-        return new MeasuredMiss(Math.Sqrt(_best), _through is null ? null : Math.Sqrt(_bestThrough), _time, in _position);
+        return new MeasuredMiss(Math.Sqrt(_best), _through is null ? null : Math.Sqrt(_bestThrough), _time - _start, in _position, _blocker);
     }
 
     /// <summary>Flies a kick until a time or its first impact, and measures how far from the target it is then.</summary>
     public MeasuredMiss MeasureAt(AimRequest request, in Vector3d velocity, in Vector3d spin, double time)
     {
-        BallState state = _simulator.Launch(request.From, velocity, spin);
+        BallState state = _simulator.LaunchAt(request.From, velocity, spin, request.KickTime);
         _unwatched.Clear();
+        _blocker = MeasuredMiss.NoThing;
         _simulator.Run(ref state, Step(in velocity, in spin), time, StopAt.Impact, _unwatched, null);
-        Vector3d target = AimContext.Raised(_simulator, request.Target) + (state.Time * request.TargetVelocity);
-        return new MeasuredMiss(Vector3d.Distance(state.Position, in target), null, state.Time, state.Position);
+        LookForBlocker(_unwatched);
+        double after = state.Time - request.KickTime;
+        Vector3d target = AimContext.Raised(_simulator, request.Target) + (after * request.TargetVelocity);
+        return new MeasuredMiss(Vector3d.Distance(state.Position, in target), null, after, state.Position, _blocker);
     }
 
     private double Step(in Vector3d velocity, in Vector3d spin) =>
@@ -68,11 +80,11 @@ internal sealed class MissMeter : PieceObserver
     {
         bool ended = false;
         long pieces = 0;
-        double last = AimContext.LongestFlight - (1e-9 * timeStep);
+        double last = _start + AimContext.LongestFlight - (1e-9 * timeStep);
         while (!ended && state.Time < last && pieces < AimContext.MostPieces)
         {
             BallState before = state;
-            double step = Math.Min(timeStep, AimContext.LongestFlight - state.Time);
+            double step = Math.Min(timeStep, _start + AimContext.LongestFlight - state.Time);
             _unwatched.Clear();
             if (state.Motion == MotionState.Airborne)
             {
@@ -80,6 +92,7 @@ internal sealed class MissMeter : PieceObserver
                 pieces += _unwatched.Steps;
                 if (!ended && !Passes(in before, in state))
                 {
+                    LookForBlocker(_unwatched);
                     TakeEnd(in state);
                     continue;
                 }
@@ -89,6 +102,17 @@ internal sealed class MissMeter : PieceObserver
             _log.Clear();
             ended = _simulator.StepToImpact(ref state, step, _log);
             pieces += _log.Steps;
+            LookForBlocker(_log);
+        }
+    }
+
+    /// <summary>Keeps the first thing but the ground that the ball has met.</summary>
+    private void LookForBlocker(StepLog log)
+    {
+        for (int i = 0; i < log.Events.Count && _blocker == MeasuredMiss.NoThing; i++)
+        {
+            BallEvent happened = log.Events[i];
+            _blocker = happened.Thing > 0 && happened.Kind is BallEventKind.Impact or BallEventKind.Net ? happened.Thing : MeasuredMiss.NoThing;
         }
     }
 

@@ -38,7 +38,7 @@ internal struct FieldAir : IAir
 
     public readonly double FastestWind => _wind?.Fastest ?? 0;
 
-    public readonly RateBound Bound => _air.Bound;
+    public readonly RateBound Bound => _air.Bound + (_knuckle?.Bound ?? default);
 
     /// <summary>Whether a scene has such air.</summary>
     public static bool IsOf(Scene scene) => scene.Air.WindField is not null || scene.Forces.KnuckleSeed is not null;
@@ -73,48 +73,31 @@ internal struct FieldAir : IAir
         return rate;
     }
 
-    /// <summary>What the air does to a ball in flight, by the axis and the size of its spin: a = lift (n × u) − drag u + side.</summary>
-    /// <param name="time">Time, s.</param>
-    /// <param name="position">The place, m.</param>
-    /// <param name="u">Velocity relative to the steady wind; made that relative to the air, m/s.</param>
-    /// <param name="axis">Unit axis of the spin, n.</param>
-    /// <param name="spinRate">Spin about it, rad/s.</param>
-    /// <param name="distance">Distance flown through the air, m.</param>
-    /// <param name="drag">D, 1/s.</param>
-    /// <param name="lift">L |ω|, 1/s.</param>
-    /// <param name="decay">Angular deceleration, rad/s².</param>
-    /// <param name="side">Acceleration by the knuckle force, m/s².</param>
-    /// <param name="airSpeed">|u| where there is a knuckle force; else 0.</param>
+    /// <summary>The wind by place and time, m/s.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void AlongAxis(
-        double time,
-        in Vector3d position,
-        ref Vector3d u,
-        in Vector3d axis,
-        double spinRate,
-        double distance,
-        out double drag,
-        out double lift,
-        out double decay,
-        out Vector3d side,
-        out double airSpeed)
-    {
-        if (_wind is not null)
-        {
-            u -= _wind.At(time, in position);
-        }
+    public readonly Vector3d WindAt(double time, in Vector3d position) => _wind is null ? Vector3d.Zero : _wind.At(time, in position);
 
-        double speedSquared = u.LengthSquared;
+    /// <summary>The factors of the laws in flight: D, 1/s; L |ω|, 1/s; angular deceleration, rad/s².</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void AtPoint(double speedSquared, double spinRate, double acrossSquared, out double drag, out double lift, out double decay)
+    {
         PointStep step;
         step.Branch = _jumps ? DragJump.At(speedSquared, _radiusSquared * spinRate * spinRate).Branch : DragBranch.Unknown;
-        _air.AtPoint(step, speedSquared, spinRate, Vector3d.Cross(in axis, in u).LengthSquared, out drag, out lift, out decay);
-        side = Vector3d.Zero;
-        airSpeed = 0;
-        if (_knuckle is not null)
+        _air.AtPoint(step, speedSquared, spinRate, acrossSquared, out drag, out lift, out decay);
+    }
+
+    /// <summary>Acceleration by the knuckle force, m/s², and |u|, which the distance flown grows by; nothing where there is none.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly Vector3d Side(in Vector3d u, in Vector3d spin, double distance, out double airSpeed)
+    {
+        if (_knuckle is null)
         {
-            side = _knuckle.Acceleration(in u, spinRate * axis, distance);
-            airSpeed = Math.Sqrt(speedSquared);
+            airSpeed = 0;
+            return Vector3d.Zero;
         }
+
+        airSpeed = u.Length;
+        return _knuckle.Acceleration(in u, in spin, distance);
     }
 
     public readonly void Begin(double spinRate, DragBranch branch, out PointStep step) => step.Branch = branch;

@@ -4,9 +4,9 @@ namespace Football.Physics;
 /// <remarks>
 /// Each result depends on its own launch alone: not on the others, their order, the number of threads or the width of the processor's
 /// registers. Made once and used again, a run on one thread allocates nothing. Not for several threads at once; <see cref="BatchSettings.Threads"/> is.
-/// Scenes with forces of a game's own, with wind by place and time or a knuckle force, with things to hit or ground that is not level, or with constant and
-/// fitted laws mixed, and what <see cref="BatchPrecision.Single"/> excepts, are
-/// flown ball by ball, in double.
+/// Scenes with forces of a game's own, with wind by place and time or a knuckle force, with things that move, ground that is not level or not the same
+/// everywhere, or with constant and fitted laws mixed, and what <see cref="BatchPrecision.Single"/> excepts, are flown ball by ball, in double. So is every
+/// ball that may meet a goal or an obstacle on its way; <see cref="FlownAlone"/> counts them.
 /// </remarks>
 public sealed class BallBatch
 {
@@ -49,6 +49,9 @@ public sealed class BallBatch
     /// <summary>Length of a step, s: the float next to the one asked for.</summary>
     public double TimeStep => (float)Settings.TimeStep;
 
+    /// <summary>How many balls of the last run were flown one by one, in double.</summary>
+    public int FlownAlone { get; private set; }
+
     /// <summary>Flies the first balls of some launches.</summary>
     /// <param name="launches">The launches.</param>
     /// <param name="flights">Where the flights' ends go, each at its launch's index.</param>
@@ -67,6 +70,16 @@ public sealed class BallBatch
         Check.Within(nameof(count), count, 0, Math.Min(launches.Capacity, flights.Capacity));
         Check.Within(nameof(duration), duration, 0, 600, exclusiveLow: true);
         _duration = duration;
+        for (int i = 0; i < _workers.Length; i++)
+        {
+            _workers[i].FlownAlone = 0;
+        }
+
+        FlownAlone = 0;
         _groups.Run(count, progress, cancellation);
+        for (int i = 0; i < _workers.Length; i++)
+        {
+            FlownAlone += _workers[i].FlownAlone;
+        }
     }
 }

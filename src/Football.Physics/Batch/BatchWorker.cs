@@ -21,17 +21,23 @@ internal sealed class BatchWorker
     private readonly HighestPoint _highest = new();
     private readonly double _upward;
 
+    /// <summary>Whether there is anything to hit, all of which stands still.</summary>
+    private readonly bool _standsStill;
+
     public BatchWorker(Scene scene, BatchSettings settings, int lanes)
     {
         _scene = scene;
         _settings = settings;
         _simulator = new Simulator(scene, new SolverSettings { Integrator = settings.Integrator });
         _upward = Weight.UpwardAcceleration(scene);
-        _ground = World.Of(scene) is null ? null : new ContactMaterial(scene.Ground);
+        World? world = _simulator.World;
+        _ground = world is null ? null : new ContactMaterial(scene.Ground);
+        _standsStill = world is { Moves: false } && scene.Obstacles.Count + scene.Nets.Count + scene.Goals.Count > 0;
+        Scene open = _standsStill ? scene with { Obstacles = [], Nets = [], Goals = [] } : scene;
         _domain = new LaneDomain(scene, settings.TimeStep);
-        if (settings.Precision == BatchPrecision.Single && LaneFlight.Covers(scene))
+        if (settings.Precision == BatchPrecision.Single && LaneFlight.Covers(open))
         {
-            _lanes = LaneFlight.Create(scene, settings.Integrator == Integrator.Rk4, settings.TimeStep, lanes, findsApex: settings.FindApex);
+            _lanes = LaneFlight.Create(open, settings.Integrator == Integrator.Rk4, settings.TimeStep, lanes, findsApex: settings.FindApex);
         }
 
         if (settings.FindApex)
@@ -39,6 +45,9 @@ internal sealed class BatchWorker
             _log.Observer = _highest;
         }
     }
+
+    /// <summary>How many balls of the run it has flown one by one.</summary>
+    public int FlownAlone { get; set; }
 
     /// <summary>Flies some balls.</summary>
     [MethodImpl(Hot.Path)]
@@ -109,6 +118,12 @@ internal sealed class BatchWorker
             Vector3d way = _group.EndPath[ball] + (time * wind);
             bool hit = _group.Reached[ball];
             var place = new Vector3d(start.X + way.X, hit ? contact : y + way.Y, start.Z + way.Z);
+            if (_standsStill && !IsClear(launches, index, new Vector3d(start.X, y, start.Z), in place, time))
+            {
+                FlyAlone(flights, index, in start, launches.Velocity[index], launches.Spin[index], duration);
+                continue;
+            }
+
             Vector3d velocity = _group.EndVelocity[ball] + wind;
             Vector3d spin = _group.EndSpin[ball] * _axis[ball];
             double top = _group.Apex[ball] > way.Y ? _group.Apex[ball] : way.Y;
@@ -116,9 +131,17 @@ internal sealed class BatchWorker
         }
     }
 
+    /// <summary>Whether a flight can have met nothing but the ground.</summary>
+    private bool IsClear(BatchLaunches launches, int index, in Vector3d from, in Vector3d to, double time)
+    {
+        Vector3d u = launches.Velocity[index] - _scene.Air.Wind;
+        return time > 0 && _simulator.FliesClear(in from, in to, time, u.Length, launches.Spin[index].Length);
+    }
+
     /// <summary>By the single ball.</summary>
     private void FlyAlone(BatchFlights flights, int index, in Vector3d position, in Vector3d velocity, in Vector3d spin, double duration)
     {
+        FlownAlone++;
         BallState state = _simulator.Launch(position, velocity, spin);
         if (state.Motion != MotionState.Airborne)
         {

@@ -12,6 +12,9 @@ internal struct CarriedSystem<TAir> : IMotionSystem
     public Surroundings<TAir> Around;
     public World World;
     public Collider Carrier;
+
+    /// <summary>What the carrier is made of under the ball, all along the piece.</summary>
+    public ContactMaterial Material;
     public DragBranch Branch;
     public ulong Nets;
     public ulong NetSides;
@@ -112,11 +115,11 @@ internal struct CarriedSystem<TAir> : IMotionSystem
     public readonly bool Grips(in CarriedForces on) => Traction(in on).Length + CarriedForces.Least <= SlidingFriction(in on);
 
     /// <summary>μ_s N/m, m/s².</summary>
-    public readonly double SlidingFriction(in CarriedForces on) => Carrier.Material.SlidingFriction * on.Load;
+    public readonly double SlidingFriction(in CarriedForces on) => Material.SlidingFriction * on.Load;
 
     /// <summary>(c₀ + c₁ |v|) N/m, m/s².</summary>
     public readonly double RollingFriction(in CarriedForces on, double speed) =>
-        (Carrier.Material.RollingFriction + (Carrier.Material.RollingFrictionBySpeed * speed)) * on.Load;
+        (Material.RollingFriction + (Material.RollingFrictionBySpeed * speed)) * on.Load;
 
     /// <summary>The part of a vector along the surface.</summary>
     public static Vector3d Tangential(in Vector3d vector, in Vector3d normal) => vector - (Vector3d.Dot(in vector, in normal) * normal);
@@ -170,9 +173,8 @@ internal struct CarriedSystem<TAir> : IMotionSystem
     /// <summary>What the surface does to the spin about the normal, rad/s²: −(c_ω/I) ω_n − sign(ω_n) b μ_s N/I.</summary>
     private readonly double AboutNormal(double about, in CarriedForces on)
     {
-        ref readonly ContactMaterial material = ref Carrier.Material;
         double inertia = World.Ball.MomentOfInertia;
-        double drilling = SpinSign * material.DrillingLength * material.SlidingFriction * on.Load * World.Ball.Mass / inertia;
-        return (-material.SpinDamping / inertia * about) - drilling;
+        double drilling = SpinSign * Material.DrillingLength * Material.SlidingFriction * on.Load * World.Ball.Mass / inertia;
+        return (-Material.SpinDamping / inertia * about) - drilling;
     }
 }

@@ -3,11 +3,13 @@ namespace Football.Physics;
 /// <summary>A thing that can be hit, ready to be asked: the ground is one, and every obstacle, post and body.</summary>
 internal sealed class Collider
 {
-    private readonly IShape _shape;
-    private readonly Bounds3d _bounds;
-    private readonly ContactMaterial _material;
     private readonly RigidMotion _motion;
-    private readonly Body? _body;
+    private IShape _shape;
+    private Bounds3d _bounds;
+    private ContactMaterial _material;
+    private Placement? _placement;
+    private readonly ISurfacePattern? _pattern;
+    private readonly ContactMaterial[] _patches = [];
 
     public Collider(string name, IShape shape, in ContactMaterial material)
     {
@@ -15,6 +17,13 @@ internal sealed class Collider
         _shape = shape;
         _bounds = shape.Bounds;
         _material = material;
+    }
+
+    public Collider(Ground ground, IShape shape)
+        : this("ground", shape, new ContactMaterial(ground))
+    {
+        _pattern = ground.Pattern;
+        _patches = _pattern is null ? [] : [.. _pattern.Surfaces.Select(surface => new ContactMaterial(surface))];
     }
 
     public Collider(Obstacle obstacle)
@@ -26,22 +35,34 @@ internal sealed class Collider
     }
 
     public Collider(Body body)
-        : this(body.Name, body.Shape, new ContactMaterial(body.Surface)) => _body = body;
+        : this(body.Name, body.Shape, new ContactMaterial(body.Surface)) => _placement = body.Placement;
+
+    /// <summary>A place for one that an engine finds.</summary>
+    public Collider(Placement none)
+    {
+        Name = "";
+        _shape = new TangentShape();
+        _bounds = _shape.Bounds;
+        _placement = none;
+    }
 
     /// <summary>Its name.</summary>
-    public string Name { get; }
+    public string Name { get; private set; }
 
-    /// <summary>What it is made of.</summary>
-    public ref readonly ContactMaterial Material => ref _material;
+    /// <summary>The engine's collider that it stands for; null where it does for none.</summary>
+    public EngineCollider? Engine { get; private set; }
+
+    /// <summary>Nothing that it is made of is narrower, m; infinite where it is the same everywhere.</summary>
+    public double LeastWidth => _pattern is null ? double.PositiveInfinity : _pattern.LeastWidth;
 
     /// <summary>V, m/s.</summary>
     public Vector3d Velocity => Motion.Velocity;
 
-    /// <summary>Whether the game moves it.</summary>
-    public bool IsBody => _body is not null;
+    /// <summary>Whether the game, or an engine, moves it.</summary>
+    public bool IsBody => _placement is not null;
 
     /// <summary>Whether it may be elsewhere at another time.</summary>
-    public bool Moves => _body is not null || _motion.Velocity != Vector3d.Zero;
+    public bool Moves => _placement is not null || _motion.Velocity != Vector3d.Zero;
 
     /// <summary>The strongest curvature of its hollows, 1/m; 0 where it is convex.</summary>
     public double HollowCurvature => _shape.HollowCurvature;
@@ -53,13 +74,43 @@ internal sealed class Collider
     {
         get
         {
-            if (_body is null)
+            if (_placement is null)
             {
                 return ref _motion;
             }
 
-            return ref _body.Motion;
+            return ref _placement.Motion;
         }
+    }
+
+    /// <summary>Stands for an engine's collider from now on.</summary>
+    public void Become(EngineCollider collider)
+    {
+        Engine = collider;
+        Name = collider.Name;
+        _shape = collider.Shape;
+        _bounds = _shape.Bounds;
+        _material = new ContactMaterial(collider.Surface);
+        _placement = collider.Placement;
+    }
+
+    /// <summary>Which of its materials is under a place; −1 for its own.</summary>
+    public int PatchAt(in Vector3d position)
+    {
+        int patch = _pattern is null ? -1 : _pattern.At(position.X, position.Z);
+        return (uint)patch < (uint)_patches.Length ? patch : -1;
+    }
+
+    /// <summary>What it is made of under a place.</summary>
+    public ref readonly ContactMaterial MaterialAt(in Vector3d position)
+    {
+        int patch = PatchAt(in position);
+        if (patch < 0)
+        {
+            return ref _material;
+        }
+
+        return ref _patches[patch];
     }
 
     /// <summary>Distance, normal and curvature, seen from a point at a time.</summary>
@@ -77,7 +128,7 @@ internal sealed class Collider
     }
 
     /// <summary>A box around it at a time.</summary>
-    public Bounds3d BoundsAt(double time) => _body is null ? _bounds.Moved(_motion.GoneBy(time)) : _body.BoundsAt(time);
+    public Bounds3d BoundsAt(double time) => _placement is null ? _bounds.Moved(_motion.GoneBy(time)) : _placement.BoundsAt(time);
 
     /// <summary>The surface's velocity at a point of contact, V + Ω × (c − o), m/s.</summary>
     public Vector3d SurfaceVelocity(in Vector3d contact, double time) => Motion.SurfaceVelocity(in contact, time);

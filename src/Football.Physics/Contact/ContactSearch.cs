@@ -49,6 +49,7 @@ internal readonly struct ContactSearch
         int bestThing = -1;
         int nets = _world.Colliders.Length;
         int goals = nets + _world.Nets.Length;
+        _world.Engine?.LookAlong(in _path, _time);
         var near = new NearThings(_world, _bounds.Grown(_world.Ball.Radius), _time, _path.Length);
         while (near.Next(out int thing))
         {
@@ -139,7 +140,7 @@ internal readonly struct ContactSearch
                 return double.PositiveInfinity;
             }
 
-            double step = gap > Touching ? Safe(gap, rate, bend) : bend > 0 ? rate / bend : double.PositiveInfinity;
+            double step = gap > Touching ? Safe(gap, rate, bend) : Along(rate, bend);
             if (hollow > 0)
             {
                 double bySpeed = Math.Max(gap, 0) / speed;
@@ -175,7 +176,7 @@ internal readonly struct ContactSearch
                 }
             }
 
-            double step = gap > Touching ? Safe(gap, rate, _bend) : _bend > 0 ? rate / _bend : double.PositiveInfinity;
+            double step = gap > Touching ? Safe(gap, rate, _bend) : Along(rate, _bend);
             t += Math.Max(step, shortest);
             if (!(t <= until))
             {
@@ -224,7 +225,7 @@ internal readonly struct ContactSearch
         double value = (sign * place) - half;
         double rate = sign * speed;
         double safe = value > Touching ? Safe(value, rate, _bend)
-            : value > -Touching && rate >= 0 ? (_bend > 0 ? rate / _bend : double.PositiveInfinity)
+            : value > -Touching && rate >= 0 ? Along(rate, _bend)
             : 0;
         if (value > -Touching && rate >= 0)
         {
@@ -237,6 +238,10 @@ internal readonly struct ContactSearch
             gap = Gap.OfMeetingNet(_world, index, axis, sign, side);
         }
     }
+
+    /// <summary>From a gap that is closed and does not get smaller: until it may, or until it may be smaller by as much again as counts as closed, ½ M s².</summary>
+    private static double Along(double rate, double bend) =>
+        bend > 0 ? Math.Max(rate / bend, Math.Sqrt(2.0 * Touching / bend)) : double.PositiveInfinity;
 
     /// <summary>The positive root of f + f' s − ½ M s², without cancellation.</summary>
     private static double Safe(double gap, double rate, double bend)

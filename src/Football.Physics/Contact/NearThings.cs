@@ -10,8 +10,9 @@ internal struct NearThings
     private int _unbounded;
     private int _node;
     private int _moving;
+    private int _engine;
 
-    /// <summary>A walk.</summary>
+    /// <summary>A walk. What an engine finds is that of its last cast.</summary>
     /// <param name="world">The world.</param>
     /// <param name="box">The box.</param>
     /// <param name="time">When, s.</param>
@@ -25,11 +26,15 @@ internal struct NearThings
         _unbounded = 0;
         _node = 0;
         _moving = 0;
+        _engine = 0;
     }
 
     /// <summary>What touches a ball, or nearly, at a place.</summary>
-    public static NearThings At(World world, in Vector3d position, double time) =>
-        new(world, new Bounds3d(in position, in position).Grown(world.Ball.Radius + (2.0 * ContactSearch.Touching)), time, 0);
+    public static NearThings At(World world, in Vector3d position, double time)
+    {
+        world.Engine?.LookAt(in position, time);
+        return new NearThings(world, new Bounds3d(in position, in position).Grown(world.Ball.Radius + (2.0 * ContactSearch.Touching)), time, 0);
+    }
 
     /// <summary>Goes on to the next collider.</summary>
     /// <param name="collider">Its index.</param>
@@ -70,14 +75,16 @@ internal struct NearThings
         while (_moving < _world.Moving.Length)
         {
             thing = _world.Moving[_moving++];
-            Collider collider = _world.Colliders[thing];
-            Bounds3d bounds = collider.BoundsAt(_time);
-            if (_duration > 0)
+            if (Touches(thing))
             {
-                bounds = bounds.With(bounds.Moved(_duration * collider.Velocity));
+                return true;
             }
+        }
 
-            if (bounds.Touches(in _box))
+        while (_world.Engine is { } engine && _engine < engine.Count)
+        {
+            thing = engine.Found(_engine++);
+            if (Touches(thing))
             {
                 return true;
             }
@@ -85,5 +92,17 @@ internal struct NearThings
 
         thing = -1;
         return false;
+    }
+
+    private readonly bool Touches(int moving)
+    {
+        Collider collider = _world.Colliders[moving];
+        Bounds3d bounds = collider.BoundsAt(_time);
+        if (_duration > 0)
+        {
+            bounds = bounds.With(bounds.Moved(_duration * collider.Velocity));
+        }
+
+        return bounds.Touches(in _box);
     }
 }

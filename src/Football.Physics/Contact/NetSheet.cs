@@ -40,6 +40,9 @@ internal sealed class NetSheet
     /// <summary>Half its size in its second direction, m.</summary>
     public double HalfWidth { get; }
 
+    /// <summary>How fast it comes back by itself, 1/b, m/s.</summary>
+    public double ReturnSpeed => 1.0 / _damping;
+
     /// <summary>A box around it.</summary>
     public Bounds3d Bounds => Bounds3d.Around(
         _center,

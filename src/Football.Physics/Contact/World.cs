@@ -1,12 +1,14 @@
 namespace Football.Physics;
 
 /// <summary>
-/// All that a ball can meet in a scene that has more than a level pitch: colliders (the ground first), nets, goals. Built once; immutable.
+/// All that a ball can meet in a scene that has more than a level pitch: colliders (the ground first), nets, goals. Built once; nothing of it changes but where
+/// the game puts its bodies.
 /// </summary>
 internal sealed class World
 {
     private readonly string[] _names;
-    private readonly Mover[] _movers;
+    /// <summary>Around what moves by itself: the first of <see cref="Moving"/>, for bodies are its last.</summary>
+    private readonly MovingSphere[] _movers;
 
     private World(Scene scene)
     {
@@ -20,7 +22,7 @@ internal sealed class World
         {
             IShape ground = scene.Ground.Heights is { } heights ? heights.Raised(scene.Ground.Height)
                 : new PlaneShape(new Vector3d(0, scene.Ground.Height, 0), scene.Ground.Normal);
-            colliders.Add(new Collider("ground", ground, new ContactMaterial(scene.Ground)));
+            colliders.Add(new Collider(scene.Ground, ground));
             Ground = colliders[0];
         }
 
@@ -33,14 +35,21 @@ internal sealed class World
             Bodies = bodies;
         }
 
+        if (scene.EngineColliders is { } engine)
+        {
+            Engine = new EngineThings(engine, Ball.Radius, colliders.Count);
+            colliders.AddRange(Engine.Colliders);
+        }
+
         Colliders = [.. colliders];
         Nets = [.. scene.Nets.Concat(scene.Goals.SelectMany(goal => goal.Nets())).Select(net => new NetSheet(net, Ball))];
         Goals = [.. scene.Goals.Select(goal => new GoalMouth(goal, Ball))];
         FirstCollider = scene.Ground.IsNone ? 1 : 0;
         IsLevel = scene.Ground.IsLevel;
+        IsLevelGroundAlone = IsLevel && HasNothing(scene);
         LevelContact = scene.Ground.IsNone || !scene.Ground.IsLevel ? double.NegativeInfinity : scene.Ground.Height + Ball.Radius;
-        Moving = Of(collider => collider.Moves);
-        _movers = [.. Moving.Select(i => Colliders[i]).Where(collider => !collider.IsBody).Select(collider => new Mover(in collider.Bounds, collider.Velocity))];
+        Moving = [.. Of(collider => collider.Moves).Where(i => Engine is null || !Engine.Has(i))];
+        _movers = [.. Moving.Select(i => Colliders[i]).Where(collider => !collider.IsBody).Select(collider => new MovingSphere(in collider.Bounds, collider.Velocity))];
         Unbounded = Of(collider => !collider.Moves && !collider.Bounds.IsFinite);
         Leaves =
         [
@@ -63,7 +72,7 @@ internal sealed class World
     /// <summary>The ground; null where there is none.</summary>
     public Collider? Ground { get; }
 
-    /// <summary>The ground, obstacles, posts and bars.</summary>
+    /// <summary>The ground, obstacles, posts and bars; bodies last.</summary>
     public Collider[] Colliders { get; }
 
     /// <summary>The colliders that move.</summary>
@@ -88,13 +97,19 @@ internal sealed class World
     public int FirstCollider { get; }
 
     /// <summary>Whether anything moves.</summary>
-    public bool Moves => Moving.Length > 0;
+    public bool Moves => Moving.Length > 0 || Engine is not null;
 
     /// <summary>What the game moves; null where that is nothing.</summary>
     public Bodies? Bodies { get; }
 
+    /// <summary>What an engine finds; null where none is asked.</summary>
+    public EngineThings? Engine { get; }
+
     /// <summary>Whether the ground is level.</summary>
     public bool IsLevel { get; }
+
+    /// <summary>Whether there is nothing but level ground, or nothing at all.</summary>
+    public bool IsLevelGroundAlone { get; }
 
     /// <summary>Height of the centre of a ball on level ground, m; −∞ where there is none.</summary>
     public double LevelContact { get; }
@@ -120,10 +135,13 @@ internal sealed class World
             && double.IsPositiveInfinity(ground.RestitutionSpeed)
             && ground.RollingFrictionBySpeed == 0
             && ground.DrillingLength == 0
-            && ground.Aerodynamics != GroundAerodynamics.Full;
-        bool empty = scene.Obstacles.Count == 0 && scene.Nets.Count == 0 && scene.Goals.Count == 0 && scene.Bodies is not { Count: > 0 };
-        return plain && empty ? null : new World(scene);
+            && ground.Aerodynamics != GroundAerodynamics.Full
+            && ground.Pattern is null;
+        return plain && HasNothing(scene) ? null : new World(scene);
     }
+
+    private static bool HasNothing(Scene scene) =>
+        scene.Obstacles.Count == 0 && scene.Nets.Count == 0 && scene.Goals.Count == 0 && scene.Bodies is not { Count: > 0 } && scene.EngineColliders is null;
 
     /// <summary>How long a ball goes on a straight way before it may meet anything but level ground and bodies, s; not longer than the way.</summary>
     public double FreeFor(in StraightWay way)
@@ -185,7 +203,7 @@ internal sealed class World
 
     /// <summary>The name of a thing.</summary>
     /// <param name="thing">Its index among the things of the scene.</param>
-    public string NameOf(int thing) => _names[thing];
+    public string NameOf(int thing) => Engine is not null && Engine.Has(thing - FirstCollider) ? Colliders[thing - FirstCollider].Name : _names[thing];
 
     /// <summary>Index among the things of the scene of a net.</summary>
     public int ThingOfNet(int net) => FirstCollider + Colliders.Length + net;

@@ -74,4 +74,19 @@ public sealed class LaunchDerivatives
         TimeBySpin = counts * new Vector3d(times[6], times[7], times[8]);
         return ended;
     }
+
+    /// <summary>Starts at a launch; <see cref="Advance"/> goes on.</summary>
+    internal void Start(in BallState state)
+    {
+        _log.Clear();
+        _log.Observer = _observer;
+        _observer.Begin(in state, _log);
+    }
+
+    /// <summary>Goes on for a time; the derivatives are then those there by the launch.</summary>
+    internal void Advance(ref BallState state, double timeStep, double duration)
+    {
+        Simulator.Run(ref state, timeStep, duration, StopAt.Time, _log);
+        _observer.Finish(in state, ended: false);
+    }
 }

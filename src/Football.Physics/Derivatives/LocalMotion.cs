@@ -305,6 +305,7 @@ internal sealed class LocalMotion<TAir>
             Around = _around,
             World = world,
             Carrier = carrier,
+            Material = carrier.MaterialAt(s.Position),
             Branch = Branch,
             Nets = Nets,
             NetSides = NetSides,

@@ -7,23 +7,6 @@ namespace Football.Physics;
 internal sealed class SceneTangent<TAir> : TangentObserver
     where TAir : struct, IAir
 {
-    /// <summary>The Gauss points of 0 … 1.</summary>
-    private const double FirstGauss = 0.21132486540518713;
-    private const double SecondGauss = 1.0 - FirstGauss;
-
-    /// <summary>Share of the slip by which a motion is changed near the end of a slide.</summary>
-    private const double SlipShare = 1e-3;
-
-    /// <summary>A piece of a slide that leaves less than this share of its slip is the last one: all others leave most of it.</summary>
-    private const double LastPiece = 0.05;
-
-    /// <summary>Parts for a slip that ends within one piece.</summary>
-    private const double PartsOfWhole = 32;
-
-    /// <summary>A part of a flight changes the flow by no more than this share of it, and need not change it by less than this, m/s.</summary>
-    private const double FlowShare = 0.1;
-    private const double LeastFlow = 1e-3;
-
     private readonly Surroundings<TAir> _around;
     private readonly ImpactMap<TAir> _impacts;
     private readonly EventSurface<TAir> _surface;
@@ -31,8 +14,7 @@ internal sealed class SceneTangent<TAir> : TangentObserver
     private readonly double _restEnergy;
     private readonly BallProperties _ball;
     private readonly double[] _map = new double[MotionVector.Size * MotionVector.Size];
-    private readonly double[] _first = new double[MotionVector.Size * MotionVector.Size];
-    private readonly double[] _second = new double[MotionVector.Size * MotionVector.Size];
+    private readonly PieceTangent<TAir> _piece;
     private LocalMotion<TAir> _now;
     private LocalMotion<TAir> _next;
     private BallState _last;
@@ -41,6 +23,14 @@ internal sealed class SceneTangent<TAir> : TangentObserver
 
     /// <summary>Whether the tangent is that of one event's time for all launches, and not of one time.</summary>
     private bool _atEvent;
+
+    /// <summary>A piece of a slide that is not taken yet.</summary>
+    private bool _isHeld;
+    private BallState _heldBefore;
+    private BallState _heldAfter;
+
+    /// <summary>Whether all spin ended with the last piece.</summary>
+    private bool _spinEnded;
 
     /// <summary>Whether the last piece was the end of a slide, which leaves the spin of a roll.</summary>
     private bool _rolls;
@@ -51,6 +41,7 @@ internal sealed class SceneTangent<TAir> : TangentObserver
         _impacts = new ImpactMap<TAir>(scene, _around);
         _surface = new EventSurface<TAir>(_around);
         _flight = new FlightTangent<TAir>(_around);
+        _piece = new PieceTangent<TAir>(Tangent, _around.Radius);
         _now = new LocalMotion<TAir>(_around, scene.Ground.Heights is null, scene.Ball);
         _next = new LocalMotion<TAir>(_around, scene.Ground.Heights is null, scene.Ball);
         _restEnergy = scene.Ground.RestEnergy;
@@ -64,6 +55,8 @@ internal sealed class SceneTangent<TAir> : TangentObserver
         _last = from;
         _atEvent = false;
         _rolls = false;
+        _isHeld = false;
+        _spinEnded = false;
         Array.Clear(EventTimes, 0, EventTimes.Length);
         _flight.Abandon();
         Tangent.Reset();
@@ -106,15 +99,17 @@ internal sealed class SceneTangent<TAir> : TangentObserver
             return false;
         }
 
-        Motion start = MotionVector.Of(in before);
-        Motion end = MotionVector.Of(in after);
-        if (before.Motion == MotionState.Sliding && _now.SpeedOnSurface(after.Time, in end) < LastPiece * _now.SpeedOnSurface(before.Time, in start))
+        _spinEnded = before.SpinRate > 0 && after.SpinRate == 0;
+        if (before.Motion == MotionState.Sliding)
         {
-            EndSlide(before.Time, in start);
+            // Whether it is the last of a slide, what comes next tells.
+            _isHeld = true;
+            _heldBefore = before;
+            _heldAfter = after;
         }
         else
         {
-            Propagate(before.Time, in start, in end, h);
+            _piece.Propagate(_now, before.Time, MotionVector.Of(in before), MotionVector.Of(in after), h);
         }
 
         _last = after;
@@ -127,6 +122,7 @@ internal sealed class SceneTangent<TAir> : TangentObserver
         if (!ended)
         {
             Join(in final);
+            _last = final;
             return;
         }
 
@@ -149,12 +145,30 @@ internal sealed class SceneTangent<TAir> : TangentObserver
         _event == _log!.Events.Count && before.Motion == MotionState.Airborne && before.Nets == 0
         && (before.Branch == _now.Branch || before.Branch == DragBranch.Unknown) && before.Time == _last.Time && before.Velocity == _last.Velocity;
 
-    /// <summary>Ends a plain flight that is under way.</summary>
+    /// <summary>Ends a plain flight that is under way, and takes the piece of a slide that was held.</summary>
     private void Land()
     {
         if (_flight.IsOpen)
         {
             _flight.End(Tangent);
+        }
+
+        if (!_isHeld)
+        {
+            return;
+        }
+
+        _isHeld = false;
+        Motion start = MotionVector.Of(in _heldBefore);
+        if (_event < _log!.Events.Count && _log.Events[_event].Kind == BallEventKind.Roll)
+        {
+            _piece.EndSlide(_now, _heldBefore.Time, in start, EventTimes);
+            _atEvent = true;
+            _rolls = true;
+        }
+        else
+        {
+            _piece.Propagate(_now, _heldBefore.Time, in start, MotionVector.Of(in _heldAfter), _heldAfter.Time - _heldBefore.Time);
         }
     }
 
@@ -206,6 +220,7 @@ internal sealed class SceneTangent<TAir> : TangentObserver
 
         _atEvent = false;
         _rolls = false;
+        _spinEnded = false;
         (_now, _next) = (_next, _now);
     }
 
@@ -243,7 +258,7 @@ internal sealed class SceneTangent<TAir> : TangentObserver
             Tangent.Keep(MotionVector.Spin, _next.NormalAt(before.Position, before.Time));
         }
 
-        if (before.SpinRate == 0 && before.Motion == MotionState.Airborne)
+        if (_spinEnded)
         {
             Tangent.Clear(MotionVector.Spin);
         }
@@ -293,87 +308,5 @@ internal sealed class SceneTangent<TAir> : TangentObserver
         _now.Rates(_last.Time, MotionVector.Of(in _last), out MotionRates rates);
         Tangent.Shift(_last.Velocity, in rates, EventTimes, 1.0);
         _atEvent = true;
-    }
-
-    /// <summary>The end of a slide in closed form, from the start of its last piece to the roll.</summary>
-    private void EndSlide(double time, in Motion start)
-    {
-        Array.Clear(_map, 0, _map.Length);
-        _map[_map.Length - 1] = 1;
-        double width = SlipShare * _now.SpeedOnSurface(time, in start);
-        Span<double> times = stackalloc double[MotionVector.Size];
-        for (int i = 0; i < MotionVector.AirDistance; i++)
-        {
-            double by = i < MotionVector.Velocity ? MotionVector.Width(in start, i) : i < MotionVector.Spin ? width : width / _around.Radius;
-            Motion high = _now.EndSlide(time, MotionVector.Changed(in start, i, by), out double later);
-            Motion low = _now.EndSlide(time, MotionVector.Changed(in start, i, -by), out double sooner);
-            MotionVector.Write(_map, i, in high, in low, 2.0 * by);
-            times[i] = (later - sooner) / (2.0 * by);
-            if (i < MotionVector.Spin)
-            {
-                // Place and velocity change by little.
-                _map[(i * MotionVector.Size) + i] += 1;
-            }
-        }
-
-        for (int c = 0; c < Tangent.Columns; c++)
-        {
-            double sum = 0;
-            for (int i = 0; i < MotionVector.AirDistance; i++)
-            {
-                sum += times[i] * Tangent[i, c];
-            }
-
-            EventTimes[c] = sum;
-        }
-
-        Tangent.Map(_map);
-        _atEvent = true;
-        _rolls = true;
-    }
-
-    private void Propagate(double time, in Motion start, in Motion end, double h)
-    {
-        _now.Rates(time, in start, out MotionRates startRates);
-        _now.Rates(time + h, in end, out MotionRates endRates);
-        int parts = Parts(time, in start, in end, h);
-        double part = h / parts;
-        for (int i = 0; i < parts; i++)
-        {
-            double first = (i + FirstGauss) / parts;
-            double second = (i + SecondGauss) / parts;
-            MotionJacobian.At(_now, time + (first * h), Between(first, h, in start, in startRates, in end, in endRates), _first);
-            MotionJacobian.At(_now, time + (second * h), Between(second, h, in start, in startRates, in end, in endRates), _second);
-            Tangent.Integrate(part, _first, _second);
-        }
-    }
-
-    /// <summary>How many parts to take a piece in: the direction of friction turns with 1/|s|, or 1/|v|, which must not change by much within a part.</summary>
-    private int Parts(double time, in Motion start, in Motion end, double h)
-    {
-        if (_now.IsPinned)
-        {
-            return 1;
-        }
-
-        // Where the flow all but stops it turns fast.
-        double slowest = Math.Min(_now.FlowAt(in start), _now.FlowAt(in end));
-        double turning = Vector3d.Distance(start.Velocity, end.Velocity) / ((FlowShare * slowest) + LeastFlow);
-        double before = _now.Motion == MotionState.Airborne ? 0 : _now.SpeedOnSurface(time, in start);
-        double after = _now.Motion == MotionState.Airborne ? 0 : _now.SpeedOnSurface(time + h, in end);
-        double most = Math.Max(before, after);
-        double stopping = most > 0 ? PartsOfWhole * (Math.Abs(before - after) / most) : 0;
-        return 1 + (int)Math.Min(PartsOfWhole, Math.Max(turning, stopping));
-    }
-
-    /// <summary>The motion between both ends of a piece: cubic Hermite interpolants.</summary>
-    private static Motion Between(double s, double h, in Motion start, in MotionRates startRates, in Motion end, in MotionRates endRates)
-    {
-        double t = s * h;
-        return new Motion(
-            new CubicHermite3d(start.Position, start.Velocity, end.Position, end.Velocity, h).PositionAt(t),
-            new CubicHermite3d(start.Velocity, startRates.Acceleration, end.Velocity, endRates.Acceleration, h).PositionAt(t),
-            new CubicHermite3d(start.Spin, startRates.SpinAcceleration, end.Spin, endRates.SpinAcceleration, h).PositionAt(t),
-            start.AirDistance + (s * (end.AirDistance - start.AirDistance)));
     }
 }

@@ -106,19 +106,27 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         double half = 0.5 * h;
         system.Rates(time, in from, out FieldRates k1);
         step.StartAcceleration = k1.Acceleration;
-        from.After(half, in from.Velocity, in k1, out FieldMotion second);
+        from.After(half, from.VX, from.VY, from.VZ, in k1, out FieldMotion second);
         system.Rates(time + half, in second, out FieldRates k2);
-        from.After(half, in second.Velocity, in k2, out FieldMotion third);
+        from.After(half, second.VX, second.VY, second.VZ, in k2, out FieldMotion third);
         system.Rates(time + half, in third, out FieldRates k3);
-        from.After(h, in third.Velocity, in k3, out FieldMotion fourth);
+        from.After(h, third.VX, third.VY, third.VZ, in k3, out FieldMotion fourth);
         system.Rates(time + h, in fourth, out FieldRates k4);
 
         const double Sixth = 1.0 / 6.0;
         FieldRates mean;
-        mean.Acceleration = Sixth * (k1.Acceleration + (2.0 * (k2.Acceleration + k3.Acceleration)) + k4.Acceleration);
+        mean.AX = Sixth * (k1.AX + (2.0 * (k2.AX + k3.AX)) + k4.AX);
+        mean.AY = Sixth * (k1.AY + (2.0 * (k2.AY + k3.AY)) + k4.AY);
+        mean.AZ = Sixth * (k1.AZ + (2.0 * (k2.AZ + k3.AZ)) + k4.AZ);
         mean.SpinAcceleration = Sixth * (k1.SpinAcceleration + (2.0 * (k2.SpinAcceleration + k3.SpinAcceleration)) + k4.SpinAcceleration);
         mean.AirSpeed = Sixth * (k1.AirSpeed + (2.0 * (k2.AirSpeed + k3.AirSpeed)) + k4.AirSpeed);
-        from.After(h, Sixth * (from.Velocity + (2.0 * (second.Velocity + third.Velocity)) + fourth.Velocity), in mean, out step.End);
+        from.After(
+            h,
+            Sixth * (from.VX + (2.0 * (second.VX + third.VX)) + fourth.VX),
+            Sixth * (from.VY + (2.0 * (second.VY + third.VY)) + fourth.VY),
+            Sixth * (from.VZ + (2.0 * (second.VZ + third.VZ)) + fourth.VZ),
+            in mean,
+            out step.End);
         step.Turn = h * (Sixth * (from.SpinRate + (2.0 * (second.SpinRate + third.SpinRate)) + fourth.SpinRate));
     }
 

@@ -54,7 +54,7 @@ internal readonly struct ExplicitEuler : IIntegrator
     {
         system.Rates(time, in from, out FieldRates k1);
         step.StartAcceleration = k1.Acceleration;
-        from.After(h, in from.Velocity, in k1, out step.End);
+        from.After(h, from.VX, from.VY, from.VZ, in k1, out step.End);
         step.Turn = h * from.SpinRate;
     }
 

@@ -74,9 +74,9 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         double half = 0.5 * h;
         system.Rates(time, in from, out FieldRates k1);
         step.StartAcceleration = k1.Acceleration;
-        from.After(half, in from.Velocity, in k1, out FieldMotion middle);
+        from.After(half, from.VX, from.VY, from.VZ, in k1, out FieldMotion middle);
         system.Rates(time + half, in middle, out FieldRates k2);
-        from.After(h, in middle.Velocity, in k2, out step.End);
+        from.After(h, middle.VX, middle.VY, middle.VZ, in k2, out step.End);
         step.Turn = h * middle.SpinRate;
     }
 

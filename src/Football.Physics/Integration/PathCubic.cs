@@ -54,6 +54,19 @@ internal readonly struct PathCubic
         }
     }
 
+    /// <summary>Not less than how far it is from the straight line between its ends, m.</summary>
+    public double Deviation
+    {
+        get
+        {
+            // At every time the path lies in the hull of its control points, and each is so far from its like on the line.
+            double scale = Length * Length / 3.0;
+            double first = (_c2 + (Length * _c3)).LengthSquared;
+            double second = (_c2 + ((2.0 * Length) * _c3)).LengthSquared;
+            return scale * Math.Sqrt(Math.Max(first, second));
+        }
+    }
+
     /// <summary>A straight path.</summary>
     public static PathCubic Line(in Vector3d from, in Vector3d velocity, double length) => new(in from, in velocity, default, default, length);
 

@@ -55,7 +55,7 @@ internal readonly struct SemiImplicitEuler : IIntegrator
     {
         system.Rates(time, in from, out FieldRates k1);
         step.StartAcceleration = k1.Acceleration;
-        from.After(h, from.Velocity + (h * k1.Acceleration), in k1, out step.End);
+        from.After(h, from.VX + (h * k1.AX), from.VY + (h * k1.AY), from.VZ + (h * k1.AZ), in k1, out step.End);
         step.Turn = h * step.End.SpinRate;
     }
 

@@ -47,9 +47,15 @@ public static class LookAheads
     {
         into.Begin(simulator, in from, request, endsWhenFull);
         BallState state = from;
+        BeginMoving(simulator, into, in state);
         try
         {
-            if (simulator.Scene.Forces.Custom.Count > 0 && request.TimeStep > LongestOwnStep)
+            if (into.OnStep is { } move)
+            {
+                double longest = simulator.Scene.Forces.Custom.Count > 0 ? LongestOwnStep : request.TimeStep;
+                simulator.Run(ref state, Math.Min(request.TimeStep, longest), request.Duration, request.StopAt, into.Log, move);
+            }
+            else if (simulator.Scene.Forces.Custom.Count > 0 && request.TimeStep > LongestOwnStep)
             {
                 OwnForceSteps.Run(simulator, ref state, request, into.Log, into.Trial);
             }
@@ -63,8 +69,31 @@ public static class LookAheads
             into.Break(in state);
             throw;
         }
+        finally
+        {
+            EndMoving(simulator, into);
+        }
 
         into.End(in state);
+    }
+
+    /// <summary>The bodies of the game begin to move along their own paths.</summary>
+    private static void BeginMoving(Simulator simulator, Trajectory path, in BallState from)
+    {
+        if (path.OnStep is { } move)
+        {
+            simulator.Scene.Bodies?.Keep();
+            move(in from);
+        }
+    }
+
+    /// <summary>They are put back.</summary>
+    private static void EndMoving(Simulator simulator, Trajectory path)
+    {
+        if (path.OnStep is not null)
+        {
+            simulator.Scene.Bodies?.PutBack();
+        }
     }
 
     /// <summary>Looks ahead in whole steps, of which the last may end after the request does.</summary>
@@ -80,17 +109,23 @@ public static class LookAheads
         BallState state = path.Final;
         path.Log.Halted = false;
         path.Log.StopAt = stopAt;
+        BeginMoving(simulator, path, in state);
         try
         {
             while (state.Time < end && !path.Log.Halted && state.Motion != MotionState.Stopped)
             {
                 simulator.Advance(ref state, timeStep, path.Log);
+                path.OnStep?.Invoke(in state);
             }
         }
         catch
         {
             path.Break(in state);
             throw;
+        }
+        finally
+        {
+            EndMoving(simulator, path);
         }
 
         path.End(in state);

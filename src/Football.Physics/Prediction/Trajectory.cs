@@ -6,6 +6,7 @@ public sealed class Trajectory
     private readonly PathPiece[] _pieces;
     private readonly Recorder _recorder;
     private BallState _final;
+    private Action<double>? _bodiesAt;
 
     /// <summary>A trajectory with memory of its own.</summary>
     /// <param name="capacity">Pieces to make room for, at least 1; default 512, enough for 10 s in steps of 20 ms.</param>
@@ -62,6 +63,9 @@ public sealed class Trajectory
     /// <summary>A piece where it lies.</summary>
     internal ref readonly PathPiece Piece(int index) => ref _pieces[index];
 
+    /// <summary>Moves what the game moves to where it will be after a step; null where that goes on as it goes now.</summary>
+    internal Simulator.StepCallback? OnStep { get; private set; }
+
     /// <summary>Whether a piece had no room.</summary>
     internal bool Overflows => _recorder.Overflows;
 
@@ -92,22 +96,13 @@ public sealed class Trajectory
     /// <param name="index">Which, from 0.</param>
     /// <param name="touchdown">The impact.</param>
     /// <returns>False where there is no such touchdown.</returns>
-    public bool TryGetTouchdown(int index, out BallEvent touchdown)
-    {
-        for (int i = 0; i < Events.Count; i++)
-        {
-            // A hit of anything but the ground is no touchdown.
-            ref readonly BallEvent e = ref Events[i];
-            if (e.Kind == BallEventKind.Impact && e.Thing == 0 && index-- == 0)
-            {
-                touchdown = e;
-                return true;
-            }
-        }
+    public bool TryGetTouchdown(int index, out BallEvent touchdown) => TryGetImpact(isTouchdown: true, index, out touchdown);
 
-        touchdown = default;
-        return false;
-    }
+    /// <summary>One of the hits: impacts with anything but the ground, of which <see cref="BallEvent.Thing"/> tells.</summary>
+    /// <param name="index">Which, from 0.</param>
+    /// <param name="hit">The impact.</param>
+    /// <returns>False where there is no such hit.</returns>
+    public bool TryGetHit(int index, out BallEvent hit) => TryGetImpact(isTouchdown: false, index, out hit);
 
     /// <summary>Where and when the ball comes to rest.</summary>
     /// <param name="rest">The event.</param>
@@ -186,6 +181,13 @@ public sealed class Trajectory
     internal void Begin(Simulator simulator, in BallState from, LookAheadRequest request, bool endsWhenFull)
     {
         _recorder.EndsWhenFull = endsWhenFull;
+        if (_bodiesAt != request.BodiesAt)
+        {
+            Action<double>? bodiesAt = request.BodiesAt;
+            _bodiesAt = bodiesAt;
+            OnStep = bodiesAt is null ? null : (in BallState state) => bodiesAt(state.Time);
+        }
+
         Log.Clear();
         Count = 0;
         IsComplete = true;
@@ -224,6 +226,24 @@ public sealed class Trajectory
             StartTime = _pieces[0].Time;
             Log.Events.Forget(StartTime);
         }
+    }
+
+    /// <summary>One of the impacts, with the ground or with anything else.</summary>
+    private bool TryGetImpact(bool isTouchdown, int index, out BallEvent impact)
+    {
+        for (int i = 0; i < Events.Count; i++)
+        {
+            // The ground is thing 0.
+            ref readonly BallEvent e = ref Events[i];
+            if (e.Kind == BallEventKind.Impact && (e.Thing == 0) == isTouchdown && index-- == 0)
+            {
+                impact = e;
+                return true;
+            }
+        }
+
+        impact = default;
+        return false;
     }
 
     private static void RefuseNaN(double time)

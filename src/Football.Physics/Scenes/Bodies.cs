@@ -13,7 +13,8 @@ public sealed class Bodies : IReadOnlyList<Body>
     internal const double Foresight = 0.25;
 
     private readonly List<Body> _bodies = [];
-    private Mover[] _movers = [];
+    private MovingSphere[] _movers = [];
+    private RigidMotion[] _kept = [];
     private bool _inUse;
     private double _tick = double.NaN;
     private double _before;
@@ -44,6 +45,7 @@ public sealed class Bodies : IReadOnlyList<Body>
         var body = new Body(this, _bodies.Count, name, shape, surface ?? Surface.Boot);
         _bodies.Add(body);
         Array.Resize(ref _movers, _bodies.Count);
+        Array.Resize(ref _kept, _bodies.Count);
         Update(body);
         return body;
     }
@@ -79,7 +81,26 @@ public sealed class Bodies : IReadOnlyList<Body>
     }
 
     /// <summary>A body was added, or moved: what a quick look needs is kept in one place.</summary>
-    internal void Update(Body body) => _movers[body.Index] = new Mover(body.BoundsAt(0), body.Velocity);
+    internal void Update(Body body) => _movers[body.Index] = new MovingSphere(body.BoundsAt(0), body.Velocity);
+
+    /// <summary>Remembers where all are.</summary>
+    internal void Keep()
+    {
+        for (int i = 0; i < _kept.Length; i++)
+        {
+            _kept[i] = _bodies[i].Placement.Motion;
+        }
+    }
+
+    /// <summary>Puts all back to where they were when that was remembered.</summary>
+    internal void PutBack()
+    {
+        for (int i = 0; i < _kept.Length; i++)
+        {
+            ref readonly RigidMotion was = ref _kept[i];
+            _bodies[i].MoveTo(was.Origin, was.Orientation, was.Velocity, was.Spin, was.Time);
+        }
+    }
 
     internal void Validate(double radius)
     {

@@ -11,10 +11,7 @@ namespace Football.Physics;
 public sealed class Body
 {
     private readonly Bodies _all;
-    private readonly Bounds3d _ownBounds;
     private readonly double _extent;
-    private Bounds3d _bounds;
-    private RigidMotion _motion;
 
     internal Body(Bodies all, int index, string name, IShape shape, Surface surface)
     {
@@ -23,10 +20,9 @@ public sealed class Body
         Name = name;
         Shape = shape;
         Surface = surface;
-        _ownBounds = shape.Bounds;
-        _extent = Math.Max(_ownBounds.Min.Length, _ownBounds.Max.Length);
-        _motion.Orientation = Quaterniond.Identity;
-        _bounds = _ownBounds;
+        Bounds3d own = shape.Bounds;
+        _extent = Math.Max(own.Min.Length, own.Max.Length);
+        Placement = new Placement(in own);
     }
 
     /// <summary>Its name, for events and messages.</summary>
@@ -39,24 +35,24 @@ public sealed class Body
     public Surface Surface { get; }
 
     /// <summary>Where it is at <see cref="Time"/>, m. Default the origin.</summary>
-    public Vector3d Position => _motion.Origin;
+    public Vector3d Position => Placement.Motion.Origin;
 
     /// <summary>How it is turned, body to world. Default not at all.</summary>
-    public Quaterniond Orientation => _motion.Orientation;
+    public Quaterniond Orientation => Placement.Motion.Orientation;
 
     /// <summary>Velocity, m/s. Default 0.</summary>
-    public Vector3d Velocity => _motion.Velocity;
+    public Vector3d Velocity => Placement.Motion.Velocity;
 
     /// <summary>Spin of its surface about its position, rad/s. Default 0.</summary>
-    public Vector3d Spin => _motion.Spin;
+    public Vector3d Spin => Placement.Motion.Spin;
 
     /// <summary>When it is there, on the clock of the ball, s. Default 0.</summary>
-    public double Time => _motion.Time;
+    public double Time => Placement.Motion.Time;
 
     /// <summary>Its index among all.</summary>
     internal int Index { get; }
 
-    internal ref readonly RigidMotion Motion => ref _motion;
+    internal Placement Placement { get; }
 
     /// <summary>Says where it is and how fast it goes. It keeps how it is turned.</summary>
     /// <inheritdoc cref="MoveTo(Vector3d, Quaterniond, Vector3d, Vector3d, double)"/>
@@ -78,28 +74,27 @@ public sealed class Body
         Check.Within("time", time, -Limits.Time, Limits.Time);
 
         // How far any point of it may be from where it was expected.
-        double jump = (position - _motion.GoneBy(time)).Length + (Bodies.Foresight * (velocity - _motion.Velocity).Length);
-        Quaterniond turned = orientation == _motion.Orientation ? orientation : orientation.Normalized();
-        if (turned != _motion.Orientation)
+        ref RigidMotion motion = ref Placement.Motion;
+        double jump = (position - motion.GoneBy(time)).Length + (Bodies.Foresight * (velocity - motion.Velocity).Length);
+        Quaterniond turned = orientation == motion.Orientation ? orientation : orientation.Normalized();
+        if (turned != motion.Orientation)
         {
-            double cosine = (turned.X * _motion.Orientation.X) + (turned.Y * _motion.Orientation.Y)
-                + (turned.Z * _motion.Orientation.Z) + (turned.W * _motion.Orientation.W);
+            double cosine = (turned.X * motion.Orientation.X) + (turned.Y * motion.Orientation.Y)
+                + (turned.Z * motion.Orientation.Z) + (turned.W * motion.Orientation.W);
             jump += 2.0 * _extent * Math.Sqrt(Math.Max(0, 1.0 - (cosine * cosine)));
-            _motion.Orientation = turned;
-            _motion.IsTurned = turned != Quaterniond.Identity;
-            _bounds = _motion.Turned(in _ownBounds);
+            Placement.Turn(in turned);
         }
 
-        bool again = time == _motion.Time;
-        _motion.Origin = position;
-        _motion.Pivot = position;
-        _motion.Velocity = velocity;
-        _motion.Spin = spin;
-        _motion.Time = time;
+        bool again = time == motion.Time;
+        motion.Origin = position;
+        motion.Pivot = position;
+        motion.Velocity = velocity;
+        motion.Spin = spin;
+        motion.Time = time;
         _all.Moved(jump, time, again);
         _all.Update(this);
     }
 
     /// <summary>A box around it at a time.</summary>
-    internal Bounds3d BoundsAt(double time) => _bounds.Moved(_motion.GoneBy(time));
+    internal Bounds3d BoundsAt(double time) => Placement.BoundsAt(time);
 }

@@ -55,6 +55,9 @@ public sealed record Ground
     /// <summary>Uneven ground: its heights, over <see cref="Height"/>. Default null: a plane.</summary>
     public HeightField? Heights { get; init; }
 
+    /// <summary>Parts of it that are made of something else. Default null: it is the same everywhere.</summary>
+    public ISurfacePattern? Pattern { get; init; }
+
     /// <summary>What is left of drag and Magnus force on the ground. Default <see cref="GroundAerodynamics.Full"/>.</summary>
     public GroundAerodynamics Aerodynamics { get; init; } = GroundAerodynamics.Full;
 

@@ -35,6 +35,9 @@ public sealed record Scene
     /// <summary>Things that the game moves: players' feet and heads, a keeper's hands. Default none.</summary>
     public Bodies? Bodies { get; init; }
 
+    /// <summary>The colliders of a game engine. Default none.</summary>
+    public IEngineColliders? EngineColliders { get; init; }
+
     /// <summary>A football over dry turf in still air at sea level, by what wind tunnels, filmed flights and test rigs say.</summary>
     public static Scene Measured { get; } = new();
 
@@ -104,6 +107,15 @@ public sealed record Scene
                 "ground.tangentialRestitution",
                 FormattableString.Invariant($"[{Ground.TangentialRestitutionX}, {Ground.TangentialRestitutionZ}]"),
                 "two equal numbers on ground that is not level");
+        }
+
+        if (Ground.Pattern is { } pattern)
+        {
+            Check.Within("ground.pattern.leastWidth", pattern.LeastWidth, 0, double.PositiveInfinity, exclusiveLow: true);
+            for (int i = 0; i < pattern.Surfaces.Count; i++)
+            {
+                pattern.Surfaces[i].Validate(FormattableString.Invariant($"ground.pattern.surfaces[{i}]"));
+            }
         }
 
         if (Ground.Heights is { } heights)

@@ -25,10 +25,15 @@ internal sealed class BodyPush<TAir>
     /// <summary>Before the pieces of a step.</summary>
     public void Apply(ref BallState s, ref StepRun run)
     {
+        _world.Engine?.Forget();
         LetGo(ref s, ref run);
-        for (int i = 0; i < MostPushes && Deepest(in s) is var deepest && deepest >= 0; i++)
+        int deepest = Deepest(in s, out bool overlapsBody);
+
+        // What overlaps a thing that stands still alone is not the game's doing: that is an impact.
+        for (int i = 0; overlapsBody && i < MostPushes && deepest >= 0; i++)
         {
             PushOut(ref s, _world.Colliders[deepest]);
+            deepest = Deepest(in s, out _);
         }
     }
 
@@ -58,6 +63,16 @@ internal sealed class BodyPush<TAir>
         }
 
         Collider carrier = _world.CarrierOf(in s);
+        if (_world.Engine is { } engine && engine.Has((int)s.Carrier - _world.FirstCollider))
+        {
+            engine.LookAt(s.Position, s.Time);
+            if (!engine.Finds((int)s.Carrier - _world.FirstCollider))
+            {
+                _contact.Leave(ref s, s.Velocity, s.Spin, ref run);
+                return;
+            }
+        }
+
         ShapePoint at = carrier.At(s.Position, s.Time);
         double off = Vector3d.Dot(s.Velocity - carrier.Velocity, at.Normal);
         if (Math.Abs(at.Distance - _world.Ball.Radius) > ContactSearch.Touching || Math.Abs(off) > ContactSearch.Approaching)
@@ -67,8 +82,9 @@ internal sealed class BodyPush<TAir>
     }
 
     /// <summary>The thing that the ball overlaps most; −1 where it overlaps nothing.</summary>
-    private int Deepest(in BallState s)
+    private int Deepest(in BallState s, out bool overlapsBody)
     {
+        overlapsBody = false;
         double depth = ContactSearch.Touching;
         int deepest = -1;
         long carrier = s.Motion == MotionState.Airborne ? -1 : s.Carrier - _world.FirstCollider;
@@ -76,6 +92,7 @@ internal sealed class BodyPush<TAir>
         while (near.NextCollider(out int i))
         {
             double overlap = _world.Ball.Radius - _world.Colliders[i].At(s.Position, s.Time).Distance;
+            overlapsBody |= i != carrier && overlap > ContactSearch.Touching && _world.Colliders[i].IsBody;
             if (i != carrier && (overlap > depth || (overlap == depth && i < deepest)))
             {
                 depth = overlap;
@@ -86,7 +103,7 @@ internal sealed class BodyPush<TAir>
         return deepest;
     }
 
-    /// <summary>The way out along a normal: for a ball that something carries along that surface, or off it where the push points that way.</summary>
+    /// <summary>The way out along a normal; for a ball that something carries, along that surface.</summary>
     private Vector3d Way(in BallState s, in Vector3d normal)
     {
         if (s.Motion == MotionState.Airborne)

@@ -130,6 +130,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         sweep.Step(h);
         _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
         EndWhereItChanges(ref sweep, in s, system.Rolls);
+        SurfaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
         _nets.EndWhereSlack(ref sweep, in s);
         bool meets = _guard.EndAtFirst(ref sweep, in s, _integrator.Order, out Gap met);
         run.Log.Evaluations += sweep.Evaluations;
@@ -250,11 +251,13 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
     private double LongestPiece(in BallState s, in Motion from, in CarriedForces on, ref StepRun run)
     {
         double asked = run.Next;
-        double damping = _world.CarrierOf(in s).Material.SpinDamping / _inertia;
+        Collider carrier = _world.CarrierOf(in s);
+        double damping = carrier.MaterialAt(s.Position).SpinDamping / _inertia;
         double h = _limit.PartOf(ref _around.Air, asked, (from.Velocity - _around.Wind).Length, from.Spin.Length, s.Branch, damping);
         double turning = on.Turning.Length;
         h = turning * h > LargestTurn ? LargestTurn / turning : h;
         h = Math.Min(h, _nets.LongestPiece(in s, h));
+        h = SurfaceBorder.LongestPiece(carrier, on.Velocity.Length, h);
         run.Keep(h, asked);
         return h;
     }
@@ -271,11 +274,13 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
             system.Guides.HoldAlong(_world, ref s, in n);
         }
 
-        if (system.Rolls)
-        {
-            Vector3d spin = s.SpinAxis;
-            s.SpinAxis = Slip.RollingSpin(s.Velocity - system.Carrier.Velocity, Vector3d.Dot(in spin, in n), in n, _around.Radius);
-        }
+        Vector3d spin = s.SpinAxis;
+        double about = Vector3d.Dot(in spin, in n);
+
+        // Drilling friction ends the spin about the normal, and reverses nothing.
+        double kept = system.SpinSign * about < 0 && system.Material.DrillingLength > 0 ? 0 : about;
+        s.SpinAxis = system.Rolls ? Slip.RollingSpin(s.Velocity - system.Carrier.Velocity, kept, in n, _around.Radius)
+            : kept == about ? spin : spin - (about * n);
     }
 
     private CarriedSystem<TAir> System(in BallState s, in Motion from, bool rolls)
@@ -287,6 +292,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
             Around = _around,
             World = _world,
             Carrier = carrier,
+            Material = carrier.MaterialAt(s.Position),
             Branch = _jump.OnSurface(s.Branch, in from),
             Nets = s.Nets,
             NetSides = s.NetSides,
@@ -323,7 +329,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
             if (_what == CarriedLimit.Spin)
             {
                 // Without drilling friction nothing happens at zero.
-                return system.Carrier.Material.DrillingLength > 0 && system.SpinSign != 0
+                return system.Material.DrillingLength > 0 && system.SpinSign != 0
                     ? system.SpinSign * Vector3d.Dot(in at.Spin, system.Carrier.At(in at.Position, _time + after).Normal)
                     : 0;
             }

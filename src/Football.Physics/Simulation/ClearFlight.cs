@@ -18,6 +18,9 @@ internal sealed class ClearFlight
     /// <summary>Up to this change of the motion by the air in a step no method makes a ball faster by more than a tenth in all steps ahead.</summary>
     private const double SmallChange = 0.05;
 
+    /// <summary>How far, m, a flight in single precision may be from where it is said to be.</summary>
+    private const double Rounding = 0.01;
+
     private readonly World _world;
     private readonly StabilityLimit _limit;
     private readonly double _weight;
@@ -43,7 +46,7 @@ internal sealed class ClearFlight
     public ulong Key { get; }
 
     /// <summary>Whether there are bodies to look for in every step.</summary>
-    public bool LooksForBodies => _tube is not null;
+    public bool LooksForBodies => _tube is not null || _world.Engine is not null;
 
     /// <summary>Whether the next step meets nothing.</summary>
     /// <param name="s">The ball, in the air.</param>
@@ -51,6 +54,15 @@ internal sealed class ClearFlight
     /// <param name="airSpeedSquared">|u|², m²/s².</param>
     public bool Holds(ref BallState s, double dt, double airSpeedSquared)
     {
+        if (_world.Engine is { } engine)
+        {
+            double bend = Bend(Math.Sqrt(airSpeedSquared), s.SpinRate, dt);
+            if (s.Nets != 0 || !engine.IsFree(new StraightWay(s.Position, s.Velocity, s.Time, dt, _world.Ball.Radius + bend)))
+            {
+                return false;
+            }
+        }
+
         bool isKnown = s.Time + dt <= s.ClearUntil && s.ClearIn == Key;
         if (isKnown && (_tube is null || _tube.Holds(in s, dt)))
         {
@@ -67,6 +79,16 @@ internal sealed class ClearFlight
         double steps = dt * _limit.RateAtMost(speed, s.SpinRate) <= SmallChange ? Ahead : 1.0;
         return (isKnown || IsFree(ref s, dt, steps, speed) || (steps > 1.0 && (IsFree(ref s, dt, Nearer, speed) || IsFree(ref s, dt, 1.0, speed))))
             && (_tube is null || Renew(in s, dt, Math.Min(steps, AheadOfBodies), speed) || (steps > 1.0 && Renew(in s, dt, 1.0, speed)));
+    }
+
+    /// <inheritdoc cref="Stepper.FliesClear"/>
+    public bool HasFlown(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate)
+    {
+        // A path that bends by a at most is within ⅛ a t² of the straight way between its ends.
+        double most = airSpeed + (duration * _weight);
+        double bend = 0.125 * (_weight + (_limit.RateAtMost(most, spinRate) * most)) * duration * duration;
+        var way = new StraightWay(in from, (to - from) / duration, 0, duration, _world.Ball.Radius + bend + Rounding);
+        return _world.FreeFor(in way) >= duration;
     }
 
     private bool IsFree(ref BallState s, double dt, double steps, double speed)

@@ -13,7 +13,6 @@ internal sealed class FieldStepper<TIntegrator> : Stepper<FieldAir, TIntegrator>
     private readonly FieldSystem _system;
     private readonly StabilityLimit _limit;
     private readonly double _contactHeight;
-    private readonly bool _hasWorld;
     private readonly double _fastestWind;
     private readonly TIntegrator _integrator;
 
@@ -24,15 +23,14 @@ internal sealed class FieldStepper<TIntegrator> : Stepper<FieldAir, TIntegrator>
         var around = new Surroundings<FieldAir>(scene, in air);
         _system = new FieldSystem { Air = around.Air, Wind = around.Wind, Upward = around.Upward };
         _limit = StabilityLimit.Of(scene, ref around.Air, around.Upward, _integrator.Order);
-        _contactHeight = around.ContactHeight;
-        _hasWorld = around.World is not null;
+        _contactHeight = around.World?.LevelContact ?? around.ContactHeight;
         _fastestWind = around.Air.FastestWind;
     }
 
     [MethodImpl(Hot.Path)]
     public override void Step(ref BallState s, double dt, StepLog log)
     {
-        if (_hasWorld || s.Motion != MotionState.Airborne || _integrator.GainsByHops || !TryWhole(ref s, dt, log))
+        if (s.Motion != MotionState.Airborne || _integrator.GainsByHops || !TryWhole(ref s, dt, log))
         {
             base.Step(ref s, dt, log);
         }
@@ -43,13 +41,14 @@ internal sealed class FieldStepper<TIntegrator> : Stepper<FieldAir, TIntegrator>
     private bool TryWhole(ref BallState s, double dt, StepLog log)
     {
         // The bound of the change errs towards no, as the guards do: the ground, a dip through it, the end of the spin.
-        FieldMotion from;
-        from.Position = s.Position;
-        from.Velocity = s.Flight.Velocity;
-        from.SpinRate = s.Flight.SpinRate;
-        from.AirDistance = s.AirDistance;
+        var from = new FieldMotion(in s);
         double most = (from.Velocity - _system.Wind).Length + _fastestWind;
-        if (dt * _limit.RateAtMost(most, from.SpinRate) > StabilityLimit.LargestChange || (from.Position.Y <= _contactHeight && from.Velocity.Y < 0))
+        if (dt * _limit.RateAtMost(most, from.SpinRate) > StabilityLimit.LargestChange || (from.Y <= _contactHeight && from.VY < 0))
+        {
+            return false;
+        }
+
+        if (!IsClear(ref s, dt, most * most))
         {
             return false;
         }
@@ -58,7 +57,7 @@ internal sealed class FieldStepper<TIntegrator> : Stepper<FieldAir, TIntegrator>
         system.Axis = s.Flight.Axis;
         _integrator.Advance(ref system, s.Time, in from, dt, out FieldStep step);
         log.Evaluations += _integrator.Stages;
-        if (step.End.Position.Y < _contactHeight || (from.Velocity.Y < 0 && step.End.Velocity.Y > 0) || step.End.SpinRate < 0)
+        if (step.End.Y < _contactHeight || (from.VY < 0 && step.End.VY > 0) || step.End.SpinRate < 0)
         {
             return false;
         }

@@ -20,14 +20,20 @@ internal struct FieldSystem : IFieldSystem
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Rates(double time, in FieldMotion at, out FieldRates rates)
     {
-        Vector3d u = at.Velocity - Wind;
-        Air.AlongAxis(time, in at.Position, ref u, in Axis, at.SpinRate, at.AirDistance, out double drag, out double lift, out double decay, out Vector3d side, out rates.AirSpeed);
+        Vector3d wind = Air.WindAt(time, at.Position);
+        double ux = at.VX - Wind.X - wind.X;
+        double uy = at.VY - Wind.Y - wind.Y;
+        double uz = at.VZ - Wind.Z - wind.Z;
+        double cx = (Axis.Y * uz) - (Axis.Z * uy);
+        double cy = (Axis.Z * ux) - (Axis.X * uz);
+        double cz = (Axis.X * uy) - (Axis.Y * ux);
+        Air.AtPoint((ux * ux) + (uy * uy) + (uz * uz), at.SpinRate, (cx * cx) + (cy * cy) + (cz * cz), out double drag, out double lift, out double decay);
+        Vector3d side = Air.Side(new Vector3d(ux, uy, uz), at.SpinRate * Axis, at.AirDistance, out rates.AirSpeed);
 
         // v̇ = L (n × u) − D u + g + F_K/m,  ω̇ = −decay
-        rates.Acceleration = new Vector3d(
-            (lift * ((Axis.Y * u.Z) - (Axis.Z * u.Y))) - (drag * u.X) + side.X,
-            (lift * ((Axis.Z * u.X) - (Axis.X * u.Z))) - (drag * u.Y) + side.Y + Upward,
-            (lift * ((Axis.X * u.Y) - (Axis.Y * u.X))) - (drag * u.Z) + side.Z);
+        rates.AX = (lift * cx) - (drag * ux) + side.X;
+        rates.AY = (lift * cy) - (drag * uy) + side.Y + Upward;
+        rates.AZ = (lift * cz) - (drag * uz) + side.Z;
         rates.SpinAcceleration = -decay;
     }
 }

@@ -10,6 +10,9 @@ internal sealed class ImplicitPhase<TAir>
     /// <summary>Pieces of a step that is taken by implicit Euler.</summary>
     private const int MostPieces = 16;
 
+    /// <summary>The instant of a contact is known to this power of ½ of a piece.</summary>
+    private const int MostHalvings = 40;
+
     private readonly Surroundings<TAir> _around;
     private readonly ContactPhase<TAir> _contact;
     private readonly WorldGuard<TAir>? _world;
@@ -54,13 +57,13 @@ internal sealed class ImplicitPhase<TAir>
             h = TimeOfContact(ref euler, in from, in push, in wind, h, ref end);
         }
 
-        BallState before = s;
         if (_world is not null)
         {
-            FlyInWorld(ref s, ref run, ref euler, in from, in end, h);
+            FlyInWorld(ref s, ref run, ref euler, in from, in push, in wind, end, h);
             return;
         }
 
+        BallState before = s;
         double y = below ? _around.ContactHeight : end.Position.Y;
         double vy = pressed ? 0 : below ? Math.Min(end.Velocity.Y, 0) : end.Velocity.Y;
         s.Position = new Vector3d(end.Position.X, y, end.Position.Z);
@@ -80,17 +83,43 @@ internal sealed class ImplicitPhase<TAir>
     }
 
     /// <summary>The same where things can be met: along the straight line of the piece, up to the first of them.</summary>
-    private void FlyInWorld(ref BallState s, ref StepRun run, ref ImplicitEuler<TAir> euler, in Motion from, in Motion end, double h)
+    private void FlyInWorld(
+        ref BallState s, ref StepRun run, ref ImplicitEuler<TAir> euler, in Motion from, in MotionRates push, in Vector3d wind, Motion end, double h)
     {
-        var path = PathCubic.Line(from.Position, end.Velocity, h);
-        double at = new ContactSearch(_around.World!, in path, s.Time).First(in s, -1, out Gap met);
+        double at = FirstMet(in s, in from, in end, h, out Gap met);
         bool meets = at <= h;
-        h = meets ? at : h;
+
+        // The velocity at a contact is that of a piece that ends there; where no piece does, the longest that meets nothing is taken.
+        double none = 0;
+        Motion free = from;
+        for (int i = 0; i < MostHalvings && meets && at < h * (1.0 - 1e-9); i++)
+        {
+            double middle = 0.5 * (none + h);
+            Motion shorter = After(ref euler, in from, in push, in wind, middle);
+            double sooner = FirstMet(in s, in from, in shorter, middle, out Gap found);
+            if (sooner <= middle)
+            {
+                h = middle;
+                at = sooner;
+                end = shorter;
+                met = found;
+            }
+            else
+            {
+                none = middle;
+                free = shorter;
+            }
+        }
+
+        meets = meets && !(none > 0 && at < 0.5 * h);
+        end = meets || none == 0 ? end : free;
+        h = meets ? at : none > 0 ? none : h;
         BallState before = s;
-        s.Position = path.At(h);
+        s.Position = from.Position + (h * end.Velocity);
         s.Velocity = end.Velocity;
         s.Angle += 0.5 * h * (s.SpinRate + end.Spin.Length);
         s.SetFlightSpin(end.Spin);
+        s.AirDistance += h * push.AirSpeed;
         s.Branch = DragBranch.Unknown;
         run.Advance(ref s, h);
         run.Log.Relaxed++;
@@ -100,6 +129,13 @@ internal sealed class ImplicitPhase<TAir>
         {
             _world!.Meet(ref s, in met, ref run);
         }
+    }
+
+    /// <summary>When the ball meets something on the straight line of a piece, s; infinite where it does not.</summary>
+    private double FirstMet(in BallState s, in Motion from, in Motion end, double h, out Gap met)
+    {
+        var path = PathCubic.Line(from.Position, end.Velocity, h);
+        return new ContactSearch(_around.World!, in path, s.Time).First(in s, -1, out met);
     }
 
     /// <summary>A carried ball of the world: it goes with the air along the surface, and what carries it keeps it.</summary>
@@ -122,7 +158,8 @@ internal sealed class ImplicitPhase<TAir>
 
         Vector3d relative = u + wind - carrier.Velocity;
         relative -= Vector3d.Dot(in relative, in n) * n;
-        double friction = h * (s.Motion == MotionState.Sliding ? carrier.Material.SlidingFriction : carrier.Material.RollingFriction)
+        ref readonly ContactMaterial material = ref carrier.MaterialAt(s.Position);
+        double friction = h * (s.Motion == MotionState.Sliding ? material.SlidingFriction : material.RollingFriction)
             * Math.Max(0, -_around.Upward * n.Y);
         double speed = relative.Length;
         relative = speed > friction ? relative * (1.0 - (friction / speed)) : Vector3d.Zero;
@@ -132,7 +169,7 @@ internal sealed class ImplicitPhase<TAir>
         bool meets = at <= h;
         h = meets ? at : h;
         BallState before = s;
-        double about = Vector3d.Dot(euler.Spin(rate, u.Length, h) * axis, in n) / (1.0 + (h * carrier.Material.SpinDamping / world.Ball.MomentOfInertia));
+        double about = Vector3d.Dot(euler.Spin(rate, u.Length, h) * axis, in n) / (1.0 + (h * material.SpinDamping / world.Ball.MomentOfInertia));
         s.Position = path.At(h);
         s.Velocity = velocity;
         s.SetGroundSpin(Slip.RollingSpin(in relative, about, in n, _around.Radius));

@@ -58,12 +58,12 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         _locatesJump = jump.Acts;
         var contact = new ContactPhase<TAir>(scene, around);
         _world = around.World;
-        _clear = _world is null ? null : new ClearFlight(_world, in _limit, in _wind, _upward);
+        _clear = _world is null or { IsLevelGroundAlone: true } ? null : new ClearFlight(_world, in _limit, in _wind, _upward);
 
         // Where there are bodies, no answer is good for longer than a step.
         _clearKey = _clear is { LooksForBodies: false } ? _clear.Key : 0;
         _worldContact = _world is null ? null : new WorldContact<TAir>(around, scene.Ground.IsLevel);
-        _bodies = _world is { Bodies: not null } ? new BodyPush<TAir>(_world, _worldContact!) : null;
+        _bodies = _world is { Bodies: not null } or { Engine: not null } ? new BodyPush<TAir>(_world, _worldContact!) : null;
         WorldGuard<TAir>? guard = _world is null ? null : new WorldGuard<TAir>(_world, _worldContact!);
         _implicit = new ImplicitPhase<TAir>(around, contact, guard);
         _carried = guard is null ? null : new CarriedPhase<TAir, TIntegrator>(around, in _limit, jump, guard, _worldContact!, _implicit);
@@ -73,6 +73,8 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         _slide = new SlidePhase<TAir, TIntegrator>(settings, around, in ground, jump, contact, _implicit);
         _roll = new RollPhase<TAir, TIntegrator>(scene, around, in ground, jump, contact, _implicit);
     }
+
+    public override World? World => _world;
 
     [MethodImpl(Hot.Path)]
     public override void Step(ref BallState s, double dt, StepLog log)
@@ -123,7 +125,7 @@ internal class Stepper<TAir, TIntegrator> : Stepper
             return;
         }
 
-        if (_clear is not null && !(s.Time + dt <= s.ClearUntil && s.ClearIn == _clearKey) && !_clear.Holds(ref s, dt, speedSquared))
+        if (!IsClear(ref s, dt, speedSquared))
         {
             TakePieces(ref s, dt, log);
             return;
@@ -166,9 +168,13 @@ internal class Stepper<TAir, TIntegrator> : Stepper
 
     public override void Settle(ref BallState s)
     {
+        _world!.Engine?.Forget();
         _worldContact!.Raise(ref s);
         _worldContact.Settle(ref s);
     }
+
+    public override bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate) =>
+        _clear is null || _clear.HasFlown(in from, in to, duration, airSpeed, spinRate);
 
     public override void AirFactors(double speed, double spinRate, out double drag, out double lift)
     {
@@ -176,6 +182,14 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         _air.Begin(spinRate, DragJump.At(speedSquared, _radiusSquared * spinRate * spinRate).Branch, out PointStep step);
         _air.AtStart(ref step, speedSquared, spinRate, speedSquared, out drag, out lift, out _);
     }
+
+    /// <summary>Whether a step of flight meets nothing but level ground.</summary>
+    /// <param name="s">The ball.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="airSpeedSquared">|u|², or a bound of it, m²/s².</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    protected bool IsClear(ref BallState s, double dt, double airSpeedSquared) =>
+        _clear is null || (s.Time + dt <= s.ClearUntil && s.ClearIn == _clearKey) || _clear.Holds(ref s, dt, airSpeedSquared);
 
     /// <summary>Whether a step may have crossed the drag law's jump.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -36,7 +36,7 @@ public sealed class Simulator
         Settings.Validate();
         _stepper = profile.Compile(Scene, Settings);
         _contact = Scene.Ground.Height + Scene.Ball.Radius;
-        _world = World.Of(Scene);
+        _world = _stepper.World;
         _hasOwnForces = Scene.Forces.Custom.Count > 0;
         _lighterThanAir = Weight.UpwardAcceleration(Scene) > 0;
     }
@@ -74,13 +74,18 @@ public sealed class Simulator
         Check.Size("launch.velocity", velocity, Limits.Speed, "m/s");
         Check.Size("launch.spin", spin, Limits.Spin, "rad/s");
         Check.Rotation("launch.orientation", orientation);
-        return Start(in position, in velocity, in spin, in orientation);
+        return Start(in position, in velocity, in spin, in orientation, 0);
     }
 
+    /// <summary>The same at a time, of numbers that are known to be in range.</summary>
+    internal BallState LaunchAt(in Vector3d position, in Vector3d velocity, in Vector3d spin, double time) =>
+        Start(in position, in velocity, in spin, Quaterniond.Identity, time);
+
     /// <summary>The same with numbers that are known to be in range.</summary>
-    private BallState Start(in Vector3d position, in Vector3d velocity, in Vector3d spin, in Quaterniond orientation)
+    private BallState Start(in Vector3d position, in Vector3d velocity, in Vector3d spin, in Quaterniond orientation, double time)
     {
         BallState state = default;
+        state.Time = time;
         state.Position = position;
         state.Velocity = velocity;
         state.BaseOrientation = orientation.Normalized();
@@ -119,9 +124,7 @@ public sealed class Simulator
         // The place is the ball's own, wherever it has got to.
         Check.Size("launch.velocity", velocity, Limits.Speed, "m/s");
         Check.Size("launch.spin", spin, Limits.Spin, "rad/s");
-        BallState kicked = Start(state.Position, in velocity, in spin, state.Orientation);
-        kicked.Time = state.Time;
-        state = kicked;
+        state = Start(state.Position, in velocity, in spin, state.Orientation, state.Time);
     }
 
     /// <summary>Advances a ball. Events and counts are added to the log; nothing is allocated.</summary>
@@ -202,8 +205,15 @@ public sealed class Simulator
         return Run(ref state, timeStep, duration, stopAt, log, null);
     }
 
+    /// <summary>All that can be met where there is more than a level pitch; else null.</summary>
+    internal World? World => _world;
+
     /// <summary>Whether there is more to meet than a level pitch.</summary>
     internal bool HasThings => _world is not null;
+
+    /// <inheritdoc cref="Stepper.FliesClear"/>
+    internal bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate) =>
+        _stepper.FliesClear(in from, in to, duration, airSpeed, spinRate);
 
     /// <inheritdoc cref="Stepper.AirFactors"/>
     internal void AirFactors(double speed, double spinRate, out double drag, out double lift) =>

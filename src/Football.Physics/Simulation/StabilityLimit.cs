@@ -20,8 +20,11 @@ internal readonly struct StabilityLimit
     /// <summary>A step that would have to be divided into more pieces than this is taken by implicit Euler instead.</summary>
     private const double MostPieces = 1024;
 
-    /// <summary>|u|² above which there are drag and lift, m²/s².</summary>
-    private const double StillAir = 1e-17;
+    /// <summary>In slower air spin decays as in this, m/s.</summary>
+    private const double SlowestAir = 3.2e-9;
+
+    /// <summary>Its square, m²/s².</summary>
+    private const double StillAir = SlowestAir * SlowestAir;
 
     private readonly RateBound _bound;
     private readonly double _upward;
@@ -79,7 +82,7 @@ internal readonly struct StabilityLimit
 
         double bySpeed = h * _bound.PerSpeed;
         double bySpin = h * ((_bound.PerSpin * spinRate) + _bound.Constant);
-        return !(bySpeed * bySpeed * speedSquared > 0.25 * LargestChange * LargestChange || bySpin > 0.5 * LargestChange);
+        return !(bySpeed * bySpeed * Math.Max(speedSquared, StillAir) > 0.25 * LargestChange * LargestChange || bySpin > 0.5 * LargestChange);
     }
 
     /// <summary>A bound, 1/s, for how fast anything changes the motion.</summary>
@@ -92,12 +95,13 @@ internal readonly struct StabilityLimit
     public double PartOf<TAir>(ref TAir air, double left, double speed, double spinRate, DragBranch branch, double damping = 0)
         where TAir : struct, IAir
     {
+        speed = Math.Max(speed, SlowestAir);
         double pieces = left * (RateAtMost(speed, spinRate) + damping);
         if (pieces > FewPieces && branch < DragBranch.AlongCriticalSpeed)
         {
             // The bound adds what each law could do; twice what they do here is enough, and in still air what they are about to do.
             air.Begin(spinRate, branch, out PointStep once);
-            air.AtStart(ref once, Math.Max(speed * speed, StillAir), spinRate, Math.Max(speed * speed, StillAir), out double drag, out double lift, out double decay);
+            air.AtStart(ref once, speed * speed, spinRate, speed * speed, out double drag, out double lift, out double decay);
             double ofSpin = spinRate > 0 ? Math.Min(decay / spinRate, (_bound.PerSpeed * speed) + (_bound.PerSpin * spinRate)) : 0;
             double here = 2.0 * (drag + Math.Abs(lift) + ofSpin);
             double closer = left * (here + _bound.Constant + damping);

@@ -3,11 +3,22 @@ namespace Football.Physics;
 /// <summary>Advances ball states in one scene with one method. Immutable, so many balls and threads can share it.</summary>
 internal abstract class Stepper
 {
+    /// <summary>All that can be met where there is more than a level pitch; else null.</summary>
+    public abstract World? World { get; }
+
     /// <summary>Advances a state by dt, events and all.</summary>
     public abstract void Step(ref BallState state, double dt, StepLog log);
 
     /// <summary>Lets a ball that is placed in a world begin carried, where it touches something slowly enough.</summary>
     public abstract void Settle(ref BallState s);
+
+    /// <summary>Whether a flight from one place to another can have met nothing that stands still but level ground, however it bent.</summary>
+    /// <param name="from">Where it started, m.</param>
+    /// <param name="to">Where it ended, m.</param>
+    /// <param name="duration">How long it took, s; above 0.</param>
+    /// <param name="airSpeed">Speed through the air at its start, m/s.</param>
+    /// <param name="spinRate">Spin at its start, rad/s.</param>
+    public abstract bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate);
 
     /// <summary>The factors of the aerodynamic laws at a speed and a spin: a = −drag · u + lift · (ω̂ × u).</summary>
     public abstract void AirFactors(double speed, double spinRate, out double drag, out double lift);

@@ -11,7 +11,7 @@ internal sealed class WorldContact<TAir>
     private const int MostRaises = 4;
 
     /// <summary>Less than this is no overlap to be raised from, m.</summary>
-    private const double Overlap = 1e-9;
+    private const double Overlap = 5e-10;
 
     private readonly Surroundings<TAir> _around;
     private readonly World _world;
@@ -36,7 +36,7 @@ internal sealed class WorldContact<TAir>
         int thing = collider + _world.FirstCollider;
         bool wedged = run.Impacts++ >= MostAtOnce;
         Vector3d surface = hit.SurfaceVelocity(s.Position - (_world.Ball.Radius * n), s.Time);
-        CoulombImpact.Apply(_world.Ball, in hit.Material, in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin);
+        CoulombImpact.Apply(_world.Ball, in hit.MaterialAt(s.Position), in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin);
         if (wedged)
         {
             velocity = v - (Vector3d.Dot(v - hit.Velocity, in n) * n);
@@ -62,7 +62,7 @@ internal sealed class WorldContact<TAir>
             return;
         }
 
-        if (!bounces && Load(in s, in velocity, in spin, hit, in at) > 0)
+        if (!bounces && Load(in s, in velocity, in spin, hit, in at) > CarriedForces.Least)
         {
             Stay(ref s, thing, in velocity, in spin, ref run);
             return;
@@ -124,12 +124,12 @@ internal sealed class WorldContact<TAir>
         }
     }
 
-    /// <summary>Whether a collider would carry a ball that touches it: N/m is above zero.</summary>
+    /// <summary>Whether a collider would carry a ball that touches it, and would not let it go at once.</summary>
     public bool IsPressed(in BallState s, int collider)
     {
         Collider on = _world.Colliders[collider];
         ShapePoint at = on.At(s.Position, s.Time);
-        return Load(in s, s.Velocity, s.Spin, on, in at) > 0;
+        return Load(in s, s.Velocity, s.Spin, on, in at) > CarriedForces.Least;
     }
 
     /// <summary>A ball that is placed: carried, where it touches something slowly enough and is pressed on it; else in the air.</summary>
@@ -170,7 +170,7 @@ internal sealed class WorldContact<TAir>
         // On a level pitch that is so up to the speed of the slowest bounce; on anything else what comes closer hits.
         double slowest = _levelGround && collider == _world.Ground ? -_world.MinimumBounceSpeed : -double.Epsilon;
         return at.Distance - _world.Ball.Radius <= ContactSearch.Touching && off < _world.MinimumBounceSpeed && off > slowest
-            && Load(in s, in velocity, s.Spin, collider, in at) > 0;
+            && Load(in s, in velocity, s.Spin, collider, in at) > CarriedForces.Least;
     }
 
     /// <summary>A carried ball was hit by something else: it keeps its carrier unless the impulse lifts it.</summary>
@@ -253,6 +253,7 @@ internal sealed class WorldContact<TAir>
         Around = _around,
         World = _world,
         Carrier = carrier,
+        Material = carrier.MaterialAt(s.Position),
         Branch = _around.Air.Jumps
             ? DragJump.At((s.Velocity - _around.Wind).LengthSquared, _around.RadiusSquared * s.Spin.LengthSquared).Branch
             : DragBranch.Unknown,

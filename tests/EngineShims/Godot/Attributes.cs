@@ -22,6 +22,7 @@ public enum PropertyHint
 {
     None,
     Range,
+    Layers3DPhysics,
 }
 
 [AttributeUsage(AttributeTargets.Property | AttributeTargets.Field)]

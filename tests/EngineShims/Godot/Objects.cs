@@ -8,6 +8,28 @@ public class GodotObject
     /// <summary>What was set by name.</summary>
     public Dictionary<string, Variant> Properties { get; } = [];
 
+    private static readonly List<GodotObject> s_all = [];
+
+    public GodotObject()
+    {
+        s_all.Add(this);
+        Id = (ulong)s_all.Count;
+    }
+
+    private ulong Id { get; }
+
+    private readonly Dictionary<string, Variant> _meta = [];
+
+    public ulong GetInstanceId() => Id;
+
+    public static GodotObject? InstanceFromId(ulong id) => s_all[(int)id - 1];
+
+    public bool HasMeta(StringName name) => _meta.ContainsKey(name.ToString());
+
+    public Variant GetMeta(StringName name) => _meta[name.ToString()];
+
+    public void SetMeta(StringName name, Variant value) => _meta[name.ToString()] = value;
+
     public void Set(StringName property, Variant value) => Properties[property.ToString()] = value;
 
     public void EmitSignal(StringName signal, params Variant[] arguments)
@@ -25,6 +47,8 @@ public class GodotObject
 
 public class Node : GodotObject
 {
+    public StringName Name { get; set; } = "";
+
     public virtual void _Ready()
     {
     }
@@ -75,6 +99,8 @@ public class Node : GodotObject
 public class Node3D : Node
 {
     public Transform3D GlobalTransform { get; set; } = new(Basis.Identity, Vector3.Zero);
+
+    public World3D GetWorld3D() => World3D.Only;
 
     public Vector3 GlobalPosition
     {

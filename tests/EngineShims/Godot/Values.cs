@@ -16,6 +16,14 @@ public struct Vector3
     public static Vector3 Zero => default;
 
     public static Vector3 Forward => new(0, 0, -1);
+
+    public static Vector3 operator +(Vector3 a, Vector3 b) => new(a.X + b.X, a.Y + b.Y, a.Z + b.Z);
+
+    public static Vector3 operator -(Vector3 a, Vector3 b) => new(a.X - b.X, a.Y - b.Y, a.Z - b.Z);
+
+    public static Vector3 operator *(Vector3 a, float s) => new(a.X * s, a.Y * s, a.Z * s);
+
+    public readonly float Length() => MathF.Sqrt((X * X) + (Y * Y) + (Z * Z));
 }
 
 public struct Quaternion
@@ -68,6 +76,15 @@ public struct Basis
         (basis.X.Y * v.X) + (basis.Y.Y * v.Y) + (basis.Z.Y * v.Z),
         (basis.X.Z * v.X) + (basis.Y.Z * v.Y) + (basis.Z.Z * v.Z));
 
+    public readonly Basis Transposed() => new(new Vector3(X.X, Y.X, Z.X), new Vector3(X.Y, Y.Y, Z.Y), new Vector3(X.Z, Y.Z, Z.Z));
+
+    public readonly Quaternion GetRotationQuaternion()
+    {
+        // Enough for turns of less than half a circle.
+        float w = 0.5f * MathF.Sqrt(1 + X.X + Y.Y + Z.Z);
+        return new Quaternion((Y.Z - Z.Y) / (4 * w), (Z.X - X.Z) / (4 * w), (X.Y - Y.X) / (4 * w), w);
+    }
+
     public static Basis operator *(Basis a, Basis b) => new(a * b.X, a * b.Y, a * b.Z);
 }
 
@@ -81,6 +98,8 @@ public struct Transform3D
         Basis = basis;
         Origin = origin;
     }
+
+    public static Transform3D operator *(Transform3D a, Transform3D b) => new(a.Basis * b.Basis, (a.Basis * b.Origin) + a.Origin);
 }
 
 public readonly struct StringName
@@ -105,4 +124,18 @@ public readonly struct Variant
     public static implicit operator Variant(double value) => new(value);
 
     public static implicit operator Variant(int value) => new(value);
+
+    public static implicit operator Variant(ulong value) => new(value);
+
+    public static implicit operator Variant(string value) => new(value);
+
+    public static implicit operator Variant(Rid value) => new(value);
+
+    public Rid AsRid() => (Rid)Value;
+
+    public ulong AsUInt64() => (ulong)Value;
+
+    public Vector3 AsVector3() => (Vector3)Value;
+
+    public string AsString() => (string)Value;
 }

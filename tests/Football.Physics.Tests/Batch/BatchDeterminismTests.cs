@@ -66,10 +66,7 @@ public sealed class BatchDeterminismTests
         foreach (BatchPrecision precision in (BatchPrecision[])[BatchPrecision.Single, BatchPrecision.Double])
         {
             var batch = new BallBatch(Scene.Published, new BatchSettings { Precision = precision, FindApex = true, TimeStep = 0.05 });
-            batch.Fly(launches, flights, Count);
-            long before = GC.GetAllocatedBytesForCurrentThread();
-            batch.Fly(launches, flights, Count);
-            Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
+            Assert.Equal(0, Allocation.Of(() => batch.Fly(launches, flights, Count)));
         }
     }
 }

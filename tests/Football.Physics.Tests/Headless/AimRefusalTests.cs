@@ -44,7 +44,7 @@ public sealed class AimRefusalTests
     [InlineData("aim.speed=NaN", "aim.speed is \"NaN\"; allowed: ")]
     [InlineData("aim.spin.top=10001", "aim.spin.top is 10001; allowed: -10000 … 10000.")]
     [InlineData("aim.spin={\"top\":8000,\"side\":-8000}", "aim.spin is {\"top\":8000,\"side\":-8000}; allowed: finite components, size at most 10000 rad/s.")]
-    [InlineData("aim.spin=5", "aim.spin is 5; allowed: an object {top, side}.")]
+    [InlineData("aim.spin=5", "aim.spin is 5; allowed: an object {top, side, free}.")]
     [InlineData("aim.spin.back=5", "aim.spin.back is unknown")]
     [InlineData("aim.maxSpin.side=-1", "aim.maxSpin.side is -1; allowed: 0 … 10000.")]
     [InlineData("aim.elevation.min=-91", "aim.elevation.min is -91; allowed: -90 … 90.")]

@@ -211,11 +211,11 @@ public sealed class LookAheadTests
         var path = new Trajectory();
         var request = new LookAheadRequest { UntilPlane = new Plane3d(new Vector3d(90, 0, 0), new Vector3d(1, 0, 0)) };
         BallState ball = s_simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(22, 7, 0), new Vector3d(0, 20, 0));
-        s_simulator.LookAhead(in ball, request, path);
-        long before = GC.GetAllocatedBytesForCurrentThread();
-        s_simulator.LookAhead(in ball, request, path);
-        _ = path.Apex + path.Carry + path.HangTime + path.ClosestApproach(new Vector3d(10, 1, 0)).Distance + path.PositionAt(1).X;
-        Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
+        Assert.Equal(0, Allocation.Of(() =>
+        {
+            s_simulator.LookAhead(in ball, request, path);
+            _ = path.Apex + path.Carry + path.HangTime + path.ClosestApproach(new Vector3d(10, 1, 0)).Distance + path.PositionAt(1).X;
+        }));
     }
 
     private static IEnumerable<BallState> Kicks(int seed, int count)

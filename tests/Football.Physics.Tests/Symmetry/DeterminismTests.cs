@@ -93,18 +93,7 @@ public sealed class DeterminismTests
             {
                 var simulator = new Simulator(scene, new SolverSettings { Integrator = integrator, CollisionTiming = timing });
                 var log = new StepLog(256);
-                Live(simulator, log);
-
-                // The least of three: what the runtime itself allocates while it compiles is not the step's.
-                long allocated = long.MaxValue;
-                for (int k = 0; k < 3; k++)
-                {
-                    long before = GC.GetAllocatedBytesForCurrentThread();
-                    Live(simulator, log);
-                    allocated = Math.Min(allocated, GC.GetAllocatedBytesForCurrentThread() - before);
-                }
-
-                Assert.Equal(0, allocated);
+                Assert.Equal(0, Allocation.Of(() => Live(simulator, log)));
                 Assert.Contains("Roll Rest", Flight.Kinds(log));
             }
         }
@@ -121,17 +110,12 @@ public sealed class DeterminismTests
     {
         var simulator = new Simulator(Scene.Published);
         var log = new StepLog();
-        static long Allocated(Simulator simulator, StepLog log)
+        Assert.Equal(0, Allocation.Of(() =>
         {
             BallState state = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(9, 5, 2), new Vector3d(3, 20, -15));
             log.Clear();
-            long before = GC.GetAllocatedBytesForCurrentThread();
             simulator.Run(ref state, 0.01, 60, StopAt.Rest, log);
-            return GC.GetAllocatedBytesForCurrentThread() - before;
-        }
-
-        Allocated(simulator, log);
-        Assert.Equal(0, Allocated(simulator, log));
+        }));
     }
 
     [Fact]
@@ -151,10 +135,7 @@ public sealed class DeterminismTests
             }
         }
 
-        Frames(ball);
-        long before = GC.GetAllocatedBytesForCurrentThread();
-        Frames(ball);
-        Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
+        Assert.Equal(0, Allocation.Of(() => Frames(ball)));
     }
 
     [Fact]

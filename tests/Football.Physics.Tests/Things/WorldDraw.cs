@@ -11,6 +11,7 @@ internal sealed class WorldDraw
         int count = 1 + _random.Next(12);
         Scene = Scene.Published with
         {
+            Forces = seed % 4 == 0 ? Scene.Vacuum.Forces : seed % 4 == 1 ? ForceSet.Measured with { KnuckleSeed = seed } : ForceSet.Published,
             Ground = DrawGround(),
             Obstacles = [.. Enumerable.Range(0, count).Select(_ => DrawObstacle(moves && _random.Next(3) == 0))],
             Goals = _random.Next(2) == 0 ? [new Goal { Center = new Vector3d(0, 0, -8), Facing = new Vector3d(Range(-0.3, 0.3), 0, 1) }] : [],

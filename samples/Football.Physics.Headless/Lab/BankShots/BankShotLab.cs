@@ -78,7 +78,7 @@ internal static class BankShotLab
             double speed = random.Uniform(14, 26);
             double elevation = random.Uniform(2, 35);
             (double top, double side) = (random.Uniform(-20, 20), random.Uniform(-20, 20));
-            double azimuth = after.Contains("wall") ? random.Uniform(20, 70) : after.Contains("left post") ? random.Uniform(10, 18) : random.Uniform(-15, 15);
+            double azimuth = after.Contains("wall") ? random.Uniform(20, 70) : after.Contains("left post") ? random.Uniform(-18, -13) : random.Uniform(-15, 15);
             double angle = azimuth * Math.PI / 180;
             double up = elevation * Math.PI / 180;
             var d = new Vector3d(-Math.Sin(angle), 0, -Math.Cos(angle));

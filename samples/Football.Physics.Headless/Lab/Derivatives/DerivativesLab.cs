@@ -23,7 +23,7 @@ internal static class DerivativesLab
     {
         var table = new LabTable(
             "Derivatives by the launch: error of the largest entry of a block, at RK4 10 ms",
-            "kind", "flights", "undecided", "impacts", "slides", "nets", "median", "99 %", "worst", "within 1e-6, %", "verdict");
+            "kind", "flights", "undecided", "impacts", "slides", "nets", "median", "90 %", "worst", "within 1e-6, %", "within 1e-5, %", "verdict");
         var report = new LabReport { Name = "derivatives", Seed = seed, Tables = { table } };
         foreach (DerivativesKind kind in Enum.GetValues<DerivativesKind>())
         {
@@ -37,9 +37,10 @@ internal static class DerivativesLab
             double[] errors = [.. check.Errors.Order()];
             double At(double share) => errors.Length == 0 ? double.NaN : errors[Math.Min(errors.Length - 1, (int)(share * errors.Length))];
             double within = 100.0 * errors.Count(error => error <= DerivativesCheck.Reach) / Math.Max(1, errors.Length);
+            double close = 100.0 * check.Errors.Count(error => error <= 10 * DerivativesCheck.Reach) / Math.Max(1, errors.Length);
             int Of(BallEventKind item) => check.Events.GetValueOrDefault(item);
             table.Add(
-                kind, errors.Length, check.Undecided, Of(BallEventKind.Impact), Of(BallEventKind.Slide), Of(BallEventKind.Net), At(0.5), At(0.99), At(1), within, Verdict.Of(within >= 99));
+                kind, errors.Length, check.Undecided, Of(BallEventKind.Impact), Of(BallEventKind.Slide), Of(BallEventKind.Net), At(0.5), At(0.9), At(1), within, close, Verdict.Of(within >= 99));
         }
 
         report.Notes.Add("Undecided: the differences themselves are not known to 3e-7, or a slightly other launch goes through other events. Reached: 99 % are within 1e-6.");

@@ -12,6 +12,7 @@ public partial class FootballBall : Node3D
     private const int InterpolationOff = 2;
 
     private readonly StepLog _log = new();
+    private FootballColliders? _colliders;
     private FixedStepRunner? _runner;
     private Basis _start = Basis.Identity;
 
@@ -46,6 +47,14 @@ public partial class FootballBall : Node3D
     /// <summary>Ball, air, ground and method; none: a football over turf in still air. A new one counts from the next _Ready.</summary>
     [Export]
     public FootballPreset? Preset { get; set; }
+
+    /// <summary>Layers whose bodies the ball hits; 0: only the ground of its preset. Counts from the next _Ready.</summary>
+    [Export(PropertyHint.Layers3DPhysics)]
+    public uint HitMask { get; set; }
+
+    /// <summary>Not slower than the fastest body that may hit the ball, m/s.</summary>
+    [Export]
+    public float GreatestSpeed { get; set; } = 15;
 
     /// <summary>The fixed-step runner behind the node: state, tick, kicks by tick, rollback.</summary>
     public FixedStepRunner Runner => _runner ?? throw new InvalidOperationException("The football has no _Ready behind it yet: use it once it is in the scene tree.");
@@ -108,7 +117,7 @@ public partial class FootballBall : Node3D
     public override void _Ready()
     {
         double timeStep = 1.0 / Engine.PhysicsTicksPerSecond;
-        _runner = new FixedStepRunner(Preset?.Compile() ?? new Simulator(), timeStep, Math.Max(timeStep, 0.25));
+        _runner = new FixedStepRunner(AmongBodies(Preset?.Compile() ?? new Simulator()), timeStep, Math.Max(timeStep, 0.25));
         _start = GlobalTransform.Basis;
         Set("physics_interpolation_mode", InterpolationOff);
         Place(GlobalPosition);
@@ -117,6 +126,12 @@ public partial class FootballBall : Node3D
     /// <inheritdoc/>
     public override void _PhysicsProcess(double delta)
     {
+        if (_colliders is not null)
+        {
+            // Godot has its bodies where they are at this time, on the clock of the ball.
+            _colliders.Time = Runner.State.Time;
+        }
+
         Runner.Step();
         for (int i = 0; i < Runner.Events.Count; i++)
         {
@@ -126,6 +141,17 @@ public partial class FootballBall : Node3D
 
     /// <inheritdoc/>
     public override void _Process(double delta) => Draw(Engine.GetPhysicsInterpolationFraction());
+
+    private Simulator AmongBodies(Simulator simulator)
+    {
+        if (HitMask == 0)
+        {
+            return simulator;
+        }
+
+        _colliders = new FootballColliders(GetWorld3D().DirectSpaceState, HitMask, GreatestSpeed);
+        return new Simulator(simulator.Scene with { EngineColliders = _colliders }, simulator.Settings);
+    }
 
     private void Draw(double fraction)
     {

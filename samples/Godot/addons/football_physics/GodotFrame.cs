@@ -27,5 +27,9 @@ public static class GodotFrame
         return new Quaternion((float)q.X, (float)q.Y, (float)q.Z, (float)q.W);
     }
 
+    /// <summary>A rotation of Godot's, for the library.</summary>
+    public static Quaterniond FromGodot(Quaternion rotation) =>
+        EngineFrame.RightHanded.Rotation(new Quaterniond(rotation.X, rotation.Y, rotation.Z, rotation.W));
+
     private static Vector3 Rounded(Vector3d v) => new((float)v.X, (float)v.Y, (float)v.Z);
 }

@@ -20,10 +20,17 @@ namespace Football.Physics.Unity
         [SerializeField, Range(0.1f, 20f), Tooltip("How much of the path ahead the gizmo shows, s.")]
         private float gizmoSeconds = 3f;
 
+        [SerializeField, Tooltip("Layers whose colliders the ball hits; none: only the ground of its preset.")]
+        private LayerMask hits;
+
+        [SerializeField, Tooltip("Not slower than the fastest collider that may hit the ball, m/s.")]
+        private float greatestSpeed = 15f;
+
         [SerializeField]
         private FootballBallEvents events = new FootballBallEvents();
 
         private readonly StepLog _log = new StepLog();
+        private FootballColliders _colliders;
         private FixedStepRunner _runner;
         private Simulator _preview;
         private Vector3[] _path = Array.Empty<Vector3>();
@@ -50,6 +57,13 @@ namespace Football.Physics.Unity
         {
             get => preset;
             set => preset = value;
+        }
+
+        /// <summary>Layers whose colliders the ball hits; new ones count from the next Awake.</summary>
+        public LayerMask Hits
+        {
+            get => hits;
+            set => hits = value;
         }
 
         /// <summary>The kick that the editor shows.</summary>
@@ -124,6 +138,18 @@ namespace Football.Physics.Unity
             return preset != null ? preset.Compile() : new Simulator();
         }
 
+        private Simulator AmongColliders(Simulator simulator)
+        {
+            if (hits.value == 0)
+            {
+                return simulator;
+            }
+
+            TryGetComponent(out Rigidbody own);
+            _colliders = new FootballColliders(own, hits.value, greatestSpeed);
+            return new Simulator(simulator.Scene with { EngineColliders = _colliders }, simulator.Settings);
+        }
+
         private void Reset()
         {
             BeKinematic();
@@ -137,7 +163,7 @@ namespace Football.Physics.Unity
         private void Awake()
         {
             BeKinematic();
-            _runner = new FixedStepRunner(Compile(), TimeStep, Math.Max(TimeStep, 0.25));
+            _runner = new FixedStepRunner(AmongColliders(Compile()), TimeStep, Math.Max(TimeStep, 0.25));
             _elapsed = 0.0;
             _steps = 0;
             Place(transform.position);
@@ -146,6 +172,12 @@ namespace Football.Physics.Unity
         private void FixedUpdate()
         {
             _elapsed += Time.fixedDeltaTime;
+            if (_colliders != null)
+            {
+                // Unity has moved its bodies to where they are at this time, on the clock of the ball.
+                _colliders.Time = _runner.State.Time;
+            }
+
             while ((_steps + 1) * _runner.TimeStep <= _elapsed + (AlmostDue * _runner.TimeStep))
             {
                 _runner.Step();

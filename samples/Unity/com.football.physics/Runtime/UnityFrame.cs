@@ -34,6 +34,12 @@ namespace Football.Physics.Unity
             return new UnityEngine.Quaternion((float)q.X, (float)q.Y, (float)q.Z, (float)q.W);
         }
 
+        /// <summary>A rotation of Unity's, for the library.</summary>
+        public static Quaterniond FromUnity(UnityEngine.Quaternion rotation)
+        {
+            return EngineFrame.LeftHanded.Rotation(new Quaterniond(rotation.x, rotation.y, rotation.z, rotation.w));
+        }
+
         private static UnityEngine.Vector3 Rounded(Vector3d v)
         {
             return new UnityEngine.Vector3((float)v.X, (float)v.Y, (float)v.Z);

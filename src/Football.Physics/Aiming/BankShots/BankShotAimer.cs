@@ -74,7 +74,7 @@ public sealed class BankShotAimer
         best.Kick.Vectors(request.Speed, frame.Forward, out Vector3d velocity, out Vector3d spin);
         bool hits = best.IsFine && best.Miss <= request.Tolerance;
         var measured = new MeasuredMiss(best.Miss, null, best.Time, best.Position);
-        return new AimResult(hits ? AimStatus.Hit : AimStatus.NotConverged, in velocity, in spin, in measured, AimArc.Low, rolls: false, _iterations, _simulations);
+        return new AimResult(hits ? AimStatus.Hit : AimStatus.NotConverged, in velocity, in spin, in measured, AimArc.Low, rolls: false, _iterations, _simulations, blockedBy: null);
     }
 
     private int[] Things(string[] names)

@@ -37,8 +37,11 @@ internal struct EmpiricalSpinDecay : IAirLaw
         get => true;
     }
 
-    // Near zero spin the torque does not fade: what it could reverse is caught where it happens. Fast spins decay at a rate below 1.8 k U^0.8.
-    public readonly RateBound Bound => new(_k * _halfRadius, _k * _halfRadius, 0);
+    /// <remarks>
+    /// Near zero spin the torque of a ball that moves does not fade: what it could reverse is caught where it happens. Else the torque changes with the
+    /// spin by 1.8 k r/2 (U₊^0.8 ± U₋^0.8), less than 3.6 k r/2 U^0.8 with U = |u| + r|ω|/2, and U^0.8 is less than 0.8 U + 0.2.
+    /// </remarks>
+    public readonly RateBound Bound => new(2.88 * _k * _halfRadius, 2.88 * _k * _halfRadius * _halfRadius, 0.72 * _k * _halfRadius);
 
     /// <summary>Angular deceleration by one plate at 1 m/s, rad/s².</summary>
     public readonly double Plate => _k;

@@ -55,6 +55,9 @@ internal sealed class KnuckleForce
     /// <summary>The force of a scene; null where none acts.</summary>
     public static KnuckleForce? Of(Scene scene) => scene.Forces.KnuckleSeed is { } seed && scene.Ball.KnuckleForce > 0 ? new KnuckleForce(scene, seed) : null;
 
+    /// <summary>An upper bound of what it does to the motion: |F_K|/m ≤ √2 c Σ w κ/m, and κ/|u|² is largest where κ grows no further.</summary>
+    public RateBound Bound => new(_perMass * Math.Sqrt(2.0) * _amplitude.Sum * Power.Of(Fastest / 30.0) / (Fastest * Fastest), 0, 0);
+
     /// <summary>The acceleration, m/s².</summary>
     /// <param name="u">Velocity relative to the air, m/s.</param>
     /// <param name="spin">Spin, rad/s.</param>

@@ -71,14 +71,4 @@ public readonly struct Bounds3d
     /// <summary>The box, moved.</summary>
     /// <param name="by">By how much, m.</param>
     public Bounds3d Moved(in Vector3d by) => new(Min + by, Max + by);
-
-    /// <summary>The square of the distance of a point from the box, m²; 0 inside.</summary>
-    /// <param name="point">The point, m.</param>
-    public double DistanceSquared(in Vector3d point)
-    {
-        double x = Math.Max(0, Math.Max(Min.X - point.X, point.X - Max.X));
-        double y = Math.Max(0, Math.Max(Min.Y - point.Y, point.Y - Max.Y));
-        double z = Math.Max(0, Math.Max(Min.Z - point.Z, point.Z - Max.Z));
-        return (x * x) + (y * y) + (z * z);
-    }
 }

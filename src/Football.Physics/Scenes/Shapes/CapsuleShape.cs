@@ -4,7 +4,8 @@ namespace Football.Physics;
 public sealed class CapsuleShape : IShape
 {
     private readonly Vector3d _axis;
-    private readonly double _length;
+    private readonly Vector3d _middle;
+    private readonly double _half;
 
     /// <summary>Makes a capsule.</summary>
     /// <param name="from">One end of the segment, m; components within ±1e6.</param>
@@ -19,13 +20,15 @@ public sealed class CapsuleShape : IShape
         From = from;
         To = to;
         Radius = radius;
-        _length = (to - from).Length;
-        if (!(_length > 0))
+        double length = (to - from).Length;
+        if (!(length > 0))
         {
             throw Check.Refusal("to", to.ToString(), "a point other than from");
         }
 
-        _axis = (to - from) / _length;
+        _axis = (to - from) / length;
+        _middle = 0.5 * (from + to);
+        _half = 0.5 * length;
     }
 
     /// <summary>One end of the segment, m.</summary>
@@ -46,10 +49,11 @@ public sealed class CapsuleShape : IShape
     /// <inheritdoc/>
     public ShapePoint At(in Vector3d point)
     {
-        Vector3d from = point - From;
+        // From the middle, so that the two ends are the same to the last bit.
+        Vector3d from = point - _middle;
         double along = Vector3d.Dot(in from, in _axis);
-        bool beside = along > 0 && along < _length;
-        Vector3d nearest = beside ? along * _axis : along > 0 ? _length * _axis : Vector3d.Zero;
+        bool beside = Math.Abs(along) < _half;
+        Vector3d nearest = (beside ? along : along > 0 ? _half : -_half) * _axis;
         Vector3d away = from - nearest;
         double l = away.Length;
         if (!(l > 0))

@@ -1,14 +1,14 @@
 namespace Football.Physics;
 
-/// <summary>A ball around a thing that moves, for a quick look: most are too far to be met.</summary>
-internal readonly struct Mover
+/// <summary>A sphere around a thing that moves, for a quick look: most are too far to be met.</summary>
+internal readonly struct MovingSphere
 {
     private readonly Vector3d _center;
     private readonly Vector3d _velocity;
     private readonly double _radius;
 
     /// <summary>Around a box that is there at time 0.</summary>
-    public Mover(in Bounds3d box, in Vector3d velocity)
+    public MovingSphere(in Bounds3d box, in Vector3d velocity)
     {
         _center = 0.5 * (box.Min + box.Max);
         _radius = 0.5 * (box.Max - box.Min).Length;

@@ -1,0 +1,162 @@
+#nullable enable
+using System.Collections.Generic;
+using Godot;
+
+namespace Football.Physics.GodotAddon;
+
+/// <summary>
+/// Godot's bodies as the ball meets them, found by PhysicsDirectSpaceState3D.CastMotion and GetRestInfo. Spheres, capsules and boxes are met exactly as they are; any
+/// other shape as the plane that it is like where the ball would touch it.
+/// </summary>
+/// <remarks>A shape's size is that of when it was first met. What Godot answers with are dictionaries of its own, which it allocates.</remarks>
+public sealed class FootballColliders : IEngineColliders
+{
+    /// <summary>Bodies that one cast looks for at most.</summary>
+    private const int MostBodies = 32;
+
+    /// <summary>How far beyond its unsafe fraction a cast is asked what it touches, m.</summary>
+    private const float Beyond = 1e-3f;
+
+    private readonly Dictionary<(ulong Body, int Owner), EngineCollider> _known = new();
+    private readonly PhysicsDirectSpaceState3D _space;
+    private readonly SphereShape3D _sphere = new();
+    private readonly PhysicsShapeQueryParameters3D _query = new();
+    private readonly Godot.Collections.Array<Rid> _excluded = new();
+
+    /// <summary>For a ball in a space.</summary>
+    /// <param name="space">The space: GetWorld3D().DirectSpaceState, in _PhysicsProcess.</param>
+    /// <param name="mask">The layers that it hits.</param>
+    /// <param name="greatestSpeed">Not slower than the fastest body in them, m/s.</param>
+    public FootballColliders(PhysicsDirectSpaceState3D space, uint mask, double greatestSpeed)
+    {
+        _space = space;
+        _query.CollisionMask = mask;
+        _query.Shape = _sphere;
+        GreatestSpeed = greatestSpeed;
+    }
+
+    /// <summary>When Godot has its bodies where they are, on the ball's clock, s: set before every step.</summary>
+    public double Time { get; set; }
+
+    /// <summary>Not slower than the fastest of them, m/s.</summary>
+    public double GreatestSpeed { get; set; }
+
+    /// <summary>Adds what a sphere touches on its way.</summary>
+    public void Cast(in SphereCast cast, EngineHits hits)
+    {
+        Vector3 from = GodotFrame.ToGodot(cast.From);
+        Vector3 motion = GodotFrame.ToGodot(cast.Distance * cast.Direction);
+        _sphere.Radius = (float)cast.Radius;
+        _excluded.Clear();
+
+        // What it touches at its start, which a motion leaves out; then what it comes to, body by body.
+        while (_excluded.Count < MostBodies && TryRest(from, in cast, hits))
+        {
+        }
+
+        while (_excluded.Count < MostBodies && cast.Distance > 0)
+        {
+            _query.Transform = new Transform3D(Basis.Identity, from);
+            _query.Motion = motion;
+            _query.Exclude = _excluded;
+            float fraction = _space.CastMotion(_query)[1];
+            if (fraction >= 1 || !TryRest(from + (motion * (fraction + (Beyond / (float)cast.Distance))), in cast, hits))
+            {
+                break;
+            }
+        }
+    }
+
+    private bool TryRest(Vector3 place, in SphereCast cast, EngineHits hits)
+    {
+        _query.Transform = new Transform3D(Basis.Identity, place);
+        _query.Motion = Vector3.Zero;
+        _query.Exclude = _excluded;
+        Godot.Collections.Dictionary rest = _space.GetRestInfo(_query);
+        if (rest.Count == 0)
+        {
+            return false;
+        }
+
+        _excluded.Add(rest["rid"].AsRid());
+        ulong id = rest["collider_id"].AsUInt64();
+        Vector3 velocity = rest["linear_velocity"].AsVector3();
+        if (GodotObject.InstanceFromId(id) is not CollisionObject3D body || !AddShapes(id, body, velocity, hits))
+        {
+            EngineCollider plane = Known(id, -1, (GodotObject.InstanceFromId(id) as Node)?.Name.ToString() ?? "body", null);
+            plane.TouchAt(GodotFrame.FromGodot(rest["point"].AsVector3()), GodotFrame.FromGodot(rest["normal"].AsVector3()), GodotFrame.FromGodot(velocity));
+            hits.Add(plane);
+        }
+
+        return true;
+    }
+
+    /// <summary>Adds all shapes of a body, where the library knows them all.</summary>
+    private bool AddShapes(ulong id, CollisionObject3D body, Vector3 velocity, EngineHits hits)
+    {
+        int[] owners = body.GetShapeOwners();
+        foreach (int owner in owners)
+        {
+            if (body.ShapeOwnerGetShapeCount((uint)owner) != 1 || Shape(body.ShapeOwnerGetShape((uint)owner, 0)) is null)
+            {
+                return false;
+            }
+        }
+
+        Vector3 spin = body is RigidBody3D rigid ? rigid.AngularVelocity : Vector3.Zero;
+        foreach (int owner in owners)
+        {
+            EngineCollider known = Known(id, owner, body.Name.ToString(), body.ShapeOwnerGetShape((uint)owner, 0));
+            Transform3D at = body.GlobalTransform * body.ShapeOwnerGetTransform((uint)owner);
+            known.MoveTo(GodotFrame.FromGodot(at.Origin), GodotFrame.FromGodot(at.Basis.GetRotationQuaternion()), GodotFrame.FromGodot(velocity), GodotFrame.SpinFromGodot(spin));
+            hits.Add(known);
+        }
+
+        return owners.Length > 0;
+    }
+
+    private EngineCollider Known(ulong body, int owner, string name, Shape3D? shape)
+    {
+        if (!_known.TryGetValue((body, owner), out EngineCollider? known))
+        {
+            Surface surface = GodotObject.InstanceFromId(body) is Node node && node.HasMeta("football_surface")
+                ? SurfaceOf(node.GetMeta("football_surface").AsString())
+                : Surface.GoalFrame;
+            known = shape is not null && Shape(shape) is { } own ? new EngineCollider(name, own, surface) : new EngineCollider(name, surface);
+            _known.Add((body, owner), known);
+        }
+
+        return known;
+    }
+
+    /// <summary>What the metadata football_surface of a body names; anything else is as a goal's frame.</summary>
+    private static Surface SurfaceOf(string name) => name switch
+    {
+        "wood" => Surface.Wood,
+        "board" => Surface.Board,
+        "concrete" => Surface.Concrete,
+        "boot" => Surface.Boot,
+        "head" => Surface.Head,
+        "glove" => Surface.Glove,
+        "turf" => Surface.Of(Ground.Turf),
+        _ => Surface.GoalFrame,
+    };
+
+    private static IShape? Shape(Shape3D shape)
+    {
+        switch (shape)
+        {
+            case SphereShape3D sphere:
+                return new SphereShape(Vector3d.Zero, sphere.Radius);
+            case BoxShape3D box:
+                return new BoxShape(Vector3d.Zero, new Vector3d(0.5 * box.Size.X, 0.5 * box.Size.Y, 0.5 * box.Size.Z));
+            case CapsuleShape3D capsule:
+                double half = (0.5 * capsule.Height) - capsule.Radius;
+                return half > 0
+                    ? new CapsuleShape(new Vector3d(0, -half, 0), new Vector3d(0, half, 0), capsule.Radius)
+                    : new SphereShape(Vector3d.Zero, capsule.Radius);
+            default:
+                return null;
+        }
+    }
+}

@@ -1,0 +1,166 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Football.Physics.Unity
+{
+    /// <summary>
+    /// Unity's colliders as the ball meets them, found by Physics.SphereCastNonAlloc. Spheres, capsules and boxes are met exactly as they are; anything else (meshes,
+    /// terrain) as the plane that it is like where the ball would touch it. Triggers are none.
+    /// </summary>
+    /// <remarks>A collider's scale, and the surface of its game object, are those of when it was first met.</remarks>
+    public sealed class FootballColliders : IEngineColliders
+    {
+        /// <summary>The ball is cast this much smaller against meshes, so that what it lies on is not in its way.</summary>
+        private const float Skin = 0.99f;
+
+        private readonly Dictionary<Collider, EngineCollider> _known = new Dictionary<Collider, EngineCollider>();
+        private readonly Rigidbody _own;
+        private readonly int _layers;
+        private RaycastHit[] _hits = new RaycastHit[16];
+        private RaycastHit[] _exact = new RaycastHit[16];
+        private Collider[] _near = new Collider[16];
+
+        /// <summary>For a ball.</summary>
+        /// <param name="own">The ball's own body, which it does not hit.</param>
+        /// <param name="layers">The layers that it hits, as a LayerMask.</param>
+        /// <param name="greatestSpeed">Not slower than the fastest of them, m/s.</param>
+        public FootballColliders(Rigidbody own, int layers, float greatestSpeed)
+        {
+            _own = own;
+            _layers = layers;
+            GreatestSpeed = greatestSpeed;
+        }
+
+        /// <summary>When Unity has its colliders where they are, on the ball's clock, s: set before every step.</summary>
+        public double Time { get; set; }
+
+        /// <summary>Not slower than the fastest of them, m/s.</summary>
+        public double GreatestSpeed { get; set; }
+
+        /// <summary>Adds what a sphere touches on its way. Allocates only for colliders that were never met before.</summary>
+        public void Cast(in SphereCast cast, EngineHits hits)
+        {
+            Vector3 from = UnityFrame.ToUnity(cast.From);
+            Vector3 direction = UnityFrame.ToUnity(cast.Direction);
+            var radius = (float)cast.Radius;
+            var distance = (float)cast.Distance;
+
+            // What the sphere touches where it starts, and then what it comes to.
+            int near = UnityEngine.Physics.OverlapSphereNonAlloc(from, radius, _near, _layers, QueryTriggerInteraction.Ignore);
+            while (near == _near.Length)
+            {
+                Array.Resize(ref _near, 2 * near);
+                near = UnityEngine.Physics.OverlapSphereNonAlloc(from, radius, _near, _layers, QueryTriggerInteraction.Ignore);
+            }
+
+            for (int i = 0; i < near; i++)
+            {
+                Add(_near[i], in cast, hits);
+            }
+
+            if (distance > 0f)
+            {
+                int count = CastSphere(from, radius, direction, distance, ref _hits);
+                for (int i = 0; i < count; i++)
+                {
+                    Add(_hits[i].collider, in cast, hits);
+                }
+            }
+        }
+
+        private void Add(Collider collider, in SphereCast cast, EngineHits hits)
+        {
+            if (collider.attachedRigidbody == _own && _own != null)
+            {
+                return;
+            }
+
+            if (!_known.TryGetValue(collider, out EngineCollider known))
+            {
+                known = ColliderShapes.Make(collider);
+                _known.Add(collider, known);
+            }
+
+            Rigidbody body = collider.attachedRigidbody;
+            if (ColliderShapes.HasShape(collider))
+            {
+                Vector3 place = collider.transform.position;
+                Vector3 velocity = body != null ? body.GetPointVelocity(place) : Vector3.zero;
+                Vector3 spin = body != null ? body.angularVelocity : Vector3.zero;
+                known.MoveTo(UnityFrame.FromUnity(place), UnityFrame.FromUnity(collider.transform.rotation), UnityFrame.FromUnity(velocity), UnityFrame.SpinFromUnity(spin));
+                hits.Add(known);
+            }
+            else if (TryTouch(collider, in cast, out Vector3 point, out Vector3 normal))
+            {
+                Vector3 velocity = body != null ? body.GetPointVelocity(point) : Vector3.zero;
+                known.TouchAt(UnityFrame.FromUnity(point), UnityFrame.FromUnity(normal), UnityFrame.FromUnity(velocity));
+                hits.Add(known);
+            }
+        }
+
+        /// <summary>Where the ball would touch a mesh: where it does already, else where it comes to it.</summary>
+        private bool TryTouch(Collider collider, in SphereCast cast, out Vector3 point, out Vector3 normal)
+        {
+            Vector3 from = UnityFrame.ToUnity(cast.From);
+            Vector3 direction = UnityFrame.ToUnity(cast.Direction);
+            var reach = (float)cast.Radius;
+            bool found = Nearest(collider, from, reach, direction, out point, out normal);
+            var ball = (float)cast.BallRadius;
+            if (found && Vector3.Dot(from - point, normal) <= ball * 1.01f)
+            {
+                return true;
+            }
+
+            float nearest = float.PositiveInfinity;
+            int count = cast.Distance > 0 ? CastSphere(from, ball * Skin, direction, (float)cast.Distance + reach, ref _exact) : 0;
+            for (int i = 0; i < count; i++)
+            {
+                if (_exact[i].collider == collider && _exact[i].distance > 0f && _exact[i].distance < nearest)
+                {
+                    nearest = _exact[i].distance;
+                    point = _exact[i].point;
+                    normal = _exact[i].normal;
+                    found = true;
+                }
+            }
+
+            return found;
+        }
+
+        /// <summary>The plane that is nearest to the ball's centre, of what rays ahead and down from it meet.</summary>
+        private static bool Nearest(Collider collider, Vector3 from, float reach, Vector3 direction, out Vector3 point, out Vector3 normal)
+        {
+            point = Vector3.zero;
+            normal = Vector3.zero;
+            float least = float.PositiveInfinity;
+            for (int i = 0; i < 2; i++)
+            {
+                if (collider.Raycast(new Ray(from, i == 0 ? new Vector3(0f, -1f, 0f) : direction), out RaycastHit hit, 2f * reach))
+                {
+                    float above = Vector3.Dot(from - hit.point, hit.normal);
+                    if (above < least)
+                    {
+                        least = above;
+                        point = hit.point;
+                        normal = hit.normal;
+                    }
+                }
+            }
+
+            return least < float.PositiveInfinity;
+        }
+
+        private int CastSphere(Vector3 from, float radius, Vector3 direction, float distance, ref RaycastHit[] hits)
+        {
+            int count = UnityEngine.Physics.SphereCastNonAlloc(from, radius, direction, hits, distance, _layers, QueryTriggerInteraction.Ignore);
+            while (count == hits.Length)
+            {
+                Array.Resize(ref hits, 2 * count);
+                count = UnityEngine.Physics.SphereCastNonAlloc(from, radius, direction, hits, distance, _layers, QueryTriggerInteraction.Ignore);
+            }
+
+            return count;
+        }
+    }
+}

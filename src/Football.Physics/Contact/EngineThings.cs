@@ -1,0 +1,157 @@
+namespace Football.Physics;
+
+/// <summary>
+/// What an engine's sphere casts have found, as colliders of the world: each has a place among these that it keeps, and those of the last cast are looked at.
+/// </summary>
+internal sealed class EngineThings
+{
+    /// <summary>So many different ones have a place at a time; then the one that was found longest ago gives up its own.</summary>
+    public const int Room = 256;
+
+    /// <summary>What lies so near beside the way is found too, m: so that what touches at its end, or next to it, need not be cast for again.</summary>
+    private const double Beside = 0.02;
+
+    private readonly IEngineColliders _engine;
+    private readonly double _ballRadius;
+    private readonly int _first;
+    private readonly Collider[] _colliders = new Collider[Room];
+    private readonly long[] _foundAt = new long[Room];
+    private readonly Dictionary<EngineCollider, int> _places = new(Room);
+    private readonly EngineHits _hits = new();
+    private int[] _found = new int[Room];
+    private Vector3d _from;
+    private Vector3d _to;
+    private double _around;
+    private bool _isKnown;
+    private long _casts;
+
+    /// <summary>The colliders of an engine.</summary>
+    /// <param name="engine">The engine.</param>
+    /// <param name="ballRadius">Radius of the ball, m.</param>
+    /// <param name="first">Index of the first of them among the world's colliders.</param>
+    public EngineThings(IEngineColliders engine, double ballRadius, int first)
+    {
+        _engine = engine;
+        _ballRadius = ballRadius;
+        _first = first;
+        var none = new Placement(Bounds3d.Everywhere);
+        for (int i = 0; i < Room; i++)
+        {
+            _colliders[i] = new Collider(none);
+        }
+    }
+
+    /// <summary>Places for colliders, filled as they are found.</summary>
+    public IReadOnlyList<Collider> Colliders => _colliders;
+
+    /// <summary>How many the last cast has found.</summary>
+    public int Count { get; private set; }
+
+    /// <summary>Index among the world's colliders of one that was found.</summary>
+    public int Found(int index) => _found[index];
+
+    /// <summary>Whether a collider of the world is one of an engine's.</summary>
+    public bool Has(int collider) => (uint)(collider - _first) < Room;
+
+    /// <summary>Whether the last cast has found a collider.</summary>
+    public bool Finds(int collider) => Array.IndexOf(_found, collider, 0, Count) >= 0;
+
+    /// <summary>The engine may have moved its colliders: what was found is out of date.</summary>
+    public void Forget() => _isKnown = false;
+
+    /// <summary>Finds what is near a path.</summary>
+    public void LookAlong(in PathCubic path, double time)
+    {
+        Vector3d from = path.At(0);
+        Vector3d to = path.At(path.Length);
+        Look(in from, in to, _ballRadius + path.Deviation, time, path.Length);
+    }
+
+    /// <summary>Finds what is near a place, where the last cast has not been there.</summary>
+    public void LookAt(in Vector3d position, double time)
+    {
+        if (!_isKnown || !(DistanceFromLast(in position) + _ballRadius + (0.5 * Beside) <= _around))
+        {
+            Look(in position, in position, _ballRadius, time, 0);
+        }
+    }
+
+    /// <summary>Whether nothing can be met on a straight way.</summary>
+    public bool IsFree(in StraightWay way)
+    {
+        Vector3d from = way.From;
+        Vector3d to = from + (way.Duration * way.Velocity);
+        Look(in from, in to, way.Around, way.Time, way.Duration);
+        for (int i = 0; i < Count; i++)
+        {
+            Collider collider = _colliders[_found[i] - _first];
+            if (way.SeenFrom(collider.Velocity).Meets(collider.BoundsAt(way.Time)) <= way.Duration)
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    private void Look(in Vector3d from, in Vector3d to, double around, double time, double duration)
+    {
+        _from = from;
+        _to = to;
+        _around = around + Beside;
+        _isKnown = true;
+
+        // The engine has its colliders where they are at one time: until the ball passes they may have moved.
+        double now = _engine.Time;
+        double apart = Math.Max(Math.Abs(time - now), Math.Abs(time + duration - now));
+        _hits.Clear();
+        _engine.Cast(new SphereCast(in from, in to, _around + (apart * _engine.GreatestSpeed), _ballRadius), _hits);
+        _casts++;
+        Count = 0;
+        if (_found.Length < _hits.Count)
+        {
+            Array.Resize(ref _found, _hits.Count);
+        }
+
+        for (int i = 0; i < _hits.Count; i++)
+        {
+            EngineCollider hit = _hits.At(i);
+            hit.Placement.Motion.Time = now;
+            int place = PlaceOf(hit);
+            _foundAt[place] = _casts;
+            _found[Count++] = _first + place;
+        }
+    }
+
+    /// <summary>The place of a collider, its own or one that was found longest ago.</summary>
+    private int PlaceOf(EngineCollider hit)
+    {
+        if (_places.TryGetValue(hit, out int place))
+        {
+            return place;
+        }
+
+        place = 0;
+        for (int i = 1; i < Room; i++)
+        {
+            place = _foundAt[i] < _foundAt[place] ? i : place;
+        }
+
+        if (_colliders[place].Engine is { } before)
+        {
+            _places.Remove(before);
+        }
+
+        _places.Add(hit, place);
+        _colliders[place].Become(hit);
+        return place;
+    }
+
+    private double DistanceFromLast(in Vector3d position)
+    {
+        Vector3d way = _to - _from;
+        double square = way.LengthSquared;
+        double share = square > 0 ? Vector3d.Dot(position - _from, in way) / square : 0;
+        return (position - (_from + (Math.Min(1, Math.Max(0, share)) * way))).Length;
+    }
+}

@@ -1,0 +1,61 @@
+namespace Football.Physics;
+
+/// <summary>
+/// How the nets of a scene bulge, for drawing: as deep as the ball is in them; and where it leaves faster, or has left, as fast as a net comes back by
+/// itself, at 1/b of <see cref="Net.Damping"/>.
+/// </summary>
+/// <remarks>For one ball. The simulation knows nothing of it: it may be asked or not, after every step or now and then.</remarks>
+public sealed class NetBulges
+{
+    private readonly World? _world;
+    private readonly NetBulge[] _bulges;
+    private double _time = double.NaN;
+
+    /// <summary>For a ball of a scene.</summary>
+    /// <param name="simulator">The scene.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
+    public NetBulges(Simulator simulator)
+    {
+        Check.Given(nameof(simulator), simulator);
+        _world = simulator.World;
+        _bulges = new NetBulge[_world?.Nets.Length ?? 0];
+    }
+
+    /// <summary>How many nets there are: those of the scene, then those of each goal: back, roof, left, right.</summary>
+    public int Count => _bulges.Length;
+
+    /// <summary>The bulge of a net.</summary>
+    /// <param name="net">0 … <see cref="Count"/> − 1.</param>
+    public NetBulge this[int net] => _bulges[net];
+
+    /// <summary>The name of a net, as events have it.</summary>
+    /// <param name="net">0 … <see cref="Count"/> − 1.</param>
+    public string NameOf(int net) => _world!.Nets[net].Name;
+
+    /// <summary>Follows the ball. Allocates nothing.</summary>
+    /// <param name="state">The ball now. Where its time has gone back, nets that it is not in hang still.</param>
+    public void Follow(in BallState state)
+    {
+        double passed = state.Time >= _time ? state.Time - _time : double.PositiveInfinity;
+        _time = state.Time;
+        for (int i = 0; i < _bulges.Length; i++)
+        {
+            NetSheet net = _world!.Nets[i];
+            NetBulge before = _bulges[i];
+
+            // F = 0 where δ̇ < −1/b: the sheet comes back more slowly than the ball.
+            double left = before.Depth > 0 && net.ReturnSpeed * passed < before.Depth ? before.Depth - (net.ReturnSpeed * passed) : 0;
+            double side = World.SideOf(state.NetSides, i);
+            double depth = (state.Nets >> i & 1) != 0 ? Math.Max(0, net.Depth(state.Position, side)) : 0;
+            if (depth >= left)
+            {
+                Vector3d direction = -side * net.Normal;
+                _bulges[i] = new NetBulge(state.Position + (_world.Ball.Radius * direction), in direction, depth);
+            }
+            else
+            {
+                _bulges[i] = new NetBulge(before.Position - ((before.Depth - left) * before.Direction), before.Direction, left);
+            }
+        }
+    }
+}

@@ -1,0 +1,105 @@
+namespace Football.Physics;
+
+/// <summary>
+/// A collider of a game engine, as the ball sees it: of a known shape, which moves; or, where it has none here (a mesh, a terrain), as the plane or sphere
+/// that is like it where it was hit.
+/// </summary>
+public sealed class EngineCollider
+{
+    private readonly bool _hasShape;
+
+    /// <summary>A collider of a known shape.</summary>
+    /// <param name="name">Its name, for events.</param>
+    /// <param name="shape">Its shape, in its own frame.</param>
+    /// <param name="surface">What it is made of; default <see cref="Surface.GoalFrame"/>.</param>
+    /// <exception cref="ArgumentNullException">Name or shape is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number of the surface is out of range.</exception>
+    public EngineCollider(string name, IShape shape, Surface? surface = null)
+        : this(name, surface)
+    {
+        Check.Given(nameof(shape), shape);
+        _hasShape = true;
+        Shape = shape;
+        Placement.Reshape(shape.Bounds);
+    }
+
+    /// <summary>A collider of which is known where it was hit, and no more.</summary>
+    /// <param name="name">Its name, for events.</param>
+    /// <param name="surface">What it is made of; default <see cref="Surface.GoalFrame"/>.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="name"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number of the surface is out of range.</exception>
+    public EngineCollider(string name, Surface? surface = null)
+    {
+        Check.Given(nameof(name), name);
+        Name = name;
+        Surface = surface ?? Surface.GoalFrame;
+        Surface.Validate(nameof(surface));
+        Shape = new TangentShape();
+        Placement = new Placement(Shape.Bounds);
+    }
+
+    /// <summary>Its name.</summary>
+    public string Name { get; }
+
+    /// <summary>What it is made of.</summary>
+    public Surface Surface { get; }
+
+    internal IShape Shape { get; }
+
+    internal Placement Placement { get; }
+
+    /// <summary>Says where a collider of a known shape is at <see cref="IEngineColliders.Time"/>, and how it moves.</summary>
+    /// <param name="position">Where its shape's origin is, m; components within ±1e6.</param>
+    /// <param name="orientation">How it is turned, body to world; normalised.</param>
+    /// <param name="velocity">Velocity, m/s; at most 1000.</param>
+    /// <param name="spin">Spin of its surface about its position, rad/s; at most 10 000.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
+    /// <exception cref="InvalidOperationException">It has no known shape.</exception>
+    public void MoveTo(Vector3d position, Quaterniond orientation, Vector3d velocity, Vector3d spin)
+    {
+        RequireShape(true);
+        Check.Place("position", position);
+        Check.Rotation("orientation", orientation);
+        Check.Size("velocity", velocity, Limits.Speed, "m/s");
+        Check.Size("spin", spin, Limits.Spin, "rad/s");
+        if (orientation != Placement.Motion.Orientation)
+        {
+            Placement.Turn(orientation.Normalized());
+        }
+
+        Placement.Motion.Origin = position;
+        Placement.Motion.Pivot = position;
+        Placement.Motion.Velocity = velocity;
+        Placement.Motion.Spin = spin;
+    }
+
+    /// <summary>Says what a collider without a known shape is like where the ball would touch it.</summary>
+    /// <param name="point">A point of its surface at <see cref="IEngineColliders.Time"/>, m; components within ±1e6.</param>
+    /// <param name="normal">Its outward normal there; any length but 0.</param>
+    /// <param name="velocity">Velocity of its surface there, m/s; at most 1000.</param>
+    /// <param name="curvature">How round it is there, 1/m: 0 for a plane, 1/R for a ball of radius R.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
+    /// <exception cref="InvalidOperationException">It has a shape.</exception>
+    public void TouchAt(Vector3d point, Vector3d normal, Vector3d velocity, double curvature = 0)
+    {
+        RequireShape(false);
+        Check.Place("point", point);
+        Vector3d unit = Check.Direction("normal", normal);
+        Check.Size("velocity", velocity, Limits.Speed, "m/s");
+        Check.Within("curvature", curvature, 0, Limits.Length);
+        ((TangentShape)Shape).Set(in unit, curvature);
+        Placement.Motion.Origin = point;
+        Placement.Motion.Pivot = point;
+        Placement.Motion.Velocity = velocity;
+    }
+
+    private void RequireShape(bool required)
+    {
+        if (required != _hasShape)
+        {
+            throw new InvalidOperationException(_hasShape
+                ? $"engine collider \"{Name}\": it has a shape; say where that is with MoveTo."
+                : $"engine collider \"{Name}\": it has no shape; say where it is touched with TouchAt.");
+        }
+    }
+}

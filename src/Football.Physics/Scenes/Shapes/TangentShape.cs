@@ -1,0 +1,40 @@
+namespace Football.Physics;
+
+/// <summary>What is like a surface near a point of it, the origin: a plane, or a sphere of its curvature.</summary>
+internal sealed class TangentShape : IShape
+{
+    private Vector3d _normal = Vector3d.Up;
+    private double _curvature;
+
+    /// <inheritdoc/>
+    public double HollowCurvature => 0;
+
+    /// <inheritdoc/>
+    public Bounds3d Bounds => Bounds3d.Everywhere;
+
+    /// <summary>Says how it is there.</summary>
+    /// <param name="normal">Outward normal, of length 1.</param>
+    /// <param name="curvature">Curvature, 1/m; not negative.</param>
+    public void Set(in Vector3d normal, double curvature)
+    {
+        _normal = normal;
+        _curvature = curvature;
+    }
+
+    /// <inheritdoc/>
+    public ShapePoint At(in Vector3d point)
+    {
+        double above = Vector3d.Dot(in point, in _normal);
+        if (_curvature == 0)
+        {
+            return new ShapePoint(above, in _normal, SymmetricMatrix3d.Zero);
+        }
+
+        // d = |p + n/κ| − 1/κ = (2 p·n + κ p²)/(1 + √(1 + κ (2 p·n + κ p²))), without cancellation where it is nearly flat.
+        double inner = (2.0 * above) + (_curvature * point.LengthSquared);
+        double ratio = Math.Sqrt(Math.Max(0, 1.0 + (_curvature * inner)));
+        double distance = inner / (1.0 + ratio);
+        Vector3d normal = ratio > 0 ? ((_curvature * point) + _normal) / ratio : _normal;
+        return new ShapePoint(distance, in normal, ratio > 0 ? SymmetricMatrix3d.AroundPoint(in normal, ratio / _curvature) : SymmetricMatrix3d.Zero);
+    }
+}

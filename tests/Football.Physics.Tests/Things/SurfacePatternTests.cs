@@ -1,0 +1,133 @@
+using Football.Physics.Tests.Support;
+
+namespace Football.Physics.Tests.Things;
+
+/// <summary>Pitches that are not the same everywhere.</summary>
+public sealed class SurfacePatternTests
+{
+    private static readonly Surface s_ice = Surface.Of(Ground.Turf with { SlidingFriction = 0.05, RollingFriction = 0.002, NormalRestitution = 0.3 });
+
+    private static readonly ISurfacePattern s_half = new SurfaceRectangles((new Vector3d(-50, 0, -50), new Vector3d(50, 0, -5), s_ice));
+
+    public static TheoryData<string> Grounds => ["published", "measured", "tilted"];
+
+    [Theory]
+    [MemberData(nameof(Grounds))]
+    public void A_ball_rolls_as_on_the_surface_under_it_and_changes_at_the_border(string kind)
+    {
+        Ground ground = kind switch
+        {
+            "measured" => Ground.DryTurf,
+            "tilted" => Ground.Turf with { Normal = new Vector3d(0.02, 1, 0.01) },
+            _ => Ground.Turf,
+        };
+        Scene scene = Scene.Published with { Ground = ground with { Pattern = s_half } };
+        Scene wet = Scene.Published with { Ground = OfSurface(ground) };
+        BallState start = Rolling(new Simulator(scene, Flight.With(Integrator.Rk4)));
+        foreach (double step in new[] { 0.004, 0.05 })
+        {
+            BallState both = To(new Simulator(scene, Flight.With(Integrator.Rk4)), start, step, 1.6);
+
+            // The same told by hand: up to the border on the one, from there on the other.
+            var dry = new Simulator(scene with { Ground = ground }, Flight.With(Integrator.Rk4));
+            BallState there = start;
+            double low = 0;
+            double high = 1.6;
+            for (int i = 0; i < 60; i++)
+            {
+                double middle = 0.5 * (low + high);
+                there = To(dry, start, step, middle);
+                (low, high) = there.Position.Z > -5 ? (middle, high) : (low, middle);
+            }
+
+            BallState after = To(new Simulator(wet, Flight.With(Integrator.Rk4)), To(dry, start, step, high), step, 1.6 - high);
+            Assert.True(both.Position.Z < -6, $"{both.Position}");
+            Assert.Equal(0, (both.Position - after.Position).Length, step > 0.01 ? 1e-6 : 1e-8);
+            Assert.Equal(0, (both.Velocity - after.Velocity).Length, step > 0.01 ? 1e-6 : 1e-8);
+        }
+    }
+
+    [Fact]
+    public void A_ball_bounces_as_on_the_surface_where_it_lands()
+    {
+        Scene scene = Scene.Published with { Ground = Ground.Turf with { Pattern = s_half } };
+        BallEvent near = Flight.ToImpact(scene, Integrator.Rk4, 0.01, new Vector3d(0, 2, 0), Vector3d.Zero, Vector3d.Zero);
+        BallEvent far = Flight.ToImpact(scene, Integrator.Rk4, 0.01, new Vector3d(0, 2, -10), Vector3d.Zero, Vector3d.Zero);
+        Assert.Equal(-0.6 * near.VelocityBefore.Y, near.Velocity.Y, 1e-12);
+        Assert.Equal(-0.3 * far.VelocityBefore.Y, far.Velocity.Y, 1e-12);
+    }
+
+    [Fact]
+    public void No_stripe_is_stepped_over()
+    {
+        // Stripes of 10 cm, each other of them rough: in long steps and short ones the ball comes as far.
+        Scene scene = Scene.Published with { Ground = Ground.Turf with { Pattern = new Stripes() } };
+        BallState start = Rolling(new Simulator(scene, Flight.With(Integrator.Rk4)));
+        BallState fine = To(new Simulator(scene, Flight.With(Integrator.Rk4)), start, 0.001, 0.6);
+        BallState coarse = To(new Simulator(scene, Flight.With(Integrator.Rk4)), start, 0.6, 0.6);
+        Assert.True(fine.Position.Z < start.Position.Z - 1);
+        Assert.Equal(0, (fine.Position - coarse.Position).Length, 1e-7);
+    }
+
+    [Fact]
+    public void Many_balls_bounce_each_on_its_surface()
+    {
+        Scene scene = Scene.Published with { Ground = Ground.Turf with { Pattern = s_half } };
+        var launches = new BatchLaunches(2);
+        var flights = new BatchFlights(2);
+        launches.Position[0] = new Vector3d(0, 2, 0);
+        launches.Position[1] = new Vector3d(0, 2, -10);
+        new BallBatch(scene).Fly(launches, flights, 2);
+        Assert.Equal(0.6, -flights.VelocityAfter[0].Y / flights.Velocity[0].Y, 1e-6);
+        Assert.Equal(0.3, -flights.VelocityAfter[1].Y / flights.Velocity[1].Y, 1e-6);
+    }
+
+    [Fact]
+    public void A_wrong_pattern_is_refused_by_name()
+    {
+        Surface bad = new() { SlidingFriction = -1 };
+        Scene scene = Scene.Published with { Ground = Ground.Turf with { Pattern = new SurfaceRectangles((Vector3d.Zero, new Vector3d(1, 0, 1), bad)) } };
+        Assert.Contains("ground.pattern.surfaces[0].slidingFriction is -1", Assert.Throws<ArgumentOutOfRangeException>(scene.Validate).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "rectangles[0].max[2] is 0",
+            Assert.Throws<ArgumentOutOfRangeException>(() => new SurfaceRectangles((Vector3d.Zero, new Vector3d(1, 0, 0), s_ice))).Message,
+            StringComparison.Ordinal);
+    }
+
+    private static BallState Rolling(Simulator simulator) =>
+        simulator.Launch(new Vector3d(0, Flight.Radius, -2), new Vector3d(0.5, 0, -6), new Vector3d(-30, 5, 0));
+
+    private static BallState To(Simulator simulator, BallState state, double step, double duration)
+    {
+        if (duration > 0)
+        {
+            simulator.Run(ref state, step, duration, StopAt.Time, new StepLog());
+        }
+
+        return state;
+    }
+
+    private static Ground OfSurface(Ground ground) => ground with
+    {
+        NormalRestitution = s_ice.NormalRestitution,
+        RestitutionSpeed = s_ice.RestitutionSpeed,
+        TangentialRestitutionX = s_ice.TangentialRestitution,
+        TangentialRestitutionZ = s_ice.TangentialRestitution,
+        SpinRestitution = s_ice.SpinRestitution,
+        ImpactFriction = s_ice.ImpactFriction,
+        SlidingFriction = s_ice.SlidingFriction,
+        RollingFriction = s_ice.RollingFriction,
+        RollingFrictionBySpeed = s_ice.RollingFrictionBySpeed,
+        SpinDamping = s_ice.SpinDamping,
+        DrillingLength = s_ice.DrillingLength,
+    };
+
+    private sealed class Stripes : ISurfacePattern
+    {
+        public IReadOnlyList<Surface> Surfaces { get; } = [Surface.Of(Ground.Turf with { RollingFriction = 0.3, SlidingFriction = 0.9 })];
+
+        public double LeastWidth => 0.1;
+
+        public int At(double x, double z) => ((long)Math.Floor(z / 0.1) & 1) == 0 ? 0 : -1;
+    }
+}
