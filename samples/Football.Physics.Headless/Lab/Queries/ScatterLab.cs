@@ -58,7 +58,7 @@ internal static class ScatterLab
     private static ScatterResult Fly(
         Simulator simulator, Vector3d from, Vector3d velocity, Vector3d spin, KickSpread spread, Goal goal, Runner keeper, int kicks, long seed)
     {
-        var random = new Random((int)(seed & int.MaxValue));
+        var random = new SeededRandom(SeededRandom.Mix(seed, 77));
         var plane = new GoalPlane(goal, simulator.Scene.Ball.Radius, keeper);
         var kick = new SpreadKick(in from, in velocity, in spin);
         double[] factor = new double[KickSpread.Count * KickSpread.Count];
@@ -72,7 +72,7 @@ internal static class ScatterLab
         {
             for (int i = 0; i < normal.Length; i++)
             {
-                normal[i] = Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
+                normal[i] = Math.Sqrt(-2 * Math.Log(1 - random.Next())) * Math.Cos(2 * Math.PI * random.Next());
             }
 
             for (int i = 0; i < by.Length; i++)

@@ -34,7 +34,11 @@ internal sealed class TrackEquations
     /// <summary>χ² of the track and of what was known before.</summary>
     public double Cost { get; private set; }
 
+    /// <summary>Whether the ball begins on the ground.</summary>
+    public bool IsOnGround { get; private set; }
+
     /// <summary>Evaluates them.</summary>
+    /// <param name="values">The numbers; a place in the ground is raised out of it.</param>
     /// <returns>False where the ball cannot be followed.</returns>
     public bool Evaluate(double[] values)
     {
@@ -48,6 +52,10 @@ internal sealed class TrackEquations
 
         var derivatives = new LaunchDerivatives(_model.Simulator(values));
         BallState ball = TrackModel.Ball(derivatives.Simulator, values);
+
+        // No ball begins in the ground.
+        IsOnGround = ball.Position.Y > values[1] - 1e-9 && ball.Position.Y <= derivatives.Simulator.ContactHeight;
+        (values[0], values[1], values[2]) = (ball.Position.X, ball.Position.Y, ball.Position.Z);
         derivatives.Start(in ball);
         for (int i = 0; i < _track.Length; i++)
         {
@@ -74,7 +82,15 @@ internal sealed class TrackEquations
     public bool Solve(double damping, double[] step)
     {
         Fill(damping, -1);
-        return Linear.Solve(_system, step, _count) && Array.TrueForAll(step, x => !double.IsNaN(x) && !double.IsInfinity(x));
+        bool solved = Linear.Solve(_system, step, _count);
+        if (solved && IsOnGround && step[1] < 0)
+        {
+            Fill(damping, -1);
+            Hold(1);
+            solved = Linear.Solve(_system, step, _count);
+        }
+
+        return solved && Array.TrueForAll(step, x => !double.IsNaN(x) && !double.IsInfinity(x));
     }
 
     /// <summary>The length of a step in standard deviations, √(sᵀ N s).</summary>
@@ -127,6 +143,20 @@ internal sealed class TrackEquations
 
             _system[(i * width) + _count] = unit < 0 ? _gradient[i] : unit == i ? 1 : 0;
         }
+    }
+
+    /// <summary>Keeps a number as it is.</summary>
+    private void Hold(int number)
+    {
+        int width = _count + 1;
+        for (int i = 0; i < _count; i++)
+        {
+            _system[(i * width) + number] = 0;
+            _system[(number * width) + i] = 0;
+        }
+
+        _system[(number * width) + number] = 1;
+        _system[(number * width) + _count] = 0;
     }
 
     private void Add(int axis, int point, double weight, double off, in Vector3d byPosition, in Vector3d byVelocity, in Vector3d bySpin)

@@ -21,6 +21,11 @@ public sealed class TrackFit
     /// <summary>The velocity to begin with is that of the points of so many seconds.</summary>
     private const double Beginning = 0.25;
 
+    /// <summary>χ² by its expectation from which on a fit is poor; then it is tried from so many other spins, rad/s.</summary>
+    private const double Poor = 1.4;
+    private const int OtherStarts = 4;
+    private const double OtherSpin = 35;
+
     private readonly Scene _scene;
 
     /// <summary>Prepares for tracks of balls in a scene.</summary>
@@ -41,9 +46,44 @@ public sealed class TrackFit
     {
         request ??= new TrackFitRequest();
         Validate(track, request);
+        TrackFitRequest launch = request with { Drag = false, Lift = false, Restitution = false, Friction = false };
+        double[] values = Start(track, launch);
+        TrackFitResult best = Search(track, launch, values, out double cost);
+
+        // A poor fit may be that of another bounce: from other spins.
+        Vector3d across = Vector3d.Cross(Vector3d.Up, new Vector3d(values[3], 0, values[5]));
+        across = across.Length > 0 ? across / across.Length : Vector3d.Zero;
+        for (int i = 0; i < OtherStarts && best.ChiSquared > Poor * best.Freedom; i++)
+        {
+            Vector3d spin = request.Spin + ((i % 2 == 0 ? OtherSpin : -OtherSpin) * (i < 2 ? across : Vector3d.Up));
+            double[] other = Start(track, launch);
+            (other[6], other[7], other[8]) = (spin.X, spin.Y, spin.Z);
+            TrackFitResult found = Search(track, launch, other, out double otherCost);
+            if (otherCost < cost)
+            {
+                (best, cost, values) = (found, otherCost, other);
+            }
+        }
+
+        if (request == launch)
+        {
+            return best;
+        }
+
+        double[] all = new double[new TrackModel(_scene, request).Count];
+        for (int i = 0; i < all.Length; i++)
+        {
+            all[i] = i < values.Length ? values[i] : 1;
+        }
+
+        return Search(track, request, all, out _);
+    }
+
+    /// <summary>Goes downhill from some numbers.</summary>
+    private TrackFitResult Search(TrackPoint[] track, TrackFitRequest request, double[] values, out double cost)
+    {
         var model = new TrackModel(_scene, request);
         int n = model.Count;
-        double[] values = Start(track, request, n);
         var now = new TrackEquations(track, request, model);
         var next = new TrackEquations(track, request, model);
         now.Evaluate(values);
@@ -65,23 +105,23 @@ public sealed class TrackFit
                 tried[i] = values[i] + step[i];
             }
 
-            double length = now.Length(step);
+            // Where rounding decides, there is nothing left to gain.
+            converged = now.Length(step) < Shortest && damping < 1;
             if (IsLaunch(tried) && next.Evaluate(tried) && next.Cost <= now.Cost)
             {
-                converged = length < Shortest && damping < 1;
                 Array.Copy(tried, values, n);
                 (now, next) = (next, now);
                 damping = Math.Max(1e-12, 0.1 * damping);
             }
             else
             {
-                // Where rounding decides, there is nothing left to gain.
-                converged = length < Shortest && damping < 1;
                 damping *= 10;
             }
         }
 
-        return new TrackFitResult(model.Names, values, now.Covariance(), track[0].Time, now.ChiSquared, (3 * track.Length) - n, steps, converged);
+        cost = now.Cost;
+        return new TrackFitResult(
+            model.Names, (double[])values.Clone(), now.Covariance(), track[0].Time, now.ChiSquared, (3 * track.Length) - n, steps, converged);
     }
 
     private static void Validate(TrackPoint[] track, TrackFitRequest request)
@@ -101,9 +141,9 @@ public sealed class TrackFit
     }
 
     /// <summary>Where to begin: v = Σ t (p − p₀ + ½ g t² ŷ)/Σ t² of the first points.</summary>
-    private double[] Start(TrackPoint[] track, TrackFitRequest request, int n)
+    private double[] Start(TrackPoint[] track, TrackFitRequest request)
     {
-        double[] values = new double[n];
+        double[] values = new double[TrackModel.Launch];
         Vector3d first = track[0].Position;
         Vector3d sum = Vector3d.Zero;
         double squares = 0;
@@ -120,11 +160,6 @@ public sealed class TrackFit
         (values[0], values[1], values[2]) = (first.X, first.Y, first.Z);
         (values[3], values[4], values[5]) = (velocity.X, velocity.Y, velocity.Z);
         (values[6], values[7], values[8]) = (spin.X, spin.Y, spin.Z);
-        for (int i = TrackModel.Launch; i < n; i++)
-        {
-            values[i] = 1;
-        }
-
         return values;
     }
 

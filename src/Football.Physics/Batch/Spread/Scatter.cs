@@ -10,9 +10,13 @@ public sealed class Scatter
     /// <summary>Kicks that are flown where the spread is not small.</summary>
     public const int Flights = 100_000;
 
-    /// <summary>The most of their deviation by which kicks at two standard deviations may miss the place that the derivatives say, and what does not count, m.</summary>
-    private const double LargestBend = 0.06;
-    private const double SmallestBend = 2e-3;
+    /// <summary>
+    /// How far off kicks at two standard deviations may cross, by two standard deviations along the ellipse's short axis: by what the derivatives miss, and by what
+    /// both sides bend the same way, of which the mean is taken into account. And what does not count, m.
+    /// </summary>
+    private const double LargestError = 0.08;
+    private const double LargestBend = 0.25;
+    private const double Negligible = 1e-3;
 
     private const double TimeStep = 0.02;
 
@@ -97,25 +101,9 @@ public sealed class Scatter
         double a = 0;
         double b = 0;
         double c = 0;
-        Vector3d normal = plane.Out;
         for (int j = 0; j < KickSpread.Count; j++)
         {
-            // One standard deviation along a column of L; where it crosses the plane δq = δp − v (n·δp)/(n·v).
-            Vector3d change = Vector3d.Zero;
-            for (int i = 0; i < KickSpread.Count; i++)
-            {
-                kick.Derivative(i, out Vector3d velocity, out Vector3d spin);
-                _by[i] = _factor[(i * KickSpread.Count) + j];
-                change += _by[i] * ((_derivatives.PositionByVelocity * velocity) + (_derivatives.PositionBySpin * spin));
-            }
-
-            change -= Vector3d.Dot(in normal, in change) / Vector3d.Dot(in normal, ball.Velocity) * ball.Velocity;
-            plane.Change(in change, out double right, out double up);
-            if (!Holds(in kick, in plane, aside, height, 2.0 * right, 2.0 * up, 2.0) || !Holds(in kick, in plane, aside, height, -2.0 * right, -2.0 * up, -2.0))
-            {
-                return false;
-            }
-
+            Map(in kick, in plane, ball.Velocity, j, out double right, out double up);
             a += right * right;
             b += up * up;
             c += right * up;
@@ -134,13 +122,61 @@ public sealed class Scatter
             HeightDeviation = Math.Sqrt(b),
             Correlation = product > 0 ? Math.Min(1, Math.Max(-1, c / product)) : 0,
         };
+        double shiftAside = 0;
+        double shiftHeight = 0;
+        for (int j = 0; j < KickSpread.Count; j++)
+        {
+            Map(in kick, in plane, ball.Velocity, j, out double right, out double up);
+            if (!Holds(in kick, in plane, in result, right, up, out double bendAside, out double bendHeight))
+            {
+                return false;
+            }
+
+            // The mean of a curve x + ½ x'' z² is ½ x'' aside of it.
+            shiftAside += 0.5 * bendAside;
+            shiftHeight += 0.5 * bendHeight;
+        }
+
+        result = result with { Aside = aside + shiftAside, Height = height + shiftHeight };
         plane.Chances(in result, out double onTarget, out double covered);
-        result = With(in result, onTarget, covered);
+        result = result with { OnTarget = onTarget, Covered = covered };
         return true;
     }
 
-    /// <summary>Whether a kick some standard deviations off crosses where the derivatives say.</summary>
-    private bool Holds(in SpreadKick kick, in GoalPlane plane, double aside, double height, double right, double up, double deviations)
+    /// <summary>One standard deviation along a column of L; where it crosses the plane δq = δp − v (n·δp)/(n·v).</summary>
+    private void Map(in SpreadKick kick, in GoalPlane plane, in Vector3d velocity, int column, out double right, out double up)
+    {
+        Vector3d change = Vector3d.Zero;
+        for (int i = 0; i < KickSpread.Count; i++)
+        {
+            kick.Derivative(i, out Vector3d velocityBy, out Vector3d spinBy);
+            _by[i] = _factor[(i * KickSpread.Count) + column];
+            change += _by[i] * ((_derivatives.PositionByVelocity * velocityBy) + (_derivatives.PositionBySpin * spinBy));
+        }
+
+        Vector3d normal = plane.Out;
+        change -= Vector3d.Dot(in normal, in change) / Vector3d.Dot(in normal, in velocity) * velocity;
+        plane.Change(in change, out right, out up);
+    }
+
+    /// <summary>Whether kicks two standard deviations off on both sides cross where the derivatives say, and how their way bends: its second derivative.</summary>
+    private bool Holds(
+        in SpreadKick kick, in GoalPlane plane, in ScatterResult at, double right, double up, out double bendAside, out double bendHeight)
+    {
+        bool crosses = Cross(in kick, in plane, 2.0, out double x1, out double y1);
+        crosses &= Cross(in kick, in plane, -2.0, out double x0, out double y0);
+        double oddX = (0.5 * (x1 - x0)) - (2.0 * right);
+        double oddY = (0.5 * (y1 - y0)) - (2.0 * up);
+        double evenX = x1 + x0 - (2.0 * at.Aside);
+        double evenY = y1 + y0 - (2.0 * at.Height);
+        bendAside = 0.25 * evenX;
+        bendHeight = 0.25 * evenY;
+        double axis = 2.0 * at.ShortAxis;
+        return crosses && Math.Sqrt((oddX * oddX) + (oddY * oddY)) <= (LargestError * axis) + Negligible
+            && 0.5 * Math.Sqrt((evenX * evenX) + (evenY * evenY)) <= (LargestBend * axis) + Negligible;
+    }
+
+    private bool Cross(in SpreadKick kick, in GoalPlane plane, double deviations, out double aside, out double height)
     {
         for (int i = 0; i < KickSpread.Count; i++)
         {
@@ -149,10 +185,8 @@ public sealed class Scatter
 
         kick.With(_draws, out Vector3d velocity, out Vector3d spin);
         PlaneCrossingPoint at = _flights.Alone(kick.Position, in plane, in velocity, in spin);
-        plane.Place(at.Position, out double aside2, out double height2);
-        double x = aside2 - aside - right;
-        double y = height2 - height - up;
-        return at.Time > 0 && Math.Sqrt((x * x) + (y * y)) <= (LargestBend * Math.Sqrt((right * right) + (up * up))) + SmallestBend;
+        plane.Place(at.Position, out aside, out height);
+        return at.Time > 0;
     }
 
     private ScatterResult Fly(in SpreadKick kick, in GoalPlane plane, int count, long seed)
@@ -200,19 +234,4 @@ public sealed class Scatter
             _by[i] = sum;
         }
     }
-
-    private static ScatterResult With(in ScatterResult of, double onTarget, double covered) => new()
-    {
-        Method = of.Method,
-        Kicks = of.Kicks,
-        Crosses = of.Crosses,
-        Aside = of.Aside,
-        Height = of.Height,
-        Time = of.Time,
-        AsideDeviation = of.AsideDeviation,
-        HeightDeviation = of.HeightDeviation,
-        Correlation = of.Correlation,
-        OnTarget = onTarget,
-        Covered = covered,
-    };
 }

@@ -1,7 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>Where the kicks of a player cross the plane of a goal.</summary>
-public readonly struct ScatterResult
+public readonly record struct ScatterResult
 {
     /// <summary>How it was found.</summary>
     public ScatterMethod Method { get; init; }
