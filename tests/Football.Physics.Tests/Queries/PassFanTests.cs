@@ -20,7 +20,7 @@ public sealed class PassFanTests
         double earliest = double.PositiveInfinity;
         var simulator = new Simulator(Scene.Measured);
         var path = new Trajectory();
-        var query = new Interception();
+        var query = new Physics.Interception();
         for (int i = 0; i < choice.Kicks; i++)
         {
             s_request.Kick(i, out Vector3d velocity, out Vector3d spin);

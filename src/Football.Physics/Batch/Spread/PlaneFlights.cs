@@ -72,6 +72,7 @@ internal sealed class PlaneFlights
         }
 
         Span<bool> together = stackalloc bool[LaneGroup.Size];
+        together.Clear();
         for (int k = 0; k < flying; k++)
         {
             together[_group.Ball[k]] = true;
