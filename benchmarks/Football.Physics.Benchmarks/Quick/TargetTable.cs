@@ -55,6 +55,7 @@ internal static class TargetTable
             Error = () => Errors.EngineLanding(1.0 / RigidBodyEngine.FrameRate, Fast),
         },
         .. BatchRows.All,
+        .. QueryRows.All,
         .. MeasuredRows.All,
     ];
 

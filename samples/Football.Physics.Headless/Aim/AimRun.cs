@@ -15,7 +15,13 @@ internal static class AimRun
     /// <exception cref="RefusedException">Its numbers, though each allowed, grew beyond what a double can hold.</exception>
     public static AimResult Find(AimScenario scenario)
     {
-        AimResult result = Compiled(scenario).Find(scenario.Request, scenario.Method);
+        Aimer aimer = Compiled(scenario);
+        AimRequest request = scenario.Request;
+        AimResult result = scenario.After is { } after ? new BankShotAimer(scenario.Scene).Find(request, after)
+            : scenario.Slowest ? aimer.FindSlowest(request)
+            : scenario.ArrivalTime is { } time ? aimer.FindAtTime(request, time)
+            : scenario.ArrivalSpeed is { } speed ? aimer.FindAtSpeed(request, speed)
+            : aimer.Find(request, scenario.Method);
         return IsFinite(in result)
             ? result
             : throw new RefusedException("the motion is not finite; allowed: a scenario whose places and speeds stay within what a double can hold.");

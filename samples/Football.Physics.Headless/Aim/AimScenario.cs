@@ -16,6 +16,18 @@ internal sealed record AimScenario
 
     public required AimRequest Request { get; init; }
 
+    /// <summary>Whether the slowest kick is wanted that gets there; its speed is then the fastest allowed.</summary>
+    public bool Slowest { get; init; }
+
+    /// <summary>When to be there, s; null for whenever.</summary>
+    public double? ArrivalTime { get; init; }
+
+    /// <summary>How fast to be there, m/s; null for however.</summary>
+    public double? ArrivalSpeed { get; init; }
+
+    /// <summary>What to meet before, in order; null for nothing.</summary>
+    public string[]? After { get; init; }
+
     /// <summary>Reads a scenario; what its numbers may be the library says when the kick is looked for.</summary>
     /// <exception cref="RefusedException">A field is unknown, missing or of the wrong type.</exception>
     public static AimScenario Read(InputFields fields)
@@ -33,7 +45,12 @@ internal sealed record AimScenario
         SolverSettings settings = SceneInput.Solver(root, out double timeStep);
         SceneInput.Stop(root);
         AimMethod method = aim.Choice("method", AimMethod.Direct);
-        return new AimScenario
+        InputObject arrival = aim.Object("arrival");
+        arrival.Exclude("time", "speed");
+        aim.Exclude("slowest", "arrival");
+        aim.Exclude("after", "arrival");
+        aim.Exclude("after", "slowest");
+        var scenario = new AimScenario
         {
             Scene = scene,
             Settings = settings,
@@ -42,7 +59,13 @@ internal sealed record AimScenario
             TimeStep = method == AimMethod.Direct ? Scenario.DefaultTimeStep : timeStep,
             Method = method,
             Request = ReadRequest(aim),
+            Slowest = aim.Flag("slowest", false),
+            ArrivalTime = arrival.OptionalPositive("time"),
+            ArrivalSpeed = arrival.OptionalPositive("speed"),
+            After = aim.Texts("after"),
         };
+        aim.Demand("method", method == AimMethod.Direct || !(scenario.Slowest || scenario.After is not null || aim.Has("arrival")), "direct, with slowest, arrival or after");
+        return scenario;
     }
 
     private static AimRequest ReadRequest(InputObject aim)
@@ -57,6 +80,8 @@ internal sealed record AimScenario
             Target = aim.Vector("target"),
             Through = aim.OptionalVector("through"),
             Speed = aim.Number("speed"),
+            TargetVelocity = aim.Vector("targetVelocity", request.TargetVelocity),
+            Arc = aim.Choice("arc", request.Arc),
             TopSpin = spin.Number("top", request.TopSpin),
             SideSpin = spin.Number("side", request.SideSpin),
             MinimumElevationDegrees = elevation.Number("min", request.MinimumElevationDegrees),

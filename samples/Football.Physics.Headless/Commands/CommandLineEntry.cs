@@ -56,6 +56,7 @@ internal static class CommandLineEntry
             SimulateCommand.Create(terminal),
             AimCommand.Create(terminal),
             InterceptCommand.Create(terminal),
+            FitCommand.Create(terminal),
             SweepCommand.Create(terminal),
             ReplayCommand.Create(terminal),
             GalleryCommand.Create(terminal),

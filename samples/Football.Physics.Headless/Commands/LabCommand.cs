@@ -1,6 +1,9 @@
 using System.CommandLine;
 using Football.Physics.Headless.Lab;
+using Football.Physics.Headless.Lab.BankShots;
+using Football.Physics.Headless.Lab.Derivatives;
 using Football.Physics.Headless.Lab.Intercept;
+using Football.Physics.Headless.Lab.Queries;
 using Football.Physics.Headless.Lab.Obstacles;
 
 namespace Football.Physics.Headless.Commands;
@@ -27,6 +30,10 @@ internal static class LabCommand
         KicksLab.Create(terminal),
         SweepLab.Create(terminal),
         InterceptLab.Create(terminal),
+        DerivativesLab.Create(terminal),
+        BankShotLab.Create(terminal),
+        ScatterLab.Create(terminal),
+        FitLab.Create(terminal),
         ObstaclesLab.Create(terminal),
     };
 }

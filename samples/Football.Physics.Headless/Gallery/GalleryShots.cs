@@ -11,6 +11,7 @@ internal static class GalleryShots
     [
         FreeKick(), FoundKick.Shot(), Corner(), GoalKick(), GoalKickInVacuum(), DrivenPass(), Chip(),
         NoSpinDrive(), DroppedWithTopspin(), GroundPass(), LongRoll(), InTheWind(), Beach(), .. ThingShots.All,
+        QueryShots.Beaten(), QueryShots.Saved(), QueryShots.OneBounce(), QueryShots.OffThePost(), QueryShots.Ellipse(),
     ];
 
     private static GalleryShot FreeKick()

@@ -39,6 +39,12 @@ internal sealed class InputObject(InputFields fields, string path, JsonElement? 
         Take(name) is { ValueKind: JsonValueKind.String } value && allowed.Contains(value.GetString()) ? value.GetString()!
         : Refuse(name, string.Join(" | ", allowed), allowed[0]);
 
+    /// <summary>The texts of a list; null where it is missing.</summary>
+    public string[]? Texts(string name) => Take(name) is not { } value ? null
+        : value.ValueKind == JsonValueKind.Array && value.EnumerateArray().All(item => item.ValueKind == JsonValueKind.String)
+            ? [.. value.EnumerateArray().Select(item => item.GetString()!)]
+        : Refuse<string[]?>(name, "a list of texts", null);
+
     /// <summary>The objects of a list; none where it is missing.</summary>
     public IReadOnlyList<InputObject> Objects(string name)
     {
@@ -96,6 +102,9 @@ internal sealed class InputObject(InputFields fields, string path, JsonElement? 
         : value.ValueKind == JsonValueKind.Null ? null
         : value.ValueKind == JsonValueKind.Number && value.TryGetInt64(out long number) ? number
         : Refuse<long?>(name, $"a whole number, {long.MinValue} … {long.MaxValue}, or null", fallback);
+
+    /// <summary>A number above 0, or null where it is missing.</summary>
+    public double? OptionalPositive(string name) => Has(name) ? Positive(name, 1) : null;
 
     /// <summary>true or false.</summary>
     public bool Flag(string name, bool fallback) => Take(name) is not { } value ? fallback
@@ -213,6 +222,15 @@ internal sealed class InputObject(InputFields fields, string path, JsonElement? 
         if (Has(name) && Has(other))
         {
             Refuse(name, $"{name} or {other}, not both", 0);
+        }
+    }
+
+    /// <summary>Refuses a member unless a condition on it holds.</summary>
+    public void Demand(string name, bool holds, string allowed)
+    {
+        if (!holds)
+        {
+            Refuse(name, allowed, 0);
         }
     }
 

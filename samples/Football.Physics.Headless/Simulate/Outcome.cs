@@ -17,6 +17,9 @@ internal sealed record Outcome
     /// <summary>The path, one entry a step, launch first; null where none was asked for.</summary>
     public IReadOnlyList<Moment>? Samples { get; init; }
 
+    /// <summary>How the end changes with the launch; null where that was not asked for.</summary>
+    public LaunchDerivatives? Derivatives { get; init; }
+
     /// <summary>The name of what an event tells of; null for none.</summary>
     public required Func<int, string?> NameOf { get; init; }
 

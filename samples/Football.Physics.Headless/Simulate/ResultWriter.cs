@@ -31,6 +31,11 @@ internal static class ResultWriter
         json.WriteNumber("bounces", outcome.Bounces);
         json.WriteNumber("steps", outcome.Steps);
         json.WriteNumber("evaluations", outcome.Evaluations);
+        if (outcome.Derivatives is { } derivatives)
+        {
+            WriteDerivatives(json, derivatives);
+        }
+
         if (outcome.Samples is not null)
         {
             json.WriteStartArray("samples");
@@ -63,6 +68,35 @@ internal static class ResultWriter
 
         buffer.Write("\n"u8);
         return buffer.WrittenMemory;
+    }
+
+    private static void WriteDerivatives(Utf8JsonWriter json, LaunchDerivatives derivatives)
+    {
+        json.WriteStartObject("derivatives");
+        json.WriteStartObject("position");
+        WriteMatrix(json, "velocity", derivatives.PositionByVelocity);
+        WriteMatrix(json, "spin", derivatives.PositionBySpin);
+        json.WriteEndObject();
+        json.WriteStartObject("time");
+        WriteVector(json, "velocity", derivatives.TimeByVelocity);
+        WriteVector(json, "spin", derivatives.TimeBySpin);
+        json.WriteEndObject();
+        json.WriteEndObject();
+    }
+
+    private static void WriteMatrix(Utf8JsonWriter json, string name, in Matrix3d matrix)
+    {
+        json.WriteStartArray(name);
+        foreach (Vector3d row in (ReadOnlySpan<Vector3d>)[matrix.X, matrix.Y, matrix.Z])
+        {
+            json.WriteStartArray();
+            json.WriteNumberValue(row.X);
+            json.WriteNumberValue(row.Y);
+            json.WriteNumberValue(row.Z);
+            json.WriteEndArray();
+        }
+
+        json.WriteEndArray();
     }
 
     private static void WriteMoment(Utf8JsonWriter json, in Moment moment)

@@ -35,6 +35,9 @@ internal sealed record Scenario
     /// <summary>Whether to keep the path.</summary>
     public bool Samples { get; init; }
 
+    /// <summary>Whether to find how the end changes with the launch.</summary>
+    public bool Derivatives { get; init; }
+
     /// <summary>Whether there is room for a sample of every step.</summary>
     public bool CanKeepPath => Duration / TimeStep <= MostSamples;
 
@@ -67,6 +70,7 @@ internal sealed record Scenario
             StopAt = stopAt,
             Duration = duration,
             Samples = samples,
+            Derivatives = root.Flag("derivatives", false),
         };
     }
 

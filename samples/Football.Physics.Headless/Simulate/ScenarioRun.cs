@@ -47,6 +47,7 @@ internal static class ScenarioRun
             Evaluations = log.Evaluations,
             Samples = samples,
             NameOf = simulator.NameOf,
+            Derivatives = scenario.Derivatives ? DerivativesOf(scenario, simulator) : null,
         };
         return IsFinite(outcome)
             ? outcome
@@ -83,6 +84,14 @@ internal static class ScenarioRun
         }
 
         return final;
+    }
+
+    private static LaunchDerivatives DerivativesOf(Scenario scenario, Simulator simulator)
+    {
+        var derivatives = new LaunchDerivatives(simulator);
+        BallState state = simulator.Launch(scenario.Position, scenario.Velocity, scenario.Spin, scenario.Orientation);
+        derivatives.Run(ref state, scenario.TimeStep, scenario.Duration, scenario.StopAt);
+        return derivatives;
     }
 
     private static bool IsFinite(Outcome outcome) =>

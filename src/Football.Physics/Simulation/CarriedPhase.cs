@@ -135,6 +135,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         bool meets = _guard.EndAtFirst(ref sweep, in s, _integrator.Order, out Gap met);
         run.Log.Evaluations += sweep.Evaluations;
         BallState before = s;
+        before.Branch = system.Branch;
         sweep.MoveTo(ref s);
         run.Advance(ref s, sweep.Length);
         Hold(ref s, in system);

@@ -162,6 +162,7 @@ internal sealed class RollPhase<TAir, TIntegrator>
 
         run.Log.Evaluations += sweep.Evaluations;
         BallState before = s;
+        before.Branch = system.Branch;
         sweep.MoveTo(ref s);
         run.Advance(ref s, sweep.Length);
         run.Show(in before, in s, ref sweep, _integrator.Order);

@@ -165,7 +165,7 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         log.Steps++;
         if (log.Observer is not null)
         {
-            Show(log, in s, time, in position, new Vector3d(vx, vy, vz), in step);
+            Show(log, in s, time, in position, new Vector3d(vx, vy, vz), spin, in step);
         }
     }
 
@@ -237,14 +237,16 @@ internal class Stepper<TAir, TIntegrator> : Stepper
     /// <param name="time">When it started, s.</param>
     /// <param name="position">Where it started, m.</param>
     /// <param name="velocity">Velocity there, m/s.</param>
+    /// <param name="spin">|ω| there, rad/s.</param>
     /// <param name="step">The step.</param>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Show(StepLog log, in BallState s, double time, in Vector3d position, in Vector3d velocity, in FlightStep step)
+    private void Show(StepLog log, in BallState s, double time, in Vector3d position, in Vector3d velocity, double spin, in FlightStep step)
     {
         BallState before = s;
         before.Time = time;
         before.Position = position;
         before.Velocity = velocity;
+        before.SpinRate = spin;
         Vector3d acceleration = default;
         if (log.Observer!.WantsEndAcceleration)
         {

@@ -157,6 +157,7 @@ internal sealed class SlidePhase<TAir, TIntegrator>
         _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
         run.Log.Evaluations += sweep.Evaluations;
         BallState before = s;
+        before.Branch = system.Branch;
         sweep.MoveTo(ref s);
         run.Advance(ref s, sweep.Length);
         run.Show(in before, in s, ref sweep, _integrator.Order);

@@ -55,7 +55,7 @@ public sealed class StepLog
             in endAcceleration,
             before.Motion,
             PathPiece.DegreeOf(order, observer.WantsEndAcceleration));
-        Halted |= observer.Add(in piece);
+        Halted |= observer.Add(in before, in after, in piece);
     }
 
     /// <summary>Moves the ball to the end of a whole step on the ground, and shows the piece to the observer.</summary>

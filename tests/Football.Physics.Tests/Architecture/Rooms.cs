@@ -15,6 +15,7 @@ internal static class Rooms
         "Contact",
         "Events",
         "Simulation",
+        "Derivatives",
         "Prediction",
         "Aiming",
         "Batch",

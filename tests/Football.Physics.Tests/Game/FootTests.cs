@@ -51,6 +51,45 @@ public sealed class FootTests
         }
     }
 
+    /// <summary>
+    /// Coulomb's law along the impulse: dv = dJ/m, dω = −(r/I) n × dJ, dU = −dJ/M in small shares of the normal impulse, with friction against the slip of the moment, up to
+    /// Newton's end of the approach.
+    /// </summary>
+    [Fact]
+    public void A_strike_is_the_integral_of_its_impulse_over_the_whole_range()
+    {
+        const int Shares = 1000;
+        var random = new Shots(43);
+        int gripped = 0;
+        for (int i = 0; i < 300; i++)
+        {
+            var foot = new Foot { Mass = random.Uniform(0.5, 5), Restitution = random.Uniform(0, 1), Friction = random.Uniform(0, 1.5) };
+            (Vector3d v, Vector3d w, Vector3d u) = (random.Uniform(0, 20) * random.Direction(), random.Uniform(0, 100) * random.Direction(), random.Uniform(0, 30) * random.Direction());
+            Vector3d n = random.Direction();
+            FootStrike strike = foot.Strike(s_ball, v, w, u, n);
+            double approach = Vector3d.Dot(u - v, n);
+            double share = approach > 0 ? (1 + foot.Restitution) * approach / ((1 / s_ball.Mass) + (1 / foot.Mass)) / Shares : 0;
+            bool grips = false;
+            for (int k = 0; k < Shares; k++)
+            {
+                Vector3d slip = v - u - (Vector3d.Dot(v - u, n) * n) + (s_ball.Radius * Vector3d.Cross(n, w));
+                double stop = slip.Length / (((1 + (1 / s_ball.InertiaFactor)) / s_ball.Mass) + (1 / foot.Mass));
+                grips = stop <= foot.Friction * share;
+                Vector3d impulse = (share * n) - (slip.Length > 0 ? Math.Min(foot.Friction * share, stop) / slip.Length * slip : Vector3d.Zero);
+                v += impulse / s_ball.Mass;
+                w -= s_ball.Radius / s_ball.MomentOfInertia * Vector3d.Cross(n, impulse);
+                u -= impulse / foot.Mass;
+            }
+
+            Assert.InRange(Vector3d.Distance(v, strike.Velocity), 0, 1e-9);
+            Assert.InRange(Vector3d.Distance(w, strike.Spin), 0, 1e-7);
+            Assert.InRange(Vector3d.Distance(u, strike.FootVelocityAfter), 0, 1e-9);
+            gripped += grips && share > 0 ? 1 : 0;
+        }
+
+        Assert.InRange(gripped, 20, 200);
+    }
+
     [Fact]
     public void A_foot_that_goes_away_changes_nothing()
     {

@@ -27,15 +27,16 @@ public sealed partial class CommandLinePageTests
         string? said = command switch
         {
             "aim" => first.GetProperty("status").GetString(),
+            "intercept" => first.GetProperty("first").GetString(),
             "sweep" => first.GetProperty("end").GetString(),
             _ => first.GetProperty("final").GetProperty("state").GetString(),
         };
-        Assert.Equal(command switch { "aim" => "hit", "sweep" => "impact", _ => "airborne" }, said);
+        Assert.Equal(command switch { "aim" => "hit", "intercept" => "nine", "sweep" => "impact", _ => "airborne" }, said);
     }
 
     [Fact]
-    public void There_are_inputs_for_every_command() => Assert.Equal(8, Inputs().Count);
+    public void There_are_inputs_for_every_command() => Assert.Equal(10, Inputs().Count);
 
-    [GeneratedRegex("^```json (simulate|aim|sweep)\n(.*?)^```$", RegexOptions.Multiline | RegexOptions.Singleline)]
+    [GeneratedRegex("^```json (simulate|aim|intercept|sweep)\n(.*?)^```$", RegexOptions.Multiline | RegexOptions.Singleline)]
     private static partial Regex Block();
 }

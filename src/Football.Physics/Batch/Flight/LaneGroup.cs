@@ -17,6 +17,9 @@ internal sealed class LaneGroup
     private LaneState _now = new(Room);
     private LaneState _next = new(Room);
 
+    /// <summary>Is shown the group after every step; null costs nothing.</summary>
+    public LaneWatch? Watch;
+
     /// <summary>How many are flying: the first places.</summary>
     public int Flying;
 

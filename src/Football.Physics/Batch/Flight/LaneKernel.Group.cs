@@ -77,6 +77,7 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod> : LaneFlight
             group.Compact();
             group.Swap();
             time = end;
+            group.Watch?.Step(group, time);
         }
 
         for (int i = 0; i < group.Flying; i++)

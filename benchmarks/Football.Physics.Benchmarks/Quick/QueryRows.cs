@@ -1,0 +1,148 @@
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Benchmarks;
+
+/// <summary>The rows of queries: derivatives by the launch, who gets to the ball.</summary>
+internal static class QueryRows
+{
+    private const int Count = 32;
+    private const double TimeStep = 0.01;
+
+    public static IReadOnlyList<TargetRow> All { get; } =
+    [
+        Derivatives("published laws", Scene.Published),
+        Derivatives("measured laws", Scene.Measured),
+        new("22 runners on a 3 s look-ahead of 80 ms: all windows, of the look-ahead", () => Runners((path, query, runners) => query.Find(path, runners), Path()), LookAhead) { Target = 2 },
+        new("22 runners on a 3 s look-ahead of 80 ms: who is first, of the look-ahead", () => Runners((path, query, runners) => query.FindFirst(path, runners, out _), Path()), LookAhead),
+        new("22 runners on a 3 s look-ahead of 80 ms: windows and shares, of the look-ahead", () => Runners(Shares, Path()), LookAhead),
+        new("best pass of a fan of 1 000 kicks among 13 players (2 ms are to be reached), of a 3 s look-ahead of 80 ms", Passes, LookAhead),
+        new("aim off a wall, to 1 mm, of a 3 s look-ahead of 80 ms", OffTheWall, LookAhead),
+    ];
+
+    private static TargetRow Derivatives(string name, Scene scene) =>
+        new($"flight with all derivatives, RK4 10 ms, {name}, of the flight without", () => WithDerivatives(scene), () => Without(scene)) { Target = 3 };
+
+    private static BallState[] Kicks(Simulator simulator)
+    {
+        var random = new SeededRandom(11L);
+        var kicks = new BallState[Count];
+        for (int i = 0; i < Count; i++)
+        {
+            kicks[i] = simulator.Launch(Shot.Spot, random.Velocity(18, 30, 8, 35), random.Uniform(10, 60) * random.Direction());
+        }
+
+        return kicks;
+    }
+
+    private static Workload Without(Scene scene)
+    {
+        var simulator = new Simulator(scene);
+        BallState[] kicks = Kicks(simulator);
+        var log = new StepLog();
+        return new Workload(
+            () =>
+            {
+                double sum = 0;
+                foreach (BallState kick in kicks)
+                {
+                    BallState state = kick;
+                    log.Clear();
+                    simulator.Run(ref state, TimeStep, 10, StopAt.Impact, log);
+                    sum += state.Position.X;
+                }
+
+                return sum;
+            },
+            Count);
+    }
+
+    private static Workload WithDerivatives(Scene scene)
+    {
+        var derivatives = new LaunchDerivatives(new Simulator(scene));
+        BallState[] kicks = Kicks(derivatives.Simulator);
+        return new Workload(
+            () =>
+            {
+                double sum = 0;
+                foreach (BallState kick in kicks)
+                {
+                    BallState state = kick;
+                    derivatives.Run(ref state, TimeStep, 10, StopAt.Impact);
+                    sum += derivatives.PositionByVelocity.X.X;
+                }
+
+                return sum;
+            },
+            Count);
+    }
+
+    private static LookAheadRequest Request { get; } = new() { Duration = 3, StopAt = StopAt.Time };
+
+    private static Trajectory Path()
+    {
+        var simulator = new Simulator(Scene.Default);
+        var path = new Trajectory();
+        simulator.LookAhead(Kicks(simulator)[0], Request, path);
+        return path;
+    }
+
+    private static Workload LookAhead()
+    {
+        var simulator = new Simulator(Scene.Default);
+        BallState kick = Kicks(simulator)[0];
+        var path = new Trajectory();
+        return new Workload(
+            () =>
+            {
+                for (int i = 0; i < Count; i++)
+                {
+                    simulator.LookAhead(in kick, Request, path);
+                }
+
+                return path.EndTime;
+            },
+            Count);
+    }
+
+    private static Workload Runners(Action<Trajectory, Interception, Runner[]> ask, Trajectory path)
+    {
+        var random = new SeededRandom(5L);
+        var query = new Interception();
+        Vector3d middle = path.PositionAt(1.5);
+        Runner[] runners = [.. Enumerable.Range(0, 22).Select(_ => new Runner { Position = (middle + (random.Uniform(2, 35) * random.Heading())).Horizontal, Velocity = random.Uniform(0, 5) * random.Heading() })];
+        return new Workload(
+            () =>
+            {
+                for (int i = 0; i < Count; i++)
+                {
+                    ask(path, query, runners);
+                }
+
+                return query.Lead;
+            },
+            Count);
+    }
+
+    private static void Shares(Trajectory path, Interception query, Runner[] runners)
+    {
+        query.Find(path, runners);
+        query.FindShares();
+    }
+
+    private static Workload Passes()
+    {
+        var fan = new PassFan(Scene.Default);
+        var request = new PassFanRequest { From = Shot.Spot, Direction = new Vector3d(0, 0, -1) };
+        Runner[] mates = [new Runner { Position = new Vector3d(5, 0, -30), Velocity = new Vector3d(1, 0, -4) }, new Runner { Position = new Vector3d(-12, 0, -25) }];
+        Runner[] opponents = [.. Enumerable.Range(0, 11).Select(i => new Runner { Position = new Vector3d(-20 + (4 * i), 0, -22 - (i % 3 * 4)) })];
+        return new Workload(() => fan.Find(request, mates, opponents).Open, 1);
+    }
+
+    private static Workload OffTheWall()
+    {
+        var wall = new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(-9, 0, 0), new Vector3d(1, 0, 0)), Surface = Surface.Board };
+        var aimer = new BankShotAimer(Scene.Default with { Obstacles = [wall] });
+        var request = new AimRequest { From = Shot.Spot, Target = new Vector3d(-3, 0.6, -20), Speed = 22, Tolerance = 0.001 };
+        return new Workload(() => aimer.Find(request, "wall").Miss, 1);
+    }
+}

@@ -1,0 +1,86 @@
+namespace Football.Physics;
+
+/// <summary>Kicks that arrive as they are asked to.</summary>
+public static class Arrivals
+{
+    /// <summary>Halvings of the speed of the kick, after which it is known to a micrometre a second.</summary>
+    private const int Halvings = 40;
+    private const double TimeStep = 0.02;
+    private const double Closeness = 1e-9;
+
+    /// <summary>Finds the kick that is at a target with a given speed.</summary>
+    /// <param name="aimer">The scene.</param>
+    /// <param name="request">What the kick is to do; its speed is the fastest allowed. Without a point on the way.</param>
+    /// <param name="speed">How fast the ball is to be at the target, m/s; above 0, at most 1000.</param>
+    /// <returns>
+    /// The kick, with its speed in its velocity; out of reach where the slowest kick that gets there is faster at the target, or the fastest one slower.
+    /// </returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or a point on the way is given.</exception>
+    public static AimResult FindAtSpeed(this Aimer aimer, AimRequest request, double speed)
+    {
+        Check.Given(nameof(aimer), aimer);
+        Check.Given(nameof(request), request);
+        Check.Within("aim.arrival.speed", speed, 0, Limits.Speed, exclusiveLow: true);
+        AimResult slow = aimer.FindSlowest(request);
+        AimResult fast = aimer.Find(request);
+        if (slow.Status != AimStatus.Hit || fast.Status != AimStatus.Hit)
+        {
+            return fast;
+        }
+
+        double low = slow.Speed;
+        double high = request.Speed;
+        double atLow = SpeedAt(aimer, request, in slow) - speed;
+        double atHigh = SpeedAt(aimer, request, in fast) - speed;
+        if (!(atLow <= 0 && atHigh >= 0))
+        {
+            return Failed(atLow > 0 ? slow : fast, AimStatus.OutOfReach);
+        }
+
+        AimResult best = atHigh < -atLow ? fast : slow;
+        for (int i = 0; i < Halvings && high - low > Closeness; i++)
+        {
+            // The secant, kept off both ends so that the bracket shrinks from both.
+            double share = Math.Min(0.9, Math.Max(0.1, atLow / (atLow - atHigh)));
+            double middle = low + (share * (high - low));
+            AimResult found = aimer.Find(request with { Speed = middle });
+            if (found.Status != AimStatus.Hit)
+            {
+                return Failed(in found, AimStatus.NotConverged);
+            }
+
+            best = found;
+            double off = SpeedAt(aimer, request, in found) - speed;
+            if (Math.Abs(off) < Closeness)
+            {
+                break;
+            }
+
+            if (off < 0)
+            {
+                low = middle;
+                atLow = off;
+            }
+            else
+            {
+                high = middle;
+                atHigh = off;
+            }
+        }
+
+        return best;
+    }
+
+    /// <summary>How fast a kick is at its target, m/s.</summary>
+    private static double SpeedAt(Aimer aimer, AimRequest request, in AimResult kick)
+    {
+        Simulator simulator = aimer.Context.Game;
+        BallState state = simulator.Launch(request.From, kick.Velocity, kick.Spin);
+        simulator.Run(ref state, TimeStep, Math.Max(kick.Time, 1e-9), StopAt.Time, new StepLog(), null);
+        return state.Velocity.Length;
+    }
+
+    private static AimResult Failed(in AimResult kick, AimStatus status) => new(
+        status, kick.Velocity, kick.Spin, new MeasuredMiss(kick.Miss, kick.ThroughMiss, kick.Time, kick.Closest), kick.Arc, kick.Rolls, kick.Iterations, kick.Simulations, kick.BlockedBy);
+}

@@ -1,0 +1,168 @@
+namespace Football.Physics;
+
+/// <summary>Finds the launch of a ball, and on request what a scene's numbers really are, from where a camera saw it.</summary>
+/// <remarks>
+/// Least squares by the method of Gauss and Newton, with the derivatives by the launch through bounces and all, damped (Levenberg, Marquardt) where a step would not
+/// help. Its memory is its own: one a thread.
+/// </remarks>
+public sealed class TrackFit
+{
+    private const int MostSteps = 60;
+
+    /// <summary>The search ends where a step is shorter than this share of the uncertainty.</summary>
+    private const double Shortest = 0.01;
+
+    /// <summary>Change of a factor for a difference quotient.</summary>
+    internal const double FactorWidth = 1e-3;
+
+    private const double FirstDamping = 1e-3;
+    private const double LargestDamping = 1e9;
+
+    /// <summary>The velocity to begin with is that of the points of so many seconds.</summary>
+    private const double Beginning = 0.25;
+
+    /// <summary>χ² by its expectation from which on a fit is poor; then it is tried from so many other spins, rad/s.</summary>
+    private const double Poor = 1.4;
+    private const int OtherStarts = 4;
+    private const double OtherSpin = 35;
+
+    private readonly Scene _scene;
+
+    /// <summary>Prepares for tracks of balls in a scene.</summary>
+    /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public TrackFit(Scene? scene = null)
+    {
+        _scene = scene ?? Scene.Default;
+        _scene.Validate();
+    }
+
+    /// <summary>Finds the launch that a track tells of.</summary>
+    /// <param name="track">Where the ball was seen, in order of time; at least four points. The launch is at the first of them.</param>
+    /// <param name="request">What to find beside the launch, and what is known before; default nothing.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="track"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public TrackFitResult Find(TrackPoint[] track, TrackFitRequest? request = null)
+    {
+        request ??= new TrackFitRequest();
+        Validate(track, request);
+        TrackFitRequest launch = request with { Drag = false, Lift = false, Restitution = false, Friction = false };
+        double[] values = Start(track, launch);
+        TrackFitResult best = Search(track, launch, values, out double cost);
+
+        // A poor fit may be that of another bounce: from other spins.
+        Vector3d across = Vector3d.Cross(Vector3d.Up, new Vector3d(values[3], 0, values[5]));
+        across = across.Length > 0 ? across / across.Length : Vector3d.Zero;
+        for (int i = 0; i < OtherStarts && best.ChiSquared > Poor * best.Freedom; i++)
+        {
+            Vector3d spin = request.Spin + ((i % 2 == 0 ? OtherSpin : -OtherSpin) * (i < 2 ? across : Vector3d.Up));
+            double[] other = Start(track, launch);
+            (other[6], other[7], other[8]) = (spin.X, spin.Y, spin.Z);
+            TrackFitResult found = Search(track, launch, other, out double otherCost);
+            if (otherCost < cost)
+            {
+                (best, cost, values) = (found, otherCost, other);
+            }
+        }
+
+        if (request == launch)
+        {
+            return best;
+        }
+
+        double[] all = new double[new TrackModel(_scene, request).Count];
+        for (int i = 0; i < all.Length; i++)
+        {
+            all[i] = i < values.Length ? values[i] : 1;
+        }
+
+        return Search(track, request, all, out _);
+    }
+
+    /// <summary>Goes downhill from some numbers.</summary>
+    private TrackFitResult Search(TrackPoint[] track, TrackFitRequest request, double[] values, out double cost)
+    {
+        var model = new TrackModel(_scene, request);
+        int n = model.Count;
+        var now = new TrackEquations(track, request, model);
+        var next = new TrackEquations(track, request, model);
+        now.Evaluate(values);
+        double[] step = new double[n];
+        double[] tried = new double[n];
+        double damping = FirstDamping;
+        bool converged = false;
+        int steps = 0;
+        for (; steps < MostSteps && !converged && damping < LargestDamping; steps++)
+        {
+            if (!now.Solve(damping, step))
+            {
+                damping *= 10;
+                continue;
+            }
+
+            for (int i = 0; i < n; i++)
+            {
+                tried[i] = values[i] + step[i];
+            }
+
+            // Where rounding decides, there is nothing left to gain.
+            converged = now.Length(step) < Shortest && damping < 1;
+            if (IsLaunch(tried) && next.Evaluate(tried) && next.Cost <= now.Cost)
+            {
+                Array.Copy(tried, values, n);
+                (now, next) = (next, now);
+                damping = Math.Max(1e-12, 0.1 * damping);
+            }
+            else
+            {
+                damping *= 10;
+            }
+        }
+
+        cost = now.Cost;
+        return new TrackFitResult(
+            model.Names, (double[])values.Clone(), now.Covariance(), track[0].Time, now.ChiSquared, (3 * track.Length) - n, steps, converged);
+    }
+
+    private static void Validate(TrackPoint[] track, TrackFitRequest request)
+    {
+        Check.Given(nameof(track), track);
+        request.Validate();
+        Check.AtLeast("track's points", track.Length, 4);
+        for (int i = 0; i < track.Length; i++)
+        {
+            string at = FormattableString.Invariant($"track[{i}]");
+            Check.Within(at + ".time", track[i].Time, i > 0 ? track[i - 1].Time : -Limits.Time, Limits.Time);
+            Check.Place(at + ".position", track[i].Position);
+            Check.Positive(at + ".noise", track[i].Noise);
+        }
+
+        Check.Within("track's last time", track[track.Length - 1].Time - track[0].Time, 0, 600, exclusiveLow: true);
+    }
+
+    /// <summary>Where to begin: v = Σ t (p − p₀ + ½ g t² ŷ)/Σ t² of the first points.</summary>
+    private double[] Start(TrackPoint[] track, TrackFitRequest request)
+    {
+        double[] values = new double[TrackModel.Launch];
+        Vector3d first = track[0].Position;
+        Vector3d sum = Vector3d.Zero;
+        double squares = 0;
+        double upward = Weight.UpwardAcceleration(_scene);
+        for (int i = 1; i < track.Length && (i < 4 || track[i].Time - track[0].Time <= Beginning); i++)
+        {
+            double t = track[i].Time - track[0].Time;
+            sum += t * (track[i].Position - first - new Vector3d(0, 0.5 * upward * t * t, 0));
+            squares += t * t;
+        }
+
+        Vector3d velocity = request.Velocity ?? (squares > 0 ? sum / squares : Vector3d.Zero);
+        Vector3d spin = request.Spin;
+        (values[0], values[1], values[2]) = (first.X, first.Y, first.Z);
+        (values[3], values[4], values[5]) = (velocity.X, velocity.Y, velocity.Z);
+        (values[6], values[7], values[8]) = (spin.X, spin.Y, spin.Z);
+        return values;
+    }
+
+    private static bool IsLaunch(double[] v) =>
+        new Vector3d(v[0], v[1], v[2]).Length < Limits.Length && new Vector3d(v[3], v[4], v[5]).Length < Limits.Speed && new Vector3d(v[6], v[7], v[8]).Length < Limits.Spin;
+}

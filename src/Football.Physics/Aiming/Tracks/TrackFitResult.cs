@@ -1,0 +1,60 @@
+namespace Football.Physics;
+
+/// <summary>The launch that a track tells of, and how surely. Numbers in a row are: position, velocity, spin of the launch, then the factors that were asked for.</summary>
+public sealed class TrackFitResult
+{
+    private readonly double[] _values;
+    private readonly double[] _covariance;
+
+    internal TrackFitResult(string[] names, double[] values, double[] covariance, double time, double chiSquared, int freedom, int iterations, bool converged)
+    {
+        Names = names;
+        _values = values;
+        _covariance = covariance;
+        Time = time;
+        ChiSquared = chiSquared;
+        Freedom = freedom;
+        Iterations = iterations;
+        Converged = converged;
+    }
+
+    /// <summary>Names of the numbers.</summary>
+    public IReadOnlyList<string> Names { get; }
+
+    /// <summary>When the launch was: the time of the track's first point, s.</summary>
+    public double Time { get; }
+
+    /// <summary>Where the ball was then, m.</summary>
+    public Vector3d Position => new(_values[0], _values[1], _values[2]);
+
+    /// <summary>Its velocity then, m/s.</summary>
+    public Vector3d Velocity => new(_values[3], _values[4], _values[5]);
+
+    /// <summary>Its spin then, rad/s.</summary>
+    public Vector3d Spin => new(_values[6], _values[7], _values[8]);
+
+    /// <summary>Σ (seen − fitted)²/noise² over all coordinates: about <see cref="Freedom"/> where scene and noise are as they were said to be.</summary>
+    public double ChiSquared { get; }
+
+    /// <summary>Coordinates seen less numbers found.</summary>
+    public int Freedom { get; }
+
+    /// <summary>Steps of the search.</summary>
+    public int Iterations { get; }
+
+    /// <summary>Whether the search ended where no step would change it by a hundredth of its uncertainty.</summary>
+    public bool Converged { get; }
+
+    /// <summary>A number.</summary>
+    /// <param name="index">Which, from 0.</param>
+    public double Value(int index) => _values[index];
+
+    /// <summary>Its standard deviation.</summary>
+    /// <param name="index">Which, from 0.</param>
+    public double Deviation(int index) => Math.Sqrt(Math.Max(0, _covariance[(index * _values.Length) + index]));
+
+    /// <summary>The covariance of two numbers.</summary>
+    /// <param name="row">One, from 0.</param>
+    /// <param name="column">The other, from 0.</param>
+    public double Covariance(int row, int column) => _covariance[(row * _values.Length) + column];
+}

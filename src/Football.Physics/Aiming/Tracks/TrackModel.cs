@@ -1,0 +1,70 @@
+namespace Football.Physics;
+
+/// <summary>The numbers that a fit looks for: the launch, and factors of a scene.</summary>
+internal sealed class TrackModel
+{
+    /// <summary>Numbers of the launch: position, velocity, spin.</summary>
+    public const int Launch = 9;
+
+    private static readonly string[] LaunchNames =
+        ["position.x", "position.y", "position.z", "velocity.x", "velocity.y", "velocity.z", "spin.x", "spin.y", "spin.z"];
+
+    private readonly Scene _scene;
+    private readonly TrackFitRequest _request;
+
+    public TrackModel(Scene scene, TrackFitRequest request)
+    {
+        _scene = scene;
+        _request = request;
+        List<string> names = [.. LaunchNames];
+        Add(names, "drag", request.Drag);
+        Add(names, "lift", request.Lift);
+        Add(names, "restitution", request.Restitution);
+        Add(names, "friction", request.Friction);
+        Names = [.. names];
+    }
+
+    /// <summary>Names of the numbers.</summary>
+    public string[] Names { get; }
+
+    /// <summary>How many.</summary>
+    public int Count => Names.Length;
+
+    /// <summary>The scene with the factors among some numbers.</summary>
+    public Simulator Simulator(double[] values)
+    {
+        int at = Launch;
+        double drag = _request.Drag ? values[at++] : 1;
+        double lift = _request.Lift ? values[at++] : 1;
+        double restitution = _request.Restitution ? values[at++] : 1;
+        double friction = _request.Friction ? values[at] : 1;
+        Ground ground = _scene.Ground;
+        Scene scene = _scene with
+        {
+            Ground = ground with
+            {
+                NormalRestitution = Math.Min(1, Math.Max(0, restitution) * ground.NormalRestitution),
+                ImpactFriction = Math.Max(0, friction) * ground.ImpactFriction,
+                SlidingFriction = Math.Max(0, friction) * ground.SlidingFriction,
+            },
+        };
+        if (_request.Drag || _request.Lift)
+        {
+            scene = scene with { Forces = scene.Forces with { Custom = [.. scene.Forces.Custom, new ScaledAir(_scene, Math.Max(0, drag), lift)] } };
+        }
+
+        return new Simulator(scene);
+    }
+
+    /// <summary>The ball at its launch.</summary>
+    public static BallState Ball(Simulator simulator, double[] v) =>
+        simulator.Launch(new Vector3d(v[0], v[1], v[2]), new Vector3d(v[3], v[4], v[5]), new Vector3d(v[6], v[7], v[8]));
+
+    private static void Add(List<string> names, string name, bool wanted)
+    {
+        if (wanted)
+        {
+            names.Add(name);
+        }
+    }
+}

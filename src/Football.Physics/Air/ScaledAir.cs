@@ -1,0 +1,56 @@
+namespace Football.Physics;
+
+/// <summary>Drag and Magnus force of a scene's laws times factors, as a force of the game's own: what a fit has found goes into a scene with it.</summary>
+public sealed class ScaledAir : IForce
+{
+    private readonly PointAir _laws;
+    private readonly double _mass;
+    private readonly double _radius;
+
+    /// <summary>What is to be added to a scene's forces so that they are scaled.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="drag">Factor of the drag; not negative.</param>
+    /// <param name="lift">Factor of the Magnus force.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="scene"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public ScaledAir(Scene scene, double drag, double lift)
+    {
+        Check.Given(nameof(scene), scene);
+        Check.NotNegative(nameof(drag), drag);
+        Check.Finite(nameof(lift), lift);
+        Maker maker = default;
+        _laws = AirChoice.Choose<Maker, PointAir>(scene, ref maker);
+        _mass = scene.Ball.Mass;
+        _radius = scene.Ball.Radius;
+        Drag = drag;
+        Lift = lift;
+    }
+
+    /// <summary>Factor of the drag.</summary>
+    public double Drag { get; }
+
+    /// <summary>Factor of the Magnus force.</summary>
+    public double Lift { get; }
+
+    /// <inheritdoc/>
+    public void Apply(in ForceInput ball, ref ForceSum sum)
+    {
+        Vector3d u = ball.AirVelocity;
+        DragBranch branch = _laws.Jumps ? DragJump.At(u.LengthSquared, _radius * _radius * ball.Spin.LengthSquared).Branch : DragBranch.Unknown;
+        _laws.Evaluate(in ball, branch, out AirFactors air);
+
+        // (f_L − 1) m L (ω × u) − (f_D − 1) m D u
+        sum.AddForce(_mass * (((Lift - 1.0) * air.Lift * Vector3d.Cross(ball.Spin, in u)) - ((Drag - 1.0) * air.Drag * u)));
+    }
+
+    private struct Maker : IAirVisitor<PointAir>
+    {
+        public readonly PointAir Visit<TAir>(Scene scene)
+            where TAir : struct, ILawsAir
+        {
+            TAir laws = default;
+            laws.Prepare(scene);
+            return PointAir.Of(in laws);
+        }
+    }
+}

@@ -1,0 +1,97 @@
+namespace Football.Physics;
+
+/// <summary>
+/// How much the kicks of a player spread about the one he means: standard deviations of speed, direction and spin, and their correlations. The deviations are
+/// normally distributed.
+/// </summary>
+public sealed record KickSpread
+{
+    /// <summary>Numbers of a kick that spread: share of the speed, elevation, azimuth, share of the spin.</summary>
+    internal const int Count = 4;
+
+    /// <summary>Standard deviation of the speed, % of it. 0 … 100; default 3.</summary>
+    public double SpeedPercent { get; init; } = 3;
+
+    /// <summary>Standard deviation of the elevation, degrees. 0 … 45; default 1.</summary>
+    public double ElevationDegrees { get; init; } = 1;
+
+    /// <summary>Standard deviation of the azimuth, degrees. 0 … 45; default 1.</summary>
+    public double AzimuthDegrees { get; init; } = 1;
+
+    /// <summary>Standard deviation of the spin, % of it. 0 … 100; default 10.</summary>
+    public double SpinPercent { get; init; } = 10;
+
+    /// <summary>Correlation of speed and elevation. −1 … 1; default 0.</summary>
+    public double SpeedWithElevation { get; init; }
+
+    /// <summary>Correlation of speed and azimuth, which is positive to the left. −1 … 1; default 0.</summary>
+    public double SpeedWithAzimuth { get; init; }
+
+    /// <summary>Correlation of speed and spin. −1 … 1; default 0.</summary>
+    public double SpeedWithSpin { get; init; }
+
+    /// <summary>Correlation of elevation and azimuth. −1 … 1; default 0.</summary>
+    public double ElevationWithAzimuth { get; init; }
+
+    /// <summary>Correlation of elevation and spin. −1 … 1; default 0.</summary>
+    public double ElevationWithSpin { get; init; }
+
+    /// <summary>Correlation of azimuth and spin. −1 … 1; default 0.</summary>
+    public double AzimuthWithSpin { get; init; }
+
+    /// <summary>Checks every number.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or no kicks have these correlations together; the message names field, value and range.</exception>
+    public void Validate() => Factor(new double[Count * Count]);
+
+    /// <summary>Factors the covariance C = L Lᵀ of the share of the speed, the elevation, the azimuth (rad) and the share of the spin.</summary>
+    /// <param name="factor">L, row by row.</param>
+    internal void Factor(double[] factor)
+    {
+        Check.Within("spread.speedPercent", SpeedPercent, 0, 100);
+        Check.Within("spread.elevationDegrees", ElevationDegrees, 0, 45);
+        Check.Within("spread.azimuthDegrees", AzimuthDegrees, 0, 45);
+        Check.Within("spread.spinPercent", SpinPercent, 0, 100);
+        const double PerDegree = Math.PI / 180.0;
+        for (int i = 0; i < Count; i++)
+        {
+            for (int j = 0; j <= i; j++)
+            {
+                double sum = i == j ? 1.0 : Correlation(i, j);
+                Check.Within("spread's correlations", sum, -1, 1);
+                for (int k = 0; k < j; k++)
+                {
+                    sum -= factor[(i * Count) + k] * factor[(j * Count) + k];
+                }
+
+                // Cholesky; what is all but zero is a number that follows from the others.
+                double pivot = factor[(j * Count) + j];
+                if (i == j && sum < -1e-12)
+                {
+                    throw Check.Refusal("spread's correlations", ToString(), "those of a positive definite matrix");
+                }
+
+                factor[(i * Count) + j] = i == j ? Math.Sqrt(Math.Max(0, sum)) : pivot > 1e-9 ? sum / pivot : 0;
+                factor[(j * Count) + i] = i == j ? factor[(i * Count) + i] : 0;
+            }
+        }
+
+        for (int i = 0; i < Count; i++)
+        {
+            double deviation = i == 0 ? 0.01 * SpeedPercent : i == 1 ? PerDegree * ElevationDegrees : i == 2 ? PerDegree * AzimuthDegrees : 0.01 * SpinPercent;
+            for (int j = 0; j < Count; j++)
+            {
+                factor[(i * Count) + j] *= deviation;
+            }
+        }
+    }
+
+    private double Correlation(int row, int column) => (row, column) switch
+    {
+        (1, 0) => SpeedWithElevation,
+        (2, 0) => SpeedWithAzimuth,
+        (3, 0) => SpeedWithSpin,
+        (2, 1) => ElevationWithAzimuth,
+        (3, 1) => ElevationWithSpin,
+        _ => AzimuthWithSpin,
+    };
+}

@@ -1,0 +1,115 @@
+namespace Football.Physics;
+
+/// <summary>Flies many kicks from one place to the plane of a goal: in lanes, where nothing comes before; else ball by ball.</summary>
+internal sealed class PlaneFlights
+{
+    /// <summary>Step of the lanes, s.</summary>
+    private const double Step = 0.04;
+
+    /// <summary>How long a flight may last, s.</summary>
+    private const double Longest = 15;
+
+    private readonly Simulator _simulator;
+    private readonly LaneFlight? _lanes;
+    private readonly LaneDomain _domain;
+    private readonly LaneGroup _group = new();
+    private readonly Trajectory _path = new();
+    private readonly Vector3d _wind;
+
+    public PlaneFlights(Simulator simulator)
+    {
+        Scene scene = simulator.Scene;
+        _simulator = simulator;
+        _wind = scene.Air.Wind;
+        _domain = new LaneDomain(scene, Step);
+        _lanes = LaneFlight.Covers(scene) ? LaneFlight.Create(scene, fourthOrder: true, Step, LaneFlight.BestLanes, upAlongX: true) : null;
+    }
+
+    /// <summary>Flies a group of kicks.</summary>
+    /// <param name="from">Where the ball is, m; not below the ground.</param>
+    /// <param name="goal">The plane.</param>
+    /// <param name="velocities">Velocities, m/s.</param>
+    /// <param name="spins">Spins, rad/s.</param>
+    /// <param name="count">How many; at most a group.</param>
+    /// <param name="crossings">Where and when they cross; at time −1 those that do not.</param>
+    public void Fly(in Vector3d from, in GoalPlane goal, Vector3d[] velocities, Vector3d[] spins, int count, PlaneCrossingPoint[] crossings)
+    {
+        Vector3d way = goal.Center - from;
+        double side = Vector3d.Dot(in way, goal.Out) <= 0 ? -1.0 : 1.0;
+        Vector3d forward = side * goal.Out;
+        Vector3d left = Vector3d.Cross(Vector3d.Up, in forward);
+        double distance = Vector3d.Dot(in way, in forward);
+        double windForward = Vector3d.Dot(in _wind, in forward);
+        double windLeft = Vector3d.Dot(in _wind, in left);
+        double duration = 0;
+        bool onGround = from.Y <= _simulator.ContactHeight;
+        _group.Clear();
+        for (int i = 0; i < count; i++)
+        {
+            Vector3d u = velocities[i] - _wind;
+            double speed = Vector3d.Dot(velocities[i], in forward);
+            double rate = spins[i].Length;
+
+            // A ball that rises falls but once: it is on the ground before the plane only if it is below it there.
+            bool rises = velocities[i].Y >= _simulator.Scene.Ground.MinimumBounceSpeed || (!onGround && velocities[i].Y >= 0);
+            double time = speed > 0 ? 4.0 * distance / speed : Longest;
+            if (_lanes is not null && rises && time < Longest && _domain.Covers(u.LengthSquared, rate, 0, 0, time))
+            {
+                Vector3d axis = rate > 0 ? spins[i] / rate : Vector3d.Up;
+                duration = Math.Max(duration, time);
+                _group.Add(i, Turned(in u, in forward, in left), Turned(in axis, in forward, in left), rate, -distance, -windForward);
+            }
+            else
+            {
+                crossings[i] = Alone(in from, in goal, in velocities[i], in spins[i]);
+            }
+        }
+
+        int flying = _group.Flying;
+        if (flying == 0)
+        {
+            return;
+        }
+
+        Span<bool> together = stackalloc bool[LaneGroup.Size];
+        together.Clear();
+        for (int k = 0; k < flying; k++)
+        {
+            together[_group.Ball[k]] = true;
+        }
+
+        _lanes!.Fly(_group, duration);
+        for (int i = 0; i < count; i++)
+        {
+            if (!together[i])
+            {
+                continue;
+            }
+
+            Vector3d path = _group.EndPath[i];
+            double time = _group.EndTime[i];
+            double height = from.Y + path.X + (time * _wind.Y);
+            if (_group.GivenUp[i] || !_group.Reached[i] || height < _simulator.ContactHeight)
+            {
+                crossings[i] = Alone(in from, in goal, in velocities[i], in spins[i]);
+                continue;
+            }
+
+            Vector3d flat = (distance * forward) + (((time * windLeft) - path.Z) * left);
+            crossings[i] = new PlaneCrossingPoint(time, new Vector3d(from.X + flat.X, height, from.Z + flat.Z));
+        }
+    }
+
+    /// <summary>Flies one kick in double, through whatever comes before the plane.</summary>
+    public PlaneCrossingPoint Alone(in Vector3d from, in GoalPlane goal, in Vector3d velocity, in Vector3d spin)
+    {
+        BallState ball = _simulator.Launch(from, velocity, spin);
+        var request = new LookAheadRequest { Duration = Longest, UntilPlane = goal.Plane };
+        _simulator.LookAhead(in ball, request, _path);
+        return _path.TryGetCrossing(goal.Plane, out PathPoint at) ? new PlaneCrossingPoint(at.Time, at.Position) : new PlaneCrossingPoint(-1, from);
+    }
+
+    /// <summary>In the lanes x is up, y is backward and z is right.</summary>
+    private static Vector3d Turned(in Vector3d v, in Vector3d forward, in Vector3d left) =>
+        new(v.Y, -Vector3d.Dot(in v, in forward), -Vector3d.Dot(in v, in left));
+}

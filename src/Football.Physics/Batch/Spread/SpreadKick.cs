@@ -1,0 +1,76 @@
+namespace Football.Physics;
+
+/// <summary>The kick that a player means, and those that he makes of it: other speed, elevation, azimuth and share of the spin.</summary>
+internal readonly struct SpreadKick
+{
+    private readonly double _speed;
+    private readonly double _elevation;
+    private readonly Vector3d _direction;
+    private readonly Vector3d _left;
+
+    public SpreadKick(in Vector3d position, in Vector3d velocity, in Vector3d spin)
+    {
+        Position = position;
+        Velocity = velocity;
+        Spin = spin;
+        double flat = velocity.Horizontal.Length;
+        if (!(flat > 0))
+        {
+            throw Check.Refusal("launch.velocity", velocity.ToString(), "not vertical");
+        }
+
+        _speed = velocity.Length;
+        _elevation = Elementary.Atan2(velocity.Y, flat);
+        _direction = velocity.Horizontal / flat;
+        _left = Vector3d.Cross(Vector3d.Up, in _direction);
+    }
+
+    /// <summary>From where, m.</summary>
+    public Vector3d Position { get; }
+
+    /// <summary>The velocity that is meant, m/s.</summary>
+    public Vector3d Velocity { get; }
+
+    /// <summary>The spin that is meant, rad/s.</summary>
+    public Vector3d Spin { get; }
+
+    /// <summary>A kick of other numbers.</summary>
+    /// <param name="by">Share of the speed, elevation, azimuth, share of the spin.</param>
+    /// <param name="velocity">Its velocity, m/s.</param>
+    /// <param name="spin">Its spin, rad/s.</param>
+    public void With(double[] by, out Vector3d velocity, out Vector3d spin)
+    {
+        double speed = _speed * Math.Max(0, 1.0 + by[0]);
+        Elementary.SinCos(_elevation + by[1], out double up, out double flat);
+        Elementary.SinCos(by[2], out double sine, out double cosine);
+
+        // v = V (cos ε d + sin ε ŷ), d turned about ŷ by the azimuth, and the spin with it
+        velocity = speed * ((flat * ((cosine * _direction) + (sine * _left))) + new Vector3d(0, up, 0));
+        Vector3d turned = new((cosine * Spin.X) + (sine * Spin.Z), Spin.Y, (cosine * Spin.Z) - (sine * Spin.X));
+        spin = (1.0 + by[3]) * turned;
+    }
+
+    /// <summary>How velocity and spin change with one of the four numbers.</summary>
+    public void Derivative(int number, out Vector3d velocity, out Vector3d spin)
+    {
+        velocity = Vector3d.Zero;
+        spin = Vector3d.Zero;
+        switch (number)
+        {
+            case 0:
+                velocity = Velocity;
+                break;
+            case 1:
+                Elementary.SinCos(_elevation, out double up, out double flat);
+                velocity = _speed * ((-up * _direction) + new Vector3d(0, flat, 0));
+                break;
+            case 2:
+                velocity = Vector3d.Cross(Vector3d.Up, Velocity);
+                spin = Vector3d.Cross(Vector3d.Up, Spin);
+                break;
+            default:
+                spin = Spin;
+                break;
+        }
+    }
+}

@@ -1,0 +1,133 @@
+namespace Football.Physics;
+
+/// <summary>What an impact makes of the motion, and how that changes with the motion before it: by the simulation's own impact, and difference quotients of it.</summary>
+internal sealed class ImpactMap<TAir>
+    where TAir : struct, IAir
+{
+    private const double TimeWidth = 1e-6;
+
+    private readonly World? _world;
+    private readonly ContactPhase<TAir> _contact;
+    private readonly WorldContact<TAir>? _worldContact;
+    private readonly StepLog _log = new();
+
+    public ImpactMap(Scene scene, Surroundings<TAir> around)
+    {
+        _world = around.World;
+        _contact = new ContactPhase<TAir>(scene, around);
+        _worldContact = _world is null ? null : new WorldContact<TAir>(around, scene.Ground.IsLevel);
+    }
+
+    /// <summary>How the motion changes with time itself, were the impact later: where what is hit moves.</summary>
+    public Motion TimeRate { get; private set; }
+
+    /// <summary>An impact.</summary>
+    /// <param name="s">The ball before it; then after it.</param>
+    /// <param name="thing">What it hits.</param>
+    /// <param name="map">∂y'/∂y.</param>
+    /// <returns>How many impacts it was: what carries the ball may take its part at once.</returns>
+    public int Impact(ref BallState s, int thing, double[] map)
+    {
+        Motion at = MotionVector.Of(in s);
+        Clear(map);
+        for (int i = 0; i < MotionVector.AirDistance; i++)
+        {
+            double width = MotionVector.Width(in at, i);
+            MotionVector.Write(map, i, Hit(in s, MotionVector.Changed(in at, i, width), 0, thing), Hit(in s, MotionVector.Changed(in at, i, -width), 0, thing), 2.0 * width);
+        }
+
+        if (_world is { Moves: true })
+        {
+            Motion later = Hit(in s, in at, TimeWidth, thing);
+            Motion sooner = Hit(in s, in at, -TimeWidth, thing);
+            const double PerWidth = 0.5 / TimeWidth;
+            TimeRate = new Motion(PerWidth * (later.Position - sooner.Position), PerWidth * (later.Velocity - sooner.Velocity), PerWidth * (later.Spin - sooner.Spin));
+        }
+
+        return Hit(ref s, thing);
+    }
+
+    /// <summary>The start of a roll, where the slip has ended: it takes the spin along.</summary>
+    public void StartRolling(ref BallState s, double[] map)
+    {
+        Motion at = MotionVector.Of(in s);
+        Clear(map);
+        for (int i = 0; i < MotionVector.AirDistance; i++)
+        {
+            double width = MotionVector.Width(in at, i);
+            MotionVector.Write(map, i, Roll(in s, MotionVector.Changed(in at, i, width)), Roll(in s, MotionVector.Changed(in at, i, -width)), 2.0 * width);
+        }
+
+        Roll(ref s);
+    }
+
+    private static void Clear(double[] map)
+    {
+        Array.Clear(map, 0, map.Length);
+        map[map.Length - 1] = 1;
+    }
+
+    private static BallState With(in BallState s, in Motion motion)
+    {
+        BallState changed = s;
+        changed.Position = motion.Position;
+        changed.Velocity = motion.Velocity;
+        if (s.Motion == MotionState.Airborne)
+        {
+            changed.SetFlightSpin(motion.Spin);
+        }
+        else
+        {
+            changed.SetGroundSpin(motion.Spin);
+        }
+
+        return changed;
+    }
+
+    private Motion Hit(in BallState s, in Motion motion, double later, int thing)
+    {
+        BallState changed = With(in s, in motion);
+        changed.Time += later;
+        Hit(ref changed, thing);
+        return MotionVector.Of(in changed);
+    }
+
+    private int Hit(ref BallState s, int thing)
+    {
+        var run = new StepRun { Left = 1, Length = 1, End = s.Time + 1, Log = _log };
+        if (_worldContact is null)
+        {
+            _contact.Impact(ref s, ref run);
+        }
+        else
+        {
+            _worldContact.Impact(ref s, thing - _world!.FirstCollider, ref run);
+        }
+
+        int impacts = (int)_log.Events.Impacts;
+        _log.Clear();
+        return impacts;
+    }
+
+    private Motion Roll(in BallState s, in Motion motion)
+    {
+        BallState changed = With(in s, in motion);
+        Roll(ref changed);
+        return MotionVector.Of(in changed);
+    }
+
+    private void Roll(ref BallState s)
+    {
+        var run = new StepRun { Left = 1, Length = 1, End = s.Time + 1, Log = _log };
+        if (_worldContact is null)
+        {
+            _contact.StartRolling(ref s, ref run);
+        }
+        else
+        {
+            _worldContact.StartRolling(ref s, ref run);
+        }
+
+        _log.Clear();
+    }
+}

@@ -1,0 +1,254 @@
+namespace Football.Physics;
+
+/// <summary>
+/// How the motion at one time changes with the launch, J = ∂y/∂y₀: ten rows (<see cref="MotionVector"/>), nine columns (place, velocity, spin of the launch).
+/// </summary>
+internal sealed class Tangent
+{
+    /// <summary>Columns: the numbers of the launch.</summary>
+    public const int Columns = 9;
+
+    private const int Rows = MotionVector.Size;
+    private const int Length = Rows * Columns;
+
+    /// <summary>√3/12.</summary>
+    private const double CommutatorWeight = 0.14433756729740643;
+
+    /// <summary>Terms of the exponential: pieces are short enough for the motion to change by a quarter at most.</summary>
+    private const int Terms = 6;
+
+    private readonly double[] _j = new double[Length];
+    private readonly double[] _term = new double[Length];
+    private readonly double[] _next = new double[Length];
+    private readonly double[] _omega = new double[Rows * Rows];
+    private readonly double[] _commutator = new double[Rows * Rows];
+
+    /// <summary>The launch itself, J = 1.</summary>
+    public void Reset()
+    {
+        Array.Clear(_j, 0, Length);
+        for (int i = 0; i < Columns; i++)
+        {
+            _j[(i * Columns) + i] = 1;
+        }
+    }
+
+    /// <summary>One entry.</summary>
+    public double this[int row, int column] => _j[(row * Columns) + column];
+
+    /// <summary>Three rows and three columns.</summary>
+    public Matrix3d Block(int row, int column) => new(Row(row, column), Row(row + 1, column), Row(row + 2, column));
+
+    /// <summary>J ← A J, A of ten rows and columns.</summary>
+    public void Map(double[] a)
+    {
+        Multiply(a, _j, _next, Columns);
+        Array.Copy(_next, _j, Length);
+    }
+
+    /// <summary>J ← J + f ⊗ δt: from one time for all to the time of an event, or back.</summary>
+    /// <param name="velocity">v.</param>
+    /// <param name="rates">v̇, ω̇.</param>
+    /// <param name="times">δt of each column.</param>
+    /// <param name="sign">1 or −1.</param>
+    public void Shift(in Vector3d velocity, in MotionRates rates, double[] times, double sign)
+    {
+        for (int c = 0; c < Columns; c++)
+        {
+            double by = sign * times[c];
+            Add(0, c, by * velocity);
+            Add(MotionVector.Velocity, c, by * rates.Acceleration);
+            Add(MotionVector.Spin, c, by * rates.SpinAcceleration);
+            _j[(MotionVector.AirDistance * Columns) + c] += by * rates.AirSpeed;
+        }
+    }
+
+    /// <summary>J ← J + r ⊗ δt for a change r of the motion by time itself.</summary>
+    public void Add(in Motion rate, double[] times)
+    {
+        for (int c = 0; c < Columns; c++)
+        {
+            Add(0, c, times[c] * rate.Position);
+            Add(MotionVector.Velocity, c, times[c] * rate.Velocity);
+            Add(MotionVector.Spin, c, times[c] * rate.Spin);
+        }
+    }
+
+    /// <summary>J at the end of a plain flight, from that at its start.</summary>
+    /// <param name="x">How x changes beside δx itself.</param>
+    /// <param name="y">The same, y.</param>
+    /// <param name="z">The same, z.</param>
+    /// <param name="motion">How velocity and size of the spin change.</param>
+    /// <param name="axis">Axis of the spin.</param>
+    /// <param name="first">A direction across it.</param>
+    /// <param name="second">The other.</param>
+    /// <param name="startSpin">|ω| at the start, rad/s.</param>
+    /// <param name="endSpin">|ω| at the end, rad/s.</param>
+    public void Fly(
+        in FlightRow x,
+        in FlightRow y,
+        in FlightRow z,
+        in FlightColumns motion,
+        in Vector3d axis,
+        in Vector3d first,
+        in Vector3d second,
+        double startSpin,
+        double endSpin)
+    {
+        for (int c = 0; c < Columns; c++)
+        {
+            // δω = δ|ω| n + |ω| δn
+            Vector3d velocity = Column(MotionVector.Velocity, c);
+            Vector3d spin = Column(MotionVector.Spin, c);
+            double byFirst = Vector3d.Dot(in first, in spin) / startSpin;
+            double bySecond = Vector3d.Dot(in second, in spin) / startSpin;
+            var turned = new Vector3d(Vector3d.Dot(in axis, in spin), byFirst, bySecond);
+            Add(0, c, new Vector3d(Of(in x, in velocity, in turned), Of(in y, in velocity, in turned), Of(in z, in velocity, in turned)));
+            Set(MotionVector.Velocity, c, new Vector3d(Of(in motion.X, in velocity, in turned), Of(in motion.Y, in velocity, in turned), Of(in motion.Z, in velocity, in turned)));
+            Set(MotionVector.Spin, c, (Of(in motion.Spin, in velocity, in turned) * axis) + (endSpin * ((byFirst * first) + (bySecond * second))));
+        }
+    }
+
+    /// <summary>When an event happens, by the launch: δt = −∇g·δy/ġ.</summary>
+    /// <param name="place">∂g/∂p.</param>
+    /// <param name="velocity">∂g/∂v.</param>
+    /// <param name="spin">∂g/∂ω.</param>
+    /// <param name="rate">ġ along the motion.</param>
+    /// <param name="times">δt of each column.</param>
+    public void Times(in Vector3d place, in Vector3d velocity, in Vector3d spin, double rate, double[] times)
+    {
+        double scale = -1.0 / rate;
+        for (int c = 0; c < Columns; c++)
+        {
+            times[c] = scale * (Dot(0, c, in place) + Dot(MotionVector.Velocity, c, in velocity) + Dot(MotionVector.Spin, c, in spin));
+        }
+    }
+
+    /// <summary>Sets three rows to zero.</summary>
+    public void Clear(int row) => Array.Clear(_j, row * Columns, 3 * Columns);
+
+    /// <summary>Takes away from three rows what is along a direction: what a ball that is placed loses of it.</summary>
+    public void Project(int row, in Vector3d normal)
+    {
+        for (int c = 0; c < Columns; c++)
+        {
+            Add(row, c, -Dot(row, c, in normal) * normal);
+        }
+    }
+
+    /// <summary>
+    /// The shortest of slides, of a ball that is all but rolling, up to where it rolls: δv' = δv − δs/(1 + 1/α), δω' = n × δv'/r + (n·δω) n.
+    /// </summary>
+    /// <param name="normal">n.</param>
+    /// <param name="radius">r, m.</param>
+    /// <param name="inertiaFactor">α.</param>
+    public void Roll(in Vector3d normal, double radius, double inertiaFactor)
+    {
+        for (int c = 0; c < Columns; c++)
+        {
+            Vector3d velocity = Column(MotionVector.Velocity, c);
+            Vector3d spin = Column(MotionVector.Spin, c);
+            velocity -= inertiaFactor / (1.0 + inertiaFactor) * Slip.Of(in velocity, in spin, in normal, radius);
+            Set(MotionVector.Velocity, c, in velocity);
+            Set(MotionVector.Spin, c, Slip.RollingSpin(in velocity, Vector3d.Dot(in spin, in normal), in normal, radius));
+        }
+    }
+
+    /// <summary>Keeps of three rows what is along a direction.</summary>
+    public void Keep(int row, in Vector3d normal)
+    {
+        for (int c = 0; c < Columns; c++)
+        {
+            Set(row, c, Dot(row, c, in normal) * normal);
+        }
+    }
+
+    /// <summary>
+    /// The variational equation J̇ = A(t) J over a time h by Magnus' method of fourth order, J ← exp(Ω) J,
+    /// Ω = h/2 (A₁ + A₂) + √3/12 h² [A₂, A₁] with A at both Gauss points: neither end is asked, where forces may have kinks.
+    /// </summary>
+    public void Integrate(double h, double[] first, double[] second)
+    {
+        Multiply(second, first, _commutator, Rows);
+        Multiply(first, second, _omega, Rows);
+        double half = 0.5 * h;
+        double twist = CommutatorWeight * h * h;
+        for (int i = 0; i < Rows * Rows; i++)
+        {
+            _omega[i] = (half * (first[i] + second[i])) + (twist * (_commutator[i] - _omega[i]));
+        }
+
+        // exp(Ω) J = J + ΩJ + Ω²J/2 + …
+        Array.Copy(_j, _term, Length);
+        for (int n = 1; n <= Terms; n++)
+        {
+            Multiply(_omega, _term, _next, Columns);
+            double perN = 1.0 / n;
+            for (int i = 0; i < Length; i++)
+            {
+                _term[i] = perN * _next[i];
+                _j[i] += _term[i];
+            }
+        }
+    }
+
+    private static void Multiply(double[] a, double[] b, double[] into, int columns)
+    {
+        Array.Clear(into, 0, Rows * columns);
+        for (int row = 0; row < Rows; row++)
+        {
+            int at = row * columns;
+            for (int k = 0; k < Rows; k++)
+            {
+                double factor = a[(row * Rows) + k];
+                if (factor == 0)
+                {
+                    continue;
+                }
+
+                int from = k * columns;
+                for (int c = 0; c < columns; c++)
+                {
+                    into[at + c] += factor * b[from + c];
+                }
+            }
+        }
+    }
+
+    private Vector3d Row(int row, int column)
+    {
+        int at = (row * Columns) + column;
+        return new Vector3d(_j[at], _j[at + 1], _j[at + 2]);
+    }
+
+    private double Dot(int row, int column, in Vector3d v)
+    {
+        int at = (row * Columns) + column;
+        return (_j[at] * v.X) + (_j[at + Columns] * v.Y) + (_j[at + (2 * Columns)] * v.Z);
+    }
+
+    private static double Of(in FlightRow row, in Vector3d velocity, in Vector3d spin) =>
+        Vector3d.Dot(in row.ByVelocity, in velocity) + Vector3d.Dot(in row.BySpin, in spin);
+
+    private Vector3d Column(int row, int column)
+    {
+        int at = (row * Columns) + column;
+        return new Vector3d(_j[at], _j[at + Columns], _j[at + (2 * Columns)]);
+    }
+
+    private void Set(int row, int column, in Vector3d v)
+    {
+        int at = (row * Columns) + column;
+        _j[at] = v.X;
+        _j[at + Columns] = v.Y;
+        _j[at + (2 * Columns)] = v.Z;
+    }
+
+    private void Add(int row, int column, in Vector3d v)
+    {
+        int at = (row * Columns) + column;
+        _j[at] += v.X;
+        _j[at + Columns] += v.Y;
+        _j[at + (2 * Columns)] += v.Z;
+    }
+}

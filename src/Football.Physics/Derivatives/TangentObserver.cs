@@ -1,0 +1,58 @@
+namespace Football.Physics;
+
+/// <summary>Watches a simulation and carries the derivatives by the launch along, piece by piece and through every event.</summary>
+internal abstract class TangentObserver : PieceObserver
+{
+    private readonly Tangent _tangent = new();
+
+    /// <summary>The derivatives.</summary>
+    public Tangent Tangent => _tangent;
+
+    /// <summary>When the last event happened, by the launch: δt of each column.</summary>
+    public double[] EventTimes { get; } = new double[Tangent.Columns];
+
+    public override bool WantsEndAcceleration => false;
+
+    /// <summary>Makes one for a scene.</summary>
+    public static TangentObserver Of(Scene scene)
+    {
+        Maker maker = default;
+        return AirChoice.Choose<Maker, TangentObserver>(scene, ref maker);
+    }
+
+    public override bool Add(in PathPiece piece) => false;
+
+    /// <summary>Starts at a launch.</summary>
+    /// <param name="from">The ball.</param>
+    /// <param name="log">The log that the run writes to; its events from here on are those of the run.</param>
+    public abstract void Begin(in BallState from, StepLog log);
+
+    /// <summary>
+    /// Ends with a run. Where an event ended it, the tangent is that of the motion at the event, just before it, whose time is <see cref="EventTimes"/>.
+    /// </summary>
+    /// <param name="final">The ball.</param>
+    /// <param name="ended">Whether an event ended it.</param>
+    public abstract void Finish(in BallState final, bool ended);
+
+    private struct Maker : IAirVisitor<TangentObserver>
+    {
+        public readonly TangentObserver Visit<TAir>(Scene scene)
+            where TAir : struct, ILawsAir
+        {
+            TAir laws = default;
+            laws.Prepare(scene);
+            if (StepperFactory.HasLawsAlone(scene))
+            {
+                return new SceneTangent<TAir>(scene, in laws);
+            }
+
+            PointAir air = PointAir.Of(in laws);
+            if (scene.Forces.Custom.Count == 0)
+            {
+                return new SceneTangent<FieldAir>(scene, new FieldAir(scene, air));
+            }
+
+            return new SceneTangent<OwnForcesAir>(scene, new OwnForcesAir(scene, FieldAir.IsOf(scene) ? PointAir.Of(new FieldAir(scene, air)) : air));
+        }
+    }
+}

@@ -1,0 +1,117 @@
+using System.Text.Json;
+using Football.Physics.Headless.Input;
+using Football.Physics.Headless.Lab.Derivatives;
+using Football.Physics.Headless.Simulate;
+using Football.Physics.Tests.Headless;
+using Football.Physics.Tests.Reference;
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Tests.Derivatives;
+
+/// <summary>How the end of a shot changes with its launch.</summary>
+public sealed class LaunchDerivativesTests
+{
+    /// <summary>The reference's own spread is 1e-9.</summary>
+    [Fact]
+    public void Blocks_are_those_of_an_independent_solver()
+    {
+        int cases = 0;
+        foreach (JsonElement line in ReferenceCase.Lines("derivatives.ndjson"))
+        {
+            LaunchDerivatives found = ScenarioRun.Play(Scenario.Read(new InputFields(line.GetProperty("scenario")))).Derivatives!;
+            JsonElement expected = line.GetProperty("expected").GetProperty("derivatives");
+            string name = line.GetProperty("name").GetString()!;
+            JsonElement position = expected.GetProperty("position");
+            JsonElement time = expected.GetProperty("time");
+            Compare(name, Matrix(position.GetProperty("velocity")), [found.PositionByVelocity.X, found.PositionByVelocity.Y, found.PositionByVelocity.Z]);
+            Compare(name, Matrix(position.GetProperty("spin")), [found.PositionBySpin.X, found.PositionBySpin.Y, found.PositionBySpin.Z]);
+            Compare(name, [ReferenceCase.Vector(time.GetProperty("velocity"))], [found.TimeByVelocity]);
+            Compare(name, [ReferenceCase.Vector(time.GetProperty("spin"))], [found.TimeBySpin]);
+            cases++;
+        }
+
+        Assert.Equal(24, cases);
+    }
+
+    [Theory]
+    [InlineData((int)DerivativesKind.Published)]
+    [InlineData((int)DerivativesKind.Measured)]
+    [InlineData((int)DerivativesKind.Goal)]
+    [InlineData((int)DerivativesKind.Slope)]
+    [InlineData((int)DerivativesKind.Hills)]
+    public void Random_flights_agree_with_central_differences(int kind)
+    {
+        var check = new DerivativesCheck((DerivativesKind)kind);
+        for (int i = 0; i < 12; i++)
+        {
+            check.Run(new SeededRandom(SeededRandom.Mix(3, i)));
+        }
+
+        // football lab derivatives tells of thousands. A flight whose flow all but stops, or that rolls in a net, is told less exactly.
+        Assert.InRange(check.Errors.Count, 4, 12);
+        Assert.InRange(check.Errors.Order().ElementAt(check.Errors.Count / 2), 0, 2 * DerivativesCheck.Reach);
+        Assert.InRange(check.Errors.Count(error => error <= 10 * DerivativesCheck.Reach), check.Errors.Count - 2, check.Errors.Count);
+    }
+
+    [Fact]
+    public void A_flight_in_vacuum_has_those_of_the_parabola()
+    {
+        // x = v_x t, y = v_y t − g t²/2 at y = 0: t = 2 v_y/g
+        var derivatives = new LaunchDerivatives(new Simulator(Scene.Vacuum));
+        BallState state = derivatives.Simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(10, 5, 0), Vector3d.Zero);
+        Assert.True(derivatives.Run(ref state, 0.01, 5, StopAt.Impact));
+        Assert.Equal(1e0, derivatives.PositionByVelocity.X.X / (2 * 5 / 9.81), 9);
+        Assert.Equal(2 * 10 / 9.81, derivatives.PositionByVelocity.X.Y, 9);
+        Assert.Equal(0, derivatives.PositionByVelocity.Y.Y, 9);
+        Assert.Equal(2 / 9.81, derivatives.TimeByVelocity.Y, 9);
+        Assert.Equal(1, derivatives.PositionByPosition.X.X, 9);
+    }
+
+    [Fact]
+    public void The_run_is_the_simulators_own()
+    {
+        var simulator = new Simulator(Scene.Measured);
+        var derivatives = new LaunchDerivatives(simulator);
+        BallState watched = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(12, 6, 3), new Vector3d(5, 30, -10));
+        BallState plain = watched;
+        derivatives.Run(ref watched, 0.01, 20, StopAt.Rest);
+        simulator.Run(ref plain, 0.01, 20, StopAt.Rest, new StepLog());
+        Assert.Equal(plain, watched);
+    }
+
+    [Fact]
+    public void A_run_allocates_nothing_once_there_is_room()
+    {
+        var derivatives = new LaunchDerivatives(new Simulator(Scene.Measured));
+        BallState launched = derivatives.Simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(12, 6, 3), new Vector3d(5, 30, -10));
+        long allocated = long.MaxValue;
+        for (int i = 0; i < 4; i++)
+        {
+            BallState state = launched;
+            long before = GC.GetAllocatedBytesForCurrentThread();
+            derivatives.Run(ref state, 0.01, 20, StopAt.Rest);
+            allocated = Math.Min(allocated, GC.GetAllocatedBytesForCurrentThread() - before);
+        }
+
+        Assert.Equal(0, allocated);
+    }
+
+    [Fact]
+    public void A_scenario_that_asks_for_them_gets_them()
+    {
+        JsonElement answer = FootballCommand.Play($$"""{{{FootballCommand.Launch}}, "derivatives": true}""").GetProperty("derivatives");
+        Assert.Equal(3, answer.GetProperty("position").GetProperty("velocity").GetArrayLength());
+        Assert.Equal(3, answer.GetProperty("time").GetProperty("spin").GetArrayLength());
+        Assert.False(FootballCommand.Play($$"""{{{FootballCommand.Launch}}}""").TryGetProperty("derivatives", out _));
+    }
+
+    private static Vector3d[] Matrix(JsonElement rows) => [.. rows.EnumerateArray().Select(ReferenceCase.Vector)];
+
+    private static void Compare(string name, Vector3d[] wanted, Vector3d[] found)
+    {
+        double Largest(Vector3d v) => Math.Max(Math.Abs(v.X), Math.Max(Math.Abs(v.Y), Math.Abs(v.Z)));
+        double scale = Math.Max(1e-4, wanted.Max(Largest));
+        double error = wanted.Zip(found, (a, b) => Largest(a - b)).Max() / scale;
+        Assert.True(error <= 1e-5, $"{name}: {error:e1}");
+    }
+}

@@ -1,0 +1,92 @@
+namespace Football.Physics.Tests.Queries;
+
+/// <summary>Where the kicks of a player go.</summary>
+public sealed class ScatterTests
+{
+    private static readonly Goal s_goal = new() { Center = new Vector3d(0, 0, -11), Facing = new Vector3d(0, 0, 1) };
+    private static readonly Runner s_keeper = new() { Position = new Vector3d(0, 0, -11), Reach = 1.5, HighestHeight = 2.5 };
+    private static readonly Vector3d s_from = new(0, 0.11, 0);
+    private static readonly Vector3d s_velocity = new(4, 3, -22);
+    private static readonly Vector3d s_spin = new(5, 20, 0);
+
+    [Fact]
+    public void A_small_spread_is_told_by_derivatives_as_flights_tell_it()
+    {
+        var scatter = new Scatter(Scene.Measured);
+        var spread = new KickSpread { SpeedPercent = 1, ElevationDegrees = 0.5, AzimuthDegrees = 0.5, SpinPercent = 5, SpeedWithElevation = -0.5 };
+        ScatterResult told = scatter.Find(s_from, s_velocity, s_spin, spread, s_goal, s_keeper);
+        ScatterResult flown = scatter.FindByFlights(s_from, s_velocity, s_spin, spread, s_goal, s_keeper, 20_000);
+        Assert.Equal(ScatterMethod.Derivatives, told.Method);
+        Assert.Equal(ScatterMethod.Flights, flown.Method);
+        Assert.Equal(flown.OnTarget, told.OnTarget, 0.015);
+        Assert.Equal(flown.Covered, told.Covered, 0.015);
+        Assert.Equal(flown.LongAxis, told.LongAxis, 0.003);
+        Assert.Equal(flown.ShortAxis, told.ShortAxis, 0.003);
+        Assert.Equal(flown.Aside, told.Aside, 0.004);
+        Assert.Equal(flown.Height, told.Height, 0.004);
+    }
+
+    [Fact]
+    public void A_large_spread_is_flown()
+    {
+        var scatter = new Scatter(Scene.Measured);
+        ScatterResult told = scatter.Find(s_from, s_velocity, s_spin, new KickSpread { SpeedPercent = 15, ElevationDegrees = 6, AzimuthDegrees = 6 }, s_goal);
+        Assert.Equal((ScatterMethod.Flights, Scatter.Flights), (told.Method, told.Kicks));
+        Assert.InRange(told.OnTarget, 0.2, 0.9);
+    }
+
+    [Fact]
+    public void Lanes_and_single_balls_are_the_same_kicks()
+    {
+        // A net far away keeps a scene out of the lanes.
+        Scene alone = Scene.Measured with
+        {
+            Nets = [new Net { Center = new Vector3d(900, 5, 0), Normal = new Vector3d(1, 0, 0), Along = new Vector3d(0, 1, 0), HalfLength = 1, HalfWidth = 1 }],
+        };
+        var spread = new KickSpread { SpeedPercent = 6, ElevationDegrees = 4, AzimuthDegrees = 3 };
+        ScatterResult lanes = new Scatter(Scene.Measured).FindByFlights(s_from, s_velocity, s_spin, spread, s_goal, s_keeper, 600, 5);
+        ScatterResult single = new Scatter(alone).FindByFlights(s_from, s_velocity, s_spin, spread, s_goal, s_keeper, 600, 5);
+        Assert.Equal(single.Aside, lanes.Aside, 1e-3);
+        Assert.Equal(single.HeightDeviation, lanes.HeightDeviation, 1e-3);
+        Assert.Equal(single.OnTarget, lanes.OnTarget, 3.0 / 600);
+    }
+
+    [Fact]
+    public void Flights_in_lanes_allocate_nothing()
+    {
+        var scatter = new Scatter(Scene.Measured);
+        var spread = new KickSpread { SpeedPercent = 2 };
+        long allocated = long.MaxValue;
+        for (int i = 0; i < 4; i++)
+        {
+            long before = GC.GetAllocatedBytesForCurrentThread();
+            scatter.FindByFlights(s_from, s_velocity, s_spin, spread, s_goal, null, 512);
+            allocated = Math.Min(allocated, GC.GetAllocatedBytesForCurrentThread() - before);
+        }
+
+        Assert.InRange(allocated, 0, 4096);
+    }
+
+    [Fact]
+    public void Correlations_that_no_kicks_have_are_refused()
+    {
+        string message = Assert.Throws<ArgumentOutOfRangeException>(
+            () => new KickSpread { SpeedWithElevation = 0.9, SpeedWithAzimuth = 0.9, ElevationWithAzimuth = -0.9 }.Validate()).Message;
+        Assert.Contains("positive definite", message, StringComparison.Ordinal);
+        Assert.Throws<ArgumentOutOfRangeException>(() => new KickSpread { SpeedPercent = -1 }.Validate());
+    }
+
+    [Theory]
+    [InlineData(0, 0.5)]
+    [InlineData(1, 0.841344746068543)]
+    [InlineData(-2.5, 0.006209665325776)]
+    public void The_normal_integral_is_that_of_the_tables(double x, double expected) => Assert.Equal(expected, NormalDistribution.Integral(x), 1e-14);
+
+    [Fact]
+    public void A_rectangle_far_wider_than_the_spread_holds_all()
+    {
+        Assert.Equal(1, NormalDistribution.Rectangle(0.1, -0.2, 0.3, 0.5, 0.7, -9, 9, -9, 9), 1e-9);
+        Assert.Equal(0.25, NormalDistribution.Rectangle(0, 0, 1, 2, 0, 0, 99, 0, 99), 1e-6);
+        Assert.Equal(0.25 + (Math.Asin(0.6) / (2 * Math.PI)), NormalDistribution.Rectangle(0, 0, 1, 2, 0.6, 0, 99, 0, 99), 1e-6);
+    }
+}

@@ -1,0 +1,80 @@
+using System.Text.Json;
+using Football.Physics.Headless.Lab.Queries;
+using Football.Physics.Tests.Headless;
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Tests.Queries;
+
+/// <summary>The launch from where a camera saw the ball.</summary>
+public sealed class TrackFitTests
+{
+    /// <summary>football lab fit --tracks 1000 tells of a thousand.</summary>
+    [Fact]
+    public void Truth_is_within_the_stated_uncertainty()
+    {
+        var check = new FitCheck();
+        for (int i = 0; i < 10; i++)
+        {
+            check.Run(new SeededRandom(SeededRandom.Mix(5, i)), also: false);
+        }
+
+        Assert.InRange(check.Within, 8, 10);
+        Assert.Equal(0, check.Lost);
+    }
+
+    [Fact]
+    public void A_track_without_noise_gives_the_launch_and_the_scenes_own_numbers()
+    {
+        Scene scene = Scene.Measured with { Ground = Scene.Measured.Ground with { NormalRestitution = 0.55 } };
+        var simulator = new Simulator(scene);
+        var velocity = new Vector3d(4, 6, -18);
+        var spin = new Vector3d(10, 30, -5);
+        BallState ball = simulator.Launch(new Vector3d(0, 0.11, 0), velocity, spin);
+        var track = new TrackPoint[60];
+        for (int i = 0; i < track.Length; i++)
+        {
+            track[i] = new TrackPoint(7 + (0.04 * i), ball.Position, 1e-4);
+            simulator.Run(ref ball, 0.01, 0.04, StopAt.Time, new StepLog());
+        }
+
+        TrackFitResult found = new TrackFit(Scene.Measured).Find(track, new TrackFitRequest { Restitution = true });
+        Assert.True(found.Converged);
+        Assert.Equal(7, found.Time);
+        Assert.InRange(Vector3d.Distance(found.Velocity, velocity), 0, 1e-3);
+        Assert.InRange(Vector3d.Distance(found.Spin, spin), 0, 0.05);
+        Assert.Equal("restitution", found.Names[9]);
+        Assert.Equal(0.55 / Scene.Measured.Ground.NormalRestitution, found.Value(9), 1e-3);
+    }
+
+    [Fact]
+    public void Scaled_air_is_what_a_scene_of_other_laws_has()
+    {
+        // Constant laws: twice the coefficient is twice the force.
+        Scene scene = Scene.Measured with { Forces = ForceSet.Constant };
+        Scene doubled = scene with { Forces = scene.Forces with { DragCoefficient = 2 * scene.Forces.DragCoefficient } };
+        Scene scaled = scene with { Forces = scene.Forces with { Custom = [new ScaledAir(scene, 2, 1)] } };
+        Vector3d Land(Scene of)
+        {
+            var simulator = new Simulator(of);
+            BallState ball = simulator.Launch(new Vector3d(0, 1, 0), new Vector3d(20, 8, 0), new Vector3d(0, 30, 10));
+            simulator.Run(ref ball, 0.005, 1, StopAt.Time, new StepLog());
+            return ball.Position;
+        }
+
+        Assert.InRange(Vector3d.Distance(Land(doubled), Land(scaled)), 0, 1e-6);
+    }
+
+    [Fact]
+    public void The_command_tells_values_and_deviations()
+    {
+        const string Track = """{"time": 0, "position": [0, 0.11, 0]}, {"time": 0.2, "position": [0.6, 1.31, -4.2]}, {"time": 0.4, "position": [1.2, 2.12, -8.1]}, {"time": 0.6, "position": [1.8, 2.57, -11.8]}""";
+        JsonElement answer = FootballCommand.Run($$"""{"profile": "measured", "track": [{{Track}}]}""", "fit", "-").Result;
+        Assert.InRange(answer.GetProperty("values").GetProperty("velocity.z").GetDouble(), -24, -19);
+        Assert.InRange(answer.GetProperty("deviations").GetProperty("position.x").GetDouble(), 0.001, 0.03);
+        Assert.True(answer.GetProperty("converged").GetBoolean());
+    }
+
+    [Fact]
+    public void Fewer_than_four_points_are_refused() => Assert.Contains(
+        "track's points", Assert.Throws<ArgumentOutOfRangeException>(() => new TrackFit().Find(new TrackPoint[3])).Message, StringComparison.Ordinal);
+}
