@@ -32,7 +32,14 @@ internal sealed record AimScenario
     /// <exception cref="RefusedException">A field is unknown, missing or of the wrong type.</exception>
     public static AimScenario Read(InputFields fields)
     {
-        InputObject root = fields.Root;
+        AimScenario scenario = Take(fields.Root);
+        fields.Check();
+        return scenario;
+    }
+
+    /// <summary>Takes a scenario's members from an input that may hold more; the fields are still to be checked.</summary>
+    public static AimScenario Take(InputObject root)
+    {
         Scene scene = SceneInput.Scene(root);
         InputObject aim = root.Object("aim");
         SolverSettings settings = SceneInput.Solver(root, out double timeStep);
@@ -58,7 +65,6 @@ internal sealed record AimScenario
             After = aim.Texts("after"),
         };
         aim.Demand("method", method == AimMethod.Direct || !(scenario.Slowest || scenario.After is not null || aim.Has("arrival")), "direct, with slowest, arrival or after");
-        fields.Check();
         return scenario;
     }
 

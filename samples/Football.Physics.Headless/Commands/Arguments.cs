@@ -46,6 +46,17 @@ internal static class Arguments
             [.. result.Tokens.Select((token, i) => FieldOverride.Parse(token.Value) ?? Refuse<FieldOverride>(result, "--set", $"path=value, like {example}", i)!)],
     };
 
+    /// <summary>--range path=range, any number of times.</summary>
+    public static Option<FieldOverride[]> Range(string example) => new("--range")
+    {
+        HelpName = "path=range",
+        Description = $"Draws a field from a range, like {example}; can be given several times.",
+        Arity = ArgumentArity.OneOrMore,
+        DefaultValueFactory = _ => [],
+        CustomParser = result =>
+            [.. result.Tokens.Select((token, i) => FieldOverride.ParseRange(token.Value) ?? Refuse<FieldOverride>(result, "--range", $"path=range, like {example}", i)!)],
+    };
+
     /// <summary>Opens a file to read, or the standard input for -.</summary>
     /// <exception cref="RefusedException">It cannot be read.</exception>
     public static Stream OpenInput(string file, Terminal terminal)

@@ -28,6 +28,7 @@ internal static class LabCommand
         BallsLab.Create(terminal),
         RigsLab.Create(terminal),
         KicksLab.Create(terminal),
+        SweepLab.Create(terminal),
         InterceptLab.Create(terminal),
         DerivativesLab.Create(terminal),
         BankShotLab.Create(terminal),

@@ -10,7 +10,7 @@ internal static class GalleryShots
     public static IReadOnlyList<GalleryShot> All { get; } =
     [
         FreeKick(), FoundKick.Shot(), Corner(), GoalKick(), GoalKickInVacuum(), DrivenPass(), Chip(),
-        NoSpinDrive(), DroppedWithTopspin(), GroundPass(), LongRoll(), InTheWind(), Beach(),
+        NoSpinDrive(), DroppedWithTopspin(), GroundPass(), LongRoll(), InTheWind(), Beach(), .. ThingShots.All,
         QueryShots.Beaten(), QueryShots.Saved(), QueryShots.OneBounce(), QueryShots.OffThePost(), QueryShots.Ellipse(),
     ];
 

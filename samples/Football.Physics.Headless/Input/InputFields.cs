@@ -27,6 +27,9 @@ internal sealed class InputFields
     /// <summary>The whole input.</summary>
     public InputObject Root { get; }
 
+    /// <summary>The whole input, as it was read.</summary>
+    public JsonElement Document => _root;
+
     /// <summary>The names that the object at a path is known to have; to be added to.</summary>
     public List<string> NamesIn(string path) => _names.TryGetValue(path, out List<string>? names) ? names : _names[path] = [];
 

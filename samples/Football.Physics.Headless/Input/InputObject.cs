@@ -168,19 +168,31 @@ internal sealed class InputObject(InputFields fields, string path, JsonElement? 
     public double[] OneOrTwo(string name, string form, double[] fallback) =>
         Take(name) is { ValueKind: JsonValueKind.Number } value ? [NumberOf(value), NumberOf(value)] : Numbers(name, form, fallback);
 
-    /// <summary>A number, or the two ends [low, high] of a range.</summary>
-    public (double Low, double High) Range(string name, (double Low, double High) fallback, NumberRange allowed)
+    /// <summary>A number within a range.</summary>
+    public double Within(string name, double fallback, NumberRange allowed)
+    {
+        double number = Number(name, fallback);
+        return allowed.Contains(number) ? number : Refuse(name, allowed.ToString(), fallback);
+    }
+
+    /// <summary>The texts of a list; none where it is missing.</summary>
+    public IReadOnlyList<string> Texts(string name) =>
+        Take(name) is not { } value ? []
+        : value.ValueKind == JsonValueKind.Array && value.EnumerateArray().All(item => item.ValueKind == JsonValueKind.String)
+            ? [.. value.EnumerateArray().Select(item => item.GetString()!)]
+        : Refuse<IReadOnlyList<string>>(name, "a list of texts", []);
+
+    /// <summary>The numbers of a list, each above the one before and none below 0; none where it is missing.</summary>
+    public IReadOnlyList<double> Ascending(string name)
     {
         if (Take(name) is not { } value)
         {
-            return fallback;
+            return [];
         }
 
-        string text = $"{allowed}, or [low, high] of such";
-        (double low, double high) = value.ValueKind != JsonValueKind.Array ? (NumberOf(value), NumberOf(value))
-            : value.GetArrayLength() == 2 ? (NumberOf(value[0]), NumberOf(value[1]))
-            : (double.NaN, double.NaN);
-        return allowed.Contains(low) && allowed.Contains(high) && low <= high ? (low, high) : Refuse(name, text, fallback);
+        double[] numbers = value.ValueKind == JsonValueKind.Array ? [.. value.EnumerateArray().Select(NumberOf)] : [double.NaN];
+        bool ascends = numbers.All(number => double.IsFinite(number) && number >= 0) && numbers.Zip(numbers.Skip(1)).All(pair => pair.First < pair.Second);
+        return ascends ? numbers : Refuse<IReadOnlyList<double>>(name, "a list of finite numbers from 0 on, each above the one before", []);
     }
 
     /// <summary>What the library makes of members of this object; null, and refused, where it does not take them.</summary>

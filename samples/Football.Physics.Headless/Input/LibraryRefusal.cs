@@ -26,8 +26,8 @@ internal static class LibraryRefusal
 
         string field = name switch
         {
-            "timeStep" => "solver.timeStep",
-            "duration" => "stop.time",
+            "timeStep" or "lookAhead.timeStep" => "solver.timeStep",
+            "duration" or "lookAhead.duration" => "stop.time",
             _ => (path.Length > 0 ? path + "." : "") + name.Replace("batch.", "solver."),
         };
         int value = message.IndexOf(" is ", StringComparison.Ordinal) + 4;

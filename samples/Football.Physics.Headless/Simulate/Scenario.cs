@@ -66,7 +66,7 @@ internal sealed record Scenario
             Position = launch.Vector("position"),
             Velocity = launch.Vector("velocity"),
             Spin = launch.Vector("spin", Vector3d.Zero),
-            Orientation = ReadOrientation(launch),
+            Orientation = OrientationOf(launch),
             StopAt = stopAt,
             Duration = duration,
             Samples = samples,
@@ -74,7 +74,8 @@ internal sealed record Scenario
         };
     }
 
-    private static Quaterniond ReadOrientation(InputObject launch)
+    /// <summary>How the ball of a launch is turned.</summary>
+    public static Quaterniond OrientationOf(InputObject launch)
     {
         Quaterniond none = Quaterniond.Identity;
         double[] parts = launch.Numbers("orientation", "[x, y, z, w]", [none.X, none.Y, none.Z, none.W]);

@@ -1,56 +1,82 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
+using System.Reflection;
 using Football.Physics.Headless.Commands;
 using Football.Physics.Headless.Input;
+using Football.Physics.Headless.Sweep.Formats;
+using Football.Physics.Headless.Sweep.Output;
 
 namespace Football.Physics.Headless.Sweep;
 
-/// <summary>football sweep: draws launches from ranges and flies them to the first impact, one row each.</summary>
+/// <summary>football sweep: draws launches or aims from ranges, flies or finds them, and writes a row each.</summary>
 internal static class SweepCommand
 {
-    /// <summary>Rows that a thread makes before they are written.</summary>
-    private const int Run = 4096;
-
     /// <summary>Most rows of a sweep: up to there every index is exact.</summary>
     private const long MostRows = 1_000_000_000_000_000;
 
     private const int MostShards = 1_000_000;
 
+    /// <summary>The program and its version, which say which bytes it writes.</summary>
+    private static string Program { get; } =
+        $"football {typeof(Simulator).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion ?? "?"}";
+
     public static Command Create(Terminal terminal)
     {
         var file = new Argument<string?>("FILE")
         {
-            Description = "The scene and the ranges to draw from, as JSON; - is the standard input. Without it: the defaults.",
+            Description = "The scene, the ranges to draw from and what a row says, as JSON; - is the standard input. Without it: the defaults.",
             Arity = ArgumentArity.ZeroOrOne,
         };
         Option<long> count = Arguments.Whole("--count", "Rows of the whole sweep.", 1, MostRows, 1000);
-        Option<long> seed = Arguments.Whole("--seed", "What the launches are drawn from, with a row's index.", 0, long.MaxValue, 1);
+        Option<long> seed = Arguments.Whole("--seed", "What the rows are drawn from, with the field and the row's index.", 0, long.MaxValue, 1);
         Option<long> jobs = Arguments.Jobs("Threads; default: one a processor. The rows do not depend on it.");
         Option<FieldOverride[]> set = Arguments.Set("launch.speed=[20,25]");
+        Option<FieldOverride[]> range = Arguments.Range("air.wind[0]=[-5,5]");
+        var output = new Option<string?>("--out")
+        {
+            HelpName = "DIR",
+            Description = "Writes files, a schema and a manifest to a folder, each shard to one of its own in it. Where it was interrupted, the same command goes on.",
+        };
+        var format = new Option<string>("--format")
+        {
+            HelpName = string.Join('|', RowFormat.Names),
+            Description = "How rows are written: an object a line, a table, or with --out NumPy files, one a column.",
+            DefaultValueFactory = _ => RowFormat.Names[0],
+        };
+        format.AcceptOnlyFromAmong([.. RowFormat.Names]);
         var shard = new Option<(int Index, int Of)>("--shard")
         {
             HelpName = "i/n",
             Description = "Only the i-th of n parts; all parts one after the other are the whole, byte for byte. Without it: all rows.",
-            DefaultValueFactory = _ => (1, 1),
             CustomParser = ParseShard,
         };
         var command = new ExampleCommand(
             "sweep",
-            "Draws launches from ranges, flies them to the first impact, and writes one JSON object a line.",
+            "Draws launches or aims from ranges, flies or finds them, and writes a row each.",
             "football sweep --count 10",
-            "football sweep --count 1000 --seed 7 --set 'launch.speed=[20,30]' --set 'air.wind=[3,0,0]' --shard 1/2",
-            """echo '{"launch": {"speed": [20, 25], "elevation": 12}}' | football sweep - --count 5""")
+            "football sweep --count 1000 --seed 7 --set 'launch.speed=[20,30]' --range 'air.wind[0]={\"normal\": [0, 3]}' --shard 1/2",
+            """echo '{"launch": {"speed": [20, 25], "elevation": 12}}' | football sweep - --count 5 --format csv""",
+            "football sweep --count 1000 --format npy --out rows && ls rows")
         {
-            file, count, seed, shard, jobs, set,
+            file, count, seed, shard, jobs, set, range, output, format, SweepMerge.Create(terminal),
         };
-        command.SetAction(parsed => Sweep(
-            Read(parsed.GetValue(file), parsed.GetRequiredValue(set), terminal),
-            parsed.GetValue(count),
-            parsed.GetValue(seed),
-            parsed.GetValue(shard),
-            (int)parsed.GetValue(jobs),
-            terminal));
+        command.Validators.Add(result =>
+        {
+            if (result.GetValue(output) is null && result.GetValue(format) == "npy")
+            {
+                result.AddError("--format is npy; allowed: ndjson | csv, or npy with --out DIR.");
+            }
+        });
+        command.SetAction(parsed =>
+        {
+            SweepPlan plan = Read(parsed.GetValue(file), [.. parsed.GetRequiredValue(set), .. parsed.GetRequiredValue(range)], parsed.GetValue(seed), terminal);
+            var run = new SweepRun(plan, parsed.GetRequiredValue(format), (int)parsed.GetValue(jobs));
+            (int index, int of) = parsed.GetValue(shard);
+            return parsed.GetValue(output) is { } folder
+                ? ToFolder(plan, run, of == 0 ? folder : Path.Combine(folder, new Shard(index, of, 0).Folder), new Shard(Math.Max(index, 1), Math.Max(of, 1), parsed.GetValue(count)), terminal)
+                : ToOutput(run, new Shard(Math.Max(index, 1), Math.Max(of, 1), parsed.GetValue(count)), terminal);
+        });
         return command;
     }
 
@@ -70,53 +96,38 @@ internal static class SweepCommand
         return (1, 1);
     }
 
-    private static SweepScenario Read(string? file, FieldOverride[] overrides, Terminal terminal)
+    private static SweepPlan Read(string? file, FieldOverride[] overrides, long seed, Terminal terminal)
     {
         using Stream input = file is null ? new MemoryStream("{}"u8.ToArray()) : Arguments.OpenInput(file, terminal);
         InputCase one = InputCase.Read(new LineReader(input).ReadToEnd(), overrides);
-        InputFields fields = one.Scenario ?? throw one.Refusal!;
-        try
-        {
-            return SweepScenario.Read(fields);
-        }
-        catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields) is { } said)
-        {
-            throw said;
-        }
+        return SweepInput.Read(one.Scenario ?? throw one.Refusal!, seed);
     }
 
-    private static int Sweep(SweepScenario sweep, long count, long seed, (int Index, int Of) shard, int jobs, Terminal terminal)
+    private static int ToOutput(SweepRun run, Shard shard, Terminal terminal) => Progress.Show(
+        terminal,
+        "rows",
+        progress =>
+        {
+            using var sink = new StreamSink(terminal.Output, run.Format.Header(0, shard.Rows));
+            run.RunAsync(shard, sink, rows => progress.Report(rows, shard.Rows)).GetAwaiter().GetResult();
+            return ExitCode.Done;
+        },
+        writes: true);
+
+    private static int ToFolder(SweepPlan plan, SweepRun run, string folder, Shard shard, Terminal terminal)
     {
-        // Parts that follow one another.
-        long first = (long)((Int128)count * (shard.Index - 1) / shard.Of);
-        long end = (long)((Int128)count * shard.Index / shard.Of);
-        jobs = (int)Math.Max(1, Math.Min(jobs, (end - first + Run - 1) / Run));
-        SweepWorker[] workers = [.. Enumerable.Range(0, jobs).Select(_ => new SweepWorker(sweep, seed, Run))];
-        return Progress.Show(
+        var identity = new Identity(Program, run.Format.Name, plan.Seed, shard.Count, plan.Text);
+        using var sink = FolderSink.Open(folder, identity, shard, run.Format, Schema.Text(run.Columns, run.Format), run.CountsHandedOn);
+        string line = Progress.Show(
             terminal,
             "rows",
             progress =>
             {
-                for (long from = first; from < end; from += (long)jobs * Run)
-                {
-                    long start = from;
-                    int active = (int)Math.Min(jobs, (end - start + Run - 1) / Run);
-                    Parallel.For(0, active, i =>
-                    {
-                        long at = start + ((long)i * Run);
-                        workers[i].Run(at, (int)Math.Min(Run, end - at));
-                    });
-                    foreach (SweepWorker worker in workers.Take(active))
-                    {
-                        terminal.Output.Write(worker.Rows);
-                    }
-
-                    terminal.Output.Flush();
-                    progress.Report(Math.Min(end, start + ((long)jobs * Run)) - first, end - first);
-                }
-
-                return ExitCode.Done;
-            },
-            writes: true);
+                var report = new SweepReport(terminal, progress, sink, shard.Rows);
+                run.RunAsync(shard, sink, report.Show).GetAwaiter().GetResult();
+                return report.Line(folder, run.CountsHandedOn);
+            });
+        terminal.Person.WriteLine(line);
+        return ExitCode.Done;
     }
 }

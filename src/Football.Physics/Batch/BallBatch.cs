@@ -6,7 +6,7 @@ namespace Football.Physics;
 /// registers. Made once and used again, a run on one thread allocates nothing. Not for several threads at once; <see cref="BatchSettings.Threads"/> is.
 /// Scenes with forces of a game's own, with wind by place and time or a knuckle force, with things that move, ground that is not level or not the same
 /// everywhere, or with constant and fitted laws mixed, and what <see cref="BatchPrecision.Single"/> excepts, are flown ball by ball, in double. So is every
-/// ball that may meet a goal or an obstacle on its way; <see cref="FlownAlone"/> counts them.
+/// ball that may meet a goal or an obstacle on its way; <see cref="HandedOn"/> counts them.
 /// </remarks>
 public sealed class BallBatch
 {
@@ -49,8 +49,20 @@ public sealed class BallBatch
     /// <summary>Length of a step, s: the float next to the one asked for.</summary>
     public double TimeStep => (float)Settings.TimeStep;
 
-    /// <summary>How many balls of the last run were flown one by one, in double.</summary>
-    public int FlownAlone { get; private set; }
+    /// <summary>How many of the last balls were flown alone, in double: all where the scene or <see cref="BatchSettings.Precision"/> is not for lanes.</summary>
+    public int HandedOn
+    {
+        get
+        {
+            int sum = 0;
+            foreach (BatchWorker worker in _workers)
+            {
+                sum += worker.HandedOn;
+            }
+
+            return sum;
+        }
+    }
 
     /// <summary>Flies the first balls of some launches.</summary>
     /// <param name="launches">The launches.</param>
@@ -70,16 +82,11 @@ public sealed class BallBatch
         Check.Within(nameof(count), count, 0, Math.Min(launches.Capacity, flights.Capacity));
         Check.Within(nameof(duration), duration, 0, 600, exclusiveLow: true);
         _duration = duration;
-        for (int i = 0; i < _workers.Length; i++)
+        foreach (BatchWorker worker in _workers)
         {
-            _workers[i].FlownAlone = 0;
+            worker.Begin();
         }
 
-        FlownAlone = 0;
         _groups.Run(count, progress, cancellation);
-        for (int i = 0; i < _workers.Length; i++)
-        {
-            FlownAlone += _workers[i].FlownAlone;
-        }
     }
 }

@@ -46,8 +46,11 @@ internal sealed class BatchWorker
         }
     }
 
-    /// <summary>How many balls of the run it has flown one by one.</summary>
-    public int FlownAlone { get; set; }
+    /// <summary>Balls of this run that were flown alone, in double.</summary>
+    public int HandedOn { get; private set; }
+
+    /// <summary>Prepares for a run.</summary>
+    public void Begin() => HandedOn = 0;
 
     /// <summary>Flies some balls.</summary>
     [MethodImpl(Hot.Path)]
@@ -141,7 +144,7 @@ internal sealed class BatchWorker
     /// <summary>By the single ball.</summary>
     private void FlyAlone(BatchFlights flights, int index, in Vector3d position, in Vector3d velocity, in Vector3d spin, double duration)
     {
-        FlownAlone++;
+        HandedOn++;
         BallState state = _simulator.Launch(position, velocity, spin);
         if (state.Motion != MotionState.Airborne)
         {

@@ -103,7 +103,7 @@ internal struct Guides
         }
     }
 
-    /// <summary>Puts a ball that is still pressed against its guides onto them.</summary>
+    /// <summary>Puts a ball that is still pressed against its guides onto them, and one that leaves them out of where the method's own error took it.</summary>
     public readonly void Hold(World world, ref BallState s, in Vector3d pressed, in Vector3d free)
     {
         for (int i = 0; i < Count; i++)
@@ -111,10 +111,16 @@ internal struct Guides
             Collider guide = world.Colliders[At(i)];
             ShapePoint at = guide.At(s.Position, s.Time);
             Vector3d normal = at.Normal;
+            double closing = Vector3d.Dot(s.Velocity - guide.Velocity, in normal);
             if (Vector3d.Dot(free - pressed, in normal) > 0)
             {
                 s.Position += (world.Ball.Radius - at.Distance) * normal;
-                s.Velocity -= Vector3d.Dot(s.Velocity - guide.Velocity, in normal) * normal;
+                s.Velocity -= closing * normal;
+            }
+            else if (world.Ball.Radius - at.Distance > ContactSearch.Touching)
+            {
+                s.Position += (world.Ball.Radius - at.Distance) * normal;
+                s.Velocity -= Math.Min(0, closing) * normal;
             }
         }
     }

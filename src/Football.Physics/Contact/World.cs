@@ -201,6 +201,9 @@ internal sealed class World
         }
     }
 
+    /// <summary>The names of all things, the ground first.</summary>
+    public IReadOnlyList<string> Names => _names;
+
     /// <summary>The name of a thing.</summary>
     /// <param name="thing">Its index among the things of the scene.</param>
     public string NameOf(int thing) => Engine is not null && Engine.Has(thing - FirstCollider) ? Colliders[thing - FirstCollider].Name : _names[thing];

@@ -129,7 +129,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         var sweep = new MotionSweep<CarriedSystem<TAir>, TIntegrator>(in system, s.Time, in from, _around.Wind, _around.Radius);
         sweep.Step(h);
         _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
-        EndWhereItChanges(ref sweep, in s, system.Rolls);
+        CarriedMargin<TAir, TIntegrator>.EndPiece(ref sweep, in s, system.Rolls);
         SurfaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
         _nets.EndWhereSlack(ref sweep, in s);
         bool meets = _guard.EndAtFirst(ref sweep, in s, _integrator.Order, out Gap met);
@@ -143,35 +143,6 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         if (meets && !run.Log.Halted)
         {
             _guard.Meet(ref s, in met, ref run);
-        }
-    }
-
-    /// <summary>
-    /// Ends a piece where the load or the grip ends, where a rolling ball comes to rest, or where the spin about the normal reaches zero under drilling
-    /// friction: each is a number that is positive until then.
-    /// </summary>
-    private static void EndWhereItChanges(ref MotionSweep<CarriedSystem<TAir>, TIntegrator> sweep, in BallState s, bool rolls)
-    {
-        for (var what = CarriedLimit.Load; what <= CarriedLimit.Spin; what++)
-        {
-            if (!rolls && what is CarriedLimit.Grip or CarriedLimit.Rest)
-            {
-                continue;
-            }
-
-            var margin = new Margin(what, in sweep, s.Time);
-            double end = margin.Of(in sweep.Taken.End, sweep.Length);
-            if (end >= 0)
-            {
-                continue;
-            }
-
-            double start = margin.Of(new Motion(s.Position, s.Velocity, s.Spin), 0);
-            if (start > 0)
-            {
-                Roots.Illinois(ref margin, 0, start, sweep.Length, end, 1e-13 * sweep.Length, 60);
-                sweep = margin.Sweep;
-            }
         }
     }
 
@@ -300,52 +271,5 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
             Rolls = rolls,
             SpinSign = about > Slip.Rolling ? 1.0 : about < -Slip.Rolling ? -1.0 : 0.0,
         };
-    }
-
-    /// <summary>A number along a piece that is positive until something changes.</summary>
-    private struct Margin : IFunction
-    {
-        public MotionSweep<CarriedSystem<TAir>, TIntegrator> Sweep;
-        private readonly CarriedLimit _what;
-        private readonly double _time;
-
-        public Margin(CarriedLimit what, in MotionSweep<CarriedSystem<TAir>, TIntegrator> sweep, double time)
-        {
-            _what = what;
-            _time = time;
-            Sweep = sweep;
-        }
-
-        public bool Evaluate(double x, out double value)
-        {
-            Sweep.Step(x);
-            value = Of(in Sweep.Taken.End, x);
-            return false;
-        }
-
-        public double Of(in Motion at, double after)
-        {
-            ref CarriedSystem<TAir> system = ref Sweep.System;
-            if (_what == CarriedLimit.Spin)
-            {
-                // Without drilling friction nothing happens at zero.
-                return system.Material.DrillingLength > 0 && system.SpinSign != 0
-                    ? system.SpinSign * Vector3d.Dot(in at.Spin, system.Carrier.At(in at.Position, _time + after).Normal)
-                    : 0;
-            }
-
-            CarriedForces on = system.ForcesOn(_time + after, in at);
-            Sweep.Evaluations++;
-            switch (_what)
-            {
-                case CarriedLimit.Load:
-                    return on.FreeLoad;
-                case CarriedLimit.Grip:
-                    return system.SlidingFriction(in on) - system.Traction(in on).Length;
-                default:
-                    bool held = system.Drive(in on).Length <= system.RollingFriction(in on, 0);
-                    return held ? system.World.Energy(in at, system.Carrier) - system.World.RestEnergy : 1;
-            }
-        }
     }
 }

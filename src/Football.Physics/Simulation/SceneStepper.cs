@@ -22,6 +22,9 @@ internal class Stepper<TAir, TIntegrator> : Stepper
     /// <summary>More pieces than this without an impact, by whatever cause, and the rest of the step is taken by implicit Euler: every step ends.</summary>
     private const int MostPieces = 1 << 16;
 
+    /// <summary>The same for pieces in a row in which the clock stands still.</summary>
+    private const int MostStanding = 256;
+
     private readonly Vector3d _wind;
     private readonly double _upward;
     private readonly double _contactHeight;
@@ -312,7 +315,7 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         _bodies?.Apply(ref s, ref run);
         while (run.Left > 0 && (s.Motion != MotionState.Stopped || _rest is not null))
         {
-            if (++run.Pieces > MostPieces)
+            if (++run.Pieces > MostPieces || run.Standing > MostStanding)
             {
                 _implicit.TakeRest(ref s, ref run);
                 continue;

@@ -36,6 +36,9 @@ internal ref struct StepRun
     /// <summary>Impacts since time last went on.</summary>
     public int Impacts;
 
+    /// <summary>Pieces in a row in which the clock stood still.</summary>
+    public int Standing;
+
     /// <summary>Where events and counts go.</summary>
     public StepLog Log;
 
@@ -58,7 +61,9 @@ internal ref struct StepRun
     /// <summary>Counts a piece as done: the clock goes on, and the time left gets less.</summary>
     public void Advance(ref BallState s, double h)
     {
-        s.Time = Math.Min(s.Time + h, End);
+        double time = Math.Min(s.Time + h, End);
+        Standing = time > s.Time ? 0 : Standing + 1;
+        s.Time = time;
         Left -= h;
         Impacts = h > 0 ? 0 : Impacts;
         Log.Steps++;

@@ -87,8 +87,8 @@ internal sealed class WorldGuard<TAir>
 
             if (!Locate(ref sweep, in found, s.Time, at, path.Length))
             {
-                // It only grazes: the piece ends there all the same, and the next one sees what is ahead.
-                sweep.Step(Math.Max(sweep.Length, ShortestPiece * path.Length));
+                // It only grazes: the piece ends there all the same, for nothing else is met before, and the next one sees what is ahead.
+                sweep.Step(Math.Max(at, ShortestPiece * path.Length));
                 met = default;
                 break;
             }

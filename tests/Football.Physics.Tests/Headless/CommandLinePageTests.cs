@@ -3,13 +3,13 @@ using Football.Physics.Tests.Support;
 
 namespace Football.Physics.Tests.Headless;
 
-/// <summary>Every input on the page about the command line is accepted by the command that it names.</summary>
+/// <summary>Every input on the pages about the command line and about data sets is accepted by the command that it names.</summary>
 public sealed partial class CommandLinePageTests
 {
     public static TheoryData<string, string> Inputs()
     {
         var data = new TheoryData<string, string>();
-        foreach (Match block in Block().Matches(RepositoryFiles.Text("docs/command-line.md")))
+        foreach (Match block in Block().Matches(RepositoryFiles.Text("docs/command-line.md") + RepositoryFiles.Text("docs/data-sets.md")))
         {
             data.Add(block.Groups[1].Value, block.Groups[2].Value);
         }
@@ -35,7 +35,7 @@ public sealed partial class CommandLinePageTests
     }
 
     [Fact]
-    public void There_are_inputs_for_every_command() => Assert.Equal(10, Inputs().Count);
+    public void There_are_inputs_for_every_command() => Assert.Equal(11, Inputs().Count);
 
     [GeneratedRegex("^```json (simulate|aim|intercept|sweep)\n(.*?)^```$", RegexOptions.Multiline | RegexOptions.Singleline)]
     private static partial Regex Block();

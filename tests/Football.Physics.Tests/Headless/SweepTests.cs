@@ -65,8 +65,8 @@ public sealed class SweepTests
     }
 
     [Theory]
-    [InlineData("{\"launch\":{\"speed\":[21,20]}}", "launch.speed is [21,20]; allowed: 0 … 1000 m/s, or [low, high] of such.")]
-    [InlineData("{\"launch\":{\"speed\":-1}}", "launch.speed is -1; allowed: 0 … 1000 m/s, or [low, high] of such.")]
+    [InlineData("{\"launch\":{\"speed\":[21,20]}}", "launch.speed is [21,20]; allowed: 0 … 1000 m/s, or a range of such: [low, high] | ")]
+    [InlineData("{\"launch\":{\"speed\":-1}}", "launch.speed is -1; allowed: 0 … 1000 m/s, or a range of such: [low, high] | ")]
     [InlineData("{\"launch\":{\"sped\":1}}", "launch.sped is unknown")]
     [InlineData("{\"solver\":{\"integrator\":\"euler\"}}", "solver.integrator is \"euler\"; allowed: rk2 | rk4.")]
     [InlineData("{\"solver\":{\"timeStep\":2}}", "solver.timeStep is 2; allowed: 1E-05 … 1.")]
@@ -74,6 +74,22 @@ public sealed class SweepTests
     [InlineData("{\"launch\":{\"position\":[0,2e6,0]}}", "launch.position is [0,2e6,0]; allowed: finite components within ±1000000 m.")]
     [InlineData("{\"ball\":{\"mass\":-1}}", "ball.mass is -1; allowed: a finite number above 0.")]
     [InlineData("", "the input is empty; allowed: a JSON object")]
+    [InlineData("{\"ranges\":{\"ball.mass\":[-1,2]}}", "ball.mass is -1; allowed: a finite number above 0.")]
+    [InlineData("{\"ranges\":{\"ball.mass\":[2,1]}}", "ranges.ball.mass is [2,1]; allowed: a number, a word, true | false, or [low, high] | ")]
+    [InlineData("{\"ranges\":{\"ball.mass\":{\"list\":[0.4,\"heavy\"]}}}", "ball.mass is \"heavy\"; allowed: ")]
+    [InlineData("{\"ranges\":{\"ball.mas\":[1,2]}}", "ball.mas is unknown")]
+    [InlineData("{\"ranges\":{\"launch.speed\":{\"normal\":[25,-1]}}}", "ranges.launch.speed is {\"normal\":[25,-1]}; allowed: 0 … 1000 m/s, or a range")]
+    [InlineData("{\"ranges\":{\"launch.speed\":{\"normal\":[25,1],\"within\":[90,99]}}}", "ranges.launch.speed is {")]
+    [InlineData("{\"ranges\":{\"launch.position.1\":{\"grid\":{\"from\":0,\"to\":1}}}}", "ranges.launch.position.1 is {")]
+    [InlineData("{\"ranges\":{\"obstacles[0].center[0]\":[0,1]}}", "ranges.obstacles[0].center[0] is ")]
+    [InlineData("{\"ranges\":{\"a\":{\"grid\":{\"from\":0,\"to\":1,\"count\":1000000}},\"b\":{\"grid\":{\"from\":0,\"to\":1,\"count\":1000000}},\"launch.speed\":{\"grid\":{\"from\":0,\"to\":1,\"count\":10000}}}}", "a is unknown")]
+    [InlineData("{\"launch\":{\"speed\":20,\"velocity\":[1,2,3]}}", "launch.speed is 20; allowed: speed or velocity, not both.")]
+    [InlineData("{\"launch\":{\"spin\":[1,2,3]}}", "launch.velocity is missing")]
+    [InlineData("{\"stop\":{\"at\":\"plane\"}}", "stop.plane.point is missing")]
+    [InlineData("{\"row\":{\"columns\":[\"tim\"]}}", "row.columns is tim; allowed: index | speed | ")]
+    [InlineData("{\"row\":{\"samples\":[0.2,0.1]}}", "row.samples is [0.2,0.1]; allowed: a list of finite numbers from 0 on, each above the one before.")]
+    [InlineData("{\"row\":{\"hits\":[\"keeper\"]}}", "row.hits is keeper; allowed: ground.")]
+    [InlineData("{\"row\":{\"event\":1}}", "row.event is unknown")]
     public void What_is_wrong_is_refused(string input, string message)
     {
         var done = FootballCommand.Run(input, "sweep", "-");

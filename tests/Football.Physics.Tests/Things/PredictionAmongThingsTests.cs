@@ -99,6 +99,6 @@ public sealed class PredictionAmongThingsTests
         }
 
         Assert.InRange(hits, 10, 200);
-        Assert.InRange(batch.FlownAlone, hits, (9 * Count) / 10);
+        Assert.InRange(batch.HandedOn, hits, (9 * Count) / 10);
     }
 }

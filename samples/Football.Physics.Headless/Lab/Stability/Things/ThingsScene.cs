@@ -99,7 +99,7 @@ internal sealed class ThingsScene
         {
             Vector3d place = Place(4);
             if (Scene.Obstacles.Concat(Scene.Goals.SelectMany(goal => goal.Frame())).All(item => item.Shape.At(place).Distance > Radius + 0.01)
-                && (Scene.Bodies ?? []).All(body => body.Position.Length > 1))
+                && (Scene.Bodies ?? []).All(body => (body.Position - place).Length > 1))
             {
                 return place;
             }

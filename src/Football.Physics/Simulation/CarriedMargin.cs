@@ -1,0 +1,93 @@
+namespace Football.Physics;
+
+/// <summary>
+/// What ends a piece of a slide or a roll: the load or the grip ends, a rolling ball comes to rest, or the spin about the normal reaches zero under
+/// drilling friction. Each is a number along the piece that is positive until then.
+/// </summary>
+internal struct CarriedMargin<TAir, TIntegrator> : IFunction
+    where TAir : struct, IAir
+    where TIntegrator : struct, IIntegrator
+{
+    /// <summary>A limit that is still this share of what it was where it ends has jumped, as the load does at an edge: the piece ends so much beyond.</summary>
+    private const double Jump = 1e-3;
+
+    /// <summary>That share of the piece.</summary>
+    private const double Beyond = 1e-7;
+
+    public MotionSweep<CarriedSystem<TAir>, TIntegrator> Sweep;
+    private readonly CarriedLimit _what;
+    private readonly double _time;
+
+    public CarriedMargin(CarriedLimit what, in MotionSweep<CarriedSystem<TAir>, TIntegrator> sweep, double time)
+    {
+        _what = what;
+        _time = time;
+        Sweep = sweep;
+    }
+
+    public bool Evaluate(double x, out double value)
+    {
+        Sweep.Step(x);
+        value = Of(in Sweep.Taken.End, x);
+        return false;
+    }
+
+    public double Of(in Motion at, double after)
+    {
+        ref CarriedSystem<TAir> system = ref Sweep.System;
+        if (_what == CarriedLimit.Spin)
+        {
+            // Without drilling friction nothing happens at zero.
+            return system.Material.DrillingLength > 0 && system.SpinSign != 0
+                ? system.SpinSign * Vector3d.Dot(in at.Spin, system.Carrier.At(in at.Position, _time + after).Normal)
+                : 0;
+        }
+
+        CarriedForces on = system.ForcesOn(_time + after, in at);
+        Sweep.Evaluations++;
+        switch (_what)
+        {
+            case CarriedLimit.Load:
+                return on.FreeLoad;
+            case CarriedLimit.Grip:
+                return system.SlidingFriction(in on) - system.Traction(in on).Length;
+            default:
+                bool held = system.Drive(in on).Length <= system.RollingFriction(in on, 0);
+                return held ? system.World.Energy(in at, system.Carrier) - system.World.RestEnergy : 1;
+        }
+    }
+
+    /// <summary>
+    /// Ends a piece where the load or the grip ends, where a rolling ball comes to rest, or where the spin about the normal reaches zero under drilling
+    /// friction: each is a number that is positive until then.
+    /// </summary>
+    public static void EndPiece(ref MotionSweep<CarriedSystem<TAir>, TIntegrator> sweep, in BallState s, bool rolls)
+    {
+        for (var what = CarriedLimit.Load; what <= CarriedLimit.Spin; what++)
+        {
+            if (!rolls && what is CarriedLimit.Grip or CarriedLimit.Rest)
+            {
+                continue;
+            }
+
+            var margin = new CarriedMargin<TAir, TIntegrator>(what, in sweep, s.Time);
+            double end = margin.Of(in sweep.Taken.End, sweep.Length);
+            if (end >= 0)
+            {
+                continue;
+            }
+
+            double start = margin.Of(new Motion(s.Position, s.Velocity, s.Spin), 0);
+            if (start > 0)
+            {
+                double x = Roots.Illinois(ref margin, 0, start, sweep.Length, end, 1e-13 * sweep.Length, 60);
+                if (margin.Of(in margin.Sweep.Taken.End, x) > Jump * start)
+                {
+                    margin.Sweep.Step(Math.Min(sweep.Length, x + (Beyond * sweep.Length)));
+                }
+
+                sweep = margin.Sweep;
+            }
+        }
+    }
+}

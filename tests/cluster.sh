@@ -1,0 +1,183 @@
+#!/usr/bin/env bash
+# Runs samples/cluster on a real Slurm with two nodes on this machine, and with GNU parallel: 16 shards, one of them killed half-way and requeued,
+# must merge to the bytes that one process writes.
+#   tests/cluster.sh            one line a check; exit code 1 at the first that fails
+# Needs slurm-wlm, munge and parallel (Debian's packages of these names). Slurm and munge have folders, a key and ports of their own, listen on the
+# loopback only, and are stopped at the end.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+root=$PWD
+SECONDS=0
+
+export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 DOTNET_CLI_UI_LANGUAGE=en DOTNET_TieredPGO=0
+export MSBUILDTERMINALLOGGER=off MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=false
+export PATH=$PATH:/usr/sbin:/sbin
+
+# munge trusts no folder that others may write to.
+work=$(mktemp -d)
+log=$work/log
+: > "$log"
+pids=()
+
+finish() {
+  local pid
+  for pid in "$work"/*.pid; do
+    [[ -s $pid ]] && pids+=("$(< "$pid")")
+  done
+  (( ${#pids[@]} == 0 )) || kill "${pids[@]}" 2> /dev/null || true
+  for pid in "${pids[@]}"; do
+    for (( i = 0; i < 50; i++ )); do running "$pid" || break; sleep 0.1; done
+    running "$pid" && kill -9 "$pid" 2> /dev/null
+  done
+  rm -rf "$work"
+}
+
+# A process that nobody waits for stays as a zombie where the first process of the machine is no init.
+running() { [[ -r /proc/$1/stat && $(cut -d ' ' -f 3 "/proc/$1/stat" 2> /dev/null) != Z ]]; }
+
+fail() {
+  echo "FAIL  $1" >&2
+  [[ -s $log ]] && tail -n 20 "$log" >&2
+  tail -qn 5 "$work"/slurm*.log "$work"/tasks/*.log 2> /dev/null >&2 || true
+  exit 1
+}
+
+ok() { echo "ok    $1"; : > "$log"; }
+
+# until_true SECONDS WHAT COMMAND…
+until_true() {
+  local end=$(( SECONDS + $1 )) what=$2
+  shift 2
+  until "$@" > /dev/null 2>> "$log"; do
+    (( SECONDS < end )) || fail "$what"
+    sleep 0.2
+  done
+}
+
+trap finish EXIT
+
+# --- what one process writes
+
+program=$root/samples/Football.Physics.Headless/bin/Release/net10.0/football.dll
+[[ -e $program ]] || dotnet build -c Release samples/Football.Physics.Headless > "$log" 2>&1 || fail "dotnet build"
+export FOOTBALL="dotnet $program" SWEEP=$root/samples/cluster/sweep.json FORMAT=npy SEED=7
+export COUNT=640000
+$FOOTBALL sweep "$SWEEP" --count "$COUNT" --seed "$SEED" --format "$FORMAT" --out "$work/one" > "$log" 2>&1 || fail "one process"
+ok "one process: $COUNT rows, $(du -sk "$work/one" | cut -f 1) KiB"
+
+# same WHAT FOLDER: the merged files are those of one process.
+same() {
+  $FOOTBALL sweep merge "$2" >> "$log" 2>&1 || fail "$1: merge"
+  local file
+  for file in "$work"/one/*; do
+    cmp "$file" "$2/$(basename "$file")" >> "$log" 2>&1 || fail "$1: other bytes"
+  done
+  ok "$1: the same bytes in $(ls "$work/one" | wc -l) files"
+}
+
+# --- GNU parallel
+
+ROWS=$work/parallel samples/cluster/parallel.sh 16 > "$log" 2>&1 || fail "GNU parallel"
+same "GNU parallel, 16 shards" "$work/parallel"
+
+# --- Slurm
+
+head -c 1024 /dev/urandom > "$work/munge.key"
+chmod 400 "$work/munge.key"
+chmod 755 "$work"
+mkdir "$work/state" "$work/tasks"
+munged --key-file="$work/munge.key" --socket="$work/munge.socket" --pid-file="$work/munge.pid" --log-file="$work/munge.log" \
+  --seed-file="$work/munge.seed" --num-threads=1 > "$log" 2>&1 || fail "munged"
+
+# Three ports that nobody has.
+ports=$(python3 - <<'PORTS' 2> /dev/null || echo "26817 26818 26819"
+import socket
+sockets = [socket.socket() for _ in range(3)]
+for one in sockets: one.bind(("127.0.0.1", 0))
+print(*[one.getsockname()[1] for one in sockets])
+PORTS
+)
+read -r control_port port1 port2 <<< "$ports"
+host=$(hostname -s)
+cat > "$work/slurm.conf" <<CONF
+ClusterName=football
+SlurmctldHost=$host(127.0.0.1)
+SlurmctldPort=$control_port
+AuthType=auth/munge
+AuthInfo=socket=$work/munge.socket,cred_expire=2
+CredType=cred/munge
+SlurmUser=$(id -un)
+SlurmdUser=$(id -un)
+StateSaveLocation=$work/state
+SlurmctldPidFile=$work/slurmctld.pid
+SlurmctldLogFile=$work/slurmctld.log
+SlurmdPidFile=$work/slurmd-%n.pid
+SlurmdLogFile=$work/slurmd-%n.log
+SlurmdSpoolDir=$work/spool-%n
+SlurmdParameters=config_overrides
+CommunicationParameters=NoInAddrAny,NoCtldInAddrAny
+ProctrackType=proctrack/pgid
+TaskPlugin=task/none
+SelectType=select/cons_tres
+SelectTypeParameters=CR_CPU
+SchedulerType=sched/builtin
+SchedulerParameters=sched_interval=1,batch_sched_delay=0,sched_min_interval=1000
+JobRequeue=1
+KillWait=1
+MinJobAge=300
+ReturnToService=2
+MpiDefault=none
+SwitchType=switch/none
+JobAcctGatherType=jobacct_gather/none
+AccountingStorageType=accounting_storage/none
+JobCompType=jobcomp/none
+NodeName=football[1-2] NodeHostname=$host NodeAddr=127.0.0.1 Port=[$port1,$port2] CPUs=1 RealMemory=2000 State=UNKNOWN
+PartitionName=all Nodes=ALL Default=YES MaxTime=10 State=UP
+CONF
+export SLURM_CONF=$work/slurm.conf
+slurmctld -c > "$log" 2>&1 || fail "slurmctld"
+for node in football1 football2; do
+  mkdir "$work/spool-$node"
+  slurmd -N "$node" >> "$log" 2>&1 || fail "slurmd $node"
+done
+idle() { [[ $(sinfo --noheader --states=idle --format=%D) == 2 ]]; }
+until_true 15 "two nodes that are idle" idle
+ok "Slurm: $(sinfo --version), two nodes, ports $ports"
+
+# The script of samples/cluster as it stands; what a task may have is cut down to this machine.
+job=$(ROWS=$work/slurm sbatch --parsable --cpus-per-task=1 --mem-per-cpu=500M --time=5 --output="$work/tasks/%a.log" --chdir="$work/tasks" \
+  samples/cluster/sweep.sh 2> "$log") || fail "sbatch"
+
+# One that has written rows that are certain, and is not done, is killed as by the machine's end.
+half() {
+  local shard
+  for shard in "$work"/slurm/shard-*; do
+    if [[ ! -e $shard/manifest.json ]] && grep -qs '"rows": [1-9]' "$shard/checkpoint.json"; then
+      index=$(sed -E 's/.*shard-0*([0-9]+)-of-.*/\1/' <<< "$shard")
+      scancel --full --signal=KILL "${job}_$index" 2> /dev/null || true
+      sleep 0.3
+      [[ ! -e $shard/manifest.json ]] && victim=$shard && return 0
+    fi
+  done
+  return 1
+}
+end=$(( SECONDS + 60 ))
+until half; do
+  (( SECONDS < end )) || fail "no task was caught half-way"
+  [[ -n $(squeue --noheader --job="$job" 2> /dev/null) ]] || fail "all tasks had ended before one was caught half-way"
+  sleep 0.02
+done
+left=$(awk '/"rows"/ { gsub(/[^0-9]/, ""); print }' "$victim/checkpoint.json")
+gone() { [[ -z $(squeue --noheader --states=running,completing --job="${job}_$index") ]]; }
+until_true 15 "the killed task's end" gone
+scontrol requeue "${job}_$index" 2> "$log" || fail "scontrol requeue"
+
+drained() { [[ -z $(squeue --noheader --job="$job") ]]; }
+until_true 90 "the end of all tasks" drained
+said=$(tail -n 1 "$work/tasks/$index.log")
+now=$(sed -E 's/.* ([0-9]+) of them now .*/\1/' <<< "$said")
+[[ $now =~ ^[0-9]+$ && $(( now + left )) == $(( COUNT * index / 16 - COUNT * (index - 1) / 16 )) ]] || fail "task $index did not go on after $left rows: $said"
+ok "Slurm: 16 tasks, of which task $index was killed after $left certain rows, requeued, and made the other $now"
+same "Slurm, 16 shards" "$work/slurm"
+
+echo "ok    cluster.sh: $SECONDS s"
