@@ -175,13 +175,6 @@ internal sealed class InputObject(InputFields fields, string path, JsonElement? 
         return allowed.Contains(number) ? number : Refuse(name, allowed.ToString(), fallback);
     }
 
-    /// <summary>The texts of a list; none where it is missing.</summary>
-    public IReadOnlyList<string> Texts(string name) =>
-        Take(name) is not { } value ? []
-        : value.ValueKind == JsonValueKind.Array && value.EnumerateArray().All(item => item.ValueKind == JsonValueKind.String)
-            ? [.. value.EnumerateArray().Select(item => item.GetString()!)]
-        : Refuse<IReadOnlyList<string>>(name, "a list of texts", []);
-
     /// <summary>The numbers of a list, each above the one before and none below 0; none where it is missing.</summary>
     public IReadOnlyList<double> Ascending(string name)
     {

@@ -19,7 +19,7 @@ internal sealed record RowRequest(IReadOnlyList<string> Columns, int Events, IRe
     public static RowRequest Take(InputObject root)
     {
         InputObject row = root.Object("row");
-        var request = new RowRequest(row.Texts("columns"), row.Whole("events", 0), row.Ascending("samples"), row.Texts("hits"));
+        var request = new RowRequest(row.Texts("columns") ?? [], row.Whole("events", 0), row.Ascending("samples"), row.Texts("hits") ?? []);
         return request.Events is < 0 or > MostEvents
             ? throw new RefusedException("row.events", FormattableString.Invariant($"{request.Events}"), FormattableString.Invariant($"a whole number from 0 to {MostEvents}"))
             : request.Samples.Count <= MostSamples ? request
