@@ -1,4 +1,3 @@
-using System.Text.Json;
 using Football.Physics.Headless.Simulate;
 
 namespace Football.Physics.Headless.Fit;
