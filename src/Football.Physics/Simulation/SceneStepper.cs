@@ -186,10 +186,7 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         _air.AtStart(ref step, speedSquared, spinRate, speedSquared, out drag, out lift, out _);
     }
 
-    /// <summary>Whether a step of flight meets nothing but level ground.</summary>
-    /// <param name="s">The ball.</param>
-    /// <param name="dt">Length of the step, s.</param>
-    /// <param name="airSpeedSquared">|u|², or a bound of it, m²/s².</param>
+    /// <summary>Whether a step of flight meets nothing but level ground; |u|² may be a bound of it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     protected bool IsClear(ref BallState s, double dt, double airSpeedSquared) =>
         _clear is null || (s.Time + dt <= s.ClearUntil && s.ClearIn == _clearKey) || _clear.Holds(ref s, dt, airSpeedSquared);

@@ -92,9 +92,6 @@ public sealed class BlockedAimTests
     {
         var aimer = new Aimer(Scene.Published with { Obstacles = [s_post, s_roof] });
         AimRequest request = s_request with { SpinIsFree = true };
-        aimer.Find(request);
-        long before = GC.GetAllocatedBytesForCurrentThread();
-        aimer.Find(request);
-        Assert.Equal(before, GC.GetAllocatedBytesForCurrentThread());
+        Assert.Equal(0, Allocation.Of(() => aimer.Find(request)));
     }
 }
