@@ -3,8 +3,8 @@ using Football.Physics.Headless.Lab;
 using Football.Physics.Headless.Lab.BankShots;
 using Football.Physics.Headless.Lab.Derivatives;
 using Football.Physics.Headless.Lab.Intercept;
-using Football.Physics.Headless.Lab.Queries;
 using Football.Physics.Headless.Lab.Obstacles;
+using Football.Physics.Headless.Lab.Queries;
 
 namespace Football.Physics.Headless.Commands;
 

@@ -48,7 +48,12 @@ public sealed class ArrivalAimTests
         Assert.Equal(thing, simulator.NameOf(met.Thing));
         var request = new AimRequest
         {
-            From = new Vector3d(0, 0.11, 0), Target = path.PositionAt(met.Time + 0.2), Speed = velocity.Length, TopSpin = 5, SideSpin = 10, Tolerance = 0.001,
+            From = new Vector3d(0, 0.11, 0),
+            Target = path.PositionAt(met.Time + 0.2),
+            Speed = velocity.Length,
+            TopSpin = 5,
+            SideSpin = 10,
+            Tolerance = 0.001,
         };
         AimResult found = new BankShotAimer(scene).Find(request, thing);
         Assert.Equal(AimStatus.Hit, found.Status);

@@ -29,7 +29,7 @@ internal static class BankShotLab
         return LabOptions.Create(
             "bankshots",
             "Aims after bounces and off walls, bar and post: requests made by flying a random kick, so that there is an answer.",
-            ["football lab bankshots", "football lab bankshots --requests 1 --seed 7"],
+            ["football lab bankshots --requests 1 --seed 7"],
             terminal,
             (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(requests), progress),
             requests);

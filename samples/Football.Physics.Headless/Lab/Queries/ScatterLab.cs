@@ -15,7 +15,7 @@ internal static class ScatterLab
         return LabOptions.Create(
             "scatter",
             "Chances to be in, and to be out of the goalkeeper's reach, by derivatives or lanes, against kicks drawn by another generator and flown one by one.",
-            ["football lab scatter", "football lab scatter --kicks 200 --seed 7"],
+            ["football lab scatter --kicks 200 --seed 7"],
             terminal,
             (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(kicks), progress),
             kicks);
