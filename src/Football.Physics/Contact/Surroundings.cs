@@ -34,6 +34,9 @@ internal sealed class Surroundings<TAir>
     /// <summary>Height of the centre of a ball on the level pitch, m; −∞ where there is none, or where the ground is one of many things.</summary>
     public readonly double ContactHeight;
 
+    /// <summary>Height of the centre of a ball on level ground, whatever else there is, m; −∞ where there is no level ground.</summary>
+    public readonly double LevelContact;
+
     public Surroundings(Scene scene, in TAir air)
     {
         Air = air;
@@ -46,5 +49,6 @@ internal sealed class Surroundings<TAir>
         Radius = scene.Ball.Radius;
         RadiusSquared = scene.Ball.Radius * scene.Ball.Radius;
         ContactHeight = World is null ? scene.Ground.Height + scene.Ball.Radius : double.NegativeInfinity;
+        LevelContact = World?.LevelContact ?? ContactHeight;
     }
 }

@@ -20,11 +20,10 @@ internal sealed class FieldStepper<TIntegrator> : Stepper<FieldAir, TIntegrator>
         : base(scene, settings, in air)
     {
         _integrator = default;
-        var around = new Surroundings<FieldAir>(scene, in air);
-        _system = new FieldSystem { Air = around.Air, Wind = around.Wind, Upward = around.Upward };
-        _limit = StabilityLimit.Of(scene, ref around.Air, around.Upward, _integrator.Order);
-        _contactHeight = around.World?.LevelContact ?? around.ContactHeight;
-        _fastestWind = around.Air.FastestWind;
+        _system = new FieldSystem { Air = Around.Air, Wind = Around.Wind, Upward = Around.Upward };
+        _limit = StabilityLimit.Of(scene, ref Around.Air, Around.Upward, _integrator.Order);
+        _contactHeight = Around.LevelContact;
+        _fastestWind = Around.Air.FastestWind;
     }
 
     [MethodImpl(Hot.Path)]

@@ -22,7 +22,6 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     private readonly WorldGuard<TAir>? _world;
     private readonly NetGuard? _nets;
     private readonly double _fastestWind;
-    private readonly double _levelContact;
 
     public FlightPhase(
         SolverSettings settings,
@@ -44,7 +43,6 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         _system = new FlightSystem<TAir> { Around = around };
         _integrator = default;
         _fastestWind = around.Air.FastestWind;
-        _levelContact = around.World?.LevelContact ?? around.ContactHeight;
     }
 
     /// <summary>The next piece of a flight.</summary>
@@ -289,7 +287,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
             h = _limit.PartOf(ref _around.Air, asked, Math.Sqrt(speedSquared), s.SpinRate, s.Branch);
         }
 
-        return h > 0 && _integrator.GainsByHops ? _limit.WithinHop(h, s.Position.Y - _levelContact, s.Velocity.Y) : h;
+        return h > 0 && _integrator.GainsByHops ? _limit.WithinHop(h, s.Position.Y - _around.LevelContact, s.Velocity.Y) : h;
     }
 
     /// <summary>The speed relative to the air in wind by place and time, m/s.</summary>

@@ -111,9 +111,14 @@ internal sealed class ImplicitPhase<TAir>
             }
         }
 
-        meets = meets && !(none > 0 && at < 0.5 * h);
-        end = meets || none == 0 ? end : free;
-        h = meets ? at : none > 0 ? none : h;
+        if (none > 0 && at < 0.5 * h)
+        {
+            meets = false;
+            end = free;
+            h = none;
+        }
+
+        h = meets ? at : h;
         BallState before = s;
         s.Position = from.Position + (h * end.Velocity);
         s.Velocity = end.Velocity;

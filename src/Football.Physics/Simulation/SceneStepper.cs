@@ -10,6 +10,8 @@ namespace Football.Physics;
 /// <item><see cref="SlidePhase{TAir, TIntegrator}"/>: to the jump, the end of the slip;</item>
 /// <item><see cref="RollPhase{TAir, TIntegrator}"/>: to the jump, to rest;</item>
 /// <item><see cref="ContactPhase{TAir}"/>: an impact, and what becomes of the ball after it;</item>
+/// <item><see cref="CarriedPhase{TAir, TIntegrator}"/>: the slide, the roll on any other surface than the thesis' level pitch;</item>
+/// <item><see cref="RestPhase{TAir}"/>: at rest among things, to the first that hits;</item>
 /// <item><see cref="ImplicitPhase{TAir}"/>: where the air is too strong for explicit pieces.</item>
 /// </list>
 /// </summary>
@@ -38,7 +40,6 @@ internal class Stepper<TAir, TIntegrator> : Stepper
     private readonly SlidePhase<TAir, TIntegrator> _slide;
     private readonly RollPhase<TAir, TIntegrator> _roll;
     private readonly ImplicitPhase<TAir> _implicit;
-    private readonly World? _world;
     private readonly ClearFlight? _clear;
     private readonly ulong _clearKey;
     private readonly CarriedPhase<TAir, TIntegrator>? _carried;
@@ -49,35 +50,39 @@ internal class Stepper<TAir, TIntegrator> : Stepper
     public Stepper(Scene scene, SolverSettings settings, in TAir air)
     {
         var around = new Surroundings<TAir>(scene, in air);
+        Around = around;
         _air = around.Air;
         _integrator = default;
         _wind = around.Wind;
         _upward = around.Upward;
-        _contactHeight = around.World?.LevelContact ?? around.ContactHeight;
+        _contactHeight = around.LevelContact;
         _radiusSquared = around.RadiusSquared;
         _staysDown = _upward <= 0 && around.World is null;
         _limit = StabilityLimit.Of(scene, ref _air, _upward, _integrator.Order);
         var jump = new DragJumpGuard<TAir>(around, settings.LocateJump && _integrator.Order > 1);
         _locatesJump = jump.Acts;
         var contact = new ContactPhase<TAir>(scene, around);
-        _world = around.World;
-        _clear = _world is null or { IsLevelGroundAlone: true } ? null : new ClearFlight(_world, in _limit, in _wind, _upward);
+        World? world = around.World;
+        _clear = world is null or { IsLevelGroundAlone: true } ? null : new ClearFlight(world, in _limit, in _wind, _upward);
 
         // Where there are bodies, no answer is good for longer than a step.
         _clearKey = _clear is { LooksForBodies: false } ? _clear.Key : 0;
-        _worldContact = _world is null ? null : new WorldContact<TAir>(around, scene.Ground.IsLevel);
-        _bodies = _world is { Bodies: not null } or { Engine: not null } ? new BodyPush<TAir>(_world, _worldContact!) : null;
-        WorldGuard<TAir>? guard = _world is null ? null : new WorldGuard<TAir>(_world, _worldContact!);
+        _worldContact = world is null ? null : new WorldContact<TAir>(around, scene.Ground.IsLevel);
+        _bodies = world is { Bodies: not null } or { Engine: not null } ? new BodyPush<TAir>(world, _worldContact!) : null;
+        WorldGuard<TAir>? guard = world is null ? null : new WorldGuard<TAir>(world, _worldContact!);
         _implicit = new ImplicitPhase<TAir>(around, contact, guard);
         _carried = guard is null ? null : new CarriedPhase<TAir, TIntegrator>(around, in _limit, jump, guard, _worldContact!, _implicit);
-        _rest = guard is null ? null : new RestPhase<TAir>(_world!, guard);
+        _rest = guard is null ? null : new RestPhase<TAir>(world!, guard);
         _flight = new FlightPhase<TAir, TIntegrator>(settings, around, in _limit, jump, contact, _implicit, guard);
         var ground = new GroundLimit<TAir>(around, in _limit);
         _slide = new SlidePhase<TAir, TIntegrator>(settings, around, in ground, jump, contact, _implicit);
         _roll = new RollPhase<TAir, TIntegrator>(scene, around, in ground, jump, contact, _implicit);
     }
 
-    public override World? World => _world;
+    public override World? World => Around.World;
+
+    /// <summary>What acts on a ball wherever it is.</summary>
+    protected Surroundings<TAir> Around { get; }
 
     [MethodImpl(Hot.Path)]
     public override void Step(ref BallState s, double dt, StepLog log)
@@ -171,7 +176,7 @@ internal class Stepper<TAir, TIntegrator> : Stepper
 
     public override void Settle(ref BallState s)
     {
-        _world!.Engine?.Forget();
+        World!.Engine?.Forget();
         _worldContact!.Raise(ref s);
         _worldContact.Settle(ref s);
     }
@@ -228,14 +233,7 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         log.Evaluations += _integrator.Stages;
     }
 
-    /// <summary>Shows a whole step of flight to the observer.</summary>
-    /// <param name="log">The log.</param>
-    /// <param name="s">The ball at the step's end.</param>
-    /// <param name="time">When it started, s.</param>
-    /// <param name="position">Where it started, m.</param>
-    /// <param name="velocity">Velocity there, m/s.</param>
-    /// <param name="spin">|ω| there, rad/s.</param>
-    /// <param name="step">The step.</param>
+    /// <summary>Shows a whole step of flight to the observer: the ball is at its end, the rest is of its start.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private void Show(StepLog log, in BallState s, double time, in Vector3d position, in Vector3d velocity, double spin, in FlightStep step)
     {

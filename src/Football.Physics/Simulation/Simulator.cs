@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>A scene, checked and compiled for one integrator. Immutable: any number of balls and threads can share it.</summary>
+/// <summary>A scene, checked and compiled for one integrator. Any number of balls and threads can share it; a scene with bodies, or with an engine's colliders, one thread at a time.</summary>
 public sealed class Simulator
 {
     /// <summary>Steps that a run may have: with more of them the clock no longer tells one from the next.</summary>

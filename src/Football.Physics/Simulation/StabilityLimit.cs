@@ -129,7 +129,7 @@ internal readonly struct StabilityLimit
             return false;
         }
 
-        double speedSquared = Math.Max(speed * speed, StillAir);
+        double speedSquared = speed * speed;
         air.Begin(spinRate, branch, out PointStep once);
         air.AtStart(ref once, speedSquared, spinRate, speedSquared, out double drag, out double lift, out _);
         double turn = lift * h * lift * h;

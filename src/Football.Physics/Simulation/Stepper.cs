@@ -1,6 +1,9 @@
 namespace Football.Physics;
 
-/// <summary>Advances ball states in one scene with one method. Immutable, so many balls and threads can share it.</summary>
+/// <summary>
+/// Advances ball states in one scene with one method. Nothing of it changes, so many balls and threads can share it; but where a game moves bodies, or an engine
+/// is asked for its colliders, it keeps what it has found of those.
+/// </summary>
 internal abstract class Stepper
 {
     /// <summary>All that can be met where there is more than a level pitch; else null.</summary>
