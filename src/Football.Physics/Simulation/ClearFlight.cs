@@ -24,19 +24,28 @@ internal sealed class ClearFlight
     private readonly World _world;
     private readonly StabilityLimit _limit;
     private readonly double _weight;
+    private readonly double _shareInPath;
     private readonly BodyTube? _tube;
 
-    public ClearFlight(World world, in StabilityLimit limit, in Vector3d wind, double upward)
+    /// <summary>Prepares the questions.</summary>
+    /// <param name="world">The world.</param>
+    /// <param name="limit">How fast the air can change the motion.</param>
+    /// <param name="wind">Wind, m/s.</param>
+    /// <param name="upward">Upward acceleration by gravity and buoyancy, m/s².</param>
+    /// <param name="shareInPath">c of the method's path p + h (v + c h a).</param>
+    public ClearFlight(World world, in StabilityLimit limit, in Vector3d wind, double upward, double shareInPath)
     {
         _world = world;
         _limit = limit;
         _weight = Math.Abs(upward);
+        _shareInPath = Math.Max(0.5, shareInPath);
         _tube = world.Bodies is { } bodies ? new BodyTube(bodies, world.Ball.Radius) : null;
         var key = new ClearKey();
         key.Add(limit.Bound.PerSpeed);
         key.Add(limit.Bound.PerSpin);
         key.Add(limit.Bound.Constant);
         key.Add(upward);
+        key.Add(_shareInPath);
         key.Add(in wind);
         world.AddTo(ref key);
         Key = key.Value;
@@ -107,11 +116,11 @@ internal sealed class ClearFlight
         return _tube!.Renew(in s, dt, ahead, Bend(speed, s.SpinRate, ahead));
     }
 
-    /// <summary>A bound of how far the ball goes off a straight line, m: ½ a t² with all that the air can do to the speed that the ball may have then.</summary>
+    /// <summary>A bound of how far the ball goes off a straight line, m: c a t², which is ½ a t² for most methods, with all that the air can do to the speed that the ball may have then.</summary>
     private double Bend(double speed, double spinRate, double ahead)
     {
         double most = 1.1 * (speed + (ahead * _weight));
         double acceleration = _weight + (_limit.RateAtMost(most, spinRate) * most);
-        return 0.5 * acceleration * ahead * ahead;
+        return _shareInPath * acceleration * ahead * ahead;
     }
 }
