@@ -2,7 +2,7 @@ namespace Football.Physics;
 
 /// <summary>
 /// The colliders that guide a ball: it touches them without coming closer, and what would push it into them is taken away. Three of them leave a
-/// point no freedom, so more need not be remembered.
+/// point no freedom, so more need not be remembered; of flat ones side by side, as boards are, one stands for all.
 /// </summary>
 internal struct Guides
 {
@@ -11,6 +11,9 @@ internal struct Guides
 
     /// <summary>Below this, m, there is no gap.</summary>
     private const double Closed = 1e-12;
+
+    /// <summary>Normals are one where the cosine of the angle between them is closer to 1 than this.</summary>
+    private const double InLine = 1e-14;
 
     private int _first;
     private int _second;
@@ -37,9 +40,9 @@ internal struct Guides
             }
 
             Gap.OfContact(world, i).Evaluate(in position, in velocity, time, out double gap, out double rate);
-            if (gap <= ContactSearch.Touching && Math.Abs(rate) <= ContactSearch.Approaching)
+            if (gap <= ContactSearch.Touching && rate >= -ContactSearch.Approaching && rate <= ContactSearch.Leaving)
             {
-                guides.Add(i);
+                guides.Add(guides.WithoutLike(world, i, in position, time));
             }
         }
 
@@ -165,6 +168,27 @@ internal struct Guides
         }
 
         return off;
+    }
+
+    /// <summary>Takes out a flat guide with which another flat one is in line.</summary>
+    /// <returns>Which of the two comes first in the scene.</returns>
+    private int WithoutLike(World world, int collider, in Vector3d position, double time)
+    {
+        ShapePoint at = world.Colliders[collider].At(in position, time);
+        for (int i = 0; i < Count && at.IsFlat; i++)
+        {
+            int kept = At(i);
+            ShapePoint other = world.Colliders[kept].At(in position, time);
+            if (other.IsFlat && Vector3d.Dot(at.Normal, other.Normal) > 1.0 - InLine)
+            {
+                _first = i == 0 ? _second : _first;
+                _second = i <= 1 ? _third : _second;
+                Count--;
+                return Math.Min(kept, collider);
+            }
+        }
+
+        return collider;
     }
 
     /// <summary>Keeps the first three of the scene, in its order.</summary>
