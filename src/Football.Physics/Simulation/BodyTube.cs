@@ -34,9 +34,10 @@ internal sealed class BodyTube
             return false;
         }
 
-        double x = Math.Abs(s.Position.X - _from.X - (gone * _velocity.X)) + (_duration * Math.Abs(s.Velocity.X - _velocity.X));
-        double y = Math.Abs(s.Position.Y - _from.Y - (gone * _velocity.Y)) + (_duration * Math.Abs(s.Velocity.Y - _velocity.Y));
-        double z = Math.Abs(s.Position.Z - _from.Z - (gone * _velocity.Z)) + (_duration * Math.Abs(s.Velocity.Z - _velocity.Z));
+        // Where it is at the start of the step, and how far its velocity there takes it out until the end: how it bends in between is allowed for.
+        double x = Math.Abs(s.Position.X - _from.X - (gone * _velocity.X)) + (dt * Math.Abs(s.Velocity.X - _velocity.X));
+        double y = Math.Abs(s.Position.Y - _from.Y - (gone * _velocity.Y)) + (dt * Math.Abs(s.Velocity.Y - _velocity.Y));
+        double z = Math.Abs(s.Position.Z - _from.Z - (gone * _velocity.Z)) + (dt * Math.Abs(s.Velocity.Z - _velocity.Z));
         return x + y + z + (_bodies.Strayed - _strayed) <= _width;
     }
 

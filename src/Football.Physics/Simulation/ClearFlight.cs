@@ -13,7 +13,7 @@ internal sealed class ClearFlight
     private const double Nearer = 4;
 
     /// <summary>The same for bodies, which may stray.</summary>
-    private const double AheadOfBodies = 8;
+    private const double AheadOfBodies = 16;
 
     /// <summary>Up to this change of the motion by the air in a step no method makes a ball faster by more than a tenth in all steps ahead.</summary>
     private const double SmallChange = 0.05;
