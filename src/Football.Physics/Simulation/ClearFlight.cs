@@ -13,7 +13,10 @@ internal sealed class ClearFlight
     private const double Nearer = 4;
 
     /// <summary>The same for bodies, which may stray.</summary>
-    private const double AheadOfBodies = 16;
+    private const double AheadOfBodies = 24;
+
+    /// <summary>Steps of what the game shows differ in length: what holds for bodies holds for steps so many times as long.</summary>
+    private const double LongestStep = 2;
 
     /// <summary>Up to this change of the motion by the air in a step no method makes a ball faster by more than a tenth in all steps ahead.</summary>
     private const double SmallChange = 0.05;
@@ -65,7 +68,7 @@ internal sealed class ClearFlight
     {
         if (_world.Engine is { } engine)
         {
-            double bend = Bend(Math.Sqrt(airSpeedSquared), s.SpinRate, dt);
+            double bend = Bend(Math.Sqrt(airSpeedSquared), s.SpinRate, dt, dt);
             if (s.Nets != 0 || !engine.IsFree(new StraightWay(s.Position, s.Velocity, s.Time, dt, _world.Ball.Radius + bend)))
             {
                 return false;
@@ -103,24 +106,30 @@ internal sealed class ClearFlight
     private bool IsFree(ref BallState s, double dt, double steps, double speed)
     {
         double ahead = steps * dt;
-        double around = _world.Ball.Radius + Bend(speed, s.SpinRate, ahead);
+        double around = _world.Ball.Radius + Bend(speed, s.SpinRate, ahead, ahead);
         double free = _world.FreeFor(new StraightWay(s.Position, s.Velocity, s.Time, ahead, around));
         s.ClearUntil = s.Time + free;
         s.ClearIn = Key;
+
         return dt <= free;
     }
 
     private bool Renew(in BallState s, double dt, double steps, double speed)
     {
         double ahead = Math.Min(steps * dt, Math.Max(dt, Bodies.Foresight));
-        return _tube!.Renew(in s, dt, ahead, Bend(speed, s.SpinRate, ahead));
+        double longest = LongestStep * dt;
+        return _tube!.Renew(in s, dt, longest, ahead, Bend(speed, s.SpinRate, ahead + longest, longest), Bend(speed, s.SpinRate, ahead, ahead));
     }
 
     /// <summary>A bound of how far the ball goes off a straight line, m: c a t², which is ½ a t² for most methods, with all that the air can do to the speed that the ball may have then.</summary>
-    private double Bend(double speed, double spinRate, double ahead)
+    /// <param name="speed">Speed now, m/s.</param>
+    /// <param name="spinRate">Spin, rad/s.</param>
+    /// <param name="ahead">The speed may be that of so much later, s.</param>
+    /// <param name="during">t, s.</param>
+    private double Bend(double speed, double spinRate, double ahead, double during)
     {
         double most = 1.1 * (speed + (ahead * _weight));
         double acceleration = _weight + (_limit.RateAtMost(most, spinRate) * most);
-        return _shareInPath * acceleration * ahead * ahead;
+        return _shareInPath * acceleration * during * during;
     }
 }
