@@ -27,7 +27,7 @@ public sealed class EdgeTests
             }
 
             BallEvent leave = log.Events.Span.ToArray().First(item => item.Kind == BallEventKind.Leave);
-            Assert.Equal(1, leave.Position.X, 1e-9);
+            Assert.Equal(1, leave.Position.X, 1e-7);
             Assert.True(most < 200, $"{most} pieces in a step at {speed} m/s");
         }
     }
