@@ -22,7 +22,7 @@ internal ref struct StepRun
     public double Part;
 
     /// <summary>Impacts that one step may have; after that the ball stays on what it hits, so that every step ends.</summary>
-    public const int MostImpacts = 4096;
+    public const int MostImpacts = 512;
 
     /// <summary>Pieces since the last impact.</summary>
     public int Pieces;
