@@ -63,6 +63,12 @@ internal sealed class ImplicitPhase<TAir>
             h = TimeOfContact(ref step, h, ref end);
         }
 
+        if (pressed)
+        {
+            step = step.AlongGround();
+            end = step.To(h);
+        }
+
         if (_world is not null)
         {
             FlyInWorld(ref s, ref run, ref step, end, h);
