@@ -11,6 +11,12 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     /// <summary>A spin that is none, rad/s: what is left of one that has no digits any more.</summary>
     private const double Vanishing = 1e-300;
 
+    /// <summary>A ball that rises at contact by less than this share of its speed before does so by rounding.</summary>
+    private const double Rising = 1e-9;
+
+    /// <summary>Pieces shorter than this, s, are not halved.</summary>
+    private const double ShortestPiece = 1e-12;
+
     private readonly SolverSettings _settings;
     private readonly Surroundings<TAir> _around;
     private readonly StabilityLimit _limit;
@@ -227,14 +233,22 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         }
 
         TSweep whole = sweep;
-        if (TimeOfImpact.Exact(ref sweep, _integrator, in arc, contact))
+        bool touches = TimeOfImpact.Exact(ref sweep, _integrator, in arc, contact);
+        if (touches && (sweep.Velocity.Y <= Rising * Math.Abs(s.Velocity.Y) || h <= ShortestPiece))
         {
             return true;
         }
 
         whole.Evaluations = sweep.Evaluations;
         sweep = whole;
-        return false;
+        if (!touches)
+        {
+            return false;
+        }
+
+        // A ball that rises where it comes down: the step is too long for the forces that act, most often a game's own.
+        sweep.Step(0.5 * h);
+        return EndAtGround(ref sweep, in s);
     }
 
     /// <summary>Ends a piece where its spin reaches zero: decay never reverses a spin.</summary>
