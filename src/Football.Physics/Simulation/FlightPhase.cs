@@ -118,7 +118,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
             next = s.Branch;
         }
 
-        Finish(ref s, ref run, ref sweep, next, goes);
+        Finish(ref s, ref run, ref sweep, next, goes, default);
     }
 
     /// <summary>A piece with the whole spin vector: with forces of the game's own, along the drag law's jump, in a net, or along what guides the ball.</summary>
@@ -132,6 +132,11 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         system.Guides = guides;
         var sweep = new MotionSweep<FlightSystem<TAir>, TIntegrator>(in system, s.Time, in from, _around.Wind, _around.Radius);
         sweep.Step(h);
+        if (guides.Count > 0)
+        {
+            SurfacePath.Shorten(ref sweep, in s, _around.World!, null, in guides, _integrator.Order);
+        }
+
         DragBranch next = s.Branch;
         bool goes = true;
         if (_jump.Acts)
@@ -154,18 +159,24 @@ internal sealed class FlightPhase<TAir, TIntegrator>
             next = sweep.Length < length ? s.Branch : next;
         }
 
-        Finish(ref s, ref run, ref sweep, next, goes);
-        if (guides.Count > 0 && s.Motion == MotionState.Airborne)
-        {
-            var end = new Motion(s.Position, s.Velocity, s.Spin);
-            system.Guides = default;
-            system.Rates(s.Time, in end, out MotionRates pressed);
-            guides.Hold(_around.World!, ref s, in pressed.Acceleration, guides.Free(_around.World!, s.Position, s.Velocity, s.Time, in pressed.Acceleration));
-        }
+        Finish(ref s, ref run, ref sweep, next, goes, in guides);
+    }
+
+    /// <summary>Puts a ball onto what it slides along: what the integrator left of it is within its own error.</summary>
+    private void Hold(ref BallState s, in Guides guides, int met)
+    {
+        FlightSystem<TAir> system = _system;
+        system.Branch = s.Branch;
+        system.Nets = s.Nets;
+        system.NetSides = s.NetSides;
+        var end = new Motion(s.Position, s.Velocity, s.Spin);
+        system.Rates(s.Time, in end, out MotionRates pressed);
+        Vector3d free = guides.Free(_around.World!, s.Position, s.Velocity, s.Time, in pressed.Acceleration);
+        guides.Hold(_around.World!, ref s, in pressed.Acceleration, in free, null, met);
     }
 
     /// <summary>Ends a piece at the ground, if it is met, and moves the ball to its end.</summary>
-    private void Finish<TSweep>(ref BallState s, ref StepRun run, ref TSweep sweep, DragBranch next, bool goes)
+    private void Finish<TSweep>(ref BallState s, ref StepRun run, ref TSweep sweep, DragBranch next, bool goes, in Guides guides)
         where TSweep : struct, IFlightSweep
     {
         if (!goes)
@@ -189,6 +200,11 @@ internal sealed class FlightPhase<TAir, TIntegrator>
 
         s.Branch = hit ? DragBranch.Unknown : next;
         run.Advance(ref s, sweep.Length);
+        if (guides.Count > 0)
+        {
+            Hold(ref s, in guides, meets && met.What == Happening.Contact ? met.Index : -1);
+        }
+
         run.Show(in before, in s, ref sweep, _integrator.Order);
         if (hit && !run.Log.Halted)
         {

@@ -44,7 +44,7 @@ internal sealed class WorldGuard<TAir>
             // The ground takes a ball that it presses at any speed, even where nothing comes closer.
             bool isGround = carrier < 0 && _world.Colliders[i] == _world.Ground;
             bool hits = gap <= ContactSearch.Touching
-                && (rate < -ContactSearch.Approaching || (rate <= ContactSearch.Approaching && isGround && _contact.IsPressed(in s, i)));
+                && (rate < -ContactSearch.Approaching || (rate <= ContactSearch.Leaving && isGround && _contact.IsPressed(in s, i)));
             first = hits ? i : first;
         }
 
