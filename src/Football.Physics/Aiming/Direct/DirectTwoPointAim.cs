@@ -12,8 +12,9 @@ internal sealed class DirectTwoPointAim : IAimMethod
     /// <summary>How often a step that does not reach both planes is halved.</summary>
     private const int MostHalvings = 4;
 
-    /// <summary>Below this elevation, rad, a kick whose spin is at the limit is the only one.</summary>
+    /// <summary>Below this elevation, rad, and from this share of its limit on, a kick whose spin is at the limit is the only one.</summary>
     private const double FlatKick = 0.5;
+    private const double NearLimit = 1.0 - 1e-9;
 
     /// <summary>Flights after which the next correction is foretold by the last: the first update of a Jacobian of four unknowns tells of one.</summary>
     private const int LeastFlights = 3;
@@ -44,13 +45,12 @@ internal sealed class DirectTwoPointAim : IAimMethod
         {
             AimSolution alone = _direct.Find(request);
             alone.ThroughMiss = double.NaN;
-            return alone;
+            return !_context.Scene.Air.IsStill && _search.Find(request, in alone.Kick, out AimSolution turned) ? turned : alone;
         }
 
         AimSolution solution = Solve();
-        if (Passes(in solution) || (solution.Status == AimStatus.Hit && IsAtLimit(in solution.Kick)))
+        if ((Passes(in solution) && !_context.Steps.AreShort) || (solution.Status == AimStatus.Hit && IsOnlyOne(in solution.Kick)))
         {
-            // Where its spin is at the limit, a flat kick passes no nearer.
             return solution;
         }
 
@@ -61,9 +61,13 @@ internal sealed class DirectTwoPointAim : IAimMethod
     private bool Passes(in AimSolution solution) =>
         solution.Status == AimStatus.Hit && solution.ThroughMiss <= _problem.Request.ThroughTolerance;
 
-    private bool IsAtLimit(in Kick kick) =>
-        kick.Elevation < FlatKick
-        && (Math.Abs(kick.Top) >= _problem.Request.MaximumTopSpin * (1 - 1e-9) || Math.Abs(kick.Side) >= _problem.Request.MaximumSideSpin * (1 - 1e-9));
+    /// <summary>In still air, where the spin of a flat kick is at its limit, no other passes the point more closely.</summary>
+    private bool IsOnlyOne(in Kick kick)
+    {
+        AimRequest request = _problem.Request;
+        return kick.Elevation < FlatKick && _context.Scene.Air.IsStill && !_context.IsRuledByAir(request.Speed, kick.SpinRate)
+            && (Math.Abs(kick.Top) >= request.MaximumTopSpin * NearLimit || Math.Abs(kick.Side) >= request.MaximumSideSpin * NearLimit);
+    }
 
     /// <summary>The target alone, with the spins that came nearest to both, or else with as much lift as is allowed.</summary>
     private AimSolution TargetFirst(in AimSolution nearest)

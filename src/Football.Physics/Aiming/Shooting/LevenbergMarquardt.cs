@@ -15,6 +15,9 @@ internal sealed class LevenbergMarquardt
     /// <summary>Largest change of an angle or a logarithm in one iteration.</summary>
     private const double LargestChange = 0.5;
 
+    /// <summary>After an iteration that leaves less than this of the squares, the Jacobian is updated, not measured again.</summary>
+    private const double Quick = 0.05;
+
     /// <summary>An iteration that leaves more of the squares than this is a slow one; so many slow ones in a row, and there is no solution near.</summary>
     private const double Slow = 0.6;
     private const int MostSlow = 4;
@@ -41,6 +44,7 @@ internal sealed class LevenbergMarquardt
         double cost = Squares(Residuals);
         double damping = FirstDamping;
         int slow = 0;
+        bool measures = true;
         for (int i = 0; i < MostIterations && !_problem.IsSpent; i++)
         {
             if (_problem.IsHit(Residuals))
@@ -48,13 +52,19 @@ internal sealed class LevenbergMarquardt
                 return true;
             }
 
-            _problem.Measure(x, Residuals, _jacobian);
+            if (measures)
+            {
+                _problem.Measure(x, Residuals, _jacobian);
+            }
+
             double before = cost;
-            if (!Improve(x, ref cost, ref damping))
+            bool improved = Improve(x, ref cost, ref damping);
+            if (!improved && measures)
             {
                 return false;
             }
 
+            measures = !(cost < Quick * before);
             slow = cost > Slow * before ? slow + 1 : 0;
             if (slow == MostSlow)
             {
@@ -77,6 +87,7 @@ internal sealed class LevenbergMarquardt
                 if (next < cost)
                 {
                     cost = next;
+                    Update(x);
                     Array.Copy(_next, x, N);
                     Array.Copy(_nextResiduals, Residuals, _nextResiduals.Length);
                     damping = Math.Max(0.1 * damping, LeastDamping);
@@ -129,6 +140,35 @@ internal sealed class LevenbergMarquardt
         }
 
         return true;
+    }
+
+    /// <summary>Broyden's update, in units of the unknowns in which each counts by what it does: J += (Δr − J Δx) (D Δx)ᵀ / (Δxᵀ D Δx), D = diag JᵀJ.</summary>
+    private void Update(double[] x)
+    {
+        double squared = 0;
+        for (int k = 0; k < N; k++)
+        {
+            double moved = _next[k] - x[k];
+            _change[k] = moved == 0 ? 0 : moved * Product(k, k);
+            squared += moved * _change[k];
+        }
+
+        for (int i = 0; i < _problem.Equations && squared > 0; i++)
+        {
+            double error = _nextResiduals[i] - Residuals[i];
+            for (int k = 0; k < N; k++)
+            {
+                double moved = _next[k] - x[k];
+                error -= moved == 0 ? 0 : _jacobian[(i * N) + k] * moved;
+            }
+
+            for (int k = 0; k < N; k++)
+            {
+                _jacobian[(i * N) + k] += error * _change[k] / squared;
+            }
+        }
+
+        _problem.TimeColumns(_next, _jacobian);
     }
 
     private void Assemble(double damping)
