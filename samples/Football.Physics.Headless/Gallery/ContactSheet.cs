@@ -39,9 +39,9 @@ internal static class ContactSheet
 
     /// <summary>Copies what stands beside a button. Without characters that XML and HTML write differently.</summary>
     private const string Script = """
-        document.addEventListener("click", e => {
+        document.addEventListener("click", function (e) {
           if (e.target.tagName !== "BUTTON") return;
-          navigator.clipboard.writeText(e.target.previousSibling.textContent).then(() => { e.target.textContent = "copied"; });
+          navigator.clipboard.writeText(e.target.previousSibling.textContent).then(function () { e.target.textContent = "copied"; });
         });
         """;
 
