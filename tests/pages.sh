@@ -31,14 +31,14 @@ browser=$(chromium) || {
 
 # What a page says of itself: the size of the window, how wide the page is, and what it drew on a canvas if it has one.
 # The attributes stand in the element <body> of the dump.
-report='<script>requestAnimationFrame(function () {
+report='<script>(function () {
   const said = document.body.dataset, root = document.documentElement, stage = document.getElementById("stage");
   said.window = innerWidth; said.wide = root.scrollWidth; said.dark = matchMedia("(prefers-color-scheme: dark)").matches;
   if (!stage) return;
   const d = stage.getContext("2d").getImageData(0, 0, stage.width, stage.height).data;
   const near = function (r, g, b) { let n = 0; for (let i = 0; i !== d.length; i += 4) if (24 > Math.abs(d[i] - r) + Math.abs(d[i + 1] - g) + Math.abs(d[i + 2] - b)) n++; return n; };
   said.pixels = [near(0, 114, 178), near(224, 123, 0), near(255, 255, 255)].join(" ");
-});</script>'
+})();</script>'
 
 # probe PAGE [SCRIPT]: the page with the report, and with a script before it, beside it; says where.
 probe() {
@@ -54,7 +54,7 @@ open() {
   shift 4
   timeout 60 "$browser" --headless --no-sandbox --disable-gpu --hide-scrollbars --force-device-scale-factor=1 --enable-logging=stderr \
     --user-data-dir="$work/profile-$name" --window-size="$size" --blink-settings=preferredColorScheme=$dark \
-    --virtual-time-budget=2000 --host-resolver-rules="MAP * ~NOTFOUND" --dump-dom "$@" "$url" > "$work/$name.dom" 2> "$work/$name.log" \
+    --virtual-time-budget=500 --host-resolver-rules="MAP * ~NOTFOUND" --dump-dom "$@" "$url" > "$work/$name.dom" 2> "$work/$name.log" \
     || { tail -n 3 "$work/$name.log" >&2; fail "$name: Chromium"; }
   ! grep -E 'CONSOLE.*(Uncaught|Error)' "$work/$name.log" >&2 || fail "$name: the page's program has an error"
 }
@@ -114,10 +114,12 @@ read -r blue orange white <<< "$(said replay-1280-light pixels)"
 echo "ok    replay: drew $(tr -d '"{}' <<< "$drawn"); pixels of both paths and of the goal: $blue, $orange, $white"
 
 open later 1280,900 light "file://$work/replay.html#time=2.5" & later=$!
-open plays 1280,900 light "file://$work/replay.html"
+# Frames of the virtual time, which passes whether or not the machine has time to show them.
+sed 's|<head>|<head><script>requestAnimationFrame = function (f) { return setTimeout(function () { f(performance.now()); }, 50); };</script>|' "$work/replay.html" > "$work/plays.html"
+open plays 1280,900 light "file://$work/plays.html"
 wait "$later" || exit 1
 grep -q '"time":2.5' <<< "$(said later drawn)" || fail "replay: the time in the address is not shown"
-grep -q '"time":0,' <<< "$(said plays drawn)" && fail "replay: it does not play"
+grep -qE '"time":0\.[1-9]' <<< "$(said plays drawn)" || fail "replay: it does not play"
 echo "ok    replay: plays, and shows the time that the address names"
 
 # What a person does: keys, the slider, a drag that turns, the pointer over a path; beside each what is then to be seen.
@@ -140,8 +142,10 @@ acts=$(probe "$work/replay.html" '
   const before = stage.toDataURL();
   pointer("pointerdown", 700, 300); pointer("pointermove", 820, 330); pointer("pointerup", 820, 330); told("turned", stage.toDataURL() !== before);
   key("1");
-  for (let x = 200; x !== 1200 && id("tip").hidden; x += 20) for (let y = 100; y !== 700 && id("tip").hidden; y += 20) pointer("pointermove", x, y);
-  told("numbers", /m\/s[^]*rad\/s/.test(id("tip").textContent));
+  const d = stage.getContext("2d").getImageData(0, 0, stage.width, stage.height).data;
+  let path = 0;
+  while (d[path] !== 0 || d[path + 1] !== 114 || d[path + 2] !== 178) path += 4;
+  pointer("pointermove", path / 4 % stage.width, Math.floor(path / 4 / stage.width)); told("numbers", /m\/s[^]*rad\/s/.test(id("tip").textContent));
   id("shots").querySelector("input").click(); told("hidden", JSON.parse(stage.dataset.drawn).shots === 1);
   key(" "); told("pause", id("play").getAttribute("aria-label") === "Pause"); key(" ");
   document.body.dataset.acts = done.join(" ");
