@@ -240,31 +240,8 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     /// <summary>Ends a piece where its spin reaches zero: decay never reverses a spin.</summary>
     private static void EndSpin(ref FlightSweep<TAir, TIntegrator> sweep, double spinRate)
     {
-        double low = 0;
-        double high = sweep.Length;
         double tau = sweep.Length * spinRate / (spinRate - sweep.Taken.SpinRate);
-        for (int i = 0; i < 8; i++)
-        {
-            tau = Math.Min(Math.Max(tau, low), high);
-            sweep.Step(tau);
-            double w = sweep.Taken.SpinRate;
-            if (Math.Abs(w) <= (1e-14 * spinRate) + Vanishing || !(tau > 0))
-            {
-                break;
-            }
-
-            if (w > 0)
-            {
-                low = tau;
-            }
-            else
-            {
-                high = tau;
-            }
-
-            tau += w * tau / (spinRate - w);
-        }
-
+        EventLocator.Locate(ref sweep, new SpinLeft(spinRate), tau);
         sweep.EndSpin();
     }
 
@@ -322,5 +299,22 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         }
 
         return true;
+    }
+
+    /// <summary>The spin that is left.</summary>
+    private readonly struct SpinLeft : IEventFunction<FlightSweep<TAir, TIntegrator>>
+    {
+        private readonly double _start;
+
+        public SpinLeft(double start) => _start = start;
+
+        public bool Evaluate(ref FlightSweep<TAir, TIntegrator> sweep, double tau, out double value, out double correction)
+        {
+            value = sweep.Taken.SpinRate;
+
+            // The secant from the step's start: its spin falls about linearly.
+            correction = value * tau / (_start - value);
+            return Math.Abs(value) <= (1e-14 * _start) + Vanishing || !(tau > 0);
+        }
     }
 }
