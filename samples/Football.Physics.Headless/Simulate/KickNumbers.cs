@@ -66,7 +66,19 @@ internal readonly record struct KickNumbers(double Speed, double Elevation, doub
     private IEnumerable<string> Parts()
     {
         yield return FormattableString.Invariant($"{Speed:0.##} m/s");
-        yield return FormattableString.Invariant($"{Elevation:0.#}° up");
+        if (Speed == 0)
+        {
+            yield return "let go";
+        }
+        else if (Math.Round(Elevation, 1) == 0)
+        {
+            yield return "level";
+        }
+        else
+        {
+            yield return FormattableString.Invariant($"{Math.Abs(Elevation):0.#}° {(Elevation > 0 ? "up" : "down")}");
+        }
+
         if (Math.Round(Azimuth, 1) != 0)
         {
             yield return FormattableString.Invariant($"{Math.Abs(Azimuth):0.#}° to the {(Azimuth > 0 ? "left" : "right")}");
@@ -79,7 +91,7 @@ internal readonly record struct KickNumbers(double Speed, double Elevation, doub
 
         if (Math.Round(SideSpin, 1) != 0)
         {
-            yield return FormattableString.Invariant($"sidespin {SideSpin:0.#} rad/s");
+            yield return FormattableString.Invariant($"sidespin {Math.Abs(SideSpin):0.#} rad/s to the {(SideSpin > 0 ? "left" : "right")}");
         }
     }
 }
