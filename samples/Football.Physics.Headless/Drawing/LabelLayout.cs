@@ -33,7 +33,7 @@ internal sealed class LabelLayout(double width, double height, string background
             double middle = Math.Clamp(label.X + (across * (half + 6)), half + 2, Math.Max(half + 2, width - half - 2));
             double top = Math.Clamp(label.Y + (down * Size) - (Size / 2), 1, Math.Max(1, height - Size - 2));
             var box = (Left: middle - half, Top: top, Right: middle + half, Bottom: top + Size);
-            double cost = Cost(box) + (0.8 * (Math.Abs(middle - label.X) + Math.Abs(top + (Size / 2) - label.Y)) / Size);
+            double cost = Cost(box) + (2 * (Math.Abs(middle - label.X) + Math.Abs(top + (Size / 2) - label.Y)) / Size);
             if (cost < least)
             {
                 (best, least) = (box, cost);

@@ -35,7 +35,7 @@ internal static class ContactSheet
         pre span { white-space: nowrap; }
         pre { font: 12px/1.5 ui-monospace, Consolas, monospace; background: var(--page); border: 1px solid var(--edge); border-radius: 6px; margin: 6px 0; padding: 8px 64px 8px 10px; white-space: pre-wrap; }
         button { position: absolute; top: 5px; right: 5px; font: inherit; font-size: 12px; color: var(--ink); background: var(--card); border: 1px solid var(--edge); border-radius: 5px; padding: 3px 9px; cursor: pointer; }
-        @media (max-width: 640px) { body { padding: 10px; } article { padding: 10px 8px; } h1 { font-size: 22px; } th, td { padding: 4px 8px; } }
+        @media (max-width: 640px) { body { padding: 10px; } article { padding: 10px 8px; } article svg { width: calc(100% + 14px); margin: 0 -7px; } h1 { font-size: 22px; } th, td { padding: 4px 8px; } }
         """;
 
     /// <summary>Copies what stands beside a button. Without characters that XML and HTML write differently.</summary>

@@ -33,12 +33,7 @@ internal static class GoalDrawing
         bool IsHere(SceneShape shape) => shape.Kind is SceneShapeKind.Net or SceneShapeKind.Frame
             || (shape.Kind == SceneShapeKind.Obstacle && shape.Points.All(place => Distance(goal, place + (arrival.Time * shape.Velocity)) < Near));
         SceneShape Unnamed(SceneShape shape) => shape.Kind == SceneShapeKind.Frame ? shape with { Name = "" } : shape;
-        SceneDrawing.Add(chart, [.. shapes.Where(IsHere).Select(Unnamed)], Project, fromAbove: false, arrival.Time);
-        foreach (SceneShape lines in shot.OnGoal)
-        {
-            chart.Items.Add(new LinesItem([.. lines.Lines.Select(line => line.Select(Project).ToArray())]) { Colour = Palette.Orange, Width = 1.6, Label = lines.Name });
-        }
-
+        SceneDrawing.Add(chart, [.. shapes.Where(IsHere).Select(Unnamed), .. shot.OnGoal], Project, fromAbove: false, arrival.Time);
         var names = new Simulator(shot.Scenario.Scene);
         IEnumerable<Vector3d> way = flight.Outcome.Samples!.Where(at => at.Time < arrival.Time && Distance(goal, at.Position) < Before).Select(at => at.Position);
         chart.Items.Add(new PolylineItem([.. way.Append(arrival.Position).Select(Project)]));
@@ -49,7 +44,7 @@ internal static class GoalDrawing
             {
                 Fill = Palette.Paper,
                 Colour = goes ? Palette.Red : Palette.Blue,
-                Caption = goes ? "goal" : names.NameOf(happened.Thing) ?? "",
+                Caption = goes ? "goal" : OfFrame(names.NameOf(happened.Thing)),
             });
         }
 
@@ -62,6 +57,13 @@ internal static class GoalDrawing
         IEnumerable<BallEvent> goals = flight.Events.Where(item => item.Kind == BallEventKind.Goal);
         IEnumerable<BallEvent> saves = flight.Events.Where(item => item.Kind == BallEventKind.Impact && item.Thing != 0 && Distance(goal, item.Position) < Near);
         return goals.Concat(saves).Cast<BallEvent?>().FirstOrDefault();
+    }
+
+    /// <summary>Post or crossbar: which post, left or right, depends on who looks.</summary>
+    private static string OfFrame(string? name)
+    {
+        string part = name?.Split(' ')[^1] ?? "";
+        return part is "post" or "crossbar" ? part : "";
     }
 
     private static double Distance(Goal goal, Vector3d place) => Math.Abs(Vector3d.Dot(place - goal.Center, goal.Out));

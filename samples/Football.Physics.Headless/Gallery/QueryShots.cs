@@ -92,7 +92,7 @@ internal static class QueryShots
             Scenario = Kick(scene with { Goals = [goal], Obstacles = [Dived(answer)] }, velocity, Vector3d.Zero),
             OnGoal =
             [
-                new SceneShape("what he can cover by then", SceneShapeKind.Marking)
+                new SceneShape("what he can cover by then", SceneShapeKind.Guide)
                 {
                     Lines =
                     [
@@ -132,7 +132,7 @@ internal static class QueryShots
             return new Vector3d(-aside, scatter.Height + (along * Math.Sin(angle)) + (across * Math.Cos(angle)), goal.Center.Z);
         }
 
-        return new SceneShape("one and two standard deviations", SceneShapeKind.Marking) { Lines = [[.. Enumerable.Range(0, 49).Select(i => Point(i * Math.PI / 24))]] };
+        return new SceneShape("one and two standard deviations", SceneShapeKind.Guide) { Lines = [[.. Enumerable.Range(0, 49).Select(i => Point(i * Math.PI / 24))]] };
     }
 
     private static Scenario Kick(Scene scene, Vector3d velocity, Vector3d spin) => new()

@@ -22,6 +22,7 @@ internal static class SceneDrawing
             ChartItem? item = shape.Kind switch
             {
                 SceneShapeKind.Marking => fromAbove ? new LinesItem(lines) { Colour = Palette.Marking, Width = 1.2, Caption = shape.Name, NeedsRoom = false } : null,
+                SceneShapeKind.Guide => new LinesItem(lines) { Colour = Palette.Orange, Width = 1.6, Label = shape.Name },
                 SceneShapeKind.Net => new LinesItem(lines) { Colour = Palette.Frame, Width = 0.4 },
                 SceneShapeKind.Frame => new LinesItem(lines)
                 {

@@ -65,18 +65,14 @@ internal readonly record struct KickNumbers(double Speed, double Elevation, doub
 
     private IEnumerable<string> Parts()
     {
-        yield return FormattableString.Invariant($"{Speed:0.##} m/s");
-        if (Speed == 0)
-        {
-            yield return "let go";
-        }
-        else if (Math.Round(Elevation, 1) == 0)
-        {
-            yield return "level";
-        }
-        else
+        yield return Speed > 0 ? FormattableString.Invariant($"{Speed:0.##} m/s") : "let go";
+        if (Math.Round(Elevation, 1) != 0)
         {
             yield return FormattableString.Invariant($"{Math.Abs(Elevation):0.#}° {(Elevation > 0 ? "up" : "down")}");
+        }
+        else if (Speed > 0)
+        {
+            yield return "level";
         }
 
         if (Math.Round(Azimuth, 1) != 0)
