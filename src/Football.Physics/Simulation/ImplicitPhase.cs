@@ -13,11 +13,11 @@ internal sealed class ImplicitPhase<TAir>
     /// <summary>The instant of a contact is known to this power of ½ of a piece.</summary>
     private const int MostHalvings = 40;
 
-    /// <summary>Halvings of a piece over the level ground.</summary>
-    private const int MostContactHalvings = 60;
+    /// <summary>Pieces taken at most to find the one that ends at the level ground.</summary>
+    private const int MostContactSteps = 60;
 
     /// <summary>How far below contact a piece may end, m.</summary>
-    private const double Depth = 1e-12;
+    private const double DeepestEnd = 1e-12;
 
     private readonly Surroundings<TAir> _around;
     private readonly ContactPhase<TAir> _contact;
@@ -63,6 +63,12 @@ internal sealed class ImplicitPhase<TAir>
             h = TimeOfContact(ref step, h, ref end);
         }
 
+        if (pressed)
+        {
+            step = step.AlongGround();
+            end = step.To(h);
+        }
+
         if (_world is not null)
         {
             FlyInWorld(ref s, ref run, ref step, end, h);
@@ -99,7 +105,8 @@ internal sealed class ImplicitPhase<TAir>
         Motion free = step.From;
         for (int i = 0; i < MostHalvings && meets && at < h * (1.0 - 1e-9); i++)
         {
-            double middle = 0.5 * (none + h);
+            // Velocities change little with the length of a piece: most often the next one ends all but where this one meets something.
+            double middle = i % 3 == 2 || !(at > none) ? 0.5 * (none + h) : at + (1e-3 * (h - at));
             Motion shorter = step.To(middle);
             double sooner = FirstMet(in s, in step.From, in shorter, middle, out Gap found);
             if (sooner <= middle)
@@ -215,13 +222,11 @@ internal sealed class ImplicitPhase<TAir>
     /// <summary>Shortens a piece to the instant of contact.</summary>
     private double TimeOfContact(ref ImplicitStep<TAir> step, double h, ref Motion end)
     {
-        double low = 0;
-        double high = h;
-        var below = new BelowContact(in step, in end, _around.ContactHeight);
-        Roots.Bisect(ref below, ref low, ref high, MostContactHalvings);
-        step = below.Step;
-        end = below.End;
-        return high;
+        var depth = new Depth(in step, in end, h, _around.ContactHeight);
+        Roots.Illinois(ref depth, 0, depth.Of(in step.From), h, depth.Of(in end), 0, MostContactSteps);
+        step = depth.Step;
+        end = depth.End;
+        return depth.Length;
     }
 
     /// <summary>A piece on the ground: friction and damping first, to their end at most, then the air.</summary>
@@ -303,30 +308,42 @@ internal sealed class ImplicitPhase<TAir>
         }
     }
 
-    /// <summary>A piece ends below contact with the ground.</summary>
-    private struct BelowContact : ICondition
+    /// <summary>How far below contact with the ground a piece ends, m, by its length.</summary>
+    private struct Depth : IFunction
     {
         /// <summary>The step, with what it has evaluated.</summary>
         public ImplicitStep<TAir> Step;
 
         private readonly double _contact;
 
-        public BelowContact(in ImplicitStep<TAir> step, in Motion end, double contact)
+        public Depth(in ImplicitStep<TAir> step, in Motion end, double length, double contact)
         {
             Step = step;
             _contact = contact;
             End = end;
+            Length = length;
         }
 
-        /// <summary>The end of the shortest piece so far that does.</summary>
+        /// <summary>The shortest piece so far that ends below, s.</summary>
+        public double Length { get; private set; }
+
+        /// <summary>Its end.</summary>
         public Motion End { get; private set; }
 
-        public bool Evaluate(double x, out bool holds)
+        /// <summary>The depth of one end.</summary>
+        public readonly double Of(in Motion end) => _contact - end.Position.Y;
+
+        public bool Evaluate(double x, out double value)
         {
             Motion at = Step.To(x);
-            holds = at.Position.Y < _contact;
-            End = holds ? at : End;
-            return holds && at.Position.Y >= _contact - Depth;
+            value = Of(in at);
+            if (value >= 0)
+            {
+                End = at;
+                Length = x;
+            }
+
+            return value is >= 0 and <= DeepestEnd;
         }
     }
 }

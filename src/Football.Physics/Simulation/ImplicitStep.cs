@@ -17,12 +17,17 @@ internal struct ImplicitStep<TAir>
     /// <param name="push">What is taken as constant: own forces and side forces, and the rate of the spin.</param>
     /// <param name="wind">Velocity of the air, m/s.</param>
     public ImplicitStep(Surroundings<TAir> around, in Motion from, in MotionRates push, in Vector3d wind)
+        : this(in from, in push, in wind, around.Upward, new ImplicitEuler<TAir> { Air = around.Air, RadiusSquared = around.RadiusSquared })
+    {
+    }
+
+    private ImplicitStep(in Motion from, in MotionRates push, in Vector3d wind, double upward, ImplicitEuler<TAir> euler)
     {
         From = from;
         _push = push;
         _wind = wind;
-        _upward = around.Upward;
-        _euler = new ImplicitEuler<TAir> { Air = around.Air, RadiusSquared = around.RadiusSquared };
+        _upward = upward;
+        _euler = euler;
     }
 
     /// <summary>Speed relative to the air at the start, m/s, where the air varies.</summary>
@@ -30,6 +35,14 @@ internal struct ImplicitStep<TAir>
 
     /// <summary>Right-hand sides evaluated so far.</summary>
     public readonly int Evaluations => _euler.Evaluations;
+
+    /// <summary>The same where the ground takes up all that is vertical: lift must not turn a fall that does not happen into a speed along the ground.</summary>
+    public readonly ImplicitStep<TAir> AlongGround()
+    {
+        var from = new Motion(From.Position, new Vector3d(From.Velocity.X, 0, From.Velocity.Z), From.Spin);
+        var acceleration = new Vector3d(_push.Acceleration.X, 0, _push.Acceleration.Z);
+        return new ImplicitStep<TAir>(in from, new MotionRates(in acceleration, in _push.SpinAcceleration, AirSpeed), in _wind, 0, _euler);
+    }
 
     /// <summary>Velocity, then spin, then position with the new velocity.</summary>
     /// <param name="h">Length, s.</param>

@@ -60,7 +60,9 @@ internal sealed class EnergyCheck : PieceObserver
     /// <returns>Null where nothing is promised: where wind pushes a ball on the ground, and where the heuristic makes a ball roll that slips.</returns>
     public FrameEnergy? Of(in BallState before, double dt, in BallState after, ReadOnlySpan<BallEvent> events)
     {
-        bool flies = before.Motion == MotionState.Airborne && after.Motion == MotionState.Airborne && events.Length == 0;
+        // Air that presses a ball against the ground does work on it, as one sees it who goes with the wind.
+        bool flies = before.Motion == MotionState.Airborne && after.Motion == MotionState.Airborne && events.Length == 0
+            && !(_scene.Windy && after.Position.Y <= _simulator.ContactHeight + TouchingRelaxed);
         if (!flies && (_scene.Windy || (_scene.Settings.RollingTransition == RollingTransition.Heuristic && Rolls(events))))
         {
             return null;
