@@ -15,7 +15,8 @@ internal static partial class SiteWriter
     public static IReadOnlyList<string> Write(string repository, string folder)
     {
         string readme = Read(repository, "README.md");
-        string[] sources = ["README.md", .. Linked().Matches(readme).Select(match => match.Groups[1].Value).Distinct()];
+        // In the order of the README's last list, which is for readers; what stands in a sentence before it has its place there too.
+        string[] sources = ["README.md", .. Linked().Matches(readme).Select(match => match.Groups[1].Value).Reverse().Distinct().Reverse()];
         SitePage[] pages = [.. sources.Select(source => new SitePage(source, Read(repository, source)))];
         Directory.CreateDirectory(folder);
         string frame = Asset("page.html");

@@ -10,10 +10,10 @@ export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 MSBUILDTERMINALLOGGER=off M
 
 package=samples/Unity/com.football.physics
 version=$(sed -n 's/.*"version": "\(.*\)".*/\1/p' "$package/package.json")
-dotnet build -c Release -f netstandard2.1 src/Football.Physics -v q > /dev/null
+dotnet build -c Release -f netstandard2.1 src/Football.Physics -v q >&2
 cp src/Football.Physics/bin/Release/netstandard2.1/Football.Physics.{dll,xml} "$package/Plugins/"
 
 # A tarball of the package manager has everything below "package/"; the same bytes for the same files.
-tar --sort=name --mtime='2026-01-01 00:00Z' --owner=0 --group=0 --numeric-owner --transform "s,^\./,package/," \
+tar --sort=name --mtime='2026-01-01 00:00Z' --owner=0 --group=0 --numeric-owner --mode=u+rw,go=rX --transform "s,^\./,package/," \
   -C "$package" -c . | gzip -n > "$out/com.football.physics-$version.tgz"
 echo "$out/com.football.physics-$version.tgz"

@@ -149,7 +149,7 @@ internal sealed class Chart(Axis x, Axis y)
 
     private List<XElement> Labels(PlotFrame frame)
     {
-        var layout = new LabelLayout(frame.Width, frame.Height);
+        var layout = new LabelLayout(frame.Width, frame.Height, Background);
         foreach (ChartItem item in Items)
         {
             layout.Draw(item.Ink(frame));

@@ -5,7 +5,8 @@ namespace Football.Physics.Headless.Drawing;
 /// <summary>Puts labels where nothing else is drawn, as near to their places as it goes.</summary>
 /// <param name="width">Width of the plot, in pixels.</param>
 /// <param name="height">Height of the plot, in pixels.</param>
-internal sealed class LabelLayout(double width, double height)
+/// <param name="background">What is behind the labels; a rim of it keeps them legible where they are on something after all.</param>
+internal sealed class LabelLayout(double width, double height, string background)
 {
     private const double Size = 11;
 
@@ -32,7 +33,7 @@ internal sealed class LabelLayout(double width, double height)
             double middle = Math.Clamp(label.X + (across * (half + 6)), half + 2, Math.Max(half + 2, width - half - 2));
             double top = Math.Clamp(label.Y + (down * Size) - (Size / 2), 1, Math.Max(1, height - Size - 2));
             var box = (Left: middle - half, Top: top, Right: middle + half, Bottom: top + Size);
-            double cost = Cost(box) + (0.2 * (Math.Abs(middle - label.X) + Math.Abs(top + (Size / 2) - label.Y)) / Size);
+            double cost = Cost(box) + (2 * (Math.Abs(middle - label.X) + Math.Abs(top + (Size / 2) - label.Y)) / Size);
             if (cost < least)
             {
                 (best, least) = (box, cost);
@@ -40,7 +41,9 @@ internal sealed class LabelLayout(double width, double height)
         }
 
         _taken.Add(best);
-        return Svg.Text((best.Left + best.Right) / 2, best.Bottom - 1.5, label.Text, "middle", Size, label.Colour);
+        XElement text = Svg.Text((best.Left + best.Right) / 2, best.Bottom - 1.5, label.Text, "middle", Size, label.Colour);
+        text.Add(new XAttribute("stroke", background), new XAttribute("stroke-width", 3), new XAttribute("stroke-linejoin", "round"), new XAttribute("paint-order", "stroke"));
+        return text;
     }
 
     /// <summary>How much of what is drawn a box would cover.</summary>

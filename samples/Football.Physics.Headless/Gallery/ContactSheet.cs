@@ -1,4 +1,5 @@
 using System.Text;
+using System.Text.RegularExpressions;
 using System.Xml.Linq;
 using Football.Physics.Headless.Drawing;
 using Football.Physics.Headless.Simulate;
@@ -26,22 +27,22 @@ internal static class ContactSheet
         th, td { padding: 5px 12px; text-align: right; border-bottom: 1px solid var(--edge); white-space: nowrap; }
         th:first-child, td:first-child { text-align: left; position: sticky; left: 0; background: var(--card); }
         th { font-weight: 600; }
-        .shots { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 430px), 1fr)); gap: 18px; }
-        article { background: var(--card); border: 1px solid var(--edge); border-radius: 8px; padding: 12px 14px; display: flex; flex-direction: column; }
+        .shots { columns: 430px; column-gap: 18px; margin-top: 16px; }
+        article { background: var(--card); border: 1px solid var(--edge); border-radius: 8px; padding: 12px 14px; margin-bottom: 18px; break-inside: avoid; }
         article p { margin: 0 0 8px; }
         .kick { color: var(--faint); font-size: 14px; }
         svg { width: 100%; height: auto; display: block; }
-        .code { position: relative; margin-top: auto; }
-        pre { font: 12px/1.5 ui-monospace, Consolas, monospace; background: var(--page); border: 1px solid var(--edge); border-radius: 6px; margin: 6px 0; padding: 8px 64px 8px 10px; white-space: pre-wrap; overflow-wrap: anywhere; }
+        pre span { white-space: nowrap; }
+        pre { font: 12px/1.5 ui-monospace, Consolas, monospace; background: var(--page); border: 1px solid var(--edge); border-radius: 6px; margin: 6px 0; padding: 8px 64px 8px 10px; white-space: pre-wrap; }
         button { position: absolute; top: 5px; right: 5px; font: inherit; font-size: 12px; color: var(--ink); background: var(--card); border: 1px solid var(--edge); border-radius: 5px; padding: 3px 9px; cursor: pointer; }
-        @media (max-width: 640px) { body { padding: 10px; } article { padding: 10px 8px; } h1 { font-size: 22px; } th, td { padding: 4px 8px; } }
+        @media (max-width: 640px) { body { padding: 10px; } article { padding: 10px 8px; } article svg { width: calc(100% + 14px); margin: 0 -7px; } h1 { font-size: 22px; } th, td { padding: 4px 8px; } }
         """;
 
     /// <summary>Copies what stands beside a button. Without characters that XML and HTML write differently.</summary>
     private const string Script = """
-        document.addEventListener("click", e => {
+        document.addEventListener("click", function (e) {
           if (e.target.tagName !== "BUTTON") return;
-          navigator.clipboard.writeText(e.target.previousSibling.textContent).then(() => { e.target.textContent = "copied"; });
+          navigator.clipboard.writeText(e.target.previousSibling.textContent).then(function () { e.target.textContent = "copied"; });
         });
         """;
 
@@ -61,11 +62,15 @@ internal static class ContactSheet
                 new XElement("h1", "Football.Physics: gallery"),
                 new XElement(
                     "p",
-                    "Every shot is played to rest with RK4 at 10 ms. Carry, hang time and deflection are those of the first touchdown; the deflection is to the left of the launch direction, negative to the right. Heights are of the ball's centre. Dots are whole seconds. ",
+                    "Every shot is played to rest with RK4 at 10 ms. Dots are whole seconds. ",
                     new XElement("a", new XAttribute("href", Moving), "All of them in motion"),
+                    "; ",
+                    new XElement("a", new XAttribute("href", "#numbers"), "all in numbers"),
                     "."),
-                new XElement("div", new XAttribute("class", "scroll"), Table(shots)),
                 new XElement("main", new XAttribute("class", "shots"), shots.Select(Card)),
+                new XElement("h2", new XAttribute("id", "numbers"), "All in numbers"),
+                new XElement("p", "Carry, hang time and deflection are those of the first touchdown; the deflection is to the left of the launch direction, negative to the right. Heights are of the ball's centre."),
+                new XElement("div", new XAttribute("class", "scroll"), Table(shots)),
                 new XElement("script", Script)));
         return new StringBuilder("<!DOCTYPE html>\n").Append(page.ToString(SaveOptions.DisableFormatting)).Append('\n').ToString();
     }
@@ -94,12 +99,16 @@ internal static class ContactSheet
                 new XElement("a", new XAttribute("href", $"{Moving}#picture={shown.Shot.Id}"), "Watch it move")),
             new XElement(shown.Drawing),
             new XElement("p", $"{shown.Shot.About} {shown.Remark.Trim()}".TrimEnd()),
-            new XElement("div", new XAttribute("class", "code"), Copied(shown.Shot.Code), Copied(shown.Shot.Command)));
+            new XElement("div", Copied(shown.Shot.Code), Copied(shown.Shot.Command)));
     }
 
     private static XElement Copied(string code) => new(
         "div",
         new XAttribute("style", "position: relative"),
-        new XElement("pre", code),
+        new XElement("pre", Unbroken(code)),
         new XElement("button", new XAttribute("type", "button"), new XAttribute("aria-label", "Copy the line"), "copy"));
+
+    /// <summary>A code whose words are not broken at the end of a line.</summary>
+    private static IEnumerable<object> Unbroken(string code) =>
+        Regex.Split(code, @"(\s+)").Select((part, i) => i % 2 == 0 ? (object)new XElement("span", part) : part);
 }

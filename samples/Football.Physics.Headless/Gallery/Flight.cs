@@ -32,6 +32,9 @@ internal sealed class Flight
         }
     }
 
+    /// <summary>When the ball first meets a thing, or the end of the way where it meets none, s.</summary>
+    public double FirstMeeting => Events.Where(item => item.Thing != 0 && item.Kind is BallEventKind.Impact or BallEventKind.Goal).Select(item => item.Time).DefaultIfEmpty(Outcome.Samples![^1].Time).First();
+
     /// <summary>The first impact with the ground; null where there is none.</summary>
     public static BallEvent? FirstTouchdown(Outcome outcome) =>
         outcome.Events.Where(item => item.Kind == BallEventKind.Impact && item.Thing == 0).Cast<BallEvent?>().FirstOrDefault();

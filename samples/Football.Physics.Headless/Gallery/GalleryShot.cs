@@ -30,8 +30,11 @@ internal sealed record GalleryShot
         }
     }
 
-    /// <summary>The command that kicks so, from the ground, over the default scene of the library.</summary>
-    public string Command => KickNumbers.Of(Scenario).Command + " --set profile=measured";
+    /// <summary>The scene as fields of a scenario, path=value, without goals and walls; empty for the default.</summary>
+    public IReadOnlyList<string> SceneFields { get; init; } = [];
+
+    /// <summary>The command that kicks so.</summary>
+    public string Command => string.Join(" --set ", [KickNumbers.Of(Scenario).Command, "profile=measured", .. SceneFields]);
 
     /// <summary>The same with something changed, drawn beside it; null for none.</summary>
     public Scenario? Comparison { get; init; }
@@ -41,6 +44,9 @@ internal sealed record GalleryShot
 
     /// <summary>Lines on the ground, beside those of the scene's goals.</summary>
     public IReadOnlyList<SceneShape> Markings { get; init; } = [];
+
+    /// <summary>Lines in the plane of the goal: what a keeper covers, where kicks go.</summary>
+    public IReadOnlyList<SceneShape> OnGoal { get; init; } = [];
 
     /// <summary>Points that the ball was aimed at, marked in the drawings.</summary>
     public IReadOnlyList<Vector3d> Points { get; init; } = [];

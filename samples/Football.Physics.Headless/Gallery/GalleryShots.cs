@@ -72,6 +72,7 @@ internal static class GalleryShots
             About = "The goal kick without air: a parabola. The dashed line is the kick in air.",
             Scenario = kick with { Scene = Scene.Measured with { Forces = ForceSet.None } },
             SceneCode = "Scene.Measured with { Forces = ForceSet.None }",
+            SceneFields = ["forces.buoyancy=false", "forces.drag=none", "forces.magnus=none", "forces.spinDecay=none"],
             Comparison = kick,
             ComparisonName = "in air",
             DrawnTo = 160,
@@ -88,6 +89,7 @@ internal static class GalleryShots
         Comparison = Kick(26, left: 0, up: 8, top: -35, side: 0) with { Scene = Scene.Published with { Ground = Ground.WetTurf } },
         ComparisonName = "by the published laws",
         SceneCode = "Scene.Measured with { Ground = Ground.WateredTurf }",
+        SceneFields = ["ground.surface=wetTurf"],
     };
 
     private static GalleryShot Chip() => new()
@@ -116,6 +118,7 @@ internal static class GalleryShots
     {
         Id = "dropped-with-topspin",
         Name = "Dropped with topspin",
+        SceneFields = ["launch.position=[0,3,0]"],
         About = "Let go at 3 m with 70 rad/s of topspin: each bounce turns spin into speed forwards.",
         Scenario = Shot(new Vector3d(0, 3, 0), Vector3d.Zero, KickSpin.Vector(ViewFrame.Direction(1, 0, 0), 70, 0)),
     };
@@ -135,6 +138,7 @@ internal static class GalleryShots
         {
             Id = "long-roll",
             SceneCode = "new Scene { Ground = Ground.Indoor, Air = new Air { Wind = new Vector3d(-2, 0, 0) } }",
+            SceneFields = ["ground.surface=indoor", "air.wind=[-2,0,0]"],
             Name = "Long roll",
             About = "Rolling from the start on an indoor court, across a side wind of 2 m/s that carries it to the left.",
             Scenario = Shot(new Vector3d(0, Radius, 0), velocity, KickSpin.Vector(velocity, 11 / Radius, 0)) with
@@ -151,6 +155,7 @@ internal static class GalleryShots
         {
             Id = "high-ball-in-the-wind",
             SceneCode = "Scene.Windy(new Vector3d(-7.778, 0, 7.778)) with { Ground = new Ground { Aerodynamics = GroundAerodynamics.None } }",
+            SceneFields = ["air.wind=[-7.778,0,7.778]", "ground.aerodynamics=none"],
             Name = "High ball in the wind",
             About = "A high ball into a wind of 11 m/s, against it and from the right; dashed in still air. The wind's push on the ground is switched off here: it would roll the ball on for ever.",
             Scenario = kick with
@@ -166,6 +171,10 @@ internal static class GalleryShots
     {
         Id = "beach-ball",
         SceneCode = "new Scene { Ball = BallProperties.BeachBall, Ground = Ground.Sand }",
+        SceneFields =
+        [
+            "launch.position=[0,1,0]", "ball.mass=0.1", "ball.radius=0.2", "ground.normalRestitution=0.15", "ground.tangentialRestitution=0", "ground.slidingFriction=0.7", "ground.rollingFriction=0.3",
+        ],
         Name = "Beach ball",
         About = "Large and light: the air stops it within metres, the sidespin throws it aside, and it stays where it lands on sand.",
         Scenario = Shot(new Vector3d(0, 1, 0), ViewFrame.Direction(16, 0, 30), KickSpin.Vector(ViewFrame.Direction(1, 0, 0), 0, 25)) with

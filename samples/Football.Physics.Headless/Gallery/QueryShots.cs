@@ -57,7 +57,7 @@ internal static class QueryShots
     public static GalleryShot Ellipse()
     {
         Goal goal = Furniture.Goal(Penalty);
-        var velocity = new Vector3d(-5.6, 3, -23);
+        var velocity = new Vector3d(-6.7, 4.6, -23);
         var spread = new KickSpread { SpeedPercent = 3, ElevationDegrees = 1.2, AzimuthDegrees = 1.5 };
         ScatterResult scatter = new Scatter(Scene.Measured).Find(s_from, velocity, Vector3d.Zero, spread, goal);
         return new GalleryShot
@@ -67,7 +67,7 @@ internal static class QueryShots
             About = FormattableString.Invariant(
                 $"The same penalty by a player whose speed spreads by 3 % and whose direction by 1.2° and 1.5°: the ellipses of one and two standard deviations at the goal. In with {100 * scatter.OnTarget:0} %."),
             Scenario = Kick(Scene.Measured with { Goals = [goal] }, velocity, Vector3d.Zero),
-            Markings = [Ring(goal, scatter, 1), Ring(goal, scatter, 2)],
+            OnGoal = [Ring(goal, scatter, 1), Ring(goal, scatter, 2)],
             DrawnTo = 15,
         };
     }
@@ -88,11 +88,11 @@ internal static class QueryShots
             Id = id,
             Name = name,
             About = FormattableString.Invariant(
-                $"{velocity.Length:0} m/s from {Post:0} m: at the line after {answer.Crossing.Time:0.00} s, {Math.Abs(answer.Aside):0.00} m beside the middle. The frame is what the goalkeeper covers by then: {saved}."),
-            Scenario = Kick(scene with { Goals = [goal] }, velocity, Vector3d.Zero),
-            Markings =
+                $"{velocity.Length:0} m/s from {Post:0} m: at the line after {answer.Crossing.Time:0.00} s, {Math.Abs(answer.Aside):0.00} m beside the middle. The goalkeeper starts in the middle and is drawn where he has dived to by then: {saved}."),
+            Scenario = Kick(scene with { Goals = [goal], Obstacles = [Dived(answer)] }, velocity, Vector3d.Zero),
+            OnGoal =
             [
-                new SceneShape("covered", SceneShapeKind.Marking)
+                new SceneShape("what he can cover by then", SceneShapeKind.Guide)
                 {
                     Lines =
                     [
@@ -104,6 +104,19 @@ internal static class QueryShots
                 },
             ],
             DrawnTo = 20,
+        };
+    }
+
+    /// <summary>A goalkeeper in front of his line, stretched towards the ball as far as he can be when it is there.</summary>
+    private static Obstacle Dived(KeeperAnswer answer)
+    {
+        const double around = 0.16;
+        double hands = Math.Min(answer.Aside + around, answer.CoversTo - around);
+        return new Obstacle
+        {
+            Name = "keeper",
+            Shape = new CapsuleShape(new Vector3d(-(hands - 1.6), 0.45, -Post + 0.5), new Vector3d(-hands, 0.2, -Post + 0.5), around),
+            Surface = Surface.Boot,
         };
     }
 
@@ -119,7 +132,7 @@ internal static class QueryShots
             return new Vector3d(-aside, scatter.Height + (along * Math.Sin(angle)) + (across * Math.Cos(angle)), goal.Center.Z);
         }
 
-        return new SceneShape("ellipse", SceneShapeKind.Marking) { Lines = [[.. Enumerable.Range(0, 49).Select(i => Point(i * Math.PI / 24))]] };
+        return new SceneShape("one and two standard deviations", SceneShapeKind.Guide) { Lines = [[.. Enumerable.Range(0, 49).Select(i => Point(i * Math.PI / 24))]] };
     }
 
     private static Scenario Kick(Scene scene, Vector3d velocity, Vector3d spin) => new()

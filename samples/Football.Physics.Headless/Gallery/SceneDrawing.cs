@@ -11,15 +11,18 @@ internal static class SceneDrawing
     /// <param name="shapes">What there is.</param>
     /// <param name="project">Where a place of the world is in the chart.</param>
     /// <param name="fromAbove">Whether the markings are to be seen.</param>
-    public static void Add(Chart chart, IReadOnlyList<SceneShape> shapes, Func<Vector3d, PlotPoint> project, bool fromAbove)
+    /// <param name="time">The time at which what moves is drawn, s.</param>
+    public static void Add(Chart chart, IReadOnlyList<SceneShape> shapes, Func<Vector3d, PlotPoint> project, bool fromAbove, double time)
     {
         foreach (SceneShape shape in shapes)
         {
-            PlotPoint[][] lines = [.. shape.Lines.Select(line => line.Select(project).ToArray())];
-            PlotPoint[][] faces = [.. shape.Faces.Select(face => face.Select(project).ToArray())];
+            PlotPoint[] Seen(Vector3d[] places) => [.. places.Select(place => project(place + (time * shape.Velocity)))];
+            PlotPoint[][] lines = [.. shape.Lines.Select(Seen)];
+            PlotPoint[][] faces = [.. shape.Faces.Select(Seen)];
             ChartItem? item = shape.Kind switch
             {
                 SceneShapeKind.Marking => fromAbove ? new LinesItem(lines) { Colour = Palette.Marking, Width = 1.2, Caption = shape.Name, NeedsRoom = false } : null,
+                SceneShapeKind.Guide => new LinesItem(lines) { Colour = Palette.Orange, Width = 1.6, Label = shape.Name },
                 SceneShapeKind.Net => new LinesItem(lines) { Colour = Palette.Frame, Width = 0.4 },
                 SceneShapeKind.Frame => new LinesItem(lines)
                 {
@@ -40,6 +43,7 @@ internal static class SceneDrawing
         }
     }
 
-    private static PlotPoint[] Circle(PlotPoint middle, double radius) =>
+    /// <summary>A ball, as large as it is.</summary>
+    public static PlotPoint[] Circle(PlotPoint middle, double radius) =>
         [.. Enumerable.Range(0, 32).Select(i => Math.SinCos(2 * Math.PI * i / 32)).Select(at => new PlotPoint(middle.X + (radius * at.Cos), middle.Y + (radius * at.Sin)))];
 }

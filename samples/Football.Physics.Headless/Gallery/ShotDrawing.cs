@@ -6,7 +6,7 @@ using Football.Physics.Headless.Simulate;
 
 namespace Football.Physics.Headless.Gallery;
 
-/// <summary>Draws a shot from the side and from above, a metre as long in one view as in the other.</summary>
+/// <summary>Draws a shot from the side and from above, a metre as long in one view as in the other, and a goal that it reaches from in front.</summary>
 internal static class ShotDrawing
 {
     /// <summary>Width of a drawing: on a phone it is shown nearly at its size.</summary>
@@ -18,7 +18,13 @@ internal static class ShotDrawing
         Chart side = FromTheSide(shot, flight, comparison, shapes);
         Chart above = FromAbove(shot, flight, comparison, shapes);
         Chart.SameScale(side, above);
-        return Svg.Standing(shot.Name, Figure.Stack("", side.Draw(), above.Draw()));
+        List<XElement> views = [side.Draw(), above.Draw()];
+        if (GoalDrawing.Draw(shot, flight, shapes, Width) is { } goal)
+        {
+            views.Add(goal);
+        }
+
+        return Svg.Standing(shot.Name, Figure.Stack("", views));
     }
 
     private static Axis AlongAxis(GalleryShot shot) => new("along, m") { Min = shot.DrawnTo is null ? null : -1, Max = shot.DrawnTo };
@@ -35,7 +41,7 @@ internal static class ShotDrawing
             MaximumPlotHeight = 260,
         };
         PlotPoint Project(Vector3d place) => new(ViewFrame.Along(place), place.Y);
-        SceneDrawing.Add(chart, shapes, Project, fromAbove: false);
+        SceneDrawing.Add(chart, shapes, Project, fromAbove: false, flight.FirstMeeting);
         if (!ground.IsLevel)
         {
             chart.Items.Add(new PolylineItem([.. Under(ground, flight).Select(Project)]) { Colour = Palette.Green, Width = 1.2, Label = "ground" });
@@ -57,7 +63,7 @@ internal static class ShotDrawing
             Background = Palette.Grass,
         };
         PlotPoint Project(Vector3d place) => new(ViewFrame.Along(place), ViewFrame.Left(place));
-        SceneDrawing.Add(chart, shapes, Project, fromAbove: true);
+        SceneDrawing.Add(chart, shapes, Project, fromAbove: true, flight.FirstMeeting);
         Vector3d direction = flight.Outcome.Samples![0].Velocity;
         double along = ViewFrame.Along(direction);
         if (along > 0 && Flight.FirstTouchdown(flight.Outcome) is { } touchdown)

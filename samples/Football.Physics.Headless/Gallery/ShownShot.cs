@@ -33,7 +33,7 @@ internal sealed record ShownShot(GalleryShot Shot, ShotFigures Figures, string R
         return picture with
         {
             About = shot.About,
-            Shapes = [.. shot.Markings, .. picture.Shapes],
+            Shapes = [.. shot.Markings, .. shot.OnGoal, .. picture.Shapes],
             Shots = [.. picture.Shots.Select((item, i) => item with { Compares = i > 0 })],
             Targets = shot.Points,
         };

@@ -35,7 +35,7 @@ internal static class ThingShots
         {
             Id = "headed-corner",
             Name = "Corner, headed in",
-            About = "A corner to the edge of the six-yard box, met by a head that comes in at 5 m/s, and in under the bar. The head is drawn where it is when the ball is kicked. Dashed without it.",
+            About = "A corner to the edge of the six-yard box, met by a head that comes in at 5 m/s, and in under the bar. The head is drawn where it meets the ball. Dashed without it.",
             Scenario = Shot(new Vector3d(0, Radius, 0), ViewFrame.Direction(25, 16, 20), -10, -20) with
             {
                 Scene = new Scene { Goals = [new Goal { Center = new Vector3d(0, 0, -34), Facing = new Vector3d(-1, 0, 0) }], Obstacles = [head] },
@@ -107,6 +107,7 @@ internal static class ThingShots
             Id = "down-the-slope",
             Name = "Down a slope into a wall",
             About = "Pushed down a slope of one in ten: it rolls on hardly slower, into a wall that stands askew, and from there up and to the side until it rests.",
+            SceneFields = ["ground.normal=[0,1,-0.1]"],
             SceneCode = "Scene.Measured with { Ground = Ground.DryTurf with { Normal = new Vector3d(0, 1, -0.1) } }",
             Scenario = Shot(new Vector3d(0, 0, 0), new Vector3d(1.2, -0.7, -7), 0, 0) with
             {

@@ -25,7 +25,7 @@ internal static class AnswersLab
         return LabOptions.Create(
             "answers",
             "Whether answers are right: known kicks are found again, hits hit, verdicts hold against a dense scan, look-aheads miss nothing.",
-            ["football lab answers --only lookahead", "football lab answers --only lookahead --seed 7 --count 100"],
+            ["football lab answers --only lookahead --seed 7 --count 100"],
             terminal,
             (parsed, seed, progress) => Run(unchecked((int)seed), (int)parsed.GetValue(count), parsed.GetValue(only), progress),
             count,

@@ -21,7 +21,7 @@ internal static class FuzzLab
         return LabOptions.Create(
             "fuzz",
             "Scenarios, kick logs, match segments and snapshots that were changed at random: only refusals and right answers are allowed.",
-            ["football lab fuzz --count 1000", "football lab fuzz --count 3000 --seed 7"],
+            ["football lab fuzz --count 100", "football lab fuzz --count 300 --seed 7"],
             terminal,
             (parsed, seed, progress) => Run(seed, parsed.GetValue(count), (int)parsed.GetValue(jobs), progress),
             count,

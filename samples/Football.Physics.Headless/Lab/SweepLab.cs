@@ -29,7 +29,7 @@ internal static class SweepLab
         return LabOptions.Create(
             "sweep",
             "How many rows a second a sweep writes, beside the flights a second of the batch that it flies them with.",
-            ["football lab sweep --count 2000", "football lab sweep --count 2000 --jobs 1"],
+            ["football lab sweep --count 2000 --jobs 1"],
             terminal,
             (parsed, seed, progress) => Run(parsed.GetValue(count), (int)parsed.GetValue(jobs), parsed.GetValue(folder) ?? Path.GetTempPath(), Math.Abs(seed), progress),
             count,

@@ -31,7 +31,7 @@ internal static class MovingDrawing
     {
         double end = Math.Min(Longest, picture.Shots.Max(shot => shot.Track.Keys[^1].Time));
         Vector3d[][] ways = [.. picture.Shots.Select(shot => Way(shot.Track, end))];
-        IReadOnlyList<SceneShape> standing = [.. picture.Shapes.Where(shape => shape.Kind is not SceneShapeKind.Marking)];
+        IReadOnlyList<SceneShape> standing = [.. picture.Shapes.Where(shape => shape.Kind is not (SceneShapeKind.Marking or SceneShapeKind.Guide))];
         Vector3d to = standing.Where(shape => shape.Kind == SceneShapeKind.Frame).SelectMany(shape => shape.Points).DefaultIfEmpty(ways[0][^1]).Aggregate((a, b) => a + b)
             / Math.Max(1, standing.Where(shape => shape.Kind == SceneShapeKind.Frame).SelectMany(shape => shape.Points).Count());
         var eye = new Eye(ways[0][0], to.Horizontal, [.. ways.SelectMany(way => way), .. standing.SelectMany(shape => shape.Points)], Width, Height, Margin);
@@ -56,6 +56,7 @@ internal static class MovingDrawing
         SceneShapeKind.Net => 1,
         SceneShapeKind.Frame => 2,
         SceneShapeKind.Obstacle => 3,
+        SceneShapeKind.Guide => 4,
         _ => throw new ArgumentOutOfRangeException(nameof(shape), shape.Kind, null),
     };
 

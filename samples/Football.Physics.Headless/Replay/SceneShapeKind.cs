@@ -10,4 +10,7 @@ internal enum SceneShapeKind
 
     /// <summary>A line on the ground.</summary>
     Marking,
+
+    /// <summary>A line in the air, which is no thing: how far a keeper reaches, where kicks go.</summary>
+    Guide,
 }

@@ -65,8 +65,16 @@ internal readonly record struct KickNumbers(double Speed, double Elevation, doub
 
     private IEnumerable<string> Parts()
     {
-        yield return FormattableString.Invariant($"{Speed:0.##} m/s");
-        yield return FormattableString.Invariant($"{Elevation:0.#}° up");
+        yield return Speed > 0 ? FormattableString.Invariant($"{Speed:0.##} m/s") : "let go";
+        if (Math.Round(Elevation, 1) != 0)
+        {
+            yield return FormattableString.Invariant($"{Math.Abs(Elevation):0.#}° {(Elevation > 0 ? "up" : "down")}");
+        }
+        else if (Speed > 0)
+        {
+            yield return "level";
+        }
+
         if (Math.Round(Azimuth, 1) != 0)
         {
             yield return FormattableString.Invariant($"{Math.Abs(Azimuth):0.#}° to the {(Azimuth > 0 ? "left" : "right")}");
@@ -79,7 +87,7 @@ internal readonly record struct KickNumbers(double Speed, double Elevation, doub
 
         if (Math.Round(SideSpin, 1) != 0)
         {
-            yield return FormattableString.Invariant($"sidespin {SideSpin:0.#} rad/s");
+            yield return FormattableString.Invariant($"sidespin {Math.Abs(SideSpin):0.#} rad/s to the {(SideSpin > 0 ? "left" : "right")}");
         }
     }
 }

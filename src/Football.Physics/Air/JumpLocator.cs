@@ -6,6 +6,9 @@ internal static class JumpLocator
     /// <summary>Below this correction, s, a linear one is exact to rounding.</summary>
     private const double Negligible = 1e-6;
 
+    /// <summary>A correction longer than this share of the step comes of a surface that is hardly crossed: the interpolant's instant stays.</summary>
+    private const double Longest = 0.25;
+
     /// <summary>Shortens a step, locked to one branch, to its first crossing.</summary>
     /// <returns>False where it does not cross after all.</returns>
     public static bool Locate<TSweep>(ref TSweep sweep, DragBranch branch, in DragJump from, in DragJump fromRate, double h)
@@ -20,31 +23,43 @@ internal static class JumpLocator
         }
 
         // From the interpolant to the step itself: Newton.
-        double tau = fraction * h;
-        for (int i = 0; i < 4; i++)
+        EventLocator.Locate(ref sweep, new Crossing<TSweep>(bySpeed, Longest * h), fraction * h);
+        return true;
+    }
+
+    /// <summary>The law's surface that is crossed.</summary>
+    private readonly struct Crossing<TSweep> : IEventFunction<TSweep>
+        where TSweep : struct, IFlowSweep
+    {
+        private readonly bool _bySpeed;
+        private readonly double _longest;
+
+        public Crossing(bool bySpeed, double longest)
         {
-            sweep.Step(tau);
-            DragJump at = sweep.EndJump;
-            DragJump rate = sweep.EndJumpRate();
-            double correction = bySpeed ? -at.Speed / rate.Speed : -at.Spin / rate.Spin;
-            if (!(Math.Abs(correction) < 0.25 * h))
-            {
-                break;
-            }
-
-            if (Math.Abs(correction) <= Negligible || i == 3)
-            {
-                if (tau + correction > 0)
-                {
-                    sweep.Nudge(correction);
-                }
-
-                break;
-            }
-
-            tau = Math.Min(Math.Max(tau + correction, 0), h);
+            _bySpeed = bySpeed;
+            _longest = longest;
         }
 
-        return true;
+        public bool Evaluate(ref TSweep sweep, double tau, out double value, out double correction)
+        {
+            DragJump at = sweep.EndJump;
+            DragJump rates = sweep.EndJumpRate();
+            double function = _bySpeed ? at.Speed : at.Spin;
+            double rate = _bySpeed ? rates.Speed : rates.Spin;
+            value = rate > 0 ? -function : function;
+            correction = -function / rate;
+            if (!(Math.Abs(correction) < _longest))
+            {
+                return true;
+            }
+
+            bool isClose = Math.Abs(correction) <= Negligible;
+            if (isClose && tau + correction > 0)
+            {
+                sweep.Nudge(correction);
+            }
+
+            return isClose;
+        }
     }
 }

@@ -15,42 +15,7 @@ internal static class TimeOfImpact
         where TSweep : struct, ISweep
         where TIntegrator : struct, IIntegrator
     {
-        double tau = integrator.ContactTime(in arc);
-        double low = 0;
-        double high = arc.Length;
-        for (int i = 0; i < 60; i++)
-        {
-            sweep.Step(tau);
-            double above = sweep.Position.Y - contact;
-            if (Math.Abs(above) <= Touching)
-            {
-                break;
-            }
-
-            double velocity = sweep.Velocity.Y;
-            double correction = -above / velocity;
-            if (velocity < 0 && Math.Abs(correction) <= Negligible)
-            {
-                sweep.Nudge(correction);
-                break;
-            }
-
-            if (above > 0)
-            {
-                low = tau;
-            }
-            else
-            {
-                high = tau;
-            }
-
-            double next = tau + correction;
-            tau = velocity < 0 && next > low && next < high ? next : 0.5 * (low + high);
-            if (high - low <= 1e-15 * arc.Length)
-            {
-                break;
-            }
-        }
+        EventLocator.Locate(ref sweep, new Touchdown<TSweep>(contact), integrator.ContactTime(in arc));
 
         // A step that ends below contact has touched it, even where its own velocity is zero there (a semi-implicit hop).
         return arc.End < 0 || sweep.Velocity.Y < 0;
@@ -78,5 +43,33 @@ internal static class TimeOfImpact
         }
 
         sweep.Step(tau);
+    }
+
+    /// <summary>The height above contact, on its way down.</summary>
+    private readonly struct Touchdown<TSweep> : IEventFunction<TSweep>
+        where TSweep : struct, ISweep
+    {
+        private readonly double _contact;
+
+        public Touchdown(double contact) => _contact = contact;
+
+        public bool Evaluate(ref TSweep sweep, double tau, out double value, out double correction)
+        {
+            value = sweep.Position.Y - _contact;
+            double velocity = sweep.Velocity.Y;
+            correction = velocity < 0 ? -value / velocity : double.NaN;
+            if (Math.Abs(value) <= Touching)
+            {
+                return true;
+            }
+
+            bool isClose = Math.Abs(correction) <= Negligible;
+            if (isClose)
+            {
+                sweep.Nudge(correction);
+            }
+
+            return isClose;
+        }
     }
 }

@@ -11,6 +11,12 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     /// <summary>A spin that is none, rad/s: what is left of one that has no digits any more.</summary>
     private const double Vanishing = 1e-300;
 
+    /// <summary>A ball that rises at contact by less than this share of its speed before does so by rounding.</summary>
+    private const double Rising = 1e-9;
+
+    /// <summary>Pieces shorter than this, s, are not halved.</summary>
+    private const double ShortestPiece = 1e-12;
+
     private readonly SolverSettings _settings;
     private readonly Surroundings<TAir> _around;
     private readonly StabilityLimit _limit;
@@ -243,44 +249,29 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         }
 
         TSweep whole = sweep;
-        if (TimeOfImpact.Exact(ref sweep, _integrator, in arc, contact))
+        bool touches = TimeOfImpact.Exact(ref sweep, _integrator, in arc, contact);
+        if (touches && (sweep.Velocity.Y <= Rising * Math.Abs(s.Velocity.Y) || h <= ShortestPiece))
         {
             return true;
         }
 
         whole.Evaluations = sweep.Evaluations;
         sweep = whole;
-        return false;
+        if (!touches)
+        {
+            return false;
+        }
+
+        // A ball that rises where it comes down: the step is too long for the forces that act, most often a game's own.
+        sweep.Step(0.5 * h);
+        return EndAtGround(ref sweep, in s);
     }
 
     /// <summary>Ends a piece where its spin reaches zero: decay never reverses a spin.</summary>
     private static void EndSpin(ref FlightSweep<TAir, TIntegrator> sweep, double spinRate)
     {
-        double low = 0;
-        double high = sweep.Length;
         double tau = sweep.Length * spinRate / (spinRate - sweep.Taken.SpinRate);
-        for (int i = 0; i < 8; i++)
-        {
-            tau = Math.Min(Math.Max(tau, low), high);
-            sweep.Step(tau);
-            double w = sweep.Taken.SpinRate;
-            if (Math.Abs(w) <= (1e-14 * spinRate) + Vanishing || !(tau > 0))
-            {
-                break;
-            }
-
-            if (w > 0)
-            {
-                low = tau;
-            }
-            else
-            {
-                high = tau;
-            }
-
-            tau += w * tau / (spinRate - w);
-        }
-
+        EventLocator.Locate(ref sweep, new SpinLeft(spinRate), tau);
         sweep.EndSpin();
     }
 
@@ -338,5 +329,22 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         }
 
         return true;
+    }
+
+    /// <summary>The spin that is left.</summary>
+    private readonly struct SpinLeft : IEventFunction<FlightSweep<TAir, TIntegrator>>
+    {
+        private readonly double _start;
+
+        public SpinLeft(double start) => _start = start;
+
+        public bool Evaluate(ref FlightSweep<TAir, TIntegrator> sweep, double tau, out double value, out double correction)
+        {
+            value = sweep.Taken.SpinRate;
+
+            // The secant from the step's start: its spin falls about linearly.
+            correction = value * tau / (_start - value);
+            return Math.Abs(value) <= (1e-14 * _start) + Vanishing || !(tau > 0);
+        }
     }
 }

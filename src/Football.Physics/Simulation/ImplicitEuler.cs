@@ -5,7 +5,7 @@ namespace Football.Physics;
 /// forces that the motion relaxes to. Without wind it never gains energy, and it never reverses a spin.
 /// </summary>
 /// <remarks>
-/// u₁ = u₀ + h (a − D u₁ + L ω̂ × u₁) with D and L at the end, u₁ in closed form for given D and L, and |u₁| by halving. Then
+/// u₁ = u₀ + h (a − D u₁ + L ω̂ × u₁) with D and L at the end, u₁ in closed form for given D and L, and |u₁| by the Illinois method. Then
 /// ω₁ = ω₀ − h decay(|u₁|, ω₁), or 0. With p₁ = p₀ + h u₁ the energy changes by −½ m |u₁ − u₀|² − m h D |u₁|².
 /// </remarks>
 internal struct ImplicitEuler<TAir>
@@ -15,7 +15,12 @@ internal struct ImplicitEuler<TAir>
     private const double Infinite = 1e300;
 
     private const double Slowest = 1e-12;
-    private const double Fastest = 1e150;
+
+    /// <summary>A speed is known to this share.</summary>
+    private const double Closeness = 1e-14;
+    private const int MostEvaluations = 64;
+    private const double Vanishing = 1e-300;
+    private const double LogarithmOfNothing = -700;
     private const int Halvings = 64;
 
     public TAir Air;
@@ -33,14 +38,27 @@ internal struct ImplicitEuler<TAir>
         Vector3d b = from + (h * push);
         Vector3d along = Vector3d.Dot(in b, in axis) * axis;
         Vector3d across = b - along;
-        var tooFast = new TooFast { Relaxation = this, Along = along, Across = across, Axis = axis, Spin = spin, Length = h };
 
-        // The speeds reach over hundreds of orders of magnitude.
-        double low = Slowest;
-        double high = Fastest;
-        Roots.BisectLogarithm(ref tooFast, ref low, ref high, Halvings);
-        Evaluations = tooFast.Relaxation.Evaluations;
-        return At(high, in along, in across, in axis, spin, h);
+        // |u| ≤ |b|, since lift does no work and drag takes: at |b| drag and lift are taken at no less than the speed that they lead to.
+        double most = Size(in b);
+        if (!(most > Slowest))
+        {
+            return At(most, in along, in across, in axis, spin, h);
+        }
+
+        // Over hundreds of orders of magnitude; and powers of the speed are straight lines in logarithms.
+        var excess = new Excess { Relaxation = this, Along = along, Across = across, Axis = axis, Spin = spin, Length = h };
+        double high = Elementary.Log(most);
+        double low = Elementary.Log(Slowest);
+        excess.Evaluate(low, out double atLow);
+        if (atLow > 0)
+        {
+            excess.Evaluate(high, out double atHigh);
+            Roots.Illinois(ref excess, low, atLow, high, atHigh, Closeness, MostEvaluations);
+        }
+
+        Evaluations = excess.Relaxation.Evaluations;
+        return excess.Result;
     }
 
     /// <summary>The spin after h.</summary>
@@ -91,8 +109,8 @@ internal struct ImplicitEuler<TAir>
         return largest is > 1e-100 and < 1e100 ? v.Length : largest > 0 ? largest * (v / largest).Length : 0;
     }
 
-    /// <summary>The speed at which drag and lift are taken is no less than the one that they lead to.</summary>
-    private struct TooFast : ICondition
+    /// <summary>Logarithm of the speed that drag and lift lead to, over the one at which they are taken.</summary>
+    private struct Excess : IFunction
     {
         public ImplicitEuler<TAir> Relaxation;
         public Vector3d Along;
@@ -101,9 +119,14 @@ internal struct ImplicitEuler<TAir>
         public double Spin;
         public double Length;
 
-        public bool Evaluate(double x, out bool holds)
+        /// <summary>The velocity that they lead to.</summary>
+        public Vector3d Result;
+
+        public bool Evaluate(double x, out double value)
         {
-            holds = !(Size(Relaxation.At(x, in Along, in Across, in Axis, Spin, Length)) > x);
+            Result = Relaxation.At(Elementary.Exp(x), in Along, in Across, in Axis, Spin, Length);
+            double size = Size(in Result);
+            value = size > Vanishing ? Elementary.Log(size) - x : LogarithmOfNothing;
             return false;
         }
     }

@@ -13,6 +13,12 @@ internal sealed class ImplicitPhase<TAir>
     /// <summary>The instant of a contact is known to this power of ½ of a piece.</summary>
     private const int MostHalvings = 40;
 
+    /// <summary>Pieces taken at most to find the one that ends at the level ground.</summary>
+    private const int MostContactSteps = 60;
+
+    /// <summary>How far below contact a piece may end, m.</summary>
+    private const double DeepestEnd = 1e-12;
+
     private readonly Surroundings<TAir> _around;
     private readonly ContactPhase<TAir> _contact;
     private readonly WorldGuard<TAir>? _world;
@@ -46,20 +52,26 @@ internal sealed class ImplicitPhase<TAir>
         var from = new Motion(s.Position, s.Velocity, s.Spin);
         MotionRates push = Push(in s, in from.Velocity, in from.Spin, ref run, out Vector3d wind);
 
-        var euler = new ImplicitEuler<TAir> { Air = _around.Air, RadiusSquared = _around.RadiusSquared };
-        Motion end = After(ref euler, in from, in push, in wind, h);
+        var step = new ImplicitStep<TAir>(_around, in from, in push, in wind);
+        Motion end = step.To(h);
         bool below = end.Position.Y < _around.ContactHeight;
 
         // A hop that begins and ends within the piece has no height: the air presses the ball down.
         bool pressed = below && s.Position.Y <= _around.ContactHeight;
         if (below && !pressed)
         {
-            h = TimeOfContact(ref euler, in from, in push, in wind, h, ref end);
+            h = TimeOfContact(ref step, h, ref end);
+        }
+
+        if (pressed)
+        {
+            step = step.AlongGround();
+            end = step.To(h);
         }
 
         if (_world is not null)
         {
-            FlyInWorld(ref s, ref run, ref euler, in from, in push, in wind, end, h);
+            FlyInWorld(ref s, ref run, ref step, end, h);
             return;
         }
 
@@ -70,11 +82,11 @@ internal sealed class ImplicitPhase<TAir>
         s.Velocity = new Vector3d(end.Velocity.X, vy, end.Velocity.Z);
         s.Angle += 0.5 * h * (s.SpinRate + end.Spin.Length);
         s.SetFlightSpin(end.Spin);
-        s.AirDistance += h * push.AirSpeed;
+        s.AirDistance += h * step.AirSpeed;
         s.Branch = DragBranch.Unknown;
         run.Advance(ref s, h);
         run.Log.Relaxed++;
-        run.Log.Evaluations += euler.Evaluations;
+        run.Log.Evaluations += step.Evaluations;
         Show(in before, in s, h, ref run);
         if (below && !run.Log.Halted && !(pressed && _around.Upward > 0))
         {
@@ -83,20 +95,20 @@ internal sealed class ImplicitPhase<TAir>
     }
 
     /// <summary>The same where things can be met: along the straight line of the piece, up to the first of them.</summary>
-    private void FlyInWorld(
-        ref BallState s, ref StepRun run, ref ImplicitEuler<TAir> euler, in Motion from, in MotionRates push, in Vector3d wind, Motion end, double h)
+    private void FlyInWorld(ref BallState s, ref StepRun run, ref ImplicitStep<TAir> step, Motion end, double h)
     {
-        double at = FirstMet(in s, in from, in end, h, out Gap met);
+        double at = FirstMet(in s, in step.From, in end, h, out Gap met);
         bool meets = at <= h;
 
         // The velocity at a contact is that of a piece that ends there; where no piece does, the longest that meets nothing is taken.
         double none = 0;
-        Motion free = from;
+        Motion free = step.From;
         for (int i = 0; i < MostHalvings && meets && at < h * (1.0 - 1e-9); i++)
         {
-            double middle = 0.5 * (none + h);
-            Motion shorter = After(ref euler, in from, in push, in wind, middle);
-            double sooner = FirstMet(in s, in from, in shorter, middle, out Gap found);
+            // Velocities change little with the length of a piece: most often the next one ends all but where this one meets something.
+            double middle = i % 3 == 2 || !(at > none) ? 0.5 * (none + h) : at + (1e-3 * (h - at));
+            Motion shorter = step.To(middle);
+            double sooner = FirstMet(in s, in step.From, in shorter, middle, out Gap found);
             if (sooner <= middle)
             {
                 h = middle;
@@ -120,15 +132,15 @@ internal sealed class ImplicitPhase<TAir>
 
         h = meets ? at : h;
         BallState before = s;
-        s.Position = from.Position + (h * end.Velocity);
+        s.Position = step.From.Position + (h * end.Velocity);
         s.Velocity = end.Velocity;
         s.Angle += 0.5 * h * (s.SpinRate + end.Spin.Length);
         s.SetFlightSpin(end.Spin);
-        s.AirDistance += h * push.AirSpeed;
+        s.AirDistance += h * step.AirSpeed;
         s.Branch = DragBranch.Unknown;
         run.Advance(ref s, h);
         run.Log.Relaxed++;
-        run.Log.Evaluations += euler.Evaluations;
+        run.Log.Evaluations += step.Evaluations;
         Show(in before, in s, h, ref run);
         if (meets && !run.Log.Halted)
         {
@@ -207,39 +219,14 @@ internal sealed class ImplicitPhase<TAir>
         return new MotionRates(in air.Acceleration, in air.SpinAcceleration, air.AirSpeed);
     }
 
-    /// <summary>Velocity, then spin, then position with the new velocity.</summary>
-    private Motion After(ref ImplicitEuler<TAir> euler, in Motion from, in MotionRates push, in Vector3d wind, double h)
-    {
-        Vector3d spin = from.Spin + (h * push.SpinAcceleration);
-        double rate = spin.Length;
-        Vector3d axis = rate > 0 ? spin / rate : Vector3d.Up;
-        Vector3d acceleration = push.Acceleration + new Vector3d(0, _around.Upward, 0);
-        Vector3d u = euler.Velocity(from.Velocity - wind, in acceleration, in axis, rate, h);
-        Vector3d velocity = u + wind;
-        return new Motion(from.Position + (h * velocity), in velocity, euler.Spin(rate, u.Length, h) * axis);
-    }
-
     /// <summary>Shortens a piece to the instant of contact.</summary>
-    private double TimeOfContact(ref ImplicitEuler<TAir> euler, in Motion from, in MotionRates push, in Vector3d wind, double h, ref Motion end)
+    private double TimeOfContact(ref ImplicitStep<TAir> step, double h, ref Motion end)
     {
-        double low = 0;
-        double high = h;
-        for (int i = 0; i < 60 && end.Position.Y < _around.ContactHeight - 1e-12; i++)
-        {
-            double middle = 0.5 * (low + high);
-            Motion at = After(ref euler, in from, in push, in wind, middle);
-            if (at.Position.Y < _around.ContactHeight)
-            {
-                high = middle;
-                end = at;
-            }
-            else
-            {
-                low = middle;
-            }
-        }
-
-        return high;
+        var depth = new Depth(in step, in end, h, _around.ContactHeight);
+        Roots.Illinois(ref depth, 0, depth.Of(in step.From), h, depth.Of(in end), 0, MostContactSteps);
+        step = depth.Step;
+        end = depth.End;
+        return depth.Length;
     }
 
     /// <summary>A piece on the ground: friction and damping first, to their end at most, then the air.</summary>
@@ -318,6 +305,45 @@ internal sealed class ImplicitPhase<TAir>
             var piece = new PathPiece(
                 before.Time, h, before.Position, in mean, Vector3d.Zero, after.Position, in mean, Vector3d.Zero, before.Motion, 2);
             run.Log.Halted |= observer.Add(in piece);
+        }
+    }
+
+    /// <summary>How far below contact with the ground a piece ends, m, by its length.</summary>
+    private struct Depth : IFunction
+    {
+        /// <summary>The step, with what it has evaluated.</summary>
+        public ImplicitStep<TAir> Step;
+
+        private readonly double _contact;
+
+        public Depth(in ImplicitStep<TAir> step, in Motion end, double length, double contact)
+        {
+            Step = step;
+            _contact = contact;
+            End = end;
+            Length = length;
+        }
+
+        /// <summary>The shortest piece so far that ends below, s.</summary>
+        public double Length { get; private set; }
+
+        /// <summary>Its end.</summary>
+        public Motion End { get; private set; }
+
+        /// <summary>The depth of one end.</summary>
+        public readonly double Of(in Motion end) => _contact - end.Position.Y;
+
+        public bool Evaluate(double x, out double value)
+        {
+            Motion at = Step.To(x);
+            value = Of(in at);
+            if (value >= 0)
+            {
+                End = at;
+                Length = x;
+            }
+
+            return value is >= 0 and <= DeepestEnd;
         }
     }
 }

@@ -7,6 +7,9 @@ internal sealed class RollPhase<TAir, TIntegrator>
     where TAir : struct, IAir
     where TIntegrator : struct, IIntegrator
 {
+    /// <summary>A correction of the instant of rest, s, that is no longer worth a step.</summary>
+    private const double Located = 1e-12;
+
     private readonly Surroundings<TAir> _around;
     private readonly GroundLimit<TAir> _limit;
     private readonly DragJumpGuard<TAir> _jump;
@@ -175,47 +178,35 @@ internal sealed class RollPhase<TAir, TIntegrator>
     /// <summary>Ends a piece where its kinetic energy falls to the rest energy.</summary>
     private void EndAtRest(ref PlanarSweep<RollingSystem<TAir>, TIntegrator> sweep, double energy)
     {
-        double low = 0;
-        double high = sweep.Length;
-
         // Speeds fall about linearly, energies with their square.
         double startRoot = Math.Sqrt(energy);
         double endRoot = Math.Sqrt(KineticEnergy(sweep.Taken.End.SpeedSquared, sweep.Taken.End.SpinSquared));
-        double tau = high * (startRoot - Math.Sqrt(_restEnergy)) / (startRoot - endRoot);
-        for (int i = 0; i < 40; i++)
-        {
-            tau = tau > low && tau < high ? tau : 0.5 * (low + high);
-            sweep.Step(tau);
-            double excess = KineticEnergy(sweep.Taken.End.SpeedSquared, sweep.Taken.End.SpinSquared) - _restEnergy;
-            PlanarRates rates = sweep.EndRates();
-
-            // dE/dt = m v·v̇ + I ω·ω̇
-            double power = (_mass * Vector3d.Dot(sweep.Taken.End.Velocity, rates.Acceleration))
-                + (_momentOfInertia * Vector3d.Dot(sweep.Taken.End.Spin, rates.SpinAcceleration));
-            double correction = -excess / power;
-            if (power < 0 && Math.Abs(correction) <= 1e-12)
-            {
-                return;
-            }
-
-            if (excess > 0)
-            {
-                low = tau;
-            }
-            else
-            {
-                high = tau;
-            }
-
-            if (high - low <= 1e-15 * high)
-            {
-                return;
-            }
-
-            tau = power < 0 ? tau + correction : 0;
-        }
+        double tau = sweep.Length * (startRoot - Math.Sqrt(_restEnergy)) / (startRoot - endRoot);
+        tau = tau > 0 && tau < sweep.Length ? tau : 0.5 * sweep.Length;
+        EventLocator.Locate(ref sweep, new EnergyLeft(this), tau);
     }
 
     /// <summary>½ m v² + ½ I ω², J.</summary>
     private double KineticEnergy(double speedSquared, double spinSquared) => (0.5 * _mass * speedSquared) + (0.5 * _momentOfInertia * spinSquared);
+
+    /// <summary>The kinetic energy above the rest energy.</summary>
+    private readonly struct EnergyLeft : IEventFunction<PlanarSweep<RollingSystem<TAir>, TIntegrator>>
+    {
+        private readonly RollPhase<TAir, TIntegrator> _phase;
+
+        public EnergyLeft(RollPhase<TAir, TIntegrator> phase) => _phase = phase;
+
+        public bool Evaluate(ref PlanarSweep<RollingSystem<TAir>, TIntegrator> sweep, double tau, out double value, out double correction)
+        {
+            PlanarMotion end = sweep.Taken.End;
+            value = _phase.KineticEnergy(end.SpeedSquared, end.SpinSquared) - _phase._restEnergy;
+            PlanarRates rates = sweep.EndRates();
+
+            // dE/dt = m v·v̇ + I ω·ω̇
+            double power = (_phase._mass * Vector3d.Dot(end.Velocity, rates.Acceleration))
+                + (_phase._momentOfInertia * Vector3d.Dot(end.Spin, rates.SpinAcceleration));
+            correction = power < 0 ? -value / power : double.NaN;
+            return Math.Abs(correction) <= Located;
+        }
+    }
 }

@@ -21,8 +21,11 @@ internal class Stepper<TAir, TIntegrator> : Stepper
     where TAir : struct, IAir
     where TIntegrator : struct, IIntegrator
 {
-    /// <summary>More pieces than this without an impact, by whatever cause, and the rest of the step is taken by implicit Euler: every step ends.</summary>
-    private const int MostPieces = 1 << 16;
+    /// <summary>More pieces than this, by whatever cause, and the rest of the step is taken by implicit Euler: every step ends.</summary>
+    private const int MostPieces = 1 << 13;
+
+    /// <summary>After so many pieces the length of the parts is chosen anew: what asked for short ones may be over.</summary>
+    private const int PiecesOfOneLength = 1024;
 
     /// <summary>The same for pieces in a row in which the clock stands still.</summary>
     private const int MostStanding = 256;
@@ -316,6 +319,7 @@ internal class Stepper<TAir, TIntegrator> : Stepper
                 continue;
             }
 
+            run.Part = run.Pieces % PiecesOfOneLength == 0 ? 0 : run.Part;
             switch (s.Motion)
             {
                 case MotionState.Airborne:

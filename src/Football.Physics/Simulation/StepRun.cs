@@ -22,9 +22,9 @@ internal ref struct StepRun
     public double Part;
 
     /// <summary>Impacts that one step may have; after that the ball stays on what it hits, so that every step ends.</summary>
-    public const int MostImpacts = 4096;
+    public const int MostImpacts = 512;
 
-    /// <summary>Pieces since the last impact.</summary>
+    /// <summary>Pieces so far.</summary>
     public int Pieces;
 
     /// <summary>Impacts in the whole step.</summary>
@@ -52,10 +52,8 @@ internal ref struct StepRun
     /// <returns>Whether the ball may bounce.</returns>
     public bool Hit()
     {
-        bool bounces = AllImpacts++ < MostImpacts;
-        Pieces = bounces ? 0 : Pieces;
         Part = 0;
-        return bounces;
+        return AllImpacts++ < MostImpacts;
     }
 
     /// <summary>Counts a piece as done: the clock goes on, and the time left gets less.</summary>

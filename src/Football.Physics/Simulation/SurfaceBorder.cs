@@ -3,6 +3,9 @@ namespace Football.Physics;
 /// <summary>Ends a piece of a slide or a roll where the ground turns into something else.</summary>
 internal static class SurfaceBorder
 {
+    /// <summary>Halvings of a piece: down to the last bits of its length.</summary>
+    private const int MostHalvings = 60;
+
     /// <summary>How far a piece may go, s: half of what is narrowest, so that nothing is stepped over.</summary>
     public static double LongestPiece(Collider carrier, double speed, double h)
     {
@@ -27,14 +30,31 @@ internal static class SurfaceBorder
 
         double low = 0;
         double high = sweep.Length;
-        for (double middle = 0.5 * high; middle > low && middle < high; middle = 0.5 * (low + high))
+        var beyond = new Beyond<TSweep>(in sweep, carrier, patch);
+        Roots.Bisect(ref beyond, ref low, ref high, MostHalvings);
+        sweep.Step(high);
+    }
+
+    /// <summary>The ball is on another surface.</summary>
+    private struct Beyond<TSweep> : ICondition
+        where TSweep : struct, ISweep
+    {
+        private readonly Collider _carrier;
+        private readonly int _patch;
+        private TSweep _sweep;
+
+        public Beyond(in TSweep sweep, Collider carrier, int patch)
         {
-            sweep.Step(middle);
-            bool beyond = carrier.PatchAt(sweep.Position) != patch;
-            low = beyond ? low : middle;
-            high = beyond ? middle : high;
+            _sweep = sweep;
+            _carrier = carrier;
+            _patch = patch;
         }
 
-        sweep.Step(high);
+        public bool Evaluate(double x, out bool holds)
+        {
+            _sweep.Step(x);
+            holds = _carrier.PatchAt(_sweep.Position) != _patch;
+            return false;
+        }
     }
 }

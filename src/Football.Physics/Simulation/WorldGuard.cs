@@ -85,7 +85,7 @@ internal sealed class WorldGuard<TAir>
                 break;
             }
 
-            if (!Locate(ref sweep, in found, s.Time, at, path.Length))
+            if (!Locate(ref sweep, in found, s.Time, at))
             {
                 // It only grazes: the piece ends there all the same, for nothing else is met before, and the next one sees what is ahead.
                 sweep.Step(Math.Max(at, ShortestPiece * path.Length));
@@ -131,47 +131,50 @@ internal sealed class WorldGuard<TAir>
 
     /// <summary>From the cubic path to the step itself: Newton on the gap, inside its bracket.</summary>
     /// <returns>False where the gap does not close after all.</returns>
-    private static bool Locate<TSweep>(ref TSweep sweep, in Gap sought, double time, double tau, double length)
+    private static bool Locate<TSweep>(ref TSweep sweep, in Gap sought, double time, double tau)
         where TSweep : struct, ISweep
     {
-        double low = 0;
-        double high = length;
-        sought.Evaluate(sweep.Position, sweep.Velocity, time + length, out double atEnd, out _);
-        for (int i = 0; i < 60; i++)
+        sought.Evaluate(sweep.Position, sweep.Velocity, time + sweep.Length, out double atEnd, out _);
+        if (EventLocator.Locate(ref sweep, new Closing<TSweep>(in sought, time), tau))
         {
-            sweep.Step(tau);
-            sought.Evaluate(sweep.Position, sweep.Velocity, time + tau, out double gap, out double rate);
-            double correction = -gap / rate;
-            if (Math.Abs(gap) <= Closed || (rate < 0 && Math.Abs(correction) <= Negligible && tau + correction >= 0))
-            {
-                if (Math.Abs(gap) > Closed)
-                {
-                    sweep.Nudge(correction);
-                }
-
-                return true;
-            }
-
-            if (gap > 0)
-            {
-                low = tau;
-            }
-            else
-            {
-                high = tau;
-            }
-
-            double next = tau + correction;
-            tau = rate < 0 && next > low && next < high ? next : 0.5 * (low + high);
-            if (high - low <= 1e-15 * length)
-            {
-                break;
-            }
+            return true;
         }
 
         sought.Evaluate(sweep.Position, sweep.Velocity, time + sweep.Length, out double left, out double coming);
 
         // A step that ends inside has touched it, even where its own velocity is zero there (a semi-implicit hop).
         return left <= ContactSearch.Touching && (coming < 0 || atEnd < 0);
+    }
+
+    /// <summary>A gap that closes.</summary>
+    private readonly struct Closing<TSweep> : IEventFunction<TSweep>
+        where TSweep : struct, ISweep
+    {
+        private readonly Gap _gap;
+        private readonly double _start;
+
+        public Closing(in Gap gap, double start)
+        {
+            _gap = gap;
+            _start = start;
+        }
+
+        public bool Evaluate(ref TSweep sweep, double tau, out double value, out double correction)
+        {
+            _gap.Evaluate(sweep.Position, sweep.Velocity, _start + tau, out value, out double rate);
+            correction = rate < 0 ? -value / rate : double.NaN;
+            if (Math.Abs(value) <= Closed)
+            {
+                return true;
+            }
+
+            bool isClose = Math.Abs(correction) <= Negligible && tau + correction >= 0;
+            if (isClose)
+            {
+                sweep.Nudge(correction);
+            }
+
+            return isClose;
+        }
     }
 }

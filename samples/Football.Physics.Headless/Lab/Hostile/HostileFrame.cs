@@ -1,3 +1,5 @@
+using Football.Physics.Headless.Lab.Stability;
+
 namespace Football.Physics.Headless.Lab.Hostile;
 
 /// <summary>A frame of a hostile scene that has been played, and where its findings go.</summary>
@@ -7,6 +9,7 @@ namespace Football.Physics.Headless.Lab.Hostile;
 /// <param name="findings">Where findings go.</param>
 internal sealed class HostileFrame(HostileScene scene, Simulator simulator, double absurdity, HostileFindings findings)
 {
+    private readonly EnergyCheck _energy = new(scene.Scene, scene.Settings, scene.Upward, simulator);
     private BallState _before;
     private BallState _after;
 
@@ -31,6 +34,9 @@ internal sealed class HostileFrame(HostileScene scene, Simulator simulator, doub
 
     /// <summary>The highest speed that is known of the frame, m/s.</summary>
     public double Fastest { get; private set; }
+
+    /// <summary>The energy that the frame has made, and how much of it the method may make; null where nothing is promised.</summary>
+    public FrameEnergy? Energy() => _energy.Of(in _before, Length, in _after, Log.Events.Span);
 
     /// <summary>Plays the next frame from where the last one ended.</summary>
     public void Play(int index, ref BallState state, double length)

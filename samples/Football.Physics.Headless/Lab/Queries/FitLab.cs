@@ -13,7 +13,7 @@ internal static class FitLab
         return LabOptions.Create(
             "fit",
             "Launches, and numbers of a scene, from simulated tracks with noise (25 a second, 2 cm): how often the truth is within the uncertainty that the fit states.",
-            ["football lab fit", "football lab fit --tracks 1 --seed 7"],
+            ["football lab fit --tracks 1 --seed 7"],
             terminal,
             (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(tracks), progress),
             tracks);

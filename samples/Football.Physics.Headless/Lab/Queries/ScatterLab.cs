@@ -7,31 +7,31 @@ namespace Football.Physics.Headless.Lab.Queries;
 /// <summary>football lab scatter: the scatter of random shots against kicks that are drawn and flown one by one in double.</summary>
 internal static class ScatterLab
 {
-    private const int Cases = 6;
-
     public static Command Create(Terminal terminal)
     {
         Option<long> kicks = Arguments.Whole("--kicks", "Kicks flown for each shot.", 100, 100_000_000, 400);
+        Option<long> shots = Arguments.Whole("--shots", "Shots, every second one of a narrow spread.", 1, 1000, 6);
         return LabOptions.Create(
             "scatter",
             "Chances to be in, and to be out of the goalkeeper's reach, by derivatives or lanes, against kicks drawn by another generator and flown one by one.",
-            ["football lab scatter --kicks 200 --seed 7"],
+            ["football lab scatter --shots 1 --kicks 200 --seed 7"],
             terminal,
-            (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(kicks), progress),
+            (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(shots), (int)parsed.GetValue(kicks), progress),
+            shots,
             kicks);
     }
 
-    private static LabReport Run(long seed, int kicks, Progress progress)
+    private static LabReport Run(long seed, int shots, int kicks, Progress progress)
     {
         var table = new LabTable(
             "Scatter of shots", "spread, °", "method", "in", "in, flown", "scores", "scores, flown", "aside σ, m", "flown", "height σ, m", "flown", "off, σ of the count", "verdict");
         var report = new LabReport { Name = "scatter", Seed = seed, Tables = { table } };
         var scatter = new Scatter(Scene.Measured);
         var simulator = new Simulator(Scene.Measured);
-        for (int i = 0; i < Cases; i++)
+        for (int i = 0; i < shots; i++)
         {
             int at = i;
-            progress.Report(i, Cases, () => FormattableString.Invariant($"shot {at}"));
+            progress.Report(i, shots, () => FormattableString.Invariant($"shot {at}"));
             var random = new SeededRandom(SeededRandom.Mix(seed, i));
             double size = i % 2 == 0 ? 0.35 : random.Uniform(1.5, 4);
             var spread = new KickSpread { SpeedPercent = 3 * size, ElevationDegrees = size, AzimuthDegrees = size, SpinPercent = 10 * size, SpeedWithElevation = -0.4 };

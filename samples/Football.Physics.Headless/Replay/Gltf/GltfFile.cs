@@ -71,6 +71,7 @@ internal sealed class GltfFile
             SceneShapeKind.Net => "#d8dfe5",
             SceneShapeKind.Obstacle => "#8793a1",
             SceneShapeKind.Marking => "#f2f5f0",
+            SceneShapeKind.Guide => "#e07b00",
             _ => throw new ArgumentOutOfRangeException(nameof(shape), shape.Kind, null),
         };
         List<JsonObject> parts = [];

@@ -59,10 +59,11 @@ class Stage {
     // From far to near.
     const items = [];
     const item = (p, paint) => { const z = camera.see(p)[2]; if (z > NEAR) items.push({ z, paint }); };
-    this.shapes.filter(s => s.kind !== "marking").forEach(s => this.addShape(s, time, item));
+    this.shapes.filter(s => s.kind !== "marking" && s.kind !== "guide").forEach(s => this.addShape(s, time, item));
     shots.forEach(shot => this.addPath(shot, time, item));
     balls.forEach(ball => item(ball.at.p, () => this.drawBallOf(ball)));
     items.sort((a, b) => b.z - a.z).forEach(i => i.paint());
+    this.shapes.filter(s => s.kind === "guide").forEach(s => s.lines.forEach(line => this.line(line, this.series[1], 0, 2)));
     this.targets.forEach(p => this.drawTarget(p));
     shots.forEach(shot => this.drawMarks(shot, time));
     if (hover) this.ring(hover.p, this.colour.ink, 6);

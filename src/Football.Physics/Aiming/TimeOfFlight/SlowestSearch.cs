@@ -9,13 +9,15 @@ internal sealed class SlowestSearch
     private readonly SpeedOverTime _speeds;
     private readonly LeastSpeed _least;
     private readonly TimedHits _hits;
+    private readonly CurveSearch _curves;
 
-    public SlowestSearch(AimContext context)
+    public SlowestSearch(AimContext context, CurveSearch curves)
     {
         _context = context;
         _speeds = new SpeedOverTime(context.TimedFlight);
         _least = new LeastSpeed(_speeds);
         _hits = new TimedHits(context);
+        _curves = curves;
     }
 
     /// <summary>The slowest kick that hits the target, in flight or along the ground.</summary>
@@ -26,6 +28,12 @@ internal sealed class SlowestSearch
     {
         _context.TimedFlight.Set(request, request.TopSpin, request.SideSpin);
         bool flies = Find(_context.TimedFlight, request.Speed, out solution);
+        if (_context.TimedFlight.IsRuledByAir && _curves.Slowest(request, out AimSolution other) && (!flies || other.Speed < solution.Speed))
+        {
+            solution = other;
+            flies = true;
+        }
+
         _context.TimedRoll.Set(request, request.TopSpin, request.SideSpin);
         if (_context.TimedRoll.CanHit && Find(_context.TimedRoll, flies ? solution.Speed : request.Speed, out AimSolution rolling))
         {

@@ -115,7 +115,7 @@ internal static class Roots
     /// <param name="condition">The condition.</param>
     /// <param name="low">The lower end, moved up.</param>
     /// <param name="high">The upper end, moved down.</param>
-    /// <param name="halvings">How often.</param>
+    /// <param name="halvings">How often at most; it ends where there is no number between the ends.</param>
     /// <returns>True where the condition ended the search; the end that moved last is where.</returns>
     public static bool Bisect<TCondition>(ref TCondition condition, ref double low, ref double high, int halvings)
         where TCondition : struct, ICondition
@@ -123,6 +123,11 @@ internal static class Roots
         for (int i = 0; i < halvings; i++)
         {
             double middle = 0.5 * (low + high);
+            if (!(middle > low && middle < high))
+            {
+                break;
+            }
+
             bool ends = condition.Evaluate(middle, out bool holds);
             if (holds)
             {

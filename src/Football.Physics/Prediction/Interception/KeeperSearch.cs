@@ -63,19 +63,33 @@ internal readonly struct KeeperSearch
     {
         double low = keeper.Reaction;
         double high = Math.Max(low, end - now);
-        for (int i = 0; i < Halvings; i++)
+        var tooLate = new TooLate(this, keeper, now, begin, end);
+        Roots.Bisect(ref tooLate, ref low, ref high, Halvings);
+        return now + low;
+    }
+
+    /// <summary>With this reaction he does not meet the ball any more.</summary>
+    private readonly struct TooLate : ICondition
+    {
+        private readonly KeeperSearch _search;
+        private readonly Runner _keeper;
+        private readonly double _now;
+        private readonly double _begin;
+        private readonly double _end;
+
+        public TooLate(KeeperSearch search, Runner keeper, double now, double begin, double end)
         {
-            double middle = 0.5 * (low + high);
-            if (Meets(keeper.Reacting(middle), now, begin, end))
-            {
-                low = middle;
-            }
-            else
-            {
-                high = middle;
-            }
+            _search = search;
+            _keeper = keeper;
+            _now = now;
+            _begin = begin;
+            _end = end;
         }
 
-        return now + low;
+        public bool Evaluate(double x, out bool holds)
+        {
+            holds = !_search.Meets(_keeper.Reacting(x), _now, _begin, _end);
+            return false;
+        }
     }
 }

@@ -76,19 +76,8 @@ internal sealed class ShareSearch
         {
             double low = a;
             double high = b;
-            for (int i = 0; i < Halvings; i++)
-            {
-                double half = 0.5 * (low + high);
-                if (Owner(in span, half, middle, out _) == owner)
-                {
-                    low = half;
-                }
-                else
-                {
-                    high = half;
-                }
-            }
-
+            var changed = new OwnerChanged(this, in span, middle, owner);
+            Roots.Bisect(ref changed, ref low, ref high, Halvings);
             Add(owner, a, high, lead);
             a = high;
             int next = Owner(in span, a, middle, out lead);
@@ -160,5 +149,28 @@ internal sealed class ShareSearch
         }
 
         Items[Count++] = new InterceptShare(runner, from, to, lead);
+    }
+
+    /// <summary>The ball belongs to another runner.</summary>
+    private readonly struct OwnerChanged : ICondition
+    {
+        private readonly ShareSearch _search;
+        private readonly PathSpan _span;
+        private readonly double _window;
+        private readonly int _owner;
+
+        public OwnerChanged(ShareSearch search, in PathSpan span, double window, int owner)
+        {
+            _search = search;
+            _span = span;
+            _window = window;
+            _owner = owner;
+        }
+
+        public bool Evaluate(double x, out bool holds)
+        {
+            holds = _search.Owner(in _span, x, _window, out _) != _owner;
+            return false;
+        }
     }
 }

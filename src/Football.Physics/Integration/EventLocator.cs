@@ -1,0 +1,51 @@
+namespace Football.Physics;
+
+/// <summary>
+/// Finds events inside a step to the accuracy of the integrator: the step itself is taken again, from its start and with other lengths, until the
+/// event is at its end. Newton's method inside a bracket.
+/// </summary>
+internal static class EventLocator
+{
+    /// <summary>Steps at most: enough to halve any step down to its last bits.</summary>
+    private const int MostSteps = 60;
+
+    /// <summary>Shortens a step to where its event function is zero.</summary>
+    /// <param name="sweep">The step.</param>
+    /// <param name="sought">The event function; positive at the step's start, and not at its end.</param>
+    /// <param name="tau">The first guess, s.</param>
+    /// <returns>False where the search ended without it: then the step is where the function has its sign for the last time.</returns>
+    public static bool Locate<TSweep, TEvent>(ref TSweep sweep, in TEvent sought, double tau)
+        where TSweep : struct, ISweep
+        where TEvent : struct, IEventFunction<TSweep>
+    {
+        double low = 0;
+        double length = sweep.Length;
+        double high = length;
+        for (int i = 0; i < MostSteps; i++)
+        {
+            sweep.Step(tau);
+            if (sought.Evaluate(ref sweep, tau, out double value, out double correction))
+            {
+                return true;
+            }
+
+            if (value > 0)
+            {
+                low = tau;
+            }
+            else
+            {
+                high = tau;
+            }
+
+            double next = tau + correction;
+            tau = next > low && next < high ? next : 0.5 * (low + high);
+            if (high - low <= 1e-15 * length)
+            {
+                break;
+            }
+        }
+
+        return false;
+    }
+}
