@@ -6,6 +6,9 @@ internal static class TimeOfImpact
     /// <summary>Below this correction, s, a linear one is exact to rounding.</summary>
     private const double Negligible = 1e-6;
 
+    /// <summary>What the acceleration may add to a linear correction, m.</summary>
+    private const double NegligibleBend = 1e-10;
+
     /// <summary>Below this height, m, contact needs no correction.</summary>
     private const double Touching = 1e-14;
 
@@ -63,7 +66,7 @@ internal static class TimeOfImpact
                 return true;
             }
 
-            bool isClose = Math.Abs(correction) <= Negligible;
+            bool isClose = Math.Abs(correction) <= Negligible && Math.Abs(sweep.StartAcceleration.Y) * correction * correction <= NegligibleBend;
             if (isClose)
             {
                 sweep.Nudge(correction);

@@ -7,6 +7,9 @@ internal sealed class WorldGuard<TAir>
     /// <summary>Below this correction, s, a linear one is exact to rounding.</summary>
     private const double Negligible = 1e-6;
 
+    /// <summary>What the acceleration may add to a linear correction, m.</summary>
+    private const double NegligibleBend = 1e-10;
+
     /// <summary>Below this, m, a gap needs no correction.</summary>
     private const double Closed = 1e-14;
 
@@ -168,7 +171,8 @@ internal sealed class WorldGuard<TAir>
                 return true;
             }
 
-            bool isClose = Math.Abs(correction) <= Negligible && tau + correction >= 0;
+            bool isClose = Math.Abs(correction) <= Negligible && tau + correction >= 0
+                && sweep.StartAcceleration.Length * correction * correction <= NegligibleBend;
             if (isClose)
             {
                 sweep.Nudge(correction);
