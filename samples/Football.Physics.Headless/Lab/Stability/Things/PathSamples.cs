@@ -8,7 +8,7 @@ internal sealed class PathSamples(World world) : PieceObserver
 
     public override bool WantsEndAcceleration => true;
 
-    /// <summary>The deepest that it was in a thing that stands still, m.</summary>
+    /// <summary>The deepest that it was in anything, m.</summary>
     public double Deepest { get; private set; }
 
     public void Clear() => Deepest = 0;
@@ -22,15 +22,16 @@ internal sealed class PathSamples(World world) : PieceObserver
         while (near.NextCollider(out int i))
         {
             Collider collider = world.Colliders[i];
-            if (collider.Moves || collider.At(in middle).Distance > around)
+            if (!collider.Moves && collider.At(in middle).Distance > around)
             {
                 continue;
             }
 
             for (int k = 1; k <= Samples; k++)
             {
-                Vector3d place = piece.PositionAt(piece.Time + (piece.Length * k / Samples));
-                Deepest = Math.Max(Deepest, world.Ball.Radius - collider.At(in place).Distance);
+                double time = piece.Time + (piece.Length * k / Samples);
+                Vector3d place = piece.PositionAt(time);
+                Deepest = Math.Max(Deepest, world.Ball.Radius - collider.At(in place, time).Distance);
             }
         }
 

@@ -135,7 +135,7 @@ internal sealed class ThingsRun
         }
 
         return deepest > Overlap && !(moves && near > 1) ? Fail("overlap", $"{deepest} m after a frame, {_state.Motion}")
-            : _samples.Deepest > Through && !moves ? Fail("passed through", $"{_samples.Deepest} m deep on the way")
+            : _samples.Deepest > Through ? Fail("passed through", $"{_samples.Deepest} m deep on the way")
             : null;
     }
 
