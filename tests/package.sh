@@ -57,7 +57,7 @@ copy() {
 version=0.1.0-local.$(date -u +%Y%m%d%H%M%S)
 # Analyzers say nothing about the bytes; the solution's own build runs them.
 pack() {
-  (cd "$1" && env -u NUGET_PACKAGES dotnet pack -c Release src/Football.Physics -o "$2" "-p:Version=$version" -p:RunAnalyzers=false "${@:3}")
+  (cd "$1" && env -u NUGET_PACKAGES -u CI dotnet pack -c Release src/Football.Physics -o "$2" "-p:Version=$version" -p:RunAnalyzers=false "${@:3}")
 }
 
 copy "$work/one"
@@ -100,19 +100,26 @@ ok "deterministic: packed in another folder, on no build server, .nupkg and .snu
 
 # --- the package for Unity
 
-mkdir "$work/one/samples"
+mkdir -p "$work/one/samples"
 cp -R samples/Unity "$work/one/samples/"
-# The version is that of the package above, so that nothing is built twice.
-tarball=$(cd "$work/one" && env -u NUGET_PACKAGES "Version=$version" RunAnalyzers=false ContinuousIntegrationBuild=true samples/Unity/build.sh "$work/unity" 2> "$log") \
+# The version is that of the package above, so that nothing is built twice; the address is one that only git is told.
+address=https://github.com/someone/football
+tarball=$(cd "$work/one" && env -u NUGET_PACKAGES GIT_CONFIG_COUNT=1 GIT_CONFIG_KEY_0=remote.origin.url "GIT_CONFIG_VALUE_0=$address.git" \
+  "Version=$version" RunAnalyzers=false ContinuousIntegrationBuild=true samples/Unity/build.sh "$work/unity" 2> "$log") \
   || fail "samples/Unity/build.sh"
 tar -xzf "$tarball" -C "$work/unity"
+manifest=$work/unity/package/package.json
+for link in documentationUrl:Documentation~/index.md changelogUrl:CHANGELOG.md licensesUrl:LICENSE.md; do
+  grep -qF "\"${link%%:*}\": \"$address/blob/HEAD/samples/Unity/com.football.physics/${link#*:}\"," "$manifest" || fail "the package for Unity has no ${link%%:*}"
+done
+sed -i '/Url": /d' "$manifest"
 diff -r -x Football.Physics.dll -x Football.Physics.xml samples/Unity/com.football.physics "$work/unity/package" > "$log" || fail "the package for Unity is not its folder"
 for kind in dll xml; do
   cmp <(unzip -p "$package" lib/netstandard2.1/Football.Physics.$kind) "$work/unity/package/Plugins/Football.Physics.$kind" > "$log" 2>&1 || fail "the package for Unity has another Football.Physics.$kind"
 done
-ok "package for Unity, $(basename "$tarball"): the folder with its $(find "$work/unity/package" -name '*.meta' | wc -l) fixed ids, and the assembly of the .nupkg"
+ok "package for Unity, $(basename "$tarball"): the folder with its $(find "$work/unity/package" -name '*.meta' | wc -l) fixed ids, its links, and the assembly of the .nupkg"
 
-build_copy() { (cd "$work/two/elsewhere" && env -u NUGET_PACKAGES dotnet build -c Release -f net10.0 --no-restore -p:RunAnalyzers=false src/Football.Physics); }
+build_copy() { (cd "$work/two/elsewhere" && env -u NUGET_PACKAGES -u CI dotnet build -c Release -f net10.0 --no-restore -p:RunAnalyzers=false src/Football.Physics); }
 remotes() { git -C "$work/two/elsewhere" remote; }
 for remote in $(remotes); do git -C "$work/two/elsewhere" remote remove "$remote"; done
 quietly "build without a remote" build_copy

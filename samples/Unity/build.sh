@@ -13,7 +13,22 @@ version=$(sed -n 's/.*"version": "\(.*\)".*/\1/p' "$package/package.json")
 dotnet build -c Release -f netstandard2.1 src/Football.Physics -v q >&2
 cp src/Football.Physics/bin/Release/netstandard2.1/Football.Physics.{dll,xml} "$package/Plugins/"
 
+# Links need an address; where the repository has none, the package manager opens the files in the package.
+staged=$(mktemp -d)
+trap 'rm -rf "$staged"' EXIT
+cp -R "$package" "$staged/package"
+address=$(git config --get remote.origin.url || true)
+address=${address%/}
+address=${address%.git}
+if [[ $address == http*://* ]]; then
+  host=${address#*://}
+  address=${address%%://*}://${host#*@}   # without a name and password that a clone may have in it
+  pages=$address/blob/HEAD/$package
+  sed -i "s|^  \"license\":|  \"documentationUrl\": \"$pages/Documentation~/index.md\",\n  \"changelogUrl\": \"$pages/CHANGELOG.md\",\n  \"licensesUrl\": \"$pages/LICENSE.md\",\n&|" \
+    "$staged/package/package.json"
+fi
+
 # A tarball of the package manager has everything below "package/"; the same bytes for the same files.
-tar --sort=name --mtime='2026-01-01 00:00Z' --owner=0 --group=0 --numeric-owner --mode=u+rw,go=rX --transform "s,^\./,package/," \
-  -C "$package" -c . | gzip -n > "$out/com.football.physics-$version.tgz"
+tar --sort=name --mtime='2026-01-01 00:00Z' --owner=0 --group=0 --numeric-owner --mode=u+rw,go=rX -C "$staged" -c package \
+  | gzip -n > "$out/com.football.physics-$version.tgz"
 echo "$out/com.football.physics-$version.tgz"

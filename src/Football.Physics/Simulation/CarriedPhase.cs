@@ -130,10 +130,12 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         sweep.Step(h);
         SurfacePath.Shorten(ref sweep, in s, _world, system.Carrier, in system.Guides, _integrator.Order);
         _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
+        double crossing = sweep.Length;
         bool overEdge = CarriedMargin<TAir, TIntegrator>.EndPiece(ref sweep, in s, system.Rolls);
         SurfaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
         _nets.EndWhereSlack(ref sweep, in s);
         bool meets = _guard.EndAtFirst(ref sweep, in s, _integrator.Order, out Gap met);
+        s.Branch = sweep.Length < crossing ? system.Branch : s.Branch;
         run.Log.Evaluations += sweep.Evaluations;
         BallState before = s;
         before.Branch = system.Branch;

@@ -8,9 +8,6 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     where TAir : struct, IAir
     where TIntegrator : struct, IIntegrator
 {
-    /// <summary>A spin that is none, rad/s: what is left of one that has no digits any more.</summary>
-    private const double Vanishing = 1e-300;
-
     /// <summary>A ball that rises at contact by less than this share of its speed before does so by rounding.</summary>
     private const double Rising = 1e-9;
 
@@ -188,6 +185,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         }
 
         Gap met = default;
+        double length = sweep.Length;
         bool meets = _world is not null && _world.EndAtFirst(ref sweep, in s, _integrator.Order, out met);
         bool hit = !meets && EndAtGround(ref sweep, in s);
         run.Log.Evaluations += sweep.Evaluations;
@@ -198,7 +196,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
             s.Position = new Vector3d(s.Position.X, _around.ContactHeight, s.Position.Z);
         }
 
-        s.Branch = hit ? DragBranch.Unknown : next;
+        s.Branch = hit ? DragBranch.Unknown : sweep.Length < length ? before.Branch : next;
         run.Advance(ref s, sweep.Length);
         if (guides.Count > 0)
         {
@@ -271,7 +269,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     private static void EndSpin(ref FlightSweep<TAir, TIntegrator> sweep, double spinRate)
     {
         double tau = sweep.Length * spinRate / (spinRate - sweep.Taken.SpinRate);
-        EventLocator.Locate(ref sweep, new SpinLeft(spinRate), tau);
+        EventLocator.Locate(ref sweep, new SpinLeft<TAir, TIntegrator>(spinRate), tau);
         sweep.EndSpin();
     }
 
@@ -329,22 +327,5 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         }
 
         return true;
-    }
-
-    /// <summary>The spin that is left.</summary>
-    private readonly struct SpinLeft : IEventFunction<FlightSweep<TAir, TIntegrator>>
-    {
-        private readonly double _start;
-
-        public SpinLeft(double start) => _start = start;
-
-        public bool Evaluate(ref FlightSweep<TAir, TIntegrator> sweep, double tau, out double value, out double correction)
-        {
-            value = sweep.Taken.SpinRate;
-
-            // The secant from the step's start: its spin falls about linearly.
-            correction = value * tau / (_start - value);
-            return Math.Abs(value) <= (1e-14 * _start) + Vanishing || !(tau > 0);
-        }
     }
 }

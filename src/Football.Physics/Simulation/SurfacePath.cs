@@ -22,20 +22,22 @@ internal static class SurfacePath
     public static void Shorten<TSweep>(ref TSweep sweep, in BallState s, World world, Collider? carrier, in Guides guides, int order)
         where TSweep : struct, ISweep
     {
-        double allowed = Farthest * world.Ball.Radius;
+        // A ball between two surfaces may begin off one of them.
+        double farthest = Farthest * world.Ball.Radius;
+        double start = Off(world, carrier, in guides, s.Position, s.Time);
         for (int i = 0; i < MostTries; i++)
         {
             var path = PathCubic.Of(ref sweep, s.Position, s.Velocity, order);
             double half = 0.5 * path.Length;
             double off = Math.Max(
                 Off(world, carrier, in guides, path.At(half), s.Time + half), Off(world, carrier, in guides, sweep.Position, s.Time + path.Length));
-            if (!(off > allowed))
+            if (!(off > start + farthest))
             {
                 return;
             }
 
             // It goes off with the square of its length, or faster: so much shorter is enough, but where it begins at an edge.
-            double share = Math.Sqrt(allowed / off);
+            double share = Math.Sqrt(farthest / (off - start));
             sweep.Step(Math.Max(0.1, Math.Min(0.8, share)) * path.Length);
         }
     }

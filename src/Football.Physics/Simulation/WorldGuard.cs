@@ -4,9 +4,6 @@ namespace Football.Physics;
 internal sealed class WorldGuard<TAir>
     where TAir : struct, IAir
 {
-    /// <summary>Below this correction, s, a linear one is exact to rounding.</summary>
-    private const double Negligible = 1e-6;
-
     /// <summary>Below this, m, a gap needs no correction.</summary>
     private const double Closed = 1e-14;
 
@@ -168,7 +165,7 @@ internal sealed class WorldGuard<TAir>
                 return true;
             }
 
-            bool isClose = Math.Abs(correction) <= Negligible && tau + correction >= 0;
+            bool isClose = tau + correction >= 0 && EventLocator.IsLinear(ref sweep, correction);
             if (isClose)
             {
                 sweep.Nudge(correction);

@@ -10,6 +10,7 @@ namespace Football.Physics.Headless.Lab.Hostile;
 internal sealed class HostileFrame(HostileScene scene, Simulator simulator, double absurdity, HostileFindings findings)
 {
     private readonly EnergyCheck _energy = new(scene.Scene, scene.Settings, scene.Upward, simulator);
+    private readonly StepLog _again = new();
     private BallState _before;
     private BallState _after;
 
@@ -52,6 +53,14 @@ internal sealed class HostileFrame(HostileScene scene, Simulator simulator, doub
         {
             Fastest = Math.Max(Fastest, Math.Max(item.Velocity.Length, item.VelocityBefore.Length));
         }
+    }
+
+    /// <summary>Plays the same frame again, for the time that it takes.</summary>
+    public void Again()
+    {
+        BallState state = _before;
+        _again.Clear();
+        simulator.Step(ref state, Length, _again);
     }
 
     /// <summary>Puts another end in the place of that which was played, to see that the checks find it.</summary>

@@ -67,13 +67,13 @@ internal sealed class EnergyCheck : PieceObserver
     /// <param name="dt">Its length, s.</param>
     /// <param name="after">The ball after it.</param>
     /// <param name="events">What happened in it.</param>
-    /// <returns>Null where nothing is promised: where wind pushes a ball on the ground, and where the heuristic makes a ball roll that slips.</returns>
+    /// <returns>Null where nothing is promised: where wind pushes a ball on the ground, and where the heuristic does not see the end of a slip.</returns>
     public FrameEnergy? Of(in BallState before, double dt, in BallState after, ReadOnlySpan<BallEvent> events)
     {
         // Air that presses a ball against the ground does work on it, as one sees it who goes with the wind.
         bool flies = before.Motion == MotionState.Airborne && after.Motion == MotionState.Airborne && events.Length == 0
             && !(_windy && after.Position.Y <= _simulator.ContactHeight + TouchingRelaxed);
-        if (!flies && (_windy || (_settings.RollingTransition == RollingTransition.Heuristic && Rolls(events))))
+        if (!flies && (_windy || (_settings.RollingTransition == RollingTransition.Heuristic && (before.Motion == MotionState.Sliding || Rolls(events)))))
         {
             return null;
         }
