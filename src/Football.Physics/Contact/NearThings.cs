@@ -36,6 +36,31 @@ internal struct NearThings
         return new NearThings(world, new Bounds3d(in position, in position).Grown(world.Ball.Radius + (2.0 * ContactSearch.Touching)), time, 0);
     }
 
+    /// <summary>The collider that a ball overlaps most, but for what carries it; −1 where it overlaps nothing.</summary>
+    /// <param name="world">The world.</param>
+    /// <param name="s">The ball.</param>
+    /// <param name="overlapsBody">Whether it overlaps any body.</param>
+    public static int Deepest(World world, in BallState s, out bool overlapsBody)
+    {
+        overlapsBody = false;
+        double depth = ContactSearch.Touching;
+        int deepest = -1;
+        long carrier = s.Motion == MotionState.Airborne ? -1 : s.Carrier - world.FirstCollider;
+        NearThings near = At(world, s.Position, s.Time);
+        while (near.NextCollider(out int i))
+        {
+            double overlap = world.Ball.Radius - world.Colliders[i].At(s.Position, s.Time).Distance;
+            overlapsBody |= i != carrier && overlap > ContactSearch.Touching && world.Colliders[i].IsBody;
+            if (i != carrier && (overlap > depth || (overlap == depth && i < deepest)))
+            {
+                depth = overlap;
+                deepest = i;
+            }
+        }
+
+        return deepest;
+    }
+
     /// <summary>Goes on to the next collider.</summary>
     /// <param name="collider">Its index.</param>
     /// <returns>False at the end.</returns>

@@ -27,13 +27,13 @@ internal sealed class BodyPush<TAir>
     {
         _world.Engine?.Forget();
         LetGo(ref s, ref run);
-        int deepest = Deepest(in s, out bool overlapsBody);
+        int deepest = NearThings.Deepest(_world, in s, out bool overlapsBody);
 
         // What overlaps a thing that stands still alone is not the game's doing: that is an impact.
         for (int i = 0; overlapsBody && i < MostPushes && deepest >= 0; i++)
         {
             PushOut(ref s, _world.Colliders[deepest]);
-            deepest = Deepest(in s, out _);
+            deepest = NearThings.Deepest(_world, in s, out _);
         }
     }
 
@@ -79,28 +79,6 @@ internal sealed class BodyPush<TAir>
         {
             _contact.Leave(ref s, s.Velocity, s.Spin, ref run);
         }
-    }
-
-    /// <summary>The thing that the ball overlaps most; −1 where it overlaps nothing.</summary>
-    private int Deepest(in BallState s, out bool overlapsBody)
-    {
-        overlapsBody = false;
-        double depth = ContactSearch.Touching;
-        int deepest = -1;
-        long carrier = s.Motion == MotionState.Airborne ? -1 : s.Carrier - _world.FirstCollider;
-        var near = NearThings.At(_world, s.Position, s.Time);
-        while (near.NextCollider(out int i))
-        {
-            double overlap = _world.Ball.Radius - _world.Colliders[i].At(s.Position, s.Time).Distance;
-            overlapsBody |= i != carrier && overlap > ContactSearch.Touching && _world.Colliders[i].IsBody;
-            if (i != carrier && (overlap > depth || (overlap == depth && i < deepest)))
-            {
-                depth = overlap;
-                deepest = i;
-            }
-        }
-
-        return deepest;
     }
 
     /// <summary>The way out along a normal; for a ball that something carries, along that surface.</summary>

@@ -249,7 +249,14 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
     /// <summary>Puts the ball onto all that it touches: what the integrator left of it is within its own error.</summary>
     private void Hold(ref BallState s, in CarriedSystem<TAir> system, int met)
     {
+        Vector3d from = s.Position;
         Vector3d n = system.Carrier.Hold(ref s, _world.Ball.Radius);
+        if (met < 0 && Vector3d.Distance(s.Position, from) > ContactSearch.Touching)
+        {
+            // Back on the surface it may be in what it was just leaving.
+            met = NearThings.Deepest(_world, in s, out _);
+        }
+
         if (system.Guides.Count > 0 || met >= 0)
         {
             var end = new Motion(s.Position, s.Velocity, s.Spin);

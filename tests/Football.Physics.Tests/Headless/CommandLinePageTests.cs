@@ -35,7 +35,7 @@ public sealed partial class CommandLinePageTests
     }
 
     [Fact]
-    public void There_are_inputs_for_every_command() => Assert.Equal(11, Inputs().Count);
+    public void There_are_inputs_for_every_command() => Assert.Equal(12, Inputs().Count);
 
     [GeneratedRegex("^```json (simulate|aim|intercept|sweep)\n(.*?)^```$", RegexOptions.Multiline | RegexOptions.Singleline)]
     private static partial Regex Block();

@@ -33,6 +33,7 @@ public sealed class ThingsStressTests
     [InlineData(3, 22421, "a ball that leaves slower than gravity takes it back was hit again and again")]
     [InlineData(3, 48907, "the same between a wall that carries the ball and the ground")]
     [InlineData(4, 24019, "in a sharp corner the ball was put out of one surface into the other")]
+    [InlineData(8, 58601, "put back onto the ground a ball was in the wall that it was just leaving")]
     public void What_the_laboratory_found_once_holds(int seed, int index, string wrong)
     {
         ThingsRun run = ThingsRun.Play(seed, index);
