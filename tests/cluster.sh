@@ -141,7 +141,7 @@ for node in football1 football2; do
   slurmd -N "$node" >> "$log" 2>&1 || fail "slurmd $node"
 done
 idle() { [[ $(sinfo --noheader --states=idle --format=%D) == 2 ]]; }
-until_true 15 "two nodes that are idle" idle
+until_true 60 "two nodes that are idle" idle
 ok "Slurm: $(sinfo --version), two nodes, ports $ports"
 
 # The script of samples/cluster as it stands; what a task may have is cut down to this machine.
@@ -161,7 +161,7 @@ half() {
   done
   return 1
 }
-end=$(( SECONDS + 60 ))
+end=$(( SECONDS + 120 ))
 until half; do
   (( SECONDS < end )) || fail "no task was caught half-way"
   [[ -n $(squeue --noheader --job="$job" 2> /dev/null) ]] || fail "all tasks had ended before one was caught half-way"
@@ -169,13 +169,13 @@ until half; do
 done
 left=$(awk '/"rows"/ { gsub(/[^0-9]/, ""); print }' "$victim/checkpoint.json")
 gone() { [[ -z $(squeue --noheader --states=running,completing --job="${job}_$index") ]]; }
-until_true 15 "the killed task's end" gone
+until_true 60 "the killed task's end" gone
 scontrol requeue "${job}_$index" 2> "$log" || fail "scontrol requeue"
 # A cluster waits two minutes before it runs a task again.
 scontrol update JobId="${job}_$index" StartTime=now 2> "$log" || fail "scontrol update"
 
 drained() { [[ -z $(squeue --noheader --job="$job") ]]; }
-until_true 90 "the end of all tasks" drained
+until_true 180 "the end of all tasks" drained
 said=$(tail -n 1 "$work/tasks/$index.log")
 now=$(sed -E 's/.* ([0-9]+) of them now .*/\1/' <<< "$said")
 [[ $now =~ ^[0-9]+$ && $(( now + left )) == $(( COUNT * index / 16 - COUNT * (index - 1) / 16 )) ]] || fail "task $index did not go on after $left rows: $said"

@@ -57,7 +57,7 @@ copy() {
 version=0.1.0-local.$(date -u +%Y%m%d%H%M%S)
 # Analyzers say nothing about the bytes; the solution's own build runs them.
 pack() {
-  (cd "$1" && env -u NUGET_PACKAGES dotnet pack -c Release src/Football.Physics -o "$2" "-p:Version=$version" -p:RunAnalyzers=false "${@:3}")
+  (cd "$1" && env -u NUGET_PACKAGES -u CI dotnet pack -c Release src/Football.Physics -o "$2" "-p:Version=$version" -p:RunAnalyzers=false "${@:3}")
 }
 
 copy "$work/one"
@@ -119,7 +119,7 @@ for kind in dll xml; do
 done
 ok "package for Unity, $(basename "$tarball"): the folder with its $(find "$work/unity/package" -name '*.meta' | wc -l) fixed ids, its links, and the assembly of the .nupkg"
 
-build_copy() { (cd "$work/two/elsewhere" && env -u NUGET_PACKAGES dotnet build -c Release -f net10.0 --no-restore -p:RunAnalyzers=false src/Football.Physics); }
+build_copy() { (cd "$work/two/elsewhere" && env -u NUGET_PACKAGES -u CI dotnet build -c Release -f net10.0 --no-restore -p:RunAnalyzers=false src/Football.Physics); }
 remotes() { git -C "$work/two/elsewhere" remote; }
 for remote in $(remotes); do git -C "$work/two/elsewhere" remote remove "$remote"; done
 quietly "build without a remote" build_copy

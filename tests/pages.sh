@@ -20,12 +20,12 @@ fail() {
   exit 1
 }
 
-chromium() { command -v chromium-headless-shell || command -v chromium || command -v chromium-browser || command -v google-chrome; }
-browser=$(chromium) || {
+find_browser() { type -P chromium-headless-shell || type -P chromium || type -P chromium-browser || type -P google-chrome; }
+browser=$(find_browser) || {
   (( EUID == 0 )) || fail "no Chromium: apt-get install chromium-headless-shell"
   { apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends chromium-headless-shell; } > "$work/log" 2>&1 \
     || { tail -n 5 "$work/log" >&2; fail "apt-get install chromium-headless-shell"; }
-  browser=$(chromium) || fail "no Chromium"
+  browser=$(find_browser) || fail "no Chromium"
   echo "ok    installed $(basename "$browser")"
 }
 
@@ -52,7 +52,7 @@ open() {
   local name=$1 size=$2 dark=1 url=$4
   [[ $3 == dark ]] && dark=0
   shift 4
-  timeout 60 "$browser" --headless --no-sandbox --disable-gpu --hide-scrollbars --force-device-scale-factor=1 --enable-logging=stderr \
+  timeout 180 "$browser" --headless --no-sandbox --disable-gpu --hide-scrollbars --force-device-scale-factor=1 --enable-logging=stderr \
     --user-data-dir="$work/profile-$name" --window-size="$size" --blink-settings=preferredColorScheme=$dark \
     --virtual-time-budget=500 --host-resolver-rules="MAP * ~NOTFOUND" --dump-dom "$@" "$url" > "$work/$name.dom" 2> "$work/$name.log" \
     || { tail -n 3 "$work/$name.log" >&2; fail "$name: Chromium"; }
@@ -60,7 +60,7 @@ open() {
 }
 
 # said NAME WHAT: what a page said.
-said() { grep -o "data-$2=\"[^\"]*\"" "$work/$1.dom" | head -n 1 | sed 's/^[^"]*"//; s/"$//; s/&quot;/"/g'; }
+said() { grep -o "data-$2=\"[^\"]*\"" "$work/$1.dom" | head -n 1 | sed 's/^[^"]*"//; s/"$//; s/&quot;/"/g' || true; }
 
 # picture NAME SIZE THEME URL: a picture, and whether the page fits into its window. A picture of nothing has a few thousand bytes.
 picture() {
@@ -144,7 +144,7 @@ acts=$(probe "$work/replay.html" '
   key("1");
   const d = stage.getContext("2d").getImageData(0, 0, stage.width, stage.height).data;
   let path = 0;
-  while (d[path] !== 0 || d[path + 1] !== 114 || d[path + 2] !== 178) path += 4;
+  while (path < d.length && (d[path] !== 0 || d[path + 1] !== 114 || d[path + 2] !== 178)) path += 4;
   pointer("pointermove", path / 4 % stage.width, Math.floor(path / 4 / stage.width)); told("numbers", /m\/s[^]*rad\/s/.test(id("tip").textContent));
   id("shots").querySelector("input").click(); told("hidden", JSON.parse(stage.dataset.drawn).shots === 1);
   key(" "); told("pause", id("play").getAttribute("aria-label") === "Pause"); key(" ");
@@ -159,7 +159,7 @@ echo "ok    replay: keys, slider, drag, pointer and boxes do what they say: $act
 
 football gallery --out "$work/gallery"
 pictures gallery "$work/gallery/index.html"
-shots=$(grep -o '<article ' "$work/gallery/index.html" | wc -l)
+shots=$(grep -o '<article ' "$work/gallery/index.html" | wc -l || true)
 copies=$(probe "$work/gallery/index.html" '
   const copied = [];
   Object.defineProperty(navigator, "clipboard", { value: { writeText: function (text) { copied.push(text); return Promise.resolve(); } } });

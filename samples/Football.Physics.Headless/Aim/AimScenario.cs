@@ -50,6 +50,7 @@ internal sealed record AimScenario
         aim.Exclude("slowest", "arrival");
         aim.Exclude("after", "arrival");
         aim.Exclude("after", "slowest");
+        aim.Exclude("after", "kickTime");
         var scenario = new AimScenario
         {
             Scene = scene,
@@ -81,6 +82,7 @@ internal sealed record AimScenario
             Through = aim.OptionalVector("through"),
             Speed = aim.Number("speed"),
             TargetVelocity = aim.Vector("targetVelocity", request.TargetVelocity),
+            KickTime = aim.Number("kickTime", request.KickTime),
             Arc = aim.Choice("arc", request.Arc),
             TopSpin = spin.Number("top", request.TopSpin),
             SideSpin = spin.Number("side", request.SideSpin),

@@ -46,6 +46,7 @@ internal sealed class AimContext
         Planes = new PlaneShooter(this, withoutGround);
         TimedFlight = new TimedFlight(this, withoutGround);
         TimedRoll = new TimedRoll(this, _simulator);
+        Shooting = new ShootingProblem(this, withoutGround);
         Approaches = new ApproachShooter(this, _simulator);
         Frames = new FrameShooter(this, openGame, timeStep);
         Miss = new MissMeter(this, real);
@@ -76,6 +77,9 @@ internal sealed class AimContext
 
     /// <summary>Kicks along the ground that are somewhere at a time.</summary>
     public TimedRoll TimedRoll { get; }
+
+    /// <summary>Flights to given times, any of whose numbers may be unknown.</summary>
+    public ShootingProblem Shooting { get; }
 
     /// <summary>Measures the true miss of a kick.</summary>
     public MissMeter Miss { get; }

@@ -29,6 +29,9 @@ internal readonly struct AimSteps
     /// <summary>Of a roll of which only the direction counts; null where none may be as rough as that.</summary>
     public double? Roll { get; }
 
+    /// <summary>Whether they are the short ones: longer steps were wrong then.</summary>
+    public bool AreShort => Roll is null;
+
     private double RoughHit { get; }
 
     /// <summary>Of flights from which a miss distance of a size is to be known.</summary>

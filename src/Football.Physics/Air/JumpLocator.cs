@@ -3,9 +3,6 @@ namespace Football.Physics;
 /// <summary>Ends a step where it crosses the drag law's jump.</summary>
 internal static class JumpLocator
 {
-    /// <summary>Below this correction, s, a linear one is exact to rounding.</summary>
-    private const double Negligible = 1e-6;
-
     /// <summary>A correction longer than this share of the step comes of a surface that is hardly crossed: the interpolant's instant stays.</summary>
     private const double Longest = 0.25;
 
@@ -53,7 +50,7 @@ internal static class JumpLocator
                 return true;
             }
 
-            bool isClose = Math.Abs(correction) <= Negligible;
+            bool isClose = Math.Abs(correction) <= EventLocator.Negligible;
             if (isClose && tau + correction > 0)
             {
                 sweep.Nudge(correction);

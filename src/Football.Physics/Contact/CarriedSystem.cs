@@ -131,7 +131,7 @@ internal struct CarriedSystem<TAir> : IMotionSystem
         double size = slip.Length;
         Vector3d s = size > 0 && Vector3d.Dot(in slip, in Direction) > 0 ? slip / size : Direction;
         double friction = SlidingFriction(in on);
-        Vector3d along = Guided(time, in at, on.Body + on.Air - (friction * s), in n);
+        Vector3d along = Guided(time, in at, on.Body + on.Air - (friction * s), in on);
         Vector3d acceleration = along - (on.Centripetal * n);
         Vector3d spin = on.Torque
             + (friction / (World.Ball.InertiaFactor * World.Ball.Radius) * Vector3d.Cross(in n, in s))
@@ -160,15 +160,16 @@ internal struct CarriedSystem<TAir> : IMotionSystem
         Vector3d along = Drive(in on)
             + (alpha * r * about / (1.0 + alpha) * Vector3d.Cross(in n, in on.Turning))
             - (RollingFriction(in on, speed) * direction);
-        along = Guided(time, in at, in along, in n);
+        along = Guided(time, in at, in along, in on);
 
         // ω = n × (v−V)/r + ω_n n, and so ω̇
         Vector3d spin = ((Vector3d.Cross(in on.Turning, in on.Velocity) + Vector3d.Cross(in n, in along)) / r) + (aboutRate * n) + (about * on.Turning);
         return new MotionRates(along - (on.Centripetal * n), in spin);
     }
 
-    private readonly Vector3d Guided(double time, in Motion at, in Vector3d along, in Vector3d n) =>
-        Guides.Count == 0 ? along : Guides.FreeAlong(World, in at.Position, in at.Velocity, time, in along, in n);
+    private readonly Vector3d Guided(double time, in Motion at, in Vector3d along, in CarriedForces on) => Guides.Count == 0
+        ? along
+        : Guides.FreeAlong(World, in at.Position, in at.Velocity, time, in along, in on.Normal, on.Centripetal);
 
     /// <summary>What the surface does to the spin about the normal, rad/s²: −(c_ω/I) ω_n − sign(ω_n) b μ_s N/I.</summary>
     private readonly double AboutNormal(double about, in CarriedForces on)

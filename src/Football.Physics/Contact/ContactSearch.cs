@@ -12,6 +12,9 @@ internal readonly struct ContactSearch
     /// <summary>Slower than this, m/s, nothing comes closer.</summary>
     public const double Approaching = 1e-9;
 
+    /// <summary>Slower than this, m/s, nothing goes away: it would be 5e-12 m in a microsecond, and gravity brings it back in about that.</summary>
+    public const double Leaving = 5e-6;
+
     /// <summary>Up to this share of the radius from a hollow, the bend of the gap is known.</summary>
     private const double NearHollow = 0.1;
 
@@ -134,7 +137,7 @@ internal readonly struct ContactSearch
                 return t;
             }
 
-            if (t == 0 && gap <= Touching && rate <= Approaching)
+            if (t == 0 && gap <= Touching && rate <= Leaving)
             {
                 // It slides along: what keeps it there is no impact.
                 return double.PositiveInfinity;

@@ -74,6 +74,8 @@ internal struct SlidingSystem<TAir> : IPlanarSystem
             rates.BX = perSpin * StartSpin.X;
             rates.BY = perSpin * StartSpin.Y;
             rates.BZ = perSpin * StartSpin.Z;
+
+            WithoutSpin(time, in at, out rates.AX, out rates.AZ);
         }
 
         rates.BY -= Around.Ground.SpinDamping * at.WY;
@@ -83,6 +85,19 @@ internal struct SlidingSystem<TAir> : IPlanarSystem
             rates.BY += push.SpinAcceleration.Y;
             rates.BZ += push.SpinAcceleration.Z;
         }
+    }
+
+    /// <summary>The push on a ball whose spin has ended: drag, and no lift.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private readonly void WithoutSpin(double time, in PlanarMotion at, out double ax, out double az)
+    {
+        PlanarMotion still = at;
+        still.WX = 0;
+        still.WY = 0;
+        still.WZ = 0;
+        GroundPush.On(Around, Branch, MotionState.Sliding, time, in still, out GroundPush push);
+        ax = push.X;
+        az = push.Z;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

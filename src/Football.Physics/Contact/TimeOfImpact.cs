@@ -3,13 +3,10 @@ namespace Football.Physics;
 /// <summary>Ends a step where the ball touches the ground.</summary>
 internal static class TimeOfImpact
 {
-    /// <summary>Below this correction, s, a linear one is exact to rounding.</summary>
-    private const double Negligible = 1e-6;
-
     /// <summary>Below this height, m, contact needs no correction.</summary>
     private const double Touching = 1e-14;
 
-    /// <summary>Shortens a step to the instant of contact: the integrator's own root, one re-step, one Newton correction on it.</summary>
+    /// <summary>Shortens a step to the instant of contact: from the integrator's own root on, most often one re-step and one linear correction of it.</summary>
     /// <returns>False where the ball does not touch the ground after all.</returns>
     public static bool Exact<TSweep, TIntegrator>(ref TSweep sweep, TIntegrator integrator, in HeightArc arc, double contact)
         where TSweep : struct, ISweep
@@ -63,7 +60,7 @@ internal static class TimeOfImpact
                 return true;
             }
 
-            bool isClose = Math.Abs(correction) <= Negligible;
+            bool isClose = EventLocator.IsLinear(ref sweep, correction);
             if (isClose)
             {
                 sweep.Nudge(correction);

@@ -9,11 +9,24 @@ internal static class EventLocator
     /// <summary>Steps at most: enough to halve any step down to its last bits.</summary>
     private const int MostSteps = 60;
 
+    /// <summary>Below this correction, s, a linear one is exact to rounding, where the motion does not bend in it.</summary>
+    public const double Negligible = 1e-6;
+
+    /// <summary>What the acceleration may add to a linear correction, m.</summary>
+    private const double NegligibleBend = 1e-10;
+
+    /// <summary>Whether a step's end may be moved by a correction along its velocity, and need not be taken again.</summary>
+    /// <param name="sweep">The step.</param>
+    /// <param name="correction">The correction, s.</param>
+    public static bool IsLinear<TSweep>(ref TSweep sweep, double correction)
+        where TSweep : struct, ISweep =>
+        Math.Abs(correction) <= Negligible && sweep.StartAcceleration.Length * correction * correction <= NegligibleBend;
+
     /// <summary>Shortens a step to where its event function is zero.</summary>
     /// <param name="sweep">The step.</param>
     /// <param name="sought">The event function; positive at the step's start, and not at its end.</param>
     /// <param name="tau">The first guess, s.</param>
-    /// <returns>False where the search ended without it: then the step is where the function has its sign for the last time.</returns>
+    /// <returns>False where the search ended without it: then the step has the length at which it was evaluated last.</returns>
     public static bool Locate<TSweep, TEvent>(ref TSweep sweep, in TEvent sought, double tau)
         where TSweep : struct, ISweep
         where TEvent : struct, IEventFunction<TSweep>

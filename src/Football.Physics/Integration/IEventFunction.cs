@@ -9,6 +9,6 @@ internal interface IEventFunction<TSweep>
     /// <param name="tau">Its length, s.</param>
     /// <param name="value">The function there; positive before the event.</param>
     /// <param name="correction">What Newton's method, or a secant, adds to the length, s; not a number where the function does not fall: then the bracket is halved.</param>
-    /// <returns>True where the step ends at the event: the search ends.</returns>
+    /// <returns>True where the search ends: at the event, or where no other length would be nearer to it.</returns>
     bool Evaluate(ref TSweep sweep, double tau, out double value, out double correction);
 }

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>
@@ -17,6 +19,7 @@ internal sealed class BodyTube
     private double _time;
     private double _duration = -1;
     private double _width;
+    private double _longestStep;
     private double _strayed;
 
     public BodyTube(Bodies bodies, double ballRadius)
@@ -26,36 +29,42 @@ internal sealed class BodyTube
     }
 
     /// <summary>Whether a ball stays in it during a step.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Holds(in BallState s, double dt)
     {
         double gone = s.Time - _time;
-        if (!(gone >= 0 && gone + dt <= _duration && s.SpinRate <= _spinRate))
+        if (!(gone >= 0 && gone + dt <= _duration && dt <= _longestStep && s.SpinRate <= _spinRate))
         {
             return false;
         }
 
-        double x = Math.Abs(s.Position.X - _from.X - (gone * _velocity.X)) + (_duration * Math.Abs(s.Velocity.X - _velocity.X));
-        double y = Math.Abs(s.Position.Y - _from.Y - (gone * _velocity.Y)) + (_duration * Math.Abs(s.Velocity.Y - _velocity.Y));
-        double z = Math.Abs(s.Position.Z - _from.Z - (gone * _velocity.Z)) + (_duration * Math.Abs(s.Velocity.Z - _velocity.Z));
+        // Where it is at the start of the step, and how far its velocity there takes it off until the end: how it bends in between is allowed for.
+        double x = Math.Abs(s.Position.X - _from.X - (gone * _velocity.X)) + (dt * Math.Abs(s.Velocity.X - _velocity.X));
+        double y = Math.Abs(s.Position.Y - _from.Y - (gone * _velocity.Y)) + (dt * Math.Abs(s.Velocity.Y - _velocity.Y));
+        double z = Math.Abs(s.Position.Z - _from.Z - (gone * _velocity.Z)) + (dt * Math.Abs(s.Velocity.Z - _velocity.Z));
         return x + y + z + (_bodies.Strayed - _strayed) <= _width;
     }
 
     /// <summary>Looks for a new one.</summary>
     /// <param name="s">The ball.</param>
     /// <param name="dt">Length of its step, s.</param>
+    /// <param name="longest">Length of the longest step that it is good for, s.</param>
     /// <param name="ahead">How far to look, s.</param>
-    /// <param name="bend">How far the ball may go from a straight line in that time, m.</param>
+    /// <param name="bendOfStep">How far the ball may go from a straight line in the longest step, m.</param>
+    /// <param name="bend">How far in all the time ahead, m; half of that is the more usual.</param>
     /// <returns>Whether it is long enough for the step.</returns>
-    public bool Renew(in BallState s, double dt, double ahead, double bend)
+    public bool Renew(in BallState s, double dt, double longest, double ahead, double bendOfStep, double bend)
     {
-        _width = LeastWidth + (2.0 * bend);
-        var way = new StraightWay(s.Position, s.Velocity, s.Time, ahead, _ballRadius + _width + bend);
+        _width = LeastWidth + (0.5 * bend);
+        var way = new StraightWay(s.Position, s.Velocity, s.Time, ahead, _ballRadius + _width + bendOfStep);
         _from = s.Position;
         _velocity = s.Velocity;
         _spinRate = s.SpinRate;
         _time = s.Time;
+        _longestStep = longest;
         _strayed = _bodies.Strayed;
         _duration = _bodies.FreeFor(in way);
+
         return dt <= _duration;
     }
 }

@@ -61,8 +61,10 @@ internal struct CarriedMargin<TAir, TIntegrator> : IFunction
     /// Ends a piece where the load or the grip ends, where a rolling ball comes to rest, or where the spin about the normal reaches zero under drilling
     /// friction: each is a number that is positive until then.
     /// </summary>
-    public static void EndPiece(ref MotionSweep<CarriedSystem<TAir>, TIntegrator> sweep, in BallState s, bool rolls)
+    /// <returns>Whether it ends beyond a jump of one of them, as at an edge.</returns>
+    public static bool EndPiece(ref MotionSweep<CarriedSystem<TAir>, TIntegrator> sweep, in BallState s, bool rolls)
     {
+        bool jumps = false;
         for (var what = CarriedLimit.Load; what <= CarriedLimit.Spin; what++)
         {
             if (!rolls && what is CarriedLimit.Grip or CarriedLimit.Rest)
@@ -81,7 +83,8 @@ internal struct CarriedMargin<TAir, TIntegrator> : IFunction
             if (start > 0)
             {
                 double x = Roots.Illinois(ref margin, 0, start, sweep.Length, end, 1e-13 * sweep.Length, 60);
-                if (margin.Of(in margin.Sweep.Taken.End, x) > Jump * start)
+                jumps = Math.Abs(margin.Of(in margin.Sweep.Taken.End, x)) > Jump * start;
+                if (jumps)
                 {
                     margin.Sweep.Step(Math.Min(sweep.Length, x + (Beyond * sweep.Length)));
                 }
@@ -89,5 +92,7 @@ internal struct CarriedMargin<TAir, TIntegrator> : IFunction
                 sweep = margin.Sweep;
             }
         }
+
+        return jumps;
     }
 }

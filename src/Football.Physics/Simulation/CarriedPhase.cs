@@ -128,18 +128,31 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
     {
         var sweep = new MotionSweep<CarriedSystem<TAir>, TIntegrator>(in system, s.Time, in from, _around.Wind, _around.Radius);
         sweep.Step(h);
+        SurfacePath.Shorten(ref sweep, in s, _world, system.Carrier, in system.Guides, _integrator.Order);
         _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
-        CarriedMargin<TAir, TIntegrator>.EndPiece(ref sweep, in s, system.Rolls);
+        double crossing = sweep.Length;
+        bool overEdge = CarriedMargin<TAir, TIntegrator>.EndPiece(ref sweep, in s, system.Rolls);
         SurfaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
         _nets.EndWhereSlack(ref sweep, in s);
         bool meets = _guard.EndAtFirst(ref sweep, in s, _integrator.Order, out Gap met);
+        s.Branch = sweep.Length < crossing ? system.Branch : s.Branch;
         run.Log.Evaluations += sweep.Evaluations;
         BallState before = s;
         before.Branch = system.Branch;
         sweep.MoveTo(ref s);
         run.Advance(ref s, sweep.Length);
-        Hold(ref s, in system);
-        run.Show(in before, in s, ref sweep, _integrator.Order);
+        Hold(ref s, in system, meets && met.What == Happening.Contact ? met.Index : -1);
+        if (overEdge && run.Log.Observer is not null)
+        {
+            // What acts beyond the edge is no end of this path.
+            Vector3d end = Extrapolate.Rate(before.Velocity, s.Velocity, sweep.StartAcceleration, sweep.Length);
+            run.Log.Show(in before, in s, sweep.StartAcceleration, in end, _integrator.Order);
+        }
+        else
+        {
+            run.Show(in before, in s, ref sweep, _integrator.Order);
+        }
+
         if (meets && !run.Log.Halted)
         {
             _guard.Meet(ref s, in met, ref run);
@@ -194,7 +207,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         s.Velocity = velocity;
         s.SpinAxis = rolling;
         run.Advance(ref s, t);
-        Hold(ref s, in system);
+        Hold(ref s, in system, -1);
         if (run.Log.Observer is not null)
         {
             Vector3d end = Extrapolate.Rate(from.Velocity, s.Velocity, rates.Acceleration, t);
@@ -233,16 +246,19 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         return h;
     }
 
-    /// <summary>Puts the ball onto the surface: what the integrator left of it is within its own error.</summary>
-    private void Hold(ref BallState s, in CarriedSystem<TAir> system)
+    /// <summary>Puts the ball onto all that it touches: what the integrator left of it is within its own error.</summary>
+    private void Hold(ref BallState s, in CarriedSystem<TAir> system, int met)
     {
-        ShapePoint at = system.Carrier.At(s.Position, s.Time);
-        Vector3d n = at.Normal;
-        s.Position += (_world.Ball.Radius - at.Distance) * n;
-        s.Velocity -= Vector3d.Dot(s.Velocity - system.Carrier.Velocity, in n) * n;
-        if (system.Guides.Count > 0)
+        Vector3d n = system.Carrier.Hold(ref s, _world.Ball.Radius);
+        if (system.Guides.Count > 0 || met >= 0)
         {
-            system.Guides.HoldAlong(_world, ref s, in n);
+            var end = new Motion(s.Position, s.Velocity, s.Spin);
+            CarriedSystem<TAir> bare = system;
+            bare.Guides = default;
+            bare.Rates(s.Time, in end, out MotionRates pressed);
+            system.Rates(s.Time, in end, out MotionRates free);
+            system.Guides.Hold(_world, ref s, in pressed.Acceleration, in free.Acceleration, system.Carrier, met);
+            n = system.Carrier.At(s.Position, s.Time).Normal;
         }
 
         Vector3d spin = s.SpinAxis;

@@ -13,7 +13,10 @@ internal sealed class ClearFlight
     private const double Nearer = 4;
 
     /// <summary>The same for bodies, which may stray.</summary>
-    private const double AheadOfBodies = 8;
+    private const double AheadOfBodies = 24;
+
+    /// <summary>Steps of what the game shows differ in length: what holds for bodies holds for steps so many times as long.</summary>
+    private const double LongestStep = 2;
 
     /// <summary>Up to this change of the motion by the air in a step no method makes a ball faster by more than a tenth in all steps ahead.</summary>
     private const double SmallChange = 0.05;
@@ -24,19 +27,28 @@ internal sealed class ClearFlight
     private readonly World _world;
     private readonly StabilityLimit _limit;
     private readonly double _weight;
+    private readonly double _shareInPath;
     private readonly BodyTube? _tube;
 
-    public ClearFlight(World world, in StabilityLimit limit, in Vector3d wind, double upward)
+    /// <summary>Prepares the questions.</summary>
+    /// <param name="world">The world.</param>
+    /// <param name="limit">How fast the air can change the motion.</param>
+    /// <param name="wind">Wind, m/s.</param>
+    /// <param name="upward">Upward acceleration by gravity and buoyancy, m/s².</param>
+    /// <param name="shareInPath">c of the method's path p + h (v + c h a).</param>
+    public ClearFlight(World world, in StabilityLimit limit, in Vector3d wind, double upward, double shareInPath)
     {
         _world = world;
         _limit = limit;
         _weight = Math.Abs(upward);
+        _shareInPath = Math.Max(0.5, shareInPath);
         _tube = world.Bodies is { } bodies ? new BodyTube(bodies, world.Ball.Radius) : null;
         var key = new ClearKey();
         key.Add(limit.Bound.PerSpeed);
         key.Add(limit.Bound.PerSpin);
         key.Add(limit.Bound.Constant);
         key.Add(upward);
+        key.Add(_shareInPath);
         key.Add(in wind);
         world.AddTo(ref key);
         Key = key.Value;
@@ -56,7 +68,7 @@ internal sealed class ClearFlight
     {
         if (_world.Engine is { } engine)
         {
-            double bend = Bend(Math.Sqrt(airSpeedSquared), s.SpinRate, dt);
+            double bend = Bend(Math.Sqrt(airSpeedSquared), s.SpinRate, dt, dt);
             if (s.Nets != 0 || !engine.IsFree(new StraightWay(s.Position, s.Velocity, s.Time, dt, _world.Ball.Radius + bend)))
             {
                 return false;
@@ -94,24 +106,30 @@ internal sealed class ClearFlight
     private bool IsFree(ref BallState s, double dt, double steps, double speed)
     {
         double ahead = steps * dt;
-        double around = _world.Ball.Radius + Bend(speed, s.SpinRate, ahead);
+        double around = _world.Ball.Radius + Bend(speed, s.SpinRate, ahead, ahead);
         double free = _world.FreeFor(new StraightWay(s.Position, s.Velocity, s.Time, ahead, around));
         s.ClearUntil = s.Time + free;
         s.ClearIn = Key;
+
         return dt <= free;
     }
 
     private bool Renew(in BallState s, double dt, double steps, double speed)
     {
         double ahead = Math.Min(steps * dt, Math.Max(dt, Bodies.Foresight));
-        return _tube!.Renew(in s, dt, ahead, Bend(speed, s.SpinRate, ahead));
+        double longest = LongestStep * dt;
+        return _tube!.Renew(in s, dt, longest, ahead, Bend(speed, s.SpinRate, ahead + longest, longest), Bend(speed, s.SpinRate, ahead, ahead));
     }
 
-    /// <summary>A bound of how far the ball goes off a straight line, m: ½ a t² with all that the air can do to the speed that the ball may have then.</summary>
-    private double Bend(double speed, double spinRate, double ahead)
+    /// <summary>A bound of how far the ball goes off a straight line, m: c a t², which is ½ a t² for most methods, with all that the air can do to the speed that the ball may have then.</summary>
+    /// <param name="speed">Speed now, m/s.</param>
+    /// <param name="spinRate">Spin, rad/s.</param>
+    /// <param name="ahead">The speed may be that of so much later, s.</param>
+    /// <param name="during">t, s.</param>
+    private double Bend(double speed, double spinRate, double ahead, double during)
     {
         double most = 1.1 * (speed + (ahead * _weight));
         double acceleration = _weight + (_limit.RateAtMost(most, spinRate) * most);
-        return 0.5 * acceleration * ahead * ahead;
+        return _shareInPath * acceleration * during * during;
     }
 }

@@ -8,8 +8,11 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     where TAir : struct, IAir
     where TIntegrator : struct, IIntegrator
 {
-    /// <summary>A spin that is none, rad/s: what is left of one that has no digits any more.</summary>
-    private const double Vanishing = 1e-300;
+    /// <summary>A ball that rises at contact by less than this share of its speed before does so by rounding.</summary>
+    private const double Rising = 1e-9;
+
+    /// <summary>Pieces shorter than this, s, are not halved.</summary>
+    private const double ShortestPiece = 1e-12;
 
     private readonly SolverSettings _settings;
     private readonly Surroundings<TAir> _around;
@@ -112,7 +115,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
             next = s.Branch;
         }
 
-        Finish(ref s, ref run, ref sweep, next, goes);
+        Finish(ref s, ref run, ref sweep, next, goes, default);
     }
 
     /// <summary>A piece with the whole spin vector: with forces of the game's own, along the drag law's jump, in a net, or along what guides the ball.</summary>
@@ -126,6 +129,11 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         system.Guides = guides;
         var sweep = new MotionSweep<FlightSystem<TAir>, TIntegrator>(in system, s.Time, in from, _around.Wind, _around.Radius);
         sweep.Step(h);
+        if (guides.Count > 0)
+        {
+            SurfacePath.Shorten(ref sweep, in s, _around.World!, null, in guides, _integrator.Order);
+        }
+
         DragBranch next = s.Branch;
         bool goes = true;
         if (_jump.Acts)
@@ -148,18 +156,24 @@ internal sealed class FlightPhase<TAir, TIntegrator>
             next = sweep.Length < length ? s.Branch : next;
         }
 
-        Finish(ref s, ref run, ref sweep, next, goes);
-        if (guides.Count > 0 && s.Motion == MotionState.Airborne)
-        {
-            var end = new Motion(s.Position, s.Velocity, s.Spin);
-            system.Guides = default;
-            system.Rates(s.Time, in end, out MotionRates pressed);
-            guides.Hold(_around.World!, ref s, in pressed.Acceleration, guides.Free(_around.World!, s.Position, s.Velocity, s.Time, in pressed.Acceleration));
-        }
+        Finish(ref s, ref run, ref sweep, next, goes, in guides);
+    }
+
+    /// <summary>Puts a ball onto what it slides along: what the integrator left of it is within its own error.</summary>
+    private void Hold(ref BallState s, in Guides guides, int met)
+    {
+        FlightSystem<TAir> system = _system;
+        system.Branch = s.Branch;
+        system.Nets = s.Nets;
+        system.NetSides = s.NetSides;
+        var end = new Motion(s.Position, s.Velocity, s.Spin);
+        system.Rates(s.Time, in end, out MotionRates pressed);
+        Vector3d free = guides.Free(_around.World!, s.Position, s.Velocity, s.Time, in pressed.Acceleration);
+        guides.Hold(_around.World!, ref s, in pressed.Acceleration, in free, null, met);
     }
 
     /// <summary>Ends a piece at the ground, if it is met, and moves the ball to its end.</summary>
-    private void Finish<TSweep>(ref BallState s, ref StepRun run, ref TSweep sweep, DragBranch next, bool goes)
+    private void Finish<TSweep>(ref BallState s, ref StepRun run, ref TSweep sweep, DragBranch next, bool goes, in Guides guides)
         where TSweep : struct, IFlightSweep
     {
         if (!goes)
@@ -171,6 +185,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         }
 
         Gap met = default;
+        double length = sweep.Length;
         bool meets = _world is not null && _world.EndAtFirst(ref sweep, in s, _integrator.Order, out met);
         bool hit = !meets && EndAtGround(ref sweep, in s);
         run.Log.Evaluations += sweep.Evaluations;
@@ -181,8 +196,13 @@ internal sealed class FlightPhase<TAir, TIntegrator>
             s.Position = new Vector3d(s.Position.X, _around.ContactHeight, s.Position.Z);
         }
 
-        s.Branch = hit ? DragBranch.Unknown : next;
+        s.Branch = hit ? DragBranch.Unknown : sweep.Length < length ? before.Branch : next;
         run.Advance(ref s, sweep.Length);
+        if (guides.Count > 0)
+        {
+            Hold(ref s, in guides, meets && met.What == Happening.Contact ? met.Index : -1);
+        }
+
         run.Show(in before, in s, ref sweep, _integrator.Order);
         if (hit && !run.Log.Halted)
         {
@@ -227,21 +247,29 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         }
 
         TSweep whole = sweep;
-        if (TimeOfImpact.Exact(ref sweep, _integrator, in arc, contact))
+        bool touches = TimeOfImpact.Exact(ref sweep, _integrator, in arc, contact);
+        if (touches && (sweep.Velocity.Y <= Rising * Math.Abs(s.Velocity.Y) || h <= ShortestPiece))
         {
             return true;
         }
 
         whole.Evaluations = sweep.Evaluations;
         sweep = whole;
-        return false;
+        if (!touches)
+        {
+            return false;
+        }
+
+        // A ball that rises where it comes down: the step is too long for the forces that act, most often a game's own.
+        sweep.Step(0.5 * h);
+        return EndAtGround(ref sweep, in s);
     }
 
     /// <summary>Ends a piece where its spin reaches zero: decay never reverses a spin.</summary>
     private static void EndSpin(ref FlightSweep<TAir, TIntegrator> sweep, double spinRate)
     {
         double tau = sweep.Length * spinRate / (spinRate - sweep.Taken.SpinRate);
-        EventLocator.Locate(ref sweep, new SpinLeft(spinRate), tau);
+        EventLocator.Locate(ref sweep, new SpinLeft<TAir, TIntegrator>(spinRate), tau);
         sweep.EndSpin();
     }
 
@@ -299,22 +327,5 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         }
 
         return true;
-    }
-
-    /// <summary>The spin that is left.</summary>
-    private readonly struct SpinLeft : IEventFunction<FlightSweep<TAir, TIntegrator>>
-    {
-        private readonly double _start;
-
-        public SpinLeft(double start) => _start = start;
-
-        public bool Evaluate(ref FlightSweep<TAir, TIntegrator> sweep, double tau, out double value, out double correction)
-        {
-            value = sweep.Taken.SpinRate;
-
-            // The secant from the step's start: its spin falls about linearly.
-            correction = value * tau / (_start - value);
-            return Math.Abs(value) <= (1e-14 * _start) + Vanishing || !(tau > 0);
-        }
     }
 }

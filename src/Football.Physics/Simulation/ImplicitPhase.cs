@@ -10,8 +10,8 @@ internal sealed class ImplicitPhase<TAir>
     /// <summary>Pieces of a step that is taken by implicit Euler.</summary>
     private const int MostPieces = 16;
 
-    /// <summary>The instant of a contact is known to this power of ½ of a piece.</summary>
-    private const int MostHalvings = 40;
+    /// <summary>Pieces tried at most to find the instant of a contact; every third halves.</summary>
+    private const int MostTries = 120;
 
     /// <summary>Pieces taken at most to find the one that ends at the level ground.</summary>
     private const int MostContactSteps = 60;
@@ -103,7 +103,7 @@ internal sealed class ImplicitPhase<TAir>
         // The velocity at a contact is that of a piece that ends there; where no piece does, the longest that meets nothing is taken.
         double none = 0;
         Motion free = step.From;
-        for (int i = 0; i < MostHalvings && meets && at < h * (1.0 - 1e-9); i++)
+        for (int i = 0; i < MostTries && meets && at < h * (1.0 - 1e-9); i++)
         {
             // Velocities change little with the length of a piece: most often the next one ends all but where this one meets something.
             double middle = i % 3 == 2 || !(at > none) ? 0.5 * (none + h) : at + (1e-3 * (h - at));

@@ -66,7 +66,7 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         _locatesJump = jump.Acts;
         var contact = new ContactPhase<TAir>(scene, around);
         World? world = around.World;
-        _clear = world is null or { IsLevelGroundAlone: true } ? null : new ClearFlight(world, in _limit, in _wind, _upward);
+        _clear = world is null or { IsLevelGroundAlone: true } ? null : new ClearFlight(world, in _limit, in _wind, _upward, _integrator.ShareInPath);
 
         // Where there are bodies, no answer is good for longer than a step.
         _clearKey = _clear is { LooksForBodies: false } ? _clear.Key : 0;

@@ -32,6 +32,7 @@ internal static class SurfaceBorder
         double high = sweep.Length;
         var beyond = new Beyond<TSweep>(in sweep, carrier, patch);
         Roots.Bisect(ref beyond, ref low, ref high, MostHalvings);
+        sweep = beyond.Sweep;
         sweep.Step(high);
     }
 
@@ -39,21 +40,23 @@ internal static class SurfaceBorder
     private struct Beyond<TSweep> : ICondition
         where TSweep : struct, ISweep
     {
+        /// <summary>The piece, with what it has evaluated.</summary>
+        public TSweep Sweep;
+
         private readonly Collider _carrier;
         private readonly int _patch;
-        private TSweep _sweep;
 
         public Beyond(in TSweep sweep, Collider carrier, int patch)
         {
-            _sweep = sweep;
+            Sweep = sweep;
             _carrier = carrier;
             _patch = patch;
         }
 
         public bool Evaluate(double x, out bool holds)
         {
-            _sweep.Step(x);
-            holds = _carrier.PatchAt(_sweep.Position) != _patch;
+            Sweep.Step(x);
+            holds = _carrier.PatchAt(Sweep.Position) != _patch;
             return false;
         }
     }

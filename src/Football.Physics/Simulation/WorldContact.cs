@@ -91,10 +91,11 @@ internal sealed class WorldContact<TAir>
         run.Log.Events.Add(new BallEvent(BallEventKind.Slide, (int)s.Carrier, in n, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
     }
 
-    /// <summary>The ball leaves what carries it.</summary>
+    /// <summary>The ball leaves what carries it: the step is divided anew.</summary>
     public void Leave(ref BallState s, in Vector3d velocity, in Vector3d spin, ref StepRun run)
     {
         run.Log.Events.Add(new BallEvent(BallEventKind.Leave, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, in velocity, in spin));
+        run.Part = 0;
         Fly(ref s, in velocity, in spin);
     }
 

@@ -4,9 +4,6 @@ namespace Football.Physics;
 internal sealed class WorldGuard<TAir>
     where TAir : struct, IAir
 {
-    /// <summary>Below this correction, s, a linear one is exact to rounding.</summary>
-    private const double Negligible = 1e-6;
-
     /// <summary>Below this, m, a gap needs no correction.</summary>
     private const double Closed = 1e-14;
 
@@ -44,7 +41,7 @@ internal sealed class WorldGuard<TAir>
             // The ground takes a ball that it presses at any speed, even where nothing comes closer.
             bool isGround = carrier < 0 && _world.Colliders[i] == _world.Ground;
             bool hits = gap <= ContactSearch.Touching
-                && (rate < -ContactSearch.Approaching || (rate <= ContactSearch.Approaching && isGround && _contact.IsPressed(in s, i)));
+                && (rate < -ContactSearch.Approaching || (rate <= ContactSearch.Leaving && isGround && _contact.IsPressed(in s, i)));
             first = hits ? i : first;
         }
 
@@ -168,7 +165,7 @@ internal sealed class WorldGuard<TAir>
                 return true;
             }
 
-            bool isClose = Math.Abs(correction) <= Negligible && tau + correction >= 0;
+            bool isClose = tau + correction >= 0 && EventLocator.IsLinear(ref sweep, correction);
             if (isClose)
             {
                 sweep.Nudge(correction);

@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text.Json;
 using Football.Physics.Tests.Reference;
 
@@ -14,6 +15,16 @@ public sealed class AimTests
     {
         Assert.Equal(41, s_cases.Count);
         Assert.Equal(8, s_cases.Count(HasThrough));
+    }
+
+    [Theory]
+    [InlineData(0, "blocked")]
+    [InlineData(1.5, "hit")]
+    public void What_moves_is_where_it_has_come_to_when_the_ball_is_kicked(double kickTime, string status)
+    {
+        const string Keeper = """{"aim": {"from": [0, 0.11, 0], "target": [0, 1, -15], "speed": 20}, "obstacles": [{"name": "keeper", "shape": "capsule", "from": [0, 0.3, -8], "to": [0, 5, -8], "radius": 0.3, "velocity": [1, 0, 0]}]}""";
+        FootballCommand done = FootballCommand.Run(Keeper, "aim", "-", "--set", $"aim.kickTime={kickTime.ToString(CultureInfo.InvariantCulture)}");
+        Assert.Equal(status, done.Result.GetProperty("status").GetString());
     }
 
     [Theory]

@@ -42,15 +42,26 @@ public sealed class WorldOrderTests
     }
 
     [Theory]
+    [InlineData(Integrator.Rk2, 1.8, 2.6)]
+    [InlineData(Integrator.Rk4, 3.6, 5.2)]
+    public void Into_a_net_and_out_of_it_again(Integrator integrator, double low, double high)
+    {
+        // So soft that no step is divided in it.
+        Scene soft = s_net with { Ground = Ground.None, Nets = [s_net.Nets[0] with { Stiffness = 4, Damping = 0.05, TangentialDamping = 0.2, SpinDamping = 2e-4 }] };
+        Hold("soft net", soft, integrator, 2.5, new Vector3d(0.3, 1.2, -9.2), new Vector3d(0.5, 1, -6), low, high, steps: 640, halvings: 2);
+    }
+
+    [Theory]
     [InlineData(Integrator.Rk2, 1.7, 2.8)]
     [InlineData(Integrator.Rk4, 3.4, 5.5)]
     public void On_curved_ground(Integrator integrator, double low, double high) =>
         Hold("bowl", s_bowl, integrator, 0.6, new Vector3d(4, 3, 1), new Vector3d(0, 0, 0), low, high);
 
-    private static void Hold(string what, Scene scene, Integrator integrator, double duration, Vector3d position, Vector3d velocity, double low, double high)
+    private static void Hold(
+        string what, Scene scene, Integrator integrator, double duration, Vector3d position, Vector3d velocity, double low, double high, int steps = 32, int halvings = 3)
     {
-        Vector3d exact = End(scene, Integrator.Rk4, duration / 4096, duration, position, velocity);
-        double observed = Order.Observed(duration / 32, 3, h => Vector3d.Distance(End(scene, integrator, h, duration, position, velocity), exact) + 1e-15);
+        Vector3d exact = End(scene, Integrator.Rk4, duration / Math.Max(4096, 16 * steps), duration, position, velocity);
+        double observed = Order.Observed(duration / steps, halvings, h => Vector3d.Distance(End(scene, integrator, h, duration, position, velocity), exact) + 1e-15);
         Order.Hold($"{what} {integrator}", [observed], low, high);
     }
 

@@ -39,6 +39,19 @@ public sealed class WorldStabilityTests
     }
 
     [Fact]
+    public void Nothing_is_called_clear_that_a_step_of_semi_implicit_euler_reaches()
+    {
+        var table = new Obstacle { Shape = new BoxShape(new Vector3d(0, 0.5, 0), new Vector3d(1, 0.5, 1)) };
+        var simulator = new Simulator(Scene.Published with { Obstacles = [table] }, Flight.With(Integrator.SemiImplicitEuler));
+        for (int mm = 0; mm < 40; mm++)
+        {
+            BallState state = simulator.Launch(new Vector3d(0, 1.001 + Flight.Radius + (0.001 * mm), 0), default, default);
+            simulator.Step(ref state, 0.04, new StepLog());
+            Assert.True(state.Position.Y > 1 + Flight.Radius - 1e-9, $"from {mm} mm it falls to {state.Position.Y}");
+        }
+    }
+
+    [Fact]
     public void Without_wind_and_moving_things_energy_never_grows()
     {
         for (int seed = 100; seed < 100 + Scenes; seed++)

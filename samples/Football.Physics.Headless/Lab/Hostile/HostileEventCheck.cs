@@ -80,7 +80,11 @@ internal static class HostileEventCheck
     private static void Impact(HostileFrame frame, in BallEvent item)
     {
         SolverSettings settings = frame.Scene.Settings;
-        if (item.VelocityBefore.Y > 0)
+
+        // So late or early contact may be found, and the speeds are rounded.
+        double late = settings.CollisionTiming == CollisionTiming.Bisection ? 2 * settings.CollisionTolerance : 1e-15 * frame.Length;
+        double pull = Math.Max(Math.Abs(frame.Scene.Upward), frame.Scene.HasOwnForces ? 2 * frame.Fastest / frame.Length : 0);
+        if (item.VelocityBefore.Y > (late * pull) + (1e-15 * frame.Fastest))
         {
             string coarse = settings.CollisionTolerance > 1e-4 ? ", coarse" : "";
             frame.FindMild(

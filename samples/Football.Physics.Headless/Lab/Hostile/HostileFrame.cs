@@ -1,3 +1,5 @@
+using Football.Physics.Headless.Lab.Stability;
+
 namespace Football.Physics.Headless.Lab.Hostile;
 
 /// <summary>A frame of a hostile scene that has been played, and where its findings go.</summary>
@@ -7,6 +9,8 @@ namespace Football.Physics.Headless.Lab.Hostile;
 /// <param name="findings">Where findings go.</param>
 internal sealed class HostileFrame(HostileScene scene, Simulator simulator, double absurdity, HostileFindings findings)
 {
+    private readonly EnergyCheck _energy = new(scene.Scene, scene.Settings, scene.Upward, simulator);
+    private readonly StepLog _again = new();
     private BallState _before;
     private BallState _after;
 
@@ -32,6 +36,9 @@ internal sealed class HostileFrame(HostileScene scene, Simulator simulator, doub
     /// <summary>The highest speed that is known of the frame, m/s.</summary>
     public double Fastest { get; private set; }
 
+    /// <summary>The energy that the frame has made, and how much of it the method may make; null where nothing is promised.</summary>
+    public FrameEnergy? Energy() => _energy.Of(in _before, Length, in _after, Log.Events.Span);
+
     /// <summary>Plays the next frame from where the last one ended.</summary>
     public void Play(int index, ref BallState state, double length)
     {
@@ -46,6 +53,14 @@ internal sealed class HostileFrame(HostileScene scene, Simulator simulator, doub
         {
             Fastest = Math.Max(Fastest, Math.Max(item.Velocity.Length, item.VelocityBefore.Length));
         }
+    }
+
+    /// <summary>Plays the same frame again, for the time that it takes.</summary>
+    public void Again()
+    {
+        BallState state = _before;
+        _again.Clear();
+        simulator.Step(ref state, Length, _again);
     }
 
     /// <summary>Puts another end in the place of that which was played, to see that the checks find it.</summary>

@@ -8,6 +8,9 @@ internal sealed class HostileRun
     /// <summary>Evaluations of a frame at most: some milliseconds of them.</summary>
     private const long MostEvaluations = 200_000;
 
+    /// <summary>How often a frame that seems the slowest is played again.</summary>
+    private const int Again = 4;
+
     private readonly Lock _lock = new();
 
     public HostileFindings Findings { get; } = new();
@@ -21,7 +24,7 @@ internal sealed class HostileRun
 
     public long Rests { get; private set; }
 
-    /// <summary>The frame that took longest, ms, and its scene.</summary>
+    /// <summary>The frame that took longest, ms, the least of a few times, and its scene.</summary>
     public (double Milliseconds, ulong Scene) Slowest { get; private set; }
 
     /// <summary>Plays a scene to its end, and to the same end once more, and from a snapshot.</summary>
@@ -123,6 +126,12 @@ internal sealed class HostileRun
         if (frame.Log.Evaluations > MostEvaluations)
         {
             frame.FindMild($"long frame of {(frame.Length >= 1 ? "a second or more" : "less than a second")}", frame.Log.Evaluations, $"{frame.Log.Steps} pieces, {frame.Log.Events.Count} events");
+        }
+
+        // What another program took is not the frame's.
+        for (int i = 0; i < Again && milliseconds > Slowest.Milliseconds; i++)
+        {
+            milliseconds = Math.Min(milliseconds, Timed(frame.Again));
         }
 
         lock (_lock)

@@ -20,7 +20,10 @@ internal sealed class EnergyCheck : PieceObserver
     /// <summary>Slip that is left, m/s, when a ball is taken to roll.</summary>
     private const double LastSlip = 1e-9;
 
-    private readonly StressScene _scene;
+    private readonly Scene _scene;
+    private readonly SolverSettings _settings;
+    private readonly bool _windy;
+    private readonly double _upward;
     private readonly Simulator _simulator;
     private readonly MethodError _method;
     private readonly StepLog _log = new();
@@ -35,35 +38,42 @@ internal sealed class EnergyCheck : PieceObserver
     private double _made;
     private double _corrected;
 
-    public EnergyCheck(StressScene scene, Simulator simulator)
+    /// <param name="scene">The scene.</param>
+    /// <param name="settings">Its method.</param>
+    /// <param name="upward">Upward acceleration by gravity and buoyancy, m/s².</param>
+    /// <param name="simulator">What steps it.</param>
+    public EnergyCheck(Scene scene, SolverSettings settings, double upward, Simulator simulator)
     {
         _scene = scene;
+        _settings = settings;
+        _windy = scene.Air.Wind.Length > 0;
+        _upward = upward;
         _simulator = simulator;
-        _method = new MethodError(scene.Integrator, scene.Scene);
-        _mass = scene.Scene.Ball.Mass;
-        _inertiaFactor = scene.Scene.Ball.InertiaFactor;
-        _radius = scene.Scene.Ball.Radius;
-        _weight = _mass * Math.Abs(scene.Upward);
+        _method = new MethodError(settings.Integrator, scene);
+        _mass = scene.Ball.Mass;
+        _inertiaFactor = scene.Ball.InertiaFactor;
+        _radius = scene.Ball.Radius;
+        _weight = _mass * Math.Abs(upward);
         _log.Observer = this;
     }
 
     public override bool WantsEndAcceleration => false;
 
     /// <summary>Wind, m/s.</summary>
-    public Vector3d Wind => _scene.Scene.Air.Wind;
+    public Vector3d Wind => _scene.Air.Wind;
 
     /// <summary>Judges a frame.</summary>
     /// <param name="before">The ball before it.</param>
     /// <param name="dt">Its length, s.</param>
     /// <param name="after">The ball after it.</param>
     /// <param name="events">What happened in it.</param>
-    /// <returns>Null where nothing is promised: where wind pushes a ball on the ground, and where the heuristic makes a ball roll that slips.</returns>
+    /// <returns>Null where nothing is promised: where wind pushes a ball on the ground, and where the heuristic does not see the end of a slip.</returns>
     public FrameEnergy? Of(in BallState before, double dt, in BallState after, ReadOnlySpan<BallEvent> events)
     {
         // Air that presses a ball against the ground does work on it, as one sees it who goes with the wind.
         bool flies = before.Motion == MotionState.Airborne && after.Motion == MotionState.Airborne && events.Length == 0
-            && !(_scene.Windy && after.Position.Y <= _simulator.ContactHeight + TouchingRelaxed);
-        if (!flies && (_scene.Windy || (_scene.Settings.RollingTransition == RollingTransition.Heuristic && Rolls(events))))
+            && !(_windy && after.Position.Y <= _simulator.ContactHeight + TouchingRelaxed);
+        if (!flies && (_windy || (_settings.RollingTransition == RollingTransition.Heuristic && (before.Motion == MotionState.Sliding || Rolls(events)))))
         {
             return null;
         }
@@ -103,7 +113,7 @@ internal sealed class EnergyCheck : PieceObserver
         if (piece.Motion == MotionState.Airborne)
         {
             double speed = (piece.StartVelocity - Wind).Length;
-            double g = Math.Abs(_scene.Upward);
+            double g = Math.Abs(_upward);
             _made += _mass * _method.Of(length, g, speed, _slowSurface, _fastSurface);
             _corrected += _mass * _method.OfCorrection(LinearCorrection, length, g, speed, _slowSurface, _fastSurface);
         }
@@ -112,10 +122,10 @@ internal sealed class EnergyCheck : PieceObserver
             // Friction may turn a sliding ball the faster, by r ω̇ = μ g/α; a rolling one has the spin of its speed, and inertia of it too.
             double speed = piece.StartVelocity.Length;
             bool rolls = piece.Motion == MotionState.Rolling;
-            double faster = _scene.Scene.Ground.SlidingFriction * Math.Abs(_scene.Upward) / _inertiaFactor * length;
+            double faster = _scene.Ground.SlidingFriction * Math.Abs(_upward) / _inertiaFactor * length;
             _slowSurface = 0;
             _fastSurface = rolls ? Math.Max(_fastSurface, speed) : _fastSurface + faster;
-            if (_scene.Scene.Ground.Aerodynamics == GroundAerodynamics.Horizontal)
+            if (_scene.Ground.Aerodynamics == GroundAerodynamics.Horizontal)
             {
                 _made += (rolls ? 1 + _inertiaFactor : 1) * _mass * _method.Of(length, 0, speed, _slowSurface, _fastSurface);
             }
@@ -146,8 +156,8 @@ internal sealed class EnergyCheck : PieceObserver
         {
             made += item.Kind == BallEventKind.Roll ? _inertiaFactor * _mass * LastSlip * ((_radius * item.Spin.Length) + LastSlip)
                 : item.Kind != BallEventKind.Impact ? 0
-                : _scene.Settings.CollisionTiming == CollisionTiming.Bisection ? _weight * _scene.Settings.CollisionTolerance * Math.Abs(item.VelocityBefore.Y)
-                : _weight * (Touching + (Bracket * dt * Math.Abs(item.VelocityBefore.Y)) + (0.5 * Math.Abs(_scene.Upward) * LinearCorrection * LinearCorrection));
+                : _settings.CollisionTiming == CollisionTiming.Bisection ? _weight * _settings.CollisionTolerance * Math.Abs(item.VelocityBefore.Y)
+                : _weight * (Touching + (Bracket * dt * Math.Abs(item.VelocityBefore.Y)) + (0.5 * Math.Abs(_upward) * LinearCorrection * LinearCorrection));
         }
 
         return made;
@@ -156,7 +166,7 @@ internal sealed class EnergyCheck : PieceObserver
     /// <summary>What rounding can make, J: of the speeds, the spin and the height, which are sums.</summary>
     private double OfRounding(in BallState before, double dt, in BallState after)
     {
-        double speed = Math.Max(before.Velocity.Length, after.Velocity.Length) + Wind.Length + (Math.Abs(_scene.Upward) * dt);
+        double speed = Math.Max(before.Velocity.Length, after.Velocity.Length) + Wind.Length + (Math.Abs(_upward) * dt);
         double surface = Math.Max(before.Spin.Length, after.Spin.Length) * _radius;
         double height = Math.Abs(before.Position.Y) + Math.Abs(after.Position.Y) + Math.Abs(_simulator.ContactHeight);
         return 8 * Rounding * ((_mass * ((speed * speed) + (_inertiaFactor * surface * surface))) + (_weight * height)) + 1e-300;
@@ -166,13 +176,13 @@ internal sealed class EnergyCheck : PieceObserver
     private double InFlight(in BallState s, double time)
     {
         double climb = s.Position.Y - _simulator.ContactHeight - (Wind.Y * time);
-        return (0.5 * _mass * (s.Velocity - Wind).LengthSquared) - (_mass * _scene.Upward * climb);
+        return (0.5 * _mass * (s.Velocity - Wind).LengthSquared) - (_mass * _upward * climb);
     }
 
     /// <summary>½ m v² + ½ I ω² + m g y, J.</summary>
     private double Total(in BallState s) =>
-        (0.5 * ((_mass * s.Velocity.LengthSquared) + (_scene.Scene.Ball.MomentOfInertia * s.Spin.LengthSquared)))
-        - (_mass * _scene.Upward * (s.Position.Y - _simulator.ContactHeight));
+        (0.5 * ((_mass * s.Velocity.LengthSquared) + (_scene.Ball.MomentOfInertia * s.Spin.LengthSquared)))
+        - (_mass * _upward * (s.Position.Y - _simulator.ContactHeight));
 
     private static bool Rolls(ReadOnlySpan<BallEvent> events)
     {

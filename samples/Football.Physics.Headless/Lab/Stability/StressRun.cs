@@ -24,7 +24,7 @@ internal sealed class StressRun
     {
         _scene = scene;
         _simulator = new Simulator(scene.Scene, scene.Settings);
-        _energy = new EnergyCheck(scene, _simulator);
+        _energy = new EnergyCheck(scene.Scene, scene.Settings, scene.Upward, _simulator);
         _air = new AirBounds(scene.Scene);
     }
 

@@ -17,11 +17,13 @@ internal sealed class DirectAim : IAimMethod
     private readonly AimContext _context;
     private readonly ClosestKick _closest;
     private readonly TimeSearch _times;
+    private readonly ShootingSearch _shooting;
 
-    public DirectAim(AimContext context, PlaneProblem problem, TimeSearch times)
+    public DirectAim(AimContext context, PlaneProblem problem, TimeSearch times, ShootingSearch shooting)
     {
         _context = context;
         _times = times;
+        _shooting = shooting;
         _problem = problem;
         _closest = new ClosestKick(context);
     }
@@ -61,7 +63,8 @@ internal sealed class DirectAim : IAimMethod
 
         // Where elevation and azimuth do not separate, by the time of flight; else by the elevation.
         bool separates = _context.Approaches.Separates(request);
-        if (!separates && frame.Distance >= 1e-6 && _times.WithSpeed(request, speed, arc, top, side, out AimSolution hit))
+        if (!separates && frame.Distance >= 1e-6
+            && (_times.WithSpeed(request, speed, arc, top, side, out AimSolution hit) || _shooting.WithSpeed(request, speed, arc, top, side, out hit)))
         {
             return hit;
         }

@@ -12,35 +12,31 @@ internal sealed class DirectTwoPointAim : IAimMethod
     /// <summary>How often a step that does not reach both planes is halved.</summary>
     private const int MostHalvings = 4;
 
-    /// <summary>Below this elevation, rad, there is but one kick.</summary>
+    /// <summary>Below this elevation, rad, and from this share of its limit on, a kick whose spin is at the limit is the only one.</summary>
     private const double FlatKick = 0.5;
+    private const double NearLimit = 1.0 - 1e-9;
 
     /// <summary>Flights after which the next correction is foretold by the last: the first update of a Jacobian of four unknowns tells of one.</summary>
     private const int LeastFlights = 3;
 
-    /// <summary>Kicks to begin with where the closed form leads nowhere.</summary>
-    private const int Starts = 10;
-
     private readonly AimContext _context;
     private readonly DirectAim _direct;
-    private readonly TimeSearch _times;
+    private readonly TwoPointSearch _search;
     private readonly TwoPointProblem _problem;
     private readonly TwoPointJacobian _jacobian;
-    private readonly DampedTwoPointNewton _damped;
     private readonly TwoPointStep _step = new();
     private readonly double[] _x = new double[N];
     private readonly double[] _r = new double[N];
     private readonly double[] _nextX = new double[N];
     private readonly double[] _nextR = new double[N];
 
-    public DirectTwoPointAim(AimContext context, DirectAim direct, TimeSearch times)
+    public DirectTwoPointAim(AimContext context, DirectAim direct, TwoPointSearch search)
     {
-        _times = times;
+        _search = search;
         _context = context;
         _direct = direct;
         _problem = new TwoPointProblem(context);
         _jacobian = new TwoPointJacobian(context);
-        _damped = new DampedTwoPointNewton(_problem, _jacobian);
     }
 
     public AimSolution Find(AimRequest request)
@@ -49,76 +45,29 @@ internal sealed class DirectTwoPointAim : IAimMethod
         {
             AimSolution alone = _direct.Find(request);
             alone.ThroughMiss = double.NaN;
-            return alone;
+            return !_context.Scene.Air.IsStill && _search.Find(request, in alone.Kick, out AimSolution turned) ? turned : alone;
         }
 
         AimSolution solution = Solve();
-        if (Passes(in solution) || (solution.Status == AimStatus.Hit && solution.Kick.Elevation < FlatKick))
+        if ((Passes(in solution) && !_context.Steps.AreShort) || (solution.Status == AimStatus.Hit && IsOnlyOne(in solution.Kick)))
         {
-            // A flat kick is the only one: where its spin is at the limit, no other passes the point.
             return solution;
         }
 
         // From elsewhere there may be one that the closed form is too far from.
-        AimSolution best = solution;
-        for (int start = 0; start < Starts && !_context.IsSpent; start++)
-        {
-            if (FromTarget(start, out AimSolution other) && (best.Status != AimStatus.Hit || other.ThroughMiss < best.ThroughMiss))
-            {
-                best = other;
-                if (Passes(in best))
-                {
-                    break;
-                }
-            }
-        }
-
-        return best.Status == AimStatus.Hit ? best : TargetFirst(in solution);
+        return _search.Find(request, in solution.Kick, out AimSolution other) ? other : solution.Status == AimStatus.Hit ? solution : TargetFirst(in solution);
     }
 
     private bool Passes(in AimSolution solution) =>
         solution.Status == AimStatus.Hit && solution.ThroughMiss <= _problem.Request.ThroughTolerance;
 
-    /// <summary>Begins with a kick that hits the target, and ends with it where that leads no nearer to the point: on either arc, without spin, and with much of one kind.</summary>
-    private bool FromTarget(int start, out AimSolution solution)
+    /// <summary>In still air, where the spin of a flat kick is at its limit, no other passes the point more closely.</summary>
+    private bool IsOnlyOne(in Kick kick)
     {
         AimRequest request = _problem.Request;
-        int spin = start / 2;
-        double top = spin is 1 or 2 ? (spin == 1 ? -0.6 : 0.6) * request.MaximumTopSpin : 0;
-        double side = spin is 3 or 4 ? (spin == 3 ? -0.6 : 0.6) * request.MaximumSideSpin : 0;
-        if (!_times.WithSpeed(request, request.Speed, start % 2 == 0 ? AimArc.Low : AimArc.High, top, side, out solution))
-        {
-            return false;
-        }
-
-        _problem.Set(request);
-        _x[TwoPointProblem.Elevation] = solution.Kick.Elevation;
-        _x[TwoPointProblem.Azimuth] = solution.Kick.Azimuth;
-        _x[TwoPointProblem.Top] = top;
-        _x[TwoPointProblem.Side] = side;
-        if (_damped.Solve(_x))
-        {
-            solution = Solution(AimStatus.Hit);
-        }
-        else
-        {
-            solution.ThroughMiss = double.PositiveInfinity;
-        }
-
-        return true;
+        return kick.Elevation < FlatKick && _context.Scene.Air.IsStill && !_context.IsRuledByAir(request.Speed, kick.SpinRate)
+            && (Math.Abs(kick.Top) >= request.MaximumTopSpin * NearLimit || Math.Abs(kick.Side) >= request.MaximumSideSpin * NearLimit);
     }
-
-    /// <summary>The unknowns as the last flight had them.</summary>
-    private AimSolution Solution(AimStatus status) => new()
-    {
-        Status = status,
-        Forward = _problem.Frame.Forward,
-        Speed = _problem.Request.Speed,
-        Kick = TwoPointProblem.KickOf(_x),
-        Miss = _problem.Miss,
-        ThroughMiss = _problem.ThroughMiss,
-        Time = _problem.AtTarget.Time,
-    };
 
     /// <summary>The target alone, with the spins that came nearest to both, or else with as much lift as is allowed.</summary>
     private AimSolution TargetFirst(in AimSolution nearest)

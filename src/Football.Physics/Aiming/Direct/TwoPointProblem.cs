@@ -20,7 +20,7 @@ internal sealed class TwoPointProblem
     public const int TargetUp = 3;
 
     /// <summary>A miss distance at the point on the way well below any tolerance worth having, m.</summary>
-    private const double FineThrough = 1e-2;
+    public const double FineThrough = 1e-2;
 
     private readonly AimContext _context;
     private TargetFrame _frame;

@@ -10,13 +10,15 @@ internal sealed class TimeSearch
     private readonly SpeedOverTime _speeds;
     private readonly LeastSpeed _least;
     private readonly TimedHits _hits;
+    private readonly CurveSearch _curves;
 
-    public TimeSearch(AimContext context)
+    public TimeSearch(AimContext context, CurveSearch curves)
     {
         _context = context;
         _speeds = new SpeedOverTime(context.TimedFlight);
         _least = new LeastSpeed(_speeds);
         _hits = new TimedHits(context);
+        _curves = curves;
     }
 
     /// <summary>The kick that a request asks for, in flight or along the ground; false where there is none.</summary>
@@ -67,6 +69,11 @@ internal sealed class TimeSearch
         }
 
         bool known = kick.Found || double.IsPositiveInfinity(kick.Speed);
+        if ((!known || flight.IsRuledByAir || !_context.Scene.Air.IsStill) && _curves.AtTime(request, time, out solution))
+        {
+            return true;
+        }
+
         solution = TimedHits.Solution(flight, in kick, Math.Min(kick.Velocity.Length, request.Speed), AimStatus.OutOfReach);
         return known;
     }

@@ -13,7 +13,7 @@ internal sealed class TimedHits
     public TimedHits(AimContext context) => _context = context;
 
     /// <summary>From how many first kicks to search: several where there are several kicks for a time.</summary>
-    public static int Starts(TimedProblem problem) => problem.IsRuledByAir ? 1 + TimedProblem.OtherStarts : 1;
+    public static int Starts(TimedProblem problem) => 1;
 
     /// <summary>Whether a kick is slow enough, and within its bounds.</summary>
     public static bool IsAllowed(TimedProblem problem, in TimedKick kick, double fastest) =>

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>The balls that cross the drag law's jump in a step, side by side, so that registers are full of them.</summary>
@@ -42,6 +44,7 @@ internal sealed class LaneCrossings
     public float[] Astray { get; }
 
     /// <summary>Takes a ball out of its group.</summary>
+    [MethodImpl(Hot.Path)]
     public void Take(LaneGroup group, int from, int to)
     {
         Now.Take(group.Now, from, to);

@@ -99,6 +99,7 @@ internal sealed class LaneGroup
     /// <param name="spinRate">Size of the spin.</param>
     /// <param name="limit">Where along y its flight ends.</param>
     /// <param name="drift">How fast the wind carries it along y.</param>
+    [MethodImpl(Hot.Path)]
     public void Add(int ball, in Vector3d u, in Vector3d axis, double spinRate, double limit, double drift)
     {
         int at = Flying++;

@@ -63,6 +63,7 @@ internal static class LaneJumpCheck
 
     /// <summary>|u|² − v_c² and (r|ω|/0.05)² − |u|² over a time.</summary>
     /// <returns>Twice the most that they can bend by in that time.</returns>
+    [MethodImpl(Hot.Path)]
     private static double Distances(
         LaneState start, int from, LaneState end, int to, in LaneJump jump, double length, out LaneParabola bySpeed, out LaneParabola bySpin)
     {

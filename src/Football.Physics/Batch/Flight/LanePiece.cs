@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>A smooth piece of one ball's last step: the whole of it, or up to the drag law's jump, or from there.</summary>
@@ -29,6 +31,7 @@ internal readonly struct LanePiece
     {
     }
 
+    [MethodImpl(Hot.Path)]
     private LanePiece(LaneState from, int start, LaneState to, int end, double drift, double time, double length)
     {
         _path = from.Path(start);

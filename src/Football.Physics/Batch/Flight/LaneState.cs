@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>What changes in a step, of a group of balls: float and what rounding took from it.</summary>
@@ -59,6 +61,7 @@ internal sealed class LaneState
     public float[] PzRest { get; }
 
     /// <summary>Puts a ball in the place of another.</summary>
+    [MethodImpl(Hot.Path)]
     public void Move(int from, int to)
     {
         foreach (float[] values in _all)
@@ -68,6 +71,7 @@ internal sealed class LaneState
     }
 
     /// <summary>Takes a ball from another state.</summary>
+    [MethodImpl(Hot.Path)]
     public void Take(LaneState other, int from, int to)
     {
         float[][] theirs = other._all;
@@ -78,6 +82,7 @@ internal sealed class LaneState
     }
 
     /// <summary>Sets a ball at the start of its way.</summary>
+    [MethodImpl(Hot.Path)]
     public void Launch(int at, in Vector3d u, double spinRate)
     {
         Ux[at] = (float)u.X;

@@ -154,7 +154,7 @@ internal struct FittedLaneLaw<TLane, TFit> : ILaneLaw<TLane>
     }
 
     /// <summary>C_D = a + b / (1 + exp((|u| − v_c)/v_s)).</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
     private static F WithoutSpin(F speed)
     {
         F x = (speed - F.Of((float)FittedDrag.CriticalSpeed)) * F.Of((float)(Elementary.Log2E / FittedDrag.SpeedScale));

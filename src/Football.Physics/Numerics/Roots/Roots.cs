@@ -147,30 +147,6 @@ internal static class Roots
         return false;
     }
 
-    /// <summary>The same for ends of very different size, both positive: halves the logarithm.</summary>
-    /// <param name="condition">The condition.</param>
-    /// <param name="low">The lower end, moved up.</param>
-    /// <param name="high">The upper end, moved down.</param>
-    /// <param name="halvings">How often.</param>
-    public static void BisectLogarithm<TCondition>(ref TCondition condition, ref double low, ref double high, int halvings)
-        where TCondition : struct, ICondition
-    {
-        for (int i = 0; i < halvings; i++)
-        {
-            // √low √high, since their product may be more than a double holds.
-            double middle = Math.Sqrt(low) * Math.Sqrt(high);
-            condition.Evaluate(middle, out bool holds);
-            if (holds)
-            {
-                high = middle;
-            }
-            else
-            {
-                low = middle;
-            }
-        }
-    }
-
     /// <summary>The root of a + b x + c x² at which it falls, without cancellation; not a number where there is none.</summary>
     /// <param name="a">Constant coefficient.</param>
     /// <param name="b">Coefficient of x.</param>

@@ -183,21 +183,21 @@ public sealed class HeightField : IShape
         var alongZ = new Basis(w - floorW);
         int i = (int)Math.Min(Math.Max(floorU, -4), _rows + 4);
         int j = (int)Math.Min(Math.Max(floorW, -4), _columns + 4);
+        int column0 = Math.Min(Math.Max(j - 1, 0), _columns - 1);
+        int column1 = Math.Min(Math.Max(j, 0), _columns - 1);
+        int column2 = Math.Min(Math.Max(j + 1, 0), _columns - 1);
+        int column3 = Math.Min(Math.Max(j + 2, 0), _columns - 1);
         Patch sum = default;
         for (int k = 0; k < 4; k++)
         {
             int row = Math.Min(Math.Max(i - 1 + k, 0), _rows - 1) * _columns;
-            double value = 0;
-            double slope = 0;
-            double bend = 0;
-            for (int l = 0; l < 4; l++)
-            {
-                double c = _values[row + Math.Min(Math.Max(j - 1 + l, 0), _columns - 1)];
-                value += alongZ.Value(l) * c;
-                slope += alongZ.Slope(l) * c;
-                bend += alongZ.Bend(l) * c;
-            }
-
+            double c0 = _values[row + column0];
+            double c1 = _values[row + column1];
+            double c2 = _values[row + column2];
+            double c3 = _values[row + column3];
+            double value = (alongZ.Value0 * c0) + (alongZ.Value1 * c1) + (alongZ.Value2 * c2) + (alongZ.Value3 * c3);
+            double slope = (alongZ.Slope0 * c0) + (alongZ.Slope1 * c1) + (alongZ.Slope2 * c2) + (alongZ.Slope3 * c3);
+            double bend = (alongZ.Bend0 * c0) + (alongZ.Bend1 * c1) + (alongZ.Bend2 * c2) + (alongZ.Bend3 * c3);
             sum.Height += alongX.Value(k) * value;
             sum.SlopeX += alongX.Slope(k) * value;
             sum.SlopeZ += alongX.Value(k) * slope;
@@ -218,38 +218,41 @@ public sealed class HeightField : IShape
     /// <summary>The four cubic B-splines at a fraction of a cell, with their derivatives by it.</summary>
     private readonly struct Basis
     {
-        private readonly double _u;
-        private readonly double _v;
+        public readonly double Value0;
+        public readonly double Value1;
+        public readonly double Value2;
+        public readonly double Value3;
+        public readonly double Slope0;
+        public readonly double Slope1;
+        public readonly double Slope2;
+        public readonly double Slope3;
+        public readonly double Bend0;
+        public readonly double Bend1;
+        public readonly double Bend2;
+        public readonly double Bend3;
 
         public Basis(double u)
         {
-            _u = u;
-            _v = 1.0 - u;
+            double v = 1.0 - u;
+            Value0 = v * v * v / 6.0;
+            Value1 = ((((3.0 * u) - 6.0) * u * u) + 4.0) / 6.0;
+            Value2 = ((((3.0 * v) - 6.0) * v * v) + 4.0) / 6.0;
+            Value3 = u * u * u / 6.0;
+            Slope0 = -0.5 * v * v;
+            Slope1 = ((1.5 * u) - 2.0) * u;
+            Slope2 = -((1.5 * v) - 2.0) * v;
+            Slope3 = 0.5 * u * u;
+            Bend0 = v;
+            Bend1 = (3.0 * u) - 2.0;
+            Bend2 = (3.0 * v) - 2.0;
+            Bend3 = u;
         }
 
-        public double Value(int k) => k switch
-        {
-            0 => _v * _v * _v / 6.0,
-            1 => ((((3.0 * _u) - 6.0) * _u * _u) + 4.0) / 6.0,
-            2 => ((((3.0 * _v) - 6.0) * _v * _v) + 4.0) / 6.0,
-            _ => _u * _u * _u / 6.0,
-        };
+        public double Value(int k) => k == 0 ? Value0 : k == 1 ? Value1 : k == 2 ? Value2 : Value3;
 
-        public double Slope(int k) => k switch
-        {
-            0 => -0.5 * _v * _v,
-            1 => ((1.5 * _u) - 2.0) * _u,
-            2 => -((1.5 * _v) - 2.0) * _v,
-            _ => 0.5 * _u * _u,
-        };
+        public double Slope(int k) => k == 0 ? Slope0 : k == 1 ? Slope1 : k == 2 ? Slope2 : Slope3;
 
-        public double Bend(int k) => k switch
-        {
-            0 => _v,
-            1 => (3.0 * _u) - 2.0,
-            2 => (3.0 * _v) - 2.0,
-            _ => _u,
-        };
+        public double Bend(int k) => k == 0 ? Bend0 : k == 1 ? Bend1 : k == 2 ? Bend2 : Bend3;
     }
 
     /// <summary>The surface at a point: y = h(x, z) with its derivatives.</summary>

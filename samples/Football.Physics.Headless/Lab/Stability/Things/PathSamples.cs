@@ -8,22 +8,30 @@ internal sealed class PathSamples(World world) : PieceObserver
 
     public override bool WantsEndAcceleration => true;
 
-    /// <summary>The deepest that it was in a thing that stands still, m.</summary>
+    /// <summary>The deepest that it was in anything, m.</summary>
     public double Deepest { get; private set; }
 
     public void Clear() => Deepest = 0;
 
     public override bool Add(in PathPiece piece)
     {
-        for (int k = 1; k <= Samples; k++)
+        // What it cannot have reached need not be asked: only what is close enough to its way is looked at in places of it.
+        Vector3d middle = 0.5 * (piece.StartPosition + piece.EndPosition);
+        double around = (0.5 * (piece.EndPosition - piece.StartPosition).Length) + (0.25 * piece.Length * (piece.EndVelocity - piece.StartVelocity).Length) + 0.5;
+        var near = new NearThings(world, new Bounds3d(in middle, in middle).Grown(around), piece.Time, piece.Length);
+        while (near.NextCollider(out int i))
         {
-            double time = piece.Time + (piece.Length * k / Samples);
-            Vector3d place = piece.PositionAt(time);
-            Bounds3d near = new Bounds3d(in place, in place).Grown(0.5);
-            foreach (Collider collider in world.Colliders)
+            Collider collider = world.Colliders[i];
+            if (!collider.Moves && collider.At(in middle).Distance > around)
             {
-                double reach = collider.Moves || !collider.Bounds.Touches(in near) ? 1 : collider.At(in place).Distance;
-                Deepest = Math.Max(Deepest, world.Ball.Radius - reach);
+                continue;
+            }
+
+            for (int k = 1; k <= Samples; k++)
+            {
+                double time = piece.Time + (piece.Length * k / Samples);
+                Vector3d place = piece.PositionAt(time);
+                Deepest = Math.Max(Deepest, world.Ball.Radius - collider.At(in place, time).Distance);
             }
         }
 

@@ -11,6 +11,9 @@ internal sealed class ThingsRun
     /// <summary>Deepest overlap on the way, m, as the dense path has it: more, and it would be passing through.</summary>
     private const double Through = 5e-3;
 
+    /// <summary>What is closer than this, m, is beside the ball.</summary>
+    private const double Beside = 0.02;
+
     /// <summary>Pieces that a frame may take.</summary>
     private const int MostPieces = 20_000;
 
@@ -121,16 +124,18 @@ internal sealed class ThingsRun
         int near = 0;
         bool moves = false;
         double deepest = 0;
-        foreach (Collider collider in _world.Colliders)
+        var things = new NearThings(_world, new Bounds3d(_state.Position, _state.Position).Grown(_world.Ball.Radius + Beside), _state.Time, 0);
+        while (things.NextCollider(out int i))
         {
+            Collider collider = _world.Colliders[i];
             double gap = collider.At(_state.Position, _state.Time).Distance - _world.Ball.Radius;
-            near += gap < 0.02 ? 1 : 0;
-            moves |= gap < 0.02 && collider.Moves;
+            near += gap < Beside ? 1 : 0;
+            moves |= gap < Beside && collider.Moves;
             deepest = Math.Max(deepest, -gap);
         }
 
         return deepest > Overlap && !(moves && near > 1) ? Fail("overlap", $"{deepest} m after a frame, {_state.Motion}")
-            : _samples.Deepest > Through && !moves ? Fail("passed through", $"{_samples.Deepest} m deep on the way")
+            : _samples.Deepest > Through ? Fail("passed through", $"{_samples.Deepest} m deep on the way")
             : null;
     }
 

@@ -1,0 +1,113 @@
+namespace Football.Physics;
+
+/// <summary>The search for the slowest kick, and for the one that is there at a time, that knows nothing: from scans over all directions.</summary>
+internal sealed class CurveSearch
+{
+    private const int N = ShootingProblem.Unknowns;
+
+    /// <summary>Elevations and azimuths of a scan, its starts that are followed, and the speeds of scans as shares of the fastest.</summary>
+    private const int Rows = 9;
+    private const int Columns = 10;
+    private const int MostStarts = 4;
+    private const int Scans = 3;
+    private const double SlowerScan = 0.7;
+
+    private readonly ShootingProblem _problem;
+    private readonly DirectionScan _scan;
+    private readonly SolutionCurve _curve;
+    private readonly double[] _x = new double[N];
+
+    public CurveSearch(ShootingProblem problem, DirectionScan scan, SolutionCurve curve)
+    {
+        _problem = problem;
+        _scan = scan;
+        _curve = curve;
+    }
+
+    /// <summary>The slowest kick.</summary>
+    /// <param name="request">What it is to do; its speed is the fastest allowed.</param>
+    /// <param name="solution">The kick.</param>
+    /// <returns>Whether there is one, measured.</returns>
+    public bool Slowest(AimRequest request, out AimSolution solution)
+    {
+        Begin(request);
+        solution = default;
+        bool found = false;
+        double speed = request.Speed;
+        for (int i = 0; i < Scans; i++, speed *= SlowerScan)
+        {
+            _scan.Fly(Rows, Columns, speed, request.TopSpin, request.SideSpin);
+            for (int start = 0; start < Math.Min(MostStarts, _scan.Count) && !_problem.IsSpent; start++)
+            {
+                _scan.Start(start, _x);
+                if (!_curve.Reach(_x, out AimSolution one))
+                {
+                    continue;
+                }
+
+                _curve.Descend(_x, ref one);
+                if (!found || one.Speed < solution.Speed)
+                {
+                    solution = one;
+                    found = true;
+                }
+            }
+        }
+
+        return found;
+    }
+
+    /// <summary>The kick that is at the target at a time.</summary>
+    /// <param name="request">What it is to do; its speed is the fastest allowed.</param>
+    /// <param name="time">The time, s.</param>
+    /// <param name="solution">The kick.</param>
+    /// <returns>Whether there is one, measured.</returns>
+    public bool AtTime(AimRequest request, double time, out AimSolution solution)
+    {
+        Begin(request);
+        _problem.IsFree[ShootingProblem.LogTime] = false;
+        solution = default;
+        double speed = request.Speed;
+        for (int i = 0; i < Scans; i++, speed *= SlowerScan)
+        {
+            _scan.Fly(Rows, Columns, speed, request.TopSpin, request.SideSpin, time);
+            for (int start = 0; start < Math.Min(MostStarts, _scan.Count) && !_problem.IsSpent; start++)
+            {
+                _scan.Start(start, _x);
+                if (_curve.Reach(_x, out solution))
+                {
+                    return true;
+                }
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>The kick of an elevation, near another one.</summary>
+    /// <param name="request">What it is to do; its speed is the fastest allowed.</param>
+    /// <param name="near">The other one, put on the elevation.</param>
+    /// <param name="speed">Its speed, m/s.</param>
+    /// <param name="time">When it is near the target, s.</param>
+    /// <param name="solution">The kick.</param>
+    /// <returns>Whether there is one, measured.</returns>
+    public bool AtElevation(AimRequest request, in Kick near, double speed, double time, out AimSolution solution)
+    {
+        Begin(request);
+        _problem.IsFree[ShootingProblem.Elevation] = false;
+        _x[ShootingProblem.Elevation] = near.Elevation;
+        _x[ShootingProblem.Azimuth] = near.Azimuth;
+        _x[ShootingProblem.LogSpeed] = Elementary.Log(speed);
+        _x[ShootingProblem.Top] = near.Top;
+        _x[ShootingProblem.Side] = near.Side;
+        _x[ShootingProblem.LogTime] = Elementary.Log(time);
+        return _curve.Reach(_x, out solution);
+    }
+
+    private void Begin(AimRequest request)
+    {
+        _problem.Begin(request, through: false);
+        _problem.IsFree[ShootingProblem.LogSpeed] = true;
+        _problem.Most[ShootingProblem.LogSpeed] = Elementary.Log(request.Speed);
+    }
+}

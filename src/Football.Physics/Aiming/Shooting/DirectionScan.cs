@@ -1,0 +1,100 @@
+namespace Football.Physics;
+
+/// <summary>Flies kicks in directions all around, and lists those that come closer than their neighbours: where to begin a search that knows nothing.</summary>
+internal sealed class DirectionScan
+{
+    /// <summary>Places to begin at that are listed.</summary>
+    public const int MostStarts = 8;
+
+    private const int MostRows = 14;
+    private const int MostColumns = 16;
+    private const int N = ShootingProblem.Unknowns;
+
+    private readonly ShootingProblem _problem;
+    private readonly double[] _squares = new double[MostRows * MostColumns];
+    private readonly double[] _x = new double[MostRows * MostColumns * N];
+    private readonly double[] _one = new double[N];
+    private readonly int[] _starts = new int[MostStarts];
+    private int _rows;
+    private int _columns;
+
+    public DirectionScan(ShootingProblem problem) => _problem = problem;
+
+    /// <summary>How many places are listed.</summary>
+    public int Count { get; private set; }
+
+    /// <summary>Flies the kicks.</summary>
+    /// <param name="rows">Elevations.</param>
+    /// <param name="columns">Azimuths.</param>
+    /// <param name="speed">Their speed, m/s.</param>
+    /// <param name="top">Their topspin, rad/s.</param>
+    /// <param name="side">Their sidespin, rad/s.</param>
+    /// <param name="time">When they are to come close, s; null for any time.</param>
+    public void Fly(int rows, int columns, double speed, double top, double side, double? time = null)
+    {
+        double lowest = _problem.Least[ShootingProblem.Elevation];
+        double highest = _problem.Most[ShootingProblem.Elevation];
+        _rows = highest > lowest ? rows : 1;
+        _columns = columns;
+        Count = 0;
+        for (int i = 0; i < _rows * _columns; i++)
+        {
+            _one[ShootingProblem.Elevation] = _rows > 1 ? lowest + ((highest - lowest) * (i / _columns) / (_rows - 1)) : lowest;
+            _one[ShootingProblem.Azimuth] = 2.0 * Math.PI * (i % _columns) / _columns;
+            _one[ShootingProblem.LogSpeed] = Elementary.Log(speed);
+            _one[ShootingProblem.Top] = top;
+            _one[ShootingProblem.Side] = side;
+            _squares[i] = _problem.IsSpent ? double.PositiveInfinity : time is { } at ? _problem.GapAt(_one, at) : _problem.Approach(_one);
+            Array.Copy(_one, 0, _x, i * N, N);
+        }
+
+        for (int i = 0; i < _rows * _columns; i++)
+        {
+            if (IsLeast(i))
+            {
+                Insert(i);
+            }
+        }
+    }
+
+    /// <summary>A place to begin at, the closest first.</summary>
+    public void Start(int index, double[] x) => Array.Copy(_x, _starts[index] * N, x, 0, N);
+
+    /// <summary>Whether none of its neighbours comes closer.</summary>
+    private bool IsLeast(int at)
+    {
+        int row = at / _columns;
+        int column = at % _columns;
+        for (int i = Math.Max(0, row - 1); i <= Math.Min(_rows - 1, row + 1); i++)
+        {
+            for (int k = -1; k <= 1; k++)
+            {
+                int other = (i * _columns) + ((column + k + _columns) % _columns);
+                if (_squares[other] < _squares[at])
+                {
+                    return false;
+                }
+            }
+        }
+
+        return true;
+    }
+
+    private void Insert(int look)
+    {
+        int at = Math.Min(Count, MostStarts - 1);
+        if (Count == MostStarts && !(_squares[look] < _squares[_starts[at]]))
+        {
+            return;
+        }
+
+        Count = Math.Min(Count + 1, MostStarts);
+        while (at > 0 && _squares[look] < _squares[_starts[at - 1]])
+        {
+            _starts[at] = _starts[at - 1];
+            at--;
+        }
+
+        _starts[at] = look;
+    }
+}

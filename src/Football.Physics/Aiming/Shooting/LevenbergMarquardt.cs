@@ -1,0 +1,216 @@
+namespace Football.Physics;
+
+/// <summary>
+/// Least squares for a shooting problem by the method of Levenberg and Marquardt, within bounds: an unknown that would leave them is held there. From far starts it
+/// goes downhill, near a solution it is Newton's method; where there are more unknowns than equations it goes to the nearest solution.
+/// </summary>
+internal sealed class LevenbergMarquardt
+{
+    private const int N = ShootingProblem.Unknowns;
+    private const int MostIterations = 25;
+    private const int MostTries = 5;
+    private const double FirstDamping = 1e-3;
+    private const double LeastDamping = 1e-9;
+
+    /// <summary>Largest change of an angle or a logarithm in one iteration.</summary>
+    private const double LargestChange = 0.5;
+
+    /// <summary>After an iteration that leaves less than this of the squares, the Jacobian is updated, not measured again.</summary>
+    private const double Quick = 0.05;
+
+    /// <summary>An iteration that leaves more of the squares than this is a slow one; so many slow ones in a row, and there is no solution near.</summary>
+    private const double Slow = 0.6;
+    private const int MostSlow = 4;
+
+    private readonly ShootingProblem _problem;
+    private readonly double[] _jacobian = new double[ShootingProblem.MostEquations * N];
+    private readonly double[] _system = new double[N * (N + 1)];
+    private readonly double[] _change = new double[N];
+    private readonly double[] _next = new double[N];
+    private readonly double[] _nextResiduals = new double[ShootingProblem.MostEquations];
+    private readonly bool[] _held = new bool[N];
+
+    public LevenbergMarquardt(ShootingProblem problem) => _problem = problem;
+
+    /// <summary>The residuals of the solution.</summary>
+    public double[] Residuals { get; } = new double[ShootingProblem.MostEquations];
+
+    /// <summary>Solves from a start.</summary>
+    /// <param name="x">The unknowns: the start, and then the best that was found.</param>
+    /// <returns>Whether that is a hit.</returns>
+    public bool Solve(double[] x)
+    {
+        _problem.Fly(x, Residuals);
+        double cost = Squares(Residuals);
+        double damping = FirstDamping;
+        int slow = 0;
+        bool measures = true;
+        for (int i = 0; i < MostIterations && !_problem.IsSpent; i++)
+        {
+            if (_problem.IsHit(Residuals))
+            {
+                return true;
+            }
+
+            if (measures)
+            {
+                _problem.Measure(x, Residuals, _jacobian);
+            }
+
+            double before = cost;
+            bool improved = Improve(x, ref cost, ref damping);
+            if (!improved && measures)
+            {
+                return false;
+            }
+
+            measures = !(cost < Quick * before);
+            slow = cost > Slow * before ? slow + 1 : 0;
+            if (slow == MostSlow)
+            {
+                return false;
+            }
+        }
+
+        return _problem.IsHit(Residuals);
+    }
+
+    /// <summary>Takes a step that leaves less of the squares, damped as much as that needs.</summary>
+    private bool Improve(double[] x, ref double cost, ref double damping)
+    {
+        for (int k = 0; k < MostTries; k++)
+        {
+            if (Step(x, damping))
+            {
+                _problem.Fly(_next, _nextResiduals);
+                double next = Squares(_nextResiduals);
+                if (next < cost)
+                {
+                    cost = next;
+                    Update(x);
+                    Array.Copy(_next, x, N);
+                    Array.Copy(_nextResiduals, Residuals, _nextResiduals.Length);
+                    damping = Math.Max(0.1 * damping, LeastDamping);
+                    return true;
+                }
+            }
+
+            damping *= 10;
+        }
+
+        return false;
+    }
+
+    /// <summary>The step (JᵀJ + λ diag JᵀJ) Δx = −Jᵀr of the unknowns that are free, and not at a bound that it would leave.</summary>
+    private bool Step(double[] x, double damping)
+    {
+        for (int k = 0; k < N; k++)
+        {
+            _held[k] = !_problem.IsFree[k];
+        }
+
+        for (int attempt = 0; attempt < 3; attempt++)
+        {
+            Assemble(damping);
+            if (!Linear.Solve(_system, _change, N))
+            {
+                return false;
+            }
+
+            double largest = LargestChange;
+            for (int k = 0; k < N; k++)
+            {
+                largest = k is ShootingProblem.Top or ShootingProblem.Side ? largest : Math.Max(largest, Math.Abs(_change[k]));
+            }
+
+            bool holds = false;
+            for (int k = 0; k < N; k++)
+            {
+                double wanted = x[k] + (_change[k] * LargestChange / largest);
+                _next[k] = _held[k] ? x[k] : _problem.Clamp(k, wanted);
+                bool stuck = !_held[k] && _next[k] == x[k] && wanted != x[k];
+                _held[k] |= stuck;
+                holds |= stuck;
+            }
+
+            if (!holds)
+            {
+                return true;
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>Broyden's update, in units of the unknowns in which each counts by what it does: J += (Δr − J Δx) (D Δx)ᵀ / (Δxᵀ D Δx), D = diag JᵀJ.</summary>
+    private void Update(double[] x)
+    {
+        double squared = 0;
+        for (int k = 0; k < N; k++)
+        {
+            double moved = _next[k] - x[k];
+            _change[k] = moved == 0 ? 0 : moved * Product(k, k);
+            squared += moved * _change[k];
+        }
+
+        for (int i = 0; i < _problem.Equations && squared > 0; i++)
+        {
+            double error = _nextResiduals[i] - Residuals[i];
+            for (int k = 0; k < N; k++)
+            {
+                double moved = _next[k] - x[k];
+                error -= moved == 0 ? 0 : _jacobian[(i * N) + k] * moved;
+            }
+
+            for (int k = 0; k < N; k++)
+            {
+                _jacobian[(i * N) + k] += error * _change[k] / squared;
+            }
+        }
+
+        _problem.TimeColumns(_next, _jacobian);
+    }
+
+    private void Assemble(double damping)
+    {
+        for (int a = 0; a < N; a++)
+        {
+            int row = a * (N + 1);
+            for (int b = 0; b < N; b++)
+            {
+                _system[row + b] = a == b && _held[a] ? 1 : _held[a] || _held[b] ? 0 : Product(a, b);
+            }
+
+            double sum = 0;
+            for (int i = 0; i < _problem.Equations && !_held[a]; i++)
+            {
+                sum -= _jacobian[(i * N) + a] * Residuals[i];
+            }
+
+            _system[row + a] *= _held[a] ? 1 : 1 + damping;
+            _system[row + N] = sum;
+        }
+    }
+
+    private double Product(int a, int b)
+    {
+        double sum = 0;
+        for (int i = 0; i < _problem.Equations; i++)
+        {
+            sum += _jacobian[(i * N) + a] * _jacobian[(i * N) + b];
+        }
+
+        return sum;
+    }
+
+    private double Squares(double[] r)
+    {
+        double sum = 0;
+        for (int i = 0; i < _problem.Equations; i++)
+        {
+            sum += r[i] * r[i];
+        }
+
+        return sum;
+    }
+}

@@ -1,0 +1,285 @@
+namespace Football.Physics;
+
+/// <summary>
+/// The boundary-value problem of a kick in its most general form: the ball is to be at the target at a time, and perhaps at a point on the way before. Elevation,
+/// azimuth, speed, spins and times are unknowns, each free within bounds or held; the gaps at those times are the residuals, which change smoothly with all of
+/// them, however the way bends.
+/// </summary>
+internal sealed class ShootingProblem
+{
+    /// <summary>The unknowns: two angles, the logarithm of the speed, two spins, the logarithm of the time to the target, and the share of it to the point on the way.</summary>
+    public const int Elevation = 0;
+    public const int Azimuth = 1;
+    public const int LogSpeed = 2;
+    public const int Top = 3;
+    public const int Side = 4;
+    public const int LogTime = 5;
+    public const int Share = 6;
+    public const int Unknowns = 7;
+
+    /// <summary>Residuals: the gap at the target, and that at the point on the way.</summary>
+    public const int MostEquations = 6;
+
+    /// <summary>Step of a flight that the air rules, and longest step of a scan, s.</summary>
+    private const double RuledByAirStep = 0.03;
+    private const double ScanStep = 0.1;
+
+    /// <summary>Changes of the unknowns by which the Jacobian is measured.</summary>
+    private const double AngleDifference = 1e-4;
+    private const double SpinDifference = 0.02;
+
+    private const double ShortestTime = 1e-3;
+    private const double LeastShare = 0.01;
+
+    private readonly AimContext _context;
+    private readonly Simulator _simulator;
+    private readonly StepLog _log = new();
+    private readonly double[] _beside = new double[Unknowns];
+    private readonly double[] _residuals = new double[MostEquations];
+    private TargetFrame _frame;
+    private Vector3d _through;
+    private Vector3d _arrival;
+    private Vector3d _passing;
+    private bool _passesThrough;
+    private double _step;
+    private double _scanStep;
+
+    /// <param name="context">What the searches share.</param>
+    /// <param name="simulator">The scene without ground.</param>
+    public ShootingProblem(AimContext context, Simulator simulator)
+    {
+        _context = context;
+        _simulator = simulator;
+    }
+
+    public AimRequest Request { get; private set; } = new();
+
+    public ref readonly TargetFrame Frame => ref _frame;
+
+    /// <summary>How many residuals there are.</summary>
+    public int Equations => _passesThrough ? 6 : 3;
+
+    /// <summary>Which unknowns are free.</summary>
+    public bool[] IsFree { get; } = new bool[Unknowns];
+
+    /// <summary>The least that each may be.</summary>
+    public double[] Least { get; } = new double[Unknowns];
+
+    /// <summary>The most.</summary>
+    public double[] Most { get; } = new double[Unknowns];
+
+    /// <summary>Whether nothing more can be searched.</summary>
+    public bool IsSpent => _context.IsSpent;
+
+    /// <summary>Prepares for a target, and for the point on the way where the request has one; angles and times are free.</summary>
+    public void Begin(AimRequest request, bool through)
+    {
+        Request = request;
+        _frame = _context.Frame(request);
+        _passesThrough = through;
+        _through = AimContext.Raised(_context.Game, request.Through.GetValueOrDefault());
+        double tolerance = AimContext.Sharp(request.Tolerance);
+        double spinRate = Math.Sqrt(through
+            ? (request.MaximumTopSpin * request.MaximumTopSpin) + (request.MaximumSideSpin * request.MaximumSideSpin)
+            : (request.TopSpin * request.TopSpin) + (request.SideSpin * request.SideSpin));
+        bool ruled = _context.IsRuledByAir(request.Speed, spinRate);
+        _step = Math.Min(ruled ? RuledByAirStep : double.PositiveInfinity, _context.Steps.HitWithin(tolerance));
+        _scanStep = ruled ? 0.5 * ScanStep : ScanStep;
+        ElevationBounds bounds = ElevationBounds.Of(request);
+        Bound(Elevation, bounds.Lowest, bounds.Highest);
+        Bound(Azimuth, double.NegativeInfinity, double.PositiveInfinity);
+        Bound(LogSpeed, Elementary.Log(1e-3), Elementary.Log(Math.Min(Limits.Speed, 1.5 * request.Speed)));
+        Bound(Top, -request.MaximumTopSpin, request.MaximumTopSpin);
+        Bound(Side, -request.MaximumSideSpin, request.MaximumSideSpin);
+        Bound(LogTime, Elementary.Log(ShortestTime), Elementary.Log(AimContext.LongestFlight));
+        Bound(Share, LeastShare, 1.0 - LeastShare);
+        IsFree[LogSpeed] = false;
+        IsFree[Top] = through;
+        IsFree[Side] = through;
+        IsFree[Share] = through;
+    }
+
+    /// <summary>Whether residuals are a hit, with room for what the steps of the flights are off.</summary>
+    public bool IsHit(double[] r)
+    {
+        double tolerance = AimContext.Sharp(Request.Tolerance);
+        double through = AimContext.Sharp(Request.ThroughTolerance, TwoPointProblem.FineThrough);
+        return (r[0] * r[0]) + (r[1] * r[1]) + (r[2] * r[2]) <= tolerance * tolerance
+            && (!_passesThrough || (r[3] * r[3]) + (r[4] * r[4]) + (r[5] * r[5]) <= through * through);
+    }
+
+    /// <summary>The kick that unknowns stand for.</summary>
+    public static Kick KickOf(double[] x) => new() { Elevation = x[Elevation], Azimuth = x[Azimuth], Top = x[Top], Side = x[Side] };
+
+    /// <summary>Flies a kick.</summary>
+    /// <param name="x">The unknowns.</param>
+    /// <param name="r">The residuals.</param>
+    public void Fly(double[] x, double[] r)
+    {
+        BallState state = Launch(x);
+        double time = Elementary.Exp(x[LogTime]);
+        double way = _passesThrough ? x[Share] * time : 0;
+        if (_passesThrough)
+        {
+            FlyOn(ref state, way);
+            _passing = state.Velocity;
+            Put(r, 3, state.Position - _through);
+        }
+
+        FlyOn(ref state, time - way);
+        _context.CountSimulation(_log.Steps);
+        _arrival = state.Velocity - Request.TargetVelocity;
+        Put(r, 0, state.Position - _frame.Target - (time * Request.TargetVelocity));
+    }
+
+    /// <summary>How the residuals move with the free unknowns, around the kick that was flown last.</summary>
+    /// <param name="x">Its unknowns.</param>
+    /// <param name="r">Its residuals.</param>
+    /// <param name="j">A row for each residual.</param>
+    public void Measure(double[] x, double[] r, double[] j)
+    {
+        TimeColumns(x, j);
+        Vector3d arrival = _arrival;
+        Vector3d passing = _passing;
+        Array.Copy(x, _beside, Unknowns);
+        for (int k = 0; k < LogTime; k++)
+        {
+            if (!IsFree[k])
+            {
+                continue;
+            }
+
+            double difference = k is Top or Side ? SpinDifference : AngleDifference;
+            _beside[k] = x[k] + (x[k] + difference > Most[k] ? -difference : difference);
+            Fly(_beside, _residuals);
+            for (int i = 0; i < Equations; i++)
+            {
+                j[(i * Unknowns) + k] = (_residuals[i] - r[i]) / (_beside[k] - x[k]);
+            }
+
+            _beside[k] = x[k];
+        }
+
+        _arrival = arrival;
+        _passing = passing;
+    }
+
+    /// <summary>The columns of the times, which the velocities tell.</summary>
+    public void TimeColumns(double[] x, double[] j)
+    {
+        // p(e^τ): ∂p/∂τ = t v; on the way at s t: ∂p/∂τ = s t v, ∂p/∂s = t v
+        double time = Elementary.Exp(x[LogTime]);
+        SetColumn(j, 0, LogTime, time * _arrival);
+        SetColumn(j, 0, Share, Vector3d.Zero);
+        if (_passesThrough)
+        {
+            SetColumn(j, 3, LogTime, x[Share] * time * _passing);
+            SetColumn(j, 3, Share, time * _passing);
+        }
+    }
+
+    /// <summary>Flies a kick as far as it may come close, and sets its times to those of its closest approaches.</summary>
+    /// <returns>The sum of the squares of what it misses by, m².</returns>
+    public double Approach(double[] x)
+    {
+        BallState state = Launch(x);
+        double floor = Math.Min(_frame.From.Y, _frame.Target.Y) - 1.0;
+        double best = double.PositiveInfinity;
+        double way = double.PositiveInfinity;
+        double wayTime = 0;
+        while (state.Time < AimContext.LongestFlight && _log.Steps < AimContext.MostPieces && !(state.Position.Y < floor && state.Velocity.Y < 0))
+        {
+            BallState before = state;
+            _simulator.StepToImpact(ref state, _scanStep, _log);
+            double squared;
+            double time;
+            if (_passesThrough)
+            {
+                squared = Closest(in before, in state, in _through, Vector3d.Zero, out time);
+                if (squared < way)
+                {
+                    way = squared;
+                    wayTime = time;
+                }
+            }
+
+            squared = Closest(in before, in state, in _frame.Target, Request.TargetVelocity, out time) + (_passesThrough ? way : 0);
+            if (squared < best)
+            {
+                best = squared;
+                x[LogTime] = Clamp(LogTime, Elementary.Log(Math.Max(time, ShortestTime)));
+                x[Share] = Clamp(Share, wayTime / Math.Max(time, ShortestTime));
+            }
+        }
+
+        _context.CountSimulation(_log.Steps);
+        return best;
+    }
+
+    /// <summary>Flies a kick to a time, and sets its time to that.</summary>
+    /// <returns>The square of what it misses the target by then, m².</returns>
+    public double GapAt(double[] x, double time)
+    {
+        x[LogTime] = Elementary.Log(time);
+        Fly(x, _residuals);
+        return (_residuals[0] * _residuals[0]) + (_residuals[1] * _residuals[1]) + (_residuals[2] * _residuals[2]);
+    }
+
+    /// <summary>An unknown within its bounds.</summary>
+    public double Clamp(int unknown, double value) => Math.Min(Math.Max(value, Least[unknown]), Most[unknown]);
+
+    /// <summary>The solution that unknowns stand for.</summary>
+    public AimSolution Solution(double[] x, double[] r) => new()
+    {
+        Status = AimStatus.Hit,
+        Kick = KickOf(x),
+        Forward = _frame.Forward,
+        Speed = Elementary.Exp(x[LogSpeed]),
+        Miss = Math.Sqrt((r[0] * r[0]) + (r[1] * r[1]) + (r[2] * r[2])),
+        ThroughMiss = Math.Sqrt((r[3] * r[3]) + (r[4] * r[4]) + (r[5] * r[5])),
+        Time = Elementary.Exp(x[LogTime]),
+    };
+
+    private BallState Launch(double[] x)
+    {
+        KickOf(x).Vectors(Elementary.Exp(x[LogSpeed]), in _frame.Forward, out Vector3d velocity, out Vector3d spin);
+        _log.Clear();
+        return _simulator.Launch(_frame.From, velocity, spin);
+    }
+
+    private void FlyOn(ref BallState state, double time)
+    {
+        double steps = Math.Ceiling(time / _step);
+        for (int i = 0; i < steps && _log.Steps < AimContext.MostPieces; i++)
+        {
+            _simulator.StepToImpact(ref state, time / steps, _log);
+        }
+    }
+
+    /// <summary>Closest approach of a step, as if it were straight.</summary>
+    private static double Closest(in BallState before, in BallState after, in Vector3d point, in Vector3d velocity, out double time)
+    {
+        Vector3d start = before.Position - point - (before.Time * velocity);
+        Vector3d way = after.Position - point - (after.Time * velocity) - start;
+        double squared = way.LengthSquared;
+        double part = squared > 0 ? Math.Min(Math.Max(-Vector3d.Dot(in start, in way) / squared, 0), 1) : 0;
+        time = before.Time + (part * (after.Time - before.Time));
+        return (start + (part * way)).LengthSquared;
+    }
+
+    private void Bound(int unknown, double least, double most)
+    {
+        IsFree[unknown] = true;
+        Least[unknown] = least;
+        Most[unknown] = most;
+    }
+
+    private static void Put(double[] r, int at, in Vector3d value) => (r[at], r[at + 1], r[at + 2]) = (value.X, value.Y, value.Z);
+
+    private static void SetColumn(double[] j, int row, int column, in Vector3d value)
+    {
+        j[(row * Unknowns) + column] = value.X;
+        j[((row + 1) * Unknowns) + column] = value.Y;
+        j[((row + 2) * Unknowns) + column] = value.Z;
+    }
+}

@@ -1,0 +1,62 @@
+namespace Football.Physics;
+
+/// <summary>The search for a kick of a given speed that knows nothing: a scan over all directions, and from what comes close there Newton's method.</summary>
+internal sealed class ShootingSearch
+{
+    private const int N = ShootingProblem.Unknowns;
+
+    /// <summary>Elevations and azimuths of a scan.</summary>
+    private const int Rows = 13;
+    private const int Columns = 12;
+
+    private readonly AimContext _context;
+    private readonly ShootingProblem _problem;
+    private readonly LevenbergMarquardt _solver;
+    private readonly DirectionScan _scan;
+    private readonly double[] _x = new double[N];
+
+    public ShootingSearch(AimContext context, ShootingProblem problem, LevenbergMarquardt solver, DirectionScan scan)
+    {
+        _context = context;
+        _problem = problem;
+        _solver = solver;
+        _scan = scan;
+    }
+
+    /// <summary>Searches.</summary>
+    /// <param name="request">What the kick is to do.</param>
+    /// <param name="speed">Its speed, m/s.</param>
+    /// <param name="arc">Whether the one that is there first is wanted, or the last.</param>
+    /// <param name="top">Its topspin, rad/s.</param>
+    /// <param name="side">Its sidespin, rad/s.</param>
+    /// <param name="solution">The kick.</param>
+    /// <returns>Whether there is one, measured.</returns>
+    public bool WithSpeed(AimRequest request, double speed, AimArc arc, double top, double side, out AimSolution solution)
+    {
+        _problem.Begin(request, through: false);
+        _scan.Fly(Rows, Columns, speed, top, side);
+        solution = default;
+        bool found = false;
+        for (int start = 0; start < _scan.Count && !_problem.IsSpent; start++)
+        {
+            _scan.Start(start, _x);
+            if (!_solver.Solve(_x))
+            {
+                continue;
+            }
+
+            AimSolution one = _problem.Solution(_x, _solver.Residuals);
+            one.Speed = speed;
+            one.Vectors(out Vector3d velocity, out Vector3d spin);
+            one.Miss = _context.Miss.Measure(request, in velocity, in spin).Distance;
+            bool better = !found || (arc == AimArc.Low ? one.Time < solution.Time : one.Time > solution.Time);
+            if (one.Miss <= request.Tolerance && better)
+            {
+                solution = one;
+                found = true;
+            }
+        }
+
+        return found;
+    }
+}

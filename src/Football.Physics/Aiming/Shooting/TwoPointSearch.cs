@@ -1,0 +1,83 @@
+namespace Football.Physics;
+
+/// <summary>The search for a two-point kick that the closed form is too far from: from many kicks, in all directions and with many spins.</summary>
+internal sealed class TwoPointSearch
+{
+    private const int N = ShootingProblem.Unknowns;
+
+    /// <summary>Elevations, azimuths and spins that are tried, and how many of each scan's starts.</summary>
+    private const int Rows = 6;
+    private const int Columns = 8;
+    private const int Spins = 9;
+    private const int MostStarts = 3;
+
+    private readonly AimContext _context;
+    private readonly ShootingProblem _problem;
+    private readonly LevenbergMarquardt _solver;
+    private readonly DirectionScan _scan;
+    private readonly double[] _x = new double[N];
+
+    public TwoPointSearch(AimContext context, ShootingProblem problem, LevenbergMarquardt solver, DirectionScan scan)
+    {
+        _context = context;
+        _problem = problem;
+        _solver = solver;
+        _scan = scan;
+    }
+
+    /// <summary>Searches.</summary>
+    /// <param name="request">What the kick is to do.</param>
+    /// <param name="near">A kick to begin with.</param>
+    /// <param name="solution">The kick that passes both points.</param>
+    /// <returns>Whether there is one, measured.</returns>
+    public bool Find(AimRequest request, in Kick near, out AimSolution solution)
+    {
+        _problem.Begin(request, through: true);
+        _x[ShootingProblem.Elevation] = _problem.Clamp(ShootingProblem.Elevation, near.Elevation);
+        _x[ShootingProblem.Azimuth] = near.Azimuth;
+        _x[ShootingProblem.LogSpeed] = Elementary.Log(request.Speed);
+        _x[ShootingProblem.Top] = _problem.Clamp(ShootingProblem.Top, near.Top);
+        _x[ShootingProblem.Side] = _problem.Clamp(ShootingProblem.Side, near.Side);
+        _problem.Approach(_x);
+        if (Passes(out solution))
+        {
+            return true;
+        }
+
+        for (int spin = 0; spin < Spins; spin++)
+        {
+            // Without, much of one kind, and much of both.
+            double top = spin is 0 or 3 or 4 ? 0 : spin is 1 or 5 or 6 ? -0.6 : 0.6;
+            double side = spin is 0 or 1 or 2 ? 0 : spin is 3 or 5 or 7 ? -0.6 : 0.6;
+            _scan.Fly(Rows, Columns, request.Speed, top * request.MaximumTopSpin, side * request.MaximumSideSpin);
+            for (int start = 0; start < Math.Min(MostStarts, _scan.Count) && !_problem.IsSpent; start++)
+            {
+                _scan.Start(start, _x);
+                if (Passes(out solution))
+                {
+                    return true;
+                }
+            }
+        }
+
+        return false;
+    }
+
+    private bool Passes(out AimSolution solution)
+    {
+        bool solved = _solver.Solve(_x);
+        solution = _problem.Solution(_x, _solver.Residuals);
+        solution.Speed = _problem.Request.Speed;
+        return solved && IsMeasured(ref solution);
+    }
+
+    private bool IsMeasured(ref AimSolution solution)
+    {
+        AimRequest request = _problem.Request;
+        solution.Vectors(out Vector3d velocity, out Vector3d spin);
+        MeasuredMiss measured = _context.Miss.Measure(request, in velocity, in spin);
+        solution.Miss = measured.Distance;
+        solution.ThroughMiss = measured.ThroughDistance ?? double.NaN;
+        return measured.Distance <= request.Tolerance && measured.ThroughDistance <= request.ThroughTolerance;
+    }
+}
