@@ -74,7 +74,7 @@ internal sealed class Chart(Axis x, Axis y)
             Svg.Element("rect", [("x", Left), ("y", top), ("width", frame.Width), ("height", frame.Height), ("fill", "none"), ("stroke", Palette.Frame)]),
             TickLabels(frame, top),
             Svg.Text(Left + (frame.Width / 2), top + frame.Height + 32, x.Title, "middle"),
-            Svg.Element("g", [("transform", $"translate(14 {Svg.Number(top + (frame.Height / 2))}) rotate(-90)")], Svg.Text(0, 0, y.Title, "middle")));
+            Svg.Element("g", [("transform", $"translate(11 {Svg.Number(top + (frame.Height / 2))}) rotate(-90)")], Svg.Text(0, 0, y.Title, "middle")));
     }
 
     private static double AboutX(PlotFrame frame) => frame.Width / 64;

@@ -19,7 +19,7 @@ internal static class AimLab
             Description = "Holds every one of the 10 000 random requests that was not hit against the dense scan, not one in four.",
         };
         var profiles = new Option<bool>("--profiles") { Description = "Asks the same in both profiles, in weather, wind by height and gusts, and nothing else." };
-        return LabOptions.Create(
+        return LabOptions.CreateDrawn(
             "aim",
             "The predictors: 4.1.3, 4.2.3, 4.3.2, and 10 000 random requests against a dense scan. The CSV has every kick.",
             ["football lab aim --quick --csv kicks.csv", "football lab aim --profiles --quick"],

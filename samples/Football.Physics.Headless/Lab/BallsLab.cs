@@ -26,7 +26,7 @@ internal static class BallsLab
         ("jabulani", BallProperties.Jabulani), ("brazuca", BallProperties.Brazuca),
     ];
 
-    public static Command Create(Terminal terminal) => LabOptions.Create(
+    public static Command Create(Terminal terminal) => LabOptions.CreateDrawn(
         "balls",
         "Drag and lift coefficients of the balls by speed and by spin, by the published and the measured laws.",
         ["football lab balls", "football lab balls --csv balls.csv --plot balls.svg"],

@@ -16,7 +16,7 @@ internal static class ConsistencyLab
     private const double Millimetre = 1e3;
     private static readonly string[] Gaps = ["10–20 ms", "20–40 ms", "10–40 ms"];
 
-    public static Command Create(Terminal terminal) => LabOptions.Create(
+    public static Command Create(Terminal terminal) => LabOptions.CreateDrawn(
         "consistency",
         "Test 3.4.2: 250 shots with all forces, each with three steps: how far apart they land.",
         ["football lab consistency --seed 3 --json consistency.json"],

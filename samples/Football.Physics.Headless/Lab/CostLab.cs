@@ -21,7 +21,7 @@ internal static class CostLab
     public static Command Create(Terminal terminal)
     {
         Option<bool> quick = LabOptions.Quick();
-        return LabOptions.Create(
+        return LabOptions.CreateDrawn(
             "cost",
             "Test 3.4.3: the time of a 10 ms step by method and motion, over 20 000 frames each from kick to rest.",
             ["football lab cost --quick"],
@@ -36,7 +36,7 @@ internal static class CostLab
             $"Time of a step (3.4.3), {frames} frames a row without an event, ns",
             "method", "motion", "p5", "median", "p95", "p99", "mean to p99", "thesis, all motions", "times faster");
         var report = new LabReport { Name = "cost", Seed = seed, Tables = { table } };
-        var charts = new List<Func<XElement>>();
+        var shown = new List<(Integrator Method, double[] Times)>();
         foreach (Integrator method in Enum.GetValues<Integrator>())
         {
             var simulator = new Simulator(Scene.Published, new SolverSettings { Integrator = method });
@@ -60,14 +60,18 @@ internal static class CostLab
                 table.Add(method, motion, spread.Percentile(0.05), spread.Median, spread.P95, top, mean, thesis, motion == MotionState.Stopped ? null : thesis / mean);
                 if (motion == MotionState.Airborne)
                 {
-                    charts.Add(() => Histogram(method, [.. times.Where(time => time <= top)]));
+                    shown.Add((method, [.. times.Where(time => time <= top)]));
                 }
             }
         }
 
         report.Notes.Add("Each frame is stepped 32 times in a row from a copy of its state, the copy included. Values above the 99th percentile are left out of the mean, as in the thesis.");
         report.Notes.Add("Ratios to plain code in one process, which is how the targets for time are judged: the benchmarks.");
-        report.Picture = () => Figure.Tile("Time of a step in flight", [.. charts.Select(make => make())]);
+        report.Picture = () =>
+        {
+            double longest = shown.Max(row => row.Times.Max());
+            return Figure.Tile("Time of a step in flight", [.. shown.Select(row => Histogram(row.Method, row.Times, longest))]);
+        };
         return report;
     }
 
@@ -133,9 +137,9 @@ internal static class CostLab
         }
     }
 
-    private static XElement Histogram(Integrator method, double[] times)
+    private static XElement Histogram(Integrator method, double[] times, double longest)
     {
-        var chart = new Chart(new Axis("time of a step, ns") { Min = 0 }, new Axis("frames") { Min = 0 }) { Title = method.ToString(), PlotHeight = 120 };
+        var chart = new Chart(new Axis("time of a step, ns") { Min = 0, Max = longest }, new Axis("frames") { Min = 0 }) { Title = method.ToString(), PlotHeight = 120 };
         chart.Items.Add(BarsItem.Histogram(times, 60, Palette.Blue));
         return chart.Draw();
     }

@@ -18,18 +18,29 @@ internal sealed class LabOptions
     /// <summary>Does less of everything.</summary>
     public static Option<bool> Quick() => new("--quick") { Description = "Less of everything: to see that it works, not what it measures." };
 
-    /// <summary>Makes an experiment's command.</summary>
+    /// <summary>Makes the command of an experiment that has nothing to draw.</summary>
     public static Command Create(
+        string name, string description, string[] examples, Terminal terminal, Func<ParseResult, long, Progress, LabReport> run, params Option[] more) =>
+        new LabOptions().Make(name, description, examples, terminal, run, more);
+
+    /// <summary>Makes the command of an experiment that draws.</summary>
+    public static Command CreateDrawn(
         string name, string description, string[] examples, Terminal terminal, Func<ParseResult, long, Progress, LabReport> run, params Option[] more)
     {
         var options = new LabOptions();
-        var command = new ExampleCommand(name, description, examples) { options._seed, options._json, options._csv, options._plot };
+        return options.Make(name, description, examples, terminal, run, [options._plot, .. more]);
+    }
+
+    private ExampleCommand Make(
+        string name, string description, string[] examples, Terminal terminal, Func<ParseResult, long, Progress, LabReport> run, Option[] more)
+    {
+        var command = new ExampleCommand(name, description, examples) { _seed, _json, _csv };
         foreach (Option option in more)
         {
             command.Add(option);
         }
 
-        command.SetAction(parsed => options.Run(name, parsed, terminal, run));
+        command.SetAction(parsed => Run(name, parsed, terminal, run));
         return command;
     }
 

@@ -10,7 +10,7 @@ namespace Football.Physics.Headless.Lab;
 /// <summary>A file for a picture: SVG, or PNG where a program that renders it is installed.</summary>
 internal sealed class PlotFile : IDisposable
 {
-    private static readonly string[] Renderers = ["chromium", "chromium-browser", "google-chrome"];
+    private static readonly string[] Renderers = ["chromium-headless-shell", "chromium", "chromium-browser", "google-chrome"];
 
     private readonly string? _renderer;
 

@@ -27,7 +27,7 @@ internal static class PrecisionLab
     public static Command Create(Terminal terminal)
     {
         Option<bool> quick = LabOptions.Quick();
-        return LabOptions.Create(
+        return LabOptions.CreateDrawn(
             "precision",
             "Error against evaluations and time: every method with steps of 1 to 320 ms, from kick to impact and from kick to rest.",
             ["football lab precision --quick --plot precision.svg"],

@@ -25,7 +25,7 @@ internal static class StabilityLab
         var hostile = new Option<bool>("--hostile") { Description = "Plays scenes from far outside football, drawn and checked in another way." };
         var things = new Option<bool>("--things") { Description = "Plays scenes with obstacles, bodies, nets and slopes, with checks of their own." };
         Option<Profile> profile = new("--profile") { HelpName = "published|measured", Description = "Whose laws and ground; hostile scenes have their own.", DefaultValueFactory = _ => Profile.Published };
-        return LabOptions.Create(
+        return LabOptions.CreateDrawn(
             "stability",
             "Random and adversarial scenes with every method: what must always hold, with a verdict a cell.",
             ["football lab stability --scenes 100", "football lab stability --scene 7", "football lab stability --profile measured --scenes 60", "football lab stability --hostile --scenes 100", "football lab stability --things --scenes 100"],

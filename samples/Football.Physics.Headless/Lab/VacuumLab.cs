@@ -20,7 +20,7 @@ internal static class VacuumLab
         [Integrator.Rk4] = [0.014, 0.025, 0.044],
     };
 
-    public static Command Create(Terminal terminal) => LabOptions.Create(
+    public static Command Create(Terminal terminal) => LabOptions.CreateDrawn(
         "vacuum",
         "Table 3.1: where 50 shots in vacuum land, against the closed form.",
         ["football lab vacuum", "football lab vacuum --seed 7 --csv vacuum.csv --plot vacuum.svg"],

@@ -6,19 +6,20 @@ internal readonly struct AimSteps
     /// <summary>Miss distance from which on the rough step will do, m.</summary>
     private const double RoughMiss = 5e-4;
 
-    private AimSteps(double search, double hit, double roughHit, double? roll)
+    private AimSteps(double search, double hit, double roughHit, double? roll, bool areShort)
     {
         Search = search;
         Hit = hit;
         RoughHit = roughHit;
         Roll = roll;
+        AreShort = areShort;
     }
 
     /// <summary>With RK4: a search within 1e-4 m, a hit with the drag law's jump located within 1e-5 m, a rough one within 1e-4 m.</summary>
-    public static AimSteps Long => new(search: 0.25, hit: 0.1, roughHit: 0.2, roll: 2.0);
+    public static AimSteps Long => new(search: 0.25, hit: 0.1, roughHit: 0.2, roll: 2.0, areShort: false);
 
     /// <summary>For a kick that grazes the drag law's jump, so that longer steps were wrong about it.</summary>
-    public static AimSteps Short => new(search: 0.02, hit: 0.02, roughHit: 0.02, roll: null);
+    public static AimSteps Short => new(search: 0.02, hit: 0.02, roughHit: 0.02, roll: null, areShort: true);
 
     /// <summary>Of flights that only look where a kick goes.</summary>
     public double Search { get; }
@@ -30,7 +31,7 @@ internal readonly struct AimSteps
     public double? Roll { get; }
 
     /// <summary>Whether they are the short ones: longer steps were wrong then.</summary>
-    public bool AreShort => Roll is null;
+    public bool AreShort { get; }
 
     private double RoughHit { get; }
 

@@ -139,7 +139,7 @@ public sealed class Aimer
         RefuseThrough(request);
         Check.Within(nameof(time), time, 0, AimContext.LongestFlight, exclusiveLow: true);
         AimResult result = AtTime(request, time);
-        if (result.Status == AimStatus.NotConverged)
+        if (result.Status == AimStatus.NotConverged && !_context.IsSpent)
         {
             // It grazes the drag law's jump: once more in finer steps.
             _context.Steps = AimSteps.Short;
@@ -191,8 +191,9 @@ public sealed class Aimer
     {
         if (!_times.AtTime(request, time, out AimSolution solution))
         {
+            bool isSpent = _context.IsSpent;
             solution = _direct.Find(request);
-            solution.Status = AimStatus.OutOfReach;
+            solution.Status = isSpent ? AimStatus.NotConverged : AimStatus.OutOfReach;
         }
 
         // A kick that passes the target at another time is no hit.

@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace Football.Physics;
 
 /// <summary>Something that happened inside a step, at its exact time and place.</summary>
@@ -5,7 +7,7 @@ namespace Football.Physics;
 /// An impact carries the impulse's own velocity, before a ball that stays down has its vertical part set to zero; a rest carries
 /// velocity and spin as they were when rest was declared.
 /// </remarks>
-public readonly struct BallEvent
+public readonly struct BallEvent : IFormattable
 {
     private readonly int _kind;
 
@@ -102,4 +104,13 @@ public readonly struct BallEvent
 
     /// <summary>What happened, when and where.</summary>
     public override string ToString() => FormattableString.Invariant($"{Kind} at {Time:0.###} s, {Position:0.###}, {Velocity:0.###} m/s");
+
+    /// <summary>What happened, when and where, its numbers with a format each, such as "F2".</summary>
+    /// <param name="format">A format of numbers; null for all digits.</param>
+    /// <param name="formatProvider">The culture; default the invariant one.</param>
+    public string ToString(string? format, IFormatProvider? formatProvider = null)
+    {
+        IFormatProvider culture = formatProvider ?? CultureInfo.InvariantCulture;
+        return $"{Kind} at {Time.ToString(format, culture)} s, {Position.ToString(format, culture)}, {Velocity.ToString(format, culture)} m/s";
+    }
 }

@@ -7,6 +7,7 @@ namespace Football.Physics;
 public sealed class Ball
 {
     private readonly StepLog _log = new();
+    private Simulator _simulator;
     private BallState _state;
 
     /// <summary>A ball at rest on the ground at the origin.</summary>
@@ -23,12 +24,30 @@ public sealed class Ball
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     public Ball(Simulator simulator)
     {
-        Simulator = simulator ?? throw new ArgumentNullException(nameof(simulator));
+        _simulator = simulator ?? throw new ArgumentNullException(nameof(simulator));
         Place(new Vector3d(0, simulator.ContactHeight, 0));
     }
 
-    /// <summary>The compiled scene.</summary>
-    public Simulator Simulator { get; }
+    /// <summary>The compiled scene. Setting it between steps goes on in another one (rain begins, a wall stands there), where the ball is and as it moves.</summary>
+    /// <remarks>A ball that lies still on the ground of both stays so; one below the new ground is raised to it.</remarks>
+    /// <exception cref="ArgumentNullException">The simulator that is set is null; nothing has changed.</exception>
+    public Simulator Simulator
+    {
+        get => _simulator;
+        set
+        {
+            if (ReferenceEquals(value ?? throw new ArgumentNullException(nameof(value)), _simulator))
+            {
+                return;
+            }
+
+            BallState moved = _state;
+            value.Kick(ref moved, _state.Velocity, _state.Spin);
+            moved.Motion = _state.Motion == MotionState.Stopped && moved.Motion == MotionState.Rolling ? MotionState.Stopped : moved.Motion;
+            _state = moved;
+            _simulator = value;
+        }
+    }
 
     /// <summary>The whole state in double precision. Setting it restores a snapshot.</summary>
     /// <exception cref="ArgumentException">The state that is set was never launched: all its bytes are zero.</exception>

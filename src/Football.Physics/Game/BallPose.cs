@@ -1,7 +1,9 @@
+using System.Globalization;
+
 namespace Football.Physics;
 
 /// <summary>Where to draw the ball.</summary>
-public readonly struct BallPose
+public readonly struct BallPose : IFormattable
 {
     internal BallPose(in Vector3d position, in Quaterniond orientation)
     {
@@ -17,4 +19,13 @@ public readonly struct BallPose
 
     /// <summary>Place and orientation.</summary>
     public override string ToString() => FormattableString.Invariant($"{Position:0.###}, {Orientation:0.###}");
+
+    /// <summary>Place and orientation, its numbers with a format each, such as "F2".</summary>
+    /// <param name="format">A format of numbers; null for all digits.</param>
+    /// <param name="formatProvider">The culture; default the invariant one.</param>
+    public string ToString(string? format, IFormatProvider? formatProvider = null)
+    {
+        IFormatProvider culture = formatProvider ?? CultureInfo.InvariantCulture;
+        return $"{Position.ToString(format, culture)}, {Orientation.ToString(format, culture)}";
+    }
 }

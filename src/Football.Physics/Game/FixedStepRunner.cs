@@ -42,8 +42,23 @@ public sealed class FixedStepRunner
         _previous = _ball.State;
     }
 
-    /// <summary>The compiled scene.</summary>
-    public Simulator Simulator => _ball.Simulator;
+    /// <summary>The compiled scene. Setting it between steps goes on in another one, as <see cref="Ball.Simulator"/> does; a recording ends, for it is of one scene.</summary>
+    /// <exception cref="ArgumentNullException">The simulator that is set is null; nothing has changed.</exception>
+    public Simulator Simulator
+    {
+        get => _ball.Simulator;
+        set
+        {
+            if (ReferenceEquals(value, _ball.Simulator))
+            {
+                return;
+            }
+
+            _ball.Simulator = value;
+            StopRecording();
+            Restore(Tick, _ball.State);
+        }
+    }
 
     /// <summary>Length of a step, s.</summary>
     public double TimeStep { get; }

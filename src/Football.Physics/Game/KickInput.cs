@@ -1,7 +1,9 @@
+using System.Globalization;
+
 namespace Football.Physics;
 
 /// <summary>A kick at a tick: all that a match must send, besides its start, to be played again.</summary>
-public readonly struct KickInput
+public readonly struct KickInput : IFormattable
 {
     /// <summary>Makes a kick.</summary>
     /// <param name="tick">The tick whose step begins with the kick; 0 or more.</param>
@@ -32,6 +34,18 @@ public readonly struct KickInput
 
     /// <summary>Who kicks.</summary>
     public int Player { get; }
+
+    /// <inheritdoc/>
+    public override string ToString() => ToString("0.###", CultureInfo.InvariantCulture);
+
+    /// <summary>When, how, and by whom, its numbers with a format each, such as "F2".</summary>
+    /// <param name="format">A format of numbers; null for all digits.</param>
+    /// <param name="formatProvider">The culture; default the invariant one.</param>
+    public string ToString(string? format, IFormatProvider? formatProvider = null)
+    {
+        IFormatProvider culture = formatProvider ?? CultureInfo.InvariantCulture;
+        return $"tick {Tick.ToString(culture)}: {Velocity.ToString(format, culture)} m/s, {Spin.ToString(format, culture)} rad/s, player {Player.ToString(culture)}";
+    }
 
     /// <summary>Whether this kick is applied before, with or after another one.</summary>
     internal int Order(long tick, int player)

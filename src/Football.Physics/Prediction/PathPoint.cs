@@ -1,7 +1,9 @@
+using System.Globalization;
+
 namespace Football.Physics;
 
 /// <summary>A point of a predicted path.</summary>
-public readonly struct PathPoint
+public readonly struct PathPoint : IFormattable
 {
     internal PathPoint(double time, in Vector3d position, in Vector3d velocity, double distance)
     {
@@ -25,4 +27,13 @@ public readonly struct PathPoint
 
     /// <summary>When and where, such as "1.25 s: (0, 1.5, −20)".</summary>
     public override string ToString() => FormattableString.Invariant($"{Time:0.###} s: {Position:0.###}");
+
+    /// <summary>When and where, its numbers with a format each, such as "F2".</summary>
+    /// <param name="format">A format of numbers; null for all digits.</param>
+    /// <param name="formatProvider">The culture; default the invariant one.</param>
+    public string ToString(string? format, IFormatProvider? formatProvider = null)
+    {
+        IFormatProvider culture = formatProvider ?? CultureInfo.InvariantCulture;
+        return $"{Time.ToString(format, culture)} s: {Position.ToString(format, culture)}";
+    }
 }

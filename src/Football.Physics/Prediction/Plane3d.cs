@@ -1,9 +1,10 @@
+using System.Globalization;
 using System.Text.Json.Serialization;
 
 namespace Football.Physics;
 
 /// <summary>A plane through a point, such as a goal line's vertical plane.</summary>
-public readonly struct Plane3d
+public readonly struct Plane3d : IFormattable
 {
     /// <summary>Makes a plane.</summary>
     /// <param name="point">A point of it, m; components within ±1e6.</param>
@@ -22,4 +23,16 @@ public readonly struct Plane3d
 
     /// <summary>Its unit normal.</summary>
     public Vector3d Normal { get; }
+
+    /// <inheritdoc/>
+    public override string ToString() => ToString("0.###", CultureInfo.InvariantCulture);
+
+    /// <summary>Its point and its normal, its numbers with a format each, such as "F2".</summary>
+    /// <param name="format">A format of numbers; null for all digits.</param>
+    /// <param name="formatProvider">The culture; default the invariant one.</param>
+    public string ToString(string? format, IFormatProvider? formatProvider = null)
+    {
+        IFormatProvider culture = formatProvider ?? CultureInfo.InvariantCulture;
+        return $"{Point.ToString(format, culture)}, normal {Normal.ToString(format, culture)}";
+    }
 }

@@ -22,7 +22,7 @@ public sealed class StepLog
 
     /// <summary>
     /// Those of the <see cref="Steps"/> that relaxed to the balance of forces, because the air is so much stronger than the ball's
-    /// inertia that a step would have to be divided into thousands of parts. 0 for anything like a football.
+    /// inertia that a step would have to be divided into thousands of parts, or because a step has come to its last piece. 0 for anything like a football.
     /// </summary>
     public long Relaxed { get; internal set; }
 

@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace Football.Physics;
 
 /// <summary>The whole state of a ball: an unmanaged value.</summary>
@@ -5,7 +7,7 @@ namespace Football.Physics;
 /// Copying it is a snapshot, comparing its bytes is equality, and a step depends on nothing else that changes.
 /// Make one with <see cref="Simulator.Launch(Vector3d, Vector3d, Vector3d)"/>; all zero bytes are not a valid state.
 /// </remarks>
-public struct BallState
+public struct BallState : IFormattable
 {
     /// <summary>A spin without an axis, rad/s: the squares of its components vanish, and with them its direction.</summary>
     private const double NoSpin = 1e-140;
@@ -80,6 +82,18 @@ public struct BallState
 
     /// <summary>Distance flown through the air since the kick, m, where a knuckle force depends on it; else 0.</summary>
     internal double AirDistance;
+
+    /// <inheritdoc/>
+    public override readonly string ToString() => ToString("0.###", CultureInfo.InvariantCulture);
+
+    /// <summary>What the ball is doing, when, where and how fast, its numbers with a format each, such as "F2".</summary>
+    /// <param name="format">A format of numbers; null for all digits.</param>
+    /// <param name="formatProvider">The culture; default the invariant one.</param>
+    public readonly string ToString(string? format, IFormatProvider? formatProvider = null)
+    {
+        IFormatProvider culture = formatProvider ?? CultureInfo.InvariantCulture;
+        return $"{Motion} at {Time.ToString(format, culture)} s, {Position.ToString(format, culture)}, {Velocity.ToString(format, culture)} m/s, {Spin.ToString(format, culture)} rad/s";
+    }
 
     /// <summary>Sets the spin of a ball in the air.</summary>
     internal void SetFlightSpin(in Vector3d spin)

@@ -12,8 +12,10 @@ internal sealed class DirectTwoPointAim : IAimMethod
     /// <summary>How often a step that does not reach both planes is halved.</summary>
     private const int MostHalvings = 4;
 
-    /// <summary>Below this elevation, rad, and from this share of its limit on, a kick whose spin is at the limit is the only one.</summary>
+    /// <summary>Below this elevation, rad, a kick whose spin is at its limit is the only one.</summary>
     private const double FlatKick = 0.5;
+
+    /// <summary>A spin of this share of its limit is at it.</summary>
     private const double NearLimit = 1.0 - 1e-9;
 
     /// <summary>Flights after which the next correction is foretold by the last: the first update of a Jacobian of four unknowns tells of one.</summary>

@@ -84,26 +84,6 @@ internal sealed class CurveSearch
         return false;
     }
 
-    /// <summary>The kick of an elevation, near another one.</summary>
-    /// <param name="request">What it is to do; its speed is the fastest allowed.</param>
-    /// <param name="near">The other one, put on the elevation.</param>
-    /// <param name="speed">Its speed, m/s.</param>
-    /// <param name="time">When it is near the target, s.</param>
-    /// <param name="solution">The kick.</param>
-    /// <returns>Whether there is one, measured.</returns>
-    public bool AtElevation(AimRequest request, in Kick near, double speed, double time, out AimSolution solution)
-    {
-        Begin(request);
-        _problem.IsFree[ShootingProblem.Elevation] = false;
-        _x[ShootingProblem.Elevation] = near.Elevation;
-        _x[ShootingProblem.Azimuth] = near.Azimuth;
-        _x[ShootingProblem.LogSpeed] = Elementary.Log(speed);
-        _x[ShootingProblem.Top] = near.Top;
-        _x[ShootingProblem.Side] = near.Side;
-        _x[ShootingProblem.LogTime] = Elementary.Log(time);
-        return _curve.Reach(_x, out solution);
-    }
-
     private void Begin(AimRequest request)
     {
         _problem.Begin(request, through: false);

@@ -98,6 +98,8 @@ internal sealed class LevenbergMarquardt
             damping *= 10;
         }
 
+        // What is measured next is measured around the kick that was flown last.
+        _problem.Fly(x, Residuals);
         return false;
     }
 

@@ -54,8 +54,6 @@ internal sealed class ShootingProblem
 
     public AimRequest Request { get; private set; } = new();
 
-    public ref readonly TargetFrame Frame => ref _frame;
-
     /// <summary>How many residuals there are.</summary>
     public int Equations => _passesThrough ? 6 : 3;
 
@@ -236,7 +234,7 @@ internal sealed class ShootingProblem
         Forward = _frame.Forward,
         Speed = Elementary.Exp(x[LogSpeed]),
         Miss = Math.Sqrt((r[0] * r[0]) + (r[1] * r[1]) + (r[2] * r[2])),
-        ThroughMiss = Math.Sqrt((r[3] * r[3]) + (r[4] * r[4]) + (r[5] * r[5])),
+        ThroughMiss = _passesThrough ? Math.Sqrt((r[3] * r[3]) + (r[4] * r[4]) + (r[5] * r[5])) : double.NaN,
         Time = Elementary.Exp(x[LogTime]),
     };
 

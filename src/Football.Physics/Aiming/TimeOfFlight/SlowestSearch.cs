@@ -5,9 +5,6 @@ internal sealed class SlowestSearch
 {
     private const int MostSteps = 16;
 
-    /// <summary>Times next to each other on the way downhill.</summary>
-    private const double Step = 1.15;
-
     private readonly AimContext _context;
     private readonly SpeedOverTime _speeds;
     private readonly LeastSpeed _least;
@@ -55,79 +52,12 @@ internal sealed class SlowestSearch
         for (int start = 0; start < TimedHits.Starts(problem); start++)
         {
             _speeds.Begin(problem, fastest, _context.Upward, start);
-            bool nearby = start == 0 && !problem.IsRuledByAir && Nearby(problem, ref solution);
-            problem.IsRough = false;
-            if (nearby)
-            {
-                return true;
-            }
-
             _speeds.Shorten(fastest);
             _speeds.Lengthen(fastest);
             found |= SlowestOfRow(problem, ref solution);
         }
 
         return found;
-    }
-
-    /// <summary>The slowest kick by going downhill from the first one, and from there to the bounds where it violates them.</summary>
-    /// <returns>False where that leads to none: all times are to be looked at then.</returns>
-    private bool Nearby(TimedProblem problem, ref AimSolution solution)
-    {
-        problem.IsRough = true;
-        int at = 0;
-        bool bracketed = false;
-        for (int i = 0; i < MostSteps && !bracketed; i++)
-        {
-            bool shorter = at == 0;
-            int added = _speeds.Add(shorter ? _speeds[0].Time / Step : _speeds[_speeds.Count - 1].Time * Step);
-            if (added < 0 || !_speeds[added].Found)
-            {
-                return false;
-            }
-
-            at = Least();
-            bracketed = at > 0 && at < _speeds.Count - 1;
-        }
-
-        if (!bracketed)
-        {
-            return false;
-        }
-
-        if (!Keeps(problem, at - 1) && !Keeps(problem, at) && !Keeps(problem, at + 1))
-        {
-            return AtElevation(problem, _speeds[at], ref solution);
-        }
-
-        at = _least.WithWaves(_least.At(at, enough: -1));
-        TimedKick slowest = _speeds[at];
-        problem.IsRough = false;
-        return problem.Solve(ref slowest) && (problem.Violation(in slowest) <= TimedHits.OffBounds ? Take(problem, in slowest, ref solution) : AtElevation(problem, in slowest, ref solution));
-    }
-
-    /// <summary>The kick at the bound of the elevation that one is beyond: at any elevation there is but one that hits.</summary>
-    private bool AtElevation(TimedProblem problem, in TimedKick beyond, ref AimSolution solution)
-    {
-        if (!_curves.AtElevation(problem.Request, problem.KickOf(in beyond.Velocity), beyond.Speed, beyond.Time, out AimSolution hit) || hit.Speed > solution.Speed)
-        {
-            return false;
-        }
-
-        hit.Arc = problem.IsTooSteep(in beyond) ? AimArc.Low : AimArc.High;
-        solution = hit;
-        return true;
-    }
-
-    private int Least()
-    {
-        int least = 0;
-        for (int i = 1; i < _speeds.Count; i++)
-        {
-            least = _speeds[i].Speed < _speeds[least].Speed ? i : least;
-        }
-
-        return least;
     }
 
     private bool SlowestOfRow(TimedProblem problem, ref AimSolution solution)
@@ -173,7 +103,6 @@ internal sealed class SlowestSearch
         }
 
         slowest = hit;
-        slowest.Arc = AimArc.Low;
         return true;
     }
 

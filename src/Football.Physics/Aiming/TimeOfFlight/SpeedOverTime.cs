@@ -9,9 +9,6 @@ internal sealed class SpeedOverTime
     /// <summary>Times next to each other.</summary>
     private const double Ratio = 1.3;
 
-    /// <summary>Kicks whose times differ by more than this factor tell nothing of each other.</summary>
-    private const double Neighbourhood = 1.6;
-
     /// <summary>Beyond this share of the fastest speed, and rising, no slower kick is to be found.</summary>
     private const double Beyond = 1.2;
 
@@ -98,19 +95,13 @@ internal sealed class SpeedOverTime
         for (int i = 0; i < Count; i++)
         {
             double ratio = Distance(_kicks[i].Time, time);
-            if (_kicks[i].Found && ratio < Neighbourhood && (nearest < 0 || ratio < Distance(_kicks[nearest].Time, time)))
+            if (_kicks[i].Found && ratio < 1.6 && (nearest < 0 || ratio < Distance(_kicks[nearest].Time, time)))
             {
                 nearest = i;
             }
         }
 
         TimedKick kick = nearest < 0 ? _problem.Guess(time, _start) : _kicks[nearest].At(time);
-        int next = nearest < 0 ? -1 : _kicks[nearest].Time < time ? nearest + 1 : nearest - 1;
-        if (next >= 0 && next < Count && _kicks[next].Found && Distance(_kicks[next].Time, time) < Neighbourhood)
-        {
-            kick.Velocity = Between(in _kicks[Math.Min(nearest, next)], in _kicks[Math.Max(nearest, next)], time);
-        }
-
         if (!_problem.Solve(ref kick) && nearest >= 0 && !double.IsPositiveInfinity(kick.Speed))
         {
             TimedKick again = _problem.Guess(time, _start);
@@ -119,10 +110,6 @@ internal sealed class SpeedOverTime
 
         return kick;
     }
-
-    /// <summary>The velocity between two kicks of which the rates are known too.</summary>
-    private static Vector3d Between(in TimedKick one, in TimedKick other, double time) =>
-        new CubicHermite3d(in one.Velocity, one.Rate, in other.Velocity, other.Rate, other.Time - one.Time).PositionAt(time - one.Time);
 
     private static double Distance(double one, double other) => one > other ? one / other : other / one;
 

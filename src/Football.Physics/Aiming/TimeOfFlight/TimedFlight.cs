@@ -53,8 +53,6 @@ internal sealed class TimedFlight : TimedProblem
         return Math.Max(violation - 1e-12, (contact - Tolerance - kick.Lowest) / Math.Max(kick.Speed * kick.Time, 1e-9));
     }
 
-    public override bool IsTooSteep(in TimedKick kick) => Elevation(in kick) > _bounds.Highest;
-
     public override bool PassesBounds(in TimedKick one, in TimedKick other, out double between)
     {
         double middle = 0.5 * (_bounds.Lowest + _bounds.Highest);

@@ -27,20 +27,17 @@ internal struct TimedKick
     /// <summary>Speed of the kick, m/s; infinite where it is more than is worth knowing, not a number where it is not known.</summary>
     public double Speed;
 
-    /// <summary>How the velocity changes with the time, m/s²; zero where that is not known.</summary>
-    public readonly Vector3d Rate =>
-        Jacobian.Solve(-Arrival, out Vector3d rate) ? rate : Vector3d.Zero; // p(t; v) = q(t): J dv/dt = q̇ − ṗ
-
     /// <summary>The kick for a time a little later or earlier, to first order.</summary>
     public readonly TimedKick At(double time)
     {
         TimedKick next = this;
         next.Time = time;
 
-        next.Velocity += (time - Time) * Rate;
-
-        // It grows about like the time.
-        next.Jacobian.Scale(time / Time);
+        // p(t; v) = q(t): J dv/dt = q̇ − ṗ
+        if (Jacobian.Solve(-Arrival, out Vector3d rate))
+        {
+            next.Velocity += (time - Time) * rate;
+        }
 
         return next;
     }

@@ -16,9 +16,6 @@ internal abstract class TimedProblem
     /// <summary>An iteration must shrink the miss to this share of it; else the Jacobian is measured.</summary>
     private const double Progress = 0.7;
 
-    /// <summary>Tolerances within which a rough search ends.</summary>
-    private const double Roughness = 8;
-
     /// <summary>Largest change of the velocity in one iteration, as a share of it.</summary>
     private const double LargestChange = 0.6;
 
@@ -36,9 +33,6 @@ internal abstract class TimedProblem
 
     /// <summary>Miss distance within which a search ends, m.</summary>
     public double Tolerance { get; protected set; }
-
-    /// <summary>Whether a search ends sooner, where only the speed of the kick is asked for, and to a thousandth.</summary>
-    public bool IsRough { get; set; }
 
     /// <summary>Whether nothing more can be searched.</summary>
     public bool IsSpent => Context.IsSpent;
@@ -58,7 +52,6 @@ internal abstract class TimedProblem
     /// <param name="side">Their sidespin, rad/s.</param>
     public virtual void Set(AimRequest request, double top, double side)
     {
-        IsRough = false;
         Request = request;
         Top = top;
         Side = side;
@@ -103,9 +96,6 @@ internal abstract class TimedProblem
     /// <summary>By how much a kick violates the bounds of the request; negative within them, and about proportional to what it is off.</summary>
     public abstract double Violation(in TimedKick kick);
 
-    /// <summary>Whether a kick that violates the bounds is above them.</summary>
-    public abstract bool IsTooSteep(in TimedKick kick);
-
     /// <summary>Whether two kicks lie on either side of all that the bounds allow.</summary>
     /// <param name="one">One kick.</param>
     /// <param name="other">The other.</param>
@@ -131,8 +121,7 @@ internal abstract class TimedProblem
         kick.Miss = gap.Length;
         bool measured = false;
         double share = 1;
-        double tolerance = IsRough ? Roughness * Tolerance : Tolerance;
-        while (!(kick.Miss <= tolerance))
+        while (!(kick.Miss <= Tolerance))
         {
             if (_flights >= MostFlights || Context.IsWorn || !kick.Jacobian.Solve(-gap, out Vector3d change))
             {
@@ -161,7 +150,7 @@ internal abstract class TimedProblem
                 share *= 0.4;
             }
 
-            if (slow && !measured && !(kick.Miss <= tolerance))
+            if (slow && !measured && !(kick.Miss <= Tolerance))
             {
                 Measure(ref kick, in gap);
                 measured = true;

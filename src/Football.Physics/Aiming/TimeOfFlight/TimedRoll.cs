@@ -59,9 +59,6 @@ internal sealed class TimedRoll : TimedProblem
         return ((kick.Speed * Math.Abs(sine)) - Context.Scene.Ground.MinimumBounceSpeed) / Math.Max(kick.Speed, 1e-9);
     }
 
-    /// <summary>A roll that is too fast for its elevation leaves the ground.</summary>
-    public override bool IsTooSteep(in TimedKick kick) => false;
-
     public override bool PassesBounds(in TimedKick one, in TimedKick other, out double between)
     {
         between = one.Time;

@@ -45,14 +45,6 @@ internal struct VelocityJacobian
         return change.IsFinite;
     }
 
-    /// <summary>All of it times a factor.</summary>
-    public void Scale(double factor)
-    {
-        _byX *= factor;
-        _byY *= factor;
-        _byZ *= factor;
-    }
-
     /// <summary>Broyden's update after a change of the velocity moved the ball: J += (Δp − J Δv) Δvᵀ / |Δv|².</summary>
     public void Update(in Vector3d change, in Vector3d move)
     {
