@@ -94,10 +94,15 @@ public readonly struct AimResult : IFormattable
         $"{Status}: {Speed:0.##} m/s, elevation {ElevationDegrees:0.##}°, azimuth {AzimuthDegrees:0.##}°, spin ({TopSpin:0.#}, {SideSpin:0.#}) rad/s, {Miss:0.####} m off after {Time:0.###} s");
 
     /// <summary>The kick in a line, its numbers with a format each, such as "F2".</summary>
-    /// <param name="format">A format of numbers; null for all digits.</param>
+    /// <param name="format">A format of numbers; null or empty for the digits of <see cref="ToString()"/>.</param>
     /// <param name="formatProvider">The culture; default the invariant one.</param>
     public string ToString(string? format, IFormatProvider? formatProvider = null)
     {
+        if (string.IsNullOrEmpty(format))
+        {
+            return ToString();
+        }
+
         IFormatProvider culture = formatProvider ?? CultureInfo.InvariantCulture;
         return $"{Status}: {Speed.ToString(format, culture)} m/s, elevation {ElevationDegrees.ToString(format, culture)}°, azimuth {AzimuthDegrees.ToString(format, culture)}°, "
             + $"spin ({TopSpin.ToString(format, culture)}, {SideSpin.ToString(format, culture)}) rad/s, {Miss.ToString(format, culture)} m off after {Time.ToString(format, culture)} s";

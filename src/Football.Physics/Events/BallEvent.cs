@@ -103,13 +103,14 @@ public readonly struct BallEvent : IFormattable
     }
 
     /// <summary>What happened, when and where.</summary>
-    public override string ToString() => FormattableString.Invariant($"{Kind} at {Time:0.###} s, {Position:0.###}, {Velocity:0.###} m/s");
+    public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
 
     /// <summary>What happened, when and where, its numbers with a format each, such as "F2".</summary>
-    /// <param name="format">A format of numbers; null for all digits.</param>
+    /// <param name="format">A format of numbers; null or empty for three decimals at most, "R" for all digits.</param>
     /// <param name="formatProvider">The culture; default the invariant one.</param>
     public string ToString(string? format, IFormatProvider? formatProvider = null)
     {
+        format = NumberFormat.OrShort(format);
         IFormatProvider culture = formatProvider ?? CultureInfo.InvariantCulture;
         return $"{Kind} at {Time.ToString(format, culture)} s, {Position.ToString(format, culture)}, {Velocity.ToString(format, culture)} m/s";
     }

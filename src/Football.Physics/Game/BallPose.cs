@@ -18,13 +18,14 @@ public readonly struct BallPose : IFormattable
     public Quaterniond Orientation { get; }
 
     /// <summary>Place and orientation.</summary>
-    public override string ToString() => FormattableString.Invariant($"{Position:0.###}, {Orientation:0.###}");
+    public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
 
     /// <summary>Place and orientation, its numbers with a format each, such as "F2".</summary>
-    /// <param name="format">A format of numbers; null for all digits.</param>
+    /// <param name="format">A format of numbers; null or empty for three decimals at most, "R" for all digits.</param>
     /// <param name="formatProvider">The culture; default the invariant one.</param>
     public string ToString(string? format, IFormatProvider? formatProvider = null)
     {
+        format = NumberFormat.OrShort(format);
         IFormatProvider culture = formatProvider ?? CultureInfo.InvariantCulture;
         return $"{Position.ToString(format, culture)}, {Orientation.ToString(format, culture)}";
     }

@@ -36,13 +36,14 @@ public readonly struct KickInput : IFormattable
     public int Player { get; }
 
     /// <inheritdoc/>
-    public override string ToString() => ToString("0.###", CultureInfo.InvariantCulture);
+    public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
 
     /// <summary>When, how, and by whom, its numbers with a format each, such as "F2".</summary>
-    /// <param name="format">A format of numbers; null for all digits.</param>
+    /// <param name="format">A format of numbers; null or empty for three decimals at most, "R" for all digits.</param>
     /// <param name="formatProvider">The culture; default the invariant one.</param>
     public string ToString(string? format, IFormatProvider? formatProvider = null)
     {
+        format = NumberFormat.OrShort(format);
         IFormatProvider culture = formatProvider ?? CultureInfo.InvariantCulture;
         return $"tick {Tick.ToString(culture)}: {Velocity.ToString(format, culture)} m/s, {Spin.ToString(format, culture)} rad/s, player {Player.ToString(culture)}";
     }

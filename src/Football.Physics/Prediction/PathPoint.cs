@@ -26,13 +26,14 @@ public readonly struct PathPoint : IFormattable
     public double Distance { get; }
 
     /// <summary>When and where, such as "1.25 s: (0, 1.5, −20)".</summary>
-    public override string ToString() => FormattableString.Invariant($"{Time:0.###} s: {Position:0.###}");
+    public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
 
     /// <summary>When and where, its numbers with a format each, such as "F2".</summary>
-    /// <param name="format">A format of numbers; null for all digits.</param>
+    /// <param name="format">A format of numbers; null or empty for three decimals at most, "R" for all digits.</param>
     /// <param name="formatProvider">The culture; default the invariant one.</param>
     public string ToString(string? format, IFormatProvider? formatProvider = null)
     {
+        format = NumberFormat.OrShort(format);
         IFormatProvider culture = formatProvider ?? CultureInfo.InvariantCulture;
         return $"{Time.ToString(format, culture)} s: {Position.ToString(format, culture)}";
     }

@@ -25,13 +25,14 @@ public readonly struct Plane3d : IFormattable
     public Vector3d Normal { get; }
 
     /// <inheritdoc/>
-    public override string ToString() => ToString("0.###", CultureInfo.InvariantCulture);
+    public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
 
     /// <summary>Its point and its normal, its numbers with a format each, such as "F2".</summary>
-    /// <param name="format">A format of numbers; null for all digits.</param>
+    /// <param name="format">A format of numbers; null or empty for three decimals at most, "R" for all digits.</param>
     /// <param name="formatProvider">The culture; default the invariant one.</param>
     public string ToString(string? format, IFormatProvider? formatProvider = null)
     {
+        format = NumberFormat.OrShort(format);
         IFormatProvider culture = formatProvider ?? CultureInfo.InvariantCulture;
         return $"{Point.ToString(format, culture)}, normal {Normal.ToString(format, culture)}";
     }

@@ -84,13 +84,14 @@ public struct BallState : IFormattable
     internal double AirDistance;
 
     /// <inheritdoc/>
-    public override readonly string ToString() => ToString("0.###", CultureInfo.InvariantCulture);
+    public override readonly string ToString() => ToString(null, CultureInfo.InvariantCulture);
 
     /// <summary>What the ball is doing, when, where and how fast, its numbers with a format each, such as "F2".</summary>
-    /// <param name="format">A format of numbers; null for all digits.</param>
+    /// <param name="format">A format of numbers; null or empty for three decimals at most, "R" for all digits.</param>
     /// <param name="formatProvider">The culture; default the invariant one.</param>
     public readonly string ToString(string? format, IFormatProvider? formatProvider = null)
     {
+        format = NumberFormat.OrShort(format);
         IFormatProvider culture = formatProvider ?? CultureInfo.InvariantCulture;
         return $"{Motion} at {Time.ToString(format, culture)} s, {Position.ToString(format, culture)}, {Velocity.ToString(format, culture)} m/s, {Spin.ToString(format, culture)} rad/s";
     }

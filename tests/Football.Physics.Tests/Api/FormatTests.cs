@@ -32,6 +32,7 @@ public sealed class FormatTests
     public void A_value_has_the_format_that_is_asked_for(string expected, IFormattable value)
     {
         Assert.Equal(expected, value.ToString("F2", null));
+        Assert.Equal(value.ToString(), FormattableString.Invariant($"{value}"));
         Assert.Equal(expected.Replace('.', ';').Replace(',', ' '), value.ToString("F2", Commas()).Replace(',', ' '));
     }
 
@@ -40,6 +41,7 @@ public sealed class FormatTests
     {
         AimResult result = new Aimer(s_simulator).Find(new AimRequest { Target = new Vector3d(0, 1, -20) });
         Assert.StartsWith("Hit: 25.0 m/s, elevation ", result.ToString("F1"), StringComparison.Ordinal);
+        Assert.Equal(result.ToString(), FormattableString.Invariant($"{result}"));
     }
 
     [Fact]
