@@ -99,6 +99,9 @@ internal sealed class AimContext
     /// <summary>Whether it has had all the pieces of motion that it may have.</summary>
     public bool IsWorn => _pieces >= MostPieces;
 
+    /// <summary>Whether it has had half of that: a search that others come after leaves them the rest.</summary>
+    public bool IsHalfSpent => _spent >= _most / 2 || _pieces >= MostPieces / 2;
+
     /// <summary>Begins a search.</summary>
     /// <param name="mostIterations">Iterations that it may have.</param>
     public void Begin(int mostIterations)

@@ -16,6 +16,7 @@ internal sealed class BodyTube
     private Vector3d _from;
     private Vector3d _velocity;
     private double _spinRate;
+    private double _airSpeedSquared;
     private double _time;
     private double _duration = -1;
     private double _width;
@@ -29,11 +30,14 @@ internal sealed class BodyTube
     }
 
     /// <summary>Whether a ball stays in it during a step.</summary>
+    /// <param name="s">The ball, in the air.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="airSpeedSquared">|u|², m²/s².</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool Holds(in BallState s, double dt)
+    public bool Holds(in BallState s, double dt, double airSpeedSquared)
     {
         double gone = s.Time - _time;
-        if (!(gone >= 0 && gone + dt <= _duration && dt <= _longestStep && s.SpinRate <= _spinRate))
+        if (!(gone >= 0 && gone + dt <= _duration && dt <= _longestStep && s.SpinRate <= _spinRate && airSpeedSquared <= _airSpeedSquared))
         {
             return false;
         }
@@ -50,16 +54,18 @@ internal sealed class BodyTube
     /// <param name="dt">Length of its step, s.</param>
     /// <param name="longest">Length of the longest step that it is good for, s.</param>
     /// <param name="ahead">How far to look, s.</param>
+    /// <param name="airSpeed">The air speed up to which the ball goes no farther from a straight line than that, m/s.</param>
     /// <param name="bendOfStep">How far the ball may go from a straight line in the longest step, m.</param>
     /// <param name="bend">How far in all the time ahead, m; half of that is the more usual.</param>
     /// <returns>Whether it is long enough for the step.</returns>
-    public bool Renew(in BallState s, double dt, double longest, double ahead, double bendOfStep, double bend)
+    public bool Renew(in BallState s, double dt, double longest, double ahead, double airSpeed, double bendOfStep, double bend)
     {
         _width = LeastWidth + (0.5 * bend);
         var way = new StraightWay(s.Position, s.Velocity, s.Time, ahead, _ballRadius + _width + bendOfStep);
         _from = s.Position;
         _velocity = s.Velocity;
         _spinRate = s.SpinRate;
+        _airSpeedSquared = airSpeed * airSpeed;
         _time = s.Time;
         _longestStep = longest;
         _strayed = _bodies.Strayed;

@@ -76,7 +76,7 @@ internal sealed class ClearFlight
         }
 
         bool isKnown = s.Time + dt <= s.ClearUntil && s.ClearIn == Key;
-        if (isKnown && (_tube is null || _tube.Holds(in s, dt)))
+        if (isKnown && (_tube is null || _tube.Holds(in s, dt, airSpeedSquared)))
         {
             return true;
         }
@@ -118,7 +118,8 @@ internal sealed class ClearFlight
     {
         double ahead = Math.Min(steps * dt, Math.Max(dt, Bodies.Foresight));
         double longest = LongestStep * dt;
-        return _tube!.Renew(in s, dt, longest, ahead, Bend(speed, s.SpinRate, ahead + longest, longest), Bend(speed, s.SpinRate, ahead, ahead));
+        return _tube!.Renew(
+            in s, dt, longest, ahead, SpeedLater(speed, ahead), Bend(speed, s.SpinRate, ahead + longest, longest), Bend(speed, s.SpinRate, ahead, ahead));
     }
 
     /// <summary>A bound of how far the ball goes off a straight line, m: c a t², which is ½ a t² for most methods, with all that the air can do to the speed that the ball may have then.</summary>
@@ -128,8 +129,11 @@ internal sealed class ClearFlight
     /// <param name="during">t, s.</param>
     private double Bend(double speed, double spinRate, double ahead, double during)
     {
-        double most = 1.1 * (speed + (ahead * _weight));
+        double most = SpeedLater(speed, ahead);
         double acceleration = _weight + (_limit.RateAtMost(most, spinRate) * most);
         return _shareInPath * acceleration * during * during;
     }
+
+    /// <summary>A bound of the air speed so much later, m/s.</summary>
+    private double SpeedLater(double speed, double ahead) => 1.1 * (speed + (ahead * _weight));
 }

@@ -6,8 +6,8 @@ internal sealed class DirectionScan
     /// <summary>Places to begin at that are listed.</summary>
     public const int MostStarts = 8;
 
-    private const int MostRows = 14;
-    private const int MostColumns = 16;
+    private const int MostRows = 13;
+    private const int MostColumns = 12;
     private const int N = ShootingProblem.Unknowns;
 
     private readonly ShootingProblem _problem;

@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>The search for a kick of a given speed that knows nothing: a scan over all directions, and from what comes close there Newton's method.</summary>
+/// <summary>The search for a kick of a given speed that knows nothing: a scan over all directions, and from what comes close there the method of Levenberg and Marquardt.</summary>
 internal sealed class ShootingSearch
 {
     private const int N = ShootingProblem.Unknowns;
@@ -37,7 +37,7 @@ internal sealed class ShootingSearch
         _scan.Fly(Rows, Columns, speed, top, side);
         solution = default;
         bool found = false;
-        for (int start = 0; start < _scan.Count && !_problem.IsSpent; start++)
+        for (int start = 0; start < _scan.Count && !_context.IsHalfSpent; start++)
         {
             _scan.Start(start, _x);
             if (!_solver.Solve(_x))

@@ -48,16 +48,10 @@ internal sealed class SlowestSearch
     {
         solution = default;
         solution.Speed = fastest;
-        bool found = false;
-        for (int start = 0; start < TimedHits.Starts(problem); start++)
-        {
-            _speeds.Begin(problem, fastest, _context.Upward, start);
-            _speeds.Shorten(fastest);
-            _speeds.Lengthen(fastest);
-            found |= SlowestOfRow(problem, ref solution);
-        }
-
-        return found;
+        _speeds.Begin(problem, fastest, _context.Upward);
+        _speeds.Shorten(fastest);
+        _speeds.Lengthen(fastest);
+        return SlowestOfRow(problem, ref solution);
     }
 
     private bool SlowestOfRow(TimedProblem problem, ref AimSolution solution)

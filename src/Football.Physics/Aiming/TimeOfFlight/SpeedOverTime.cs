@@ -14,7 +14,6 @@ internal sealed class SpeedOverTime
 
     private readonly TimedKick[] _kicks = new TimedKick[64];
     private TimedProblem _problem;
-    private int _start;
 
     public SpeedOverTime(TimedProblem problem) => _problem = problem;
 
@@ -30,10 +29,8 @@ internal sealed class SpeedOverTime
     /// <param name="problem">What the kicks are to do.</param>
     /// <param name="fastest">The fastest kick of use, m/s.</param>
     /// <param name="upward">Upward acceleration by gravity and buoyancy, m/s².</param>
-    /// <param name="start">Which first kick to begin with; 0 … <see cref="TimedProblem.OtherStarts"/>.</param>
-    public void Begin(TimedProblem problem, double fastest, double upward, int start)
+    public void Begin(TimedProblem problem, double fastest, double upward)
     {
-        _start = start;
         _problem = problem;
         Count = 0;
         double distance = (problem.Frame.Target - problem.Frame.From).Length;
@@ -101,10 +98,10 @@ internal sealed class SpeedOverTime
             }
         }
 
-        TimedKick kick = nearest < 0 ? _problem.Guess(time, _start) : _kicks[nearest].At(time);
+        TimedKick kick = nearest < 0 ? _problem.Guess(time) : _kicks[nearest].At(time);
         if (!_problem.Solve(ref kick) && nearest >= 0 && !double.IsPositiveInfinity(kick.Speed))
         {
-            TimedKick again = _problem.Guess(time, _start);
+            TimedKick again = _problem.Guess(time);
             kick = _problem.Solve(ref again) ? again : kick;
         }
 

@@ -93,24 +93,15 @@ internal sealed class TimeSearch
     private bool WithSpeed(TimedProblem problem, double speed, AimArc arc, out AimSolution solution)
     {
         bool low = arc == AimArc.Low;
-        for (int start = 0; start < TimedHits.Starts(problem); start++)
+        _speeds.Begin(problem, speed, _context.Upward);
+        Spread(low, speed);
+        if (HitBetween(speed, low, out solution))
         {
-            _speeds.Begin(problem, speed, _context.Upward, start);
-            Spread(low, speed);
-            if (HitBetween(speed, low, out solution))
-            {
-                return true;
-            }
-
-            Spread(!low, speed);
-            if (HitBetween(speed, low, out solution) || (Deepen(speed) && HitBetween(speed, low, out solution)))
-            {
-                return true;
-            }
+            return true;
         }
 
-        solution = default;
-        return false;
+        Spread(!low, speed);
+        return HitBetween(speed, low, out solution) || (Deepen(speed) && HitBetween(speed, low, out solution));
     }
 
     /// <summary>The kick for a time; false where there is none within the bounds.</summary>

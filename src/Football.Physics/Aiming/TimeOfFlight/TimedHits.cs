@@ -12,9 +12,6 @@ internal sealed class TimedHits
 
     public TimedHits(AimContext context) => _context = context;
 
-    /// <summary>From how many first kicks to search: several where there are several kicks for a time.</summary>
-    public static int Starts(TimedProblem problem) => 1;
-
     /// <summary>Whether a kick is slow enough, and within its bounds.</summary>
     public static bool IsAllowed(TimedProblem problem, in TimedKick kick, double fastest) =>
         kick.Found && (kick.Speed <= fastest || IsNearly(problem, in kick, fastest)) && problem.Violation(in kick) <= OffBounds;
