@@ -21,7 +21,7 @@ internal class Stepper<TAir, TIntegrator> : Stepper
     where TAir : struct, IAir
     where TIntegrator : struct, IIntegrator
 {
-    /// <summary>More pieces than this, by whatever cause, and the rest of the step is taken by implicit Euler: every step ends.</summary>
+    /// <summary>More pieces than this without an impact, by whatever cause, and the rest of the step is taken by implicit Euler: every step ends.</summary>
     private const int MostPieces = 1 << 13;
 
     /// <summary>After so many pieces the length of the parts is chosen anew: what asked for short ones may be over.</summary>

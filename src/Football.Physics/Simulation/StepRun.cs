@@ -24,7 +24,7 @@ internal ref struct StepRun
     /// <summary>Impacts that one step may have; after that the ball stays on what it hits, so that every step ends.</summary>
     public const int MostImpacts = 512;
 
-    /// <summary>Pieces so far.</summary>
+    /// <summary>Pieces since the last impact.</summary>
     public int Pieces;
 
     /// <summary>Impacts in the whole step.</summary>
@@ -52,8 +52,10 @@ internal ref struct StepRun
     /// <returns>Whether the ball may bounce.</returns>
     public bool Hit()
     {
+        bool bounces = AllImpacts++ < MostImpacts;
+        Pieces = bounces ? 0 : Pieces;
         Part = 0;
-        return AllImpacts++ < MostImpacts;
+        return bounces;
     }
 
     /// <summary>Counts a piece as done: the clock goes on, and the time left gets less.</summary>
