@@ -44,7 +44,7 @@ public sealed record AimRequest
 
     /// <summary>
     /// Iterations that a method may take. At least 1; default 60. An iteration of <see cref="AimMethod.Direct"/> is one flight and one correction,
-    /// or, in its searches over elevations and times, 16 simulations; after as many, or 200 000 integrated pieces of motion, it ends without a verdict.
+    /// or, in its searches over elevations, directions and times, 16 simulations; after as many, or 200 000 integrated pieces of motion, it ends without a verdict.
     /// </summary>
     public int MaximumIterations { get; init; } = 60;
 

@@ -54,11 +54,11 @@ public sealed class Aimer
         var problem = new PlaneProblem(_context);
         var solver = new LevenbergMarquardt(_context.Shooting);
         var scan = new DirectionScan(_context.Shooting);
-        var curves = new CurveSearch(_context.Shooting, scan, new SolutionCurve(_context, _context.Shooting, solver));
+        var curves = new CurveSearch(_context.Shooting, scan, solver);
         _times = new TimeSearch(_context, curves);
         _slowest = new SlowestSearch(_context, curves);
-        _direct = new DirectAim(_context, problem, _times, new ShootingSearch(_context, _context.Shooting, solver, scan));
-        _directTwoPoint = new DirectTwoPointAim(_context, _direct, new TwoPointSearch(_context, _context.Shooting, solver, scan));
+        _direct = new DirectAim(_context, problem, _times, new ShootingSearch(_context.Shooting, solver, scan));
+        _directTwoPoint = new DirectTwoPointAim(_context, _direct, new TwoPointSearch(_context.Shooting, solver, scan));
         _angle = new AngleAim(_context);
         _bisection = new BisectionAim(_context);
         _twoPoint = new TwoPointAim(_context, _angle, _bisection);

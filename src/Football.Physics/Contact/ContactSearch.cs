@@ -12,7 +12,7 @@ internal readonly struct ContactSearch
     /// <summary>Slower than this, m/s, nothing comes closer.</summary>
     public const double Approaching = 1e-9;
 
-    /// <summary>Slower than this, m/s, nothing goes away: it would be 5e-12 m in a microsecond, and gravity brings it back in about that.</summary>
+    /// <summary>Slower than this, m/s, nothing goes away: in a microsecond that is 5e-12 m.</summary>
     public const double Leaving = 5e-6;
 
     /// <summary>Up to this share of the radius from a hollow, the bend of the gap is known.</summary>

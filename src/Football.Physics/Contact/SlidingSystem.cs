@@ -68,13 +68,12 @@ internal struct SlidingSystem<TAir> : IPlanarSystem
         rates.BZ = -push.Decay * (spins ? at.WZ : torqueZ);
         if (StopsSpin(at.WX, at.WY, at.WZ))
         {
-            // Past zero the decay goes on as before: at the step's end it stops there.
+            // Past zero the decay goes on as before, so that the step's end shows it, but there is no spin to lift the ball.
             double start = StartSpin.Length;
             double perSpin = start > AirRates.NoSpin ? -_decay / start : 0;
             rates.BX = perSpin * StartSpin.X;
             rates.BY = perSpin * StartSpin.Y;
             rates.BZ = perSpin * StartSpin.Z;
-
             WithoutSpin(time, in at, out rates.AX, out rates.AZ);
         }
 

@@ -70,7 +70,6 @@ internal sealed class BodyTube
         _longestStep = longest;
         _strayed = _bodies.Strayed;
         _duration = _bodies.FreeFor(in way);
-
         return dt <= _duration;
     }
 }

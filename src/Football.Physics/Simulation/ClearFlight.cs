@@ -110,7 +110,6 @@ internal sealed class ClearFlight
         double free = _world.FreeFor(new StraightWay(s.Position, s.Velocity, s.Time, ahead, around));
         s.ClearUntil = s.Time + free;
         s.ClearIn = Key;
-
         return dt <= free;
     }
 

@@ -11,13 +11,8 @@ internal sealed class TwoPointJacobian
     /// <summary>Square of the angle, rad, that counts as much as 1 rad/s of spin.</summary>
     private const double SpinUnit = 1e-4;
 
-    /// <summary>Changes of an angle, rad, and of a spin, rad/s, by which it is measured.</summary>
-    private const double AngleDifference = 1e-3;
-    private const double SpinDifference = 0.1;
-
     private readonly AimContext _context;
     private readonly double[] _j = new double[N * N];
-    private readonly double[] _beside = new double[N];
 
     public TwoPointJacobian(AimContext context) => _context = context;
 
@@ -80,35 +75,6 @@ internal sealed class TwoPointJacobian
             Vector3d bySide = (unit.Y * byRate) + (byAxis * Vector3d.Cross(Vector3d.Up - (unit.Y * unit), in middle));
             Set(plane, TwoPointProblem.Side, in bySide, in slope, in frame);
         }
-    }
-
-    /// <summary>Measures it by differences.</summary>
-    /// <param name="problem">The problem.</param>
-    /// <param name="x">The unknowns.</param>
-    /// <param name="r">Their residuals.</param>
-    /// <returns>False where a kick beside does not reach both planes.</returns>
-    public bool Measure(TwoPointProblem problem, double[] x, double[] r)
-    {
-        for (int k = 0; k < N; k++)
-        {
-            double was = x[k];
-            double change = k < TwoPointProblem.Top ? AngleDifference : SpinDifference;
-            x[k] = was + (was > 0 ? -change : change);
-            bool reached = problem.Fly(x, _beside);
-            change = x[k] - was;
-            x[k] = was;
-            if (!reached)
-            {
-                return false;
-            }
-
-            for (int i = 0; i < N; i++)
-            {
-                _j[(i * N) + k] = (_beside[i] - r[i]) / change;
-            }
-        }
-
-        return true;
     }
 
     /// <summary>Broyden's update: J += (Δr − J Δx) Δxᵀ / |Δx|², in units in which a radian and 100 rad/s of spin count alike.</summary>

@@ -58,9 +58,6 @@ internal sealed class TwoPointProblem
     /// <summary>The crossing of the plane of the point on the way.</summary>
     public ref readonly PlaneCrossing AtThrough => ref _context.Planes.Through;
 
-    /// <summary>Whether nothing more can be searched.</summary>
-    public bool IsSpent => _context.IsSpent;
-
     /// <summary>Sets the problem.</summary>
     /// <returns>False where the point does not lie on the way to the target.</returns>
     public bool Set(AimRequest request)

@@ -14,14 +14,16 @@ internal sealed class CurveSearch
 
     private readonly ShootingProblem _problem;
     private readonly DirectionScan _scan;
+    private readonly LevenbergMarquardt _solver;
     private readonly SolutionCurve _curve;
     private readonly double[] _x = new double[N];
 
-    public CurveSearch(ShootingProblem problem, DirectionScan scan, SolutionCurve curve)
+    public CurveSearch(ShootingProblem problem, DirectionScan scan, LevenbergMarquardt solver)
     {
         _problem = problem;
         _scan = scan;
-        _curve = curve;
+        _solver = solver;
+        _curve = new SolutionCurve(problem, solver);
     }
 
     /// <summary>The slowest kick.</summary>
@@ -40,7 +42,7 @@ internal sealed class CurveSearch
             for (int start = 0; start < Math.Min(MostStarts, _scan.Count) && !_problem.IsSpent; start++)
             {
                 _scan.Start(start, _x);
-                if (!_curve.Reach(_x, out AimSolution one))
+                if (!_solver.Hit(_x, out AimSolution one))
                 {
                     continue;
                 }
@@ -74,7 +76,7 @@ internal sealed class CurveSearch
             for (int start = 0; start < Math.Min(MostStarts, _scan.Count) && !_problem.IsSpent; start++)
             {
                 _scan.Start(start, _x);
-                if (_curve.Reach(_x, out solution))
+                if (_solver.Hit(_x, out solution))
                 {
                     return true;
                 }
@@ -86,7 +88,7 @@ internal sealed class CurveSearch
 
     private void Begin(AimRequest request)
     {
-        _problem.Begin(request, through: false);
+        _problem.Begin(request, request.Speed, through: false);
         _problem.IsFree[ShootingProblem.LogSpeed] = true;
         _problem.Most[ShootingProblem.LogSpeed] = Elementary.Log(request.Speed);
     }

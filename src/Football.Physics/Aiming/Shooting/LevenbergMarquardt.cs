@@ -38,7 +38,7 @@ internal sealed class LevenbergMarquardt
     /// <summary>Solves from a start.</summary>
     /// <param name="x">The unknowns: the start, and then the best that was found.</param>
     /// <returns>Whether that is a hit.</returns>
-    public bool Solve(double[] x)
+    private bool Solve(double[] x)
     {
         _problem.Fly(x, Residuals);
         double cost = Squares(Residuals);
@@ -73,6 +73,16 @@ internal sealed class LevenbergMarquardt
         }
 
         return _problem.IsHit(Residuals);
+    }
+
+    /// <summary>Solves from a start, and measures what that leads to.</summary>
+    /// <param name="x">The unknowns: the start, and then the best that was found.</param>
+    /// <param name="solution">The solution.</param>
+    /// <returns>Whether that truly hits.</returns>
+    public bool Hit(double[] x, out AimSolution solution)
+    {
+        solution = default;
+        return Solve(x) && _problem.IsMeasuredHit(x, out solution);
     }
 
     /// <summary>Takes a step that leaves less of the squares, damped as much as that needs.</summary>

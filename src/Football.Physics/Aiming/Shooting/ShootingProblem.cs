@@ -41,6 +41,7 @@ internal sealed class ShootingProblem
     private Vector3d _arrival;
     private Vector3d _passing;
     private bool _passesThrough;
+    private double _speed;
     private double _step;
     private double _scanStep;
 
@@ -69,10 +70,17 @@ internal sealed class ShootingProblem
     /// <summary>Whether nothing more can be searched.</summary>
     public bool IsSpent => _context.IsSpent;
 
+    /// <summary>Whether half of what may be searched has been: a search that others come after leaves them the rest.</summary>
+    public bool IsHalfSpent => _context.IsHalfSpent;
+
     /// <summary>Prepares for a target, and for the point on the way where the request has one; angles and times are free.</summary>
-    public void Begin(AimRequest request, bool through)
+    /// <param name="request">What the kick is to do.</param>
+    /// <param name="speed">Its speed, m/s, unless that is made free.</param>
+    /// <param name="through">Whether it is to pass the point on the way.</param>
+    public void Begin(AimRequest request, double speed, bool through)
     {
         Request = request;
+        _speed = speed;
         _frame = _context.Frame(request);
         _passesThrough = through;
         _through = AimContext.Raised(_context.Game, request.Through.GetValueOrDefault());
@@ -226,17 +234,26 @@ internal sealed class ShootingProblem
     /// <summary>An unknown within its bounds.</summary>
     public double Clamp(int unknown, double value) => Math.Min(Math.Max(value, Least[unknown]), Most[unknown]);
 
-    /// <summary>The solution that unknowns stand for.</summary>
-    public AimSolution Solution(double[] x, double[] r) => new()
+    /// <summary>The solution that unknowns stand for, with its true misses.</summary>
+    /// <param name="x">The unknowns.</param>
+    /// <param name="solution">The solution.</param>
+    /// <returns>Whether it hits, and passes the point on the way.</returns>
+    public bool IsMeasuredHit(double[] x, out AimSolution solution)
     {
-        Status = AimStatus.Hit,
-        Kick = KickOf(x),
-        Forward = _frame.Forward,
-        Speed = Elementary.Exp(x[LogSpeed]),
-        Miss = Math.Sqrt((r[0] * r[0]) + (r[1] * r[1]) + (r[2] * r[2])),
-        ThroughMiss = _passesThrough ? Math.Sqrt((r[3] * r[3]) + (r[4] * r[4]) + (r[5] * r[5])) : double.NaN,
-        Time = Elementary.Exp(x[LogTime]),
-    };
+        solution = new AimSolution
+        {
+            Status = AimStatus.Hit,
+            Kick = KickOf(x),
+            Forward = _frame.Forward,
+            Speed = IsFree[LogSpeed] ? Elementary.Exp(x[LogSpeed]) : _speed,
+            Time = Elementary.Exp(x[LogTime]),
+        };
+        solution.Vectors(out Vector3d velocity, out Vector3d spin);
+        MeasuredMiss measured = _context.Miss.Measure(Request, in velocity, in spin);
+        solution.Miss = measured.Distance;
+        solution.ThroughMiss = measured.ThroughDistance ?? double.NaN;
+        return measured.Distance <= Request.Tolerance && (!_passesThrough || measured.ThroughDistance <= Request.ThroughTolerance);
+    }
 
     private BallState Launch(double[] x)
     {

@@ -9,15 +9,13 @@ internal sealed class ShootingSearch
     private const int Rows = 13;
     private const int Columns = 12;
 
-    private readonly AimContext _context;
     private readonly ShootingProblem _problem;
     private readonly LevenbergMarquardt _solver;
     private readonly DirectionScan _scan;
     private readonly double[] _x = new double[N];
 
-    public ShootingSearch(AimContext context, ShootingProblem problem, LevenbergMarquardt solver, DirectionScan scan)
+    public ShootingSearch(ShootingProblem problem, LevenbergMarquardt solver, DirectionScan scan)
     {
-        _context = context;
         _problem = problem;
         _solver = solver;
         _scan = scan;
@@ -33,24 +31,14 @@ internal sealed class ShootingSearch
     /// <returns>Whether there is one, measured.</returns>
     public bool WithSpeed(AimRequest request, double speed, AimArc arc, double top, double side, out AimSolution solution)
     {
-        _problem.Begin(request, through: false);
+        _problem.Begin(request, speed, through: false);
         _scan.Fly(Rows, Columns, speed, top, side);
         solution = default;
         bool found = false;
-        for (int start = 0; start < _scan.Count && !_context.IsHalfSpent; start++)
+        for (int start = 0; start < _scan.Count && !_problem.IsHalfSpent; start++)
         {
             _scan.Start(start, _x);
-            if (!_solver.Solve(_x))
-            {
-                continue;
-            }
-
-            AimSolution one = _problem.Solution(_x, _solver.Residuals);
-            one.Speed = speed;
-            one.Vectors(out Vector3d velocity, out Vector3d spin);
-            one.Miss = _context.Miss.Measure(request, in velocity, in spin).Distance;
-            bool better = !found || (arc == AimArc.Low ? one.Time < solution.Time : one.Time > solution.Time);
-            if (one.Miss <= request.Tolerance && better)
+            if (_solver.Hit(_x, out AimSolution one) && (!found || (arc == AimArc.Low ? one.Time < solution.Time : one.Time > solution.Time)))
             {
                 solution = one;
                 found = true;

@@ -14,36 +14,16 @@ internal sealed class SolutionCurve
 
     private static readonly int[] s_unknowns = [ShootingProblem.Elevation, ShootingProblem.Azimuth, ShootingProblem.LogSpeed, ShootingProblem.LogTime];
 
-    private readonly AimContext _context;
     private readonly ShootingProblem _problem;
     private readonly LevenbergMarquardt _solver;
     private readonly double[] _jacobian = new double[ShootingProblem.MostEquations * N];
     private readonly double[] _next = new double[N];
     private readonly double[] _tangent = new double[4];
 
-    public SolutionCurve(AimContext context, ShootingProblem problem, LevenbergMarquardt solver)
+    public SolutionCurve(ShootingProblem problem, LevenbergMarquardt solver)
     {
-        _context = context;
         _problem = problem;
         _solver = solver;
-    }
-
-    /// <summary>Goes to the curve on the shortest way.</summary>
-    /// <param name="x">The unknowns.</param>
-    /// <param name="solution">The kick there.</param>
-    /// <returns>Whether that hits, measured.</returns>
-    public bool Reach(double[] x, out AimSolution solution)
-    {
-        bool solved = _solver.Solve(x);
-        solution = _problem.Solution(x, _solver.Residuals);
-        if (!solved)
-        {
-            return false;
-        }
-
-        solution.Vectors(out Vector3d velocity, out Vector3d spin);
-        solution.Miss = _context.Miss.Measure(_problem.Request, in velocity, in spin).Distance;
-        return solution.Miss <= _problem.Request.Tolerance;
     }
 
     /// <summary>Follows the curve to slower kicks, until they are slower no more or hit no more.</summary>
@@ -62,7 +42,7 @@ internal sealed class SolutionCurve
                 _next[unknown] = _problem.Clamp(unknown, x[unknown] + (step * _tangent[k]));
             }
 
-            if (!Reach(_next, out AimSolution next) || !(next.Speed < solution.Speed))
+            if (!_solver.Hit(_next, out AimSolution next) || !(next.Speed < solution.Speed))
             {
                 step *= 0.4;
                 continue;

@@ -11,15 +11,13 @@ internal sealed class TwoPointSearch
     private const int Spins = 9;
     private const int MostStarts = 3;
 
-    private readonly AimContext _context;
     private readonly ShootingProblem _problem;
     private readonly LevenbergMarquardt _solver;
     private readonly DirectionScan _scan;
     private readonly double[] _x = new double[N];
 
-    public TwoPointSearch(AimContext context, ShootingProblem problem, LevenbergMarquardt solver, DirectionScan scan)
+    public TwoPointSearch(ShootingProblem problem, LevenbergMarquardt solver, DirectionScan scan)
     {
-        _context = context;
         _problem = problem;
         _solver = solver;
         _scan = scan;
@@ -32,14 +30,14 @@ internal sealed class TwoPointSearch
     /// <returns>Whether there is one, measured.</returns>
     public bool Find(AimRequest request, in Kick near, out AimSolution solution)
     {
-        _problem.Begin(request, through: true);
+        _problem.Begin(request, request.Speed, through: true);
         _x[ShootingProblem.Elevation] = _problem.Clamp(ShootingProblem.Elevation, near.Elevation);
         _x[ShootingProblem.Azimuth] = near.Azimuth;
         _x[ShootingProblem.LogSpeed] = Elementary.Log(request.Speed);
         _x[ShootingProblem.Top] = _problem.Clamp(ShootingProblem.Top, near.Top);
         _x[ShootingProblem.Side] = _problem.Clamp(ShootingProblem.Side, near.Side);
         _problem.Approach(_x);
-        if (Passes(out solution))
+        if (_solver.Hit(_x, out solution))
         {
             return true;
         }
@@ -53,7 +51,7 @@ internal sealed class TwoPointSearch
             for (int start = 0; start < Math.Min(MostStarts, _scan.Count) && !_problem.IsSpent; start++)
             {
                 _scan.Start(start, _x);
-                if (Passes(out solution))
+                if (_solver.Hit(_x, out solution))
                 {
                     return true;
                 }
@@ -61,23 +59,5 @@ internal sealed class TwoPointSearch
         }
 
         return false;
-    }
-
-    private bool Passes(out AimSolution solution)
-    {
-        bool solved = _solver.Solve(_x);
-        solution = _problem.Solution(_x, _solver.Residuals);
-        solution.Speed = _problem.Request.Speed;
-        return solved && IsMeasured(ref solution);
-    }
-
-    private bool IsMeasured(ref AimSolution solution)
-    {
-        AimRequest request = _problem.Request;
-        solution.Vectors(out Vector3d velocity, out Vector3d spin);
-        MeasuredMiss measured = _context.Miss.Measure(request, in velocity, in spin);
-        solution.Miss = measured.Distance;
-        solution.ThroughMiss = measured.ThroughDistance ?? double.NaN;
-        return measured.Distance <= request.Tolerance && measured.ThroughDistance <= request.ThroughTolerance;
     }
 }

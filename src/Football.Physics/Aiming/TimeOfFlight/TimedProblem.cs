@@ -67,9 +67,9 @@ internal abstract class TimedProblem
     /// <summary>A first kick for a time, no faster than is asked for.</summary>
     public TimedKick Guess(double time) => Slowed(Model(time), Request.Speed);
 
-    /// <summary>The same, or another one far from it.</summary>
+    /// <summary>Another one, far from it.</summary>
     /// <param name="time">The time, s.</param>
-    /// <param name="start">Which; 0 … <see cref="OtherStarts"/>.</param>
+    /// <param name="start">Which; 1 … <see cref="OtherStarts"/>.</param>
     public TimedKick Guess(double time, int start)
     {
         TimedKick kick = Guess(time);
@@ -78,7 +78,6 @@ internal abstract class TimedProblem
         Vector3d flat = v.Horizontal;
         kick.Velocity = start switch
         {
-            0 => v,
             1 => 0.4 * v,
             2 => 0.3 * Request.Speed * ((flat / Math.Max(flat.Length, 1e-9)) + (1.5 * Vector3d.Up)),
             _ => Request.Speed / Math.Max(straight.Length, 1e-9) * straight,
