@@ -31,9 +31,14 @@ internal sealed class ShootingSearch
     /// <returns>Whether there is one, measured.</returns>
     public bool WithSpeed(AimRequest request, double speed, AimArc arc, double top, double side, out AimSolution solution)
     {
+        solution = default;
+        if (_problem.IsHalfSpent)
+        {
+            return false;
+        }
+
         _problem.Begin(request, speed, through: false);
         _scan.Fly(Rows, Columns, speed, top, side);
-        solution = default;
         bool found = false;
         for (int start = 0; start < _scan.Count && !_problem.IsHalfSpent; start++)
         {
