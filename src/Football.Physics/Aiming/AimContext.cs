@@ -112,6 +112,7 @@ internal sealed class AimContext
         _pieces = 0;
         Simulations = 0;
         Steps = AimSteps.Long;
+        Miss.Forget();
     }
 
     /// <summary>Makes the last simulation an iteration of its own.</summary>

@@ -24,6 +24,10 @@ internal sealed class MissMeter : PieceObserver
     private double _start;
     private Vector3d _position;
     private int _blocker;
+    private AimRequest? _measured;
+    private Vector3d _measuredVelocity;
+    private Vector3d _measuredSpin;
+    private MeasuredMiss _miss;
 
     /// <param name="context">What the searches share.</param>
     /// <param name="simulator">The scene.</param>
@@ -40,8 +44,22 @@ internal sealed class MissMeter : PieceObserver
     /// <summary>The name of what is in the way.</summary>
     public string? NameOf(int thing) => _simulator.NameOf(thing);
 
-    /// <summary>Flies a kick and measures.</summary>
+    /// <summary>Forgets the last measurement: what is in the scene may have moved.</summary>
+    public void Forget() => _measured = null;
+
+    /// <summary>Flies a kick and measures; what was measured last is not flown again.</summary>
     public MeasuredMiss Measure(AimRequest request, in Vector3d velocity, in Vector3d spin)
+    {
+        if (!ReferenceEquals(request, _measured) || velocity != _measuredVelocity || spin != _measuredSpin)
+        {
+            _miss = Fly(request, in velocity, in spin);
+            (_measured, _measuredVelocity, _measuredSpin) = (request, velocity, spin);
+        }
+
+        return _miss;
+    }
+
+    private MeasuredMiss Fly(AimRequest request, in Vector3d velocity, in Vector3d spin)
     {
         BallState state = _simulator.LaunchAt(request.From, velocity, spin, request.KickTime);
 

@@ -213,4 +213,21 @@ public sealed class KnownKickTests
         Assert.Equal(AimStatus.Hit, result.Status);
         Assert.InRange(result.ThroughMiss!.Value, 0, request.ThroughTolerance);
     }
+
+    [Fact]
+    public void The_slowest_kick_takes_a_few_flights()
+    {
+        var aimer = new Aimer(Scene.Published);
+        AimRequest[] requests = AimSets.Thesis(seed: 1, 64);
+        int simulations = 0;
+        foreach (AimRequest request in requests)
+        {
+            AimResult slowest = aimer.FindSlowest(request);
+            simulations += slowest.Simulations;
+            Assert.Equal(AimStatus.Hit, slowest.Status);
+            Assert.Equal(AimStatus.OutOfReach, aimer.Find(request with { Speed = 0.999 * slowest.Speed, Tolerance = 1e-3 }).Status);
+        }
+
+        Assert.InRange(simulations, 64, 8 * 64);
+    }
 }

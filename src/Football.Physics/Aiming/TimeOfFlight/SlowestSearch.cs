@@ -9,6 +9,7 @@ internal sealed class SlowestSearch
     private readonly SpeedOverTime _speeds;
     private readonly LeastSpeed _least;
     private readonly TimedHits _hits;
+    private readonly SlowestNewton _newton;
     private readonly CurveSearch _curves;
 
     public SlowestSearch(AimContext context, CurveSearch curves)
@@ -17,6 +18,7 @@ internal sealed class SlowestSearch
         _speeds = new SpeedOverTime(context.TimedFlight);
         _least = new LeastSpeed(_speeds);
         _hits = new TimedHits(context);
+        _newton = new SlowestNewton(context.TimedFlight, _hits);
         _curves = curves;
     }
 
@@ -27,7 +29,7 @@ internal sealed class SlowestSearch
     public bool Find(AimRequest request, out AimSolution solution)
     {
         _context.TimedFlight.Set(request, request.TopSpin, request.SideSpin);
-        bool flies = Find(_context.TimedFlight, request.Speed, out solution);
+        bool flies = _newton.Find(_context.Upward, out solution) || Find(_context.TimedFlight, request.Speed, out solution);
         if (_context.TimedFlight.IsRuledByAir && _curves.Slowest(request, out AimSolution other) && (!flies || other.Speed < solution.Speed))
         {
             solution = other;

@@ -8,7 +8,6 @@ internal sealed class TimedFlight : TimedProblem
 
     private readonly Simulator _simulator;
     private readonly StepLog _log = new();
-    private ElevationBounds _bounds;
     private double _step;
 
     /// <param name="context">What the searches share.</param>
@@ -16,14 +15,17 @@ internal sealed class TimedFlight : TimedProblem
     public TimedFlight(AimContext context, Simulator simulator)
         : base(context) => _simulator = simulator;
 
+    /// <summary>The elevations that are allowed.</summary>
+    public ElevationBounds Bounds { get; private set; }
+
     public override void Set(AimRequest request, double top, double side)
     {
         base.Set(request, top, side);
-        _bounds = ElevationBounds.Of(request);
+        Bounds = ElevationBounds.Of(request);
         _step = IsRuledByAir ? Math.Min(RuledByAirStep, Context.Steps.HitWithin(Tolerance)) : Context.Steps.HitWithin(Tolerance);
     }
 
-    protected override TimedKick Model(double time)
+    public override TimedKick Model(double time)
     {
         Vector3d wind = Context.Scene.Air.Wind;
         Vector3d toTarget = Frame.Target + (time * Request.TargetVelocity) - Frame.From;
@@ -42,7 +44,7 @@ internal sealed class TimedFlight : TimedProblem
     {
         Vector3d v = kick.Velocity;
         double elevation = Elevation(in kick);
-        double violation = Math.Max(_bounds.Lowest - elevation, elevation - _bounds.Highest);
+        double violation = Math.Max(Bounds.Lowest - elevation, elevation - Bounds.Highest);
         double contact = Context.Game.ContactHeight;
         if (Frame.From.Y <= contact && Context.Upward <= 0)
         {
@@ -55,14 +57,14 @@ internal sealed class TimedFlight : TimedProblem
 
     public override bool PassesBounds(in TimedKick one, in TimedKick other, out double between)
     {
-        double middle = 0.5 * (_bounds.Lowest + _bounds.Highest);
+        double middle = 0.5 * (Bounds.Lowest + Bounds.Highest);
         double low = Elevation(in one) - middle;
         double high = Elevation(in other) - middle;
         between = one.Time + ((other.Time - one.Time) * low / (low - high));
         return low < 0 != high < 0;
     }
 
-    public override Kick KickOf(in Vector3d velocity) => Frame.Turned(new Kick { Top = Top, Side = Side }, in velocity, in _bounds);
+    public override Kick KickOf(in Vector3d velocity) => Frame.Turned(new Kick { Top = Top, Side = Side }, in velocity, Bounds);
 
     protected override Vector3d FlyTo(ref TimedKick kick)
     {
@@ -84,5 +86,6 @@ internal sealed class TimedFlight : TimedProblem
         return state.Position - Frame.Target - (kick.Time * Request.TargetVelocity);
     }
 
-    private static double Elevation(in TimedKick kick) => Elementary.Atan2(kick.Velocity.Y, kick.Velocity.Horizontal.Length);
+    /// <summary>Elevation of a kick, rad.</summary>
+    public static double Elevation(in TimedKick kick) => Elementary.Atan2(kick.Velocity.Y, kick.Velocity.Horizontal.Length);
 }

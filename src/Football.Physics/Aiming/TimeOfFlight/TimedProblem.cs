@@ -161,11 +161,26 @@ internal abstract class TimedProblem
         return true;
     }
 
+    /// <summary>Flies a kick.</summary>
+    /// <returns>From the target to the ball at the kick's time.</returns>
+    public Vector3d Fly(ref TimedKick kick)
+    {
+        _flights++;
+        return FlyTo(ref kick);
+    }
+
+    /// <summary>Measures the Jacobian of a kick that was found.</summary>
+    public void Sharpen(ref TimedKick kick)
+    {
+        Vector3d gap = Fly(ref kick);
+        Measure(ref kick, in gap);
+    }
+
     /// <summary>Speed of the kick that starts with a velocity, m/s.</summary>
     protected virtual double SpeedOf(in Vector3d velocity) => velocity.Length;
 
     /// <summary>A kick of a model in closed form, with its Jacobian.</summary>
-    protected abstract TimedKick Model(double time);
+    public abstract TimedKick Model(double time);
 
     /// <summary>Flies a kick until its time.</summary>
     /// <returns>From the target to the ball then.</returns>
@@ -181,12 +196,6 @@ internal abstract class TimedProblem
         double length = flat.Length;
         Vector3d d = length > 1e-9 ? flat / length : Frame.Forward;
         return Kick.Limited(new Vector3d(Top * d.Z, Side, -(Top * d.X)), Limits.Spin);
-    }
-
-    private Vector3d Fly(ref TimedKick kick)
-    {
-        _flights++;
-        return FlyTo(ref kick);
     }
 
     /// <summary>Measures the Jacobian by differences.</summary>

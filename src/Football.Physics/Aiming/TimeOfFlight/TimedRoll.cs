@@ -35,7 +35,7 @@ internal sealed class TimedRoll : TimedProblem
         Tolerance = Math.Min(Tolerance, 0.5 * Math.Sqrt(Math.Max(0, (request.Tolerance * request.Tolerance) - (_height * _height))));
     }
 
-    protected override TimedKick Model(double time)
+    public override TimedKick Model(double time)
     {
         Vector3d way = (Frame.Target + (time * Request.TargetVelocity) - Frame.From).Horizontal;
 
