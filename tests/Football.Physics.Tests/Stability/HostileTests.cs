@@ -47,6 +47,25 @@ public sealed class HostileTests
         Assert.DoesNotContain(run.Findings.Findings.Keys, kind => kind.StartsWith("energy made", StringComparison.Ordinal));
     }
 
+    /// <summary>
+    /// A spin decay that grew beyond friction while a slide ended in closed form, a slide without friction that the air's hold on no spin turned, balls that rose at their
+    /// impact by bisection, rest 0.3 km on after a hundred bounces in a step, and a step of 25 million evaluations.
+    /// </summary>
+    [Theory]
+    [InlineData(30027924)]
+    [InlineData(30019276)]
+    [InlineData(30011340)]
+    [InlineData(30009012)]
+    [InlineData(30008573)]
+    [InlineData(30007197)]
+    [InlineData(30021615)]
+    public void A_scene_that_the_lab_found_holds(int number)
+    {
+        var run = new HostileRun();
+        run.Play((ulong)number);
+        Assert.Empty(run.Findings.Findings.Keys);
+    }
+
     [Theory]
     [InlineData("finite")]
     [InlineData("penetration")]
