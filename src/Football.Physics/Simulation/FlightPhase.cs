@@ -12,7 +12,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     private const double Rising = 1e-9;
 
     /// <summary>Pieces shorter than this, s, are not halved.</summary>
-    private const double ShortestPiece = 1e-12;
+    private const double ShortestPiece = 1e-18;
 
     private readonly SolverSettings _settings;
     private readonly Surroundings<TAir> _around;
@@ -198,7 +198,9 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         sweep.MoveTo(ref s);
         if (hit)
         {
+            // What rises at contact does so by rounding.
             s.Position = new Vector3d(s.Position.X, _around.ContactHeight, s.Position.Z);
+            s.Velocity = new Vector3d(s.Velocity.X, Math.Min(s.Velocity.Y, 0), s.Velocity.Z);
         }
 
         s.Branch = hit ? DragBranch.Unknown : sweep.Length < length ? before.Branch : next;

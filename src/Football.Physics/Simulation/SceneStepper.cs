@@ -74,7 +74,10 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         _carried = guard is null ? null : new CarriedPhase<TAir, TIntegrator>(around, in _limit, jump, guard, _worldContact!, _implicit);
         _rest = guard is null ? null : new RestPhase<TAir>(world!, guard);
         _flight = new FlightPhase<TAir, TIntegrator>(settings, around, in _limit, jump, contact, _implicit, guard);
-        var ground = new GroundLimit<TAir>(around, in _limit);
+
+        // Friction may speed a ball up faster than gravity does.
+        StabilityLimit pushed = StabilityLimit.Of(scene, ref _air, Math.Max(Math.Abs(_upward), around.Ground.Sliding), _integrator.Order);
+        var ground = new GroundLimit<TAir>(around, in pushed);
         _slide = new SlidePhase<TAir, TIntegrator>(settings, around, in ground, jump, contact, _implicit);
         _roll = new RollPhase<TAir, TIntegrator>(scene, around, in ground, jump, contact, _implicit);
     }

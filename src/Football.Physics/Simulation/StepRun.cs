@@ -22,10 +22,10 @@ internal ref struct StepRun
     public double Part;
 
     /// <summary>Pieces of a step, whatever asks for them: the rest is taken by implicit Euler, so that every step ends.</summary>
-    public const int MostPieces = 1 << 12;
+    public const int MostPieces = 1 << 11;
 
     /// <summary>Impacts that one step may have. After them, and after its pieces, the ball stays on what it hits.</summary>
-    public const int MostImpacts = 512;
+    public const int MostImpacts = 256;
 
     /// <summary>Pieces so far.</summary>
     public int Pieces;
