@@ -65,7 +65,8 @@ internal static class TimeOfImpact
             bool isClose = EventLocator.IsLinear(ref sweep, correction);
             if (isClose)
             {
-                sweep.Nudge(correction);
+                // Not to before the step's start.
+                sweep.Nudge(Math.Max(correction, -tau));
             }
 
             return isClose;

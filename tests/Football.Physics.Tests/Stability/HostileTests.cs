@@ -49,7 +49,8 @@ public sealed class HostileTests
 
     /// <summary>
     /// A spin decay that grew beyond friction while a slide ended in closed form, a slide without friction that the air's hold on no spin turned, balls that rose at their
-    /// impact by bisection or by rounding, friction that drove a ball into drag far too strong for the piece, and a step of 25 million evaluations.
+    /// impact by bisection or by rounding, friction that drove a ball into drag far too strong for the piece, a step of 25 million evaluations, an angle that
+    /// a snapshot refused, and an impact some nanoseconds before its step.
     /// </summary>
     [Theory]
     [InlineData(30027924)]
@@ -60,6 +61,8 @@ public sealed class HostileTests
     [InlineData(40004495)]
     [InlineData(50017681)]
     [InlineData(30021615)]
+    [InlineData(100007440)]
+    [InlineData(100069242)]
     public void A_scene_that_the_lab_found_holds(int number)
     {
         var run = new HostileRun();
