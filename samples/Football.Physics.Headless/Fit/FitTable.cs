@@ -9,13 +9,14 @@ internal static class FitTable
 {
     public static void Print(TrackFitResult fit, Terminal terminal)
     {
-        Table table = new Table().Border(TableBorder.Simple).AddColumns("number", "value", "±");
+        Table table = new Table().Border(TableBorder.Simple).AddColumns("number", "value", "±", "");
         for (int i = 0; i < fit.Names.Count; i++)
         {
             table.AddRow(
                 Markup.Escape(fit.Names[i]),
                 fit.Value(i).ToString("0.0000", CultureInfo.InvariantCulture),
-                fit.Deviation(i).ToString("0.0000", CultureInfo.InvariantCulture));
+                fit.Deviation(i).ToString("0.0000", CultureInfo.InvariantCulture),
+                fit.IsIdentified(i) ? string.Empty : "not identified");
         }
 
         terminal.PersonConsole.Write(table);

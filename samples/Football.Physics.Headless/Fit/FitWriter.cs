@@ -27,6 +27,16 @@ internal static class FitWriter
         }
 
         writer.WriteEndObject();
+        writer.WriteStartArray("unidentified");
+        for (int i = 0; i < fit.Names.Count; i++)
+        {
+            if (!fit.IsIdentified(i))
+            {
+                writer.WriteStringValue(fit.Names[i]);
+            }
+        }
+
+        writer.WriteEndArray();
         writer.WriteNumber("chiSquared", fit.ChiSquared);
         writer.WriteNumber("freedom", fit.Freedom);
         writer.WriteNumber("iterations", fit.Iterations);

@@ -23,6 +23,41 @@ public sealed class TrackFitTests
     }
 
     [Fact]
+    public void So_it_is_with_drag_lift_restitution_and_friction()
+    {
+        var check = new FitCheck();
+        for (int i = 0; i < 4; i++)
+        {
+            check.Run(new SeededRandom(SeededRandom.Mix(5, i)), also: true);
+        }
+
+        Assert.InRange(check.Within, 3, 4);
+        Assert.Equal(0, check.Lost);
+    }
+
+    [Fact]
+    public void What_a_track_does_not_tell_is_not_identified()
+    {
+        // In the air all the time, without spin: nothing of the ground, nothing of the lift.
+        var simulator = new Simulator(Scene.Measured);
+        BallState ball = simulator.Launch(new Vector3d(0, 0.5, 0), new Vector3d(3, 12, -20), Vector3d.Zero);
+        var track = new TrackPoint[30];
+        for (int i = 0; i < track.Length; i++)
+        {
+            track[i] = new TrackPoint(0.04 * i, ball.Position, 0.02);
+            simulator.Run(ref ball, 0.01, 0.04, StopAt.Time, new StepLog());
+        }
+
+        TrackFitResult found = new TrackFit(Scene.Measured).Find(track, new TrackFitRequest { Drag = true, Lift = true, Restitution = true, Friction = true });
+        Assert.True(found.Converged);
+        Assert.Equal(["drag", "lift", "restitution", "friction"], found.Names.Skip(9));
+        Assert.Equal([true, false, false, false], Enumerable.Range(9, 4).Select(found.IsIdentified));
+        Assert.All(Enumerable.Range(0, 6), i => Assert.True(found.IsIdentified(i)));
+        Assert.Equal(1, found.Value(11), 1e-6);
+        Assert.Equal(0.3, found.Deviation(11), 1e-6);
+    }
+
+    [Fact]
     public void A_track_without_noise_gives_the_launch_and_the_scenes_own_numbers()
     {
         Scene scene = Scene.Measured with { Ground = Scene.Measured.Ground with { NormalRestitution = 0.55 } };
@@ -72,6 +107,7 @@ public sealed class TrackFitTests
         Assert.InRange(answer.GetProperty("values").GetProperty("velocity.z").GetDouble(), -24, -19);
         Assert.InRange(answer.GetProperty("deviations").GetProperty("position.x").GetDouble(), 0.001, 0.03);
         Assert.True(answer.GetProperty("converged").GetBoolean());
+        Assert.Contains("spin.z", answer.GetProperty("unidentified").EnumerateArray().Select(name => name.GetString()));
     }
 
     [Fact]

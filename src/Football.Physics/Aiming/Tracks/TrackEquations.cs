@@ -28,6 +28,9 @@ internal sealed class TrackEquations
         _byFactor = new Vector3d[(_count - TrackModel.Launch) * track.Length];
     }
 
+    /// <summary>N, row by row.</summary>
+    public double[] Normal => _normal;
+
     /// <summary>χ² of the track.</summary>
     public double ChiSquared { get; private set; }
 
@@ -73,19 +76,18 @@ internal sealed class TrackEquations
             Add(2, i, weight, off.Z, derivatives.PositionByPosition.Z, derivatives.PositionByVelocity.Z, derivatives.PositionBySpin.Z);
         }
 
-        Cost = ChiSquared;
-        AddKnown(values);
+        Cost = ChiSquared + _model.AddKnown(values, _normal, _gradient);
         return !double.IsNaN(Cost);
     }
 
     /// <summary>The step (N + λ diag N)⁻¹ g.</summary>
     public bool Solve(double damping, double[] step)
     {
-        Fill(damping, -1);
+        Fill(damping);
         bool solved = Linear.Solve(_system, step, _count);
         if (solved && IsOnGround && step[1] < 0)
         {
-            Fill(damping, -1);
+            Fill(damping);
             Hold(1);
             solved = Linear.Solve(_system, step, _count);
         }
@@ -108,30 +110,8 @@ internal sealed class TrackEquations
         return Math.Sqrt(Math.Max(0, sum));
     }
 
-    /// <summary>N⁻¹.</summary>
-    public double[] Covariance()
-    {
-        double[] covariance = new double[_count * _count];
-        double[] column = new double[_count];
-        for (int j = 0; j < _count; j++)
-        {
-            Fill(0, j);
-            if (!Linear.Solve(_system, column, _count))
-            {
-                column.AsSpan().Fill(double.PositiveInfinity);
-            }
-
-            for (int i = 0; i < _count; i++)
-            {
-                covariance[(i * _count) + j] = column[i];
-            }
-        }
-
-        return covariance;
-    }
-
-    /// <summary>Writes the system, with the gradient or a unit vector on its right.</summary>
-    private void Fill(double damping, int unit)
+    /// <summary>Writes the system, with the gradient on its right.</summary>
+    private void Fill(double damping)
     {
         int width = _count + 1;
         for (int i = 0; i < _count; i++)
@@ -141,7 +121,7 @@ internal sealed class TrackEquations
                 _system[(i * width) + j] = _normal[(i * _count) + j] * (i == j ? 1.0 + damping : 1.0);
             }
 
-            _system[(i * width) + _count] = unit < 0 ? _gradient[i] : unit == i ? 1 : 0;
+            _system[(i * width) + _count] = _gradient[i];
         }
     }
 
@@ -177,22 +157,6 @@ internal sealed class TrackEquations
             {
                 _normal[(i * _count) + j] += weight * _row[i] * _row[j];
             }
-        }
-    }
-
-    /// <summary>Adds what was known before: spin and factors with their deviations.</summary>
-    private void AddKnown(double[] values)
-    {
-        Vector3d spin = _request.Spin;
-        for (int i = 6; i < _count; i++)
-        {
-            double likely = i == 6 ? spin.X : i == 7 ? spin.Y : i == 8 ? spin.Z : 1;
-            double deviation = i < TrackModel.Launch ? _request.SpinDeviation : _request.FactorDeviation;
-            double weight = 1.0 / (deviation * deviation);
-            double off = likely - values[i];
-            _normal[(i * _count) + i] += weight;
-            _gradient[i] += weight * off;
-            Cost += weight * off * off;
         }
     }
 

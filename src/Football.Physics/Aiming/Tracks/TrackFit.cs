@@ -3,13 +3,15 @@ namespace Football.Physics;
 /// <summary>Finds the launch of a ball, and on request what a scene's numbers really are, from where a camera saw it.</summary>
 /// <remarks>
 /// Least squares by the method of Gauss and Newton, with the derivatives by the launch through bounces and all, damped (Levenberg, Marquardt) where a step would not
-/// help. Its memory is its own: one a thread.
+/// help; last with secants as wide as the uncertainty, as paths have kinks where a ball just slips, or just hops once more. The uncertainty is measured by going out
+/// to where the misses grow, so it holds where they do not grow with the square: a spin times a lift may be known well of which neither is. Its memory is its own:
+/// one a thread.
 /// </remarks>
 public sealed class TrackFit
 {
-    private const int MostSteps = 60;
+    private const int MostSteps = 25;
 
-    /// <summary>The search ends where a step is shorter than this share of the uncertainty.</summary>
+    /// <summary>The search by derivatives ends where a step is shorter than this share of the uncertainty.</summary>
     private const double Shortest = 0.01;
 
     /// <summary>Change of a factor for a difference quotient.</summary>
@@ -48,39 +50,43 @@ public sealed class TrackFit
         Validate(track, request);
         TrackFitRequest launch = request with { Drag = false, Lift = false, Restitution = false, Friction = false };
         double[] values = Start(track, launch);
-        TrackFitResult best = Search(track, launch, values, out double cost);
+        int steps = 0;
+        TrackEquations best = Search(track, launch, values, ref steps);
 
         // A poor fit may be that of another bounce: from other spins.
         Vector3d across = Vector3d.Cross(Vector3d.Up, new Vector3d(values[3], 0, values[5]));
         across = across.Length > 0 ? across / across.Length : Vector3d.Zero;
-        for (int i = 0; i < OtherStarts && best.ChiSquared > Poor * best.Freedom; i++)
+        for (int i = 0; i < OtherStarts && best.ChiSquared > Poor * ((3 * track.Length) - values.Length); i++)
         {
             Vector3d spin = request.Spin + ((i % 2 == 0 ? OtherSpin : -OtherSpin) * (i < 2 ? across : Vector3d.Up));
             double[] other = Start(track, launch);
             (other[6], other[7], other[8]) = (spin.X, spin.Y, spin.Z);
-            TrackFitResult found = Search(track, launch, other, out double otherCost);
-            if (otherCost < cost)
+            TrackEquations found = Search(track, launch, other, ref steps);
+            if (found.Cost < best.Cost)
             {
-                (best, cost, values) = (found, otherCost, other);
+                (best, values) = (found, other);
             }
         }
 
-        if (request == launch)
+        var model = new TrackModel(_scene, request);
+        if (request != launch)
         {
-            return best;
+            double[] all = new double[model.Count];
+            all.AsSpan().Fill(1);
+            Array.Copy(values, all, values.Length);
+            values = all;
+            best = Search(track, request, values, ref steps);
         }
 
-        double[] all = new double[new TrackModel(_scene, request).Count];
-        for (int i = 0; i < all.Length; i++)
-        {
-            all[i] = i < values.Length ? values[i] : 1;
-        }
-
-        return Search(track, request, all, out _);
+        var refinement = new TrackRefinement(new TrackPaths(track, request, model), model);
+        bool converged = refinement.Run(values, best.Normal);
+        double chiSquared = refinement.Cost - model.KnownCost(values);
+        return new TrackFitResult(
+            model, values, refinement.Covariance, track[0].Time, chiSquared, (3 * track.Length) - model.Count, steps + refinement.Steps, converged);
     }
 
     /// <summary>Goes downhill from some numbers.</summary>
-    private TrackFitResult Search(TrackPoint[] track, TrackFitRequest request, double[] values, out double cost)
+    private TrackEquations Search(TrackPoint[] track, TrackFitRequest request, double[] values, ref int steps)
     {
         var model = new TrackModel(_scene, request);
         int n = model.Count;
@@ -91,8 +97,7 @@ public sealed class TrackFit
         double[] tried = new double[n];
         double damping = FirstDamping;
         bool converged = false;
-        int steps = 0;
-        for (; steps < MostSteps && !converged && damping < LargestDamping; steps++)
+        for (int i = 0; i < MostSteps && !converged && damping < LargestDamping; i++, steps++)
         {
             if (!now.Solve(damping, step))
             {
@@ -100,14 +105,14 @@ public sealed class TrackFit
                 continue;
             }
 
-            for (int i = 0; i < n; i++)
+            for (int k = 0; k < n; k++)
             {
-                tried[i] = values[i] + step[i];
+                tried[k] = values[k] + step[k];
             }
 
             // Where rounding decides, there is nothing left to gain.
             converged = now.Length(step) < Shortest && damping < 1;
-            if (IsLaunch(tried) && next.Evaluate(tried) && next.Cost <= now.Cost)
+            if (TrackModel.IsLaunch(tried) && next.Evaluate(tried) && next.Cost <= now.Cost)
             {
                 Array.Copy(tried, values, n);
                 (now, next) = (next, now);
@@ -119,9 +124,7 @@ public sealed class TrackFit
             }
         }
 
-        cost = now.Cost;
-        return new TrackFitResult(
-            model.Names, (double[])values.Clone(), now.Covariance(), track[0].Time, now.ChiSquared, (3 * track.Length) - n, steps, converged);
+        return now;
     }
 
     private static void Validate(TrackPoint[] track, TrackFitRequest request)
@@ -162,7 +165,4 @@ public sealed class TrackFit
         (values[6], values[7], values[8]) = (spin.X, spin.Y, spin.Z);
         return values;
     }
-
-    private static bool IsLaunch(double[] v) =>
-        new Vector3d(v[0], v[1], v[2]).Length < Limits.Length && new Vector3d(v[3], v[4], v[5]).Length < Limits.Speed && new Vector3d(v[6], v[7], v[8]).Length < Limits.Spin;
 }

@@ -3,12 +3,17 @@ namespace Football.Physics;
 /// <summary>The launch that a track tells of, and how surely. Numbers in a row are: position, velocity, spin of the launch, then the factors that were asked for.</summary>
 public sealed class TrackFitResult
 {
+    /// <summary>1/√2: the track tells as much as was known before.</summary>
+    private const double Identified = 0.7071067811865476;
+
     private readonly double[] _values;
     private readonly double[] _covariance;
 
-    internal TrackFitResult(string[] names, double[] values, double[] covariance, double time, double chiSquared, int freedom, int iterations, bool converged)
+    private readonly TrackModel _model;
+
+    internal TrackFitResult(TrackModel model, double[] values, double[] covariance, double time, double chiSquared, int freedom, int iterations, bool converged)
     {
-        Names = names;
+        _model = model;
         _values = values;
         _covariance = covariance;
         Time = time;
@@ -19,7 +24,7 @@ public sealed class TrackFitResult
     }
 
     /// <summary>Names of the numbers.</summary>
-    public IReadOnlyList<string> Names { get; }
+    public IReadOnlyList<string> Names => _model.Names;
 
     /// <summary>When the launch was: the time of the track's first point, s.</summary>
     public double Time { get; }
@@ -42,7 +47,7 @@ public sealed class TrackFitResult
     /// <summary>Steps of the search.</summary>
     public int Iterations { get; }
 
-    /// <summary>Whether the search ended where no step would change it by a hundredth of its uncertainty.</summary>
+    /// <summary>Whether the search ended where neither a step nor a way out along the uncertainty leads to what fits better.</summary>
     public bool Converged { get; }
 
     /// <summary>A number.</summary>
@@ -52,6 +57,13 @@ public sealed class TrackFitResult
     /// <summary>Its standard deviation.</summary>
     /// <param name="index">Which, from 0.</param>
     public double Deviation(int index) => Math.Sqrt(Math.Max(0, _covariance[(index * _values.Length) + index]));
+
+    /// <summary>
+    /// Whether the track tells more of a number than was known before (its deviation is less than 0.7 of that before): not of a restitution where nothing bounces, nor of a
+    /// spin along the way. What is not identified is as it was said to be before, not found.
+    /// </summary>
+    /// <param name="index">Which, from 0.</param>
+    public bool IsIdentified(int index) => Deviation(index) < Identified * _model.KnownDeviation(index);
 
     /// <summary>The covariance of two numbers.</summary>
     /// <param name="row">One, from 0.</param>

@@ -66,7 +66,7 @@ internal sealed class LaneGroup
     /// <summary>By ball: when its flight ended, s.</summary>
     public readonly double[] EndTime = new double[Size];
 
-    /// <summary>By ball: whether floats do not do for it, so that it must fly alone: it grazes the drag law's jump, or slides along it.</summary>
+    /// <summary>By ball: whether it flies no further here: floats do not do for it, as it grazes the drag law's jump or slides along it, or who watches has seen enough.</summary>
     public readonly bool[] GivenUp = new bool[Size];
 
     /// <summary>By ball: whether it ended at its limit.</summary>
@@ -177,8 +177,8 @@ internal sealed class LaneGroup
     /// <summary>Where in <see cref="Crossed"/> the ball at a place is, if it crossed the jump in this step; else −1.</summary>
     public int CrossingOf(int at) => CrossingCount > 0 ? Array.IndexOf(Crossing, at, 0, CrossingCount) : -1;
 
-    /// <summary>Leaves a ball to the single ball's flight. It is taken out with those that end in this step.</summary>
-    private void GiveUp(int at)
+    /// <summary>Flies a ball no further here: it is taken out with those that end in the step.</summary>
+    public void GiveUp(int at)
     {
         GivenUp[Ball[at]] = true;
         Limit[at] = float.PositiveInfinity;

@@ -82,14 +82,16 @@ internal sealed class PassWatch : LaneWatch
             double x = startX + now.Px[at];
             double z = startZ + now.Pz[at];
 
-            // An opponent who is there as early comes first.
+            // An opponent who is there as early comes first. Whom a kick comes to is then known: it need not fly on.
             if (Reaches(_mates, _players, x, y, z))
             {
                 Time[ball] = -1;
+                group.GiveUp(at);
             }
             else if (Reaches(0, _mates, x, y, z))
             {
                 Time[ball] = time;
+                group.GiveUp(at);
             }
         }
     }

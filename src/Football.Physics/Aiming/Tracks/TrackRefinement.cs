@@ -1,0 +1,269 @@
+namespace Football.Physics;
+
+/// <summary>The last steps of a fit, and its uncertainty, which is measured: along each axis how far the numbers go, those before it following, before the cost has risen by one.</summary>
+internal sealed class TrackRefinement
+{
+    private const int MostSteps = 12;
+    private const double FirstDamping = 0.1;
+    private const double LeastDamping = 1e-2;
+
+    /// <summary>The search ends where a step would lower the cost by less.</summary>
+    private const double LeastGain = 0.02;
+
+    /// <summary>Where the measurement comes upon a cost that is lower by this, the search goes on from there, so many times.</summary>
+    private const double Lower = 0.1;
+    private const int MostSearches = 8;
+
+    /// <summary>Tries to find where the cost has risen by one, and between which rises that is near enough.</summary>
+    private const int MostTries = 4;
+    private const double LeastRise = 0.6;
+    private const double LargestRise = 1.6;
+    private const double LargestChange = 4;
+
+    /// <summary>Steps of the numbers that follow, which end where one would gain less; each is tried so often, shorter by a factor.</summary>
+    private const int MostFollowing = 6;
+    private const double LeastFollowing = 0.05;
+    private const int MostShortenings = 3;
+    private const double Shorter = 0.4;
+
+    /// <summary>The first number whose axis is measured, and the first of which pairs are: places are all but linear, velocities hardly bend.</summary>
+    private const int FirstMeasured = 3;
+    private const int FirstPaired = TrackModel.FirstKnown;
+
+    private readonly TrackPaths _paths;
+    private readonly TrackSecants _secants;
+    private readonly int _count;
+    private readonly double[] _step;
+    private readonly double[] _tried;
+    private double[] _misses;
+    private double[] _triedMisses;
+
+    public TrackRefinement(TrackPaths paths, TrackModel model)
+    {
+        _paths = paths;
+        _secants = new TrackSecants(paths, model);
+        _count = model.Count;
+        _step = new double[_count];
+        _tried = new double[_count];
+        _misses = new double[paths.Rows];
+        _triedMisses = new double[paths.Rows];
+        Covariance = new double[_count * _count];
+    }
+
+    /// <summary>The cost at the end.</summary>
+    public double Cost { get; private set; }
+
+    /// <summary>Steps of the search.</summary>
+    public int Steps { get; private set; }
+
+    /// <summary>The mean square of how far the truth may be from the numbers found.</summary>
+    public double[] Covariance { get; }
+
+    /// <summary>Goes on from where a search by derivatives has ended.</summary>
+    /// <param name="values">The numbers; then the best ones.</param>
+    /// <param name="normal">N there.</param>
+    /// <returns>Whether no step, and no way along an axis of the uncertainty, leads to a cost that is lower.</returns>
+    public bool Run(double[] values, double[] normal)
+    {
+        Cost = _paths.Follow(values, _misses);
+        if (!_secants.Begin(normal))
+        {
+            Covariance.AsSpan().Fill(double.PositiveInfinity);
+            return false;
+        }
+
+        for (int i = 0; i < MostSearches; i++)
+        {
+            bool converged = Search(values);
+            if (Measure(values))
+            {
+                return converged;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>Goes downhill by Gauss and Newton's method with secants.</summary>
+    private bool Search(double[] values)
+    {
+        Cost = _paths.Follow(values, _misses);
+        double damping = 0;
+        for (int i = 0; i < MostSteps; i++)
+        {
+            if (!_secants.Evaluate(values))
+            {
+                return false;
+            }
+
+            for (bool better = false; !better;)
+            {
+                if (!_secants.Solve(values, _misses, _count, damping, _step, out double gain))
+                {
+                    return false;
+                }
+
+                if (gain < LeastGain)
+                {
+                    return true;
+                }
+
+                Steps++;
+                better = Try(values, _count, 1.0, Cost, out double cost);
+                Cost = better ? cost : Cost;
+                damping = !better ? Math.Max(FirstDamping, 10 * damping) : damping < LeastDamping ? 0 : 0.1 * damping;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>Measures the uncertainty.</summary>
+    /// <returns>False where a lower cost was found; the numbers are then those.</returns>
+    private bool Measure(double[] values)
+    {
+        Array.Clear(Covariance, 0, Covariance.Length);
+        double best = Cost;
+        double[] bend = new double[_count];
+        double[] bends = new double[_count];
+        double[] half = new double[_count];
+        double[] low = new double[_count];
+        double[][] ends = new double[_count][];
+        for (int j = _count - 1; j >= 0; j--)
+        {
+            if (j < FirstMeasured)
+            {
+                AddSquare(1.0, _secants.Axes[j]);
+                continue;
+            }
+
+            double[] high = ends[j] = new double[_count];
+            double share = 1;
+            double other = -1;
+            if (!GoOut(values, j, best, high, ref share) || !GoOut(values, j, best, low, ref other))
+            {
+                return false;
+            }
+
+            // x(t) = x + d t + c t², t of unit normal distribution: E[(d t + c t²)²] = d² + 3 c², and c₁ c₂ for two axes.
+            for (int i = 0; i < _count; i++)
+            {
+                half[i] = 0.5 * (high[i] - low[i]);
+                bend[i] = (0.5 * (high[i] + low[i])) - values[i];
+                bends[i] += bend[i];
+            }
+
+            AddSquare(1.0, half);
+            AddSquare(2.0, bend);
+            for (int k = j + 1; k < _count && j >= FirstPaired; k++)
+            {
+                // And what two do together, c t₁ t₂
+                for (int i = 0; i < _count; i++)
+                {
+                    low[i] = ends[k][i] + (share * _secants.Axes[j][i]);
+                }
+
+                Settle(low, j);
+                for (int i = 0; i < _count; i++)
+                {
+                    bend[i] = low[i] - ends[k][i] - high[i] + values[i];
+                }
+
+                AddSquare(1.0, bend);
+            }
+        }
+
+        AddSquare(1.0, bends);
+        return true;
+    }
+
+    /// <summary>Goes out along an axis to where the cost has risen by one.</summary>
+    /// <param name="values">Where to go from.</param>
+    /// <param name="axis">Which.</param>
+    /// <param name="best">The cost there.</param>
+    /// <param name="end">Where it is.</param>
+    /// <param name="share">How much of the axis to begin with; then how much it was.</param>
+    /// <returns>False where a lower cost was found; the numbers are then those.</returns>
+    private bool GoOut(double[] values, int axis, double best, double[] end, ref double share)
+    {
+        double next = share;
+        for (int i = 0; i < MostTries; i++)
+        {
+            share = next;
+            for (int k = 0; k < _count; k++)
+            {
+                end[k] = values[k] + (share * _secants.Axes[axis][k]);
+            }
+
+            double rise = Settle(end, axis) - best;
+            if (rise < -Lower)
+            {
+                Array.Copy(end, values, _count);
+                return false;
+            }
+
+            if (rise > LeastRise && rise < LargestRise)
+            {
+                break;
+            }
+
+            next = share * Math.Min(LargestChange, Math.Max(1.0 / LargestChange, 1.0 / Math.Sqrt(Math.Max(1e-3, rise))));
+        }
+
+        return true;
+    }
+
+    /// <summary>Lets the numbers before one follow it, by the secants at the best numbers.</summary>
+    /// <returns>The cost.</returns>
+    private double Settle(double[] values, int held)
+    {
+        double cost = _paths.Follow(values, _misses);
+        for (int i = 0; i < MostFollowing && _secants.Solve(values, _misses, held, 0, _step, out double gain) && gain >= LeastFollowing; i++)
+        {
+            bool better = false;
+            double share = 1;
+            for (int tries = 0; tries < MostShortenings && !better; tries++, share *= Shorter)
+            {
+                better = Try(values, held, share, cost, out double lower);
+                cost = better ? lower : cost;
+            }
+
+            if (!better)
+            {
+                break;
+            }
+        }
+
+        return cost;
+    }
+
+    /// <summary>Takes a share of the step of the first numbers where that lowers the cost.</summary>
+    private bool Try(double[] values, int free, double share, double cost, out double lower)
+    {
+        for (int i = 0; i < _count; i++)
+        {
+            _tried[i] = values[i] + (i < free ? share * _step[i] : 0);
+        }
+
+        lower = TrackModel.IsLaunch(_tried) ? _paths.Follow(_tried, _triedMisses) : double.PositiveInfinity;
+        if (!(lower < cost))
+        {
+            return false;
+        }
+
+        Array.Copy(_tried, values, _count);
+        (_misses, _triedMisses) = (_triedMisses, _misses);
+        return true;
+    }
+
+    private void AddSquare(double weight, double[] v)
+    {
+        for (int i = 0; i < _count; i++)
+        {
+            for (int j = 0; j < _count; j++)
+            {
+                Covariance[(i * _count) + j] += weight * v[i] * v[j];
+            }
+        }
+    }
+}

@@ -1,0 +1,193 @@
+namespace Football.Physics;
+
+/// <summary>
+/// The normal equations N = JᵀJ + what was known before, g = Jᵀr + …, with a Jacobian of secants as wide as the uncertainty itself. The path has kinks, where a
+/// ball just slips in an impact or just hops once more; derivatives there hold for a hair's breadth only.
+/// </summary>
+internal sealed class TrackSecants
+{
+    /// <summary>Half the width of a secant, in standard deviations.</summary>
+    private const double HalfWidth = 0.5;
+
+    /// <summary>The number that the ground bounds: the height.</summary>
+    private const int Height = 1;
+
+    private const double OnGround = 1e-9;
+
+    private readonly TrackPaths _paths;
+    private readonly TrackModel _model;
+    private readonly int _count;
+    private readonly double[] _jacobian;
+    private readonly double[] _normal;
+    private readonly double[] _gradient;
+    private readonly double[] _system;
+    private readonly double[] _unit;
+    private readonly double[] _changed;
+    private readonly double[] _high;
+    private readonly double[] _low;
+    private double _floor;
+
+    public TrackSecants(TrackPaths paths, TrackModel model)
+    {
+        _paths = paths;
+        _model = model;
+        _count = model.Count;
+        _jacobian = new double[paths.Rows * _count];
+        _normal = new double[_count * _count];
+        _gradient = new double[_count];
+        _system = new double[_count * (_count + 1)];
+        _unit = new double[_count];
+        _changed = new double[_count];
+        _high = new double[paths.Rows];
+        _low = new double[paths.Rows];
+        Axes = new double[_count][];
+        for (int i = 0; i < _count; i++)
+        {
+            Axes[i] = new double[_count];
+        }
+    }
+
+    /// <summary>lⱼ of N⁻¹ = Σ lⱼ lⱼᵀ: number j by its deviation where all behind it are held and all before it follow. The last numbers are the softest, the scene's factors.</summary>
+    public double[][] Axes { get; }
+
+    /// <summary>Takes the first N, that of derivatives.</summary>
+    public bool Begin(double[] normal)
+    {
+        Array.Copy(normal, _normal, normal.Length);
+        return FindAxes();
+    }
+
+    /// <summary>Evaluates J and N at some numbers, with the axes of the last N; then the axes of this one.</summary>
+    /// <returns>False where a number tells of nothing.</returns>
+    public bool Evaluate(double[] values)
+    {
+        double lift = 0;
+        _floor = _model.Simulator(values).ContactHeight;
+        for (int j = 0; j < _count; j++)
+        {
+            lift = Math.Max(lift, HalfWidth * Math.Abs(Axes[j][Height]));
+        }
+
+        // Both ends of every secant are above the ground.
+        lift = Math.Max(0, _floor + lift - values[Height]);
+        for (int j = 0; j < _count; j++)
+        {
+            double[] axis = Axes[j];
+            Follow(values, axis, HalfWidth, lift, _high);
+            Follow(values, axis, -HalfWidth, lift, _low);
+
+            // J lⱼ is the secant, lⱼ has numbers up to j alone: column j of J from those before it.
+            for (int row = 0; row < _high.Length; row++)
+            {
+                int at = row * _count;
+                double sum = 0.5 / HalfWidth * (_low[row] - _high[row]);
+                for (int k = 0; k < j; k++)
+                {
+                    sum -= _jacobian[at + k] * axis[k];
+                }
+
+                _jacobian[at + j] = sum / axis[j];
+            }
+        }
+
+        Array.Clear(_normal, 0, _normal.Length);
+        for (int row = 0; row < _high.Length; row++)
+        {
+            int at = row * _count;
+            for (int i = 0; i < _count * _count; i++)
+            {
+                _normal[i] += _jacobian[at + (i / _count)] * _jacobian[at + (i % _count)];
+            }
+        }
+
+        _model.AddKnown(values, _normal, _gradient);
+        return FindAxes();
+    }
+
+    /// <summary>The step (N + λ diag N)⁻¹ g of the first numbers, all others held.</summary>
+    /// <param name="values">The numbers.</param>
+    /// <param name="misses">Their misses.</param>
+    /// <param name="free">How many are not held.</param>
+    /// <param name="damping">λ.</param>
+    /// <param name="step">The step.</param>
+    /// <param name="gain">By how much it would lower the cost were all linear.</param>
+    public bool Solve(double[] values, double[] misses, int free, double damping, double[] step, out double gain)
+    {
+        Array.Clear(_gradient, 0, _count);
+        for (int row = 0; row < misses.Length; row++)
+        {
+            for (int i = 0; i < free; i++)
+            {
+                _gradient[i] += _jacobian[(row * _count) + i] * misses[row];
+            }
+        }
+
+        _model.AddKnown(values, null, _gradient);
+        bool solved = Solve(free, damping, _gradient, step, holds: false);
+        if (solved && free > Height && step[Height] < 0 && values[Height] <= _floor + OnGround)
+        {
+            solved = Solve(free, damping, _gradient, step, holds: true);
+        }
+
+        gain = 0;
+        for (int i = 0; solved && i < free; i++)
+        {
+            gain += step[i] * _gradient[i];
+        }
+
+        return solved && !double.IsNaN(gain);
+    }
+
+    private void Follow(double[] values, double[] axis, double share, double lift, double[] misses)
+    {
+        for (int i = 0; i < _count; i++)
+        {
+            _changed[i] = values[i] + (share * axis[i]);
+        }
+
+        _changed[Height] += lift;
+        _paths.Follow(_changed, misses);
+    }
+
+    private bool FindAxes()
+    {
+        for (int j = 0; j < _count; j++)
+        {
+            // Column j of the inverse of the first j + 1 rows and columns
+            double[] axis = Axes[j];
+            Array.Clear(axis, 0, _count);
+            Array.Clear(_unit, 0, _count);
+            _unit[j] = 1;
+            if (!Solve(j + 1, 0, _unit, axis, holds: false) || !(axis[j] > 0) || double.IsInfinity(axis[j]))
+            {
+                return false;
+            }
+
+            double scale = 1.0 / Math.Sqrt(axis[j]);
+            for (int k = 0; k <= j; k++)
+            {
+                axis[k] *= scale;
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>Solves for the first numbers; on request with the height held.</summary>
+    private bool Solve(int free, double damping, double[] right, double[] x, bool holds)
+    {
+        int width = free + 1;
+        for (int i = 0; i < free; i++)
+        {
+            for (int j = 0; j < free; j++)
+            {
+                bool held = holds && (i == Height || j == Height);
+                _system[(i * width) + j] = held ? (i == j ? 1 : 0) : _normal[(i * _count) + j] * (i == j ? 1.0 + damping : 1.0);
+            }
+
+            _system[(i * width) + free] = holds && i == Height ? 0 : right[i];
+        }
+
+        return Linear.Solve(_system, x, free);
+    }
+}
