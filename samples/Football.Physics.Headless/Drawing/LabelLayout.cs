@@ -10,10 +10,14 @@ internal sealed class LabelLayout(double width, double height, string background
 {
     private const double Size = 11;
 
+    /// <summary>What a label costs that is on another one, in dots of what is drawn: more than any drawing has under it.</summary>
+    private const int OnAnother = 200;
+
     /// <summary>How far from a place a label is tried, in rows of its own height.</summary>
     private static readonly (double Across, double Down)[] Tries =
     [
         (0, -0.9), (0, 1.2), (0.6, -0.6), (-0.6, -0.6), (0.6, 0.9), (-0.6, 0.9), (0, -2), (0, 2.3), (1, -1.6), (-1, -1.6), (1, 2), (-1, 2), (0, -3.2), (0, 3.4),
+        (1.5, -0.4), (-1.5, -0.4), (1.5, 0.6), (-1.5, 0.6), (1.5, -2.4), (-1.5, -2.4), (0, -4.6), (2.4, -1), (-2.4, -1),
     ];
 
     private readonly List<(double X, double Y)> _ink = [];
@@ -52,6 +56,6 @@ internal sealed class LabelLayout(double width, double height, string background
         const double around = 2;
         int covered = _ink.Count(at => at.X > box.Left - around && at.X < box.Right + around && at.Y > box.Top - around && at.Y < box.Bottom + around);
         int met = _taken.Count(other => box.Left < other.Right + 4 && other.Left < box.Right + 4 && box.Top < other.Bottom && other.Top < box.Bottom);
-        return covered + (20 * met);
+        return covered + (OnAnother * met);
     }
 }

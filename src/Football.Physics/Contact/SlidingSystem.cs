@@ -21,6 +21,9 @@ internal struct SlidingSystem<TAir> : IPlanarSystem
     /// <summary>Angular deceleration by the air at the last point, rad/s².</summary>
     private double _decay;
 
+    /// <summary>Whether the ball had a spin, as the air sees it, where the rates were taken last.</summary>
+    private bool _spins;
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Rates(double time, in PlanarMotion at, out PlanarRates rates)
     {
@@ -40,7 +43,7 @@ internal struct SlidingSystem<TAir> : IPlanarSystem
         rates.AZ -= ground.Sliding * sz;
         rates.BX += ground.SlidingTorque * sz;
         rates.BZ += ground.SlidingTorque * -sx;
-        if (at.WX == 0 && at.WY == 0 && at.WZ == 0 && !Around.Air.Varies && (rates.BX * sz) + (rates.BZ * -sx) < 0)
+        if (!_spins && !Around.Air.Varies && (rates.BX * sz) + (rates.BZ * -sx) < 0)
         {
             // The air holds a ball that friction is too weak to turn, but it turns none.
             rates.BX = 0;
@@ -60,6 +63,7 @@ internal struct SlidingSystem<TAir> : IPlanarSystem
     {
         GroundPush.On(Around, Branch, MotionState.Sliding, time, in at, out GroundPush push);
         bool spins = push.SpinRate > 0;
+        _spins = spins;
         _decay = spins ? push.Decay * push.SpinRate : push.Decay;
         rates.AX = push.X;
         rates.AZ = push.Z;

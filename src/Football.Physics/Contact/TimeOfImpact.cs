@@ -18,8 +18,9 @@ internal static class TimeOfImpact
         return arc.End < 0 || sweep.Velocity.Y < 0;
     }
 
-    /// <summary>Shortens a step by the thesis' recursive search (2.4.4): halve until the halving is no longer than the tolerance.</summary>
-    public static void Bisection<TSweep>(ref TSweep sweep, double h, double tolerance, double contact)
+    /// <summary>Shortens a step that ends below contact by the thesis' recursive search (2.4.4): halve until the halving is no longer than the tolerance.</summary>
+    /// <returns>True: it has touched the ground.</returns>
+    public static bool Bisection<TSweep>(ref TSweep sweep, double h, double tolerance, double contact)
         where TSweep : struct, ISweep
     {
         double tau = h;
@@ -40,6 +41,7 @@ internal static class TimeOfImpact
         }
 
         sweep.Step(tau);
+        return true;
     }
 
     /// <summary>The height above contact, on its way down.</summary>
@@ -63,7 +65,8 @@ internal static class TimeOfImpact
             bool isClose = EventLocator.IsLinear(ref sweep, correction);
             if (isClose)
             {
-                sweep.Nudge(correction);
+                // Not to before the step's start.
+                sweep.Nudge(Math.Max(correction, -tau));
             }
 
             return isClose;

@@ -14,7 +14,7 @@ internal static class StateCheck
     private const double LatestTime = 1e15;
 
     /// <summary>The largest angle since the spin last changed, rad.</summary>
-    private const double LargestAngle = 1e15;
+    private const double LargestAngle = FastestSpin * LatestTime;
 
     /// <summary>How far a square of the length of a unit vector or quaternion may be off 1.</summary>
     private const double Rounding = 1e-6;

@@ -12,7 +12,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     private const double Rising = 1e-9;
 
     /// <summary>Pieces shorter than this, s, are not halved.</summary>
-    private const double ShortestPiece = 1e-12;
+    private const double ShortestPiece = 1e-18;
 
     private readonly SolverSettings _settings;
     private readonly Surroundings<TAir> _around;
@@ -188,12 +188,19 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         double length = sweep.Length;
         bool meets = _world is not null && _world.EndAtFirst(ref sweep, in s, _integrator.Order, out met);
         bool hit = !meets && EndAtGround(ref sweep, in s);
+        if (!meets && !hit)
+        {
+            run.Keep(sweep.Length, length);
+        }
+
         run.Log.Evaluations += sweep.Evaluations;
         BallState before = s;
         sweep.MoveTo(ref s);
         if (hit)
         {
+            // What rises at contact does so by rounding.
             s.Position = new Vector3d(s.Position.X, _around.ContactHeight, s.Position.Z);
+            s.Velocity = new Vector3d(s.Velocity.X, Math.Min(s.Velocity.Y, 0), s.Velocity.Z);
         }
 
         s.Branch = hit ? DragBranch.Unknown : sweep.Length < length ? before.Branch : next;
@@ -230,38 +237,29 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         }
 
         double h = sweep.Length;
-        if (_settings.CollisionTiming == CollisionTiming.Bisection)
-        {
-            if (below)
-            {
-                TimeOfImpact.Bisection(ref sweep, h, _settings.CollisionTolerance, contact);
-            }
-
-            return below;
-        }
-
+        bool exact = _settings.CollisionTiming == CollisionTiming.Exact;
         var arc = new HeightArc(s.Position.Y - contact, s.Velocity.Y, sweep.StartAcceleration.Y, height - contact, climb, h);
-        if (!below && !arc.Dips)
+        if (!below && !(exact && arc.Dips))
         {
             return false;
         }
 
         TSweep whole = sweep;
-        bool touches = TimeOfImpact.Exact(ref sweep, _integrator, in arc, contact);
-        if (touches && (sweep.Velocity.Y <= Rising * Math.Abs(s.Velocity.Y) || h <= ShortestPiece))
+        bool touches = exact ? TimeOfImpact.Exact(ref sweep, _integrator, in arc, contact) : TimeOfImpact.Bisection(ref sweep, h, _settings.CollisionTolerance, contact);
+        if (touches && (sweep.Velocity.Y <= Rising * Math.Abs(s.Velocity.Y) || sweep.Length <= ShortestPiece))
         {
             return true;
         }
 
-        whole.Evaluations = sweep.Evaluations;
-        sweep = whole;
         if (!touches)
         {
+            whole.Evaluations = sweep.Evaluations;
+            sweep = whole;
             return false;
         }
 
-        // A ball that rises where it comes down: the step is too long for the forces that act, most often a game's own.
-        sweep.Step(0.5 * h);
+        // A ball that rises where it comes down: the step is too long for the forces that act, most often a game's own. It has been below before.
+        sweep.Step(0.5 * sweep.Length);
         return EndAtGround(ref sweep, in s);
     }
 

@@ -51,7 +51,6 @@ internal sealed class ImplicitPhase<TAir>
         run.Implicit++;
         var from = new Motion(s.Position, s.Velocity, s.Spin);
         MotionRates push = Push(in s, in from.Velocity, in from.Spin, ref run, out Vector3d wind);
-
         var step = new ImplicitStep<TAir>(_around, in from, in push, in wind);
         Motion end = step.To(h);
         bool below = end.Position.Y < _around.ContactHeight;
@@ -75,6 +74,7 @@ internal sealed class ImplicitPhase<TAir>
             return;
         }
 
+        end = step.Spun(in end, h);
         BallState before = s;
         double y = below ? _around.ContactHeight : end.Position.Y;
         double vy = pressed ? 0 : below ? Math.Min(end.Velocity.Y, 0) : end.Velocity.Y;
@@ -130,6 +130,7 @@ internal sealed class ImplicitPhase<TAir>
             h = none;
         }
 
+        end = step.Spun(in end, h);
         h = meets ? at : h;
         BallState before = s;
         s.Position = step.From.Position + (h * end.Velocity);

@@ -44,7 +44,7 @@ internal struct ImplicitStep<TAir>
         return new ImplicitStep<TAir>(in from, new MotionRates(in acceleration, in _push.SpinAcceleration, AirSpeed), in _wind, 0, _euler);
     }
 
-    /// <summary>Velocity, then spin, then position with the new velocity.</summary>
+    /// <summary>Velocity, and position with the new velocity; the spin is what <see cref="Spun"/> makes of it.</summary>
     /// <param name="h">Length, s.</param>
     public Motion To(double h)
     {
@@ -52,8 +52,17 @@ internal struct ImplicitStep<TAir>
         double rate = spin.Length;
         Vector3d axis = rate > 0 ? spin / rate : Vector3d.Up;
         Vector3d acceleration = _push.Acceleration + new Vector3d(0, _upward, 0);
-        Vector3d u = _euler.Velocity(From.Velocity - _wind, in acceleration, in axis, rate, h);
-        Vector3d velocity = u + _wind;
-        return new Motion(From.Position + (h * velocity), in velocity, _euler.Spin(rate, u.Length, h) * axis);
+        Vector3d velocity = _euler.Velocity(From.Velocity - _wind, in acceleration, in axis, rate, h) + _wind;
+        return new Motion(From.Position + (h * velocity), in velocity, in spin);
+    }
+
+    /// <summary>The end of a step with the decay of its spin, which nothing else of the step depends on.</summary>
+    /// <param name="end">What <see cref="To"/> found.</param>
+    /// <param name="h">Length, s.</param>
+    public Motion Spun(in Motion end, double h)
+    {
+        double rate = end.Spin.Length;
+        Vector3d axis = rate > 0 ? end.Spin / rate : Vector3d.Up;
+        return new Motion(end.Position, end.Velocity, _euler.Spin(rate, (end.Velocity - _wind).Length, h) * axis);
     }
 }

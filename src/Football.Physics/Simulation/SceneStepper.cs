@@ -21,13 +21,10 @@ internal class Stepper<TAir, TIntegrator> : Stepper
     where TAir : struct, IAir
     where TIntegrator : struct, IIntegrator
 {
-    /// <summary>More pieces than this without an impact, by whatever cause, and the rest of the step is taken by implicit Euler: every step ends.</summary>
-    private const int MostPieces = 1 << 13;
-
     /// <summary>After so many pieces the length of the parts is chosen anew: what asked for short ones may be over.</summary>
     private const int PiecesOfOneLength = 1024;
 
-    /// <summary>The same for pieces in a row in which the clock stands still.</summary>
+    /// <summary>After so many pieces in a row in which the clock stands still, the rest of the step is taken by implicit Euler.</summary>
     private const int MostStanding = 256;
 
     private readonly Vector3d _wind;
@@ -77,7 +74,10 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         _carried = guard is null ? null : new CarriedPhase<TAir, TIntegrator>(around, in _limit, jump, guard, _worldContact!, _implicit);
         _rest = guard is null ? null : new RestPhase<TAir>(world!, guard);
         _flight = new FlightPhase<TAir, TIntegrator>(settings, around, in _limit, jump, contact, _implicit, guard);
-        var ground = new GroundLimit<TAir>(around, in _limit);
+
+        // Friction may speed a ball up faster than gravity does.
+        StabilityLimit pushed = StabilityLimit.Of(scene, ref _air, Math.Max(Math.Abs(_upward), around.Ground.Sliding), _integrator.Order);
+        var ground = new GroundLimit<TAir>(around, in pushed);
         _slide = new SlidePhase<TAir, TIntegrator>(settings, around, in ground, jump, contact, _implicit);
         _roll = new RollPhase<TAir, TIntegrator>(scene, around, in ground, jump, contact, _implicit);
     }
@@ -313,7 +313,7 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         _bodies?.Apply(ref s, ref run);
         while (run.Left > 0 && (s.Motion != MotionState.Stopped || _rest is not null))
         {
-            if (++run.Pieces > MostPieces || run.Standing > MostStanding)
+            if (++run.Pieces > StepRun.MostPieces || run.Standing > MostStanding)
             {
                 _implicit.TakeRest(ref s, ref run);
                 continue;

@@ -143,8 +143,8 @@ internal sealed class SlidePhase<TAir, TIntegrator>
             // ṡ = v̇ + r ŷ × ω̇
             Vector3d slipRate = Slip.Of(rates.Acceleration, rates.SpinAcceleration, ground.Radius);
             Vector3d push = slipRate + (friction * direction);
-            if (size < 0.5 * friction * ClosedForm * run.Length && push.LengthSquared < 0.25 * friction * friction
-                && EndSlip(ref s, ref run, ref system, in from, in slip, in direction, in push, friction, in rates))
+            if (size < 0.5 * friction * ClosedForm * run.Length && IsWeak(in push, friction)
+                && EndSlip(ref s, ref run, ref system, in from, in slip, in direction, in push, friction, in rates, h))
             {
                 return;
             }
@@ -172,8 +172,11 @@ internal sealed class SlidePhase<TAir, TIntegrator>
         }
     }
 
+    /// <summary>Whether a push of the air is too weak by far to keep a ball sliding.</summary>
+    private static bool IsWeak(in Vector3d push, double friction) => push.LengthSquared < 0.25 * friction * friction;
+
     /// <summary>The end of a slide in closed form: the air's push is the mean of both ends.</summary>
-    /// <returns>False where the slide outlasts the step.</returns>
+    /// <returns>False where the slide outlasts the piece, or the air's push grows too strong on the way.</returns>
     private bool EndSlip(
         ref BallState s,
         ref StepRun run,
@@ -183,7 +186,8 @@ internal sealed class SlidePhase<TAir, TIntegrator>
         in Vector3d direction,
         in Vector3d push,
         double friction,
-        in PlanarRates rates)
+        in PlanarRates rates,
+        double longest)
     {
         ref readonly GroundForces ground = ref _around.Ground;
         Vector3d air = rates.Acceleration + (ground.Sliding * direction);
@@ -200,9 +204,10 @@ internal sealed class SlidePhase<TAir, TIntegrator>
         system.Pushed(s.Time + first.Time, in there, direction.Z, -direction.X, out PlanarRates end);
         run.Log.Evaluations++;
         Vector3d endPush = Slip.Of(end.Acceleration, end.SpinAcceleration, ground.Radius);
-        var decay = new SlipDecay(in slip, 0.5 * (push + endPush), friction);
+        Vector3d meanPush = 0.5 * (push + endPush);
+        var decay = new SlipDecay(in slip, in meanPush, friction);
         double t = decay.Time;
-        if (!(t > 0 && t <= run.Left))
+        if (!(t > 0 && t <= longest && IsWeak(in meanPush, friction)))
         {
             return false;
         }

@@ -21,13 +21,16 @@ internal ref struct StepRun
     /// <summary>Where the step had to be divided: the length of its parts, s; else 0.</summary>
     public double Part;
 
-    /// <summary>Impacts that one step may have; after that the ball stays on what it hits, so that every step ends.</summary>
-    public const int MostImpacts = 512;
+    /// <summary>Pieces of a step, whatever asks for them: the rest is taken by implicit Euler, so that every step ends.</summary>
+    public const int MostPieces = 1 << 11;
 
-    /// <summary>Pieces since the last impact.</summary>
+    /// <summary>Impacts that one step may have. After them, and after its pieces, the ball stays on what it hits.</summary>
+    public const int MostImpacts = 256;
+
+    /// <summary>Pieces so far.</summary>
     public int Pieces;
 
-    /// <summary>Impacts in the whole step.</summary>
+    /// <summary>Impacts so far.</summary>
     public int AllImpacts;
 
     /// <summary>Pieces so far that were taken by implicit Euler.</summary>
@@ -52,10 +55,8 @@ internal ref struct StepRun
     /// <returns>Whether the ball may bounce.</returns>
     public bool Hit()
     {
-        bool bounces = AllImpacts++ < MostImpacts;
-        Pieces = bounces ? 0 : Pieces;
         Part = 0;
-        return bounces;
+        return AllImpacts++ < MostImpacts && Pieces <= MostPieces;
     }
 
     /// <summary>Counts a piece as done: the clock goes on, and the time left gets less.</summary>

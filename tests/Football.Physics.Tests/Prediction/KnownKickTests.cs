@@ -163,4 +163,54 @@ public sealed class KnownKickTests
     [InlineData(AimMethod.Bisection)]
     public void A_target_at_the_ball_is_degenerate(AimMethod method) =>
         Assert.Equal(AimStatus.Degenerate, new Aimer(Scene.Published).Find(new AimRequest { From = new Vector3d(0, 0.5, 0), Target = new Vector3d(0, 0.5, 0) }, method).Status);
+
+    [Fact]
+    public void The_steeper_of_two_kicks_is_on_the_low_arc_where_it_is_there_first()
+    {
+        foreach ((BallProperties ball, AimRequest request) in new[]
+        {
+            (BallProperties.BeachBall, new AimRequest
+            {
+                From = new Vector3d(0, 0.2, 0),
+                Target = new Vector3d(1.498859899243839, 4.910540333761371, 1.0317475899279027),
+                Speed = 21.26021822740334,
+                TopSpin = -31.190410992684967,
+                SideSpin = -15.236235067824012,
+                MaximumElevationDegrees = 85,
+            }),
+            (BallProperties.Football, new AimRequest
+            {
+                From = new Vector3d(0, 1.244815239875957, 0),
+                Target = new Vector3d(-0.29855781053946595, 24.431971713560444, 1.4942964189357022),
+                Speed = 26.891291924701672,
+                TopSpin = -48.17137885753595,
+                SideSpin = -26.76439591532778,
+                MaximumElevationDegrees = 85,
+            }),
+        })
+        {
+            var aimer = new Aimer(Scene.Published with { Ball = ball });
+            AimResult low = aimer.Find(request);
+            AimResult high = aimer.Find(request with { Arc = AimArc.High });
+            Assert.Equal((AimStatus.Hit, AimStatus.Hit), (low.Status, high.Status));
+            Assert.True(low.Time < high.Time && low.ElevationDegrees > high.ElevationDegrees, $"{low} {high}");
+        }
+    }
+
+    public static TheoryData<Vector3d, Vector3d, Vector3d, double> LightTwoPoints() => new()
+    {
+        { new(0, 2.6241135629937586, 0), new(2.0670143059474375, 5.235458854887758, 0.03920694314201605), new(3.318899906000829, 5.241073378732097, 0.15439822059940364), 14.800238371733686 },
+        { new(0, 0.2, 0), new(-1.869688776179993, 1.527724391076089, 5.292014750494533), new(-1.8516105752879695, 1.5211640034935674, 6.29902905711263), 28.312030505999935 },
+        { new(0, 0.6943155534538978, 0), new(-3.6642354661457524, 5.933719387141995, 1.70713509004538), new(-4.16238167508296, 5.741180246074848, 2.448763367996713), 32.073428485111066 },
+    };
+
+    [Theory]
+    [MemberData(nameof(LightTwoPoints))]
+    public void A_light_ball_passes_two_points_that_it_passed_before(Vector3d from, Vector3d through, Vector3d target, double speed)
+    {
+        var request = new AimRequest { From = from, Through = through, Target = target, Speed = speed, MaximumElevationDegrees = 85, Tolerance = 1e-3 };
+        AimResult result = new Aimer(Scene.Published with { Ball = BallProperties.BeachBall }).Find(request);
+        Assert.Equal(AimStatus.Hit, result.Status);
+        Assert.InRange(result.ThroughMiss!.Value, 0, request.ThroughTolerance);
+    }
 }

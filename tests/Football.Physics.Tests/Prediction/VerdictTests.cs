@@ -154,4 +154,20 @@ public sealed class VerdictTests
         Assert.NotEqual(AimStatus.OutOfReach, result.Status);
         Assert.InRange(result.Miss, 0, 1e-4);
     }
+
+    [Theory]
+    [InlineData(35, 44)]
+    [InlineData(63, 69)]
+    [InlineData(65, 21)]
+    [InlineData(73, 89)]
+    [InlineData(77, 58)]
+    public void A_target_metres_out_of_reach_in_wind_is_told_within_the_bound_on_a_search(int scene, int index)
+    {
+        // Where the closest point is now early, now late on the way, the signed miss jumps over zero again and again.
+        AimRequest request = AimAnything.Requests(seed: 1, scene, index + 1)[index];
+        AimResult result = new Aimer(AimAnything.Scene(seed: 1, scene)).Find(request);
+        Assert.Equal(AimStatus.OutOfReach, result.Status);
+        Assert.InRange(result.Miss, 1, double.PositiveInfinity);
+        Assert.InRange(result.Simulations, 1, 600);
+    }
 }

@@ -47,6 +47,29 @@ public sealed class HostileTests
         Assert.DoesNotContain(run.Findings.Findings.Keys, kind => kind.StartsWith("energy made", StringComparison.Ordinal));
     }
 
+    /// <summary>
+    /// A spin decay that grew beyond friction while a slide ended in closed form, a slide without friction that the air's hold on no spin turned, balls that rose at their
+    /// impact by bisection or by rounding, friction that drove a ball into drag far too strong for the piece, a step of 25 million evaluations, an angle that
+    /// a snapshot refused, and an impact some nanoseconds before its step.
+    /// </summary>
+    [Theory]
+    [InlineData(30027924)]
+    [InlineData(30019276)]
+    [InlineData(30011340)]
+    [InlineData(30009012)]
+    [InlineData(30008573)]
+    [InlineData(40004495)]
+    [InlineData(50017681)]
+    [InlineData(30021615)]
+    [InlineData(100007440)]
+    [InlineData(100069242)]
+    public void A_scene_that_the_lab_found_holds(int number)
+    {
+        var run = new HostileRun();
+        run.Play((ulong)number);
+        Assert.Empty(run.Findings.Findings.Keys);
+    }
+
     [Theory]
     [InlineData("finite")]
     [InlineData("penetration")]

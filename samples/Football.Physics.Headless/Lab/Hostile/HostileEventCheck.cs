@@ -66,12 +66,13 @@ internal static class HostileEventCheck
             frame.Find("event off contact", off, $"{item.Kind}");
         }
 
-        // Three times as far as the fastest of the frame, and what gravity adds.
+        // Three times as far as the fastest of the frame, or as a spin can make it, and what gravity adds; a wind that presses the ball down lifts it sideways, for a while far faster.
         double time = item.Time - lastTime;
         double way = (item.Position - lastPlace).Horizontal.Length;
-        double speed = frame.Fastest + frame.Scene.Scene.Air.Wind.Length + 1e-9;
-        double most = (3 * speed * time) + 1e-9 + (4 * HostileFrame.Ulp(1e6)) + (time * Math.Abs(frame.Scene.Upward) * frame.Length);
-        if (way > most && !frame.Scene.HasOwnForces)
+        double surface = frame.Scene.Scene.Ball.Radius * Math.Max(frame.Before.Spin.Length, item.SpinBefore.Length);
+        double speed = frame.Fastest + surface + frame.Scene.Scene.Air.Wind.Length + 1e-9;
+        double most = ((frame.Scene.Windy ? 10 : 3) * speed * time) + 1e-9 + (4 * HostileFrame.Ulp(1e6)) + (time * Math.Abs(frame.Scene.Upward) * frame.Length);
+        if (way > most && !frame.Scene.HasOwnForces && frame.Scene.Settings.RollingTransition == RollingTransition.Exact)
         {
             frame.FindMild("event too far on", way / most, $"{item.Kind} {way} m on after {time} s at up to {frame.Fastest} m/s");
         }

@@ -6,7 +6,7 @@ namespace Football.Physics.Headless.Lab.Hostile;
 internal sealed class HostileRun
 {
     /// <summary>Evaluations of a frame at most: some milliseconds of them.</summary>
-    private const long MostEvaluations = 200_000;
+    private const long MostEvaluations = 100_000;
 
     /// <summary>How often a frame that seems the slowest is played again.</summary>
     private const int Again = 4;

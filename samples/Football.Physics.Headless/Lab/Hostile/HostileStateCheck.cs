@@ -3,6 +3,9 @@ namespace Football.Physics.Headless.Lab.Hostile;
 /// <summary>What must hold of the state after every frame.</summary>
 internal static class HostileStateCheck
 {
+    /// <summary>Energy, J, below which a ball is as good as at rest: nothing is weighed or timed to it.</summary>
+    private const double Nothing = 1e-40;
+
     /// <summary>Finite, a rotation, above the ground or on it, at the right time.</summary>
     /// <returns>False where the state is not finite: nothing more can be asked of it.</returns>
     public static bool Holds(HostileFrame frame)
@@ -92,7 +95,7 @@ internal static class HostileStateCheck
     public static void Energy(HostileFrame frame)
     {
         HostileScene scene = frame.Scene;
-        if (scene.Windy || scene.HasOwnForces || frame.Energy() is not { } energy || energy.Holds)
+        if (scene.Windy || scene.HasOwnForces || frame.Energy() is not { } energy || energy.Holds || energy.Gained < Nothing)
         {
             return;
         }

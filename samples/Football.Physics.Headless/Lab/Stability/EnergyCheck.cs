@@ -31,6 +31,7 @@ internal sealed class EnergyCheck : PieceObserver
     private readonly double _inertiaFactor;
     private readonly double _radius;
     private readonly double _weight;
+    private readonly double _damping;
     private double _slowSurface;
     private double _fastSurface;
     private int _seen;
@@ -54,6 +55,7 @@ internal sealed class EnergyCheck : PieceObserver
         _inertiaFactor = scene.Ball.InertiaFactor;
         _radius = scene.Ball.Radius;
         _weight = _mass * Math.Abs(upward);
+        _damping = scene.Ground.SpinDamping / scene.Ball.MomentOfInertia;
         _log.Observer = this;
     }
 
@@ -114,7 +116,7 @@ internal sealed class EnergyCheck : PieceObserver
         {
             double speed = (piece.StartVelocity - Wind).Length;
             double g = Math.Abs(_upward);
-            _made += _mass * _method.Of(length, g, speed, _slowSurface, _fastSurface);
+            _made += _mass * _method.Of(length, g, speed, _slowSurface, _fastSurface, 0);
             _corrected += _mass * _method.OfCorrection(LinearCorrection, length, g, speed, _slowSurface, _fastSurface);
         }
         else
@@ -127,7 +129,7 @@ internal sealed class EnergyCheck : PieceObserver
             _fastSurface = rolls ? Math.Max(_fastSurface, speed) : _fastSurface + faster;
             if (_scene.Ground.Aerodynamics == GroundAerodynamics.Horizontal)
             {
-                _made += (rolls ? 1 + _inertiaFactor : 1) * _mass * _method.Of(length, 0, speed, _slowSurface, _fastSurface);
+                _made += (rolls ? 1 + _inertiaFactor : 1) * _mass * _method.Of(length, 0, speed, _slowSurface, _fastSurface, _damping);
             }
         }
 

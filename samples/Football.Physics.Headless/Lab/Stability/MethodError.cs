@@ -31,7 +31,8 @@ internal sealed class MethodError(Integrator method, Scene scene)
     /// <param name="speed">Air speed at its start, m/s.</param>
     /// <param name="slowSurface">Lowest s = r|ω| at its start, m/s.</param>
     /// <param name="fastSurface">Highest s at its start, m/s.</param>
-    public double Of(double h, double g, double speed, double slowSurface, double fastSurface)
+    /// <param name="damping">What else takes from the spin, 1/s.</param>
+    public double Of(double h, double g, double speed, double slowSurface, double fastSurface, double damping)
     {
         // |a₁| ≤ g + |A₁|, and so on from stage to stage.
         double atStart = _air.Size(speed, fastSurface);
@@ -49,14 +50,14 @@ internal sealed class MethodError(Integrator method, Scene scene)
             case Integrator.SemiImplicitEuler:
                 return 0.5 * h * h * Math.Max(0, (atStart * atStart) - (g * g));
             case Integrator.Rk2:
-                Changes(h, speed, second, slowSurface, fastSurface, out AirBound air, out double loss, out _);
+                Changes(h, speed, second, slowSurface, fastSurface, damping, out AirBound air, out double loss, out _);
 
                 // d = ½ h J a₁, and as much as half the spin's loss changes the lift
                 double byLoss = 0.5 * loss * air.BySpin;
                 double d = (0.5 * h * air.Slope * a) + byLoss;
                 return 0.5 * h * h * ((0.5 * h * air.Stretch * a * a) + (a * byLoss) + (d * d));
             case Integrator.Rk4:
-                return Classical(h, g, a, speed, second, slowSurface, fastSurface);
+                return Classical(h, g, a, speed, second, slowSurface, fastSurface, damping);
             default:
                 throw new ArgumentOutOfRangeException(nameof(h));
         }
@@ -80,7 +81,7 @@ internal sealed class MethodError(Integrator method, Scene scene)
         // 2 (v₁ − v₀)/h − a₀ is off by h² a″/6 and what the method is off: with a″ = J² a and more, by less than half of h² ‖J‖² |a|.
         double a = g + _air.Size(speed, fastSurface);
         double fastest = speed + (h * a);
-        Changes(h, speed, fastest, slowSurface, fastSurface, out AirBound air, out double loss, out _);
+        Changes(h, speed, fastest, slowSurface, fastSurface, 0, out AirBound air, out double loss, out _);
         double change = Math.Min(1, h * air.Slope) * ((h * air.Slope * a) + (loss * air.BySpin));
         return 0.5 * change * fastest * t;
     }
@@ -91,12 +92,12 @@ internal sealed class MethodError(Integrator method, Scene scene)
     /// <param name="surface">Highest s, m/s.</param>
     public double SpinLoss(double h, double fast, double surface) => h > 0 && surface > 0 ? h * surface * _air.SpinDecay(fast, surface, surface) : 0;
 
-    private double Classical(double h, double g, double a, double speed, double second, double slowSurface, double fastSurface)
+    private double Classical(double h, double g, double a, double speed, double second, double slowSurface, double fastSurface, double damping)
     {
         double third = speed + (0.5 * h * (g + _air.Size(second, fastSurface)));
         double most = Math.Max(a, g + _air.Size(Math.Max(second, third), fastSurface));
         double fastest = Math.Max(Math.Max(second, third), speed + (h * (g + _air.Size(third, fastSurface))));
-        Changes(h, speed, fastest, slowSurface, fastSurface, out AirBound air, out double loss, out double unevenness);
+        Changes(h, speed, fastest, slowSurface, fastSurface, damping, out AirBound air, out double loss, out double unevenness);
         double z = h * air.Slope;
 
         // d = ½ h J a₁, q = ½ h J d, both and what the loss of spin adds
@@ -112,12 +113,12 @@ internal sealed class MethodError(Integrator method, Scene scene)
 
     /// <summary>The air between a speed at the start and the fastest stage, the share of the spin that is lost, and the share by which that loss itself changes.</summary>
     private void Changes(
-        double h, double speed, double fastest, double slowSurface, double fastSurface, out AirBound air, out double loss, out double unevenness)
+        double h, double speed, double fastest, double slowSurface, double fastSurface, double damping, out AirBound air, out double loss, out double unevenness)
     {
         double fall = fastest - speed;
         double slowest = Math.Max(0, speed - fall);
         air = _air.Over(slowest, fastest, slowSurface, fastSurface);
-        loss = Math.Min(1, h * _air.SpinDecay(fastest, slowSurface, fastSurface));
+        loss = Math.Min(1, h * (_air.SpinDecay(fastest, slowSurface, fastSurface) + damping));
 
         // U^1.8 changes by 1.8 of the share by which U does
         unevenness = _air.SpinDecaysEvenly ? loss : Math.Min(1, loss + (fall / Math.Max(slowest, 0.5 * slowSurface)));

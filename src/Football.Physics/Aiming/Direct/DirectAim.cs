@@ -35,18 +35,16 @@ internal sealed class DirectAim : IAimMethod
     {
         _problem.Set(request, speed, top, side);
         ref readonly TargetFrame frame = ref _problem.Frame;
-        if (arc == AimArc.Low && frame.Distance >= 1e-6 && BroydenShooting.Solve(_problem, out PlaneShot shot) && _problem.StaysClear(in shot))
+        bool separates = _context.Approaches.Separates(request);
+        if (arc == AimArc.Low && Newton(out AimSolution solution))
         {
-            return new AimSolution
+            if (!separates || !IsBent(in frame))
             {
-                Status = AimStatus.Hit,
-                Kick = shot.Kick,
-                Forward = frame.Forward,
-                Speed = speed,
-                Miss = shot.Miss,
-                Arc = AimArc.Low,
-                Time = shot.Time,
-            };
+                return solution;
+            }
+
+            Approach steeper = _closest.Find(_problem, AimArc.High);
+            return steeper.Miss <= _problem.Tolerance && steeper.Time < solution.Time ? Solution(in steeper, AimStatus.Hit) : solution;
         }
 
         if (_context.IsSpent)
@@ -62,7 +60,6 @@ internal sealed class DirectAim : IAimMethod
         }
 
         // Where elevation and azimuth do not separate, by the time of flight; else by the elevation.
-        bool separates = _context.Approaches.Separates(request);
         if (!separates && frame.Distance >= 1e-6
             && (_times.WithSpeed(request, speed, arc, top, side, out AimSolution hit) || _shooting.WithSpeed(request, speed, arc, top, side, out hit)))
         {
@@ -70,28 +67,70 @@ internal sealed class DirectAim : IAimMethod
         }
 
         Approach found = _closest.Find(_problem, arc);
-        if (separates && found.Miss > _problem.Tolerance && IsDoubtful(in frame, found.Miss) && _times.WithSpeed(request, speed, arc, top, side, out hit))
+        bool hits = found.Miss <= _problem.Tolerance;
+        if (separates && !hits && IsDoubtful(in frame, found.Miss) && _times.WithSpeed(request, speed, arc, top, side, out hit))
         {
             return hit;
         }
 
-        return new AimSolution
+        if (separates && !hits && arc == AimArc.High && Newton(out solution))
         {
-            // Straight above or below only the elevation matters; at the ball there is no direction at all.
-            Status = found.Miss <= request.Tolerance ? AimStatus.Hit
+            return solution;
+        }
+
+        if (separates && hits && IsBent(in frame))
+        {
+            Approach other = _closest.Find(_problem, arc == AimArc.Low ? AimArc.High : AimArc.Low);
+            bool isBetter = other.Miss <= _problem.Tolerance && (arc == AimArc.Low ? other.Time < found.Time : other.Time > found.Time);
+            found = isBetter ? other : found;
+        }
+
+        // Straight above or below only the elevation matters; at the ball there is no direction at all.
+        return Solution(
+            in found,
+            found.Miss <= request.Tolerance ? AimStatus.Hit
                 : frame.IsDegenerate ? AimStatus.Degenerate
                 : found.Miss < StepError || _context.IsSpent ? AimStatus.NotConverged
-                : AimStatus.OutOfReach,
-            Kick = found.Kick,
-            Forward = frame.Forward,
-            Speed = speed,
-            Miss = found.Miss,
-            Time = found.Time,
-        };
+                : AimStatus.OutOfReach);
     }
 
-    /// <summary>Whether elevations tell too little of a miss: a steep target, a close miss, or an air that bends ways into loops.</summary>
+    private AimSolution Solution(in Approach found, AimStatus status) => new()
+    {
+        Status = status,
+        Kick = found.Kick,
+        Forward = _problem.Frame.Forward,
+        Speed = _problem.Speed,
+        Miss = found.Miss,
+        Time = found.Time,
+    };
+
+    /// <summary>The kick on the low arc by Newton's method.</summary>
+    private bool Newton(out AimSolution solution)
+    {
+        solution = default;
+        if (!(_problem.Frame.Distance >= 1e-6) || !BroydenShooting.Solve(_problem, out PlaneShot shot) || !_problem.StaysClear(in shot))
+        {
+            return false;
+        }
+
+        solution = new AimSolution
+        {
+            Status = AimStatus.Hit,
+            Kick = shot.Kick,
+            Forward = _problem.Frame.Forward,
+            Speed = _problem.Speed,
+            Miss = shot.Miss,
+            Arc = AimArc.Low,
+            Time = shot.Time,
+        };
+        return true;
+    }
+
+    /// <summary>Whether elevations tell too little of a miss: a close one, or ways that bend.</summary>
     private bool IsDoubtful(in TargetFrame frame, double miss) =>
-        miss < CloseMiss * frame.Distance || frame.Target.Y - frame.From.Y > Steep * frame.Distance
-        || _context.IsRuledByAir(_problem.Speed, _problem.Spins.SpinRate);
+        miss < CloseMiss * frame.Distance || IsBent(in frame);
+
+    /// <summary>Whether the steeper of two kicks may be the faster: at a steep target, or in an air that bends ways into loops.</summary>
+    private bool IsBent(in TargetFrame frame) =>
+        frame.Target.Y - frame.From.Y > Steep * frame.Distance || _context.IsRuledByAir(_problem.Speed, _problem.Spins.SpinRate);
 }

@@ -9,6 +9,10 @@ internal sealed class DirectTwoPointAim : IAimMethod
     private const int N = TwoPointProblem.Size;
     private const int MostIterations = 20;
 
+    /// <summary>An iteration that leaves more than this share of the least misses so far is none that helps; so many in a row, and it leads nowhere.</summary>
+    private const double Progress = 0.7;
+    private const int MostStalled = 4;
+
     /// <summary>How often a step that does not reach both planes is halved.</summary>
     private const int MostHalvings = 4;
 
@@ -111,6 +115,8 @@ internal sealed class DirectTwoPointAim : IAimMethod
         _jacobian.ReadOff(_problem, _x);
         int limit = Math.Min(_problem.Request.MaximumIterations, MostIterations);
         double before = double.PositiveInfinity;
+        double least = double.PositiveInfinity;
+        int stalled = 0;
         int flights = 1;
         while (true)
         {
@@ -140,8 +146,10 @@ internal sealed class DirectTwoPointAim : IAimMethod
                 return solution;
             }
 
+            stalled = size < Progress * least ? 0 : stalled + 1;
+            least = Math.Min(least, size);
             before = size;
-            if (!FlyStep())
+            if (stalled == MostStalled || !FlyStep())
             {
                 return solution;
             }

@@ -34,6 +34,9 @@ internal sealed class ApproachByElevation
     /// <summary>The hit that was accepted.</summary>
     public Approach Hit { get; private set; }
 
+    /// <summary>Speed of the kicks, m/s.</summary>
+    public double Speed { get; private set; }
+
     /// <summary>Kicks flown.</summary>
     public int Shots { get; private set; }
 
@@ -50,6 +53,7 @@ internal sealed class ApproachByElevation
         _targetVelocity = problem.Request.TargetVelocity;
         _context.Approaches.Aim(in _frame, in _targetVelocity, problem.Speed);
         _kick = problem.Spins;
+        Speed = problem.Speed;
         Tolerance = problem.Tolerance;
         Bounds = problem.Bounds;
         Shots = 0;

@@ -6,6 +6,9 @@ internal sealed class HitSearch
     /// <summary>Flights that a search may always take.</summary>
     private const int LeastShots = 8;
 
+    /// <summary>So many lengths of the way a radian: a signed miss that rises faster through zero jumps, for its closest point is another one then.</summary>
+    private const double Jump = 100;
+
     private readonly ApproachByElevation _approaches;
     private int _mostShots;
 
@@ -91,7 +94,11 @@ internal sealed class HitSearch
                 _other = next;
             }
 
-            return Hits || _approaches.IsSpent;
+            return Hits || _approaches.IsSpent || Jumps;
         }
+
+        /// <summary>Whether the miss has no root between the two kicks, but jumps over it.</summary>
+        private readonly bool Jumps =>
+            _one.Miss + _other.Miss > Jump * Math.Abs(_one.Elevation - _other.Elevation) * _approaches.Speed * Math.Max(_one.Time, _other.Time);
     }
 }

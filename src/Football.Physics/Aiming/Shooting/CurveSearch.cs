@@ -38,6 +38,7 @@ internal sealed class CurveSearch
         double speed = request.Speed;
         for (int i = 0; i < Scans; i++, speed *= SlowerScan)
         {
+            _scan.Clear();
             _scan.Fly(Rows, Columns, speed, request.TopSpin, request.SideSpin);
             for (int start = 0; start < Math.Min(MostStarts, _scan.Count) && !_problem.IsSpent; start++)
             {
@@ -72,6 +73,7 @@ internal sealed class CurveSearch
         double speed = request.Speed;
         for (int i = 0; i < Scans; i++, speed *= SlowerScan)
         {
+            _scan.Clear();
             _scan.Fly(Rows, Columns, speed, request.TopSpin, request.SideSpin, time);
             for (int start = 0; start < Math.Min(MostStarts, _scan.Count) && !_problem.IsSpent; start++)
             {

@@ -4,7 +4,7 @@ namespace Football.Physics;
 internal sealed class DirectionScan
 {
     /// <summary>Places to begin at that are listed.</summary>
-    public const int MostStarts = 8;
+    public const int MostStarts = 24;
 
     private const int MostRows = 13;
     private const int MostColumns = 12;
@@ -14,7 +14,8 @@ internal sealed class DirectionScan
     private readonly double[] _squares = new double[MostRows * MostColumns];
     private readonly double[] _x = new double[MostRows * MostColumns * N];
     private readonly double[] _one = new double[N];
-    private readonly int[] _starts = new int[MostStarts];
+    private readonly double[] _starts = new double[MostStarts * N];
+    private readonly double[] _startSquares = new double[MostStarts];
     private int _rows;
     private int _columns;
 
@@ -23,7 +24,10 @@ internal sealed class DirectionScan
     /// <summary>How many places are listed.</summary>
     public int Count { get; private set; }
 
-    /// <summary>Flies the kicks.</summary>
+    /// <summary>Empties the list.</summary>
+    public void Clear() => Count = 0;
+
+    /// <summary>Flies the kicks, and lists the places among those of flights before.</summary>
     /// <param name="rows">Elevations.</param>
     /// <param name="columns">Azimuths.</param>
     /// <param name="speed">Their speed, m/s.</param>
@@ -36,7 +40,6 @@ internal sealed class DirectionScan
         double highest = _problem.Most[ShootingProblem.Elevation];
         _rows = highest > lowest ? rows : 1;
         _columns = columns;
-        Count = 0;
         for (int i = 0; i < _rows * _columns; i++)
         {
             _one[ShootingProblem.Elevation] = _rows > 1 ? lowest + ((highest - lowest) * (i / _columns) / (_rows - 1)) : lowest;
@@ -58,7 +61,7 @@ internal sealed class DirectionScan
     }
 
     /// <summary>A place to begin at, the closest first.</summary>
-    public void Start(int index, double[] x) => Array.Copy(_x, _starts[index] * N, x, 0, N);
+    public void Start(int index, double[] x) => Array.Copy(_starts, index * N, x, 0, N);
 
     /// <summary>Whether none of its neighbours comes closer.</summary>
     private bool IsLeast(int at)
@@ -82,19 +85,21 @@ internal sealed class DirectionScan
 
     private void Insert(int look)
     {
-        int at = Math.Min(Count, MostStarts - 1);
-        if (Count == MostStarts && !(_squares[look] < _squares[_starts[at]]))
+        double square = _squares[look];
+        if (Count == MostStarts && !(square < _startSquares[Count - 1]))
         {
             return;
         }
 
-        Count = Math.Min(Count + 1, MostStarts);
-        while (at > 0 && _squares[look] < _squares[_starts[at - 1]])
+        int at = Count < MostStarts ? Count++ : MostStarts - 1;
+        while (at > 0 && square < _startSquares[at - 1])
         {
-            _starts[at] = _starts[at - 1];
+            _startSquares[at] = _startSquares[at - 1];
+            Array.Copy(_starts, (at - 1) * N, _starts, at * N, N);
             at--;
         }
 
-        _starts[at] = look;
+        _startSquares[at] = square;
+        Array.Copy(_x, look * N, _starts, at * N, N);
     }
 }

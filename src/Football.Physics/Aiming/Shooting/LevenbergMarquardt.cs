@@ -20,7 +20,7 @@ internal sealed class LevenbergMarquardt
 
     /// <summary>An iteration that leaves more of the squares than this is a slow one; so many slow ones in a row, and there is no solution near.</summary>
     private const double Slow = 0.6;
-    private const int MostSlow = 4;
+    private const int MostSlow = 3;
 
     private readonly ShootingProblem _problem;
     private readonly double[] _jacobian = new double[ShootingProblem.MostEquations * N];

@@ -5,9 +5,10 @@ internal sealed class ShootingSearch
 {
     private const int N = ShootingProblem.Unknowns;
 
-    /// <summary>Elevations and azimuths of a scan.</summary>
+    /// <summary>Elevations and azimuths of a scan, and its starts that are followed.</summary>
     private const int Rows = 13;
     private const int Columns = 12;
+    private const int MostStarts = 8;
 
     private readonly ShootingProblem _problem;
     private readonly LevenbergMarquardt _solver;
@@ -31,11 +32,17 @@ internal sealed class ShootingSearch
     /// <returns>Whether there is one, measured.</returns>
     public bool WithSpeed(AimRequest request, double speed, AimArc arc, double top, double side, out AimSolution solution)
     {
-        _problem.Begin(request, speed, through: false);
-        _scan.Fly(Rows, Columns, speed, top, side);
         solution = default;
+        if (_problem.IsHalfSpent)
+        {
+            return false;
+        }
+
+        _problem.Begin(request, speed, through: false);
+        _scan.Clear();
+        _scan.Fly(Rows, Columns, speed, top, side);
         bool found = false;
-        for (int start = 0; start < _scan.Count && !_problem.IsHalfSpent; start++)
+        for (int start = 0; start < Math.Min(MostStarts, _scan.Count) && !_problem.IsHalfSpent; start++)
         {
             _scan.Start(start, _x);
             if (_solver.Hit(_x, out AimSolution one) && (!found || (arc == AimArc.Low ? one.Time < solution.Time : one.Time > solution.Time)))

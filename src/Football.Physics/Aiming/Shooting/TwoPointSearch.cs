@@ -5,11 +5,10 @@ internal sealed class TwoPointSearch
 {
     private const int N = ShootingProblem.Unknowns;
 
-    /// <summary>Elevations, azimuths and spins that are tried, and how many of each scan's starts.</summary>
-    private const int Rows = 6;
-    private const int Columns = 8;
+    /// <summary>Elevations, azimuths and spins that are tried.</summary>
+    private const int Rows = 5;
+    private const int Columns = 6;
     private const int Spins = 9;
-    private const int MostStarts = 3;
 
     private readonly ShootingProblem _problem;
     private readonly LevenbergMarquardt _solver;
@@ -42,19 +41,21 @@ internal sealed class TwoPointSearch
             return true;
         }
 
+        _scan.Clear();
         for (int spin = 0; spin < Spins; spin++)
         {
             // Without, much of one kind, and much of both.
             double top = spin is 0 or 3 or 4 ? 0 : spin is 1 or 5 or 6 ? -0.6 : 0.6;
             double side = spin is 0 or 1 or 2 ? 0 : spin is 3 or 5 or 7 ? -0.6 : 0.6;
             _scan.Fly(Rows, Columns, request.Speed, top * request.MaximumTopSpin, side * request.MaximumSideSpin);
-            for (int start = 0; start < Math.Min(MostStarts, _scan.Count) && !_problem.IsSpent; start++)
+        }
+
+        for (int start = 0; start < _scan.Count && !_problem.IsSpent; start++)
+        {
+            _scan.Start(start, _x);
+            if (_solver.Hit(_x, out solution))
             {
-                _scan.Start(start, _x);
-                if (_solver.Hit(_x, out solution))
-                {
-                    return true;
-                }
+                return true;
             }
         }
 
