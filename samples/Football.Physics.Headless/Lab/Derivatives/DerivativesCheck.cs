@@ -4,10 +4,10 @@ namespace Football.Physics.Headless.Lab.Derivatives;
 
 /// <summary>Random flights of one kind, whose derivatives are compared with central differences of the simulation itself.</summary>
 /// <param name="kind">What kind.</param>
-internal sealed class DerivativesCheck(DerivativesKind kind)
+/// <param name="timeStep">Length of a step, s.</param>
+internal sealed class DerivativesCheck(DerivativesKind kind, double timeStep = 0.01)
 {
     public const double Reach = 1e-6;
-    private const double TimeStep = 0.01;
     private const double Radius = 0.11;
 
     /// <summary>Change of the launch, m/s; of the spin ten times that in rad/s. Halved until the difference quotients agree with each other.</summary>
@@ -37,7 +37,7 @@ internal sealed class DerivativesCheck(DerivativesKind kind)
         double duration = stopAt == StopAt.Time ? random.Uniform(0.5, 4) : 30;
         var derivatives = new LaunchDerivatives(_simulator);
         BallState state = _simulator.Launch(position, velocity, spin);
-        bool ended = derivatives.Run(ref state, TimeStep, duration, stopAt);
+        bool ended = derivatives.Run(ref state, timeStep, duration, stopAt);
         BallEvent[] events = derivatives.Events.Span.ToArray();
         Vector3d[] found = [.. Columns(derivatives)];
         double[] times = [.. Times(derivatives)];
@@ -156,7 +156,7 @@ internal sealed class DerivativesCheck(DerivativesKind kind)
     {
         _log.Clear();
         BallState state = _simulator.Launch(position, velocity, spin);
-        _simulator.Run(ref state, TimeStep, duration, stopAt, _log);
+        _simulator.Run(ref state, timeStep, duration, stopAt, _log);
         place = state.Position;
         time = state.Time;
         bool same = _log.Events.Count == events.Length;

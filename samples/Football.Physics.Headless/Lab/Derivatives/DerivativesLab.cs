@@ -10,24 +10,26 @@ internal static class DerivativesLab
     public static Command Create(Terminal terminal)
     {
         Option<long> flights = Arguments.Whole("--flights", "Flights of each kind.", 1, 1_000_000, 3);
+        Option<long> step = Arguments.Whole("--step", "Length of a step, ms.", 1, 20, 10);
         return LabOptions.Create(
             "derivatives",
             "How place and time of the end change with the launch: random flights of both profiles, through bounces, posts, nets and slopes, against central differences.",
             ["football lab derivatives", "football lab derivatives --flights 2 --seed 7"],
             terminal,
-            (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(flights), progress),
-            flights);
+            (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(flights), 0.001 * parsed.GetValue(step), progress),
+            flights,
+            step);
     }
 
-    private static LabReport Run(long seed, int flights, Progress progress)
+    private static LabReport Run(long seed, int flights, double timeStep, Progress progress)
     {
         var table = new LabTable(
-            "Derivatives by the launch: error of the largest entry of a block, at RK4 10 ms",
+            FormattableString.Invariant($"Derivatives by the launch: error of the largest entry of a block, at RK4 {1000 * timeStep:0} ms"),
             "kind", "flights", "undecided", "impacts", "slides", "nets", "median", "90 %", "worst", "within 1e-6, %", "within 1e-5, %", "verdict");
         var report = new LabReport { Name = "derivatives", Seed = seed, Tables = { table } };
         foreach (DerivativesKind kind in Enum.GetValues<DerivativesKind>())
         {
-            var check = new DerivativesCheck(kind);
+            var check = new DerivativesCheck(kind, timeStep);
             for (int i = 0; i < flights; i++)
             {
                 progress.Report(((int)kind * flights) + i, 5 * flights, () => kind.ToString());

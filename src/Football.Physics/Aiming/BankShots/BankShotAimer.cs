@@ -2,8 +2,8 @@ namespace Football.Physics;
 
 /// <summary>Finds kicks that reach a target after bounces, and off named things: one bounce and in, off the wall, in off the post.</summary>
 /// <remarks>
-/// Kicks over the directions that can meet the first thing are flown in long steps; from the closest of those that meet all of them, Newton's method goes on
-/// through the impacts with the derivatives by the launch. Made once for a scene and used again. Not for several threads at once.
+/// Kicks over the directions that can meet the first thing are flown in long steps, few at first, more where those lead to no hit; from the closest of those that meet
+/// all of them, Newton's method goes on through the impacts with the derivatives by the launch. Made once for a scene and used again. Not for several threads at once.
 /// </remarks>
 public sealed class BankShotAimer
 {
@@ -14,8 +14,10 @@ public sealed class BankShotAimer
     /// <summary>A kick is given up after this, s.</summary>
     private const double LongestFlight = 8;
 
-    private const int Directions = 40;
-    private const int Elevations = 60;
+    /// <summary>The looks, from the widest to the closest: so many directions and elevations, each look twice as close as the one before.</summary>
+    private const int Looks = 4;
+    private const int Directions = 5;
+    private const int Elevations = 8;
     private const int Starts = 8;
     private const int MostHalvings = 8;
 
@@ -64,15 +66,20 @@ public sealed class BankShotAimer
         _simulations = 0;
         _iterations = 0;
         var frame = new TargetFrame(Raised(request.From), Raised(request.Target));
-        BankShotStart best = Look(request, in frame, things);
-        for (int i = 0; i < _count && !(best.Miss <= request.Tolerance && best.IsFine); i++)
+        BankShotStart best = Nothing(request, in frame);
+        for (int look = 0; look < Looks && !IsHit(request, in best); look++)
         {
-            BankShotStart found = Improve(request, in frame, things, in _starts[i]);
-            best = found.IsFine && (!best.IsFine || found.Miss < best.Miss) ? found : best;
+            BankShotStart closest = Look(request, in frame, things, 1 << look);
+            best = !best.IsFine && closest.Miss < best.Miss ? closest : best;
+            for (int i = 0; i < _count && !IsHit(request, in best); i++)
+            {
+                BankShotStart found = Improve(request, in frame, things, in _starts[i]);
+                best = found.IsFine && (!best.IsFine || found.Miss < best.Miss) ? found : best;
+            }
         }
 
         best.Kick.Vectors(request.Speed, frame.Forward, out Vector3d velocity, out Vector3d spin);
-        bool hits = best.IsFine && best.Miss <= request.Tolerance;
+        bool hits = IsHit(request, in best);
         var measured = new MeasuredMiss(best.Miss, null, best.Time, best.Position);
         return new AimResult(hits ? AimStatus.Hit : AimStatus.NotConverged, in velocity, in spin, in measured, AimArc.Low, rolls: false, _iterations, _simulations, blockedBy: null);
     }
@@ -107,27 +114,45 @@ public sealed class BankShotAimer
         return things;
     }
 
+    private static bool IsHit(AimRequest request, in BankShotStart shot) => shot.IsFine && shot.Miss <= request.Tolerance;
+
+    /// <summary>A kick that meets nothing, for want of a better one.</summary>
+    private static BankShotStart Nothing(AimRequest request, in TargetFrame frame)
+    {
+        BankShotStart nothing = default;
+        nothing.Kick = Kick(request, ElevationBounds.Of(request).Clamp(0.3), 0);
+        nothing.Miss = Vector3d.Distance(frame.From, in frame.Target);
+        nothing.Position = frame.From;
+        return nothing;
+    }
+
     /// <summary>Flies kicks over all directions of use, and keeps the closest of those that meet everything.</summary>
-    /// <returns>The closest of all, for want of a better one.</returns>
-    private BankShotStart Look(AimRequest request, in TargetFrame frame, int[] things)
+    /// <returns>The closest of all.</returns>
+    private BankShotStart Look(AimRequest request, in TargetFrame frame, int[] things, int closeness)
     {
         _count = 0;
         var bounds = ElevationBounds.Of(request);
         BankShotStart best = default;
-        best.Kick = Kick(request, bounds.Clamp(0.3), 0);
-        best.Miss = Vector3d.Distance(frame.From, in frame.Target);
-        best.Position = frame.From;
+        best.Miss = double.MaxValue;
         Azimuths(in frame, things, out double from, out double to);
-        for (int i = 0; i <= Directions; i++)
+        int directions = Directions * closeness;
+        int elevations = Elevations * closeness;
+        for (int i = 0; i <= directions; i++)
         {
-            for (int j = 0; j <= Elevations; j++)
+            for (int j = 0; j <= elevations; j++)
             {
-                Kick kick = Kick(request, bounds.Lowest + ((bounds.Highest - bounds.Lowest) * j / Elevations), from + ((to - from) * i / Directions));
+                // What a wider look has flown need not be flown again.
+                if (closeness > 1 && (i & 1) == 0 && (j & 1) == 0)
+                {
+                    continue;
+                }
+
+                Kick kick = Kick(request, bounds.Lowest + ((bounds.Highest - bounds.Lowest) * j / elevations), from + ((to - from) * i / directions));
                 BankShotStart shot = Fly(request, in frame, things, in kick, CoarseStep);
                 if (shot.Meets)
                 {
                     Keep(in shot);
-                    best = !best.Meets || shot.Miss < best.Miss ? shot : best;
+                    best = shot.Miss < best.Miss ? shot : best;
                 }
             }
         }

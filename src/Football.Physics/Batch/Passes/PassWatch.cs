@@ -70,11 +70,18 @@ internal sealed class PassWatch : LaneWatch
         double startY = _from.Y + (time * _wind.Y);
         double startZ = _from.Z + (time * _wind.Z);
         LaneState now = group.Now;
+        float[] heights = now.Py;
         for (int at = 0; at < group.Flying; at++)
         {
+            // Most are far too high for anyone.
+            double y = startY + heights[at];
+            if (y < _lowest || y > _highest)
+            {
+                continue;
+            }
+
             int ball = group.Ball[at];
-            double y = startY + now.Py[at];
-            if (Time[ball] != 0 || y < _lowest || y > _highest)
+            if (Time[ball] != 0)
             {
                 continue;
             }
