@@ -21,6 +21,9 @@ internal readonly struct ContactSearch
     /// <summary>No walk takes steps shorter than this share of the path.</summary>
     private const double ShortestShare = 1e-7;
 
+    /// <summary>The same, s: in a piece that is shorter still nothing is met but at its start.</summary>
+    private const double ShortestStep = 1e-300;
+
     private readonly World _world;
     private readonly PathCubic _path;
     private readonly Bounds3d _bounds;
@@ -125,7 +128,7 @@ internal readonly struct ContactSearch
         double speed = path.FastestSpeed;
         double hollow = collider.HollowCurvature;
         double bend = _bend + (hollow > 0 ? speed * speed * hollow / (1.0 - ((1.0 + NearHollow) * r * hollow)) : 0);
-        double shortest = ShortestShare * path.Length;
+        double shortest = Math.Max(ShortestShare * path.Length, ShortestStep);
         double t = 0;
         while (true)
         {
@@ -161,7 +164,7 @@ internal readonly struct ContactSearch
     /// <summary>When a gap that is linear in the place falls to zero; infinite where it does not, or has already.</summary>
     private double Fall(in Gap sought, double until)
     {
-        double shortest = ShortestShare * _path.Length;
+        double shortest = Math.Max(ShortestShare * _path.Length, ShortestStep);
         double t = 0;
         while (true)
         {
@@ -192,7 +195,7 @@ internal readonly struct ContactSearch
     private double MeetsNet(int index, double until, out Gap gap)
     {
         NetSheet net = _world.Nets[index];
-        double shortest = ShortestShare * _path.Length;
+        double shortest = Math.Max(ShortestShare * _path.Length, ShortestStep);
         double t = 0;
         gap = default;
         double side = net.PlaceInFrame(_path.At(0)).Z < 0 ? -1.0 : 1.0;

@@ -100,7 +100,7 @@ internal sealed class ImplicitPhase<TAir>
         double at = FirstMet(in s, in step.From, in end, h, out Gap met);
         bool meets = at <= h;
 
-        // The velocity at a contact is that of a piece that ends there; where no piece does, the longest that meets nothing is taken.
+        // The velocity at a contact is that of a piece that ends there; where no piece does, the longest that meets nothing is taken, while a step has pieces left.
         double none = 0;
         Motion free = step.From;
         for (int i = 0; i < MostTries && meets && at < h * (1.0 - 1e-9); i++)
@@ -123,7 +123,7 @@ internal sealed class ImplicitPhase<TAir>
             }
         }
 
-        if (none > 0 && at < 0.5 * h)
+        if (none > 0 && at < 0.5 * h && run.Pieces <= StepRun.MostPieces)
         {
             meets = false;
             end = free;

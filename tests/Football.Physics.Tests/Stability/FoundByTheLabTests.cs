@@ -246,6 +246,15 @@ public sealed class FoundByTheLabTests
         Assert.Equal(0, done.ExitCode);
     }
 
+    /// <summary>A ball that the air lifts as long as it lies, and drops as soon as it does not, came down 1e10 times in a step; and one of 1e-322 s was never searched to its end.</summary>
+    [Fact]
+    public void A_step_ends_even_where_a_ball_is_lifted_and_dropped_without_end()
+    {
+        var done = Headless.FootballCommand.Run("", "lab", "stability", "--profile", "measured", "--seed", "4", "--scene", "8323");
+        Assert.Contains("holds", done.Error);
+        Assert.Equal(0, done.ExitCode);
+    }
+
     private static double Energy(Scene scene, in BallState s) =>
         0.5 * ((scene.Ball.Mass * s.Velocity.LengthSquared) + (scene.Ball.MomentOfInertia * s.Spin.LengthSquared));
 }
