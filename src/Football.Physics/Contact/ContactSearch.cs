@@ -128,7 +128,7 @@ internal readonly struct ContactSearch
         double speed = path.FastestSpeed;
         double hollow = collider.HollowCurvature;
         double bend = _bend + (hollow > 0 ? speed * speed * hollow / (1.0 - ((1.0 + NearHollow) * r * hollow)) : 0);
-        double shortest = Math.Max(ShortestShare * path.Length, ShortestStep);
+        double shortest = ShortestOf(in path);
         double t = 0;
         while (true)
         {
@@ -164,7 +164,7 @@ internal readonly struct ContactSearch
     /// <summary>When a gap that is linear in the place falls to zero; infinite where it does not, or has already.</summary>
     private double Fall(in Gap sought, double until)
     {
-        double shortest = Math.Max(ShortestShare * _path.Length, ShortestStep);
+        double shortest = ShortestOf(in _path);
         double t = 0;
         while (true)
         {
@@ -195,7 +195,7 @@ internal readonly struct ContactSearch
     private double MeetsNet(int index, double until, out Gap gap)
     {
         NetSheet net = _world.Nets[index];
-        double shortest = Math.Max(ShortestShare * _path.Length, ShortestStep);
+        double shortest = ShortestOf(in _path);
         double t = 0;
         gap = default;
         double side = net.PlaceInFrame(_path.At(0)).Z < 0 ? -1.0 : 1.0;
@@ -244,6 +244,9 @@ internal readonly struct ContactSearch
             gap = Gap.OfMeetingNet(_world, index, axis, sign, side);
         }
     }
+
+    /// <summary>The shortest step of a walk along a path, s: so that every walk ends.</summary>
+    private static double ShortestOf(in PathCubic path) => Math.Max(ShortestShare * path.Length, ShortestStep);
 
     /// <summary>From a gap that is closed and does not get smaller: until it may, or until it may be smaller by as much again as counts as closed, ½ M s².</summary>
     private static double Along(double rate, double bend) =>

@@ -19,8 +19,7 @@ internal static class TimeOfImpact
     }
 
     /// <summary>Shortens a step that ends below contact by the thesis' recursive search (2.4.4): halve until the halving is no longer than the tolerance.</summary>
-    /// <returns>True: it has touched the ground.</returns>
-    public static bool Bisection<TSweep>(ref TSweep sweep, double h, double tolerance, double contact)
+    public static void Bisection<TSweep>(ref TSweep sweep, double h, double tolerance, double contact)
         where TSweep : struct, ISweep
     {
         double tau = h;
@@ -41,7 +40,6 @@ internal static class TimeOfImpact
         }
 
         sweep.Step(tau);
-        return true;
     }
 
     /// <summary>The height above contact, on its way down.</summary>

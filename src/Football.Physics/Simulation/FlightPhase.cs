@@ -190,6 +190,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         bool hit = !meets && EndAtGround(ref sweep, in s);
         if (!meets && !hit)
         {
+            // What was halved for forces that turn the ball round stays so short in this step.
             run.Keep(sweep.Length, length);
         }
 
@@ -245,7 +246,12 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         }
 
         TSweep whole = sweep;
-        bool touches = exact ? TimeOfImpact.Exact(ref sweep, _integrator, in arc, contact) : TimeOfImpact.Bisection(ref sweep, h, _settings.CollisionTolerance, contact);
+        bool touches = !exact || TimeOfImpact.Exact(ref sweep, _integrator, in arc, contact);
+        if (!exact)
+        {
+            TimeOfImpact.Bisection(ref sweep, h, _settings.CollisionTolerance, contact);
+        }
+
         if (touches && (sweep.Velocity.Y <= Rising * Math.Abs(s.Velocity.Y) || sweep.Length <= ShortestPiece))
         {
             return true;
