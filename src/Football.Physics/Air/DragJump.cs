@@ -55,6 +55,11 @@ internal readonly struct DragJump
     public static DragJump Rate(in Motion at, in MotionRates rates, in Vector3d wind, double radius) => Rate(
         2.0 * Vector3d.Dot(at.Velocity - wind, rates.Acceleration), 2.0 * radius * radius * Vector3d.Dot(at.Spin, rates.SpinAcceleration));
 
+    /// <summary>The most that either rate can be for vectors of these lengths: 2 |u| |a| + 2 r² |ω| |ω̇| / 0.05².</summary>
+    public static double RateScale(in Motion at, in MotionRates rates, in Vector3d wind, double radius) => 2.0 * (
+        Math.Sqrt((at.Velocity - wind).LengthSquared * rates.Acceleration.LengthSquared)
+        + (SpinScale * radius * radius * Math.Sqrt(at.Spin.LengthSquared * rates.SpinAcceleration.LengthSquared)));
+
     /// <summary>The surfaces' functions on the ground.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static DragJump At(in PlanarMotion at, in Vector3d wind, double radius)

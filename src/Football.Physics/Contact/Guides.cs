@@ -110,6 +110,7 @@ internal struct Guides
     public readonly void Hold(World world, ref BallState s, in Vector3d pressed, in Vector3d free, Collider? carrier, int met)
     {
         bool moved = true;
+        int touched = met;
         for (int round = 0; round < MostRounds && moved; round++)
         {
             Vector3d surface = carrier is null ? Vector3d.Zero : carrier.Hold(ref s, world.Ball.Radius);
@@ -135,9 +136,11 @@ internal struct Guides
                 }
             }
 
-            if (met >= 0)
+            // Put onto its guides the ball may be in what it had all but touched.
+            touched = touched < 0 && moved ? NearThings.Deepest(world, in s, out _) : touched;
+            if (touched >= 0)
             {
-                ShapePoint at = world.Colliders[met].At(s.Position, s.Time);
+                ShapePoint at = world.Colliders[touched].At(s.Position, s.Time);
                 double gap = at.Distance - world.Ball.Radius;
                 if (Math.Abs(gap) > Closed && Way(at.Normal, in surface, out Vector3d way))
                 {

@@ -64,6 +64,8 @@ internal struct CarriedMargin<TAir, TIntegrator> : IFunction
     /// <returns>Whether it ends beyond a jump of one of them, as at an edge.</returns>
     public static bool EndPiece(ref MotionSweep<CarriedSystem<TAir>, TIntegrator> sweep, in BallState s, bool rolls)
     {
+        // The same length beyond the edge for all: one of them after the other would come back before it.
+        double beyond = Beyond * sweep.Length;
         bool jumps = false;
         for (var what = CarriedLimit.Load; what <= CarriedLimit.Spin; what++)
         {
@@ -86,7 +88,7 @@ internal struct CarriedMargin<TAir, TIntegrator> : IFunction
                 jumps = Math.Abs(margin.Of(in margin.Sweep.Taken.End, x)) > Jump * start;
                 if (jumps)
                 {
-                    margin.Sweep.Step(Math.Min(sweep.Length, x + (Beyond * sweep.Length)));
+                    margin.Sweep.Step(Math.Min(sweep.Length, x + beyond));
                 }
 
                 sweep = margin.Sweep;

@@ -9,6 +9,9 @@ namespace Football.Physics;
 internal sealed class DragJumpGuard<TAir>
     where TAir : struct, IAir
 {
+    /// <summary>A rate across a surface is not known to more than this share of the products that it is summed of.</summary>
+    private const double Rounding = 1e-14;
+
     private readonly FlightSystem<TAir> _flight;
 
     public DragJumpGuard(Surroundings<TAir> around, bool locates)
@@ -186,8 +189,10 @@ internal sealed class DragJumpGuard<TAir>
         double a = here.NearerToSpeed ? inside.Speed : inside.Spin;
         double b = here.NearerToSpeed ? outside.Speed : outside.Spin;
 
-        // a: how the law with spin moves across the surface towards its own side; b: how the law without does.
-        return a < 0 && b > 0 && share > 0 && share < 1 ? along
+        // a: how the law with spin moves across the surface towards its own side; b: how the law without does. A ball whose speed nothing
+        // changes (lift alone, no drag, no gravity) moves neither way: rates of rounding are no reason to follow the surface.
+        double rounding = Rounding * system.JumpRateScale(in at, in spinning);
+        return a < -rounding && b > rounding && share > 0 && share < 1 ? along
             : a > 0 && b > 0 ? DragBranch.Spinning
             : a < 0 && b < 0 ? DragBranch.NoSpin
             : s.Branch == DragBranch.Spinning ? DragBranch.NoSpin : DragBranch.Spinning;

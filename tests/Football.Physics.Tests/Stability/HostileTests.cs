@@ -50,7 +50,7 @@ public sealed class HostileTests
     /// <summary>
     /// A spin decay that grew beyond friction while a slide ended in closed form, a slide without friction that the air's hold on no spin turned, balls that rose at their
     /// impact by bisection or by rounding, friction that drove a ball into drag far too strong for the piece, a step of 25 million evaluations, an angle that
-    /// a snapshot refused, and an impact some nanoseconds before its step.
+    /// a snapshot refused, an impact some nanoseconds before its step, and a flight without drag that followed the drag law's jump by rounding.
     /// </summary>
     [Theory]
     [InlineData(30027924)]
@@ -63,6 +63,7 @@ public sealed class HostileTests
     [InlineData(30021615)]
     [InlineData(100007440)]
     [InlineData(100069242)]
+    [InlineData(101032772)]
     public void A_scene_that_the_lab_found_holds(int number)
     {
         var run = new HostileRun();

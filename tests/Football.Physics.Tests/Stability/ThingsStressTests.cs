@@ -34,6 +34,9 @@ public sealed class ThingsStressTests
     [InlineData(3, 48907, "the same between a wall that carries the ball and the ground")]
     [InlineData(4, 24019, "in a sharp corner the ball was put out of one surface into the other")]
     [InlineData(8, 58601, "put back onto the ground a ball was in the wall that it was just leaving")]
+    [InlineData(201, 70241, "put back onto a slope a flight was in the wall that it had just left")]
+    [InlineData(201, 95681, "put back onto a post that it slid along, a flight was in the ground")]
+    [InlineData(203, 84824, "two limits ended at one edge, the second before it: pieces without length")]
     public void What_the_laboratory_found_once_holds(int seed, int index, string wrong)
     {
         ThingsRun run = ThingsRun.Play(seed, index);

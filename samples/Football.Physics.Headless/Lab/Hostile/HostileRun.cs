@@ -9,7 +9,7 @@ internal sealed class HostileRun
     private const long MostEvaluations = 100_000;
 
     /// <summary>How often a frame that seems the slowest is played again.</summary>
-    private const int Again = 4;
+    private const int Again = 20;
 
     private readonly Lock _lock = new();
 
