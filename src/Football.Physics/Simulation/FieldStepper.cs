@@ -10,7 +10,6 @@ namespace Football.Physics;
 internal sealed class FieldStepper<TIntegrator> : Stepper<FieldAir, TIntegrator>
     where TIntegrator : struct, IIntegrator
 {
-    private readonly FieldSystem _system;
     private readonly StabilityLimit _limit;
     private readonly double _contactHeight;
     private readonly double _fastestWind;
@@ -20,7 +19,6 @@ internal sealed class FieldStepper<TIntegrator> : Stepper<FieldAir, TIntegrator>
         : base(scene, settings, in air)
     {
         _integrator = default;
-        _system = new FieldSystem { Air = Around.Air, Wind = Around.Wind, Upward = Around.Upward };
         _limit = StabilityLimit.Of(scene, ref Around.Air, Around.Upward, _integrator.Order);
         _contactHeight = Around.LevelContact;
         _fastestWind = Around.Air.FastestWind;
@@ -41,7 +39,7 @@ internal sealed class FieldStepper<TIntegrator> : Stepper<FieldAir, TIntegrator>
     {
         // The bound of the change errs towards no, as the guards do: the ground, a dip through it, the end of the spin.
         var from = new FieldMotion(in s);
-        double most = (from.Velocity - _system.Wind).Length + _fastestWind;
+        double most = (from.Velocity - Around.Wind).Length + _fastestWind;
         if (dt * _limit.RateAtMost(most, from.SpinRate) > StabilityLimit.LargestChange || (from.Y <= _contactHeight && from.VY < 0))
         {
             return false;
@@ -52,8 +50,7 @@ internal sealed class FieldStepper<TIntegrator> : Stepper<FieldAir, TIntegrator>
             return false;
         }
 
-        FieldSystem system = _system;
-        system.Axis = s.Flight.Axis;
+        var system = new FieldSystem { Around = Around, Axis = s.Flight.Axis };
         _integrator.Advance(ref system, s.Time, in from, dt, out FieldStep step);
         log.Evaluations += _integrator.Stages;
         if (step.End.Y < _contactHeight || (from.VY < 0 && step.End.VY > 0) || step.End.SpinRate < 0)

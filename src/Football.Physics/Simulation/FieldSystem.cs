@@ -5,14 +5,8 @@ namespace Football.Physics;
 /// <summary>A ball in flight in air whose wind depends on place or time, or with a knuckle force, along a constant axis of the spin.</summary>
 internal struct FieldSystem : IFieldSystem
 {
-    /// <summary>The air.</summary>
-    public FieldAir Air;
-
-    /// <summary>Steady wind, m/s.</summary>
-    public Vector3d Wind;
-
-    /// <summary>Upward acceleration by gravity and buoyancy, m/s².</summary>
-    public double Upward;
+    /// <summary>The air, the steady wind, gravity and buoyancy.</summary>
+    public Surroundings<FieldAir> Around;
 
     /// <summary>Unit axis of the spin.</summary>
     public Vector3d Axis;
@@ -20,19 +14,20 @@ internal struct FieldSystem : IFieldSystem
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Rates(double time, in FieldMotion at, out FieldRates rates)
     {
-        Vector3d wind = Air.WindAt(time, at.Position);
-        double ux = at.VX - Wind.X - wind.X;
-        double uy = at.VY - Wind.Y - wind.Y;
-        double uz = at.VZ - Wind.Z - wind.Z;
+        ref FieldAir air = ref Around.Air;
+        Vector3d wind = air.WindAt(time, at.Position);
+        double ux = at.VX - Around.Wind.X - wind.X;
+        double uy = at.VY - Around.Wind.Y - wind.Y;
+        double uz = at.VZ - Around.Wind.Z - wind.Z;
         double cx = (Axis.Y * uz) - (Axis.Z * uy);
         double cy = (Axis.Z * ux) - (Axis.X * uz);
         double cz = (Axis.X * uy) - (Axis.Y * ux);
-        Air.AtPoint((ux * ux) + (uy * uy) + (uz * uz), at.SpinRate, (cx * cx) + (cy * cy) + (cz * cz), out double drag, out double lift, out double decay);
-        Vector3d side = Air.Side(new Vector3d(ux, uy, uz), at.SpinRate * Axis, at.AirDistance, out rates.AirSpeed);
+        air.AtPoint((ux * ux) + (uy * uy) + (uz * uz), at.SpinRate, (cx * cx) + (cy * cy) + (cz * cz), out double drag, out double lift, out double decay);
+        Vector3d side = air.Side(new Vector3d(ux, uy, uz), at.SpinRate * Axis, at.AirDistance, out rates.AirSpeed);
 
         // v̇ = L (n × u) − D u + g + F_K/m,  ω̇ = −decay
         rates.AX = (lift * cx) - (drag * ux) + side.X;
-        rates.AY = (lift * cy) - (drag * uy) + side.Y + Upward;
+        rates.AY = (lift * cy) - (drag * uy) + side.Y + Around.Upward;
         rates.AZ = (lift * cz) - (drag * uz) + side.Z;
         rates.SpinAcceleration = -decay;
     }
