@@ -8,7 +8,7 @@ internal sealed class World
 {
     private readonly string[] _names;
     /// <summary>Around what moves by itself: the first of <see cref="Moving"/>, for bodies are its last.</summary>
-    private readonly MovingSphere[] _movers;
+    private readonly MovingSpheres _movers = new();
 
     private World(Scene scene)
     {
@@ -49,7 +49,11 @@ internal sealed class World
         IsLevelGroundAlone = IsLevel && HasNothing(scene);
         LevelContact = scene.Ground.IsNone || !scene.Ground.IsLevel ? double.NegativeInfinity : scene.Ground.Height + Ball.Radius;
         Moving = [.. Of(collider => collider.Moves).Where(i => Engine is null || !Engine.Has(i))];
-        _movers = [.. Moving.Select(i => Colliders[i]).Where(collider => !collider.IsBody).Select(collider => new MovingSphere(in collider.Bounds, collider.Velocity))];
+        foreach (Collider collider in Moving.Select(i => Colliders[i]).Where(collider => !collider.IsBody))
+        {
+            _movers.Add(in collider.Bounds, collider.Velocity);
+        }
+
         Unbounded = Of(collider => !collider.Moves && !collider.Bounds.IsFinite);
         Leaves =
         [
@@ -166,13 +170,10 @@ internal sealed class World
             }
         }
 
-        for (int i = 0; i < _movers.Length; i++)
+        for (int i = 0; _movers.Next(in middle, reach, way.Time + half, half, ref i); i++)
         {
-            if (_movers[i].MayMeet(in middle, reach, way.Time + half, half))
-            {
-                Collider collider = Colliders[Moving[i]];
-                free = Math.Min(free, way.SeenFrom(collider.Velocity).Meets(collider.BoundsAt(way.Time)));
-            }
+            Collider collider = Colliders[Moving[i]];
+            free = Math.Min(free, way.SeenFrom(collider.Velocity).Meets(collider.BoundsAt(way.Time)));
         }
 
         return free;

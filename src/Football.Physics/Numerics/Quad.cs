@@ -35,6 +35,14 @@ internal readonly struct Quad
     /// <summary>The same number four times.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quad Of(double x) => new(Vector256.Create(x));
+
+    /// <summary>Four numbers of an array.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Quad From(double[] numbers, int first) => new(Vector256.LoadUnsafe(ref numbers[first]));
+
+    /// <summary>Whether each is greater than the other.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool IsAbove(Quad other) => Vector256.GreaterThanAll(_v, other._v);
 #else
     private readonly double _a;
     private readonly double _b;
@@ -65,5 +73,13 @@ internal readonly struct Quad
     /// <summary>The same number four times.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quad Of(double x) => new(x, x, x, x);
+
+    /// <summary>Four numbers of an array.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Quad From(double[] numbers, int first) => new(numbers[first], numbers[first + 1], numbers[first + 2], numbers[first + 3]);
+
+    /// <summary>Whether each is greater than the other.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool IsAbove(Quad other) => _a > other._a && _b > other._b && _c > other._c && _d > other._d;
 #endif
 }

@@ -13,7 +13,7 @@ public sealed class Bodies : IReadOnlyList<Body>
     internal const double Foresight = 0.25;
 
     private readonly List<Body> _bodies = [];
-    private MovingSphere[] _movers = [];
+    private readonly MovingSpheres _movers = new();
     private RigidMotion[] _kept = [];
     private bool _inUse;
     private double _tick = double.NaN;
@@ -44,9 +44,8 @@ public sealed class Bodies : IReadOnlyList<Body>
 
         var body = new Body(this, _bodies.Count, name, shape, surface ?? Surface.Boot);
         _bodies.Add(body);
-        Array.Resize(ref _movers, _bodies.Count);
         Array.Resize(ref _kept, _bodies.Count);
-        Update(body);
+        _movers.Add(body.BoundsAt(0), body.Velocity);
         return body;
     }
 
@@ -69,19 +68,16 @@ public sealed class Bodies : IReadOnlyList<Body>
         double time = way.Time + half;
         Vector3d middle = way.Middle;
         double reach = (half * way.Velocity.Length) + way.Around;
-        for (int i = 0; i < _movers.Length; i++)
+        for (int i = 0; _movers.Next(in middle, reach, time, half, ref i); i++)
         {
-            if (_movers[i].MayMeet(in middle, reach, time, half))
-            {
-                free = Math.Min(free, way.SeenFrom(_bodies[i].Velocity).Meets(_bodies[i].BoundsAt(way.Time)));
-            }
+            free = Math.Min(free, way.SeenFrom(_bodies[i].Velocity).Meets(_bodies[i].BoundsAt(way.Time)));
         }
 
         return free;
     }
 
     /// <summary>A body was added, or moved: what a quick look needs is kept in one place.</summary>
-    internal void Update(Body body) => _movers[body.Index] = new MovingSphere(body.BoundsAt(0), body.Velocity);
+    internal void Update(Body body) => _movers.Set(body.Index, body.BoundsAt(0), body.Velocity);
 
     /// <summary>Remembers where all are.</summary>
     internal void Keep()

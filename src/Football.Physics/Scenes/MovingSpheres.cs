@@ -1,0 +1,98 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>Spheres around things that move, four side by side, for a quick look: most are too far to be met, and that is seen of four at once.</summary>
+internal sealed class MovingSpheres
+{
+    private const int Lanes = 4;
+    private const int Fields = 8;
+
+    // Of each four their centers, velocities, radii and speeds, each four numbers one after the other; a lane without a thing is infinitely far.
+    private double[] _fours = [];
+    private int _count;
+
+    /// <summary>Makes room for one more, and puts it there.</summary>
+    /// <param name="box">A box around it, at time 0.</param>
+    /// <param name="velocity">Its velocity, m/s.</param>
+    public void Add(in Bounds3d box, in Vector3d velocity)
+    {
+        if (_count % Lanes == 0)
+        {
+            int start = _fours.Length;
+            Array.Resize(ref _fours, start + (Fields * Lanes));
+            for (int lane = 0; lane < Lanes; lane++)
+            {
+                _fours[start + lane] = double.PositiveInfinity;
+            }
+        }
+
+        Set(_count++, in box, in velocity);
+    }
+
+    /// <summary>Puts one elsewhere.</summary>
+    /// <param name="index">Which.</param>
+    /// <param name="box">A box around it, at time 0.</param>
+    /// <param name="velocity">Its velocity, m/s.</param>
+    public void Set(int index, in Bounds3d box, in Vector3d velocity)
+    {
+        Vector3d center = 0.5 * (box.Min + box.Max);
+        int i = FirstOf(index);
+        _fours[i] = center.X;
+        _fours[i + Lanes] = center.Y;
+        _fours[i + (2 * Lanes)] = center.Z;
+        _fours[i + (3 * Lanes)] = velocity.X;
+        _fours[i + (4 * Lanes)] = velocity.Y;
+        _fours[i + (5 * Lanes)] = velocity.Z;
+        _fours[i + (6 * Lanes)] = 0.5 * (box.Max - box.Min).Length;
+        _fours[i + (7 * Lanes)] = Math.Abs(velocity.X) + Math.Abs(velocity.Y) + Math.Abs(velocity.Z);
+    }
+
+    /// <summary>Goes on to the next that may be met on a way.</summary>
+    /// <param name="middle">The middle of the way, m.</param>
+    /// <param name="reach">How far the way goes from there, and what lies around it, m.</param>
+    /// <param name="time">When the ball is in the middle, s.</param>
+    /// <param name="half">How long it goes from there, s.</param>
+    /// <param name="index">Where to look first; then which it is.</param>
+    /// <returns>False where there is none.</returns>
+    public bool Next(in Vector3d middle, double reach, double time, double half, ref int index)
+    {
+        for (; index < _count; index++)
+        {
+            if (index % Lanes == 0 && AreFar(index, in middle, reach, time, half))
+            {
+                index += Lanes - 1;
+            }
+            else if (!IsFar(index, in middle, reach, time, half))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private static int FirstOf(int index) => (index / Lanes * (Fields * Lanes)) + (index % Lanes);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private bool AreFar(int first, in Vector3d middle, double reach, double time, double half)
+    {
+        int i = FirstOf(first);
+        var t = Quad.Of(time);
+        Quad x = Quad.From(_fours, i) + (t * Quad.From(_fours, i + (3 * Lanes))) - Quad.Of(middle.X);
+        Quad y = Quad.From(_fours, i + Lanes) + (t * Quad.From(_fours, i + (4 * Lanes))) - Quad.Of(middle.Y);
+        Quad z = Quad.From(_fours, i + (2 * Lanes)) + (t * Quad.From(_fours, i + (5 * Lanes))) - Quad.Of(middle.Z);
+        Quad near = Quad.Of(reach) + Quad.From(_fours, i + (6 * Lanes)) + (Quad.Of(half) * Quad.From(_fours, i + (7 * Lanes)));
+        return ((x * x) + (y * y) + (z * z)).IsAbove(near * near);
+    }
+
+    private bool IsFar(int index, in Vector3d middle, double reach, double time, double half)
+    {
+        int i = FirstOf(index);
+        double x = _fours[i] + (time * _fours[i + (3 * Lanes)]) - middle.X;
+        double y = _fours[i + Lanes] + (time * _fours[i + (4 * Lanes)]) - middle.Y;
+        double z = _fours[i + (2 * Lanes)] + (time * _fours[i + (5 * Lanes)]) - middle.Z;
+        double near = reach + _fours[i + (6 * Lanes)] + (half * _fours[i + (7 * Lanes)]);
+        return (x * x) + (y * y) + (z * z) > near * near;
+    }
+}
