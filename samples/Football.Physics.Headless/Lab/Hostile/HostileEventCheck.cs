@@ -72,7 +72,7 @@ internal static class HostileEventCheck
         double surface = frame.Scene.Scene.Ball.Radius * Math.Max(frame.Before.Spin.Length, item.SpinBefore.Length);
         double speed = frame.Fastest + surface + frame.Scene.Scene.Air.Wind.Length + 1e-9;
         double most = ((frame.Scene.Windy ? 10 : 3) * speed * time) + 1e-9 + (4 * HostileFrame.Ulp(1e6)) + (time * Math.Abs(frame.Scene.Upward) * frame.Length);
-        if (way > most && !frame.Scene.HasOwnForces && frame.Scene.Settings.RollingTransition == RollingTransition.Exact)
+        if (way > most && !frame.Scene.HasOwnForces && !frame.Scene.LiftsByWind && frame.Scene.Settings.RollingTransition == RollingTransition.Exact)
         {
             frame.FindMild("event too far on", way / most, $"{item.Kind} {way} m on after {time} s at up to {frame.Fastest} m/s");
         }
