@@ -24,7 +24,7 @@ internal sealed record HostileScene
     public bool Windy => Scene.Air.Wind != Vector3d.Zero;
 
     /// <summary>Whether a wind lifts a ball that spins as hard as the scene likes: then nothing bounds how fast it gets.</summary>
-    public bool LiftsByWind => Windy && Scene.Forces.Magnus == MagnusModel.Constant;
+    public bool LiftsByWind => Windy && Scene.Forces.Magnus == ForceLaw.Constant;
 
     public bool HasOwnForces => Scene.Forces.Custom.Count > 0;
 
