@@ -94,7 +94,7 @@ internal sealed class ImpactMap<TAir>
 
     private int Hit(ref BallState s, int thing)
     {
-        var run = new StepRun { Left = 1, Length = 1, End = s.Time + 1, Log = _log };
+        var run = new StepRun(1, s.Time, _log);
         if (_worldContact is null)
         {
             _contact.Impact(ref s, ref run);
@@ -118,7 +118,7 @@ internal sealed class ImpactMap<TAir>
 
     private void Roll(ref BallState s)
     {
-        var run = new StepRun { Left = 1, Length = 1, End = s.Time + 1, Log = _log };
+        var run = new StepRun(1, s.Time, _log);
         if (_worldContact is null)
         {
             _contact.StartRolling(ref s, ref run);

@@ -123,7 +123,7 @@ internal sealed class ImplicitPhase<TAir>
             }
         }
 
-        if (none > 0 && at < 0.5 * h && run.Pieces <= StepRun.MostPieces)
+        if (none > 0 && at < 0.5 * h && !run.IsSpent)
         {
             meets = false;
             end = free;

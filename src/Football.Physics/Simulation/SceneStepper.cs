@@ -271,7 +271,7 @@ internal class Stepper<TAir, TIntegrator> : Stepper
             return;
         }
 
-        var run = new StepRun { Left = dt, Length = dt, End = s.Time + dt, Log = log };
+        var run = new StepRun(dt, s.Time, log);
         TakePieces(ref s, ref run);
     }
 
@@ -282,7 +282,7 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         StepLogMark mark = log.Mark();
         try
         {
-            var run = new StepRun { Left = dt, Length = dt, End = s.Time + dt, Log = log };
+            var run = new StepRun(dt, s.Time, log);
             TakePieces(ref s, ref run);
             OwnForces.CheckOutcome(in s);
         }
@@ -298,7 +298,7 @@ internal class Stepper<TAir, TIntegrator> : Stepper
     [MethodImpl(MethodImplOptions.NoInlining)]
     private void FinishPieces(ref BallState s, double dt, StepLog log, in FlightStep taken)
     {
-        var run = new StepRun { Left = dt, Length = dt, End = s.Time + dt, Log = log };
+        var run = new StepRun(dt, s.Time, log);
         _flight.Finish(ref s, ref run, in taken, dt);
         if (!log.Halted)
         {
@@ -313,7 +313,7 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         _bodies?.Apply(ref s, ref run);
         while (run.Left > 0 && (s.Motion != MotionState.Stopped || _rest is not null))
         {
-            if (++run.Pieces > StepRun.MostPieces || run.Standing > MostStanding)
+            if (!run.Begin() || run.Standing > MostStanding)
             {
                 _implicit.TakeRest(ref s, ref run);
                 continue;

@@ -21,11 +21,32 @@ internal ref struct StepRun
     /// <summary>Where the step had to be divided: the length of its parts, s; else 0.</summary>
     public double Part;
 
-    /// <summary>Pieces of a step, whatever asks for them: the rest is taken by implicit Euler, so that every step ends.</summary>
-    public const int MostPieces = 1 << 11;
-
-    /// <summary>Impacts that one step may have. After them, and after its pieces, the ball stays on what it hits.</summary>
+    /// <summary>Impacts that one step may have. After them, and where the step is spent, the ball stays on what it hits.</summary>
     public const int MostImpacts = 256;
+
+    /// <summary>Pieces of a step, whatever asks for them.</summary>
+    private const int MostPieces = 1 << 11;
+
+    /// <summary>Evaluations of the forces in a step, whatever asks for them.</summary>
+    private const long MostEvaluations = 1 << 13;
+
+    private readonly long _lastEvaluation;
+
+    /// <summary>A step.</summary>
+    /// <param name="dt">Its length, s.</param>
+    /// <param name="time">When it starts, s.</param>
+    /// <param name="log">Where events and counts go.</param>
+    public StepRun(double dt, double time, StepLog log)
+    {
+        Left = dt;
+        Length = dt;
+        End = time + dt;
+        Log = log;
+        _lastEvaluation = log.Evaluations + MostEvaluations;
+    }
+
+    /// <summary>Whether it has had all pieces, or all evaluations, that a step may have: the rest is taken by implicit Euler, so that every step ends.</summary>
+    public readonly bool IsSpent => Pieces > MostPieces || Log.Evaluations > _lastEvaluation;
 
     /// <summary>Pieces so far.</summary>
     public int Pieces;
@@ -48,6 +69,14 @@ internal ref struct StepRun
     /// <summary>The length of the next part: what is left, or an equal share of it where the step had to be divided, s.</summary>
     public readonly double Next => Part > 0 && Left > Part ? Left / Math.Ceiling((Left / Part) - 1e-9) : Left;
 
+    /// <summary>Counts a piece before it is taken.</summary>
+    /// <returns>Whether it may be taken by the method.</returns>
+    public bool Begin()
+    {
+        Pieces++;
+        return !IsSpent;
+    }
+
     /// <summary>Keeps the length of a part that is shorter than what was asked for, s.</summary>
     public void Keep(double part, double asked) => Part = part < asked ? part : Part;
 
@@ -56,7 +85,7 @@ internal ref struct StepRun
     public bool Hit()
     {
         Part = 0;
-        return AllImpacts++ < MostImpacts && Pieces <= MostPieces;
+        return AllImpacts++ < MostImpacts && !IsSpent;
     }
 
     /// <summary>Counts a piece as done: the clock goes on, and the time left gets less.</summary>
