@@ -85,6 +85,16 @@ internal abstract class TimedProblem
         return kick;
     }
 
+    /// <summary>A first kick for another solution at the time of one that was found: where its horizontal direction is the opposite.</summary>
+    /// <param name="kick">The one that was found.</param>
+    /// <param name="across">The first kick.</param>
+    /// <returns>Whether there may be one.</returns>
+    public virtual bool Across(in TimedKick kick, out TimedKick across)
+    {
+        across = kick;
+        return false;
+    }
+
     private static TimedKick Slowed(TimedKick kick, double fastest)
     {
         double speed = kick.Velocity.Length;
