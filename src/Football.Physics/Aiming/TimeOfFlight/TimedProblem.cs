@@ -2,8 +2,8 @@ namespace Football.Physics;
 
 /// <summary>
 /// Lambert's problem for a ball: with which velocity must it be kicked to be at the target at a given time? For every time there is one such
-/// velocity, and it changes smoothly with the time, whatever the wind and however steep the kick: by it speeds, arcs and times of kicks are
-/// found where elevation and azimuth do not tell them apart.
+/// velocity, and it changes smoothly with the time, whatever the wind: by it speeds, arcs and times of kicks are found where elevation and
+/// azimuth do not tell them apart. Only a steep kick with topspin may have a second one, horizontally the other way.
 /// </summary>
 internal abstract class TimedProblem
 {
