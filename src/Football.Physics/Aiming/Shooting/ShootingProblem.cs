@@ -105,6 +105,13 @@ internal sealed class ShootingProblem
         IsFree[Share] = through;
     }
 
+    /// <summary>Asks for the point on the way, or for no more than the target.</summary>
+    public void AskThrough(bool through)
+    {
+        _passesThrough = through;
+        IsFree[Share] = through;
+    }
+
     /// <summary>Whether residuals are a hit, with room for what the steps of the flights are off.</summary>
     public bool IsHit(double[] r)
     {

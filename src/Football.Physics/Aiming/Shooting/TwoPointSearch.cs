@@ -41,6 +41,7 @@ internal sealed class TwoPointSearch
             return true;
         }
 
+        bool passes = Near(out solution);
         _scan.Clear();
         for (int spin = 0; spin < Spins; spin++)
         {
@@ -53,12 +54,46 @@ internal sealed class TwoPointSearch
         for (int start = 0; start < _scan.Count && !_problem.IsSpent; start++)
         {
             _scan.Start(start, _x);
-            if (_solver.Hit(_x, out solution))
+            if (_solver.Hit(_x, out AimSolution one))
             {
+                solution = one;
                 return true;
+            }
+
+            if (!passes && Near(out one))
+            {
+                solution = one;
+                passes = true;
             }
         }
 
-        return false;
+        return passes;
+    }
+
+    /// <summary>
+    /// Goes on to the target alone where a search ended close to both points: angles and spins that do almost the same make a valley, along which it comes closer and
+    /// closer, but too slowly.
+    /// </summary>
+    /// <param name="solution">The kick.</param>
+    /// <returns>Whether it hits the target, and passes the other point within its tolerance.</returns>
+    private bool Near(out AimSolution solution)
+    {
+        solution = default;
+        double tolerance = _problem.Request.ThroughTolerance;
+        double squares = 0;
+        foreach (double residual in _solver.Residuals)
+        {
+            squares += residual * residual;
+        }
+
+        if (!(squares < tolerance * tolerance))
+        {
+            return false;
+        }
+
+        _problem.AskThrough(false);
+        bool hits = _solver.Hit(_x, out solution) && solution.ThroughMiss <= tolerance;
+        _problem.AskThrough(true);
+        return hits;
     }
 }

@@ -30,12 +30,16 @@ internal sealed class LeastSpeed
             ref readonly TimedKick c = ref _speeds[at + 1];
             double left = b.Time - a.Time;
             double right = c.Time - b.Time;
-            double move = Vertex(left, right, b.Speed - a.Speed, b.Speed - c.Speed);
+            double known = a.Found && c.Found ? Math.Max(left, right) : a.Found ? left : right;
+            double move = a.Found && c.Found ? Vertex(left, right, b.Speed - a.Speed, b.Speed - c.Speed)
+                : a.Found ? Vertex(in b, -left, in a)
+                : c.Found ? Vertex(in b, right, in c)
+                : double.NaN;
             if (!double.IsFinite(move))
             {
                 move = left > right ? -0.5 * left : 0.5 * right;
             }
-            else if (Math.Max(left, right) < 0.2 * b.Time && Math.Abs(move) < TimeWidth * b.Time)
+            else if (known < 0.2 * b.Time && Math.Abs(move) < TimeWidth * b.Time)
             {
                 // What is left is of second order in the last move.
                 return at;
@@ -56,10 +60,6 @@ internal sealed class LeastSpeed
             }
 
             at = _speeds[added].Speed < speed ? added : added <= at ? at + 1 : at;
-            if (double.IsNaN(_speeds[added].Speed))
-            {
-                return at;
-            }
         }
 
         return at;
@@ -82,6 +82,17 @@ internal sealed class LeastSpeed
     /// <summary>The slower of a kick of the row and one that was added to it since.</summary>
     private int Slower(int at, int added) =>
         added < 0 ? at : added <= at ? (_speeds[added].Speed < _speeds[at + 1].Speed ? added : at + 1) : _speeds[added].Speed < _speeds[at].Speed ? added : at;
+
+    /// <summary>Where the parabola through two kicks, with the slope of the one, is least, from that one.</summary>
+    private double Vertex(in TimedKick one, double way, in TimedKick other)
+    {
+        // f(x) = f₀ + s x + k x²
+        TimedKick sharp = one;
+        _speeds.Problem.Sharpen(ref sharp);
+        double slope = sharp.Slope() / one.Time;
+        double curvature = (other.Speed - one.Speed - (slope * way)) / (way * way);
+        return curvature > 0 ? -0.5 * slope / curvature : double.NaN;
+    }
 
     /// <summary>Where the parabola through three points is least, from the middle one.</summary>
     private static double Vertex(double left, double right, double riseLeft, double riseRight)

@@ -57,7 +57,7 @@ internal sealed class SlowestNewton
             found = OnBound(ref kick);
         }
 
-        bool hits = found && TimedHits.IsAllowed(_flight, in kick, request.Speed) && _hits.IsHit(_flight, in kick, Math.Min(kick.Speed, request.Speed), out solution);
+        bool hits = found && !_flight.IsSteep(in kick) && TimedHits.IsAllowed(_flight, in kick, request.Speed) && _hits.IsHit(_flight, in kick, Math.Min(kick.Speed, request.Speed), out solution);
         solution.Arc = arc;
         return hits;
     }
@@ -88,13 +88,6 @@ internal sealed class SlowestNewton
         return (above - (2.0 * here) + below) / (width * width);
     }
 
-    /// <summary>How the speed changes with the logarithm of the time, along the kicks that hit.</summary>
-    private static double Slope(in TimedKick kick)
-    {
-        // J dv/dt = −ṗ
-        return kick.Jacobian.Solve(-kick.Arrival, out Vector3d rate) ? kick.Time * Vector3d.Dot(in kick.Velocity, in rate) / kick.Velocity.Length : double.NaN;
-    }
-
     /// <summary>The slowest kick without bounds, by Newton's method on the slope of its speed.</summary>
     private bool Least(ref TimedKick kick)
     {
@@ -107,7 +100,7 @@ internal sealed class SlowestNewton
         {
             _flight.Sharpen(ref kick);
             double curvature = ModelCurvature(kick.Time, 0.1, out _);
-            double move = -Slope(in kick) / curvature;
+            double move = -kick.Slope() / curvature;
             if (!(curvature > 0 && Math.Abs(move) < LargestChange))
             {
                 return false;
@@ -198,11 +191,11 @@ internal sealed class SlowestNewton
             return false;
         }
 
-        double slope = Slope(in kick) / speed;
+        double slope = kick.Slope() / speed;
         if (!(Math.Abs(slope) > ClearSlope))
         {
             _flight.Sharpen(ref kick);
-            slope = Slope(in kick) / speed;
+            slope = kick.Slope() / speed;
         }
 
         return isHighest ? slope < NoSlope : slope > -NoSlope;

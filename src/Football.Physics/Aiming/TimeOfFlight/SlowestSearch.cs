@@ -53,7 +53,7 @@ internal sealed class SlowestSearch
         _speeds.Begin(problem, fastest, _context.Upward);
         _speeds.Shorten(fastest);
         _speeds.Lengthen(fastest);
-        return SlowestOfRow(problem, ref solution);
+        return SlowestOfRow(problem, ref solution) | (_speeds.Cross(solution.Speed) && SlowestOfRow(problem, ref solution));
     }
 
     private bool SlowestOfRow(TimedProblem problem, ref AimSolution solution)
@@ -63,8 +63,7 @@ internal sealed class SlowestSearch
         // Either slower than its neighbours, or on the bounds.
         for (int i = 0; i < _speeds.Count; i++)
         {
-            bool bottom = (i == 0 || _speeds[i].Speed <= _speeds[i - 1].Speed) && (i == _speeds.Count - 1 || _speeds[i].Speed <= _speeds[i + 1].Speed);
-            if (bottom && (Keeps(problem, i - 1) || Keeps(problem, i) || Keeps(problem, i + 1)))
+            if (_speeds.IsBottom(i) && (MayKeep(problem, i, i - 1) || MayKeep(problem, i, i + 1)))
             {
                 i = _least.WithWaves(_least.At(i, enough: -1));
                 found |= Take(problem, _speeds[i], ref solution);
@@ -87,8 +86,14 @@ internal sealed class SlowestSearch
         return found;
     }
 
-    /// <summary>Whether a kick of the row keeps to the bounds.</summary>
-    private bool Keeps(TimedProblem problem, int at) => at >= 0 && at < _speeds.Count && _speeds[at].Found && problem.Violation(_speeds[at]) <= TimedHits.OffBounds;
+    /// <summary>Whether a kick of the row or one next to it keeps to the bounds, or may between them.</summary>
+    private bool MayKeep(TimedProblem problem, int at, int next)
+    {
+        bool known = next >= 0 && next < _speeds.Count && _speeds[next].Found;
+        return Keeps(problem, at) || (known && (Keeps(problem, next) || problem.PassesBounds(_speeds[at], _speeds[next], out _)));
+    }
+
+    private bool Keeps(TimedProblem problem, int at) => problem.Violation(_speeds[at]) <= TimedHits.OffBounds;
 
     /// <summary>Takes a kick for the slowest, if it is slower than that and hits.</summary>
     private bool Take(TimedProblem problem, in TimedKick kick, ref AimSolution slowest)

@@ -15,6 +15,9 @@ internal sealed class SpeedOverTime
     private readonly TimedKick[] _kicks = new TimedKick[64];
     private TimedProblem _problem;
 
+    /// <summary>Whether a kick that is next to none of the row is begun from the model.</summary>
+    private bool _hasModel;
+
     public SpeedOverTime(TimedProblem problem) => _problem = problem;
 
     /// <summary>How many kicks are known.</summary>
@@ -25,6 +28,9 @@ internal sealed class SpeedOverTime
     /// <summary>A kick, by rising time.</summary>
     public ref readonly TimedKick this[int index] => ref _kicks[index];
 
+    /// <summary>Whether none next to a kick of the row is slower, as far as is known.</summary>
+    public bool IsBottom(int at) => _kicks[at].Found && !(at > 0 && _kicks[at - 1].Speed < _kicks[at].Speed) && !(at < Count - 1 && _kicks[at + 1].Speed < _kicks[at].Speed);
+
     /// <summary>Begins with a kick that is neither fast and flat nor fast and steep.</summary>
     /// <param name="problem">What the kicks are to do.</param>
     /// <param name="fastest">The fastest kick of use, m/s.</param>
@@ -32,6 +38,7 @@ internal sealed class SpeedOverTime
     public void Begin(TimedProblem problem, double fastest, double upward)
     {
         _problem = problem;
+        _hasModel = true;
         Count = 0;
         double distance = (problem.Frame.Target - problem.Frame.From).Length;
 
@@ -50,7 +57,7 @@ internal sealed class SpeedOverTime
     /// <summary>Adds shorter times, until even shorter ones need more than the fastest speed.</summary>
     public void Shorten(double fastest)
     {
-        while (Count > 0 && Count < _kicks.Length - 24 && !IsBeyond(fastest, 0, 1) && Add(_kicks[0].Time / Ratio) >= 0)
+        while (GoesOn(0) && Count < _kicks.Length - 24 && !IsBeyond(fastest, 0, 1) && Add(_kicks[0].Time / Ratio) >= 0)
         {
         }
     }
@@ -58,10 +65,32 @@ internal sealed class SpeedOverTime
     /// <summary>Adds longer times, until even longer ones need more than the fastest speed.</summary>
     public void Lengthen(double fastest)
     {
-        while (Count > 0 && Count < _kicks.Length - 12 && !IsBeyond(fastest, Count - 1, Count - 2) && _kicks[Count - 1].Time < AimContext.LongestFlight
+        while (GoesOn(Count - 1) && Count < _kicks.Length - 12 && !IsBeyond(fastest, Count - 1, Count - 2) && _kicks[Count - 1].Time < AimContext.LongestFlight
             && Add(Math.Min(Ratio * _kicks[Count - 1].Time, AimContext.LongestFlight)) >= 0)
         {
         }
+    }
+
+    /// <summary>Goes over to the kicks at these times whose horizontal directions are the opposite ones, as far as there are any.</summary>
+    /// <param name="fastest">The fastest kick of use, m/s.</param>
+    /// <returns>Whether there are.</returns>
+    public bool Cross(double fastest)
+    {
+        _hasModel = false;
+        bool found = false;
+        for (int i = 0; i < Count; i++)
+        {
+            TimedKick kick = _kicks[i];
+            TimedKick other = kick;
+            bool crosses = kick.Found && _problem.Across(in kick, out other) && _problem.Solve(ref other)
+                && Vector3d.Dot(other.Velocity.Horizontal, kick.Velocity.Horizontal) < 0;
+            found |= crosses;
+            _kicks[i] = crosses ? other : new TimedKick { Time = kick.Time, Speed = double.NaN };
+        }
+
+        Shorten(fastest);
+        Lengthen(fastest);
+        return found;
     }
 
     /// <summary>Finds the kick for a time, and takes it into the row.</summary>
@@ -98,8 +127,13 @@ internal sealed class SpeedOverTime
             }
         }
 
+        if (nearest < 0 && !_hasModel)
+        {
+            return new TimedKick { Time = time, Speed = double.NaN };
+        }
+
         TimedKick kick = nearest < 0 ? _problem.Guess(time) : _kicks[nearest].At(time);
-        if (!_problem.Solve(ref kick) && nearest >= 0 && !double.IsPositiveInfinity(kick.Speed))
+        if (!_problem.Solve(ref kick) && nearest >= 0 && _hasModel && !double.IsPositiveInfinity(kick.Speed))
         {
             TimedKick again = _problem.Guess(time);
             kick = _problem.Solve(ref again) ? again : kick;
@@ -109,6 +143,9 @@ internal sealed class SpeedOverTime
     }
 
     private static double Distance(double one, double other) => one > other ? one / other : other / one;
+
+    /// <summary>Whether there may be kicks beyond an end of the row.</summary>
+    private bool GoesOn(int end) => Count > 0 && (_hasModel || _kicks[end].Found);
 
     private bool IsBeyond(double fastest, int outer, int inner)
     {

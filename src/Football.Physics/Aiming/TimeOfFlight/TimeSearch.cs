@@ -129,6 +129,12 @@ internal sealed class TimeSearch
             known |= found;
         }
 
+        if (kick.Found && problem.Across(in kick, out TimedKick across) && problem.Solve(ref across) && TimedHits.IsAllowed(problem, in across, problem.Request.Speed))
+        {
+            kick = across;
+            return true;
+        }
+
         return false;
     }
 
@@ -178,7 +184,7 @@ internal sealed class TimeSearch
     {
         for (int i = 1; i < _speeds.Count - 1; i++)
         {
-            if (_speeds[i].Speed <= _speeds[i - 1].Speed && _speeds[i].Speed <= _speeds[i + 1].Speed && _speeds[i].Speed > speed)
+            if (_speeds.IsBottom(i) && _speeds[i].Speed > speed)
             {
                 int least = _least.At(i, enough: speed);
                 if (_speeds[least].Speed <= speed || TimedHits.IsNearly(_speeds.Problem, _speeds[least], speed))

@@ -6,6 +6,9 @@ internal sealed class TimedFlight : TimedProblem
     /// <summary>Step of a flight that the air rules, s.</summary>
     private const double RuledByAirStep = 0.03;
 
+    /// <summary>Above this elevation, rad, topspin may push a ball further aside than it is kicked.</summary>
+    private const double SteepKick = 1.0;
+
     private readonly Simulator _simulator;
     private readonly StepLog _log = new();
     private double _step;
@@ -53,6 +56,37 @@ internal sealed class TimedFlight : TimedProblem
         }
 
         return Math.Max(violation - 1e-12, (contact - Tolerance - kick.Lowest) / Math.Max(kick.Speed * kick.Time, 1e-9));
+    }
+
+    /// <summary>Whether a kick is so steep that its topspin may make several of one.</summary>
+    public bool IsSteep(in TimedKick kick) => Top != 0 && Elevation(in kick) > SteepKick;
+
+    public override bool Across(in TimedKick kick, out TimedKick across)
+    {
+        across = kick;
+        double length = kick.Velocity.Horizontal.Length;
+        if (!IsSteep(in kick) || !(length > 0))
+        {
+            return false;
+        }
+
+        Sharpen(ref across);
+        Vector3d ahead = across.Velocity.Horizontal / length;
+        Vector3d left = Vector3d.Cross(Vector3d.Up, in ahead);
+
+        // A steep kick is pushed aside by its topspin, by L along its horizontal direction d̂: horizontally it gets to (A v + L) d̂, and with −d̂ to the same place
+        // where A v' + L = −(A v + L). A is the Jacobian along d̂, and (A v + L)/v that across it.
+        double along = Vector3d.Dot(across.Jacobian.Product(in ahead), in ahead);
+        double aside = Vector3d.Dot(across.Jacobian.Product(in left), in left);
+        double other = length * (1.0 - (2.0 * aside / along));
+        if (!(other > 0))
+        {
+            return false;
+        }
+
+        across.Velocity -= (length + other) * ahead;
+        across.Jacobian.Update(in left, -(length * aside / other) * left);
+        return true;
     }
 
     public override bool PassesBounds(in TimedKick one, in TimedKick other, out double between)

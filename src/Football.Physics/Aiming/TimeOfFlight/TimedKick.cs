@@ -27,6 +27,13 @@ internal struct TimedKick
     /// <summary>Speed of the kick, m/s; infinite where it is more than is worth knowing, not a number where it is not known.</summary>
     public double Speed;
 
+    /// <summary>How the speed changes with the logarithm of the time, m/s, along the kicks that hit; not a number where the Jacobian is singular.</summary>
+    public readonly double Slope()
+    {
+        // J dv/dt = −ṗ
+        return Jacobian.Solve(-Arrival, out Vector3d rate) ? Time * Vector3d.Dot(in Velocity, in rate) / Velocity.Length : double.NaN;
+    }
+
     /// <summary>The kick for a time a little later or earlier, to first order.</summary>
     public readonly TimedKick At(double time)
     {

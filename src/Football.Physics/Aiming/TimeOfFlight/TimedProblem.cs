@@ -2,8 +2,8 @@ namespace Football.Physics;
 
 /// <summary>
 /// Lambert's problem for a ball: with which velocity must it be kicked to be at the target at a given time? For every time there is one such
-/// velocity, and it changes smoothly with the time, whatever the wind and however steep the kick: by it speeds, arcs and times of kicks are
-/// found where elevation and azimuth do not tell them apart.
+/// velocity, and it changes smoothly with the time, whatever the wind: by it speeds, arcs and times of kicks are found where elevation and
+/// azimuth do not tell them apart. Only a steep kick with topspin may have a second one, horizontally the other way.
 /// </summary>
 internal abstract class TimedProblem
 {
@@ -83,6 +83,16 @@ internal abstract class TimedProblem
             _ => Request.Speed / Math.Max(straight.Length, 1e-9) * straight,
         };
         return kick;
+    }
+
+    /// <summary>A first kick for another solution at the time of one that was found: where its horizontal direction is the opposite.</summary>
+    /// <param name="kick">The one that was found.</param>
+    /// <param name="across">The first kick.</param>
+    /// <returns>Whether there may be one.</returns>
+    public virtual bool Across(in TimedKick kick, out TimedKick across)
+    {
+        across = kick;
+        return false;
     }
 
     private static TimedKick Slowed(TimedKick kick, double fastest)

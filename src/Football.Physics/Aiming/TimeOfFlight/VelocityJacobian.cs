@@ -45,6 +45,9 @@ internal struct VelocityJacobian
         return change.IsFinite;
     }
 
+    /// <summary>How the place moves with a change of the velocity: J Δv, m.</summary>
+    public readonly Vector3d Product(in Vector3d change) => (change.X * _byX) + (change.Y * _byY) + (change.Z * _byZ);
+
     /// <summary>Broyden's update after a change of the velocity moved the ball: J += (Δp − J Δv) Δvᵀ / |Δv|².</summary>
     public void Update(in Vector3d change, in Vector3d move)
     {
@@ -54,7 +57,7 @@ internal struct VelocityJacobian
             return;
         }
 
-        Vector3d error = (move - (change.X * _byX) - (change.Y * _byY) - (change.Z * _byZ)) / squared;
+        Vector3d error = (move - Product(in change)) / squared;
         _byX += change.X * error;
         _byY += change.Y * error;
         _byZ += change.Z * error;
