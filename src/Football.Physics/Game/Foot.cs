@@ -8,6 +8,11 @@ namespace Football.Physics;
 /// </remarks>
 public sealed record Foot
 {
+    /// <summary>Shares of a kick that are tried where the whole of it is too fast for the leg.</summary>
+    private const int Shares = 16;
+
+    private const int MostHalvings = 60;
+
     /// <summary>Effective mass M, kg. Above 0; default 1.9 (guess, 1.5 … 3).</summary>
     public double Mass { get; init; } = 1.9;
 
@@ -22,6 +27,9 @@ public sealed record Foot
     /// Asai et al. 2002 measured).
     /// </summary>
     public double Friction { get; init; } = 0.9;
+
+    /// <summary>How fast the foot can be, m/s: the limit of the leg. At least 0.01; default infinite, no limit. <see cref="Strike"/> does not ask for it.</summary>
+    public double FastestSpeed { get; init; } = double.PositiveInfinity;
 
     /// <summary>What a strike does to a ball.</summary>
     /// <param name="ball">The ball.</param>
@@ -55,13 +63,16 @@ public sealed record Foot
             velocity + (impulse / ball.Mass),
             spin - (r / ball.MomentOfInertia * Vector3d.Cross(in n, in impulse)),
             enoughFriction: true,
+            fastEnough: true,
             spinAlongImpulse: 0);
     }
 
     /// <summary>The strike that gives a ball a velocity and a spin, or comes nearest to them.</summary>
     /// <remarks>
-    /// The velocity is always given. Spin about the direction of the impulse cannot be given, and friction limits the rest:
+    /// The velocity is given as far as the leg is fast enough. Spin about the direction of the impulse cannot be given, and friction limits the rest:
     /// <see cref="FootStrike.SpinAlongImpulse"/> and <see cref="FootStrike.EnoughFriction"/> say so, <see cref="FootStrike.Spin"/> is what the ball gets.
+    /// Where the foot would have to be faster than <see cref="FastestSpeed"/>, the ball goes the wanted way as fast as the leg can make it, with as much less
+    /// of the wanted spin; where no share of the speed is within its reach, the foot swings the wanted way as fast as it can. <see cref="FootStrike.FastEnough"/> says so.
     /// </remarks>
     /// <param name="ball">The ball.</param>
     /// <param name="velocity">Its velocity v before, m/s.</param>
@@ -74,16 +85,42 @@ public sealed record Foot
         Validate(ball, in velocity, in spin);
         Check.Size("kick.velocity", wantedVelocity, Limits.Speed, "m/s");
         Check.Size("kick.spin", wantedSpin, Limits.Spin, "rad/s");
+        if (!((wantedVelocity - velocity).Length > 0))
+        {
+            throw Check.Refusal("kick.velocity", wantedVelocity.ToString(), "another velocity than the ball has");
+        }
+
+        FootStrike wanted = Inverse(ball, in velocity, in spin, in wantedVelocity, in wantedSpin);
+        if (wanted.FootVelocity.Length <= FastestSpeed)
+        {
+            return wanted;
+        }
+
+        // The greatest share of the speed that the leg can give: from there on it is too fast.
+        var part = new Part(this, ball, in velocity, in spin, in wantedVelocity, in wantedSpin);
+        for (int i = Shares - 1; i >= 0; i--)
+        {
+            double low = (double)i / Shares;
+            if (part.Takes(low).Length <= FastestSpeed)
+            {
+                double high = (i + 1.0) / Shares;
+                Roots.Bisect(ref part, ref low, ref high, MostHalvings);
+                return new FootStrike(part.Of(low), fastEnough: false);
+            }
+        }
+
+        Vector3d swing = FastestSpeed / wanted.FootVelocity.Length * wanted.FootVelocity;
+        return new FootStrike(Strike(ball, velocity, spin, swing, wanted.Normal), fastEnough: false);
+    }
+
+    /// <summary>The strike that gives a kick, however fast the foot must be.</summary>
+    private FootStrike Inverse(BallProperties ball, in Vector3d velocity, in Vector3d spin, in Vector3d wantedVelocity, in Vector3d wantedSpin)
+    {
         double r = ball.Radius;
 
         // J = m (v' − v)
         Vector3d impulse = ball.Mass * (wantedVelocity - velocity);
         double size = impulse.Length;
-        if (!(size > 0))
-        {
-            throw Check.Refusal("kick.velocity", wantedVelocity.ToString(), "another velocity than the ball has");
-        }
-
         Vector3d direction = impulse / size;
         Vector3d turn = wantedSpin - spin;
         double lost = Vector3d.Dot(in turn, in direction);
@@ -112,6 +149,7 @@ public sealed record Foot
             in wantedVelocity,
             spin - (r / ball.MomentOfInertia * Vector3d.Cross(in n, in impulse)),
             enough,
+            fastEnough: true,
             lost);
     }
 
@@ -134,7 +172,42 @@ public sealed record Foot
         Check.Within("foot.restitution", Restitution, 0, 1);
         Check.Within("foot.tangentialRestitution", TangentialRestitution, 0, 1);
         Check.NotNegative("foot.friction", Friction);
+        Check.Within("foot.fastestSpeed", FastestSpeed, 0.01, double.PositiveInfinity);
         Check.Size("ball.velocity", velocity, Limits.Speed, "m/s");
         Check.Size("ball.spin", spin, Limits.Spin, "rad/s");
+    }
+
+    /// <summary>A share of a wanted kick: its speed, and its change of the spin.</summary>
+    private readonly struct Part : ICondition
+    {
+        private readonly Foot _foot;
+        private readonly BallProperties _ball;
+        private readonly Vector3d _velocity;
+        private readonly Vector3d _spin;
+        private readonly Vector3d _wantedVelocity;
+        private readonly Vector3d _wantedSpin;
+
+        public Part(Foot foot, BallProperties ball, in Vector3d velocity, in Vector3d spin, in Vector3d wantedVelocity, in Vector3d wantedSpin)
+        {
+            _foot = foot;
+            _ball = ball;
+            _velocity = velocity;
+            _spin = spin;
+            _wantedVelocity = wantedVelocity;
+            _wantedSpin = wantedSpin;
+        }
+
+        /// <summary>The strike for it.</summary>
+        public FootStrike Of(double share) =>
+            _foot.Inverse(_ball, in _velocity, in _spin, share * _wantedVelocity, _spin + (share * (_wantedSpin - _spin)));
+
+        /// <summary>The velocity of the foot that it takes; none where the ball has that velocity already.</summary>
+        public Vector3d Takes(double share) => ((share * _wantedVelocity) - _velocity).Length > 0 ? Of(share).FootVelocity : Vector3d.Zero;
+
+        public bool Evaluate(double x, out bool holds)
+        {
+            holds = !(Takes(x).Length <= _foot.FastestSpeed);
+            return false;
+        }
     }
 }

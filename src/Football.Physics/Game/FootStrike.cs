@@ -10,6 +10,7 @@ public readonly struct FootStrike
         in Vector3d velocity,
         in Vector3d spin,
         bool enoughFriction,
+        bool fastEnough,
         double spinAlongImpulse)
     {
         FootVelocity = footVelocity;
@@ -18,7 +19,15 @@ public readonly struct FootStrike
         Velocity = velocity;
         Spin = spin;
         EnoughFriction = enoughFriction;
+        FastEnough = fastEnough;
         SpinAlongImpulse = spinAlongImpulse;
+    }
+
+    /// <summary>A strike that is less than what was wanted.</summary>
+    internal FootStrike(in FootStrike strike, bool fastEnough)
+    {
+        this = strike;
+        FastEnough = fastEnough;
     }
 
     /// <summary>Velocity of the foot before, m/s.</summary>
@@ -38,6 +47,9 @@ public readonly struct FootStrike
 
     /// <summary>False where a wanted spin needs more friction than there is: then the strike gives as much of it as there is friction for.</summary>
     public bool EnoughFriction { get; }
+
+    /// <summary>False where a wanted kick needs a faster foot than <see cref="Foot.FastestSpeed"/>: then the strike is as fast as the leg can.</summary>
+    public bool FastEnough { get; }
 
     /// <summary>Wanted change of spin about the direction of the impulse, rad/s: no touch gives that.</summary>
     public double SpinAlongImpulse { get; }

@@ -127,11 +127,65 @@ public sealed class FootTests
     }
 
     [Fact]
+    public void A_leg_that_is_too_slow_kicks_a_resting_ball_the_same_way_as_fast_as_it_can()
+    {
+        var random = new Shots(43);
+        for (int i = 0; i < 200; i++)
+        {
+            Vector3d wantedVelocity = random.Uniform(15, 40) * random.Direction();
+            Vector3d wantedSpin = random.Uniform(0, 100) * random.Direction();
+            FootStrike wanted = new Foot().StrikeFor(s_ball, Vector3d.Zero, Vector3d.Zero, wantedVelocity, wantedSpin);
+            double fastest = random.Uniform(0.1, 0.99) * wanted.FootVelocity.Length;
+            FootStrike strike = new Foot { FastestSpeed = fastest }.StrikeFor(s_ball, Vector3d.Zero, Vector3d.Zero, wantedVelocity, wantedSpin);
+            double share = fastest / wanted.FootVelocity.Length;
+            Assert.False(strike.FastEnough);
+            Assert.InRange(fastest - strike.FootVelocity.Length, 0, 1e-9);
+            Assert.InRange(Vector3d.Distance(strike.Velocity, share * wantedVelocity), 0, 1e-9);
+            Assert.InRange(Vector3d.Distance(strike.Spin, share * wanted.Spin), 0, 1e-7);
+            Assert.InRange(Vector3d.Distance(strike.Normal, wanted.Normal), 0, 1e-9);
+
+            // With as much as it takes nothing changes.
+            FootStrike same = new Foot { FastestSpeed = wanted.FootVelocity.Length }.StrikeFor(s_ball, Vector3d.Zero, Vector3d.Zero, wantedVelocity, wantedSpin);
+            Assert.True(same.FastEnough);
+            Assert.Equal(wanted.FootVelocity, same.FootVelocity);
+        }
+    }
+
+    [Fact]
+    public void A_leg_that_is_too_slow_plays_a_moving_ball_the_wanted_way_where_it_can()
+    {
+        var random = new Shots(44);
+        Foot[] foots = [new Foot { FastestSpeed = 2 }, new Foot { FastestSpeed = 12 }];
+        int slower = 0;
+        int swings = 0;
+        for (int i = 0; i < 500; i++)
+        {
+            Vector3d v = random.Uniform(0, 25) * random.Direction();
+            Vector3d w = random.Uniform(0, 30) * random.Direction();
+            Vector3d wanted = random.Uniform(5, 32) * random.Direction();
+            Foot foot = foots[i % 2];
+            FootStrike strike = foot.StrikeFor(s_ball, v, w, wanted, random.Uniform(0, 60) * random.Direction());
+            FootStrike played = foot.Strike(s_ball, v, w, strike.FootVelocity, strike.Normal);
+            Assert.InRange(strike.FootVelocity.Length, 0, foot.FastestSpeed + 1e-9);
+            Assert.InRange(Vector3d.Distance(played.Velocity, strike.Velocity), 0, 1e-9);
+            bool straight = Vector3d.Cross(strike.Velocity, wanted).Length < 1e-6 * wanted.Length;
+            Assert.InRange(strike.Velocity.Length, 0, straight ? wanted.Length + 1e-9 : 100);
+            Assert.True(strike.FastEnough ? Vector3d.Distance(strike.Velocity, wanted) < 1e-9 : !straight || strike.Velocity.Length < wanted.Length);
+            slower += !strike.FastEnough && straight ? 1 : 0;
+            swings += !straight ? 1 : 0;
+        }
+
+        Assert.InRange(slower, 50, 450);
+        Assert.InRange(swings, 20, 300);
+    }
+
+    [Fact]
     public void Numbers_out_of_range_are_refused()
     {
         Refused("foot.mass is 0", () => Strike(new Foot { Mass = 0 }));
         Refused("foot.restitution is 1.2", () => Strike(new Foot { Restitution = 1.2 }));
         Refused("foot.tangentialRestitution is -1", () => Strike(new Foot { TangentialRestitution = -1 }));
+        Refused("foot.fastestSpeed is 0", () => new Foot { FastestSpeed = 0 }.StrikeFor(s_ball, Vector3d.Zero, Vector3d.Zero, new Vector3d(1, 2, 3), Vector3d.Zero));
         Refused("foot.friction is NaN", () => Strike(new Foot { Friction = double.NaN }));
         Refused("foot.normal is (0, 0, 0)", () => new Foot().Strike(s_ball, Vector3d.Zero, Vector3d.Zero, new Vector3d(1, 0, 0), Vector3d.Zero));
         Refused("kick.velocity is (3, 0, 0)", () => new Foot().StrikeFor(s_ball, new Vector3d(3, 0, 0), Vector3d.Zero, new Vector3d(3, 0, 0), Vector3d.Zero));

@@ -88,7 +88,7 @@ internal sealed class EnergyCheck : PieceObserver
         }
 
         Again(in before, dt);
-        return new FrameEnergy(gained, _made, OfContact(events, dt) + (_log.Steps > 1 ? _corrected : 0), rounding * (1 + _log.Steps));
+        return new FrameEnergy(gained, _made, OfContact(in before, events, dt) + (_log.Steps > 1 ? _corrected : 0), rounding * (1 + _log.Steps));
     }
 
     /// <summary>A piece of the frame that is stepped again.</summary>
@@ -150,10 +150,11 @@ internal sealed class EnergyCheck : PieceObserver
         _simulator.Step(ref state, dt, _log);
     }
 
-    /// <summary>What finding an event can make, J: the weight times the height by which contact is missed, or the end of the slip.</summary>
-    private double OfContact(ReadOnlySpan<BallEvent> events, double dt)
+    /// <summary>What finding an event can make, J: the weight times the height by which contact is missed, or the end of the slip; or a slip so slow that the ball rolls.</summary>
+    private double OfContact(in BallState before, ReadOnlySpan<BallEvent> events, double dt)
     {
-        double made = 0;
+        double slip = before.Motion == MotionState.Rolling ? Slip.Of(before.Velocity, before.Spin, _radius).Length : 0;
+        double made = slip <= LastSlip ? _inertiaFactor * _mass * slip * ((_radius * before.Spin.Length) + slip) : 0;
         foreach (ref readonly BallEvent item in events)
         {
             made += item.Kind == BallEventKind.Roll ? _inertiaFactor * _mass * LastSlip * ((_radius * item.Spin.Length) + LastSlip)
