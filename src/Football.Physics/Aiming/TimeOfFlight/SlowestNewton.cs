@@ -57,7 +57,7 @@ internal sealed class SlowestNewton
             found = OnBound(ref kick);
         }
 
-        bool hits = found && !_flight.IsSteep(in kick) && TimedHits.IsAllowed(_flight, in kick, request.Speed) && _hits.IsHit(_flight, in kick, Math.Min(kick.Speed, request.Speed), out solution);
+        bool hits = found && !_flight.IsDriven(in kick) && TimedHits.IsAllowed(_flight, in kick, request.Speed) && _hits.IsHit(_flight, in kick, Math.Min(kick.Speed, request.Speed), out solution);
         solution.Arc = arc;
         return hits;
     }

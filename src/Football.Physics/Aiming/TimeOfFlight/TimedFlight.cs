@@ -6,8 +6,11 @@ internal sealed class TimedFlight : TimedProblem
     /// <summary>Step of a flight that the air rules, s.</summary>
     private const double RuledByAirStep = 0.03;
 
-    /// <summary>Above this elevation, rad, topspin may push a ball further aside than it is kicked.</summary>
-    private const double SteepKick = 1.0;
+    /// <summary>Above this elevation, rad, spin and wind may bring a ball to the target that was kicked elsewhere.</summary>
+    private const double SteepKick = 0.8;
+
+    /// <summary>Speeds of the wind and of the kick, both horizontally, above whose ratio that is likely.</summary>
+    private const double Drift = 1.25;
 
     private readonly Simulator _simulator;
     private readonly StepLog _log = new();
@@ -58,14 +61,15 @@ internal sealed class TimedFlight : TimedProblem
         return Math.Max(violation - 1e-12, (contact - Tolerance - kick.Lowest) / Math.Max(kick.Speed * kick.Time, 1e-9));
     }
 
-    /// <summary>Whether a kick is so steep that its topspin may make several of one.</summary>
-    public bool IsSteep(in TimedKick kick) => Top != 0 && Elevation(in kick) > SteepKick;
+    /// <summary>Whether a kick may be one of several that are slower than their neighbours: it is steep, and the wind drives it more than it was kicked.</summary>
+    public bool IsDriven(in TimedKick kick) =>
+        Top != 0 && Elevation(in kick) > SteepKick && Context.Scene.Air.Wind.Horizontal.Length > Drift * kick.Velocity.Horizontal.Length;
 
     public override bool Across(in TimedKick kick, out TimedKick across)
     {
         across = kick;
         double length = kick.Velocity.Horizontal.Length;
-        if (!IsSteep(in kick) || !(length > 0))
+        if (!(Top < 0 && Elevation(in kick) > SteepKick && length > 0))
         {
             return false;
         }
@@ -74,7 +78,7 @@ internal sealed class TimedFlight : TimedProblem
         Vector3d ahead = across.Velocity.Horizontal / length;
         Vector3d left = Vector3d.Cross(Vector3d.Up, in ahead);
 
-        // A steep kick is pushed aside by its topspin, by L along its horizontal direction d̂: horizontally it gets to (A v + L) d̂, and with −d̂ to the same place
+        // A steep kick is pushed back by its backspin, by −L along its horizontal direction d̂: horizontally it gets to (A v + L) d̂, and with −d̂ to the same place
         // where A v' + L = −(A v + L). A is the Jacobian along d̂, and (A v + L)/v that across it.
         double along = Vector3d.Dot(across.Jacobian.Product(in ahead), in ahead);
         double aside = Vector3d.Dot(across.Jacobian.Product(in left), in left);
