@@ -311,7 +311,7 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         s.ClearUntil = 0;
         _worldContact?.Raise(ref s);
         _bodies?.Apply(ref s, ref run);
-        while (run.Left > 0 && (s.Motion != MotionState.Stopped || _rest is not null))
+        while (run.Left > 0 && !run.IsWedged && (s.Motion != MotionState.Stopped || _rest is not null))
         {
             if (!run.Begin() || run.Standing > MostStanding)
             {

@@ -30,7 +30,11 @@ internal ref struct StepRun
     /// <summary>Evaluations of the forces in a step, whatever asks for them.</summary>
     private const long MostEvaluations = 1 << 13;
 
+    /// <summary>Implicit pieces after those: a ball that is then still hit again and again at one instant is wedged, between things that press it.</summary>
+    private const int MostPiecesOfWedged = 256;
+
     private readonly long _lastEvaluation;
+    private int _piecesOfWedged;
 
     /// <summary>A step.</summary>
     /// <param name="dt">Its length, s.</param>
@@ -69,11 +73,15 @@ internal ref struct StepRun
     /// <summary>The length of the next part: what is left, or an equal share of it where the step had to be divided, s.</summary>
     public readonly double Next => Part > 0 && Left > Part ? Left / Math.Ceiling((Left / Part) - 1e-9) : Left;
 
+    /// <summary>Whether time cannot go on for the ball, whatever it does.</summary>
+    public readonly bool IsWedged => _piecesOfWedged > MostPiecesOfWedged;
+
     /// <summary>Counts a piece before it is taken.</summary>
     /// <returns>Whether it may be taken by the method.</returns>
     public bool Begin()
     {
         Pieces++;
+        _piecesOfWedged += IsSpent ? 1 : 0;
         return !IsSpent;
     }
 
