@@ -25,9 +25,6 @@ internal struct FlightGenerator
     /// <summary>The same of |ω|˙.</summary>
     private Vector3d _spinBySpin;
 
-    /// <summary>‖∂v̇/∂v‖, 1/s.</summary>
-    public readonly double Rate => Math.Sqrt(_x.LengthSquared + _y.LengthSquared + _z.LengthSquared);
-
     /// <summary>Evaluates it, by difference quotients of the laws' factors.</summary>
     /// <param name="air">The air.</param>
     /// <param name="branch">Branch of the drag law.</param>

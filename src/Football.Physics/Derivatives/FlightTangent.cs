@@ -13,8 +13,8 @@ internal sealed class FlightTangent<TAir>
     /// <summary>No more time than this at once, s: the laws are then all but quadratic.</summary>
     private const double LongestTime = 0.0801;
 
-    /// <summary>h ‖A‖^(5/4), s^(−1/4): the method's own error is then 1e-8 in a second of flight. Bounces magnify it a hundredfold.</summary>
-    private const double PerRate = 0.06;
+    /// <summary>After an impact a quarter of it: bounces magnify what was wrong before them.</summary>
+    private const double LongestAfterImpact = 0.0201;
 
     /// <summary>No more change of the speed, m/s.</summary>
     private const double LargestChange = 0.3;
@@ -63,9 +63,10 @@ internal sealed class FlightTangent<TAir>
         && (after.Velocity - _around.Wind).LengthSquared > SlowestFlow * SlowestFlow && !(_needsAcross && IsAlongSpin(in before, in after));
 
     /// <summary>Begins a flight.</summary>
-    public void Begin(in BallState s, DragBranch branch)
+    public void Begin(in BallState s, DragBranch branch, bool afterImpact)
     {
         IsOpen = true;
+        _longest = afterImpact ? LongestAfterImpact : LongestTime;
         _branch = branch;
         _axis = s.SpinAxis;
         _startSpin = s.SpinRate;
@@ -81,7 +82,6 @@ internal sealed class FlightTangent<TAir>
         _z = default;
         Store(0, s.Time, s.Velocity, s.SpinRate);
         FlightGenerator.At(ref _around.Air, _branch, _needsAcross, in _velocities[0], _spins[0], in _axis, in _first, in _second, out _start);
-        Limit();
         _count = 0;
     }
 
@@ -139,16 +139,8 @@ internal sealed class FlightTangent<TAir>
             _start = end;
         }
 
-        Limit();
         Store(0, _times[_count], _velocities[_count] + _around.Wind, _spins[_count]);
         _count = 0;
-    }
-
-    /// <summary>How long to go on at once.</summary>
-    private void Limit()
-    {
-        double rate = _start.Rate;
-        _longest = Math.Min(LongestTime, PerRate / (rate * Math.Sqrt(Math.Sqrt(rate))));
     }
 
     /// <summary>How much the flow changes over the first pieces, by what is allowed at once.</summary>

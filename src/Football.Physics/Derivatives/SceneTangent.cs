@@ -93,7 +93,7 @@ internal sealed class SceneTangent<TAir> : TangentObserver
         Join(in before);
         if (_now.IsPlainFlight && _flight.Takes(in before, in after))
         {
-            _flight.Begin(in before, _now.Branch);
+            _flight.Begin(in before, _now.Branch, _log!.Events.Impacts > 0);
             _flight.Add(in after);
             _last = after;
             return false;
