@@ -10,8 +10,13 @@ internal sealed class FlightTangent<TAir>
     /// <summary>Pieces taken at once at most.</summary>
     private const int MostPieces = 8;
 
-    /// <summary>No more time than this at once, s, and no more change of the speed, m/s: the laws are then all but quadratic.</summary>
+    /// <summary>No more time than this at once, s: the laws are then all but quadratic.</summary>
     private const double LongestTime = 0.0801;
+
+    /// <summary>After an impact a quarter of it: bounces magnify what was wrong before them.</summary>
+    private const double LongestAfterImpact = 0.0201;
+
+    /// <summary>No more change of the speed, m/s.</summary>
     private const double LargestChange = 0.3;
 
     /// <summary>No more change of the flow at once than this share of it, and of its part across the spin: a piece that has more is taken in parts.</summary>
@@ -30,13 +35,13 @@ internal sealed class FlightTangent<TAir>
     private readonly Vector3d[] _velocities = new Vector3d[MostPieces + 1];
     private readonly double[] _spins = new double[MostPieces + 1];
     private readonly double[] _times = new double[MostPieces + 1];
+    private double _longest;
     private DragBranch _branch;
     private Vector3d _axis;
     private Vector3d _first;
     private Vector3d _second;
     private double _startSpin;
     private int _count;
-    private bool _knowsStart;
     private FlightGenerator _start;
     private FlightColumns _columns;
     private FlightRow _x;
@@ -55,12 +60,13 @@ internal sealed class FlightTangent<TAir>
     /// <summary>Whether it can take a piece.</summary>
     public bool Takes(in BallState before, in BallState after) =>
         before.SpinRate > SlowestSpin && after.SpinRate > SlowestSpin && (before.Velocity - _around.Wind).LengthSquared > SlowestFlow * SlowestFlow
-        && (after.Velocity - _around.Wind).LengthSquared > SlowestFlow * SlowestFlow;
+        && (after.Velocity - _around.Wind).LengthSquared > SlowestFlow * SlowestFlow && !(_needsAcross && IsAlongSpin(in before, in after));
 
     /// <summary>Begins a flight.</summary>
-    public void Begin(in BallState s, DragBranch branch)
+    public void Begin(in BallState s, DragBranch branch, bool afterImpact)
     {
         IsOpen = true;
+        _longest = afterImpact ? LongestAfterImpact : LongestTime;
         _branch = branch;
         _axis = s.SpinAxis;
         _startSpin = s.SpinRate;
@@ -74,8 +80,8 @@ internal sealed class FlightTangent<TAir>
         _x = default;
         _y = default;
         _z = default;
-        _knowsStart = false;
         Store(0, s.Time, s.Velocity, s.SpinRate);
+        FlightGenerator.At(ref _around.Air, _branch, _needsAcross, in _velocities[0], _spins[0], in _axis, in _first, in _second, out _start);
         _count = 0;
     }
 
@@ -89,7 +95,7 @@ internal sealed class FlightTangent<TAir>
 
         // An even number of equal pieces has a state in the middle.
         double h = _times[_count] - _times[0];
-        bool full = _count == MostPieces || h + (h / _count) > LongestTime
+        bool full = _count == MostPieces || h + (h / _count) > _longest
             || ((_count & 1) == 0 && (Math.Abs(_velocities[_count].Length - _velocities[0].Length) > LargestChange || Change(_count) > 0.5));
         if (full || (_count == 1 && Change(1) > 0.5))
         {
@@ -121,11 +127,6 @@ internal sealed class FlightTangent<TAir>
         }
 
         double h = _times[_count] - _times[0];
-        if (!_knowsStart)
-        {
-            FlightGenerator.At(ref _around.Air, _branch, _needsAcross, in _velocities[0], _spins[0], in _axis, in _first, in _second, out _start);
-        }
-
         int parts = _count == 1 ? 1 + (int)Math.Min(MostParts, Change(1)) : 1;
         double part = h / parts;
         for (int i = 0; i < parts; i++)
@@ -138,7 +139,6 @@ internal sealed class FlightTangent<TAir>
             _start = end;
         }
 
-        _knowsStart = true;
         Store(0, _times[_count], _velocities[_count] + _around.Wind, _spins[_count]);
         _count = 0;
     }
@@ -212,6 +212,13 @@ internal sealed class FlightTangent<TAir>
         at.Upward = _around.Upward;
         at.Branch = _branch;
         FlightRates.Of<TAir, PointStep>(ref _around.Air, in at, in at.AirVelocity, at.SpinRate, out acceleration, out spinRate);
+    }
+
+    /// <summary>Whether the flow goes so nearly along the spin that forces turn too fast with it to be integrated: the step itself is then differentiated.</summary>
+    private bool IsAlongSpin(in BallState before, in BallState after)
+    {
+        double across = Vector3d.Cross(before.SpinAxis, before.Velocity - _around.Wind).LengthSquared;
+        return (after.Velocity - before.Velocity).LengthSquared > AcrossShare * AcrossShare * across;
     }
 
     /// <summary>Whether the laws depend on the direction of the spin to the flow.</summary>

@@ -6,6 +6,10 @@ internal sealed class ImpactMap<TAir>
 {
     private const double TimeWidth = 1e-6;
 
+    /// <summary>Differences in which the ball does two things are narrowed so often, by this.</summary>
+    private const int MostTries = 4;
+    private const double Narrower = 0.1;
+
     private readonly World? _world;
     private readonly ContactPhase<TAir> _contact;
     private readonly WorldContact<TAir>? _worldContact;
@@ -32,14 +36,13 @@ internal sealed class ImpactMap<TAir>
         Clear(map);
         for (int i = 0; i < MotionVector.AirDistance; i++)
         {
-            double width = MotionVector.Width(in at, i);
-            MotionVector.Write(map, i, Hit(in s, MotionVector.Changed(in at, i, width), 0, thing), Hit(in s, MotionVector.Changed(in at, i, -width), 0, thing), 2.0 * width);
+            Difference(in s, in at, i, thing, map);
         }
 
         if (_world is { Moves: true })
         {
-            Motion later = Hit(in s, in at, TimeWidth, thing);
-            Motion sooner = Hit(in s, in at, -TimeWidth, thing);
+            Motion later = Hit(in s, in at, TimeWidth, thing, out _);
+            Motion sooner = Hit(in s, in at, -TimeWidth, thing, out _);
             const double PerWidth = 0.5 / TimeWidth;
             TimeRate = new Motion(PerWidth * (later.Position - sooner.Position), PerWidth * (later.Velocity - sooner.Velocity), PerWidth * (later.Spin - sooner.Spin));
         }
@@ -84,11 +87,28 @@ internal sealed class ImpactMap<TAir>
         return changed;
     }
 
-    private Motion Hit(in BallState s, in Motion motion, double later, int thing)
+    /// <summary>How it changes with one number. A ball that just bounces, or just stays, does so on both sides.</summary>
+    private void Difference(in BallState s, in Motion at, int index, int thing, double[] map)
+    {
+        double width = MotionVector.Width(in at, index);
+        for (int i = 0; i < MostTries; i++, width *= Narrower)
+        {
+            Motion high = Hit(in s, MotionVector.Changed(in at, index, width), 0, thing, out MotionState above);
+            Motion low = Hit(in s, MotionVector.Changed(in at, index, -width), 0, thing, out MotionState below);
+            MotionVector.Write(map, index, in high, in low, 2.0 * width);
+            if (above == below)
+            {
+                return;
+            }
+        }
+    }
+
+    private Motion Hit(in BallState s, in Motion motion, double later, int thing, out MotionState becomes)
     {
         BallState changed = With(in s, in motion);
         changed.Time += later;
         Hit(ref changed, thing);
+        becomes = changed.Motion;
         return MotionVector.Of(in changed);
     }
 

@@ -17,7 +17,7 @@ public sealed class LaunchDerivatives
     {
         Check.Given(nameof(simulator), simulator);
         Simulator = simulator;
-        _observer = TangentObserver.Of(simulator.Scene);
+        _observer = TangentObserver.Of(simulator.Scene, simulator.Settings.Integrator);
     }
 
     /// <summary>The simulator.</summary>

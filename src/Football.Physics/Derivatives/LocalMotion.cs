@@ -94,6 +94,13 @@ internal sealed class LocalMotion<TAir>
     {
         switch (Motion)
         {
+            case MotionState.Airborne when Branch >= DragBranch.AlongCriticalSpeed && !IsGuided:
+                // Beyond where it leaves the surface it goes on as before: a difference is that of one motion.
+                double share = _flight.SpinningShare(time, in at, out MotionRates spinning, out MotionRates noSpin);
+                rates = new MotionRates(
+                    noSpin.Acceleration + (share * (spinning.Acceleration - noSpin.Acceleration)),
+                    noSpin.SpinAcceleration + (share * (spinning.SpinAcceleration - noSpin.SpinAcceleration)));
+                break;
             case MotionState.Airborne:
                 _flight.Rates(time, in at, out rates);
                 break;
@@ -113,6 +120,15 @@ internal sealed class LocalMotion<TAir>
                 break;
         }
     }
+
+    /// <summary>The nets that it is in.</summary>
+    public NetJacobian NetPush => new(_around.World!, Nets, NetSides);
+
+    /// <summary>Whether drilling friction ends its spin about the normal.</summary>
+    public bool Drills => _around.World is not null && _carried.Material.DrillingLength > 0;
+
+    /// <summary>What carries it, at a place.</summary>
+    public ShapePoint SurfaceAt(in Vector3d position, double time) => _carried.Carrier.At(in position, time);
 
     /// <summary>The rates without what changes fast with the motion: with the friction of a slide along one direction, and without the push of nets in flight.</summary>
     /// <param name="time">Time, s.</param>
@@ -147,37 +163,6 @@ internal sealed class LocalMotion<TAir>
     public MotionRates Friction(double time, in Motion at, double size, in Vector3d direction) =>
         new(-size * direction, size * _torque * Vector3d.Cross(NormalAt(in at.Position, time), in direction));
 
-    /// <summary>
-    /// Adds how the push of the nets changes with the motion. It is linear in the place, and in the velocity on either side of where a net becomes slack: so
-    /// each is changed to that side of it on which it is.
-    /// </summary>
-    public void AddNets(in Motion at, double[] a)
-    {
-        World world = _around.World!;
-        for (int net = 0; net < world.Nets.Length; net++)
-        {
-            if ((Nets >> net & 1) == 0)
-            {
-                continue;
-            }
-
-            NetSheet sheet = world.Nets[net];
-            double side = World.SideOf(NetSides, net);
-            bool tight = sheet.Tension(in at.Velocity, side) > 0;
-            MotionRates here = sheet.Push(in at, side);
-            for (int i = 0; i < MotionVector.AirDistance; i++)
-            {
-                // Deeper, and tighter where it is tight: both go with −σ n.
-                double along = side * MotionVector.Component(sheet.Normal, i % 3);
-                bool up = i >= MotionVector.Velocity && i < MotionVector.Spin && !tight ? along > 0 : along < 0;
-                double width = up ? MotionVector.Width(in at, i) : -MotionVector.Width(in at, i);
-                MotionRates there = sheet.Push(MotionVector.Changed(in at, i, width), side);
-                MotionVector.Add(a, MotionVector.Velocity, i, (1.0 / width) * (there.Acceleration - here.Acceleration));
-                MotionVector.Add(a, MotionVector.Spin, i, (1.0 / width) * (there.SpinAcceleration - here.SpinAcceleration));
-            }
-        }
-    }
-
     /// <summary>μ_s N/m, m/s².</summary>
     public double FrictionAt(double time, in Motion at) =>
         _around.World is null ? _around.Ground.Sliding : _carried.SlidingFriction(_carried.ForcesOn(time, in at));
@@ -193,9 +178,12 @@ internal sealed class LocalMotion<TAir>
     /// <summary>Speed of the flow, m/s.</summary>
     public double FlowAt(in Motion at) => (at.Velocity - _around.Wind).Length;
 
+    /// <summary>Speed of the flow across the axis of the spin, m/s.</summary>
+    public double AcrossAt(in Motion at) => Vector3d.Cross(at.Spin / at.Spin.Length, at.Velocity - _around.Wind).Length;
+
     /// <summary>
-    /// The end of a slide: by how much place and velocity still change, and the spin of the roll that it leads to, by the closed form of the slip with the mean of
-    /// what pushes along the surface now and then; and how long that takes.
+    /// The end of a slide: by how much place and velocity still change, and the spin of the roll that it leads to, by the closed form of the slip with what
+    /// pushes at the mean motion up to then, which is the mean push of one that is linear in the motion; and how long that takes.
     /// </summary>
     public Motion EndSlide(double time, in Motion at, out double t)
     {
@@ -207,20 +195,20 @@ internal sealed class LocalMotion<TAir>
         Vector3d direction = Direction(in slip);
         MotionRates now = Frictionless(time, in at, in direction);
         var decay = new SlipDecay(in slip, SlipRate(in now, in n), friction);
-        double about = Vector3d.Dot(in at.Spin, in n);
-        double turn = Vector3d.Dot(in now.SpinAcceleration, in n);
+        t = decay.Time;
 
-        // ṡ = −k ŝ + c;  v = v₀ + ∫a − μ_s N/m ∫ŝ,  p = p₀ + v₀ t + ∫∫a − μ_s N/m ∫∫ŝ, a linear in time
+        // ṡ = −k ŝ + c;  v = v₀ + ∫a − μ_s N/m ∫ŝ, its mean v₀ + ½ a t − μ_s N/m ∫∫ŝ/t
+        Vector3d turned = sliding / t * decay.Twice;
+        var mean = new Motion(
+            at.Position + ((0.5 * t) * at.Velocity),
+            at.Velocity + ((0.5 * t) * now.Acceleration) - turned,
+            at.Spin + ((0.5 * t) * now.SpinAcceleration) + (_torque * Vector3d.Cross(in n, in turned)));
+        now = Frictionless(time + (0.5 * t), in mean, in direction);
+        decay = new SlipDecay(in slip, SlipRate(in now, in n), friction);
         t = decay.Time;
-        Vector3d velocity = at.Velocity + (t * now.Acceleration) - (sliding * decay.Direction);
-        Vector3d position = at.Position + (t * at.Velocity) + ((0.5 * t * t) * now.Acceleration) - (sliding * decay.Twice);
-        var there = new Motion(in position, in velocity, Slip.RollingSpin(velocity - carrier, about + (t * turn), in n, _around.Radius));
-        MotionRates then = Frictionless(time + t, in there, in direction);
-        decay = new SlipDecay(in slip, 0.5 * (SlipRate(in now, in n) + SlipRate(in then, in n)), friction);
-        t = decay.Time;
-        velocity = ((0.5 * t) * (now.Acceleration + then.Acceleration)) - (sliding * decay.Direction);
-        position = (t * at.Velocity) + ((t * t / 6.0) * ((2.0 * now.Acceleration) + then.Acceleration)) - (sliding * decay.Twice);
-        about += 0.5 * t * (turn + Vector3d.Dot(in then.SpinAcceleration, in n));
+        Vector3d velocity = (t * now.Acceleration) - (sliding * decay.Direction);
+        Vector3d position = (t * at.Velocity) + ((0.5 * t * t) * now.Acceleration) - (sliding * decay.Twice);
+        double about = Vector3d.Dot(in at.Spin, in n) + (t * Vector3d.Dot(in now.SpinAcceleration, in n));
         return new Motion(in position, in velocity, Slip.RollingSpin(at.Velocity + velocity - carrier, about, in n, _around.Radius));
     }
 

@@ -15,8 +15,12 @@ internal static class MotionJacobian
     /// <summary>A spin is changed by so much more, 1/m.</summary>
     private const double PerRadius = 10.0;
 
+    /// <summary>Share of what is left up to a kink of the nets' push by which a motion is changed, and the least change of a place, m.</summary>
+    private const double NetShare = 0.2;
+    private const double LeastInPlace = 1e-8;
+
     /// <summary>Share of the slip by which it is changed.</summary>
-    private const double SlipShare = 1e-4;
+    private const double SlipShare = 4e-3;
 
     /// <summary>A at a motion.</summary>
     public static void At<TAir>(LocalMotion<TAir> local, double time, in Motion at, double[] a)
@@ -32,11 +36,20 @@ internal static class MotionJacobian
         double flow = local.FlowAt(in at);
         double scale = local.Motion == MotionState.Rolling ? Math.Min(flow, local.SpeedOnSurface(time, in at)) : flow;
         double narrow = Math.Max(Least, Math.Min(Largest, Share * scale));
+        double inPlace = double.PositiveInfinity;
         bool taken = !local.IsGuided;
+        if (local.Nets != 0 && !(taken && local.Motion == MotionState.Airborne))
+        {
+            // On one side of where the push of a net begins or ends.
+            local.NetPush.Margins(in at, out double depth, out double speed);
+            inPlace = Math.Max(LeastInPlace, NetShare * depth);
+            narrow = Math.Max(Least, Math.Min(narrow, NetShare * speed));
+        }
+
         Vector3d direction = local.Motion == MotionState.Sliding ? local.SlipDirection(time, in at) : Vector3d.Zero;
         for (int i = local.DependsOnPlace ? 0 : MotionVector.Velocity; i < (local.DependsOnPlace ? MotionVector.Size : MotionVector.AirDistance); i++)
         {
-            double width = i < MotionVector.Velocity || i == MotionVector.AirDistance ? MotionVector.Width(in at, i) : i < MotionVector.Spin ? narrow : PerRadius * narrow;
+            double width = i < MotionVector.Velocity || i == MotionVector.AirDistance ? Math.Min(inPlace, MotionVector.Width(in at, i)) : i < MotionVector.Spin ? narrow : PerRadius * narrow;
             Difference(local, time, in at, i, width, taken, in direction, out MotionRates near);
             if (i >= MotionVector.Velocity && i < MotionVector.AirDistance)
             {
@@ -59,7 +72,7 @@ internal static class MotionJacobian
         }
         else if (taken && local.Nets != 0 && local.Motion == MotionState.Airborne)
         {
-            local.AddNets(in at, a);
+            local.NetPush.Add(in at, a);
         }
     }
 
@@ -95,12 +108,20 @@ internal static class MotionJacobian
         for (int i = local.DependsOnPlace ? 0 : MotionVector.Velocity; i < MotionVector.AirDistance; i++)
         {
             double width = Math.Max(Least, i < MotionVector.Velocity ? Math.Min(slip, MotionVector.Width(in at, i)) : slip);
-            Motion high = MotionVector.Changed(in at, i, width);
-            Motion low = MotionVector.Changed(in at, i, -width);
-            Vector3d turn = local.SlipDirection(time, in high) - local.SlipDirection(time, in low);
-            MotionRates rates = local.Friction(time, in at, size, (0.5 / width) * turn);
+            Vector3d near = Turn(local, time, in at, i, width);
+            Vector3d far = Turn(local, time, in at, i, 2.0 * width);
+            MotionRates rates = local.Friction(time, in at, size, near + ((1.0 / 3.0) * (near - far)));
             MotionVector.Add(a, MotionVector.Velocity, i, rates.Acceleration);
             MotionVector.Add(a, MotionVector.Spin, i, rates.SpinAcceleration);
         }
+    }
+
+    /// <summary>How the direction of the slip turns with one number of the motion.</summary>
+    private static Vector3d Turn<TAir>(LocalMotion<TAir> local, double time, in Motion at, int index, double width)
+        where TAir : struct, IAir
+    {
+        Vector3d high = local.SlipDirection(time, MotionVector.Changed(in at, index, width));
+        Vector3d low = local.SlipDirection(time, MotionVector.Changed(in at, index, -width));
+        return (0.5 / width) * (high - low);
     }
 }

@@ -35,13 +35,13 @@ internal sealed class SceneTangent<TAir> : TangentObserver
     /// <summary>Whether the last piece was the end of a slide, which leaves the spin of a roll.</summary>
     private bool _rolls;
 
-    public SceneTangent(Scene scene, in TAir air)
+    public SceneTangent(Scene scene, Integrator integrator, in TAir air)
     {
         _around = new Surroundings<TAir>(scene, in air);
         _impacts = new ImpactMap<TAir>(scene, _around);
         _surface = new EventSurface<TAir>(_around);
         _flight = new FlightTangent<TAir>(_around);
-        _piece = new PieceTangent<TAir>(Tangent, _around.Radius);
+        _piece = new PieceTangent<TAir>(Tangent, _around.Radius, integrator);
         _now = new LocalMotion<TAir>(_around, scene.Ground.Heights is null, scene.Ball);
         _next = new LocalMotion<TAir>(_around, scene.Ground.Heights is null, scene.Ball);
         _restEnergy = scene.Ground.RestEnergy;
@@ -93,7 +93,7 @@ internal sealed class SceneTangent<TAir> : TangentObserver
         Join(in before);
         if (_now.IsPlainFlight && _flight.Takes(in before, in after))
         {
-            _flight.Begin(in before, _now.Branch);
+            _flight.Begin(in before, _now.Branch, _log!.Events.Impacts > 0);
             _flight.Add(in after);
             _last = after;
             return false;
@@ -244,11 +244,10 @@ internal sealed class SceneTangent<TAir> : TangentObserver
                 ToEvent(in edge);
             }
         }
-        else if (_now.SpinSign != _next.SpinSign && _next.Motion != MotionState.Airborne)
+        else if (_now.SpinSign != 0 && _next.SpinSign == 0 && _now.Drills && _next.Motion != MotionState.Airborne)
         {
-            Vector3d normal = _now.NormalAt(at.Position, at.Time);
-            _now.Rates(at.Time, in motion, out MotionRates rates);
-            ToEvent(new EventGradient(Vector3d.Zero, Vector3d.Zero, in normal, Vector3d.Dot(in normal, in rates.SpinAcceleration)));
+            ShapePoint surface = _now.SurfaceAt(at.Position, at.Time);
+            Tangent.EndDrilling(surface.Normal, surface.Curvature, at.Spin);
         }
 
         if (_next.IsPinned && !_now.IsPinned)

@@ -154,6 +154,19 @@ internal sealed class Tangent
         }
     }
 
+    /// <summary>The end of the spin about the normal of a surface, which stays ended: n·δω + ω·H δp = 0.</summary>
+    /// <param name="normal">n.</param>
+    /// <param name="curvature">H, 1/m.</param>
+    /// <param name="spin">ω, rad/s.</param>
+    public void EndDrilling(in Vector3d normal, in SymmetricMatrix3d curvature, in Vector3d spin)
+    {
+        Vector3d turned = curvature * spin;
+        for (int c = 0; c < Columns; c++)
+        {
+            Add(MotionVector.Spin, c, -(Dot(MotionVector.Spin, c, in normal) + Dot(0, c, in turned)) * normal);
+        }
+    }
+
     /// <summary>Keeps of three rows what is along a direction.</summary>
     public void Keep(int row, in Vector3d normal)
     {

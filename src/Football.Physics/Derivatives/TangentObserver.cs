@@ -13,10 +13,10 @@ internal abstract class TangentObserver : PieceObserver
 
     public override bool WantsEndAcceleration => false;
 
-    /// <summary>Makes one for a scene.</summary>
-    public static TangentObserver Of(Scene scene)
+    /// <summary>Makes one for a scene that is run with an integrator.</summary>
+    public static TangentObserver Of(Scene scene, Integrator integrator)
     {
-        Maker maker = default;
+        var maker = new Maker { Integrator = integrator };
         return AirChoice.Choose<Maker, TangentObserver>(scene, ref maker);
     }
 
@@ -36,6 +36,8 @@ internal abstract class TangentObserver : PieceObserver
 
     private struct Maker : IAirVisitor<TangentObserver>
     {
+        public Integrator Integrator;
+
         public readonly TangentObserver Visit<TAir>(Scene scene)
             where TAir : struct, ILawsAir
         {
@@ -43,16 +45,16 @@ internal abstract class TangentObserver : PieceObserver
             laws.Prepare(scene);
             if (StepperFactory.HasLawsAlone(scene))
             {
-                return new SceneTangent<TAir>(scene, in laws);
+                return new SceneTangent<TAir>(scene, Integrator, in laws);
             }
 
             PointAir air = PointAir.Of(in laws);
             if (scene.Forces.Custom.Count == 0)
             {
-                return new SceneTangent<FieldAir>(scene, new FieldAir(scene, air));
+                return new SceneTangent<FieldAir>(scene, Integrator, new FieldAir(scene, air));
             }
 
-            return new SceneTangent<OwnForcesAir>(scene, new OwnForcesAir(scene, FieldAir.IsOf(scene) ? PointAir.Of(new FieldAir(scene, air)) : air));
+            return new SceneTangent<OwnForcesAir>(scene, Integrator, new OwnForcesAir(scene, FieldAir.IsOf(scene) ? PointAir.Of(new FieldAir(scene, air)) : air));
         }
     }
 }
