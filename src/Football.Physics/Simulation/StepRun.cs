@@ -33,7 +33,7 @@ internal ref struct StepRun
     /// <summary>Implicit pieces after those: a ball that is then still hit again and again at one instant is wedged, between things that press it.</summary>
     private const int MostPiecesOfWedged = 256;
 
-    private readonly long _lastEvaluation;
+    private long _lastEvaluation;
     private int _piecesOfWedged;
 
     /// <summary>A step.</summary>
@@ -112,7 +112,7 @@ internal ref struct StepRun
     /// <param name="after">The ball at its end.</param>
     /// <param name="sweep">The piece.</param>
     /// <param name="order">Order of the method that took it.</param>
-    public readonly void Show<TSweep>(in BallState before, in BallState after, ref TSweep sweep, int order)
+    public void Show<TSweep>(in BallState before, in BallState after, ref TSweep sweep, int order)
         where TSweep : struct, ISweep
     {
         if (Log.Observer is { } observer)
@@ -122,6 +122,9 @@ internal ref struct StepRun
             {
                 end = sweep.EndAcceleration();
                 Log.Evaluations++;
+
+                // A step does the same whether it is watched or not.
+                _lastEvaluation++;
             }
 
             Log.Show(in before, in after, sweep.StartAcceleration, in end, order);
