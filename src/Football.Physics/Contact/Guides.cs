@@ -7,7 +7,7 @@ namespace Football.Physics;
 internal struct Guides
 {
     /// <summary>Onto what it touches a ball is put so often at most.</summary>
-    private const int MostRounds = 64;
+    private const int MostRounds = 256;
 
     /// <summary>Below this, m, there is no gap.</summary>
     private const double Closed = 1e-12;

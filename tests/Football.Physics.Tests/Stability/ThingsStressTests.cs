@@ -39,6 +39,7 @@ public sealed class ThingsStressTests
     [InlineData(203, 84824, "two limits ended at one edge, the second before it: pieces without length")]
     [InlineData(301, 1862, "wedged between a body and the ground it was hit for ever")]
     [InlineData(301, 50744, "a step that was watched had used up its evaluations sooner")]
+    [InlineData(302, 109238, "in a narrow groove too few rounds put it onto both sides")]
     public void What_the_laboratory_found_once_holds(int seed, int index, string wrong)
     {
         ThingsRun run = ThingsRun.Play(seed, index);
