@@ -63,7 +63,6 @@ public sealed record Foot
             velocity + (impulse / ball.Mass),
             spin - (r / ball.MomentOfInertia * Vector3d.Cross(in n, in impulse)),
             enoughFriction: true,
-            fastEnough: true,
             spinAlongImpulse: 0);
     }
 
@@ -105,12 +104,12 @@ public sealed record Foot
             {
                 double high = (i + 1.0) / Shares;
                 Roots.Bisect(ref part, ref low, ref high, MostHalvings);
-                return new FootStrike(part.Of(low), fastEnough: false);
+                return new FootStrike(part.Of(low));
             }
         }
 
         Vector3d swing = FastestSpeed / wanted.FootVelocity.Length * wanted.FootVelocity;
-        return new FootStrike(Strike(ball, velocity, spin, swing, wanted.Normal), fastEnough: false);
+        return new FootStrike(Strike(ball, velocity, spin, swing, wanted.Normal));
     }
 
     /// <summary>The strike that gives a kick, however fast the foot must be.</summary>
@@ -149,7 +148,6 @@ public sealed record Foot
             in wantedVelocity,
             spin - (r / ball.MomentOfInertia * Vector3d.Cross(in n, in impulse)),
             enough,
-            fastEnough: true,
             lost);
     }
 

@@ -10,7 +10,6 @@ public readonly struct FootStrike
         in Vector3d velocity,
         in Vector3d spin,
         bool enoughFriction,
-        bool fastEnough,
         double spinAlongImpulse)
     {
         FootVelocity = footVelocity;
@@ -19,15 +18,15 @@ public readonly struct FootStrike
         Velocity = velocity;
         Spin = spin;
         EnoughFriction = enoughFriction;
-        FastEnough = fastEnough;
+        FastEnough = true;
         SpinAlongImpulse = spinAlongImpulse;
     }
 
-    /// <summary>A strike that is less than what was wanted.</summary>
-    internal FootStrike(in FootStrike strike, bool fastEnough)
+    /// <summary>A strike that is less than what was wanted, for want of speed.</summary>
+    internal FootStrike(in FootStrike tooSlow)
     {
-        this = strike;
-        FastEnough = fastEnough;
+        this = tooSlow;
+        FastEnough = false;
     }
 
     /// <summary>Velocity of the foot before, m/s.</summary>

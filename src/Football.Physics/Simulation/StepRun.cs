@@ -6,6 +6,18 @@ internal ref struct StepRun
     /// <summary>Splits at the drag law's jump that one step may have; a chattering step goes on without more.</summary>
     public const int MaximumSplits = 16;
 
+    /// <summary>Impacts that one step may have. After them, and where the step is spent, the ball stays on what it hits.</summary>
+    public const int MostImpacts = 256;
+
+    /// <summary>Pieces of a step, whatever asks for them.</summary>
+    private const int MostPieces = 1 << 11;
+
+    /// <summary>Evaluations of the forces in a step, whatever asks for them.</summary>
+    private const long MostEvaluations = 1 << 13;
+
+    /// <summary>Implicit pieces after those: a ball that is then still hit again and again at one instant is wedged, between things that press it.</summary>
+    private const int MostPiecesOfWedged = 256;
+
     /// <summary>Time left, s.</summary>
     public double Left;
 
@@ -21,17 +33,23 @@ internal ref struct StepRun
     /// <summary>Where the step had to be divided: the length of its parts, s; else 0.</summary>
     public double Part;
 
-    /// <summary>Impacts that one step may have. After them, and where the step is spent, the ball stays on what it hits.</summary>
-    public const int MostImpacts = 256;
+    /// <summary>Pieces so far.</summary>
+    public int Pieces;
 
-    /// <summary>Pieces of a step, whatever asks for them.</summary>
-    private const int MostPieces = 1 << 11;
+    /// <summary>Impacts so far.</summary>
+    public int AllImpacts;
 
-    /// <summary>Evaluations of the forces in a step, whatever asks for them.</summary>
-    private const long MostEvaluations = 1 << 13;
+    /// <summary>Pieces so far that were taken by implicit Euler.</summary>
+    public int Implicit;
 
-    /// <summary>Implicit pieces after those: a ball that is then still hit again and again at one instant is wedged, between things that press it.</summary>
-    private const int MostPiecesOfWedged = 256;
+    /// <summary>Impacts since time last went on.</summary>
+    public int Impacts;
+
+    /// <summary>Pieces in a row in which the clock stood still.</summary>
+    public int Standing;
+
+    /// <summary>Where events and counts go.</summary>
+    public StepLog Log;
 
     private long _lastEvaluation;
     private int _piecesOfWedged;
@@ -51,24 +69,6 @@ internal ref struct StepRun
 
     /// <summary>Whether it has had all pieces, or all evaluations, that a step may have: the rest is taken by implicit Euler, so that every step ends.</summary>
     public readonly bool IsSpent => Pieces > MostPieces || Log.Evaluations > _lastEvaluation;
-
-    /// <summary>Pieces so far.</summary>
-    public int Pieces;
-
-    /// <summary>Impacts so far.</summary>
-    public int AllImpacts;
-
-    /// <summary>Pieces so far that were taken by implicit Euler.</summary>
-    public int Implicit;
-
-    /// <summary>Impacts since time last went on.</summary>
-    public int Impacts;
-
-    /// <summary>Pieces in a row in which the clock stood still.</summary>
-    public int Standing;
-
-    /// <summary>Where events and counts go.</summary>
-    public StepLog Log;
 
     /// <summary>The length of the next part: what is left, or an equal share of it where the step had to be divided, s.</summary>
     public readonly double Next => Part > 0 && Left > Part ? Left / Math.Ceiling((Left / Part) - 1e-9) : Left;

@@ -62,7 +62,7 @@ internal sealed class WorldContact<TAir>
             return;
         }
 
-        // Where a step has had its impacts and pieces, the ball stays on what it hits even if the air would lift it.
+        // Where a step has had its impacts, or is spent, the ball stays on what it hits even if the air would lift it.
         if (!bounces && (!may || Load(in s, in velocity, in spin, hit, in at) > CarriedForces.Least))
         {
             Stay(ref s, thing, in velocity, in spin, ref run);

@@ -82,7 +82,6 @@ internal sealed class ShootingProblem
         Request = request;
         _speed = speed;
         _frame = _context.Frame(request);
-        _passesThrough = through;
         _through = AimContext.Raised(_context.Game, request.Through.GetValueOrDefault());
         double tolerance = AimContext.Sharp(request.Tolerance);
         double spinRate = Math.Sqrt(through
@@ -102,7 +101,7 @@ internal sealed class ShootingProblem
         IsFree[LogSpeed] = false;
         IsFree[Top] = through;
         IsFree[Side] = through;
-        IsFree[Share] = through;
+        AskThrough(through);
     }
 
     /// <summary>Asks for the point on the way, or for no more than the target.</summary>
