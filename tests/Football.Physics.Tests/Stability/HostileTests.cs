@@ -36,6 +36,22 @@ public sealed class HostileTests
         Assert.Contains("NormalRestitution", done.Error);
     }
 
+    /// <summary>A spin whose components decay for thousands of pieces, while a force of a game's own keeps one of them.</summary>
+    [Fact]
+    public void What_decays_for_long_ends_at_zero_and_not_at_a_denormal_number()
+    {
+        HostileScene scene = HostileGenerator.Make(506044253);
+        var simulator = new Simulator(scene.Scene, scene.Settings);
+        BallState state = simulator.Launch(scene.Position, scene.Velocity, scene.Spin);
+        foreach (double frame in scene.Frames)
+        {
+            simulator.Step(ref state, frame, new StepLog());
+            Assert.DoesNotContain(
+                new[] { state.Spin.X, state.Spin.Y, state.Spin.Z, state.Velocity.X, state.Velocity.Y, state.Velocity.Z },
+                double.IsSubnormal);
+        }
+    }
+
     /// <summary>A Magnus force that turns the velocity far in a step that is divided, against a drag that is too weak for what Euler and RK2 make of it.</summary>
     [Theory]
     [InlineData(1446)]
