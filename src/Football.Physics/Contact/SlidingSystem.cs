@@ -107,8 +107,8 @@ internal struct SlidingSystem<TAir> : IPlanarSystem
     public readonly void Move(ref BallState s, in PlanarStep step)
     {
         // Where friction does not turn the ball, or too weakly, its spin ends at zero.
-        bool stops = StopsSpin(step.End.WX, step.End.WY, step.End.WZ);
-        Vector3d spin = stops ? Vector3d.Zero : new Vector3d(step.End.WX, step.End.WY, step.End.WZ);
+        var end = new Vector3d(step.End.WX, step.End.WY, step.End.WZ);
+        Vector3d spin = StopsSpin(end.X, end.Y, end.Z) || GrowsSpin(in end) ? Vector3d.Zero : end;
         GroundForces.Move(ref s, in step, in spin, Around.Air.Varies);
     }
 
@@ -116,4 +116,9 @@ internal struct SlidingSystem<TAir> : IPlanarSystem
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private readonly bool StopsSpin(double wx, double wy, double wz) =>
         _decay > Around.Ground.SlidingTorque && !Around.Air.Varies && (wx * StartSpin.X) + (wy * StartSpin.Y) + (wz * StartSpin.Z) < 0;
+
+    /// <summary>Whether a spin that can only get slower is faster at the end: it ended on the way, where a stage found it next to zero and pointing anywhere.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private readonly bool GrowsSpin(in Vector3d end) =>
+        _decay > Around.Ground.SlidingTorque && !Around.Air.Varies && end.LengthSquared > StartSpin.LengthSquared;
 }

@@ -131,7 +131,7 @@ internal sealed class ImplicitPhase<TAir>
         }
 
         end = step.Spun(in end, h);
-        h = meets ? at : h;
+        h = !meets ? h : met.What == Happening.Contact ? Closer(in s, in end, in met, at) : at;
         BallState before = s;
         s.Position = step.From.Position + (h * end.Velocity);
         s.Velocity = end.Velocity;
@@ -147,6 +147,14 @@ internal sealed class ImplicitPhase<TAir>
         {
             _world!.Meet(ref s, in met, ref run);
         }
+    }
+
+    /// <summary>A contact that the walk along a piece has passed by its shortest step, to where the straight line has it, s.</summary>
+    private double Closer(in BallState s, in Motion end, in Gap met, double at)
+    {
+        Vector3d there = s.Position + (at * end.Velocity);
+        met.Evaluate(in there, end.Velocity, s.Time + at, out double gap, out double rate);
+        return gap < -ContactSearch.Touching && rate < 0 ? Math.Max(0, at - (gap / rate)) : at;
     }
 
     /// <summary>When the ball meets something on the straight line of a piece, s; infinite where it does not.</summary>

@@ -135,6 +135,9 @@ internal sealed class StressRun
             }
 
             others += item.Kind == BallEventKind.Impact ? 0 : 1;
+
+            // A ball that stays on the ground, because its step has had its pieces or impacts, does not hop, whatever the impact says.
+            notBefore = item.Kind == BallEventKind.Slide ? item.Time : notBefore;
             if (item.Kind == BallEventKind.Impact)
             {
                 if (!(item.Time >= notBefore))
