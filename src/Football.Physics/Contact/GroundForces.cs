@@ -5,9 +5,6 @@ namespace Football.Physics;
 /// <summary>The constants of the ground's forces, per mass or per moment of inertia.</summary>
 internal struct GroundForces
 {
-    /// <summary>A slower spin about the vertical than this, rad/s, is none.</summary>
-    private const double LeastSpin = 1e-290;
-
     /// <summary>Sliding friction per mass, μ_s N/m, m/s².</summary>
     public double Sliding;
 
@@ -55,8 +52,7 @@ internal struct GroundForces
         s.Velocity = new Vector3d(step.End.VX, 0, step.End.VZ);
         bool reversed = about > 0 ? spin.Y < 0 : about < 0 && spin.Y > 0;
 
-        // What is damped for long would go on as a denormal number, with which arithmetic takes ten times as long.
-        bool ends = (reversed && !mayReverse) || Math.Abs(spin.Y) is > 0 and < LeastSpin;
+        bool ends = (reversed && !mayReverse) || Math.Abs(spin.Y) is > 0 and < Vanishing.Least;
         s.SpinAxis = ends ? new Vector3d(spin.X, 0, spin.Z) : spin;
     }
 

@@ -15,6 +15,9 @@ internal ref struct StepRun
     /// <summary>Evaluations of the forces in a step, whatever asks for them.</summary>
     private const long MostEvaluations = 1 << 13;
 
+    /// <summary>After so many pieces what has decayed to nothing is set to zero; a power of two.</summary>
+    private const int PiecesToVanish = 16;
+
     /// <summary>Implicit pieces after those: a ball that is then still hit again and again at one instant is wedged, between things that press it.</summary>
     private const int MostPiecesOfWedged = 256;
 
@@ -105,6 +108,12 @@ internal ref struct StepRun
         Left -= h;
         Impacts = h > 0 ? 0 : Impacts;
         Log.Steps++;
+        if (Pieces % PiecesToVanish == 0)
+        {
+            s.Velocity = Vanishing.OrZero(s.Velocity);
+            s.SpinAxis = Vanishing.OrZero(s.SpinAxis);
+            s.SpinRate = Vanishing.OrZero(s.SpinRate);
+        }
     }
 
     /// <summary>Shows a piece to the observer, if there is one; only then is the acceleration at its end worth an evaluation.</summary>

@@ -75,7 +75,7 @@ internal sealed class EnergyCheck : PieceObserver
         // Air that presses a ball against the ground does work on it, as one sees it who goes with the wind.
         bool flies = before.Motion == MotionState.Airborne && after.Motion == MotionState.Airborne && events.Length == 0
             && !(_windy && after.Position.Y <= _simulator.ContactHeight + TouchingRelaxed);
-        if (!flies && (_windy || (_settings.RollingTransition == RollingTransition.Heuristic && (before.Motion == MotionState.Sliding || Rolls(events)))))
+        if (!flies && (_windy || (_settings.RollingTransition == RollingTransition.Heuristic && (before.Motion == MotionState.Sliding || Slides(events)))))
         {
             return null;
         }
@@ -187,11 +187,12 @@ internal sealed class EnergyCheck : PieceObserver
         (0.5 * ((_mass * s.Velocity.LengthSquared) + (_scene.Ball.MomentOfInertia * s.Spin.LengthSquared)))
         - (_mass * _upward * (s.Position.Y - _simulator.ContactHeight));
 
-    private static bool Rolls(ReadOnlySpan<BallEvent> events)
+    /// <summary>Whether the ball has begun to slide, or has ended it.</summary>
+    private static bool Slides(ReadOnlySpan<BallEvent> events)
     {
         foreach (ref readonly BallEvent item in events)
         {
-            if (item.Kind == BallEventKind.Roll)
+            if (item.Kind is BallEventKind.Slide or BallEventKind.Roll)
             {
                 return true;
             }

@@ -8,6 +8,9 @@ internal sealed class StressRun
     /// <summary>Deepest penetration, m.</summary>
     public const double Deepest = 1e-9;
 
+    /// <summary>How exact a contact is for a ball that goes beyond <see cref="Limits.Length"/>, as a share of how far it goes.</summary>
+    private const double FarShare = 1e-7;
+
     private readonly StressScene _scene;
     private readonly Simulator _simulator;
     private readonly EnergyCheck _energy;
@@ -19,6 +22,7 @@ internal sealed class StressRun
     private long _relaxed;
     private long _impacts;
     private double _energyShare;
+    private double _deepest = Deepest;
 
     private StressRun(StressScene scene)
     {
@@ -80,8 +84,13 @@ internal sealed class StressRun
         _log.Clear();
         _simulator.Step(ref _state, dt, _log);
         Count();
+        double farthest = Math.Max(Farthest(in before, dt), Farthest(in _state, dt));
+        _deepest = farthest > Limits.Length ? FarShare * farthest : Deepest;
         return Finite() ?? Clock(in before, dt) ?? Events(before.Time, dt) ?? Energy(in before, dt) ?? Reversal(in before);
     }
+
+    /// <summary>A bound of the height in a frame that begins or ends with a state, m.</summary>
+    private static double Farthest(in BallState s, double dt) => Math.Abs(s.Position.Y) + (s.Velocity.Length * dt);
 
     private void Count()
     {
@@ -98,7 +107,7 @@ internal sealed class StressRun
         !(_state.Position.IsFinite && _state.Velocity.IsFinite && _state.Spin.IsFinite && _state.Orientation.IsFinite && double.IsFinite(_state.Time))
             ? Fail("finite", $"p {_state.Position}, v {_state.Velocity}, spin {_state.Spin}")
         : Math.Abs(_state.Orientation.LengthSquared - 1) > 1e-9 ? Fail("orientation", $"size² {_state.Orientation.LengthSquared}")
-        : _state.Position.Y < _simulator.ContactHeight - Deepest ? Fail("penetration", $"{_simulator.ContactHeight - _state.Position.Y} m at the end of a frame")
+        : _state.Position.Y < _simulator.ContactHeight - _deepest ? Fail("penetration", $"{_simulator.ContactHeight - _state.Position.Y} m at the end of a frame")
         : null;
 
     private StressFailure? Clock(in BallState before, double dt) =>
@@ -120,7 +129,7 @@ internal sealed class StressRun
             }
 
             last = item.Time;
-            if (!(Math.Abs(item.Position.Y - _simulator.ContactHeight) <= Deepest))
+            if (!(Math.Abs(item.Position.Y - _simulator.ContactHeight) <= _deepest))
             {
                 return Fail("penetration", $"{item.Kind} at height {item.Position.Y - _simulator.ContactHeight} m");
             }
