@@ -3,7 +3,7 @@ namespace Football.Physics;
 /// <summary>Drag and Magnus force of a scene's laws times factors, as a force of the game's own: what a fit has found goes into a scene with it.</summary>
 public sealed class ScaledAir : IForce
 {
-    private readonly PointAir _laws;
+    private readonly Scene _scene;
     private readonly double _mass;
     private readonly double _radius;
 
@@ -19,7 +19,8 @@ public sealed class ScaledAir : IForce
         Check.NotNegative(nameof(drag), drag);
         Check.Finite(nameof(lift), lift);
         Maker maker = default;
-        _laws = AirChoice.Choose<Maker, PointAir>(scene, ref maker);
+        _scene = scene;
+        Laws = AirChoice.Choose<Maker, PointAir>(scene, ref maker);
         _mass = scene.Ball.Mass;
         _radius = scene.Ball.Radius;
         Drag = drag;
@@ -32,16 +33,23 @@ public sealed class ScaledAir : IForce
     /// <summary>Factor of the Magnus force.</summary>
     public double Lift { get; }
 
+    /// <summary>The laws without factors.</summary>
+    internal PointAir Laws { get; }
+
     /// <inheritdoc/>
     public void Apply(in ForceInput ball, ref ForceSum sum)
     {
         Vector3d u = ball.AirVelocity;
-        DragBranch branch = _laws.Jumps ? DragJump.At(u.LengthSquared, _radius * _radius * ball.Spin.LengthSquared).Branch : DragBranch.Unknown;
-        _laws.Evaluate(in ball, branch, out AirFactors air);
+        DragBranch branch = Laws.Jumps ? DragJump.At(u.LengthSquared, _radius * _radius * ball.Spin.LengthSquared).Branch : DragBranch.Unknown;
+        Laws.Evaluate(in ball, branch, out AirFactors air);
 
         // (f_L − 1) m L (ω × u) − (f_D − 1) m D u
         sum.AddForce(_mass * (((Lift - 1.0) * air.Lift * Vector3d.Cross(ball.Spin, in u)) - ((Drag - 1.0) * air.Drag * u)));
     }
+
+    /// <summary>Whether a scene has the ball, the air and the laws that this was made for.</summary>
+    internal bool IsMadeFor(Scene scene) =>
+        scene.Ball == _scene.Ball && scene.Air == _scene.Air && scene.Forces with { Custom = _scene.Forces.Custom } == _scene.Forces;
 
     private struct Maker : IAirVisitor<PointAir>
     {

@@ -48,6 +48,11 @@ internal abstract class TangentObserver : PieceObserver
                 return new SceneTangent<TAir>(scene, Integrator, in laws);
             }
 
+            if (ScaledLaws.TryOf(scene, out ScaledLaws scaled))
+            {
+                return new SceneTangent<ScaledLaws>(scene, Integrator, in scaled);
+            }
+
             PointAir air = PointAir.Of(in laws);
             if (scene.Forces.Custom.Count == 0)
             {

@@ -99,6 +99,51 @@ public sealed class TrackFitTests
         Assert.InRange(Vector3d.Distance(Land(doubled), Land(scaled)), 0, 1e-6);
     }
 
+    [Theory]
+    [InlineData(CoefficientForm.Measured)]
+    [InlineData(CoefficientForm.Published)]
+    public void Scaled_laws_are_the_scaled_air(CoefficientForm form)
+    {
+        Scene scene = Scene.Measured with { Forces = ForceSet.Measured with { Coefficients = form } };
+        Scene scaled = scene with { Forces = scene.Forces with { Custom = [new ScaledAir(scene, 1.15, 0.8)] } };
+        Vector3d End(Simulator simulator)
+        {
+            BallState ball = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(18, 7, 2), new Vector3d(10, 30, 25));
+            simulator.Run(ref ball, 0.005, 2, StopAt.Time, new StepLog());
+            return ball.Position;
+        }
+
+        Vector3d asLaws = End(new Simulator(scaled, null, ScaledProfile.Instance));
+        Assert.InRange(Vector3d.Distance(asLaws, End(new Simulator(scaled))), 0, 1e-6);
+        Assert.InRange(Vector3d.Distance(asLaws, End(new Simulator(scene))), 0.5, 10);
+
+        // Where more acts, or where it was made for another ball, it is a force among others.
+        Assert.True(ScaledLaws.TryOf(scaled, out _));
+        Assert.False(ScaledLaws.TryOf(scaled with { Forces = scaled.Forces with { Custom = [.. scaled.Forces.Custom, Force.From(_ => Vector3d.Zero)] } }, out _));
+        Assert.False(ScaledLaws.TryOf(scaled with { Ball = scaled.Ball with { Mass = 0.4 } }, out _));
+    }
+
+    [Fact]
+    public void Derivatives_in_scaled_air_are_its_differences()
+    {
+        Scene scene = Scene.Measured;
+        var simulator = new Simulator(scene with { Forces = scene.Forces with { Custom = [new ScaledAir(scene, 1.15, 0.8)] } });
+        var velocity = new Vector3d(18, 7, 2);
+        Vector3d End(Vector3d changed)
+        {
+            BallState ball = simulator.Launch(new Vector3d(0, 0.11, 0), changed, new Vector3d(10, 30, 25));
+            simulator.Run(ref ball, 0.01, 2, StopAt.Time, new StepLog());
+            return ball.Position;
+        }
+
+        var derivatives = new LaunchDerivatives(simulator);
+        BallState kicked = simulator.Launch(new Vector3d(0, 0.11, 0), velocity, new Vector3d(10, 30, 25));
+        derivatives.Run(ref kicked, 0.01, 2, StopAt.Time);
+        var along = new Vector3d(1e-4, 2e-4, -1e-4);
+        Vector3d difference = 0.5 * (End(velocity + along) - End(velocity - along));
+        Assert.InRange(Vector3d.Distance(derivatives.PositionByVelocity * along, difference), 0, 1e-5 * difference.Length);
+    }
+
     [Fact]
     public void The_command_tells_values_and_deviations()
     {

@@ -3,29 +3,36 @@ namespace Football.Physics;
 /// <summary>The normal equations of a fit at some numbers: N = Σ JᵀJ/σ² and g = Σ Jᵀr/σ², what was known before included.</summary>
 internal sealed class TrackEquations
 {
+    /// <summary>Change of a factor for a difference quotient.</summary>
+    private const double FactorWidth = 1e-3;
+
     private readonly TrackPoint[] _track;
     private readonly TrackFitRequest _request;
     private readonly TrackModel _model;
+    private readonly TrackPaths _paths;
     private readonly int _count;
     private readonly double[] _normal;
     private readonly double[] _gradient;
-    private readonly double[] _row;
     private readonly double[] _system;
+    private readonly double[] _misses;
+    private readonly double[] _changed;
 
-    /// <summary>By factor and point: how the place changes with the factor.</summary>
-    private readonly Vector3d[] _byFactor;
+    /// <summary>By row and number: how the place changes, in units of its noise.</summary>
+    private readonly double[] _jacobian;
 
-    public TrackEquations(TrackPoint[] track, TrackFitRequest request, TrackModel model)
+    public TrackEquations(TrackPoint[] track, TrackFitRequest request, TrackModel model, TrackPaths paths)
     {
         _track = track;
         _request = request;
         _model = model;
+        _paths = paths;
         _count = model.Count;
         _normal = new double[_count * _count];
         _gradient = new double[_count];
-        _row = new double[_count];
         _system = new double[_count * (_count + 1)];
-        _byFactor = new Vector3d[(_count - TrackModel.Launch) * track.Length];
+        _misses = new double[paths.Rows];
+        _changed = new double[paths.Rows];
+        _jacobian = new double[paths.Rows * _count];
     }
 
     /// <summary>N, row by row.</summary>
@@ -42,17 +49,8 @@ internal sealed class TrackEquations
 
     /// <summary>Evaluates them.</summary>
     /// <param name="values">The numbers; a place in the ground is raised out of it.</param>
-    /// <returns>False where the ball cannot be followed.</returns>
-    public bool Evaluate(double[] values)
+    public void Evaluate(double[] values)
     {
-        Array.Clear(_normal, 0, _normal.Length);
-        Array.Clear(_gradient, 0, _count);
-        ChiSquared = 0;
-        for (int factor = TrackModel.Launch; factor < _count; factor++)
-        {
-            Difference(values, factor);
-        }
-
         var derivatives = new LaunchDerivatives(_model.Simulator(values));
         BallState ball = TrackModel.Ball(derivatives.Simulator, values);
 
@@ -68,16 +66,37 @@ internal sealed class TrackEquations
                 derivatives.Advance(ref ball, _request.TimeStep, wait);
             }
 
-            Vector3d off = _track[i].Position - ball.Position;
-            double weight = 1.0 / (_track[i].Noise * _track[i].Noise);
-            ChiSquared += weight * off.LengthSquared;
-            Add(0, i, weight, off.X, derivatives.PositionByPosition.X, derivatives.PositionByVelocity.X, derivatives.PositionBySpin.X);
-            Add(1, i, weight, off.Y, derivatives.PositionByPosition.Y, derivatives.PositionByVelocity.Y, derivatives.PositionBySpin.Y);
-            Add(2, i, weight, off.Z, derivatives.PositionByPosition.Z, derivatives.PositionByVelocity.Z, derivatives.PositionBySpin.Z);
+            double perNoise = 1.0 / _track[i].Noise;
+            Vector3d miss = perNoise * (_track[i].Position - ball.Position);
+            (_misses[3 * i], _misses[(3 * i) + 1], _misses[(3 * i) + 2]) = (miss.X, miss.Y, miss.Z);
+            Set(3 * i, perNoise, derivatives.PositionByPosition.X, derivatives.PositionByVelocity.X, derivatives.PositionBySpin.X);
+            Set((3 * i) + 1, perNoise, derivatives.PositionByPosition.Y, derivatives.PositionByVelocity.Y, derivatives.PositionBySpin.Y);
+            Set((3 * i) + 2, perNoise, derivatives.PositionByPosition.Z, derivatives.PositionByVelocity.Z, derivatives.PositionBySpin.Z);
+        }
+
+        for (int factor = TrackModel.Launch; factor < _count; factor++)
+        {
+            Difference(values, factor);
+        }
+
+        Array.Clear(_normal, 0, _normal.Length);
+        Array.Clear(_gradient, 0, _count);
+        ChiSquared = 0;
+        for (int row = 0; row < _misses.Length; row++)
+        {
+            int at = row * _count;
+            ChiSquared += _misses[row] * _misses[row];
+            for (int i = 0; i < _count; i++)
+            {
+                _gradient[i] += _jacobian[at + i] * _misses[row];
+                for (int j = 0; j < _count; j++)
+                {
+                    _normal[(i * _count) + j] += _jacobian[at + i] * _jacobian[at + j];
+                }
+            }
         }
 
         Cost = ChiSquared + _model.AddKnown(values, _normal, _gradient);
-        return !double.IsNaN(Cost);
     }
 
     /// <summary>The step (N + λ diag N)⁻¹ g.</summary>
@@ -139,51 +158,24 @@ internal sealed class TrackEquations
         _system[(number * width) + _count] = 0;
     }
 
-    private void Add(int axis, int point, double weight, double off, in Vector3d byPosition, in Vector3d byVelocity, in Vector3d bySpin)
+    private void Set(int row, double perNoise, in Vector3d byPosition, in Vector3d byVelocity, in Vector3d bySpin)
     {
-        (_row[0], _row[1], _row[2]) = (byPosition.X, byPosition.Y, byPosition.Z);
-        (_row[3], _row[4], _row[5]) = (byVelocity.X, byVelocity.Y, byVelocity.Z);
-        (_row[6], _row[7], _row[8]) = (bySpin.X, bySpin.Y, bySpin.Z);
-        for (int i = TrackModel.Launch; i < _count; i++)
-        {
-            Vector3d change = _byFactor[((i - TrackModel.Launch) * _track.Length) + point];
-            _row[i] = axis == 0 ? change.X : axis == 1 ? change.Y : change.Z;
-        }
-
-        for (int i = 0; i < _count; i++)
-        {
-            _gradient[i] += weight * _row[i] * off;
-            for (int j = 0; j < _count; j++)
-            {
-                _normal[(i * _count) + j] += weight * _row[i] * _row[j];
-            }
-        }
+        int at = row * _count;
+        (_jacobian[at], _jacobian[at + 1], _jacobian[at + 2]) = (perNoise * byPosition.X, perNoise * byPosition.Y, perNoise * byPosition.Z);
+        (_jacobian[at + 3], _jacobian[at + 4], _jacobian[at + 5]) = (perNoise * byVelocity.X, perNoise * byVelocity.Y, perNoise * byVelocity.Z);
+        (_jacobian[at + 6], _jacobian[at + 7], _jacobian[at + 8]) = (perNoise * bySpin.X, perNoise * bySpin.Y, perNoise * bySpin.Z);
     }
 
-    /// <summary>How the places change with a factor, by a central difference.</summary>
+    /// <summary>How the misses change with a factor, by a difference.</summary>
     private void Difference(double[] values, int factor)
     {
         double value = values[factor];
-        int at = (factor - TrackModel.Launch) * _track.Length;
-        for (int side = -1; side <= 1; side += 2)
-        {
-            values[factor] = value + (side * TrackFit.FactorWidth);
-            Simulator simulator = _model.Simulator(values);
-            BallState ball = TrackModel.Ball(simulator, values);
-            var log = new StepLog();
-            for (int i = 0; i < _track.Length; i++)
-            {
-                double wait = i > 0 ? _track[i].Time - _track[i - 1].Time : 0;
-                if (wait > 0)
-                {
-                    simulator.Run(ref ball, _request.TimeStep, wait, StopAt.Time, log, null);
-                }
-
-                Vector3d share = side / (2.0 * TrackFit.FactorWidth) * ball.Position;
-                _byFactor[at + i] = side < 0 ? share : _byFactor[at + i] + share;
-            }
-        }
-
+        values[factor] = value + FactorWidth;
+        _paths.Follow(values, _changed);
         values[factor] = value;
+        for (int row = 0; row < _misses.Length; row++)
+        {
+            _jacobian[(row * _count) + factor] = (_misses[row] - _changed[row]) / FactorWidth;
+        }
     }
 }

@@ -14,8 +14,8 @@ public sealed class TrackFit
     /// <summary>The search by derivatives ends where a step is shorter than this share of the uncertainty.</summary>
     private const double Shortest = 0.01;
 
-    /// <summary>Change of a factor for a difference quotient.</summary>
-    internal const double FactorWidth = 1e-3;
+    /// <summary>That of the launch alone where factors are to be found too: it cannot fit well.</summary>
+    private const double ShortestOfLaunch = 1.0;
 
     private const double FirstDamping = 1e-3;
     private const double LargestDamping = 1e9;
@@ -24,7 +24,7 @@ public sealed class TrackFit
     private const double Beginning = 0.25;
 
     /// <summary>χ² by its expectation from which on a fit is poor; then it is tried from so many other spins, rad/s.</summary>
-    private const double Poor = 1.4;
+    private const double Poor = 1.2;
     private const int OtherStarts = 4;
     private const double OtherSpin = 35;
 
@@ -49,9 +49,10 @@ public sealed class TrackFit
         request ??= new TrackFitRequest();
         Validate(track, request);
         TrackFitRequest launch = request with { Drag = false, Lift = false, Restitution = false, Friction = false };
-        double[] values = Start(track, launch);
+        var model = new TrackModel(_scene, request);
         int steps = 0;
-        TrackEquations best = Search(track, launch, values, ref steps);
+        double[] values = Start(track, launch);
+        TrackEquations best = Search(track, launch, request, model, ref values, ref steps);
 
         // A poor fit may be that of another bounce: from other spins.
         Vector3d across = Vector3d.Cross(Vector3d.Up, new Vector3d(values[3], 0, values[5]));
@@ -61,21 +62,11 @@ public sealed class TrackFit
             Vector3d spin = request.Spin + ((i % 2 == 0 ? OtherSpin : -OtherSpin) * (i < 2 ? across : Vector3d.Up));
             double[] other = Start(track, launch);
             (other[6], other[7], other[8]) = (spin.X, spin.Y, spin.Z);
-            TrackEquations found = Search(track, launch, other, ref steps);
+            TrackEquations found = Search(track, launch, request, model, ref other, ref steps);
             if (found.Cost < best.Cost)
             {
                 (best, values) = (found, other);
             }
-        }
-
-        var model = new TrackModel(_scene, request);
-        if (request != launch)
-        {
-            double[] all = new double[model.Count];
-            all.AsSpan().Fill(1);
-            Array.Copy(values, all, values.Length);
-            values = all;
-            best = Search(track, request, values, ref steps);
         }
 
         var refinement = new TrackRefinement(new TrackPaths(track, request, model), model);
@@ -85,37 +76,53 @@ public sealed class TrackFit
             model, values, refinement.Covariance, track[0].Time, chiSquared, (3 * track.Length) - model.Count, steps + refinement.Steps, converged);
     }
 
-    /// <summary>Goes downhill from some numbers.</summary>
-    private TrackEquations Search(TrackPoint[] track, TrackFitRequest request, double[] values, ref int steps)
+    /// <summary>Goes downhill from a launch: with the launch alone, then with the factors too.</summary>
+    private TrackEquations Search(TrackPoint[] track, TrackFitRequest launch, TrackFitRequest request, TrackModel model, ref double[] values, ref int steps)
+    {
+        if (request == launch)
+        {
+            return Search(track, launch, Shortest, values, ref steps);
+        }
+
+        Search(track, launch, ShortestOfLaunch, values, ref steps);
+        double[] all = new double[model.Count];
+        all.AsSpan().Fill(1);
+        Array.Copy(values, all, values.Length);
+        values = all;
+        return Search(track, request, Shortest, values, ref steps);
+    }
+
+    /// <summary>Goes downhill from some numbers, to where a step would be shorter than a share of the uncertainty.</summary>
+    private TrackEquations Search(TrackPoint[] track, TrackFitRequest request, double shortest, double[] values, ref int steps)
     {
         var model = new TrackModel(_scene, request);
-        int n = model.Count;
-        var now = new TrackEquations(track, request, model);
-        var next = new TrackEquations(track, request, model);
-        now.Evaluate(values);
-        double[] step = new double[n];
-        double[] tried = new double[n];
+        var paths = new TrackPaths(track, request, model);
+        var equations = new TrackEquations(track, request, model, paths);
+        equations.Evaluate(values);
+        double[] step = new double[model.Count];
+        double[] tried = new double[model.Count];
+        double[] misses = new double[paths.Rows];
         double damping = FirstDamping;
         bool converged = false;
         for (int i = 0; i < MostSteps && !converged && damping < LargestDamping; i++, steps++)
         {
-            if (!now.Solve(damping, step))
+            if (!equations.Solve(damping, step))
             {
                 damping *= 10;
                 continue;
             }
 
-            for (int k = 0; k < n; k++)
+            for (int k = 0; k < step.Length; k++)
             {
                 tried[k] = values[k] + step[k];
             }
 
-            // Where rounding decides, there is nothing left to gain.
-            converged = now.Length(step) < Shortest && damping < 1;
-            if (TrackModel.IsLaunch(tried) && next.Evaluate(tried) && next.Cost <= now.Cost)
+            // Where rounding decides, there is nothing left to gain. Derivatives cost more than a flight, and are taken where it was better.
+            converged = equations.Length(step) < shortest && damping < 1;
+            if (TrackModel.IsLaunch(tried) && paths.Follow(tried, misses) <= equations.Cost)
             {
-                Array.Copy(tried, values, n);
-                (now, next) = (next, now);
+                Array.Copy(tried, values, tried.Length);
+                equations.Evaluate(values);
                 damping = Math.Max(1e-12, 0.1 * damping);
             }
             else
@@ -124,7 +131,7 @@ public sealed class TrackFit
             }
         }
 
-        return now;
+        return equations;
     }
 
     private static void Validate(TrackPoint[] track, TrackFitRequest request)

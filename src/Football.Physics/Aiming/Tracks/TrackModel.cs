@@ -15,6 +15,10 @@ internal sealed class TrackModel
     private readonly Scene _scene;
     private readonly TrackFitRequest _request;
 
+    /// <summary>The last one that was asked for, and its factors: most paths differ from those before them in the launch alone.</summary>
+    private Simulator? _simulator;
+    private (double Drag, double Lift, double Restitution, double Friction) _factors;
+
     public TrackModel(Scene scene, TrackFitRequest request)
     {
         _scene = scene;
@@ -85,6 +89,11 @@ internal sealed class TrackModel
         double lift = _request.Lift ? values[at++] : 1;
         double restitution = _request.Restitution ? values[at++] : 1;
         double friction = _request.Friction ? values[at] : 1;
+        if (_simulator is not null && _factors == (drag, lift, restitution, friction))
+        {
+            return _simulator;
+        }
+
         Ground ground = _scene.Ground;
         Scene scene = _scene with
         {
@@ -100,7 +109,9 @@ internal sealed class TrackModel
             scene = scene with { Forces = scene.Forces with { Custom = [.. scene.Forces.Custom, new ScaledAir(_scene, Math.Max(0, drag), lift)] } };
         }
 
-        return new Simulator(scene);
+        _factors = (drag, lift, restitution, friction);
+        _simulator = new Simulator(scene, null, ScaledProfile.Instance);
+        return _simulator;
     }
 
     /// <summary>The ball at its launch.</summary>
