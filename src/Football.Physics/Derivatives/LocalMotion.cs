@@ -4,6 +4,9 @@ namespace Football.Physics;
 internal sealed class LocalMotion<TAir>
     where TAir : struct, IAir
 {
+    /// <summary>A moment at the end of a slide, s.</summary>
+    private const double LastOfSlide = 1.25e-5;
+
     private readonly Surroundings<TAir> _around;
     private readonly bool _groundIsEven;
 
@@ -226,6 +229,10 @@ internal sealed class LocalMotion<TAir>
         Vector3d carrier = _around.World is null ? Vector3d.Zero : _carried.Carrier.Velocity;
         return Slip.Of(at.Velocity - carrier, in at.Spin, in n, _around.Radius);
     }
+
+    /// <summary>Whether friction alone would end the slip within a moment in which all else that pushes is constant.</summary>
+    public bool IsAlmostRolling(double time, in Motion at) =>
+        SlipOf(time, in at).Length < LastOfSlide * FrictionAt(time, in at) * (1.0 + (_around.Radius * _torque));
 
     /// <summary>The velocity on the surface that friction turns with, m/s: of the slip, or of the roll.</summary>
     public double SpeedOnSurface(double time, in Motion at) => Motion == MotionState.Sliding ? SlipOf(time, in at).Length

@@ -94,6 +94,13 @@ internal sealed class SceneTangent<TAir> : TangentObserver
             return false;
         }
 
+        if (_isHeld && SlidesOn(in before))
+        {
+            _heldAfter = after;
+            _last = after;
+            return false;
+        }
+
         Join(in before);
         if (_now.IsPlainFlight && _flight.Takes(in before, in after))
         {
@@ -152,6 +159,11 @@ internal sealed class SceneTangent<TAir> : TangentObserver
     private bool GoesOn(in BallState before) =>
         _event == _log!.Events.Count && before.Motion == MotionState.Airborne && before.Nets == 0
         && (before.Branch == _now.Branch || before.Branch == DragBranch.Unknown) && before.Time == _last.Time && before.Velocity == _last.Velocity;
+
+    /// <summary>Whether a piece goes on with the last moment of a slide, which is taken as one: the shorter it gets, the less its pieces tell.</summary>
+    private bool SlidesOn(in BallState before) =>
+        before.Motion == MotionState.Sliding && _event == _log!.Events.Count && before.Nets == _heldBefore.Nets && before.Branch == _heldBefore.Branch
+        && before.Carrier == _heldBefore.Carrier && _now.IsAlmostRolling(_heldBefore.Time, MotionVector.Of(in _heldBefore));
 
     /// <summary>Ends a plain flight that is under way, and takes the piece of a slide that was held.</summary>
     private void Land()
