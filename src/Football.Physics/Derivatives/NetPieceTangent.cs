@@ -16,7 +16,15 @@ internal sealed class NetPieceTangent<TAir>
     private readonly Tangent _tangent;
     private readonly StepTangent<TAir> _step;
     private readonly NetGuard? _guard;
+
+    /// <summary>When the piece begins and ends, by the launch: δt of each column.</summary>
     private readonly double[] _starts = new double[Tangent.Columns];
+    private readonly double[] _ends = new double[Tangent.Columns];
+
+    /// <summary>Whether its own length says when it ends; else it is a fixed time, or an event.</summary>
+    private bool _endsByLength;
+
+    /// <summary>How the end of the last piece changes with its length.</summary>
     private Motion _byLength;
     private double _stepEnd;
     private double _part;
@@ -28,24 +36,15 @@ internal sealed class NetPieceTangent<TAir>
         _guard = world is null ? null : new NetGuard(world);
     }
 
-    /// <summary>When the piece ended, by the launch, where its own length says so: δt of each column.</summary>
-    public double[] Ends { get; } = new double[Tangent.Columns];
-
-    /// <summary>Whether its own length says when it ended; else it is a fixed time, or an event.</summary>
-    public bool EndsByLength { get; private set; }
-
-    /// <summary>Whether the last piece was one of these: <see cref="ByLength"/> then is how its end changes with its length.</summary>
+    /// <summary>Whether the last piece was one of these.</summary>
     public bool WasTaken { get; private set; }
-
-    /// <summary>How the end of the last piece changes with its length.</summary>
-    public ref readonly Motion ByLength => ref _byLength;
 
     /// <summary>The next piece begins at a time that does not move.</summary>
     public void Start()
     {
         Array.Clear(_starts, 0, _starts.Length);
         WasTaken = false;
-        EndsByLength = false;
+        _endsByLength = false;
     }
 
     /// <summary>The next piece begins at a time that moves with the launch.</summary>
@@ -54,8 +53,33 @@ internal sealed class NetPieceTangent<TAir>
     {
         Array.Copy(times, _starts, _starts.Length);
         WasTaken = false;
-        EndsByLength = false;
+        _endsByLength = false;
     }
+
+    /// <summary>The next piece goes on where the last one ended without an event.</summary>
+    /// <param name="next">What moves the ball from there.</param>
+    /// <param name="before">The ball there.</param>
+    public void GoOn(LocalMotion<TAir> next, in BallState before)
+    {
+        if (!_endsByLength)
+        {
+            Start();
+            return;
+        }
+
+        Shift(_ends, 1.0);
+        next.Rates(before.Time, MotionVector.Of(in before), out MotionRates rates);
+        _tangent.Shift(before.Velocity, in rates, _ends, -1.0);
+        Start(_ends);
+    }
+
+    /// <summary>The rate ġ of an event as the step goes on with its length, and not the motion.</summary>
+    /// <param name="g">The event.</param>
+    /// <param name="velocity">Velocity at its end, m/s.</param>
+    /// <param name="rates">Rates there.</param>
+    public double Rate(in EventGradient g, in Vector3d velocity, in MotionRates rates) =>
+        g.Rate + Vector3d.Dot(in g.Place, _byLength.Position - velocity) + Vector3d.Dot(in g.Velocity, _byLength.Velocity - rates.Acceleration)
+        + Vector3d.Dot(in g.Spin, _byLength.Spin - rates.SpinAcceleration);
 
     /// <summary>After an impact a step is divided anew.</summary>
     public void Hit() => _part = 0;
@@ -89,14 +113,14 @@ internal sealed class NetPieceTangent<TAir>
         double parts = _part > 0 && left > _part ? Math.Ceiling((left / _part) - Rounding) : 1.0;
         double limit = _guard!.LongestPiece(in before, left / parts);
         _part = limit < left / parts ? limit : _part;
-        EndsByLength = h < left * (1.0 - Rounding) && Math.Abs(h - limit) <= Rounding * h;
-        for (int c = 0; c < Tangent.Columns && EndsByLength; c++)
+        _endsByLength = h < left * (1.0 - Rounding) && Math.Abs(h - limit) <= Rounding * h;
+        for (int c = 0; c < Tangent.Columns && _endsByLength; c++)
         {
             Motion change = _tangent.Of(c);
             double by = Width / (change.Position.Length + (1e-2 * change.Velocity.Length) + Math.Abs(_starts[c]) + 1e-6);
             double longer = Length(in before, in change, by, (left - (by * _starts[c])) / parts);
             double shorter = Length(in before, in change, -by, (left + (by * _starts[c])) / parts);
-            Ends[c] = _starts[c] + ((longer - shorter) / (2.0 * by));
+            _ends[c] = _starts[c] + ((longer - shorter) / (2.0 * by));
         }
     }
 

@@ -238,16 +238,9 @@ internal sealed class SceneTangent<TAir> : TangentObserver
             Tangent.Shift(before.Velocity, in rates, EventTimes, -1.0);
             _inNets.Start(EventTimes);
         }
-        else if (_inNets.EndsByLength)
-        {
-            _inNets.Shift(_inNets.Ends, 1.0);
-            _next.Rates(before.Time, MotionVector.Of(in before), out MotionRates rates);
-            Tangent.Shift(before.Velocity, in rates, _inNets.Ends, -1.0);
-            _inNets.Start(_inNets.Ends);
-        }
         else
         {
-            _inNets.Start();
+            _inNets.GoOn(_next, in before);
         }
 
         _atEvent = false;
@@ -340,11 +333,7 @@ internal sealed class SceneTangent<TAir> : TangentObserver
         _now.Rates(_last.Time, MotionVector.Of(in _last), out MotionRates rates);
         if (_inNets.WasTaken)
         {
-            // As the step goes on, and not the motion.
-            ref readonly Motion end = ref _inNets.ByLength;
-            double rate = g.Rate + Vector3d.Dot(in g.Place, end.Position - _last.Velocity) + Vector3d.Dot(in g.Velocity, end.Velocity - rates.Acceleration)
-                + Vector3d.Dot(in g.Spin, end.Spin - rates.SpinAcceleration);
-            Tangent.Times(in g.Place, in g.Velocity, in g.Spin, rate, EventTimes);
+            Tangent.Times(in g.Place, in g.Velocity, in g.Spin, _inNets.Rate(in g, _last.Velocity, in rates), EventTimes);
             _inNets.Shift(EventTimes, 1.0);
         }
         else

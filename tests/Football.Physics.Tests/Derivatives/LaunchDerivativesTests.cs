@@ -65,6 +65,15 @@ public sealed class LaunchDerivativesTests
         Assert.NotEqual(0, check.Events[BallEventKind.Net]);
     }
 
+    /// <summary>A net pushes on while the slip ends, so that the slide's pieces get ever shorter.</summary>
+    [Fact]
+    public void The_last_moment_of_a_slide_is_one()
+    {
+        var check = new DerivativesCheck(DerivativesKind.Goal);
+        check.Run(new SeededRandom(SeededRandom.Mix(7, ((int)DerivativesKind.Goal * 1_000_003) + 12)));
+        Assert.InRange(Assert.Single(check.Errors), 0, 10 * DerivativesCheck.Reach);
+    }
+
     [Fact]
     public void A_flight_in_vacuum_has_those_of_the_parabola()
     {
