@@ -5,7 +5,7 @@ internal sealed class LocalMotion<TAir>
     where TAir : struct, IAir
 {
     /// <summary>A moment at the end of a slide, s.</summary>
-    private const double LastOfSlide = 2.5e-5;
+    private const double LastOfSlide = 1.25e-5;
 
     private readonly Surroundings<TAir> _around;
     private readonly bool _groundIsEven;
