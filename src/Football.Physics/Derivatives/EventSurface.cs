@@ -39,32 +39,55 @@ internal sealed class EventSurface<TAir>
         return new EventGradient(Vector3d.Zero, (2.0 * bySpeedSquared) * u, (2.0 * bySpinSquared * _around.RadiusSquared) * at.Spin, bySpeed ? rate.Speed : rate.Spin);
     }
 
-    /// <summary>The edge of a net that the ball meets from beside it, where the push begins at once; across its plane it begins with nothing.</summary>
-    /// <param name="met">The nets that are met.</param>
-    /// <param name="sides">On which side.</param>
-    /// <param name="at">The motion.</param>
-    /// <param name="edge">The edge.</param>
-    /// <returns>False where there is none.</returns>
-    public bool Net(ulong met, ulong sides, in Motion at, out EventGradient edge)
+    /// <summary>A net that is met or left: across its plane, or beside it, where the push begins at once.</summary>
+    public EventGradient Net(LocalMotion<TAir> before, LocalMotion<TAir> after, in Motion at)
     {
-        edge = default;
+        World world = _around.World!;
+        ulong met = after.Nets & ~before.Nets;
+        ulong changed = met != 0 ? met : before.Nets & ~after.Nets;
+        int i = 0;
+        while ((changed >> i & 1) == 0)
+        {
+            i++;
+        }
+
+        NetSheet net = world.Nets[i];
+        double side = World.SideOf(met != 0 ? after.NetSides : before.NetSides, i);
+        if (met == 0 || net.Depth(in at.Position, side) < Deep)
+        {
+            Vector3d normal = side * net.Normal;
+            return new EventGradient(in normal, Vector3d.Zero, Vector3d.Zero, Vector3d.Dot(in normal, in at.Velocity));
+        }
+
+        Vector3d place = net.PlaceInFrame(in at.Position);
+        bool along = Math.Abs(Math.Abs(place.X) - net.HalfLength) < Math.Abs(Math.Abs(place.Y) - net.HalfWidth);
+        Vector3d x = net.InFrame(new Vector3d(1, 0, 0));
+        Vector3d y = net.InFrame(new Vector3d(0, 1, 0));
+        Vector3d z = net.InFrame(new Vector3d(0, 0, 1));
+        Vector3d direction = along ? new Vector3d(x.X, y.X, z.X) : new Vector3d(x.Y, y.Y, z.Y);
+        return new EventGradient(in direction, Vector3d.Zero, Vector3d.Zero, Vector3d.Dot(in direction, in at.Velocity));
+    }
+
+    /// <summary>Where a net becomes slack or tight, and its push has a kink: g is its tension, 1 − b σ v·n.</summary>
+    /// <param name="local">What moves the ball.</param>
+    /// <param name="time">Time, s.</param>
+    /// <param name="at">The motion.</param>
+    /// <param name="slack">The gradient.</param>
+    /// <returns>False where the ball is at none of its nets' kinks.</returns>
+    public bool Slack(LocalMotion<TAir> local, double time, in Motion at, out EventGradient slack)
+    {
+        slack = default;
         World world = _around.World!;
         for (int i = 0; i < world.Nets.Length; i++)
         {
-            NetSheet net = world.Nets[i];
-            if ((met >> i & 1) == 0 || net.Depth(in at.Position, World.SideOf(sides, i)) < Deep)
+            double side = World.SideOf(local.NetSides, i);
+            if ((local.Nets >> i & 1) != 0 && Math.Abs(world.Nets[i].Tension(in at.Velocity, side)) < Deep)
             {
-                continue;
+                Vector3d normal = world.Nets[i].Normal;
+                local.Rates(time, in at, out MotionRates rates);
+                slack = new EventGradient(Vector3d.Zero, in normal, Vector3d.Zero, Vector3d.Dot(in normal, in rates.Acceleration));
+                return true;
             }
-
-            Vector3d place = net.PlaceInFrame(in at.Position);
-            bool along = Math.Abs(Math.Abs(place.X) - net.HalfLength) < Math.Abs(Math.Abs(place.Y) - net.HalfWidth);
-            Vector3d x = net.InFrame(new Vector3d(1, 0, 0));
-            Vector3d y = net.InFrame(new Vector3d(0, 1, 0));
-            Vector3d z = net.InFrame(new Vector3d(0, 0, 1));
-            Vector3d direction = along ? new Vector3d(x.X, y.X, z.X) : new Vector3d(x.Y, y.Y, z.Y);
-            edge = new EventGradient(in direction, Vector3d.Zero, Vector3d.Zero, Vector3d.Dot(in direction, in at.Velocity));
-            return true;
         }
 
         return false;

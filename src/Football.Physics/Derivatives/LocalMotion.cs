@@ -4,6 +4,9 @@ namespace Football.Physics;
 internal sealed class LocalMotion<TAir>
     where TAir : struct, IAir
 {
+    /// <summary>A moment at the end of a slide, s.</summary>
+    private const double LastOfSlide = 1.25e-5;
+
     private readonly Surroundings<TAir> _around;
     private readonly bool _groundIsEven;
 
@@ -225,6 +228,16 @@ internal sealed class LocalMotion<TAir>
         Vector3d n = NormalAt(in at.Position, time);
         Vector3d carrier = _around.World is null ? Vector3d.Zero : _carried.Carrier.Velocity;
         return Slip.Of(at.Velocity - carrier, in at.Spin, in n, _around.Radius);
+    }
+
+    /// <summary>Whether friction ends the slip within a moment in which all else that pushes is constant: it does not where that pushes more.</summary>
+    public bool IsAlmostRolling(double time, in Motion at)
+    {
+        Vector3d slip = SlipOf(time, in at);
+        double friction = FrictionAt(time, in at) * (1.0 + (_around.Radius * _torque));
+        MotionRates free = Frictionless(time, in at, Direction(in slip));
+        Vector3d push = SlipRate(in free, NormalAt(in at.Position, time));
+        return push.LengthSquared < friction * friction && new SlipDecay(in slip, in push, friction).Time < LastOfSlide;
     }
 
     /// <summary>The velocity on the surface that friction turns with, m/s: of the slip, or of the roll.</summary>

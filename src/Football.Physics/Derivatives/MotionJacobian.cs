@@ -24,6 +24,10 @@ internal static class MotionJacobian
 
     /// <summary>A at a motion.</summary>
     public static void At<TAir>(LocalMotion<TAir> local, double time, in Motion at, double[] a)
+        where TAir : struct, IAir => At(local, time, in at, in at, a);
+
+    /// <summary>A at a motion, on that side of the kinks of the forces on which it is a moment later.</summary>
+    public static void At<TAir>(LocalMotion<TAir> local, double time, in Motion at, in Motion soon, double[] a)
         where TAir : struct, IAir
     {
         Array.Clear(a, 0, a.Length);
@@ -72,7 +76,7 @@ internal static class MotionJacobian
         }
         else if (taken && local.Nets != 0 && local.Motion == MotionState.Airborne)
         {
-            local.NetPush.Add(in at, a);
+            local.NetPush.Add(in at, in soon, a);
         }
     }
 

@@ -18,18 +18,21 @@ internal readonly struct NetJacobian
     /// Adds how the push of the nets changes with the motion. It is linear in the place, and in the velocity on either side of where a net becomes slack: so
     /// each is changed to that side of it on which it is.
     /// </summary>
-    public void Add(in Motion at, double[] a)
+    /// <param name="at">The motion.</param>
+    /// <param name="soon">The motion a moment later, or itself: it says on which side of a kink it is where it is on one.</param>
+    /// <param name="a">A.</param>
+    public void Add(in Motion at, in Motion soon, double[] a)
     {
         for (int net = 0; net < _world.Nets.Length; net++)
         {
-            if ((_nets >> net & 1) == 0)
+            NetSheet sheet = _world.Nets[net];
+            double side = World.SideOf(_sides, net);
+            if ((_nets >> net & 1) == 0 || !(sheet.Depth(in soon.Position, side) > 0))
             {
                 continue;
             }
 
-            NetSheet sheet = _world.Nets[net];
-            double side = World.SideOf(_sides, net);
-            bool tight = sheet.Tension(in at.Velocity, side) > 0;
+            bool tight = sheet.Tension(in soon.Velocity, side) > 0;
             MotionRates here = sheet.Push(in at, side);
             for (int i = 0; i < MotionVector.AirDistance; i++)
             {

@@ -24,16 +24,16 @@ internal sealed class PieceTangent<TAir>
     private const double Least = 1e-7;
 
     private readonly Tangent _tangent;
-    private readonly Integrator _integrator;
+    private readonly StepTangent<TAir> _step;
     private readonly double _radius;
     private readonly double[] _map = new double[MotionVector.Size * MotionVector.Size];
     private readonly double[] _first = new double[MotionVector.Size * MotionVector.Size];
     private readonly double[] _second = new double[MotionVector.Size * MotionVector.Size];
 
-    public PieceTangent(Tangent tangent, double radius, Integrator integrator)
+    public PieceTangent(Tangent tangent, double radius, StepTangent<TAir> step)
     {
         _tangent = tangent;
-        _integrator = integrator;
+        _step = step;
         _radius = radius;
     }
 
@@ -136,36 +136,12 @@ internal sealed class PieceTangent<TAir>
         for (int i = now.DependsOnPlace ? 0 : MotionVector.Velocity; i < last; i++)
         {
             double by = i < MotionVector.Velocity || i == MotionVector.AirDistance ? MotionVector.Width(in start, i) : i < MotionVector.Spin ? width : width / _radius;
-            Motion high = Taken(now, time, MotionVector.Changed(in start, i, by), h);
-            Motion low = Taken(now, time, MotionVector.Changed(in start, i, -by), h);
+            Motion high = _step.End(now, time, MotionVector.Changed(in start, i, by), h);
+            Motion low = _step.End(now, time, MotionVector.Changed(in start, i, -by), h);
             MotionVector.Write(_map, i, in high, in low, 2.0 * by);
         }
 
         _tangent.Map(_map);
-    }
-
-    /// <summary>Where a step leads.</summary>
-    private Motion Taken(LocalMotion<TAir> now, double time, in Motion from, double h)
-    {
-        var system = new LocalSystem<TAir>(now);
-        MotionStep step;
-        switch (_integrator)
-        {
-            case Integrator.Euler:
-                default(ExplicitEuler).Advance(ref system, time, in from, h, out step);
-                break;
-            case Integrator.SemiImplicitEuler:
-                default(SemiImplicitEuler).Advance(ref system, time, in from, h, out step);
-                break;
-            case Integrator.Rk2:
-                default(MidpointRungeKutta).Advance(ref system, time, in from, h, out step);
-                break;
-            default:
-                default(ClassicalRungeKutta).Advance(ref system, time, in from, h, out step);
-                break;
-        }
-
-        return step.End;
     }
 
     /// <summary>How many parts to take a piece in: the direction of friction turns with 1/|s|, or 1/|v|, which must not change by much within a part.</summary>

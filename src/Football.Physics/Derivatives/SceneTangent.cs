@@ -15,6 +15,7 @@ internal sealed class SceneTangent<TAir> : TangentObserver
     private readonly BallProperties _ball;
     private readonly double[] _map = new double[MotionVector.Size * MotionVector.Size];
     private readonly PieceTangent<TAir> _piece;
+    private readonly NetPieceTangent<TAir> _inNets;
     private LocalMotion<TAir> _now;
     private LocalMotion<TAir> _next;
     private BallState _last;
@@ -41,7 +42,9 @@ internal sealed class SceneTangent<TAir> : TangentObserver
         _impacts = new ImpactMap<TAir>(scene, _around);
         _surface = new EventSurface<TAir>(_around);
         _flight = new FlightTangent<TAir>(_around);
-        _piece = new PieceTangent<TAir>(Tangent, _around.Radius, integrator);
+        var step = new StepTangent<TAir>(Tangent, integrator);
+        _piece = new PieceTangent<TAir>(Tangent, _around.Radius, step);
+        _inNets = new NetPieceTangent<TAir>(Tangent, step, _around.World);
         _now = new LocalMotion<TAir>(_around, scene.Ground.Heights is null, scene.Ball);
         _next = new LocalMotion<TAir>(_around, scene.Ground.Heights is null, scene.Ball);
         _restEnergy = scene.Ground.RestEnergy;
@@ -59,6 +62,7 @@ internal sealed class SceneTangent<TAir> : TangentObserver
         _spinEnded = false;
         Array.Clear(EventTimes, 0, EventTimes.Length);
         _flight.Abandon();
+        _inNets.Start();
         Tangent.Reset();
         _now.Take(in from);
         if (from.Motion is MotionState.Sliding or MotionState.Rolling)
@@ -90,6 +94,13 @@ internal sealed class SceneTangent<TAir> : TangentObserver
             return false;
         }
 
+        if (_isHeld && SlidesOn(in before))
+        {
+            _heldAfter = after;
+            _last = after;
+            return false;
+        }
+
         Join(in before);
         if (_now.IsPlainFlight && _flight.Takes(in before, in after))
         {
@@ -106,6 +117,10 @@ internal sealed class SceneTangent<TAir> : TangentObserver
             _isHeld = true;
             _heldBefore = before;
             _heldAfter = after;
+        }
+        else if (before.Motion == MotionState.Airborne && _now.Nets != 0 && !_now.IsGuided)
+        {
+            _inNets.Propagate(_now, in before, h, StepEnd);
         }
         else
         {
@@ -144,6 +159,11 @@ internal sealed class SceneTangent<TAir> : TangentObserver
     private bool GoesOn(in BallState before) =>
         _event == _log!.Events.Count && before.Motion == MotionState.Airborne && before.Nets == 0
         && (before.Branch == _now.Branch || before.Branch == DragBranch.Unknown) && before.Time == _last.Time && before.Velocity == _last.Velocity;
+
+    /// <summary>Whether a piece goes on with the last moment of a slide, which is taken as one: the shorter it gets, the less its pieces tell.</summary>
+    private bool SlidesOn(in BallState before) =>
+        before.Motion == MotionState.Sliding && _event == _log!.Events.Count && before.Nets == _heldBefore.Nets && before.Branch == _heldBefore.Branch
+        && before.Carrier == _heldBefore.Carrier && _now.IsAlmostRolling(_heldBefore.Time, MotionVector.Of(in _heldBefore));
 
     /// <summary>Ends a plain flight that is under way, and takes the piece of a slide that was held.</summary>
     private void Land()
@@ -216,6 +236,11 @@ internal sealed class SceneTangent<TAir> : TangentObserver
         {
             _next.Rates(before.Time, MotionVector.Of(in before), out MotionRates rates);
             Tangent.Shift(before.Velocity, in rates, EventTimes, -1.0);
+            _inNets.Start(EventTimes);
+        }
+        else
+        {
+            _inNets.GoOn(_next, in before);
         }
 
         _atEvent = false;
@@ -239,10 +264,11 @@ internal sealed class SceneTangent<TAir> : TangentObserver
         }
         else if (_now.Nets != _next.Nets)
         {
-            if (_surface.Net(_next.Nets & ~_now.Nets, _next.NetSides, in motion, out EventGradient edge))
-            {
-                ToEvent(in edge);
-            }
+            ToEvent(_surface.Net(_now, _next, in motion));
+        }
+        else if (_inNets.WasTaken && _surface.Slack(_now, at.Time, in motion, out EventGradient slack))
+        {
+            ToEvent(in slack);
         }
         else if (_now.SpinSign != 0 && _next.SpinSign == 0 && _now.Drills && _next.Motion != MotionState.Airborne)
         {
@@ -270,6 +296,7 @@ internal sealed class SceneTangent<TAir> : TangentObserver
             ToImpact(thing);
         }
 
+        _inNets.Hit();
         nested = _impacts.Impact(ref at, thing, _map) - 1;
         Tangent.Map(_map);
         if (_around.World is { Moves: true })
@@ -303,9 +330,18 @@ internal sealed class SceneTangent<TAir> : TangentObserver
             return;
         }
 
-        Tangent.Times(in g.Place, in g.Velocity, in g.Spin, g.Rate, EventTimes);
         _now.Rates(_last.Time, MotionVector.Of(in _last), out MotionRates rates);
-        Tangent.Shift(_last.Velocity, in rates, EventTimes, 1.0);
+        if (_inNets.WasTaken)
+        {
+            Tangent.Times(in g.Place, in g.Velocity, in g.Spin, _inNets.Rate(in g, _last.Velocity, in rates), EventTimes);
+            _inNets.Shift(EventTimes, 1.0);
+        }
+        else
+        {
+            Tangent.Times(in g.Place, in g.Velocity, in g.Spin, g.Rate, EventTimes);
+            Tangent.Shift(_last.Velocity, in rates, EventTimes, 1.0);
+        }
+
         _atEvent = true;
     }
 }

@@ -39,6 +39,19 @@ internal sealed class Tangent
     /// <summary>Three rows and three columns.</summary>
     public Matrix3d Block(int row, int column) => new(Row(row, column), Row(row + 1, column), Row(row + 2, column));
 
+    /// <summary>One column: how the motion changes with one number of the launch.</summary>
+    public Motion Of(int column) => new(
+        Column(0, column), Column(MotionVector.Velocity, column), Column(MotionVector.Spin, column), _j[(MotionVector.AirDistance * Columns) + column]);
+
+    /// <summary>Sets a column.</summary>
+    public void Set(int column, in Motion value)
+    {
+        Set(0, column, in value.Position);
+        Set(MotionVector.Velocity, column, in value.Velocity);
+        Set(MotionVector.Spin, column, in value.Spin);
+        _j[(MotionVector.AirDistance * Columns) + column] = value.AirDistance;
+    }
+
     /// <summary>J ← A J, A of ten rows and columns.</summary>
     public void Map(double[] a)
     {

@@ -53,6 +53,27 @@ public sealed class LaunchDerivativesTests
         Assert.InRange(check.Errors.Count(error => error <= 10 * DerivativesCheck.Reach), check.Errors.Count - 2, check.Errors.Count);
     }
 
+    /// <summary>A net is met at 24 m/s and left, becomes slack and tight again, and shortens the steps' pieces; then a bounce, a slide, a roll.</summary>
+    [Theory]
+    [InlineData(13)]
+    [InlineData(22)]
+    public void Through_a_net_they_are_those_of_the_steps_as_they_are_taken(int flight)
+    {
+        var check = new DerivativesCheck(DerivativesKind.Goal);
+        check.Run(new SeededRandom(SeededRandom.Mix(7, ((int)DerivativesKind.Goal * 1_000_003) + flight)));
+        Assert.InRange(Assert.Single(check.Errors), 0, DerivativesCheck.Reach);
+        Assert.NotEqual(0, check.Events[BallEventKind.Net]);
+    }
+
+    /// <summary>A net pushes on while the slip ends, so that the slide's pieces get ever shorter.</summary>
+    [Fact]
+    public void The_last_moment_of_a_slide_is_one()
+    {
+        var check = new DerivativesCheck(DerivativesKind.Goal);
+        check.Run(new SeededRandom(SeededRandom.Mix(7, ((int)DerivativesKind.Goal * 1_000_003) + 12)));
+        Assert.InRange(Assert.Single(check.Errors), 0, 10 * DerivativesCheck.Reach);
+    }
+
     [Fact]
     public void A_flight_in_vacuum_has_those_of_the_parabola()
     {

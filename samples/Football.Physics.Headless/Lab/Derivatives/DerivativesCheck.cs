@@ -10,9 +10,18 @@ internal sealed class DerivativesCheck(DerivativesKind kind, double timeStep = 0
     public const double Reach = 1e-6;
     private const double Radius = 0.11;
 
-    /// <summary>Change of the launch, m/s; of the spin ten times that in rad/s. Halved until the difference quotients agree with each other.</summary>
-    private const double Width = 4e-4;
-    private const int Halvings = 4;
+    /// <summary>
+    /// The widest change of the launch, m/s; of the spin ten times that in rad/s. It is halved so often: wide differences pass from one course of events
+    /// to another, narrow ones magnify rounding. Those two in a row count that agree best.
+    /// </summary>
+    private const double Widest = 3.2e-3;
+    private const int Halvings = 9;
+
+    /// <summary>Two that agree to this share of themselves need no narrower ones.</summary>
+    private const double Agreed = 1e-9;
+
+    /// <summary>No flight is judged by differences that are less certain than this share of what is judged.</summary>
+    private const double Certain = 0.3;
 
     private readonly Simulator _simulator = new(DerivativesScenes.Of(kind));
     private readonly StepLog _log = new();
@@ -22,8 +31,11 @@ internal sealed class DerivativesCheck(DerivativesKind kind, double timeStep = 0
     /// <summary>The largest error of each flight, as a share of the largest entry of its block.</summary>
     public List<double> Errors { get; } = [];
 
-    /// <summary>Flights of which the differences themselves are no better than what is judged, or on the edge of another course of events.</summary>
-    public int Undecided { get; private set; }
+    /// <summary>Flights of which the differences themselves are no better than what is judged: at no width do two agree.</summary>
+    public int Uncertain { get; private set; }
+
+    /// <summary>Flights on the edge of another course of events: at no two widths in a row do all changed launches go through the same.</summary>
+    public int OnEdge { get; private set; }
 
     /// <summary>Events that the flights went through.</summary>
     public Dictionary<BallEventKind, int> Events { get; } = [];
@@ -48,19 +60,32 @@ internal sealed class DerivativesCheck(DerivativesKind kind, double timeStep = 0
         {
             var wanted = new Vector3d[3];
             var wantedTimes = new double[3];
+            double uncertain = 0;
+            double uncertainTime = 0;
             for (int axis = 0; axis < 3; axis++)
             {
-                if (!Difference(position, velocity, spin, (3 * block) + axis, stopAt, duration, events, out wanted[axis], out wantedTimes[axis]))
+                if (!Difference(position, velocity, spin, (3 * block) + axis, stopAt, duration, events, out Difference difference))
                 {
-                    Undecided++;
+                    OnEdge++;
                     return;
                 }
+
+                wanted[axis] = difference.Place;
+                wantedTimes[axis] = difference.Time;
+                uncertain = Math.Max(uncertain, difference.PlaceError);
+                uncertainTime = Math.Max(uncertainTime, difference.TimeError);
             }
 
             // What a spin does is measured by a tenth of what its surface speed would do as a velocity, where it does less.
             double largest = Math.Max(wanted.Max(Largest), 0.1 * Radius * velocityBlock);
             double largestTime = Math.Max(wantedTimes.Max(Math.Abs), 0.1 * Radius * velocityTimes);
             (velocityBlock, velocityTimes) = block == 0 ? (largest, largestTime) : (velocityBlock, velocityTimes);
+            if (uncertain > Certain * Reach * Math.Max(1e-6, largest) || (ended && uncertainTime > Certain * Reach * Math.Max(1e-6, largestTime)))
+            {
+                Uncertain++;
+                return;
+            }
+
             for (int axis = 0; axis < 3; axis++)
             {
                 worst = Math.Max(worst, Largest(wanted[axis] - found[(3 * block) + axis]) / Math.Max(1e-6, largest));
@@ -97,38 +122,45 @@ internal sealed class DerivativesCheck(DerivativesKind kind, double timeStep = 0
         }
     }
 
-    /// <summary>The change of place and time at the end, by differences of fourth order; the finer of two that agree.</summary>
+    /// <summary>The change of place and time at the end, by differences of fourth order.</summary>
     private bool Difference(
-        Vector3d position, Vector3d velocity, Vector3d spin, int column, StopAt stopAt, double duration, BallEvent[] events, out Vector3d change, out double time)
+        Vector3d position, Vector3d velocity, Vector3d spin, int column, StopAt stopAt, double duration, BallEvent[] events, out Difference best)
     {
-        double width = column < 3 ? Width : 10 * Width;
-        change = default;
-        time = 0;
-        bool had = false;
+        double width = column < 3 ? Widest : 10 * Widest;
+        best = new Difference(default, 0, double.PositiveInfinity, double.PositiveInfinity);
+        bool hasWide = false;
+        bool hasLast = false;
+        (Vector3d Place, double Time) wide = default;
+        (Vector3d Place, double Time) last = default;
         for (int i = 0; i < Halvings; i++, width *= 0.5)
         {
             bool same = Quotient(position, velocity, spin, column, width, stopAt, duration, events, out Vector3d narrow, out double narrowTime);
-            same &= Quotient(position, velocity, spin, column, 2 * width, stopAt, duration, events, out Vector3d wide, out double wideTime);
-            if (!same)
+            if (same && hasWide)
             {
-                continue;
+                // (4 q(h) − q(2h))/3
+                Vector3d place = narrow + ((narrow - wide.Place) / 3);
+                double time = narrowTime + ((narrowTime - wide.Time) / 3);
+                double error = Largest(place - last.Place);
+                double timeError = Math.Abs(time - last.Time);
+                if (hasLast && error < best.PlaceError)
+                {
+                    best = new Difference(place, time, error, timeError);
+                }
+
+                last = (place, time);
+                hasLast = true;
+                if (best.PlaceError <= Agreed * Largest(place) && best.TimeError <= Agreed * Math.Abs(time))
+                {
+                    return true;
+                }
             }
 
-            // (4 q(h) − q(2h))/3
-            Vector3d better = narrow + ((narrow - wide) / 3);
-            double betterTime = narrowTime + ((narrowTime - wideTime) / 3);
-            double close = 0.3 * Reach;
-            bool agrees = had && Largest(better - change) <= close * Math.Max(1e-2, Largest(better)) && Math.Abs(betterTime - time) <= close * Math.Max(1e-2, Math.Abs(betterTime));
-            had = true;
-            change = better;
-            time = betterTime;
-            if (agrees)
-            {
-                return true;
-            }
+            wide = (narrow, narrowTime);
+            hasLast &= same;
+            hasWide = same;
         }
 
-        return false;
+        return best.PlaceError < double.PositiveInfinity;
     }
 
     private bool Quotient(
