@@ -16,9 +16,6 @@ internal sealed class ImplicitPhase<TAir>
     /// <summary>Pieces taken at most to find the one that ends at the level ground.</summary>
     private const int MostContactSteps = 60;
 
-    /// <summary>How far below contact a piece may end, m.</summary>
-    private const double DeepestEnd = 1e-12;
-
     private readonly Surroundings<TAir> _around;
     private readonly ContactPhase<TAir> _contact;
     private readonly WorldGuard<TAir>? _world;
@@ -231,7 +228,7 @@ internal sealed class ImplicitPhase<TAir>
     /// <summary>Shortens a piece to the instant of contact.</summary>
     private double TimeOfContact(ref ImplicitStep<TAir> step, double h, ref Motion end)
     {
-        var depth = new Depth(in step, in end, h, _around.ContactHeight);
+        var depth = new ImplicitDepth<TAir>(in step, in end, h, _around.ContactHeight);
         Roots.Illinois(ref depth, 0, depth.Of(in step.From), h, depth.Of(in end), 0, MostContactSteps);
         step = depth.Step;
         end = depth.End;
@@ -314,45 +311,6 @@ internal sealed class ImplicitPhase<TAir>
             var piece = new PathPiece(
                 before.Time, h, before.Position, in mean, Vector3d.Zero, after.Position, in mean, Vector3d.Zero, before.Motion, 2);
             run.Log.Halted |= observer.Add(in piece);
-        }
-    }
-
-    /// <summary>How far below contact with the ground a piece ends, m, by its length.</summary>
-    private struct Depth : IFunction
-    {
-        /// <summary>The step, with what it has evaluated.</summary>
-        public ImplicitStep<TAir> Step;
-
-        private readonly double _contact;
-
-        public Depth(in ImplicitStep<TAir> step, in Motion end, double length, double contact)
-        {
-            Step = step;
-            _contact = contact;
-            End = end;
-            Length = length;
-        }
-
-        /// <summary>The shortest piece so far that ends below, s.</summary>
-        public double Length { get; private set; }
-
-        /// <summary>Its end.</summary>
-        public Motion End { get; private set; }
-
-        /// <summary>The depth of one end.</summary>
-        public readonly double Of(in Motion end) => _contact - end.Position.Y;
-
-        public bool Evaluate(double x, out double value)
-        {
-            Motion at = Step.To(x);
-            value = Of(in at);
-            if (value >= 0)
-            {
-                End = at;
-                Length = x;
-            }
-
-            return value is >= 0 and <= DeepestEnd;
         }
     }
 }
