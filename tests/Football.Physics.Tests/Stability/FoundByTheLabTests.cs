@@ -1,3 +1,4 @@
+using Football.Physics.Headless.Lab.Stability;
 using Football.Physics.Tests.Headless;
 
 namespace Football.Physics.Tests.Stability;
@@ -257,4 +258,17 @@ public sealed class FoundByTheLabTests
 
     private static double Energy(Scene scene, in BallState s) =>
         0.5 * ((scene.Ball.Mass * s.Velocity.LengthSquared) + (scene.Ball.MomentOfInertia * s.Spin.LengthSquared));
+
+    /// <summary>A stage found the spin next to zero and pointing anywhere, and the air, which only ends a spin, made it five times as fast.</summary>
+    [Theory]
+    [InlineData(369441)]
+    [InlineData(762821)]
+    public void A_slide_whose_spin_the_air_ends_gains_none(long index) => Assert.Null(StressRun.Play(StressGenerator.Make(5, index)).Failure);
+
+    /// <summary>A piece of implicit Euler many kilometres long that begins next to the ground, and pieces that are spent in the middle of a hop.</summary>
+    [Theory]
+    [InlineData(277081)]
+    [InlineData(202552)]
+    public void What_is_taken_implicitly_ends_on_the_ground(long index) =>
+        Assert.Null(StressRun.Play(MeasuredStress.Of(StressGenerator.Make(6, index), 6, index)).Failure);
 }
