@@ -265,7 +265,7 @@ public sealed class FoundByTheLabTests
     [InlineData(762821)]
     public void A_slide_whose_spin_the_air_ends_gains_none(long index) => Assert.Null(StressRun.Play(StressGenerator.Make(5, index)).Failure);
 
-    /// <summary>A piece of implicit Euler many kilometres long that begins next to the ground, and pieces that are spent in the middle of a hop.</summary>
+    /// <summary>A piece of implicit Euler that begins nearer to the ground than the shortest step of its search, and pieces that are spent in the middle of a hop.</summary>
     [Theory]
     [InlineData(277081)]
     [InlineData(202552)]
