@@ -52,6 +52,7 @@ internal struct GroundForces
         s.Velocity = new Vector3d(step.End.VX, 0, step.End.VZ);
         bool reversed = about > 0 ? spin.Y < 0 : about < 0 && spin.Y > 0;
 
+        // What is damped for long ends at zero, and not at a denormal number.
         bool ends = (reversed && !mayReverse) || Math.Abs(spin.Y) is > 0 and < Vanishing.Least;
         s.SpinAxis = ends ? new Vector3d(spin.X, 0, spin.Z) : spin;
     }

@@ -106,19 +106,23 @@ internal struct SlidingSystem<TAir> : IPlanarSystem
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Move(ref BallState s, in PlanarStep step)
     {
-        // Where friction does not turn the ball, or too weakly, its spin ends at zero.
         var end = new Vector3d(step.End.WX, step.End.WY, step.End.WZ);
-        Vector3d spin = StopsSpin(end.X, end.Y, end.Z) || GrowsSpin(in end) ? Vector3d.Zero : end;
+
+        // Where friction does not turn the ball, or too weakly, its spin ends at zero. One that is then faster at the end has ended on the way, where a stage found it next to zero and pointing anywhere.
+        bool stops = StopsSpin(end.X, end.Y, end.Z) || (AirEndsSpin && end.LengthSquared > StartSpin.LengthSquared);
+        Vector3d spin = stops ? Vector3d.Zero : end;
         GroundForces.Move(ref s, in step, in spin, Around.Air.Varies);
+    }
+
+    /// <summary>Whether the air takes more of the spin than friction can add: it can only get slower.</summary>
+    private readonly bool AirEndsSpin
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => _decay > Around.Ground.SlidingTorque && !Around.Air.Varies;
     }
 
     /// <summary>Whether the air stops this ball's spin although friction turns it, and a stage has gone past that.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private readonly bool StopsSpin(double wx, double wy, double wz) =>
-        _decay > Around.Ground.SlidingTorque && !Around.Air.Varies && (wx * StartSpin.X) + (wy * StartSpin.Y) + (wz * StartSpin.Z) < 0;
-
-    /// <summary>Whether a spin that can only get slower is faster at the end: it ended on the way, where a stage found it next to zero and pointing anywhere.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private readonly bool GrowsSpin(in Vector3d end) =>
-        _decay > Around.Ground.SlidingTorque && !Around.Air.Varies && end.LengthSquared > StartSpin.LengthSquared;
+        AirEndsSpin && (wx * StartSpin.X) + (wy * StartSpin.Y) + (wz * StartSpin.Z) < 0;
 }

@@ -11,9 +11,9 @@ internal sealed class FlightTangent<TAir>
     private const int MostPieces = 8;
 
     /// <summary>No more time than this at once, s: the laws are then all but quadratic.</summary>
-    private const double LongestTime = 0.0601;
+    private const double LongestTime = 0.0801;
 
-    /// <summary>After an impact a third of it: bounces magnify what was wrong before them.</summary>
+    /// <summary>After an impact a quarter of it: bounces magnify what was wrong before them.</summary>
     private const double LongestAfterImpact = 0.0201;
 
     /// <summary>No more change of the speed, m/s.</summary>

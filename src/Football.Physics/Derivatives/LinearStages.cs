@@ -1,7 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>The variational equation δẏ = A δy with the Jacobians at the stages of a method, which asks for them in the same order.</summary>
-internal struct LinearStages : IMotionSystem
+internal struct LinearStages : IMotionRates
 {
     private readonly StageJacobian[] _stages;
     private int _stage;
@@ -13,6 +13,4 @@ internal struct LinearStages : IMotionSystem
     }
 
     public void Rates(double time, in Motion at, out MotionRates rates) => rates = _stages[_stage++].Times(in at);
-
-    public readonly void Move(ref BallState s, in Motion from, in MotionStep step) => s.Position = step.End.Position;
 }

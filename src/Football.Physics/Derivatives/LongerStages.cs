@@ -3,7 +3,7 @@ namespace Football.Physics;
 /// <summary>
 /// How the stages of a step of length h change with ln h: δẏ = A δy + ẏ. The place changes at the rate δv + v, so that sum takes the place of the velocity.
 /// </summary>
-internal struct LongerStages : IMotionSystem
+internal struct LongerStages : IMotionRates
 {
     private readonly StageJacobian[] _stages;
     private int _stage;
@@ -21,6 +21,4 @@ internal struct LongerStages : IMotionSystem
         rates = new MotionRates(
             change.Acceleration + (2.0 * stage.Rates.Acceleration), change.SpinAcceleration + stage.Rates.SpinAcceleration, change.AirSpeed + stage.Rates.AirSpeed);
     }
-
-    public readonly void Move(ref BallState s, in Motion from, in MotionStep step) => s.Position = step.End.Position;
 }

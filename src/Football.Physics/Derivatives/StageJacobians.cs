@@ -1,7 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>What moves the ball along a piece, with the Jacobian taken wherever a method asks for the rates.</summary>
-internal struct StageJacobians<TAir> : IMotionSystem
+internal struct StageJacobians<TAir> : IMotionRates
     where TAir : struct, IAir
 {
     private readonly LocalMotion<TAir> _local;
@@ -30,6 +30,4 @@ internal struct StageJacobians<TAir> : IMotionSystem
         MotionJacobian.At(_local, time, in at, in soon, stage.Jacobian);
         _stage++;
     }
-
-    public readonly void Move(ref BallState s, in Motion from, in MotionStep step) => s.Position = step.End.Position;
 }

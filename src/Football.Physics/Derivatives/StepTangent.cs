@@ -56,7 +56,7 @@ internal sealed class StepTangent<TAir>
     }
 
     private Motion Advance<TSystem>(ref TSystem system, double time, in Motion from, double h)
-        where TSystem : struct, IMotionSystem
+        where TSystem : struct, IMotionRates
     {
         MotionStep step;
         switch (_integrator)

@@ -15,7 +15,7 @@ internal ref struct StepRun
     /// <summary>Evaluations of the forces in a step, whatever asks for them.</summary>
     private const long MostEvaluations = 1 << 13;
 
-    /// <summary>After so many pieces what has decayed to nothing is set to zero; a power of two.</summary>
+    /// <summary>After so many pieces what has decayed to nothing is set to zero.</summary>
     private const int PiecesToVanish = 16;
 
     /// <summary>Implicit pieces after those: a ball that is then still hit again and again at one instant is wedged, between things that press it.</summary>

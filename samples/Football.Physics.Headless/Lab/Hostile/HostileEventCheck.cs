@@ -69,6 +69,7 @@ internal static class HostileEventCheck
         }
 
         // Three times as far as the fastest of the frame, or as a spin can make it, and what gravity adds; a wind that presses the ball down lifts it sideways, for a while far faster.
+        // The clock is as coarse as its last bit.
         double time = item.Time - lastTime + (2 * HostileFrame.Ulp(item.Time));
         double way = (item.Position - lastPlace).Horizontal.Length;
         double surface = frame.Scene.Scene.Ball.Radius * Math.Max(frame.Before.Spin.Length, item.SpinBefore.Length);
