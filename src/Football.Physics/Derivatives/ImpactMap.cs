@@ -50,41 +50,10 @@ internal sealed class ImpactMap<TAir>
         return Hit(ref s, thing);
     }
 
-    /// <summary>The start of a roll, where the slip has ended: it takes the spin along.</summary>
-    public void StartRolling(ref BallState s, double[] map)
-    {
-        Motion at = MotionVector.Of(in s);
-        Clear(map);
-        for (int i = 0; i < MotionVector.AirDistance; i++)
-        {
-            double width = MotionVector.Width(in at, i);
-            MotionVector.Write(map, i, Roll(in s, MotionVector.Changed(in at, i, width)), Roll(in s, MotionVector.Changed(in at, i, -width)), 2.0 * width);
-        }
-
-        Roll(ref s);
-    }
-
     private static void Clear(double[] map)
     {
         Array.Clear(map, 0, map.Length);
         map[map.Length - 1] = 1;
-    }
-
-    private static BallState With(in BallState s, in Motion motion)
-    {
-        BallState changed = s;
-        changed.Position = motion.Position;
-        changed.Velocity = motion.Velocity;
-        if (s.Motion == MotionState.Airborne)
-        {
-            changed.SetFlightSpin(motion.Spin);
-        }
-        else
-        {
-            changed.SetGroundSpin(motion.Spin);
-        }
-
-        return changed;
     }
 
     /// <summary>How it changes with one number. A ball that just bounces, or just stays, does so on both sides.</summary>
@@ -105,7 +74,7 @@ internal sealed class ImpactMap<TAir>
 
     private Motion Hit(in BallState s, in Motion motion, double later, int thing, out MotionState becomes)
     {
-        BallState changed = With(in s, in motion);
+        BallState changed = MotionVector.With(in s, in motion);
         changed.Time += later;
         Hit(ref changed, thing);
         becomes = changed.Motion;
@@ -127,27 +96,5 @@ internal sealed class ImpactMap<TAir>
         int impacts = (int)_log.Events.Impacts;
         _log.Clear();
         return impacts;
-    }
-
-    private Motion Roll(in BallState s, in Motion motion)
-    {
-        BallState changed = With(in s, in motion);
-        Roll(ref changed);
-        return MotionVector.Of(in changed);
-    }
-
-    private void Roll(ref BallState s)
-    {
-        var run = new StepRun(1, s.Time, _log);
-        if (_worldContact is null)
-        {
-            _contact.StartRolling(ref s, ref run);
-        }
-        else
-        {
-            _worldContact.StartRolling(ref s, ref run);
-        }
-
-        _log.Clear();
     }
 }

@@ -8,7 +8,16 @@ namespace Football.Physics;
 public sealed class LaunchDerivatives
 {
     private readonly TangentObserver _observer;
+    private readonly StepDifferences _differences;
+    private readonly Simulator.StepCallback _onStep;
     private readonly StepLog _log = new();
+    private BallState _start;
+    private int _events;
+    private long _pieces;
+    private double _timeStep;
+    private double _end;
+    private double _dt;
+    private StopAt _stopAt;
 
     /// <summary>Makes one for balls of a simulator's scene.</summary>
     /// <param name="simulator">The scene, compiled for the integrator to run with.</param>
@@ -17,7 +26,9 @@ public sealed class LaunchDerivatives
     {
         Check.Given(nameof(simulator), simulator);
         Simulator = simulator;
-        _observer = TangentObserver.Of(simulator.Scene, simulator.Settings.Integrator);
+        _observer = TangentObserver.Of(simulator.Scene);
+        _differences = new StepDifferences(simulator);
+        _onStep = End;
     }
 
     /// <summary>The simulator.</summary>
@@ -62,10 +73,9 @@ public sealed class LaunchDerivatives
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt)
     {
-        _log.Clear();
-        _log.Observer = _observer;
-        _observer.Begin(in state, _log);
-        bool ended = Simulator.Run(ref state, timeStep, duration, stopAt, _log);
+        Simulator.CheckRun(in state, timeStep, duration, stopAt);
+        Start(in state);
+        bool ended = Go(ref state, timeStep, duration, stopAt);
         _observer.Finish(in state, ended);
         double[] times = _observer.EventTimes;
         double counts = ended ? 1.0 : 0;
@@ -86,7 +96,43 @@ public sealed class LaunchDerivatives
     /// <summary>Goes on for a time; the derivatives are then those there by the launch.</summary>
     internal void Advance(ref BallState state, double timeStep, double duration)
     {
-        Simulator.Run(ref state, timeStep, duration, StopAt.Time, _log);
+        Go(ref state, timeStep, duration, StopAt.Time);
         _observer.Finish(in state, ended: false);
+    }
+
+    /// <summary>The simulator's own run, step by step.</summary>
+    private bool Go(ref BallState state, double timeStep, double duration, StopAt stopAt)
+    {
+        _timeStep = timeStep;
+        _stopAt = stopAt;
+        _end = state.Time + duration;
+        Begin(in state);
+        return Simulator.Run(ref state, timeStep, duration, stopAt, _log, _onStep);
+    }
+
+    private void Begin(in BallState start)
+    {
+        _start = start;
+        _events = _log.Events.Count;
+        _pieces = _log.Steps;
+        double left = _end - start.Time;
+        _dt = _timeStep < left ? _timeStep : left;
+        _observer.BeginStep(in start, _dt);
+    }
+
+    private void End(in BallState end)
+    {
+        if (_observer.EndStep(in end))
+        {
+            // A ball at rest on what stands has nothing to do.
+            if (_start.Motion != MotionState.Stopped || Simulator.World is { Moves: true })
+            {
+                _differences.Take(_observer.Tangent, in _start, in end, _dt, _stopAt, _log.Events.Span.Slice(_events), _log.Steps - _pieces, _observer.EventTimes);
+            }
+
+            _observer.GoOn(in end);
+        }
+
+        Begin(in end);
     }
 }

@@ -25,6 +25,32 @@ internal static class MotionVector
         at.Spin + Unit(index - Spin, by),
         at.AirDistance + (index == AirDistance ? by : 0));
 
+    /// <summary>a x + b y.</summary>
+    public static Motion Sum(double a, in Motion x, double b, in Motion y) => new(
+        (a * x.Position) + (b * y.Position), (a * x.Velocity) + (b * y.Velocity), (a * x.Spin) + (b * y.Spin), (a * x.AirDistance) + (b * y.AirDistance));
+
+    /// <summary>A ball with another motion.</summary>
+    public static BallState With(in BallState s, in Motion motion)
+    {
+        BallState changed = s;
+        changed.Position = motion.Position;
+        changed.Velocity = motion.Velocity;
+        changed.AirDistance = motion.AirDistance;
+
+        // What was found to be far from its way need not be far from another.
+        changed.ClearUntil = 0;
+        if (s.Motion == MotionState.Airborne)
+        {
+            changed.SetFlightSpin(motion.Spin);
+        }
+        else
+        {
+            changed.SetGroundSpin(motion.Spin);
+        }
+
+        return changed;
+    }
+
     /// <summary>Writes a motion's difference quotient into a column of a matrix.</summary>
     public static void Write(double[] matrix, int column, in Motion high, in Motion low, double width)
     {
@@ -41,14 +67,6 @@ internal static class MotionVector
         matrix[(row * Size) + column] = value.X;
         matrix[((row + 1) * Size) + column] = value.Y;
         matrix[((row + 2) * Size) + column] = value.Z;
-    }
-
-    /// <summary>Adds three numbers to a column of a matrix.</summary>
-    public static void Add(double[] matrix, int row, int column, in Vector3d value)
-    {
-        matrix[(row * Size) + column] += value.X;
-        matrix[((row + 1) * Size) + column] += value.Y;
-        matrix[((row + 2) * Size) + column] += value.Z;
     }
 
     /// <summary>How much to change a number for a difference quotient that is right to about ten digits.</summary>

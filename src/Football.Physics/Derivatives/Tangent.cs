@@ -11,17 +11,9 @@ internal sealed class Tangent
     private const int Rows = MotionVector.Size;
     private const int Length = Rows * Columns;
 
-    /// <summary>√3/12.</summary>
-    private const double CommutatorWeight = 0.14433756729740643;
-
-    /// <summary>Terms of the exponential: pieces are short enough for the motion to change by a quarter at most.</summary>
-    private const int Terms = 6;
-
     private readonly double[] _j = new double[Length];
-    private readonly double[] _term = new double[Length];
     private readonly double[] _next = new double[Length];
-    private readonly double[] _omega = new double[Rows * Rows];
-    private readonly double[] _commutator = new double[Rows * Rows];
+    private readonly double[] _kept = new double[Length];
 
     /// <summary>The launch itself, J = 1.</summary>
     public void Reset()
@@ -32,6 +24,12 @@ internal sealed class Tangent
             _j[(i * Columns) + i] = 1;
         }
     }
+
+    /// <summary>Keeps it as it is now.</summary>
+    public void Keep() => Array.Copy(_j, _kept, Length);
+
+    /// <summary>Makes it again what was kept.</summary>
+    public void Restore() => Array.Copy(_kept, _j, Length);
 
     /// <summary>One entry.</summary>
     public double this[int row, int column] => _j[(row * Columns) + column];
@@ -55,7 +53,7 @@ internal sealed class Tangent
     /// <summary>J ← A J, A of ten rows and columns.</summary>
     public void Map(double[] a)
     {
-        Multiply(a, _j, _next, Columns);
+        Multiply(a, _j, _next);
         Array.Copy(_next, _j, Length);
     }
 
@@ -137,9 +135,6 @@ internal sealed class Tangent
         }
     }
 
-    /// <summary>Sets three rows to zero.</summary>
-    public void Clear(int row) => Array.Clear(_j, row * Columns, 3 * Columns);
-
     /// <summary>Takes away from three rows what is along a direction: what a ball that is placed loses of it.</summary>
     public void Project(int row, in Vector3d normal)
     {
@@ -167,63 +162,12 @@ internal sealed class Tangent
         }
     }
 
-    /// <summary>The end of the spin about the normal of a surface, which stays ended: n·δω + ω·H δp = 0.</summary>
-    /// <param name="normal">n.</param>
-    /// <param name="curvature">H, 1/m.</param>
-    /// <param name="spin">ω, rad/s.</param>
-    public void EndDrilling(in Vector3d normal, in SymmetricMatrix3d curvature, in Vector3d spin)
+    private static void Multiply(double[] a, double[] b, double[] into)
     {
-        Vector3d turned = curvature * spin;
-        for (int c = 0; c < Columns; c++)
-        {
-            Add(MotionVector.Spin, c, -(Dot(MotionVector.Spin, c, in normal) + Dot(0, c, in turned)) * normal);
-        }
-    }
-
-    /// <summary>Keeps of three rows what is along a direction.</summary>
-    public void Keep(int row, in Vector3d normal)
-    {
-        for (int c = 0; c < Columns; c++)
-        {
-            Set(row, c, Dot(row, c, in normal) * normal);
-        }
-    }
-
-    /// <summary>
-    /// The variational equation J̇ = A(t) J over a time h by Magnus' method of fourth order, J ← exp(Ω) J,
-    /// Ω = h/2 (A₁ + A₂) + √3/12 h² [A₂, A₁] with A at both Gauss points: neither end is asked, where forces may have kinks.
-    /// </summary>
-    public void Integrate(double h, double[] first, double[] second)
-    {
-        Multiply(second, first, _commutator, Rows);
-        Multiply(first, second, _omega, Rows);
-        double half = 0.5 * h;
-        double twist = CommutatorWeight * h * h;
-        for (int i = 0; i < Rows * Rows; i++)
-        {
-            _omega[i] = (half * (first[i] + second[i])) + (twist * (_commutator[i] - _omega[i]));
-        }
-
-        // exp(Ω) J = J + ΩJ + Ω²J/2 + …
-        Array.Copy(_j, _term, Length);
-        for (int n = 1; n <= Terms; n++)
-        {
-            Multiply(_omega, _term, _next, Columns);
-            double perN = 1.0 / n;
-            for (int i = 0; i < Length; i++)
-            {
-                _term[i] = perN * _next[i];
-                _j[i] += _term[i];
-            }
-        }
-    }
-
-    private static void Multiply(double[] a, double[] b, double[] into, int columns)
-    {
-        Array.Clear(into, 0, Rows * columns);
+        Array.Clear(into, 0, Length);
         for (int row = 0; row < Rows; row++)
         {
-            int at = row * columns;
+            int at = row * Columns;
             for (int k = 0; k < Rows; k++)
             {
                 double factor = a[(row * Rows) + k];
@@ -232,8 +176,8 @@ internal sealed class Tangent
                     continue;
                 }
 
-                int from = k * columns;
-                for (int c = 0; c < columns; c++)
+                int from = k * Columns;
+                for (int c = 0; c < Columns; c++)
                 {
                     into[at + c] += factor * b[from + c];
                 }

@@ -13,10 +13,10 @@ internal abstract class TangentObserver : PieceObserver
 
     public override bool WantsEndAcceleration => false;
 
-    /// <summary>Makes one for a scene that is run with an integrator.</summary>
-    public static TangentObserver Of(Scene scene, Integrator integrator)
+    /// <summary>Makes one for a scene.</summary>
+    public static TangentObserver Of(Scene scene)
     {
-        var maker = new Maker { Integrator = integrator };
+        Maker maker = default;
         return AirChoice.Choose<Maker, TangentObserver>(scene, ref maker);
     }
 
@@ -27,6 +27,20 @@ internal abstract class TangentObserver : PieceObserver
     /// <param name="log">The log that the run writes to; its events from here on are those of the run.</param>
     public abstract void Begin(in BallState from, StepLog log);
 
+    /// <summary>A step begins.</summary>
+    /// <param name="start">The ball.</param>
+    /// <param name="dt">Its length, s.</param>
+    public abstract void BeginStep(in BallState start, double dt);
+
+    /// <summary>A step has ended.</summary>
+    /// <param name="end">The ball.</param>
+    /// <returns>Whether it was more than plain flight and impacts: the tangent is then that at its start, and <see cref="StepDifferences"/> carries it over.</returns>
+    public abstract bool EndStep(in BallState end);
+
+    /// <summary>Goes on from the end of a step that its differences have carried the tangent over.</summary>
+    /// <param name="from">The ball.</param>
+    public abstract void GoOn(in BallState from);
+
     /// <summary>
     /// Ends with a run. Where an event ended it, the tangent is that of the motion at the event, just before it, whose time is <see cref="EventTimes"/>.
     /// </summary>
@@ -36,8 +50,6 @@ internal abstract class TangentObserver : PieceObserver
 
     private struct Maker : IAirVisitor<TangentObserver>
     {
-        public Integrator Integrator;
-
         public readonly TangentObserver Visit<TAir>(Scene scene)
             where TAir : struct, ILawsAir
         {
@@ -45,21 +57,21 @@ internal abstract class TangentObserver : PieceObserver
             laws.Prepare(scene);
             if (StepperFactory.HasLawsAlone(scene))
             {
-                return new SceneTangent<TAir>(scene, Integrator, in laws);
+                return new SceneTangent<TAir>(scene, in laws);
             }
 
             if (ScaledLaws.TryOf(scene, out ScaledLaws scaled))
             {
-                return new SceneTangent<ScaledLaws>(scene, Integrator, in scaled);
+                return new SceneTangent<ScaledLaws>(scene, in scaled);
             }
 
             PointAir air = PointAir.Of(in laws);
             if (scene.Forces.Custom.Count == 0)
             {
-                return new SceneTangent<FieldAir>(scene, Integrator, new FieldAir(scene, air));
+                return new SceneTangent<FieldAir>(scene, new FieldAir(scene, air));
             }
 
-            return new SceneTangent<OwnForcesAir>(scene, Integrator, new OwnForcesAir(scene, FieldAir.IsOf(scene) ? PointAir.Of(new FieldAir(scene, air)) : air));
+            return new SceneTangent<OwnForcesAir>(scene, new OwnForcesAir(scene, FieldAir.IsOf(scene) ? PointAir.Of(new FieldAir(scene, air)) : air));
         }
     }
 }

@@ -192,16 +192,12 @@ public sealed class Simulator
     /// <exception cref="ArgumentNullException"><paramref name="log"/> is null.</exception>
     public bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt, StepLog log)
     {
-        Check.Within("timeStep", timeStep, 0, Limits.Time, exclusiveLow: true);
-        Check.Within("duration", duration, 0, Limits.Time, exclusiveLow: true);
-        Check.AtLeast("timeStep", timeStep, duration / MostSteps);
-        Check.Defined("stopAt", stopAt, (int)stopAt, 3);
+        CheckRun(in state, timeStep, duration, stopAt);
         if (log is null)
         {
             throw new ArgumentNullException(nameof(log));
         }
 
-        Check.Advances("timeStep", timeStep, state.Time + duration);
         return Run(ref state, timeStep, duration, stopAt, log, null);
     }
 
@@ -218,6 +214,16 @@ public sealed class Simulator
     /// <inheritdoc cref="Stepper.AirFactors"/>
     internal void AirFactors(double speed, double spinRate, out double drag, out double lift) =>
         _stepper.AirFactors(speed, spinRate, out drag, out lift);
+
+    /// <summary>Refuses a run whose numbers are out of range.</summary>
+    internal static void CheckRun(in BallState state, double timeStep, double duration, StopAt stopAt)
+    {
+        Check.Within("timeStep", timeStep, 0, Limits.Time, exclusiveLow: true);
+        Check.Within("duration", duration, 0, Limits.Time, exclusiveLow: true);
+        Check.AtLeast("timeStep", timeStep, duration / MostSteps);
+        Check.Defined("stopAt", stopAt, (int)stopAt, 3);
+        Check.Advances("timeStep", timeStep, state.Time + duration);
+    }
 
     /// <summary>The same with a callback after every step.</summary>
     internal bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt, StepLog log, StepCallback? onStep)

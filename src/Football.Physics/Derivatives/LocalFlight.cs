@@ -1,0 +1,33 @@
+namespace Football.Physics;
+
+/// <summary>What moves the ball along a piece of flight: the same system that a step integrates, on the same branch of the drag law.</summary>
+internal sealed class LocalFlight<TAir>
+    where TAir : struct, IAir
+{
+    private readonly Surroundings<TAir> _around;
+    private FlightSystem<TAir> _flight;
+
+    public LocalFlight(Surroundings<TAir> around) => _around = around;
+
+    /// <summary>The branch of the drag law.</summary>
+    public DragBranch Branch => _flight.Branch;
+
+    /// <summary>Whether it is plain flight: along a constant axis of the spin, in air that does not vary, with nothing else that pushes.</summary>
+    public bool IsPlain { get; private set; }
+
+    /// <summary>Makes it that of a ball.</summary>
+    public void Take(in BallState s)
+    {
+        Motion at = MotionVector.Of(in s);
+        _flight = new FlightSystem<TAir>
+        {
+            Around = _around,
+            Branch = s.Branch != DragBranch.Unknown || !_around.Air.Jumps ? s.Branch : DragJump.At(in at, in _around.Wind, _around.Radius).Branch,
+        };
+        IsPlain = s.Motion == MotionState.Airborne && s.Nets == 0 && !_around.Air.Varies && Branch < DragBranch.AlongCriticalSpeed
+            && (_around.World is not { } world || Guides.Of(world, s.Position, s.Velocity, s.Time, -1).Count == 0);
+    }
+
+    /// <summary>v̇ and ω̇.</summary>
+    public void Rates(double time, in Motion at, out MotionRates rates) => _flight.Rates(time, in at, out rates);
+}
