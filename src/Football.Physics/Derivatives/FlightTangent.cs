@@ -13,6 +13,10 @@ internal sealed class FlightTangent<TAir>
     /// <summary>No more time than this at once, s: the laws are then all but quadratic.</summary>
     private const double LongestTime = 0.0801;
 
+    /// <summary>At first, s, half of it: little has come of the spin yet.</summary>
+    private const double First = 0.16;
+    private const double LongestAtFirst = 0.0401;
+
     /// <summary>After an impact a quarter of it: bounces magnify what was wrong before them.</summary>
     private const double LongestAfterImpact = 0.0201;
 
@@ -35,7 +39,8 @@ internal sealed class FlightTangent<TAir>
     private readonly Vector3d[] _velocities = new Vector3d[MostPieces + 1];
     private readonly double[] _spins = new double[MostPieces + 1];
     private readonly double[] _times = new double[MostPieces + 1];
-    private double _longest;
+    private double _shortUntil;
+    private double _short;
     private DragBranch _branch;
     private Vector3d _axis;
     private Vector3d _first;
@@ -66,7 +71,8 @@ internal sealed class FlightTangent<TAir>
     public void Begin(in BallState s, DragBranch branch, bool afterImpact)
     {
         IsOpen = true;
-        _longest = afterImpact ? LongestAfterImpact : LongestTime;
+        _shortUntil = afterImpact ? double.PositiveInfinity : s.Time + First;
+        _short = afterImpact ? LongestAfterImpact : LongestAtFirst;
         _branch = branch;
         _axis = s.SpinAxis;
         _startSpin = s.SpinRate;
@@ -95,7 +101,8 @@ internal sealed class FlightTangent<TAir>
 
         // An even number of equal pieces has a state in the middle.
         double h = _times[_count] - _times[0];
-        bool full = _count == MostPieces || h + (h / _count) > _longest
+        double longest = _times[0] < _shortUntil ? _short : LongestTime;
+        bool full = _count == MostPieces || h + (h / _count) > longest
             || ((_count & 1) == 0 && (Math.Abs(_velocities[_count].Length - _velocities[0].Length) > LargestChange || Change(_count) > 0.5));
         if (full || (_count == 1 && Change(1) > 0.5))
         {

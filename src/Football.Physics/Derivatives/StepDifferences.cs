@@ -143,7 +143,9 @@ internal sealed class StepDifferences
         _log.StopAt = _stopAt;
         _simulator.Advance(ref s, _timeStep, _log);
         time = s.Time;
-        end = new Motion(s.Position - from, s.Velocity, s.Spin, s.AirDistance);
+        end = s.Motion == MotionState.Rolling && IsPinned(in s, out Vector3d normal)
+            ? new Motion(s.Position - from, Vector3d.Zero, Vector3d.Dot(s.Spin, in normal) * normal, s.AirDistance)
+            : new Motion(s.Position - from, s.Velocity, s.Spin, s.AirDistance);
         bool same = s.Motion == _end.Motion && s.Branch == _end.Branch && s.Nets == _end.Nets && s.Carrier == _end.Carrier
             && _log.Steps == _pieces && _log.Events.Count == events.Length;
         for (int i = 0; same && i < events.Length; i++)
@@ -162,6 +164,13 @@ internal sealed class StepDifferences
         return same;
     }
 
+    /// <summary>Whether a ball that rolls stands on its spot: what is left of its speed says nothing.</summary>
+    private bool IsPinned(in BallState s, out Vector3d normal)
+    {
+        Vector3d moving = OnSurface(in s, out normal);
+        return moving.LengthSquared < Slip.Rolling * Slip.Rolling;
+    }
+
     /// <summary>By how much to change the motion: the slower a slip or a roll, the faster its friction turns.</summary>
     private double WidthAt(in BallState start)
     {
@@ -171,17 +180,23 @@ internal sealed class StepDifferences
             return widest;
         }
 
-        Vector3d moving = start.Velocity;
-        Vector3d normal = Vector3d.Up;
-        if (_simulator.World is { } world)
-        {
-            Collider carrier = world.CarrierOf(in start);
-            moving -= carrier.Velocity;
-            normal = carrier.At(start.Position, start.Time).Normal;
-        }
-
+        Vector3d moving = OnSurface(in start, out Vector3d normal);
         bool slides = start.Motion == MotionState.Sliding;
         double speed = (slides ? Slip.Of(in moving, start.Spin, in normal, _simulator.Scene.Ball.Radius) : moving).Length;
         return speed < Slip.Rolling ? widest : Math.Max(Narrowest, Math.Min(widest, (slides ? SlipShare : RollShare) * speed));
+    }
+
+    /// <summary>The velocity over what carries the ball, and its normal.</summary>
+    private Vector3d OnSurface(in BallState s, out Vector3d normal)
+    {
+        if (_simulator.World is not { } world)
+        {
+            normal = Vector3d.Up;
+            return s.Velocity;
+        }
+
+        Collider carrier = world.CarrierOf(in s);
+        normal = carrier.At(s.Position, s.Time).Normal;
+        return s.Velocity - carrier.Velocity;
     }
 }
