@@ -17,7 +17,7 @@ internal sealed class StepDifferences
     /// <summary>The push of nets has kinks, which wide differences smear: the widest change in one, m/s.</summary>
     private const double WidestInNets = 2e-5;
 
-    /// <summary>Share of a slip and of the speed of a roll by which it is changed at most, and the narrowest change, m/s.</summary>
+    /// <summary>Share of a slip, and of the speed of a roll or of the flow, by which it is changed at most, and the narrowest change, m/s.</summary>
     private const double SlipShare = 0.01;
     private const double RollShare = 0.001;
     private const double Narrowest = 1e-7;
@@ -171,7 +171,7 @@ internal sealed class StepDifferences
         return moving.LengthSquared < Slip.Rolling * Slip.Rolling;
     }
 
-    /// <summary>By how much to change the motion: the slower a slip or a roll, the faster its friction turns.</summary>
+    /// <summary>By how much to change the motion: the slower a slip, a roll or the flow, the faster its force turns.</summary>
     private double WidthAt(in BallState start)
     {
         double widest = start.Nets == 0 && _end.Nets == 0 ? Widest : WidestInNets;
@@ -183,7 +183,9 @@ internal sealed class StepDifferences
         Vector3d moving = OnSurface(in start, out Vector3d normal);
         bool slides = start.Motion == MotionState.Sliding;
         double speed = (slides ? Slip.Of(in moving, start.Spin, in normal, _simulator.Scene.Ball.Radius) : moving).Length;
-        return speed < Slip.Rolling ? widest : Math.Max(Narrowest, Math.Min(widest, (slides ? SlipShare : RollShare) * speed));
+        widest = Math.Min(widest, RollShare * (start.Velocity - _simulator.Scene.Air.Wind).Length);
+        widest = speed < Slip.Rolling ? widest : Math.Min(widest, (slides ? SlipShare : RollShare) * speed);
+        return Math.Max(Narrowest, widest);
     }
 
     /// <summary>The velocity over what carries the ball, and its normal.</summary>

@@ -47,10 +47,11 @@ public sealed class LaunchDerivativesTests
             check.Run(new SeededRandom(SeededRandom.Mix(3, i)));
         }
 
-        // football lab derivatives tells of thousands. A flight whose flow all but stops, or that rolls in a net, is told less exactly.
-        Assert.InRange(check.Errors.Count, 4, 12);
-        Assert.InRange(check.Errors.Order().ElementAt(check.Errors.Count / 2), 0, 2 * DerivativesCheck.Reach);
-        Assert.InRange(check.Errors.Count(error => error <= 10 * DerivativesCheck.Reach), check.Errors.Count - 2, check.Errors.Count);
+        // football lab derivatives tells of thousands. In a net a step may be taken in one piece more or less, which is not smooth.
+        Assert.InRange(check.Errors.Count, 8, 12);
+        Assert.InRange(check.Errors.Order().ElementAt(check.Errors.Count / 2), 0, 0.5 * DerivativesCheck.Reach);
+        Assert.InRange(check.Errors.Count(error => error <= DerivativesCheck.Reach), check.Errors.Count - 1, check.Errors.Count);
+        Assert.InRange(check.Errors.Max(), 0, 10 * DerivativesCheck.Reach);
     }
 
     /// <summary>A net is met at 24 m/s and left, becomes slack and tight again, and shortens the steps' pieces; then a bounce, a slide, a roll.</summary>
@@ -65,13 +66,38 @@ public sealed class LaunchDerivativesTests
         Assert.NotEqual(0, check.Events[BallEventKind.Net]);
     }
 
-    /// <summary>A net pushes on while the slip ends, so that the slide's pieces get ever shorter.</summary>
-    [Fact]
-    public void The_last_moment_of_a_slide_is_one()
+    /// <summary>A net pushes on while the slip ends; a ball stands and spins under drilling friction; one that rolls in the wind until the flow all but stops.</summary>
+    [Theory]
+    [InlineData(DerivativesKind.Goal, 7, 1)]
+    [InlineData(DerivativesKind.Measured, 11, 0)]
+    [InlineData(DerivativesKind.Published, 7, 24)]
+    [InlineData(DerivativesKind.Published, 7, 6)]
+    public void Slides_rolls_and_what_follows_are_those_of_the_steps(object kind, int seed, int flight)
     {
-        var check = new DerivativesCheck(DerivativesKind.Goal);
-        check.Run(new SeededRandom(SeededRandom.Mix(7, ((int)DerivativesKind.Goal * 1_000_003) + 12)));
-        Assert.InRange(Assert.Single(check.Errors), 0, 10 * DerivativesCheck.Reach);
+        var check = new DerivativesCheck((DerivativesKind)kind);
+        check.Run(new SeededRandom(SeededRandom.Mix(seed, ((int)(DerivativesKind)kind * 1_000_003) + flight)));
+        Assert.InRange(Assert.Single(check.Errors), 0, DerivativesCheck.Reach);
+        Assert.NotEqual(0, check.Events[BallEventKind.Roll]);
+    }
+
+    /// <summary>An integrator whose steps are far from the flow that they follow: the differences are those of its own steps.</summary>
+    [Fact]
+    public void A_roll_by_a_crude_method_is_differentiated_as_it_is_taken()
+    {
+        var simulator = new Simulator(Scene.Published, new SolverSettings { Integrator = Integrator.Euler });
+        var derivatives = new LaunchDerivatives(simulator);
+        Vector3d End(double faster)
+        {
+            BallState ball = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(6 + faster, 0, 0), new Vector3d(0, 5, 0));
+            simulator.Run(ref ball, 0.05, 2, StopAt.Time, new StepLog());
+            return ball.Position;
+        }
+
+        BallState state = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(6, 0, 0), new Vector3d(0, 5, 0));
+        derivatives.Run(ref state, 0.05, 2, StopAt.Time);
+        Vector3d wanted = (End(1e-4) - End(-1e-4)) / 2e-4;
+        Assert.Equal(wanted.X, derivatives.PositionByVelocity.X.X, 7);
+        Assert.Equal(wanted.Z, derivatives.PositionByVelocity.Z.X, 7);
     }
 
     [Fact]
