@@ -62,7 +62,7 @@ internal static class MotionVector
     }
 
     /// <summary>Writes three numbers into a column of a matrix.</summary>
-    public static void Write(double[] matrix, int row, int column, in Vector3d value)
+    private static void Write(double[] matrix, int row, int column, in Vector3d value)
     {
         matrix[(row * Size) + column] = value.X;
         matrix[((row + 1) * Size) + column] = value.Y;
@@ -72,9 +72,6 @@ internal static class MotionVector
     /// <summary>How much to change a number for a difference quotient that is right to about ten digits.</summary>
     public static double Width(in Motion at, int index) =>
         index < Velocity ? 5e-6 : index < Spin ? 1e-5 * (1.0 + at.Velocity.Length) : index < AirDistance ? 1e-5 * (1.0 + at.Spin.Length) : 1e-5;
-
-    /// <summary>A component, 0 … 2.</summary>
-    public static double Component(in Vector3d v, int index) => index == 0 ? v.X : index == 1 ? v.Y : v.Z;
 
     private static Vector3d Unit(int index, double by) => new(index == 0 ? by : 0, index == 1 ? by : 0, index == 2 ? by : 0);
 }

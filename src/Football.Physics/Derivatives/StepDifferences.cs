@@ -143,9 +143,17 @@ internal sealed class StepDifferences
         _log.StopAt = _stopAt;
         _simulator.Advance(ref s, _timeStep, _log);
         time = s.Time;
-        end = s.Motion == MotionState.Rolling && IsPinned(in s, out Vector3d normal)
-            ? new Motion(s.Position - from, Vector3d.Zero, Vector3d.Dot(s.Spin, in normal) * normal, s.AirDistance)
-            : new Motion(s.Position - from, s.Velocity, s.Spin, s.AirDistance);
+        end = new Motion(s.Position - from, s.Velocity, s.Spin, s.AirDistance);
+        if (s.Motion == MotionState.Rolling)
+        {
+            Vector3d moving = OnSurface(in s, out Vector3d normal);
+            if (moving.LengthSquared < Slip.Rolling * Slip.Rolling)
+            {
+                // It stands on its spot: what is left of its speed says nothing.
+                end = new Motion(end.Position, s.Velocity - moving, Vector3d.Dot(s.Spin, in normal) * normal, s.AirDistance);
+            }
+        }
+
         bool same = s.Motion == _end.Motion && s.Branch == _end.Branch && s.Nets == _end.Nets && s.Carrier == _end.Carrier
             && _log.Steps == _pieces && _log.Events.Count == events.Length;
         for (int i = 0; same && i < events.Length; i++)
@@ -162,13 +170,6 @@ internal sealed class StepDifferences
         }
 
         return same;
-    }
-
-    /// <summary>Whether a ball that rolls stands on its spot: what is left of its speed says nothing.</summary>
-    private bool IsPinned(in BallState s, out Vector3d normal)
-    {
-        Vector3d moving = OnSurface(in s, out normal);
-        return moving.LengthSquared < Slip.Rolling * Slip.Rolling;
     }
 
     /// <summary>By how much to change the motion: the slower a slip, a roll or the flow, the faster its force turns.</summary>

@@ -74,7 +74,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
     }
 
     public void Advance<TSystem>(ref TSystem system, double time, in Motion from, double h, out MotionStep step)
-        where TSystem : struct, IMotionRates
+        where TSystem : struct, IMotionSystem
     {
         double half = 0.5 * h;
         double sixth = h / 6.0;

@@ -41,7 +41,7 @@ internal readonly struct ExplicitEuler : IIntegrator
     }
 
     public void Advance<TSystem>(ref TSystem system, double time, in Motion from, double h, out MotionStep step)
-        where TSystem : struct, IMotionRates
+        where TSystem : struct, IMotionSystem
     {
         system.Rates(time, in from, out step.StartRates);
         step.End = from.After(h, in from.Velocity, in step.StartRates);

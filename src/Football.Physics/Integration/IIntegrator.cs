@@ -35,7 +35,7 @@ internal interface IIntegrator
     /// <param name="h">Its length, s.</param>
     /// <param name="step">Where it ends.</param>
     void Advance<TSystem>(ref TSystem system, double time, in Motion from, double h, out MotionStep step)
-        where TSystem : struct, IMotionRates;
+        where TSystem : struct, IMotionSystem;
 
     /// <summary>A step in flight along a constant axis of the spin, in air that depends on place or time.</summary>
     /// <param name="system">Gives the rates.</param>

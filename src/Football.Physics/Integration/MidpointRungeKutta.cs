@@ -57,7 +57,7 @@ internal readonly struct MidpointRungeKutta : IIntegrator
     }
 
     public void Advance<TSystem>(ref TSystem system, double time, in Motion from, double h, out MotionStep step)
-        where TSystem : struct, IMotionRates
+        where TSystem : struct, IMotionSystem
     {
         double half = 0.5 * h;
         system.Rates(time, in from, out step.StartRates);

@@ -41,7 +41,7 @@ internal readonly struct SemiImplicitEuler : IIntegrator
     }
 
     public void Advance<TSystem>(ref TSystem system, double time, in Motion from, double h, out MotionStep step)
-        where TSystem : struct, IMotionRates
+        where TSystem : struct, IMotionSystem
     {
         system.Rates(time, in from, out step.StartRates);
         Vector3d velocity = from.Velocity + (h * step.StartRates.Acceleration);

@@ -6,9 +6,6 @@ internal abstract class PieceObserver
     /// <summary>Whether pieces need the acceleration at their end, which costs an evaluation each; without it they are cubic.</summary>
     public abstract bool WantsEndAcceleration { get; }
 
-    /// <summary>When the step ends that the piece is part of, s, where it is taken in pieces.</summary>
-    public double StepEnd { get; set; }
-
     /// <summary>Called after every piece, before the event that may end it.</summary>
     /// <returns>True when it has seen enough: the step ends here.</returns>
     public abstract bool Add(in PathPiece piece);

@@ -126,7 +126,6 @@ internal ref struct StepRun
     {
         if (Log.Observer is { } observer)
         {
-            observer.StepEnd = End;
             Vector3d end = default;
             if (observer.WantsEndAcceleration)
             {
