@@ -1,8 +1,8 @@
 namespace Football.Physics;
 
 /// <summary>
-/// How what becomes of a ball changes with its launch: derivatives by the variational equation along the path, through impacts, slides, rolls, nets and the drag
-/// law's jump, by one run. Its memory is made once and used again.
+/// How what becomes of a ball changes with its launch: derivatives by one run, along plain flight by the variational equation, through impacts and the drag
+/// law's jump by what they do to it, and through slides, rolls, nets and all else by differences of the steps. Its memory is made once and used again.
 /// </summary>
 /// <remarks>One a thread. The run itself is the simulator's own, step by step.</remarks>
 public sealed class LaunchDerivatives

@@ -29,6 +29,7 @@ internal sealed class StepDifferences
     private readonly Simulator _simulator;
     private readonly StepLog _log = new();
     private readonly bool _isEven;
+    private readonly bool _hasLawsAlone;
     private readonly TangentBasis _basis;
     private readonly Motion[] _changes = new Motion[TangentBasis.Most];
     private readonly double[] _times = new double[TangentBasis.Most];
@@ -41,7 +42,8 @@ internal sealed class StepDifferences
     {
         _simulator = simulator;
         Scene scene = simulator.Scene;
-        _isEven = scene.Ground.Heights is null && scene.Ground.Pattern is null && StepperFactory.HasLawsAlone(scene);
+        _isEven = scene.Ground.Heights is null && scene.Ground.Pattern is null;
+        _hasLawsAlone = StepperFactory.HasLawsAlone(scene);
         _basis = new TangentBasis(Way, 1.0 / scene.Ball.Radius);
     }
 
@@ -103,10 +105,15 @@ internal sealed class StepDifferences
         }
     }
 
-    /// <summary>Whether what happens depends on the place: along level ground of one kind, in air that is the same everywhere, the place goes on with the ball.</summary>
+    /// <summary>
+    /// Whether what happens depends on the place. In flight, and along level ground of one kind, in air that is the same everywhere, the place goes on with the
+    /// ball: one that has just left the ground is not changed to one within it.
+    /// </summary>
     private bool DependsOnPlace(in BallState start, ReadOnlySpan<BallEvent> events)
     {
-        if (!_isEven || start.Motion is not (MotionState.Sliding or MotionState.Rolling) || start.Carrier != 0 || start.Nets != 0 || _end.Nets != 0)
+        bool flies = start.Motion == MotionState.Airborne && _end.Motion == MotionState.Airborne && events.Length == 0;
+        bool isCarried = start.Motion is MotionState.Sliding or MotionState.Rolling && start.Carrier == 0 && _isEven;
+        if (!(flies || isCarried) || !_hasLawsAlone || start.Nets != 0 || _end.Nets != 0)
         {
             return true;
         }
@@ -119,7 +126,8 @@ internal sealed class StepDifferences
             }
         }
 
-        return _simulator.World is { } world && Guides.Of(world, start.Position, start.Velocity, start.Time, 0 - world.FirstCollider).Count > 0;
+        return _simulator.World is { } world
+            && Guides.Of(world, start.Position, start.Velocity, start.Time, flies ? -1 : (int)start.Carrier - world.FirstCollider).Count > 0;
     }
 
     /// <summary>(y(h) − y(−h))/2h at the end of the step, of the way instead of the place.</summary>
