@@ -1,0 +1,110 @@
+namespace Football.Physics;
+
+/// <summary>Looks at the kicks of a fan that go along the ground.</summary>
+/// <remarks>
+/// Where nothing tells one direction from another (no wind across, the same bounce along x and z), all kicks of one speed and spin go the same way, turned about the
+/// vertical: it is stepped once, and kept for the next fan. Else each kick is stepped, as far as needed.
+/// </remarks>
+internal sealed class PassRolls
+{
+    /// <summary>Ways that are kept.</summary>
+    private const int MostKept = 64;
+
+    /// <summary>How many of the watch's steps a step along the ground has.</summary>
+    private const int Stride = 2;
+
+    /// <summary>A track, and a turned one, is no further off, m.</summary>
+    private const double Error = 0.001;
+
+    private readonly Simulator _simulator;
+    private readonly PassPlayers _players;
+    private readonly PassWatch _watch;
+    private readonly PassTrack _single = new();
+    private readonly PassTrack[] _kept;
+    private readonly double _length;
+
+    public PassRolls(Simulator simulator, PassPlayers players, PassWatch watch, double length)
+    {
+        _simulator = simulator;
+        _players = players;
+        _watch = watch;
+        _length = length;
+        Scene scene = simulator.Scene;
+        Vector3d wind = scene.Air.Wind;
+        bool isRound = wind.X == 0 && wind.Z == 0 && scene.Ground.TangentialRestitutionX == scene.Ground.TangentialRestitutionZ;
+        _kept = isRound ? new PassTrack[MostKept] : [];
+        for (int i = 0; i < _kept.Length; i++)
+        {
+            _kept[i] = new PassTrack();
+        }
+    }
+
+    /// <summary>Whether a kick goes along the ground.</summary>
+    public bool IsRoll(in Vector3d from, in Vector3d velocity, in Vector3d spin) =>
+        velocity.Y < _simulator.Scene.Ground.MinimumBounceSpeed && from.Y <= _simulator.ContactHeight
+        && _simulator.LaunchAt(in from, in velocity, in spin, 0).Motion != MotionState.Airborne;
+
+    /// <summary>Writes down for all directions of a pair what no answer is better than: when a team mate meets the ball, or how far from the target it rests; infinite for those that are lost.</summary>
+    /// <param name="request">The fan.</param>
+    /// <param name="pair">The pair.</param>
+    /// <param name="from">Where the kicks begin, m.</param>
+    /// <param name="acceleration">Nothing on the ground is accelerated more strongly, m/s².</param>
+    /// <param name="scores">Where it goes, by kick.</param>
+    public void Score(PassFanRequest request, int pair, in Vector3d from, double acceleration, double[] scores)
+    {
+        PassTrack track = pair < _kept.Length ? _kept[pair] : _single;
+        if (_kept.Length > 0)
+        {
+            request.KickAlongX(pair, out Vector3d along, out Vector3d spin);
+            track.Start(_simulator, in along, in spin, acceleration);
+        }
+
+        for (int i = 0; i < request.Directions; i++)
+        {
+            int index = (pair * request.Directions) + i;
+            request.Kick(index, out Vector3d velocity, out Vector3d spin);
+            var turn = new Vector3d(1, 0, 0);
+            if (_kept.Length > 0)
+            {
+                turn = velocity.Horizontal / velocity.Horizontal.Length;
+            }
+            else
+            {
+                track.Start(_simulator, in velocity, in spin, acceleration);
+            }
+
+            scores[index] = Score(request, track, in from, in turn);
+        }
+    }
+
+    private double Score(PassFanRequest request, PassTrack track, in Vector3d from, in Vector3d turn)
+    {
+        double length = Stride * _length;
+        double earliest = double.PositiveInfinity;
+        Vector3d start = from;
+        bool isKnown = false;
+        int step = 0;
+        while (!isKnown && step * length < request.Duration && !(step == track.Steps && track.Rests))
+        {
+            step++;
+            if (step > track.Steps)
+            {
+                track.Advance(_simulator, length);
+            }
+
+            // x → d, z → d × ŷ
+            ref readonly Vector3d place = ref track.Place(step);
+            Vector3d end = from + new Vector3d((turn.X * place.X) - (turn.Z * place.Z), place.Y, (turn.Z * place.X) + (turn.X * place.Z));
+            _players.Reach(Stride * step);
+            isKnown = _watch.Look(ref earliest, Stride * (step - 1), Stride * step, in start, in end, track.Slack(step) + Error);
+            start = end;
+        }
+
+        if (_players.Mates > 0 || double.IsNaN(earliest))
+        {
+            return double.IsNaN(earliest) ? double.PositiveInfinity : earliest;
+        }
+
+        return track.Rests ? (start - (request.Target ?? request.From)).Horizontal.Length - Error : double.PositiveInfinity;
+    }
+}
