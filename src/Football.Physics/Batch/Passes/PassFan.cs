@@ -100,57 +100,38 @@ public sealed class PassFan
     private void Score(PassFanRequest request, in Vector3d from)
     {
         double rolling = RollAcceleration(request);
-        int first = 0;
-        Clear();
-        for (int pair = 0; pair < request.Pairs; pair++)
+        for (int first = 0; first < request.Count; first += LaneGroup.Size)
         {
-            int start = pair * request.Directions;
-            request.Kick(start, out Vector3d velocity, out Vector3d spin);
-            bool rolls = _rolls.IsRoll(in from, in velocity, in spin);
-            if (rolls)
+            int end = Math.Min(request.Count, first + LaneGroup.Size);
+            _group.Clear();
+            _watch.Clear();
+            for (int index = first; index < end; index++)
             {
-                _rolls.Score(request, pair, in from, rolling, _scores);
+                request.Kick(index, out Vector3d velocity, out Vector3d spin);
+                _scores[index] = _rolls.IsRoll(in from, in velocity, in spin)
+                    ? _rolls.Score(request, index, in from, in velocity, in spin, rolling)
+                    : Launch(request, in from, index - first, in velocity, in spin);
             }
 
-            for (int index = start; index < start + request.Directions; index++)
-            {
-                if (index - first == LaneGroup.Size)
-                {
-                    Fly(request, in from, first, index);
-                    first = index;
-                    Clear();
-                }
-
-                if (!rolls)
-                {
-                    Launch(request, in from, index, index - first);
-                }
-            }
+            Fly(request, in from, first, end);
         }
-
-        Fly(request, in from, first, request.Count);
     }
 
-    private void Clear()
-    {
-        _group.Clear();
-        _watch.Clear();
-    }
-
-    /// <summary>Puts a kick into the group. One that lanes do not know is judged in any case.</summary>
-    private void Launch(PassFanRequest request, in Vector3d from, int index, int ball)
+    /// <summary>Puts a kick into the group.</summary>
+    /// <returns>Not a number; 0 for one that lanes do not know: it is judged in any case.</returns>
+    private double Launch(PassFanRequest request, in Vector3d from, int ball, in Vector3d velocity, in Vector3d spin)
     {
         double contact = _simulator.ContactHeight;
         Vector3d wind = _simulator.Scene.Air.Wind;
-        request.Kick(index, out Vector3d velocity, out Vector3d spin);
         Vector3d u = velocity - wind;
         double rate = spin.Length;
-        _scores[index] = 0;
-        if (_domain.Covers(u.LengthSquared, rate, from.Y - contact, wind.Y, request.Duration))
+        if (!_domain.Covers(u.LengthSquared, rate, from.Y - contact, wind.Y, request.Duration))
         {
-            _group.Add(ball, in u, rate > 0 ? spin / rate : Vector3d.Up, rate, contact - from.Y, wind.Y);
-            _scores[index] = double.NaN;
+            return 0;
         }
+
+        _group.Add(ball, in u, rate > 0 ? spin / rate : Vector3d.Up, rate, contact - from.Y, wind.Y);
+        return double.NaN;
     }
 
     /// <summary>Flies the group.</summary>

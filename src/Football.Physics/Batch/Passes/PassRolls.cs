@@ -44,37 +44,26 @@ internal sealed class PassRolls
         velocity.Y < _simulator.Scene.Ground.MinimumBounceSpeed && from.Y <= _simulator.ContactHeight
         && _simulator.LaunchAt(in from, in velocity, in spin, 0).Motion != MotionState.Airborne;
 
-    /// <summary>Writes down for all directions of a pair what no answer is better than: when a team mate meets the ball, or how far from the target it rests; infinite for those that are lost.</summary>
+    /// <summary>What a kick is no better than: when a team mate meets it, or how far from the target it rests; infinite where it is lost.</summary>
     /// <param name="request">The fan.</param>
-    /// <param name="pair">The pair.</param>
-    /// <param name="from">Where the kicks begin, m.</param>
+    /// <param name="index">Which of its kicks.</param>
+    /// <param name="from">Where it begins, m.</param>
+    /// <param name="velocity">Its velocity, m/s.</param>
+    /// <param name="spin">Its spin, rad/s.</param>
     /// <param name="acceleration">Nothing on the ground is accelerated more strongly, m/s².</param>
-    /// <param name="scores">Where it goes, by kick.</param>
-    public void Score(PassFanRequest request, int pair, in Vector3d from, double acceleration, double[] scores)
+    public double Score(PassFanRequest request, int index, in Vector3d from, in Vector3d velocity, in Vector3d spin, double acceleration)
     {
+        if (_kept.Length == 0)
+        {
+            _single.Start(_simulator, in velocity, in spin, acceleration);
+            return Score(request, _single, in from, new Vector3d(1, 0, 0));
+        }
+
+        int pair = index / request.Directions;
         PassTrack track = pair < _kept.Length ? _kept[pair] : _single;
-        if (_kept.Length > 0)
-        {
-            request.KickAlongX(pair, out Vector3d along, out Vector3d spin);
-            track.Start(_simulator, in along, in spin, acceleration);
-        }
-
-        for (int i = 0; i < request.Directions; i++)
-        {
-            int index = (pair * request.Directions) + i;
-            request.Kick(index, out Vector3d velocity, out Vector3d spin);
-            var turn = new Vector3d(1, 0, 0);
-            if (_kept.Length > 0)
-            {
-                turn = velocity.Horizontal / velocity.Horizontal.Length;
-            }
-            else
-            {
-                track.Start(_simulator, in velocity, in spin, acceleration);
-            }
-
-            scores[index] = Score(request, track, in from, in turn);
-        }
+        request.KickAlongX(pair, out Vector3d along, out Vector3d turning);
+        track.Start(_simulator, in along, in turning, acceleration);
+        return Score(request, track, in from, velocity.Horizontal / velocity.Horizontal.Length);
     }
 
     private double Score(PassFanRequest request, PassTrack track, in Vector3d from, in Vector3d turn)
