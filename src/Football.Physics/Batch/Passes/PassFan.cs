@@ -40,7 +40,7 @@ public sealed class PassFan
 
         _domain = new LaneDomain(known, Step);
         _lanes = LaneFlight.Create(known, fourthOrder: true, Step, LaneFlight.BestLanes);
-        _watch = new PassWatch(_players);
+        _watch = new PassWatch(_simulator, _players);
         _rolls = new PassRolls(_simulator, _players, _watch, _lanes.TimeStep);
         _judge = new PassJudge(_simulator);
         _group.Watch = _watch;
@@ -66,7 +66,7 @@ public sealed class PassFan
 
         var from = new Vector3d(request.From.X, Math.Max(request.From.Y, _simulator.ContactHeight), request.From.Z);
         _players.Begin(mates, opponents, _lanes.TimeStep);
-        _watch.Begin(in from, _simulator.Scene.Air.Wind, _lanes.TimeStep, request.Margin, FlightAcceleration(request, in from), LaneError);
+        _watch.Begin(in from, _simulator.Scene.Air.Wind, request.Duration, _lanes.TimeStep, request.Margin, FlightAcceleration(request, in from), LaneError);
         _judge.Begin(request.Duration);
         Score(request, in from);
         int open = 0;

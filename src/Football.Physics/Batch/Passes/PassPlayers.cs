@@ -23,6 +23,9 @@ internal sealed class PassPlayers
     /// <summary>Greatest such height, m.</summary>
     public double Highest { get; private set; }
 
+    /// <summary>No circle comes towards a place faster, m/s.</summary>
+    public double Fastest { get; private set; }
+
     /// <summary>Prepares for players.</summary>
     /// <param name="mates">The team mates.</param>
     /// <param name="opponents">The opponents.</param>
@@ -40,6 +43,7 @@ internal sealed class PassPlayers
 
         Lowest = double.PositiveInfinity;
         Highest = double.NegativeInfinity;
+        Fastest = 0;
         for (int i = 0; i < _players; i++)
         {
             Runner runner = i < Mates ? mates[i] : opponents[i - Mates];
@@ -47,6 +51,7 @@ internal sealed class PassPlayers
             _motions[i] = new RunnerMotion(in runner, 0);
             Lowest = Math.Min(Lowest, _motions[i].Lowest);
             Highest = Math.Max(Highest, _motions[i].Highest);
+            Fastest = Math.Max(Fastest, _motions[i].Fastest);
         }
     }
 
@@ -60,57 +65,63 @@ internal sealed class PassPlayers
         }
     }
 
-    /// <summary>Whether an opponent is surely within reach of a ball at a step.</summary>
-    [MethodImpl(Hot.Path)]
-    public bool IsLost(int step, double x, double y, double z)
-    {
-        int row = step * _players;
-        for (int i = Mates; i < _players; i++)
-        {
-            ref readonly Circle circle = ref _circles[row + i];
-            double dx = x - circle.X;
-            double dz = z - circle.Z;
-            if ((dx * dx) + (dz * dz) <= circle.Inner && y >= _motions[i].Lowest + Surely && y <= _motions[i].Highest - Surely)
-            {
-                return true;
-            }
-        }
-
-        return false;
-    }
-
-    /// <summary>The earliest time between two steps at which a team mate could meet a ball on its way from one place to another; infinite where none could.</summary>
+    /// <summary>Looks at a ball on its way from one place to another between two steps.</summary>
     /// <param name="first">The step at which it is at the first place.</param>
     /// <param name="last">The step at which it is at the other.</param>
     /// <param name="from">The first place, m.</param>
     /// <param name="to">The other, m.</param>
     /// <param name="slack">How far off the straight way at a steady speed it may be, m.</param>
+    /// <param name="earliest">The earliest time at which a team mate could meet it, s; looked for where it is infinite.</param>
+    /// <param name="isLost">Whether an opponent is surely within reach at the end.</param>
+    /// <returns>How far it then is from the circles of those who matter, m.</returns>
     [MethodImpl(Hot.Path)]
-    public double EarliestMeeting(int first, int last, in Vector3d from, in Vector3d to, double slack)
+    public double Look(int first, int last, in Vector3d from, in Vector3d to, double slack, ref double earliest, out bool isLost)
     {
-        double earliest = double.PositiveInfinity;
-        double least = Math.Min(from.Y, to.Y) - slack;
-        double most = Math.Max(from.Y, to.Y) + slack;
-        double halfX = 0.5 * (to.X - from.X);
-        double halfZ = 0.5 * (to.Z - from.Z);
-        double half = Math.Sqrt((halfX * halfX) + (halfZ * halfZ)) + slack;
-        double start = first * _length;
-        double length = (last - first) * _length;
-        for (int i = 0; i < Mates; i++)
+        double gap = double.PositiveInfinity;
+        Circle[] circles = _circles;
+        int row = last * _players;
+        isLost = false;
+        for (int i = Mates; i < _players; i++)
         {
-            ref readonly RunnerMotion mate = ref _motions[i];
-            ref readonly Circle end = ref _circles[(last * _players) + i];
-            double far = end.Radius + half + (length * mate.CarriedAt(start));
-            double dx = from.X + halfX - end.X;
-            double dz = from.Z + halfZ - end.Z;
-            if ((dx * dx) + (dz * dz) <= far * far && least <= mate.Highest && most >= mate.Lowest)
+            double distance = circles[row + i].Distance(to.X, to.Z);
+            gap = Math.Min(gap, distance);
+            if (distance <= -Surely && to.Y >= _motions[i].Lowest + Surely && to.Y <= _motions[i].Highest - Surely)
             {
-                double share = Share(in _circles[(first * _players) + i], in end, in mate, in from, in to, slack + Kink(in mate, start, length), slack);
-                earliest = Math.Min(earliest, start + (share * length));
+                isLost = true;
+                break;
             }
         }
 
-        return earliest;
+        if (Mates > 0 && double.IsPositiveInfinity(earliest))
+        {
+            double way = (to - from).Horizontal.Length + slack;
+            for (int i = 0; i < Mates; i++)
+            {
+                double distance = circles[row + i].Distance(to.X, to.Z);
+                gap = Math.Min(gap, distance);
+                if (distance <= way + ((last - first) * _length * _motions[i].Carried))
+                {
+                    earliest = Math.Min(earliest, Meeting(i, first, last, in from, in to, slack));
+                }
+            }
+        }
+
+        return gap;
+    }
+
+    /// <summary>The earliest time at which one team mate could meet a ball; infinite where he could not.</summary>
+    private double Meeting(int mate, int first, int last, in Vector3d from, in Vector3d to, double slack)
+    {
+        ref readonly RunnerMotion motion = ref _motions[mate];
+        if (Math.Min(from.Y, to.Y) - slack > motion.Highest || Math.Max(from.Y, to.Y) + slack < motion.Lowest)
+        {
+            return double.PositiveInfinity;
+        }
+
+        double start = first * _length;
+        double length = (last - first) * _length;
+        double beside = slack + Kink(in motion, start, length);
+        return start + (length * Share(in _circles[(first * _players) + mate], in _circles[(last * _players) + mate], in motion, in from, in to, beside, slack));
     }
 
     /// <summary>The first share of a way at which its end can be within a circle that moves and grows steadily; infinite where it is not.</summary>
@@ -160,8 +171,6 @@ internal sealed class PassPlayers
                 ref Circle circle = ref _circles[(_filled * _players) + i];
                 _motions[i].MiddleAt(time, out circle.X, out circle.Z);
                 circle.Radius = _motions[i].RadiusAt(time);
-                double inner = circle.Radius - Surely;
-                circle.Inner = inner > 0 ? inner * inner : -1;
             }
         }
     }
@@ -176,7 +185,13 @@ internal sealed class PassPlayers
         /// <summary>Radius, m.</summary>
         public double Radius;
 
-        /// <summary>Square of the radius within which a ball surely is, m²; below 0 where there is none.</summary>
-        public double Inner;
+        /// <summary>How far outside a place is, m.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public readonly double Distance(double x, double z)
+        {
+            double dx = x - X;
+            double dz = z - Z;
+            return Math.Sqrt((dx * dx) + (dz * dz)) - Radius;
+        }
     }
 }

@@ -70,23 +70,23 @@ internal sealed class PassRolls
     {
         double length = Stride * _length;
         double earliest = double.PositiveInfinity;
-        Vector3d start = from;
+        double idle = 0;
         bool isKnown = false;
         int step = 0;
-        while (!isKnown && step * length < request.Duration && !(step == track.Steps && track.Rests))
+        while (!isKnown && idle < request.Duration)
         {
-            step++;
+            // The first step that ends later than nothing happens.
+            step = Math.Max(step, (int)(idle / length)) + 1;
+            Advance(track, step, length);
             if (step > track.Steps)
             {
-                track.Advance(_simulator, length);
+                break;
             }
 
-            // x → d, z → d × ŷ
-            ref readonly Vector3d place = ref track.Place(step);
-            Vector3d end = from + new Vector3d((turn.X * place.X) - (turn.Z * place.Z), place.Y, (turn.Z * place.X) + (turn.X * place.Z));
+            Vector3d start = from + Turned(in turn, in track.Place(step - 1));
+            Vector3d end = from + Turned(in turn, in track.Place(step));
             _players.Reach(Stride * step);
-            isKnown = _watch.Look(ref earliest, Stride * (step - 1), Stride * step, in start, in end, track.Slack(step) + Error);
-            start = end;
+            isKnown = _watch.Look(ref earliest, Stride * (step - 1), Stride * step, in start, in end, track.Slack(step) + Error, track.Fastest, out idle);
         }
 
         if (_players.Mates > 0 || double.IsNaN(earliest))
@@ -94,6 +94,21 @@ internal sealed class PassRolls
             return double.IsNaN(earliest) ? double.PositiveInfinity : earliest;
         }
 
-        return track.Rests ? (start - (request.Target ?? request.From)).Horizontal.Length - Error : double.PositiveInfinity;
+        Advance(track, (int)(request.Duration / length) + 1, length);
+        return track.Rests
+            ? (from + Turned(in turn, in track.Place(track.Steps)) - (request.Target ?? request.From)).Horizontal.Length - Error
+            : double.PositiveInfinity;
     }
+
+    /// <summary>Steps a kick as often as asked for, or to its rest.</summary>
+    private void Advance(PassTrack track, int steps, double length)
+    {
+        while (track.Steps < steps && !track.Rests)
+        {
+            track.Advance(_simulator, length);
+        }
+    }
+
+    /// <summary>x → d, z → d × ŷ.</summary>
+    private static Vector3d Turned(in Vector3d d, in Vector3d place) => new((d.X * place.X) - (d.Z * place.Z), place.Y, (d.Z * place.X) + (d.X * place.Z));
 }

@@ -17,6 +17,9 @@ internal sealed class PassTrack
     /// <summary>Whether the ball rests after them.</summary>
     public bool Rests => _state.Motion == MotionState.Stopped;
 
+    /// <summary>No faster than this does the ball ever get, m/s.</summary>
+    public double Fastest { get; private set; }
+
     /// <summary>Where the ball is after so many steps, m.</summary>
     public ref readonly Vector3d Place(int step) => ref _places[step];
 
@@ -41,6 +44,9 @@ internal sealed class PassTrack
         _state = simulator.LaunchAt(new Vector3d(0, simulator.ContactHeight, 0), in velocity, in spin, 0);
         _places[0] = Vector3d.Zero;
         Steps = 0;
+
+        // All of a spin may become speed, and the wind may take a slow ball along.
+        Fastest = velocity.Length + (simulator.Scene.Ball.Radius * spin.Length) + (2.0 * simulator.Scene.Air.Wind.Length);
     }
 
     /// <summary>Takes another step.</summary>

@@ -7,14 +7,26 @@ internal sealed class PassWatch : LaneWatch
 {
     private readonly PassPlayers _players;
     private readonly bool[] _decided = new bool[LaneGroup.Size];
+
+    /// <summary>By ball of the group: nothing happens before, s.</summary>
+    private readonly double[] _idle = new double[LaneGroup.Size];
+    private readonly double _contact;
+    private readonly double _twiceGravity;
     private double _length;
     private double _margin;
     private double _slack;
     private Vector3d _from;
     private Vector3d _wind;
+    private double _windSpeed;
+    private double _windDrop;
     private int _step;
 
-    public PassWatch(PassPlayers players) => _players = players;
+    public PassWatch(Simulator simulator, PassPlayers players)
+    {
+        _players = players;
+        _contact = simulator.ContactHeight;
+        _twiceGravity = 2.0 * Math.Abs(Weight.UpwardAcceleration(simulator.Scene));
+    }
 
     /// <summary>By ball of the group: no team mate meets it before, s; infinite where none does at all, not a number where an opponent does before.</summary>
     public double[] Earliest { get; } = new double[LaneGroup.Size];
@@ -25,14 +37,17 @@ internal sealed class PassWatch : LaneWatch
     /// <summary>Prepares for a fan.</summary>
     /// <param name="from">Where the kicks begin, m.</param>
     /// <param name="wind">The wind, m/s.</param>
+    /// <param name="duration">How long the kicks are looked at, s.</param>
     /// <param name="length">Length of a step, s.</param>
     /// <param name="margin">How much earlier than any opponent a team mate must be there, s.</param>
     /// <param name="acceleration">No flight of the fan is accelerated more strongly, m/s².</param>
     /// <param name="error">How far off the flights may be, m.</param>
-    public void Begin(in Vector3d from, in Vector3d wind, double length, double margin, double acceleration, double error)
+    public void Begin(in Vector3d from, in Vector3d wind, double duration, double length, double margin, double acceleration, double error)
     {
         _from = from;
         _wind = wind;
+        _windSpeed = wind.Length;
+        _windDrop = Math.Abs(wind.Y) * duration;
         _length = length;
         _margin = margin;
 
@@ -45,6 +60,7 @@ internal sealed class PassWatch : LaneWatch
     {
         _step = 0;
         Array.Clear(_decided, 0, _decided.Length);
+        Array.Clear(_idle, 0, _idle.Length);
         for (int i = 0; i < Earliest.Length; i++)
         {
             Earliest[i] = double.PositiveInfinity;
@@ -63,26 +79,40 @@ internal sealed class PassWatch : LaneWatch
         LaneState now = group.Now;
         float[] heights = now.Py;
         float[] climbs = now.Uy;
+        int[] balls = group.Ball;
         for (int at = 0; at < group.Flying; at++)
         {
-            // Most are far too high for anyone, now and a step ago.
-            double y = startY + heights[at];
-            double rise = _length * (climbs[at] + _wind.Y);
-            if ((y > highest && y - rise > highest) || (y < lowest && y - rise < lowest))
+            int ball = balls[at];
+            if (_idle[ball] > time)
             {
-                if (Earliest[group.Ball[at]] + _margin <= time)
-                {
-                    _decided[group.Ball[at]] = true;
-                    group.GiveUp(at);
-                }
-
                 continue;
             }
 
-            int ball = group.Ball[at];
-            var to = new Vector3d(startX + now.Px[at], y, startZ + now.Pz[at]);
-            var from = new Vector3d(to.X - (_length * (now.Ux[at] + _wind.X)), y - rise, to.Z - (_length * (now.Uz[at] + _wind.Z)));
-            if (Look(ref Earliest[ball], _step - 1, _step, in from, in to, _slack))
+            double y = startY + heights[at];
+            double climb = climbs[at] + _wind.Y;
+            double rise = _length * climb;
+            bool isKnown;
+            if ((y > highest && y - rise > highest) || (y < lowest && y - rise < lowest))
+            {
+                // Too high for anyone, now and a step ago.
+                isKnown = time - Earliest[ball] >= _margin;
+            }
+            else
+            {
+                double vx = now.Ux[at] + _wind.X;
+                double vz = now.Uz[at] + _wind.Z;
+                var to = new Vector3d(startX + now.Px[at], y, startZ + now.Pz[at]);
+                var from = new Vector3d(to.X - (_length * vx), y - rise, to.Z - (_length * vz));
+                double ux = now.Ux[at];
+                double uz = now.Uz[at];
+
+                // In the air's frame only gravity does work.
+                double drop = Math.Max(0, y - _contact) + _windDrop;
+                double fastest = _windSpeed + Math.Sqrt((ux * ux) + (climbs[at] * (double)climbs[at]) + (uz * uz) + (_twiceGravity * drop));
+                isKnown = Look(ref Earliest[ball], _step - 1, _step, in from, in to, _slack, fastest, out _idle[ball]);
+            }
+
+            if (isKnown)
             {
                 // Whom a kick comes to is then known: it need not fly on.
                 _decided[ball] = true;
@@ -100,7 +130,8 @@ internal sealed class PassWatch : LaneWatch
         {
             // The circles of a whole step hold all that they are until the flight's end.
             Vector3d from = at - ((time - (step * _length)) * velocity);
-            double met = _players.EarliestMeeting(step, step + 1, in from, in at, _slack + (at - from).Length);
+            double met = double.PositiveInfinity;
+            _players.Look(step, step + 1, in from, in at, _slack + (at - from).Length, ref met, out _);
             Earliest[ball] = double.IsPositiveInfinity(met) ? met : step * _length;
         }
     }
@@ -112,23 +143,22 @@ internal sealed class PassWatch : LaneWatch
     /// <param name="from">Where it begins, m.</param>
     /// <param name="to">Where it ends, m.</param>
     /// <param name="slack">How far off the straight way at a steady speed the ball may be, m.</param>
+    /// <param name="fastest">No faster than this will it ever be, m/s.</param>
+    /// <param name="idle">Nothing happens before, s.</param>
     /// <returns>Whether all is known.</returns>
     [MethodImpl(Hot.Path)]
-    public bool Look(ref double earliest, int first, int last, in Vector3d from, in Vector3d to, double slack)
+    public bool Look(ref double earliest, int first, int last, in Vector3d from, in Vector3d to, double slack, double fastest, out double idle)
     {
         double time = last * _length;
-        if (_players.Mates > 0 && double.IsPositiveInfinity(earliest))
+        double gap = _players.Look(first, last, in from, in to, slack, ref earliest, out bool isLost);
+        idle = Math.Min(time + Math.Max(0, (gap - slack) / (fastest + _players.Fastest)), earliest + _margin);
+        if (time - earliest >= _margin)
         {
-            earliest = _players.EarliestMeeting(first, last, in from, in to, slack);
-        }
-
-        // An opponent is there at this time at the latest, a team mate at the earliest one at the earliest.
-        if (!(time - earliest >= _margin) && _players.IsLost(last, to.X, to.Y, to.Z))
-        {
-            earliest = double.NaN;
             return true;
         }
 
-        return time - earliest >= _margin;
+        // An opponent is there now at the latest, a team mate no earlier than that.
+        earliest = isLost ? double.NaN : earliest;
+        return isLost;
     }
 }
