@@ -14,7 +14,6 @@ internal sealed class PassJudge
     private LookAheadRequest[] _toImpact = [];
     private LookAheadRequest[] _toRest = [];
     private double _duration;
-    internal static int Looks;
 
     public PassJudge(Simulator simulator) => _simulator = simulator;
 
@@ -113,7 +112,6 @@ internal sealed class PassJudge
     /// <returns>Whether the pass comes down, or comes to rest.</returns>
     private bool Fly(PassFanRequest request, int index, int seconds, out Vector3d velocity, out Vector3d spin)
     {
-        Looks++;
         request.Kick(index, out velocity, out spin);
         BallState ball = _simulator.Launch(request.From, velocity, spin);
         bool rolls = ball.Motion != MotionState.Airborne;
