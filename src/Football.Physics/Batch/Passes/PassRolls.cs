@@ -86,7 +86,10 @@ internal sealed class PassRolls
             Vector3d start = from + Turned(in turn, in track.Place(step - 1));
             Vector3d end = from + Turned(in turn, in track.Place(step));
             _players.Reach(Stride * step);
-            isKnown = _watch.Look(ref earliest, Stride * (step - 1), Stride * step, in start, in end, track.Slack(step) + Error, track.Fastest, out idle);
+
+            // In its last step the ball comes to rest, and after that nobody is asked any more.
+            double last = track.Rests ? Math.Min(request.Duration, (track.Steps - 1) * length) : request.Duration;
+            isKnown = _watch.Look(ref earliest, Stride * (step - 1), Stride * step, in start, in end, track.Slack(step) + Error, track.Fastest, last, out idle);
         }
 
         if (_players.Mates > 0 || double.IsNaN(earliest))

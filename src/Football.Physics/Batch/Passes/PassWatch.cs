@@ -17,6 +17,7 @@ internal sealed class PassWatch : LaneWatch
     private double _slack;
     private Vector3d _from;
     private Vector3d _wind;
+    private double _duration;
     private double _windSpeed;
     private double _windDrop;
     private int _step;
@@ -48,6 +49,7 @@ internal sealed class PassWatch : LaneWatch
         _wind = wind;
         _windSpeed = wind.Length;
         _windDrop = Math.Abs(wind.Y) * duration;
+        _duration = duration;
         _length = length;
         _margin = margin;
 
@@ -109,7 +111,7 @@ internal sealed class PassWatch : LaneWatch
                 // In the air's frame only gravity does work.
                 double drop = Math.Max(0, y - _contact) + _windDrop;
                 double fastest = _windSpeed + Math.Sqrt((ux * ux) + (climbs[at] * (double)climbs[at]) + (uz * uz) + (_twiceGravity * drop));
-                isKnown = Look(ref Earliest[ball], _step - 1, _step, in from, in to, _slack, fastest, out _idle[ball]);
+                isKnown = Look(ref Earliest[ball], _step - 1, _step, in from, in to, _slack, fastest, _duration, out _idle[ball]);
             }
 
             if (isKnown)
@@ -144,10 +146,11 @@ internal sealed class PassWatch : LaneWatch
     /// <param name="to">Where it ends, m.</param>
     /// <param name="slack">How far off the straight way at a steady speed the ball may be, m.</param>
     /// <param name="fastest">No faster than this will it ever be, m/s.</param>
+    /// <param name="end">No opponent who comes later counts, s.</param>
     /// <param name="idle">Nothing happens before, s.</param>
     /// <returns>Whether all is known.</returns>
     [MethodImpl(Hot.Path)]
-    public bool Look(ref double earliest, int first, int last, in Vector3d from, in Vector3d to, double slack, double fastest, out double idle)
+    public bool Look(ref double earliest, int first, int last, in Vector3d from, in Vector3d to, double slack, double fastest, double end, out double idle)
     {
         double time = last * _length;
         double gap = _players.Look(first, last, in from, in to, slack, ref earliest, out bool isLost);
@@ -158,6 +161,7 @@ internal sealed class PassWatch : LaneWatch
         }
 
         // An opponent is there now at the latest, a team mate no earlier than that.
+        isLost &= time <= end;
         earliest = isLost ? double.NaN : earliest;
         return isLost;
     }
