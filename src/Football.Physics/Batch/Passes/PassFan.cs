@@ -108,7 +108,7 @@ public sealed class PassFan
             for (int index = first; index < end; index++)
             {
                 request.Kick(index, out Vector3d velocity, out Vector3d spin);
-                _scores[index] = _rolls.IsRoll(in from, in velocity, in spin)
+                _scores[index] = _rolls.IsFlat(in from, in velocity)
                     ? _rolls.Score(request, index, in from, in velocity, in spin, rolling)
                     : Launch(request, in from, index - first, in velocity, in spin);
             }

@@ -39,12 +39,11 @@ internal sealed class PassRolls
         }
     }
 
-    /// <summary>Whether a kick goes along the ground.</summary>
-    public bool IsRoll(in Vector3d from, in Vector3d velocity, in Vector3d spin) =>
-        velocity.Y < _simulator.Scene.Ground.MinimumBounceSpeed && from.Y <= _simulator.ContactHeight
-        && _simulator.LaunchAt(in from, in velocity, in spin, 0).Motion != MotionState.Airborne;
+    /// <summary>Whether a kick of a ball on the ground is too flat to leave it, unless its spin lifts it.</summary>
+    public bool IsFlat(in Vector3d from, in Vector3d velocity) =>
+        velocity.Y < _simulator.Scene.Ground.MinimumBounceSpeed && from.Y <= _simulator.ContactHeight;
 
-    /// <summary>What a kick is no better than: when a team mate meets it, or how far from the target it rests; infinite where it is lost.</summary>
+    /// <summary>What a kick is no better than: when a team mate meets it, or how far from the target it rests; infinite where it is lost, 0 where it is not known.</summary>
     /// <param name="request">The fan.</param>
     /// <param name="index">Which of its kicks.</param>
     /// <param name="from">Where it begins, m.</param>
@@ -53,6 +52,12 @@ internal sealed class PassRolls
     /// <param name="acceleration">Nothing on the ground is accelerated more strongly, m/s².</param>
     public double Score(PassFanRequest request, int index, in Vector3d from, in Vector3d velocity, in Vector3d spin, double acceleration)
     {
+        if (_simulator.LaunchAt(in from, in velocity, in spin, 0).Motion == MotionState.Airborne)
+        {
+            // Its spin lifts it off: it may be back at once.
+            return 0;
+        }
+
         if (_kept.Length == 0)
         {
             _single.Start(_simulator, in velocity, in spin, acceleration);
