@@ -67,6 +67,17 @@ public sealed class PassFanTests
     [InlineData(8, 0)]
     [InlineData(0, 0)]
     [InlineData(0, 4)]
+    public void Few_kicks_are_judged_on_their_exact_paths(double lowest, double wind)
+    {
+        var fan = new PassFan(Scene.Measured with { Air = Scene.Measured.Air with { Wind = new Vector3d(wind, 0, 0) } });
+        Assert.True(fan.Find(s_request with { MinimumElevationDegrees = lowest }, s_mates, s_opponents).IsFound);
+        Assert.InRange(fan.Judged, 1, 6);
+    }
+
+    [Theory]
+    [InlineData(8, 0)]
+    [InlineData(0, 0)]
+    [InlineData(0, 4)]
     public void A_search_allocates_nothing_once_there_is_room(double lowest, double wind)
     {
         var fan = new PassFan(Scene.Measured with { Air = Scene.Measured.Air with { Wind = new Vector3d(wind, 0, 0) } });

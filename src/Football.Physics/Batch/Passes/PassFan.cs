@@ -26,6 +26,9 @@ public sealed class PassFan
     private readonly PassJudge _judge;
     private double[] _scores = new double[1000];
 
+    /// <summary>How many kicks the last search judged on their exact paths.</summary>
+    internal int Judged { get; private set; }
+
     /// <summary>Compiles a scene.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the scene has what lanes do not know; the message names field, value and range.</exception>
@@ -78,9 +81,11 @@ public sealed class PassFan
         PassChoice answer = default;
         double least = double.PositiveInfinity;
         int found = -1;
+        Judged = 0;
         for (int best = Best(count, least); best >= 0; best = Best(count, least))
         {
             double score = _scores[best];
+            Judged++;
             bool isJudged = _judge.Judge(request, best, mates, opponents, ref score, out PassChoice choice);
             _scores[best] = isJudged ? double.PositiveInfinity : score;
             if (isJudged && score < least)

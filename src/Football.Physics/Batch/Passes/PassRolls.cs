@@ -20,7 +20,8 @@ internal sealed class PassRolls
     private readonly PassPlayers _players;
     private readonly PassWatch _watch;
     private readonly PassTrack _single = new();
-    private readonly PassTrack[] _kept;
+    private readonly StepLog _log = new();
+    private readonly PassTrack?[] _kept;
     private readonly double _length;
 
     public PassRolls(Simulator simulator, PassPlayers players, PassWatch watch, double length)
@@ -32,11 +33,7 @@ internal sealed class PassRolls
         Scene scene = simulator.Scene;
         Vector3d wind = scene.Air.Wind;
         bool isRound = wind.X == 0 && wind.Z == 0 && scene.Ground.TangentialRestitutionX == scene.Ground.TangentialRestitutionZ;
-        _kept = isRound ? new PassTrack[MostKept] : [];
-        for (int i = 0; i < _kept.Length; i++)
-        {
-            _kept[i] = new PassTrack();
-        }
+        _kept = isRound ? new PassTrack?[MostKept] : [];
     }
 
     /// <summary>Whether a kick of a ball on the ground is too flat to leave it, unless its spin lifts it.</summary>
@@ -65,7 +62,7 @@ internal sealed class PassRolls
         }
 
         int pair = index / request.Directions;
-        PassTrack track = pair < _kept.Length ? _kept[pair] : _single;
+        PassTrack track = pair < _kept.Length ? _kept[pair] ??= new PassTrack() : _single;
         request.KickAlongX(pair, out Vector3d along, out Vector3d turning);
         track.Start(_simulator, in along, in turning, acceleration);
         return Score(request, track, in from, velocity.Horizontal / velocity.Horizontal.Length);
@@ -113,7 +110,7 @@ internal sealed class PassRolls
     {
         while (track.Steps < steps && !track.Rests)
         {
-            track.Advance(_simulator, length);
+            track.Advance(_simulator, length, _log);
         }
     }
 

@@ -3,7 +3,6 @@ namespace Football.Physics;
 /// <summary>A kick along the ground, stepped as far as it was asked for. Places are relative to its start; its memory is used again.</summary>
 internal sealed class PassTrack
 {
-    private readonly StepLog _log = new();
     private Vector3d[] _places = new Vector3d[64];
     private double[] _slacks = new double[64];
     private BallState _state;
@@ -52,7 +51,8 @@ internal sealed class PassTrack
     /// <summary>Takes another step.</summary>
     /// <param name="simulator">The scene.</param>
     /// <param name="length">Length of the step, s.</param>
-    public void Advance(Simulator simulator, double length)
+    /// <param name="log">For its events.</param>
+    public void Advance(Simulator simulator, double length, StepLog log)
     {
         if (Steps + 1 == _places.Length)
         {
@@ -60,16 +60,16 @@ internal sealed class PassTrack
             Array.Resize(ref _slacks, _places.Length);
         }
 
-        _log.Clear();
+        log.Clear();
         double radius = simulator.Scene.Ball.Radius;
         double fastest = _state.Velocity.Length + (radius * _state.Spin.Length) + (length * _acceleration);
         bool isSmooth = _state.Motion != MotionState.Airborne;
-        simulator.Advance(ref _state, length, _log);
+        simulator.Advance(ref _state, length, log);
         Steps++;
         _places[Steps] = _state.Position - new Vector3d(0, simulator.ContactHeight, 0);
 
         // |p − chord| ≤ a h²/8 where nothing strikes the ball; else no further than it gets: an impact turns spin into speed, and makes no energy.
-        isSmooth &= _state.Motion != MotionState.Airborne && _log.Events.Impacts == 0;
+        isSmooth &= _state.Motion != MotionState.Airborne && log.Events.Impacts == 0;
         _slacks[Steps] = isSmooth ? 0.125 * _acceleration * length * length : fastest * length;
     }
 }
