@@ -15,7 +15,10 @@ internal static class QueryRows
         new("22 runners on a 3 s look-ahead of 80 ms: all windows, of the look-ahead", () => Runners((path, query, runners) => query.Find(path, runners), Path()), LookAhead) { Target = 2 },
         new("22 runners on a 3 s look-ahead of 80 ms: who is first, of the look-ahead", () => Runners((path, query, runners) => query.FindFirst(path, runners, out _), Path()), LookAhead),
         new("22 runners on a 3 s look-ahead of 80 ms: windows and shares, of the look-ahead", () => Runners(Shares, Path()), LookAhead),
-        new("best pass of a fan of 1 000 kicks among 13 players (2 ms are to be reached), of a 3 s look-ahead of 80 ms", Passes, LookAhead),
+        new("best pass of a fan of 1 000 kicks among 13 players (2 ms are to be reached), of a 3 s look-ahead of 80 ms", () => Passes(Scene.Default, 8), LookAhead),
+        new("the same, 100 of them along the ground", () => Passes(Scene.Default, 0), LookAhead),
+        new("the same, each time with another spin, so that no way along the ground is known", () => Passes(Scene.Default, 0, isNew: true), LookAhead),
+        new("the same in wind: 100 ways along the ground", () => Passes(Windy, 0), LookAhead),
         new("aim off a wall, to 1 mm, of a 3 s look-ahead of 80 ms", OffTheWall, LookAhead),
     ];
 
@@ -129,13 +132,20 @@ internal static class QueryRows
         query.FindShares();
     }
 
-    private static Workload Passes()
+    private static Scene Windy => Scene.Default with { Air = Scene.Default.Air with { Wind = new Vector3d(4, 0, -2) } };
+
+    private static Workload Passes(Scene scene, double lowest, bool isNew = false)
     {
-        var fan = new PassFan(Scene.Default);
-        var request = new PassFanRequest { From = Shot.Spot, Direction = new Vector3d(0, 0, -1) };
+        var fan = new PassFan(scene);
+        PassFanRequest[] requests =
+        [
+            .. Enumerable.Range(0, isNew ? 2 : 1).Select(
+                i => new PassFanRequest { From = Shot.Spot, Direction = new Vector3d(0, 0, -1), MinimumElevationDegrees = lowest, TopSpin = 1e-3 * i }),
+        ];
         Runner[] mates = [new Runner { Position = new Vector3d(5, 0, -30), Velocity = new Vector3d(1, 0, -4) }, new Runner { Position = new Vector3d(-12, 0, -25) }];
         Runner[] opponents = [.. Enumerable.Range(0, 11).Select(i => new Runner { Position = new Vector3d(-20 + (4 * i), 0, -22 - (i % 3 * 4)) })];
-        return new Workload(() => fan.Find(request, mates, opponents).Open, 1);
+        int round = 0;
+        return new Workload(() => fan.Find(requests[round++ % requests.Length], mates, opponents).Open, 1);
     }
 
     private static Workload OffTheWall()

@@ -11,32 +11,6 @@ public sealed class PassFanTests
         [.. Enumerable.Range(0, 8).Select(i => new Runner { Position = new Vector3d(-21 + (6 * i), 0, -20 - (i % 3 * 5)) })];
 
     [Fact]
-    public void The_answer_is_the_earliest_of_all_kicks_that_hold_on_their_exact_paths()
-    {
-        PassChoice choice = new PassFan(Scene.Measured).Find(s_request, s_mates, s_opponents);
-        Assert.True(choice.IsFound);
-        Assert.Equal(1000, choice.Kicks);
-        Assert.True(choice.Lead >= s_request.Margin);
-        double earliest = double.PositiveInfinity;
-        var simulator = new Simulator(Scene.Measured);
-        var path = new Trajectory();
-        var query = new Physics.Interception();
-        for (int i = 0; i < choice.Kicks; i++)
-        {
-            s_request.Kick(i, out Vector3d velocity, out Vector3d spin);
-            BallState ball = simulator.Launch(s_request.From, velocity, spin);
-            simulator.LookAhead(in ball, new LookAheadRequest { Duration = 8, StopAt = StopAt.Impact }, path);
-            int mate = query.FindFirst(path, s_mates, out PathPoint at);
-            int opponent = query.FindFirst(path, s_opponents, out PathPoint lost);
-            bool holds = mate >= 0 && (opponent < 0 || lost.Time - at.Time >= s_request.Margin);
-            earliest = holds ? Math.Min(earliest, at.Time) : earliest;
-        }
-
-        // Lanes look every 40 ms.
-        Assert.InRange(choice.Meeting.Time, earliest - 1e-9, earliest + 0.0401);
-    }
-
-    [Fact]
     public void Without_team_mates_it_comes_down_near_the_target_out_of_reach_of_all_opponents()
     {
         var target = new Vector3d(4, 0, -38);
@@ -57,19 +31,77 @@ public sealed class PassFanTests
     }
 
     [Fact]
-    public void A_search_allocates_nothing_once_there_is_room()
+    public void All_kicks_of_elevation_zero_go_along_the_ground_and_are_met_there()
     {
-        var fan = new PassFan(Scene.Measured);
+        PassFanRequest along = s_request with { MinimumElevationDegrees = 0, MaximumElevationDegrees = 0, Elevations = 1 };
+        PassChoice choice = new PassFan(Scene.Measured).Find(along, s_mates, []);
+        Assert.True(choice.IsFound);
+        Assert.Equal(100, choice.Kicks);
+        Assert.Equal(0, choice.Velocity.Y);
+        Assert.Equal(0.11, choice.Meeting.Position.Y, 1e-12);
+        Assert.InRange(choice.Meeting.Velocity.Length, 1, choice.Velocity.Length - 2);
+    }
+
+    [Fact]
+    public void Without_team_mates_a_pass_along_the_ground_comes_to_rest_near_the_target()
+    {
+        var target = new Vector3d(3, 0, -25);
+        PassFanRequest along = s_request with
+        {
+            MinimumElevationDegrees = 0,
+            MaximumElevationDegrees = 0,
+            Elevations = 1,
+            MinimumSpeed = 4,
+            MaximumSpeed = 14,
+            Speeds = 40,
+            Target = target,
+            Duration = 20,
+        };
+        PassChoice choice = new PassFan(Scene.Measured).Find(along, [], []);
+        Assert.True(choice.IsFound);
+        Assert.Equal(0, choice.Meeting.Velocity.Length);
+        Assert.InRange((choice.Meeting.Position - target).Horizontal.Length, 0, 2.5);
+    }
+
+    [Theory]
+    [InlineData(8, 0)]
+    [InlineData(0, 0)]
+    [InlineData(0, 4)]
+    public void Few_kicks_are_judged_on_their_exact_paths(double lowest, double wind)
+    {
+        var fan = new PassFan(Scene.Measured with { Air = Scene.Measured.Air with { Wind = new Vector3d(wind, 0, 0) } });
+        Assert.True(fan.Find(s_request with { MinimumElevationDegrees = lowest }, s_mates, s_opponents).IsFound);
+        Assert.InRange(fan.Judged, 1, 6);
+    }
+
+    [Theory]
+    [InlineData(8, 0)]
+    [InlineData(0, 0)]
+    [InlineData(0, 4)]
+    public void A_search_allocates_nothing_once_there_is_room(double lowest, double wind)
+    {
+        var fan = new PassFan(Scene.Measured with { Air = Scene.Measured.Air with { Wind = new Vector3d(wind, 0, 0) } });
+        PassFanRequest request = s_request with { MinimumElevationDegrees = lowest };
         long allocated = long.MaxValue;
         for (int i = 0; i < 4; i++)
         {
             long before = GC.GetAllocatedBytesForCurrentThread();
-            fan.Find(s_request, s_mates, s_opponents);
+            fan.Find(request, s_mates, s_opponents);
             allocated = Math.Min(allocated, GC.GetAllocatedBytesForCurrentThread() - before);
         }
 
         Assert.Equal(0, allocated);
     }
+
+    [Theory]
+    [InlineData(-1, 8, "fan.elevation.min")]
+    [InlineData(0, 0, "fan.duration")]
+    [InlineData(0, 61, "fan.duration")]
+    public void Numbers_out_of_range_are_refused(double lowest, double duration, string field) => Assert.Contains(
+        field,
+        Assert.Throws<ArgumentOutOfRangeException>(
+            () => new PassFan(Scene.Measured).Find(s_request with { MinimumElevationDegrees = lowest, Duration = duration }, s_mates, s_opponents)).Message,
+        StringComparison.Ordinal);
 
     [Fact]
     public void A_scene_with_things_is_refused() => Assert.Contains(

@@ -44,6 +44,12 @@ internal readonly struct LaneDomain
         return law.DragBound(GreatestSpeed);
     }
 
+    /// <summary>No flight within the domain is accelerated more strongly, m/s².</summary>
+    /// <param name="airSpeed">|u| at most, m/s.</param>
+    /// <param name="spinRate">Size of the spin at most, rad/s.</param>
+    public double AccelerationAtMost(double airSpeed, double spinRate) =>
+        _gravity + (airSpeed * ((_bound.PerSpeed * airSpeed) + (_bound.PerSpin * spinRate) + _bound.Constant));
+
     /// <summary>Whether a flight stays within the domain.</summary>
     /// <param name="airSpeedSquared">|u|² at the launch.</param>
     /// <param name="spinRate">Size of the spin.</param>

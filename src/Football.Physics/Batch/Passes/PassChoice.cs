@@ -15,10 +15,10 @@ public readonly struct PassChoice
     /// <summary>Which team mate meets it first; −1 where none were given.</summary>
     public int Receiver { get; init; }
 
-    /// <summary>Where and when he meets it; without team mates where it comes down.</summary>
+    /// <summary>Where and when he meets it; without team mates where it comes down, or along the ground comes to rest.</summary>
     public PathPoint Meeting { get; init; }
 
-    /// <summary>How much earlier that is than an opponent could meet the ball in the air, s; infinite where none can.</summary>
+    /// <summary>How much earlier that is than an opponent could meet the ball, s; infinite where none can while the pass is judged: until it comes down, or along the ground until it rests, for <see cref="PassFanRequest.Duration"/> at most.</summary>
     public double Lead { get; init; }
 
     /// <summary>Kicks that were flown.</summary>

@@ -1,31 +1,33 @@
 namespace Football.Physics;
 
-/// <summary>Finds the best of many passes through the air: the earliest that a team mate meets before it comes down and before any opponent can meet it.</summary>
+/// <summary>Finds the best of many passes, through the air or along the ground: the earliest that a team mate meets before any opponent can.</summary>
 /// <remarks>
-/// All kicks of a fan are flown in lanes, and looked at step by step; in the order of when they seem to be met, the first that holds on its exact path is the
-/// answer. Without team mates it is the kick that no opponent can meet in the air and that comes down closest to a target. Made once for a scene and used again;
-/// then nothing is allocated. Not for several threads at once. Scenes with what lanes do not know (see <see cref="BallBatch"/>) are refused.
+/// A pass through the air is to be met before it comes down, one along the ground until it rests. Kicks through the air are flown in lanes, kicks along the ground are
+/// stepped, and all are looked at step by step: before when nobody can meet each of them, and which an opponent surely takes. In that order they are judged on their
+/// exact paths, until no other can be better: the answer is that of judging every kick. Without team mates it is the kick that no opponent can meet and that comes
+/// down, or along the ground comes to rest, closest to a target. Made once for a scene and used again; then nothing is allocated. Not for several threads at once.
+/// Scenes with what lanes do not know (see <see cref="BallBatch"/>) are refused.
 /// </remarks>
 public sealed class PassFan
 {
     /// <summary>Step of the lanes, s.</summary>
     private const double Step = 0.04;
 
-    /// <summary>How long a pass may be in the air, s.</summary>
-    private const double Longest = 8;
-
-    /// <summary>Passes that are looked at on their exact path at most.</summary>
-    private const int MostLooks = 64;
+    /// <summary>A flight in lanes is no further off than this, m.</summary>
+    private const double LaneError = 0.002;
 
     private readonly Simulator _simulator;
     private readonly LaneFlight _lanes;
     private readonly LaneDomain _domain;
     private readonly LaneGroup _group = new();
-    private readonly PassWatch _watch = new();
-    private readonly Trajectory _path = new();
-    private readonly Interception _query = new();
-    private readonly LookAheadRequest _request = new() { Duration = Longest, StopAt = StopAt.Impact };
+    private readonly PassPlayers _players = new();
+    private readonly PassWatch _watch;
+    private readonly PassRolls _rolls;
+    private readonly PassJudge _judge;
     private double[] _scores = new double[1000];
+
+    /// <summary>How many kicks the last search judged on their exact paths.</summary>
+    internal int Judged { get; private set; }
 
     /// <summary>Compiles a scene.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
@@ -41,6 +43,9 @@ public sealed class PassFan
 
         _domain = new LaneDomain(known, Step);
         _lanes = LaneFlight.Create(known, fourthOrder: true, Step, LaneFlight.BestLanes);
+        _watch = new PassWatch(_simulator, _players);
+        _rolls = new PassRolls(_simulator, _players, _watch, _lanes.TimeStep);
+        _judge = new PassJudge(_simulator);
         _group.Watch = _watch;
     }
 
@@ -63,88 +68,117 @@ public sealed class PassFan
         }
 
         var from = new Vector3d(request.From.X, Math.Max(request.From.Y, _simulator.ContactHeight), request.From.Z);
-        _watch.Begin(mates, opponents, in from, _simulator.Scene.Air.Wind);
+        _players.Begin(mates, opponents, _lanes.TimeStep);
+        _watch.Begin(in from, _simulator.Scene.Air.Wind, request.Duration, _lanes.TimeStep, request.Margin, FlightAcceleration(request, in from), LaneError);
+        _judge.Begin(request.Duration);
+        Score(request, in from);
         int open = 0;
-        for (int first = 0; first < count; first += LaneGroup.Size)
+        for (int i = 0; i < count; i++)
         {
-            open += Fly(request, in from, mates.Length > 0, first, Math.Min(LaneGroup.Size, count - first));
+            open += double.IsPositiveInfinity(_scores[i]) ? 0 : 1;
         }
 
-        for (int look = 0; look < MostLooks; look++)
+        PassChoice answer = default;
+        double least = double.PositiveInfinity;
+        int found = -1;
+        Judged = 0;
+        for (int best = Best(count, least); best >= 0; best = Best(count, least))
         {
-            int best = Best(count);
-            if (best < 0)
+            double score = _scores[best];
+            Judged++;
+            bool isJudged = _judge.Judge(request, best, mates, opponents, ref score, out PassChoice choice);
+            _scores[best] = isJudged ? double.PositiveInfinity : score;
+            if (isJudged && score < least)
             {
-                break;
-            }
-
-            _scores[best] = double.PositiveInfinity;
-            if (Holds(request, best, mates, opponents, out PassChoice choice))
-            {
-                return Counted(in choice, count, open);
+                least = score;
+                answer = choice;
+                found = best;
             }
         }
 
-        return new PassChoice { Receiver = -1, Kicks = count, Open = open };
+        return found < 0
+            ? new PassChoice { Receiver = -1, Kicks = count, Open = open }
+            : _judge.Completed(request, found, opponents, in answer, count, open);
     }
 
-    /// <summary>Flies a group, and writes down when each kick seems to be met, or how far from the target it comes down; infinite for those that are lost.</summary>
-    private int Fly(PassFanRequest request, in Vector3d from, bool hasMates, int first, int count)
+    /// <summary>Writes down what each kick is no better than: when it is met, or how far from the target it ends; infinite for those that are lost.</summary>
+    private void Score(PassFanRequest request, in Vector3d from)
     {
-        _group.Clear();
-        _watch.Clear();
+        double rolling = RollAcceleration(request);
+        for (int first = 0; first < request.Count; first += LaneGroup.Size)
+        {
+            int end = Math.Min(request.Count, first + LaneGroup.Size);
+            _group.Clear();
+            _watch.Clear();
+            for (int index = first; index < end; index++)
+            {
+                request.Kick(index, out Vector3d velocity, out Vector3d spin);
+                _scores[index] = _rolls.IsFlat(in from, in velocity)
+                    ? _rolls.Score(request, index, in from, in velocity, in spin, rolling)
+                    : Launch(request, in from, index - first, in velocity, in spin);
+            }
+
+            Fly(request, in from, first, end);
+        }
+    }
+
+    /// <summary>Puts a kick into the group.</summary>
+    /// <returns>Not a number; 0 for one that lanes do not know: it is judged in any case.</returns>
+    private double Launch(PassFanRequest request, in Vector3d from, int ball, in Vector3d velocity, in Vector3d spin)
+    {
         double contact = _simulator.ContactHeight;
         Vector3d wind = _simulator.Scene.Air.Wind;
-        for (int i = 0; i < count; i++)
+        Vector3d u = velocity - wind;
+        double rate = spin.Length;
+        if (!_domain.Covers(u.LengthSquared, rate, from.Y - contact, wind.Y, request.Duration))
         {
-            _scores[first + i] = double.PositiveInfinity;
-            request.Kick(first + i, out Vector3d velocity, out Vector3d spin);
-            Vector3d u = velocity - wind;
-            double rate = spin.Length;
-            if (velocity.Y >= _simulator.Scene.Ground.MinimumBounceSpeed && _domain.Covers(u.LengthSquared, rate, from.Y - contact, wind.Y, Longest))
-            {
-                _group.Add(i, in u, rate > 0 ? spin / rate : Vector3d.Up, rate, contact - from.Y, wind.Y);
-                _scores[first + i] = 0;
-            }
+            return 0;
         }
 
-        _lanes.Fly(_group, Longest);
-        Vector3d target = request.Target ?? from;
-        int open = 0;
-        for (int i = 0; i < count; i++)
+        _group.Add(ball, in u, rate > 0 ? spin / rate : Vector3d.Up, rate, contact - from.Y, wind.Y);
+        return double.NaN;
+    }
+
+    /// <summary>Flies the group.</summary>
+    private void Fly(PassFanRequest request, in Vector3d from, int first, int end)
+    {
+        // Whole steps, so that players and balls are seen at the same times.
+        _lanes.Fly(_group, Math.Ceiling(request.Duration / _lanes.TimeStep) * _lanes.TimeStep);
+        Vector3d wind = _simulator.Scene.Air.Wind;
+        Vector3d target = request.Target ?? request.From;
+        for (int index = first; index < end; index++)
         {
-            ref double score = ref _scores[first + i];
-            if (score != 0)
+            int ball = index - first;
+            if (!double.IsNaN(_scores[index]))
             {
                 continue;
             }
 
-            double time = _watch.Time[i];
-            if (hasMates)
+            bool isSeen = _watch.IsDecided(ball) || !_group.GivenUp[ball];
+            Vector3d place = from + _group.EndPath[ball] + (_group.EndTime[ball] * wind);
+            if (isSeen && !_watch.IsDecided(ball) && _group.Reached[ball])
             {
-                score = time > 0 ? time : double.PositiveInfinity;
-            }
-            else
-            {
-                Vector3d end = from + _group.EndPath[i] + (_group.EndTime[i] * wind);
-                score = time < 0 || !_group.Reached[i] ? double.PositiveInfinity : (end - target).Horizontal.Length;
+                _watch.LookAtEnd(ball, _group.EndTime[ball], in place, _group.EndVelocity[ball] + wind);
             }
 
-            open += double.IsPositiveInfinity(score) ? 0 : 1;
+            double earliest = _watch.Earliest[ball];
+            _scores[index] = !isSeen ? 0
+                : double.IsNaN(earliest) ? double.PositiveInfinity
+                : _players.Mates > 0 ? earliest
+                : _group.Reached[ball] ? Math.Max(0, (place - target).Horizontal.Length - LaneError)
+                : double.PositiveInfinity;
         }
-
-        return open;
     }
 
-    private int Best(int count)
+    /// <summary>The kick with the least score below a bound; −1 where there is none.</summary>
+    private int Best(int count, double below)
     {
         int best = -1;
-        double least = double.PositiveInfinity;
         for (int i = 0; i < count; i++)
         {
-            if (_scores[i] < least)
+            if (_scores[i] < below)
             {
-                least = _scores[i];
+                below = _scores[i];
                 best = i;
             }
         }
@@ -152,30 +186,24 @@ public sealed class PassFan
         return best;
     }
 
-    /// <summary>Whether a pass holds on its exact path.</summary>
-    private bool Holds(PassFanRequest request, int index, Runner[] mates, Runner[] opponents, out PassChoice choice)
+    /// <summary>No kick through the air is accelerated more strongly, m/s²: in the air's frame only gravity does work.</summary>
+    private double FlightAcceleration(PassFanRequest request, in Vector3d from)
     {
-        request.Kick(index, out Vector3d velocity, out Vector3d spin);
-        BallState ball = _simulator.Launch(request.From, velocity, spin);
-        _simulator.LookAhead(in ball, _request, _path);
-        BallState end = _path.Final;
-        var meeting = new PathPoint(end.Time, end.Position, end.Velocity, 0);
-        int receiver = mates.Length > 0 ? _query.FindFirst(_path, mates, out meeting) : -1;
-        int opponent = _query.FindFirst(_path, opponents, out PathPoint lost);
-        double lead = opponent < 0 ? double.PositiveInfinity : lost.Time - meeting.Time;
-        choice = new PassChoice { IsFound = true, Velocity = velocity, Spin = spin, Receiver = receiver, Meeting = meeting, Lead = lead };
-        return mates.Length > 0 ? receiver >= 0 && lead >= request.Margin : opponent < 0;
+        Scene scene = _simulator.Scene;
+        double drop = from.Y - _simulator.ContactHeight + (Math.Abs(scene.Air.Wind.Y) * request.Duration);
+        double speed = request.MaximumSpeed + scene.Air.Wind.Length;
+        double fastest = Math.Sqrt((speed * speed) + (2.0 * Math.Abs(Weight.UpwardAcceleration(scene)) * drop));
+        return _domain.AccelerationAtMost(fastest, request.SpinRate);
     }
 
-    private static PassChoice Counted(in PassChoice of, int kicks, int open) => new()
+    /// <summary>No kick along the ground is accelerated more strongly, m/s²: friction is no more than its coefficient times weight and lift, and a slide turns no more than all its energy into spin.</summary>
+    private double RollAcceleration(PassFanRequest request)
     {
-        IsFound = true,
-        Velocity = of.Velocity,
-        Spin = of.Spin,
-        Receiver = of.Receiver,
-        Meeting = of.Meeting,
-        Lead = of.Lead,
-        Kicks = kicks,
-        Open = open,
-    };
+        Scene scene = _simulator.Scene;
+        Ground ground = scene.Ground;
+        double speed = request.MaximumSpeed + (scene.Ball.Radius * request.SpinRate) + (2.0 * scene.Air.Wind.Length);
+        double spin = request.SpinRate + (speed / (Math.Sqrt(scene.Ball.InertiaFactor) * scene.Ball.Radius));
+        double friction = Math.Max(ground.SlidingFriction, ground.RollingFriction + (ground.RollingFrictionBySpeed * speed));
+        return (1.0 + friction) * _domain.AccelerationAtMost(speed, spin);
+    }
 }

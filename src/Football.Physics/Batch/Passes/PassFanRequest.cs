@@ -1,10 +1,16 @@
 namespace Football.Physics;
 
-/// <summary>Which passes to try: kicks through the air of all speeds, elevations and directions of a fan.</summary>
+/// <summary>Which passes to try: kicks of all speeds, elevations and directions of a fan, through the air or along the ground.</summary>
+/// <remarks>A kick of a ball on the ground that rises slower than <see cref="Ground.MinimumBounceSpeed"/>, as all of elevation 0 do, goes along the ground: it slides, then rolls.</remarks>
 public sealed record PassFanRequest
 {
     /// <summary>Most kicks of a fan.</summary>
     private const int Most = 100_000;
+
+    /// <summary>Longest that a pass is looked at, s.</summary>
+    private const double Longest = 60;
+
+    private const double PerDegree = Math.PI / 180.0;
 
     /// <summary>Where the ball is, m; components within ±1e6.</summary>
     public required Vector3d From { get; init; }
@@ -18,7 +24,7 @@ public sealed record PassFanRequest
     /// <summary>How many directions, from one edge to the other. At least 1; default 10.</summary>
     public int Directions { get; init; } = 10;
 
-    /// <summary>Lowest elevation, degrees. Above 0, at most 90; default 8.</summary>
+    /// <summary>Lowest elevation, degrees. 0 … 90; default 8; 0 for passes along the ground.</summary>
     public double MinimumElevationDegrees { get; init; } = 8;
 
     /// <summary>Highest elevation, degrees. At least the lowest, at most 90; default 50.</summary>
@@ -45,28 +51,41 @@ public sealed record PassFanRequest
     /// <summary>How much earlier than any opponent a team mate must be able to meet the ball, s. Not negative; default 0.1.</summary>
     public double Margin { get; init; } = 0.1;
 
-    /// <summary>Without team mates: where the ball is to come down, m. Default the place where it is.</summary>
+    /// <summary>Without team mates: where the ball is to come down, and along the ground to come to rest, m. Default the place where it is.</summary>
     public Vector3d? Target { get; init; }
+
+    /// <summary>How long a pass is looked at, s: whom it has not come to by then, it does not come to. Above 0, at most 60; default 8.</summary>
+    public double Duration { get; init; } = 8;
 
     /// <summary>How many kicks.</summary>
     internal int Count => Directions * Elevations * Speeds;
 
+    /// <summary>How many pairs of a speed and an elevation; all directions of one follow each other.</summary>
+    internal int Pairs => Elevations * Speeds;
+
+    /// <summary>Size of the spin, rad/s.</summary>
+    internal double SpinRate => Math.Sqrt((TopSpin * TopSpin) + (SideSpin * SideSpin));
+
     /// <summary>One of the kicks.</summary>
     internal void Kick(int index, out Vector3d velocity, out Vector3d spin)
     {
-        const double PerDegree = Math.PI / 180.0;
         double azimuth = PerDegree * FanDegrees * (Share(index % Directions, Directions) - 0.5);
-        int rest = index / Directions;
-        double elevation = PerDegree * (MinimumElevationDegrees + ((MaximumElevationDegrees - MinimumElevationDegrees) * Share(rest % Elevations, Elevations)));
-        double speed = MinimumSpeed + ((MaximumSpeed - MinimumSpeed) * Share(rest / Elevations, Speeds));
+        double speed = Launch(index / Directions, out double up, out double flat);
         Vector3d middle = Direction.Horizontal / Direction.Horizontal.Length;
         Elementary.SinCos(azimuth, out double sine, out double cosine);
-        Elementary.SinCos(elevation, out double up, out double flat);
         Vector3d d = (cosine * middle) + (sine * Vector3d.Cross(Vector3d.Up, in middle));
         velocity = speed * ((flat * d) + new Vector3d(0, up, 0));
 
         // ω = top ŷ × d + side ŷ
         spin = new Vector3d(TopSpin * d.Z, SideSpin, -(TopSpin * d.X));
+    }
+
+    /// <summary>The kick of a pair along x: all its directions are this one turned about the vertical.</summary>
+    internal void KickAlongX(int pair, out Vector3d velocity, out Vector3d spin)
+    {
+        double speed = Launch(pair, out double up, out double flat);
+        velocity = speed * new Vector3d(flat, up, 0);
+        spin = new Vector3d(0, SideSpin, -TopSpin);
     }
 
     /// <summary>Checks every number.</summary>
@@ -76,7 +95,7 @@ public sealed record PassFanRequest
         Check.Direction("fan.direction", Direction.Horizontal);
         Check.Within("fan.degrees", FanDegrees, 0, 360);
         Check.AtLeast("fan.directions", Directions, 1);
-        Check.Within("fan.elevation.min", MinimumElevationDegrees, 0, 90, exclusiveLow: true);
+        Check.Within("fan.elevation.min", MinimumElevationDegrees, 0, 90);
         Check.Within("fan.elevation.max", MaximumElevationDegrees, MinimumElevationDegrees, 90);
         Check.AtLeast("fan.elevations", Elevations, 1);
         Check.Within("fan.speed.min", MinimumSpeed, 0, Limits.Speed, exclusiveLow: true);
@@ -86,7 +105,16 @@ public sealed record PassFanRequest
         Check.Within("fan.spin.top", TopSpin, -Limits.Spin, Limits.Spin);
         Check.Within("fan.spin.side", SideSpin, -Limits.Spin, Limits.Spin);
         Check.NotNegative("fan.margin", Margin);
+        Check.Within("fan.duration", Duration, 0, Longest, exclusiveLow: true);
         Check.Place("fan.target", Target ?? From);
+    }
+
+    /// <summary>Speed of a pair, m/s, and sine and cosine of its elevation.</summary>
+    private double Launch(int pair, out double up, out double flat)
+    {
+        Elementary.SinCos(
+            PerDegree * (MinimumElevationDegrees + ((MaximumElevationDegrees - MinimumElevationDegrees) * Share(pair % Elevations, Elevations))), out up, out flat);
+        return MinimumSpeed + ((MaximumSpeed - MinimumSpeed) * Share(pair / Elevations, Speeds));
     }
 
     private static double Share(int index, int count) => count > 1 ? (double)index / (count - 1) : 0.5;

@@ -2,120 +2,167 @@ using System.Runtime.CompilerServices;
 
 namespace Football.Physics;
 
-/// <summary>Watches passes in flight: whom of the players each comes within reach of first, step by step.</summary>
+/// <summary>Watches kicks step by step: before when no team mate can meet each of them, and which an opponent surely takes.</summary>
 internal sealed class PassWatch : LaneWatch
 {
-    /// <summary>Where a player can be now: x and z of the middle, the square of the radius, and his heights.</summary>
-    private double[] _x = new double[22];
-    private double[] _z = new double[22];
-    private double[] _squared = new double[22];
-    private double[] _low = new double[22];
-    private double[] _high = new double[22];
-    private RunnerMotion[] _motions = new RunnerMotion[22];
-    private int _players;
-    private int _mates;
-    private double _lowest;
-    private double _highest;
+    private readonly PassPlayers _players;
+    private readonly bool[] _decided = new bool[LaneGroup.Size];
+
+    /// <summary>By ball of the group: nothing happens before, s.</summary>
+    private readonly double[] _idle = new double[LaneGroup.Size];
+    private readonly double _contact;
+    private readonly double _twiceGravity;
+    private double _length;
+    private double _margin;
+    private double _slack;
     private Vector3d _from;
     private Vector3d _wind;
+    private double _duration;
+    private double _windSpeed;
+    private double _windDrop;
+    private int _step;
 
-    /// <summary>By ball of the group: when a team mate meets it; negative where an opponent does before; 0 where nobody has.</summary>
-    public double[] Time { get; } = new double[LaneGroup.Size];
-
-    /// <summary>Prepares for players.</summary>
-    public void Begin(Runner[] mates, Runner[] opponents, in Vector3d from, in Vector3d wind)
+    public PassWatch(Simulator simulator, PassPlayers players)
     {
-        _mates = mates.Length;
-        _players = mates.Length + opponents.Length;
-        if (_motions.Length < _players)
-        {
-            _motions = new RunnerMotion[_players];
-            _x = new double[_players];
-            _z = new double[_players];
-            _squared = new double[_players];
-            _low = new double[_players];
-            _high = new double[_players];
-        }
+        _players = players;
+        _contact = simulator.ContactHeight;
+        _twiceGravity = 2.0 * Math.Abs(Weight.UpwardAcceleration(simulator.Scene));
+    }
 
+    /// <summary>By ball of the group: no team mate meets it before, s; infinite where none does at all, not a number where an opponent does before.</summary>
+    public double[] Earliest { get; } = new double[LaneGroup.Size];
+
+    /// <summary>By ball of the group: whether it was seen long enough.</summary>
+    public bool IsDecided(int ball) => _decided[ball];
+
+    /// <summary>Prepares for a fan.</summary>
+    /// <param name="from">Where the kicks begin, m.</param>
+    /// <param name="wind">The wind, m/s.</param>
+    /// <param name="duration">How long the kicks are looked at, s.</param>
+    /// <param name="length">Length of a step, s.</param>
+    /// <param name="margin">How much earlier than any opponent a team mate must be there, s.</param>
+    /// <param name="acceleration">No flight of the fan is accelerated more strongly, m/s².</param>
+    /// <param name="error">How far off the flights may be, m.</param>
+    public void Begin(in Vector3d from, in Vector3d wind, double duration, double length, double margin, double acceleration, double error)
+    {
         _from = from;
         _wind = wind;
-        _lowest = double.PositiveInfinity;
-        _highest = double.NegativeInfinity;
-        for (int i = 0; i < _players; i++)
-        {
-            Runner runner = i < _mates ? mates[i] : opponents[i - _mates];
-            runner.Validate();
-            _motions[i] = new RunnerMotion(in runner, 0);
-            _low[i] = _motions[i].Lowest;
-            _high[i] = _motions[i].Highest;
-            _lowest = Math.Min(_lowest, _low[i]);
-            _highest = Math.Max(_highest, _high[i]);
-        }
+        _windSpeed = wind.Length;
+        _windDrop = Math.Abs(wind.Y) * duration;
+        _duration = duration;
+        _length = length;
+        _margin = margin;
+
+        // |p(t₁ − s) − (p₁ − s v₁)| ≤ ½ a s²
+        _slack = (0.5 * acceleration * length * length) + error;
     }
 
     /// <summary>Starts a group.</summary>
-    public void Clear() => Array.Clear(Time, 0, Time.Length);
+    public void Clear()
+    {
+        _step = 0;
+        Array.Clear(_decided, 0, _decided.Length);
+        Array.Clear(_idle, 0, _idle.Length);
+        for (int i = 0; i < Earliest.Length; i++)
+        {
+            Earliest[i] = double.PositiveInfinity;
+        }
+    }
 
     [MethodImpl(Hot.Path)]
     public override void Step(LaneGroup group, double time)
     {
-        for (int i = 0; i < _players; i++)
-        {
-            _motions[i].MiddleAt(time, out _x[i], out _z[i]);
-            double radius = _motions[i].RadiusAt(time);
-            _squared[i] = radius * radius;
-        }
-
+        _players.Reach(++_step);
         double startX = _from.X + (time * _wind.X);
         double startY = _from.Y + (time * _wind.Y);
         double startZ = _from.Z + (time * _wind.Z);
+        double highest = _players.Highest + _slack;
+        double lowest = _players.Lowest - _slack;
         LaneState now = group.Now;
         float[] heights = now.Py;
+        float[] climbs = now.Uy;
+        int[] balls = group.Ball;
         for (int at = 0; at < group.Flying; at++)
         {
-            // Most are far too high for anyone.
+            int ball = balls[at];
+            if (_idle[ball] > time)
+            {
+                continue;
+            }
+
             double y = startY + heights[at];
-            if (y < _lowest || y > _highest)
+            double climb = climbs[at] + _wind.Y;
+            double rise = _length * climb;
+            bool isKnown;
+            if ((y > highest && y - rise > highest) || (y < lowest && y - rise < lowest))
             {
-                continue;
+                // Too high for anyone, now and a step ago.
+                isKnown = time - Earliest[ball] >= _margin;
+            }
+            else
+            {
+                double vx = now.Ux[at] + _wind.X;
+                double vz = now.Uz[at] + _wind.Z;
+                var to = new Vector3d(startX + now.Px[at], y, startZ + now.Pz[at]);
+                var from = new Vector3d(to.X - (_length * vx), y - rise, to.Z - (_length * vz));
+                double ux = now.Ux[at];
+                double uz = now.Uz[at];
+
+                // In the air's frame only gravity does work.
+                double drop = Math.Max(0, y - _contact) + _windDrop;
+                double fastest = _windSpeed + Math.Sqrt((ux * ux) + (climbs[at] * (double)climbs[at]) + (uz * uz) + (_twiceGravity * drop));
+                isKnown = Look(ref Earliest[ball], _step - 1, _step, in from, in to, _slack, fastest, _duration, out _idle[ball]);
             }
 
-            int ball = group.Ball[at];
-            if (Time[ball] != 0)
+            if (isKnown)
             {
-                continue;
-            }
-
-            double x = startX + now.Px[at];
-            double z = startZ + now.Pz[at];
-
-            // An opponent who is there as early comes first. Whom a kick comes to is then known: it need not fly on.
-            if (Reaches(_mates, _players, x, y, z))
-            {
-                Time[ball] = -1;
-                group.GiveUp(at);
-            }
-            else if (Reaches(0, _mates, x, y, z))
-            {
-                Time[ball] = time;
+                // Whom a kick comes to is then known: it need not fly on.
+                _decided[ball] = true;
                 group.GiveUp(at);
             }
         }
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private bool Reaches(int first, int end, double x, double y, double z)
+    /// <summary>Looks at the last part of a flight, which ends between two steps.</summary>
+    public void LookAtEnd(int ball, double time, in Vector3d at, in Vector3d velocity)
     {
-        for (int i = first; i < end; i++)
+        int step = (int)(time / _length);
+        _players.Reach(step + 1);
+        if (double.IsPositiveInfinity(Earliest[ball]))
         {
-            double dx = x - _x[i];
-            double dz = z - _z[i];
-            if ((dx * dx) + (dz * dz) <= _squared[i] && y >= _low[i] && y <= _high[i])
-            {
-                return true;
-            }
+            // The circles of a whole step hold all that they are until the flight's end.
+            Vector3d from = at - ((time - (step * _length)) * velocity);
+            double met = double.PositiveInfinity;
+            _players.Look(step, step + 1, in from, in at, _slack + (at - from).Length, ref met, out _);
+            Earliest[ball] = double.IsPositiveInfinity(met) ? met : step * _length;
+        }
+    }
+
+    /// <summary>Looks at a way between two steps.</summary>
+    /// <param name="earliest">What is known of the kick.</param>
+    /// <param name="first">The step at which it begins.</param>
+    /// <param name="last">The step at which it ends.</param>
+    /// <param name="from">Where it begins, m.</param>
+    /// <param name="to">Where it ends, m.</param>
+    /// <param name="slack">How far off the straight way at a steady speed the ball may be, m.</param>
+    /// <param name="fastest">No faster than this will it ever be, m/s.</param>
+    /// <param name="end">No opponent who comes later counts, s.</param>
+    /// <param name="idle">Nothing happens before, s.</param>
+    /// <returns>Whether all is known.</returns>
+    [MethodImpl(Hot.Path)]
+    public bool Look(ref double earliest, int first, int last, in Vector3d from, in Vector3d to, double slack, double fastest, double end, out double idle)
+    {
+        double time = last * _length;
+        double gap = _players.Look(first, last, in from, in to, slack, ref earliest, out bool isLost);
+        idle = Math.Min(time + Math.Max(0, (gap - slack) / (fastest + _players.Fastest)), earliest + _margin);
+        if (time - earliest >= _margin)
+        {
+            return true;
         }
 
-        return false;
+        // An opponent is there now at the latest, a team mate no earlier than that.
+        isLost &= time <= end;
+        earliest = isLost ? double.NaN : earliest;
+        return isLost;
     }
 }

@@ -1,0 +1,128 @@
+namespace Football.Physics;
+
+/// <summary>Judges kicks of a fan on their exact paths.</summary>
+internal sealed class PassJudge
+{
+    /// <summary>How much longer a kick is looked at than it is known to need, s.</summary>
+    private const double Ahead = 0.4;
+
+    private readonly Simulator _simulator;
+    private readonly Interception _query = new();
+    private Trajectory _path = new();
+
+    /// <summary>Look-aheads of 1, 2, 3 … s, the last of them of a whole pass; and the same for passes along the ground.</summary>
+    private LookAheadRequest[] _toImpact = [];
+    private LookAheadRequest[] _toRest = [];
+    private double _duration;
+
+    public PassJudge(Simulator simulator) => _simulator = simulator;
+
+    /// <summary>Prepares for passes of a duration.</summary>
+    public void Begin(double duration)
+    {
+        if (_duration == duration)
+        {
+            return;
+        }
+
+        _duration = duration;
+        int seconds = (int)Math.Ceiling(duration);
+        _toImpact = new LookAheadRequest[seconds];
+        _toRest = new LookAheadRequest[seconds];
+        for (int i = 0; i < seconds; i++)
+        {
+            _toImpact[i] = new LookAheadRequest { Duration = Math.Min(i + 1, duration), StopAt = StopAt.Impact };
+            _toRest[i] = _toImpact[i] with { StopAt = StopAt.Rest };
+        }
+    }
+
+    /// <summary>Judges a kick.</summary>
+    /// <param name="request">The fan.</param>
+    /// <param name="index">Which of its kicks.</param>
+    /// <param name="mates">The team mates.</param>
+    /// <param name="opponents">The opponents.</param>
+    /// <param name="score">What it is known to be no better than; then how good it is, infinite where it is lost: when it is met, s, or how far from the target it ends, m.</param>
+    /// <param name="choice">The kick, if it holds.</param>
+    /// <returns>False where it was not looked at for long enough: it is no better than the score then is.</returns>
+    public bool Judge(PassFanRequest request, int index, Runner[] mates, Runner[] opponents, ref double score, out PassChoice choice)
+    {
+        double known = mates.Length > 0 ? Math.Min(score + request.Margin + Ahead, _duration) : _duration;
+        int seconds = Math.Min(Math.Max(0, (int)Math.Ceiling(known) - 1), _toImpact.Length - 1);
+        bool ends = Fly(request, index, seconds, out Vector3d velocity, out Vector3d spin);
+        bool isWhole = ends || seconds == _toImpact.Length - 1;
+        BallState end = _path.Final;
+        var meeting = new PathPoint(end.Time, end.Position, end.Velocity, 0);
+        int receiver = mates.Length > 0 ? _query.FindFirst(_path, mates, out meeting) : -1;
+        int opponent = _query.FindFirst(_path, opponents, out PathPoint lost);
+        double lead = opponent < 0 ? double.PositiveInfinity : lost.Time - meeting.Time;
+        choice = new PassChoice { IsFound = true, Velocity = velocity, Spin = spin, Receiver = receiver, Meeting = meeting, Lead = lead };
+        bool holds;
+        if (mates.Length == 0)
+        {
+            holds = ends && opponent < 0;
+            score = (end.Position - (request.Target ?? request.From)).Horizontal.Length;
+        }
+        else
+        {
+            holds = receiver >= 0 && lead >= request.Margin;
+            if (!isWhole && receiver < 0)
+            {
+                score = end.Time;
+                return false;
+            }
+
+            if (!isWhole && opponent < 0 && !(meeting.Time + request.Margin <= end.Time))
+            {
+                score = meeting.Time;
+                return false;
+            }
+
+            score = meeting.Time;
+        }
+
+        score = holds ? score : double.PositiveInfinity;
+        return true;
+    }
+
+    /// <summary>Says by how much a kick that holds is met before any opponent could meet it: that may be long after.</summary>
+    public PassChoice Completed(PassFanRequest request, int index, Runner[] opponents, in PassChoice choice, int kicks, int open)
+    {
+        double lead = choice.Lead;
+        if (double.IsPositiveInfinity(lead) && opponents.Length > 0)
+        {
+            Fly(request, index, _toImpact.Length - 1, out _, out _);
+            int opponent = _query.FindFirst(_path, opponents, out PathPoint lost);
+            lead = opponent < 0 ? lead : lost.Time - choice.Meeting.Time;
+        }
+
+        return new PassChoice
+        {
+            IsFound = true,
+            Velocity = choice.Velocity,
+            Spin = choice.Spin,
+            Receiver = choice.Receiver,
+            Meeting = choice.Meeting,
+            Lead = lead,
+            Kicks = kicks,
+            Open = open,
+        };
+    }
+
+    /// <summary>Looks ahead.</summary>
+    /// <returns>Whether the pass comes down, or comes to rest.</returns>
+    private bool Fly(PassFanRequest request, int index, int seconds, out Vector3d velocity, out Vector3d spin)
+    {
+        request.Kick(index, out velocity, out spin);
+        BallState ball = _simulator.Launch(request.From, velocity, spin);
+        bool rolls = ball.Motion != MotionState.Airborne;
+        LookAheadRequest to = rolls ? _toRest[seconds] : _toImpact[seconds];
+        _simulator.LookAhead(in ball, to, _path);
+        while (!_path.IsComplete)
+        {
+            _path = new Trajectory(2 * _path.Pieces.Length);
+            _simulator.LookAhead(in ball, to, _path);
+        }
+
+        return rolls ? _path.Final.Motion == MotionState.Stopped : _path.TryGetTouchdown(0, out _);
+    }
+}
