@@ -4,21 +4,25 @@ namespace Football.Physics;
 internal sealed class BankShotPath : PieceObserver
 {
     private readonly StepLog _log;
+    private readonly bool _stillAir;
     private int[] _things = [];
     private Vector3d _target;
     private int _event;
     private int _met;
     private bool _wrong;
 
-    public BankShotPath(StepLog log) => _log = log;
+    /// <param name="log">What the flights write to.</param>
+    /// <param name="stillAir">Whether there is no wind that brings a ball back.</param>
+    public BankShotPath(StepLog log, bool stillAir)
+    {
+        _log = log;
+        _stillAir = stillAir;
+    }
 
     public override bool WantsEndAcceleration => true;
 
     /// <summary>Whether the kick met them all, in order.</summary>
     public bool MeetsAll => !_wrong && _met == _things.Length && !double.IsPositiveInfinity(Best);
-
-    /// <summary>How many of them it met before anything else.</summary>
-    public int Met => _met;
 
     /// <summary>Square of the distance of the closest approach after that, m²; infinite where there was none.</summary>
     public double Best { get; private set; }
@@ -45,7 +49,9 @@ internal sealed class BankShotPath : PieceObserver
         Best = double.PositiveInfinity;
     }
 
-    public override bool Add(in PathPiece piece)
+    public override bool Add(in PathPiece piece) => false;
+
+    public override bool Add(in BallState before, in BallState after, in PathPiece piece)
     {
         // Impacts come between pieces: those told of so far were before this one.
         for (; _event < _log.Events.Count; _event++)
@@ -81,10 +87,23 @@ internal sealed class BankShotPath : PieceObserver
                 Velocity = piece.VelocityAt(time);
             }
 
-            // On the ground it comes no closer once it goes away.
-            return piece.Motion != MotionState.Airborne && Vector3d.Dot(piece.EndPosition - _target, piece.EndVelocity) > 0;
+            return IsPast(in piece);
         }
 
-        return false;
+        // On the ground no ball comes down on it.
+        return before.Carrier == 0 && piece.Motion is MotionState.Sliding or MotionState.Rolling && _things[_met] == 0;
+    }
+
+    /// <summary>Whether the ball comes no closer: on the ground it goes away; in the air it does so, and is farther off by its way over the ground alone.</summary>
+    private bool IsPast(in PathPiece piece)
+    {
+        Vector3d gap = piece.EndPosition - _target;
+        if (piece.Motion != MotionState.Airborne)
+        {
+            return Vector3d.Dot(in gap, piece.EndVelocity) > 0;
+        }
+
+        Vector3d flat = gap.Horizontal;
+        return _stillAir && flat.LengthSquared > Best && Vector3d.Dot(in flat, piece.EndVelocity) > 0;
     }
 }

@@ -1,0 +1,335 @@
+namespace Football.Physics;
+
+/// <summary>
+/// A kick in legs, each from one contact to the next and the last to the target, flown without ground or things: multiple shooting. What is sought are the kick's
+/// elevation and azimuth and two numbers for the place of each contact, such that every leg ends where the next begins; what an impact does is known in closed form.
+/// </summary>
+/// <remarks>
+/// The places at which a kick meets a post are a hair's breadth of its elevations and azimuths, and a post's whole side of places: in these unknowns Newton's method
+/// comes from far. The derivatives of a leg are those of <see cref="LaunchDerivatives"/>.
+/// </remarks>
+internal sealed class BankShotChain
+{
+    /// <summary>Step of a leg, s.</summary>
+    private const double TimeStep = 0.08;
+
+    private const int MostSteps = 14;
+
+    /// <summary>A chain whose gaps are all below this is closed by one more step, m.</summary>
+    private const double Closed = 3e-3;
+
+    /// <summary>The most that a step turns the kick, or the normal of a contact, rad; and moves a contact, m, and of the length of the leg to it.</summary>
+    private const double LargestTurn = 0.3;
+    private const double LargestBend = 0.6;
+    private const double LargestShare = 0.5;
+
+    /// <summary>The time of a leg changes by this factor at most.</summary>
+    private const double LargestChange = 2;
+
+    /// <summary>A leg takes no less time, and no more, s.</summary>
+    private const double ShortestLeg = 1e-4;
+    private const double LongestLeg = 8;
+
+    private readonly Simulator _open;
+    private readonly LaunchDerivatives _derivatives;
+    private readonly BallProperties _ball;
+    private readonly double _upward;
+    private readonly Vector3d _wind;
+    private double[] _times = [];
+    private double[] _late = [];
+    private double[] _lateBy = [];
+    private double[] _gaps = [];
+    private double[] _rows = [];
+    private double[] _system = [];
+    private double[] _step = [];
+    private Vector3d[] _place = [];
+    private Vector3d[] _velocity = [];
+    private Vector3d[] _spin = [];
+    private double _gap;
+    private Vector3d _level;
+    private Vector3d _steep;
+
+    /// <param name="scene">The scene whose air it is.</param>
+    public BankShotChain(Scene scene)
+    {
+        _open = new Simulator(AimContext.WithoutGround(AimContext.WithoutThings(scene)));
+        _derivatives = new LaunchDerivatives(_open);
+        _ball = scene.Ball;
+        _upward = Weight.UpwardAcceleration(scene);
+        _wind = scene.Air.Wind;
+    }
+
+    /// <summary>What is touched, in order.</summary>
+    public BankShotContact[] Contacts { get; private set; } = [];
+
+    /// <summary>How many of them there are.</summary>
+    public int Count { get; private set; }
+
+    /// <summary>The kick.</summary>
+    public Kick Kick;
+
+    /// <summary>Makes room for a number of contacts.</summary>
+    public void Prepare(int count)
+    {
+        Count = count;
+        if (Contacts.Length >= count)
+        {
+            return;
+        }
+
+        int unknowns = 2 * (count + 1);
+        Contacts = new BankShotContact[count];
+        _times = new double[count + 1];
+        _late = new double[count + 1];
+        _lateBy = new double[(count + 1) * unknowns];
+        _gaps = new double[unknowns];
+        _rows = new double[unknowns * unknowns];
+        _system = new double[unknowns * (unknowns + 1)];
+        _step = new double[unknowns];
+        _place = new Vector3d[unknowns];
+        _velocity = new Vector3d[unknowns];
+        _spin = new Vector3d[unknowns];
+    }
+
+    /// <summary>Closes the chain by Newton's method from where its contacts and its kick are.</summary>
+    /// <param name="request">What the kick is to do.</param>
+    /// <param name="frame">Ball and target.</param>
+    /// <param name="counts">Where flights and corrections are counted.</param>
+    /// <returns>False where it does not come together.</returns>
+    public bool Close(AimRequest request, in TargetFrame frame, BankShotFlight counts)
+    {
+        Array.Clear(_times, 0, Count + 1);
+        for (int i = 0; i < Math.Min(MostSteps, request.MaximumIterations); i++)
+        {
+            counts.Simulations++;
+            counts.Iterations++;
+            if (!Fly(request, in frame))
+            {
+                return false;
+            }
+
+            bool closes = _gap < Closed;
+            if (!Solve(Count + 1) || !Take(request.Speed))
+            {
+                return false;
+            }
+
+            if (closes)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>The turn that takes away a miss of the whole kick at the target, by the derivatives of the last flight.</summary>
+    /// <param name="miss">The miss, m.</param>
+    /// <param name="up">By elevation, rad.</param>
+    /// <param name="aside">By azimuth, rad.</param>
+    public bool Correct(in Vector3d miss, out double up, out double aside)
+    {
+        Array.Clear(_gaps, 0, 2 * Count);
+        _gaps[2 * Count] = Vector3d.Dot(in miss, in _level);
+        _gaps[(2 * Count) + 1] = Vector3d.Dot(in miss, in _steep);
+        bool solved = Solve(Count + 1);
+        up = _step[0];
+        aside = _step[1];
+        return solved && !double.IsNaN(up + aside) && Math.Abs(up) + Math.Abs(aside) < LargestTurn;
+    }
+
+    /// <summary>Flies all legs; then the gaps are known, and how they change with every unknown.</summary>
+    /// <returns>False where a leg leads away from what it is to touch.</returns>
+    private bool Fly(AimRequest request, in TargetFrame frame)
+    {
+        int unknowns = 2 * (Count + 1);
+        Array.Clear(_rows, 0, unknowns * unknowns);
+        Array.Clear(_lateBy, 0, (Count + 1) * unknowns);
+        Array.Clear(_place, 0, unknowns);
+        Array.Clear(_velocity, 0, unknowns);
+        Array.Clear(_spin, 0, unknowns);
+        Kick.Vectors(request.Speed, frame.Forward, out Vector3d v, out Vector3d w);
+        Kick.Turns(request.Speed, frame.Forward, out _velocity[0], out _velocity[1], out _spin[1]);
+        Vector3d p = frame.From;
+        double time = 0;
+        _gap = 0;
+        for (int leg = 0; ; leg++)
+        {
+            bool isLast = leg == Count;
+            Vector3d end = isLast ? frame.Target : Contacts[leg].Place;
+            if (!(_times[leg] > 0))
+            {
+                // Straight on, and as far as it is; sideways or away, as if half of that led there.
+                Vector3d way = end - p;
+                double length = way.Length;
+                double along = Vector3d.Dot(in way, in v) / length;
+                _times[leg] = Math.Min(LongestLeg, length / Math.Max(along, 0.3 * v.Length));
+            }
+
+            BallState state = _open.LaunchAt(in p, in v, in w, time);
+            _derivatives.Run(ref state, TimeStep, _times[leg], StopAt.Time);
+            time += _times[leg];
+            Arrive(leg, in state, in end);
+            if (isLast)
+            {
+                return !double.IsNaN(_gap);
+            }
+
+            v = state.Velocity + (_late[leg] * Acceleration(in state));
+            w = state.Spin;
+            if (!Bounce(leg, ref v, ref w))
+            {
+                return false;
+            }
+
+            p = end;
+        }
+    }
+
+    /// <summary>The gap at the end of a leg across the way, and how late it is there; how both change, and the motion, with what is unknown so far.</summary>
+    private void Arrive(int leg, in BallState state, in Vector3d end)
+    {
+        int unknowns = 2 * (Count + 1);
+        int known = 2 * (leg + 1);
+        Vector3d v = state.Velocity;
+        double perSquare = 1.0 / v.LengthSquared;
+        BankShotContact.Axes(v * Math.Sqrt(perSquare), out _level, out _steep);
+        Vector3d e = state.Position - end;
+        int row = 2 * leg;
+        _gaps[row] = Vector3d.Dot(in e, in _level);
+        _gaps[row + 1] = Vector3d.Dot(in e, in _steep);
+
+        // The leg ends at the plane across the way through its end: τ = −e·v/v².
+        double most = 0.5 * _times[leg];
+        _late[leg] = Math.Min(most, Math.Max(-most, -Vector3d.Dot(in e, in v) * perSquare));
+        _gap = Math.Max(_gap, e.Length);
+        Vector3d a = Acceleration(in state);
+        int last = leg == Count ? known : known + 2;
+        for (int j = 0; j < last; j++)
+        {
+            Vector3d moved;
+            if (j < known)
+            {
+                Vector3d dp = _place[j];
+                Vector3d dv = _velocity[j];
+                Vector3d dw = _spin[j];
+                moved = (_derivatives.PositionByPosition * dp) + (_derivatives.PositionByVelocity * dv) + (_derivatives.PositionBySpin * dw);
+                _velocity[j] = (_derivatives.VelocityByPosition * dp) + (_derivatives.VelocityByVelocity * dv) + (_derivatives.VelocityBySpin * dw);
+                _spin[j] = (_derivatives.SpinByPosition * dp) + (_derivatives.SpinByVelocity * dv) + (_derivatives.SpinBySpin * dw);
+            }
+            else
+            {
+                moved = j == known ? -Contacts[leg].Level : -Contacts[leg].Steep;
+            }
+
+            _rows[(row * unknowns) + j] = Vector3d.Dot(in moved, in _level);
+            _rows[((row + 1) * unknowns) + j] = Vector3d.Dot(in moved, in _steep);
+            double late = -Vector3d.Dot(in moved, in v) * perSquare;
+            _lateBy[(leg * unknowns) + j] = late;
+            _velocity[j] += late * a;
+        }
+    }
+
+    /// <summary>What the impact at the end of a leg does to the motion, and to its derivatives: those by difference quotients.</summary>
+    /// <returns>False where the ball comes from inside.</returns>
+    private bool Bounce(int leg, ref Vector3d v, ref Vector3d w)
+    {
+        ref BankShotContact contact = ref Contacts[leg];
+        Vector3d n = contact.Normal;
+        if (!(Vector3d.Dot(in v, in n) < 0))
+        {
+            return false;
+        }
+
+        ref readonly ContactMaterial material = ref contact.Thing.MaterialAt(in contact.Place);
+        Vector3d surface = contact.Thing.SurfaceVelocity(contact.Place - (_ball.Radius * n), 0);
+        CoulombImpact.Apply(_ball, in material, in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin);
+        int own = 2 * (leg + 1);
+        double speed = v.Length;
+        for (int j = 0; j < own + 2; j++)
+        {
+            Vector3d place = j < own ? Vector3d.Zero : j == own ? contact.Level : contact.Steep;
+            Vector3d turn = contact.Curvature * place;
+            double size = (_velocity[j].Length / speed) + (_ball.Radius * _spin[j].Length / speed) + turn.Length;
+            double width = size > 0 ? 1e-6 / size : 0;
+            double perWidth = width > 0 ? 1.0 / width : 0;
+            Vector3d turned = n + (width * turn);
+            CoulombImpact.Apply(_ball, in material, in turned, in surface, v + (width * _velocity[j]), w + (width * _spin[j]), out Vector3d otherVelocity, out Vector3d otherSpin);
+            _place[j] = place;
+            _velocity[j] = perWidth * (otherVelocity - velocity);
+            _spin[j] = perWidth * (otherSpin - spin);
+        }
+
+        v = velocity;
+        w = spin;
+        return true;
+    }
+
+    /// <summary>Newton's step.</summary>
+    private bool Solve(int legs)
+    {
+        int n = 2 * legs;
+        for (int i = 0; i < n; i++)
+        {
+            Array.Copy(_rows, i * n, _system, i * (n + 1), n);
+            _system[(i * (n + 1)) + n] = -_gaps[i];
+        }
+
+        return Linear.Solve(_system, _step, n);
+    }
+
+    /// <summary>Takes the step, or the share of it that is not too large.</summary>
+    private bool Take(double speed)
+    {
+        int unknowns = 2 * (Count + 1);
+        double share = 1.0 / Math.Max(1.0, Math.Sqrt((_step[0] * _step[0]) + (_step[1] * _step[1])) / LargestTurn);
+        for (int i = 0; i < Count; i++)
+        {
+            ref BankShotContact contact = ref Contacts[i];
+            Vector3d move = Move(i);
+            double bend = (contact.Curvature * move).Length;
+            double far = move.Length / Math.Max(0.1, _times[i] * speed);
+            share = Math.Min(share, 1.0 / Math.Max(1.0, Math.Max(bend / LargestBend, far / LargestShare)));
+        }
+
+        if (double.IsNaN(share))
+        {
+            return false;
+        }
+
+        for (int leg = 0; leg <= Count; leg++)
+        {
+            double late = _late[leg];
+            for (int j = 0; j < unknowns; j++)
+            {
+                late += share * _lateBy[(leg * unknowns) + j] * _step[j];
+            }
+
+            double least = Math.Max(ShortestLeg, _times[leg] / LargestChange);
+            double most = Math.Min(LongestLeg, LargestChange * _times[leg]);
+            _times[leg] = Math.Min(most, Math.Max(least, _times[leg] + late));
+        }
+
+        Kick.Elevation = Math.Min(0.5 * Math.PI, Math.Max(-0.5 * Math.PI, Kick.Elevation + (share * _step[0])));
+        Kick.Azimuth += share * _step[1];
+        for (int i = 0; i < Count; i++)
+        {
+            Contacts[i].GoTo(Contacts[i].Place + (share * Move(i)), _ball.Radius);
+        }
+
+        return true;
+    }
+
+    private Vector3d Move(int contact) => (_step[(2 * contact) + 2] * Contacts[contact].Level) + (_step[(2 * contact) + 3] * Contacts[contact].Steep);
+
+    /// <summary>v̇ of a ball in flight: weight, drag and lift.</summary>
+    private Vector3d Acceleration(in BallState state)
+    {
+        Vector3d air = state.Velocity - _wind;
+        Vector3d w = state.Spin;
+        double rate = w.Length;
+        _open.AirFactors(air.Length, rate, out double drag, out double lift);
+        Vector3d a = new Vector3d(0, _upward, 0) - (drag * air);
+        return rate > 0 ? a + (lift / rate * Vector3d.Cross(in w, in air)) : a;
+    }
+}
