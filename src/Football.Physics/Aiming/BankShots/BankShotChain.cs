@@ -6,14 +6,24 @@ namespace Football.Physics;
 /// </summary>
 /// <remarks>
 /// The places at which a kick meets a post are a hair's breadth of its elevations and azimuths, and a post's whole side of places: in these unknowns Newton's method
-/// comes from far. The derivatives of a leg are those of <see cref="LaunchDerivatives"/>.
+/// comes from far. How the ends of the legs move is measured once, by flying them a little changed, and kept by Broyden's updates, row by row for what each depends on
+/// (Schubert), as long as that gets closer.
 /// </remarks>
 internal sealed class BankShotChain
 {
     /// <summary>Step of a leg, s.</summary>
     private const double TimeStep = 0.08;
 
-    private const int MostSteps = 14;
+    private const int MostSteps = 16;
+
+    /// <summary>A gap that is not this much smaller after a step calls for new derivatives.</summary>
+    private const double Progress = 0.25;
+
+    /// <summary>Derivatives are difference quotients over this share of the velocity.</summary>
+    private const double Width = 1e-5;
+
+    /// <summary>What a radian of the kick is worth in metres of a contact: for Broyden's updates.</summary>
+    private const double MetresPerRadian = 10;
 
     /// <summary>A chain whose gaps are all below this is closed by one more step, m.</summary>
     private const double Closed = 3e-3;
@@ -31,7 +41,7 @@ internal sealed class BankShotChain
     private const double LongestLeg = 8;
 
     private readonly Simulator _open;
-    private readonly LaunchDerivatives _derivatives;
+    private readonly StepLog _log = new();
     private readonly BallProperties _ball;
     private readonly double _upward;
     private readonly Vector3d _wind;
@@ -39,6 +49,7 @@ internal sealed class BankShotChain
     private double[] _late = [];
     private double[] _lateBy = [];
     private double[] _gaps = [];
+    private double[] _before = [];
     private double[] _rows = [];
     private double[] _system = [];
     private double[] _step = [];
@@ -53,7 +64,6 @@ internal sealed class BankShotChain
     public BankShotChain(Scene scene)
     {
         _open = new Simulator(AimContext.WithoutGround(AimContext.WithoutThings(scene)));
-        _derivatives = new LaunchDerivatives(_open);
         _ball = scene.Ball;
         _upward = Weight.UpwardAcceleration(scene);
         _wind = scene.Air.Wind;
@@ -83,6 +93,7 @@ internal sealed class BankShotChain
         _late = new double[count + 1];
         _lateBy = new double[(count + 1) * unknowns];
         _gaps = new double[unknowns];
+        _before = new double[unknowns];
         _rows = new double[unknowns * unknowns];
         _system = new double[unknowns * (unknowns + 1)];
         _step = new double[unknowns];
@@ -99,17 +110,33 @@ internal sealed class BankShotChain
     public bool Close(AimRequest request, in TargetFrame frame, BankShotFlight counts)
     {
         Array.Clear(_times, 0, Count + 1);
+        double last = double.PositiveInfinity;
+        bool measures = true;
         for (int i = 0; i < Math.Min(MostSteps, request.MaximumIterations); i++)
         {
-            counts.Simulations++;
             counts.Iterations++;
-            if (!Fly(request, in frame))
+            counts.Simulations += measures ? 1 + (2 * (Count + 1)) : 1;
+            if (!Fly(request, in frame, measures))
             {
                 return false;
             }
 
             bool closes = _gap < Closed;
-            if (!Solve(Count + 1) || !Take(request.Speed))
+            if (!measures)
+            {
+                measures = !closes && !(_gap < Progress * last);
+                if (measures)
+                {
+                    continue;
+                }
+
+                Update();
+            }
+
+            measures = false;
+            last = _gap;
+            Array.Copy(_gaps, _before, _gaps.Length);
+            if (!Solve() || !Take(request.Speed))
             {
                 return false;
             }
@@ -132,24 +159,27 @@ internal sealed class BankShotChain
         Array.Clear(_gaps, 0, 2 * Count);
         _gaps[2 * Count] = Vector3d.Dot(in miss, in _level);
         _gaps[(2 * Count) + 1] = Vector3d.Dot(in miss, in _steep);
-        bool solved = Solve(Count + 1);
+        bool solved = Solve();
         up = _step[0];
         aside = _step[1];
         return solved && !double.IsNaN(up + aside) && Math.Abs(up) + Math.Abs(aside) < LargestTurn;
     }
 
-    /// <summary>Flies all legs; then the gaps are known, and how they change with every unknown.</summary>
+    /// <summary>Flies all legs; then the gaps are known, and where that is measured, how they change with every unknown.</summary>
     /// <returns>False where a leg leads away from what it is to touch.</returns>
-    private bool Fly(AimRequest request, in TargetFrame frame)
+    private bool Fly(AimRequest request, in TargetFrame frame, bool measures)
     {
-        int unknowns = 2 * (Count + 1);
-        Array.Clear(_rows, 0, unknowns * unknowns);
-        Array.Clear(_lateBy, 0, (Count + 1) * unknowns);
-        Array.Clear(_place, 0, unknowns);
-        Array.Clear(_velocity, 0, unknowns);
-        Array.Clear(_spin, 0, unknowns);
         Kick.Vectors(request.Speed, frame.Forward, out Vector3d v, out Vector3d w);
-        Kick.Turns(request.Speed, frame.Forward, out _velocity[0], out _velocity[1], out _spin[1]);
+        if (measures)
+        {
+            Array.Clear(_rows, 0, _rows.Length);
+            Array.Clear(_lateBy, 0, _lateBy.Length);
+            Array.Clear(_place, 0, _place.Length);
+            Array.Clear(_velocity, 0, _velocity.Length);
+            Array.Clear(_spin, 0, _spin.Length);
+            Kick.Turns(request.Speed, frame.Forward, out _velocity[0], out _velocity[1], out _spin[1]);
+        }
+
         Vector3d p = frame.From;
         double time = 0;
         _gap = 0;
@@ -159,25 +189,29 @@ internal sealed class BankShotChain
             Vector3d end = isLast ? frame.Target : Contacts[leg].Place;
             if (!(_times[leg] > 0))
             {
-                // Straight on, and as far as it is; sideways or away, as if half of that led there.
+                // Straight on, and as far as it is; sideways or away, as if a part of the speed led there.
                 Vector3d way = end - p;
                 double length = way.Length;
                 double along = Vector3d.Dot(in way, in v) / length;
-                _times[leg] = Math.Min(LongestLeg, length / Math.Max(along, 0.3 * v.Length));
+                _times[leg] = Math.Min(LongestLeg, Math.Max(ShortestLeg, length / Math.Max(along, 0.3 * v.Length)));
             }
 
-            BallState state = _open.LaunchAt(in p, in v, in w, time);
-            _derivatives.Run(ref state, TimeStep, _times[leg], StopAt.Time);
-            time += _times[leg];
+            BallState state = Flown(in p, in v, in w, time, _times[leg]);
             Arrive(leg, in state, in end);
+            if (measures)
+            {
+                Measure(leg, in p, in v, in w, time, in state);
+            }
+
             if (isLast)
             {
                 return !double.IsNaN(_gap);
             }
 
+            time += _times[leg];
             v = state.Velocity + (_late[leg] * Acceleration(in state));
             w = state.Spin;
-            if (!Bounce(leg, ref v, ref w))
+            if (!Bounce(leg, ref v, ref w, measures))
             {
                 return false;
             }
@@ -186,45 +220,60 @@ internal sealed class BankShotChain
         }
     }
 
-    /// <summary>The gap at the end of a leg across the way, and how late it is there; how both change, and the motion, with what is unknown so far.</summary>
+    private BallState Flown(in Vector3d p, in Vector3d v, in Vector3d w, double time, double duration)
+    {
+        BallState state = _open.LaunchAt(in p, in v, in w, time);
+        _log.Clear();
+        _open.Run(ref state, TimeStep, duration, StopAt.Time, _log, null);
+        return state;
+    }
+
+    /// <summary>The gap at the end of a leg across the way, and how late it is there.</summary>
     private void Arrive(int leg, in BallState state, in Vector3d end)
     {
-        int unknowns = 2 * (Count + 1);
-        int known = 2 * (leg + 1);
         Vector3d v = state.Velocity;
         double perSquare = 1.0 / v.LengthSquared;
         BankShotContact.Axes(v * Math.Sqrt(perSquare), out _level, out _steep);
         Vector3d e = state.Position - end;
-        int row = 2 * leg;
-        _gaps[row] = Vector3d.Dot(in e, in _level);
-        _gaps[row + 1] = Vector3d.Dot(in e, in _steep);
+        _gaps[2 * leg] = Vector3d.Dot(in e, in _level);
+        _gaps[(2 * leg) + 1] = Vector3d.Dot(in e, in _steep);
 
         // The leg ends at the plane across the way through its end: τ = −e·v/v².
         double most = 0.5 * _times[leg];
         _late[leg] = Math.Min(most, Math.Max(-most, -Vector3d.Dot(in e, in v) * perSquare));
         _gap = Math.Max(_gap, e.Length);
+    }
+
+    /// <summary>How the gap, the time and the motion at the end of a leg change with what is unknown: by flights a little changed.</summary>
+    private void Measure(int leg, in Vector3d p, in Vector3d v, in Vector3d w, double time, in BallState state)
+    {
+        int unknowns = 2 * (Count + 1);
+        int known = 2 * (leg + 1);
         Vector3d a = Acceleration(in state);
+        double speed = v.Length;
+        double perSquare = 1.0 / state.Velocity.LengthSquared;
         int last = leg == Count ? known : known + 2;
         for (int j = 0; j < last; j++)
         {
             Vector3d moved;
             if (j < known)
             {
-                Vector3d dp = _place[j];
-                Vector3d dv = _velocity[j];
-                Vector3d dw = _spin[j];
-                moved = (_derivatives.PositionByPosition * dp) + (_derivatives.PositionByVelocity * dv) + (_derivatives.PositionBySpin * dw);
-                _velocity[j] = (_derivatives.VelocityByPosition * dp) + (_derivatives.VelocityByVelocity * dv) + (_derivatives.VelocityBySpin * dw);
-                _spin[j] = (_derivatives.SpinByPosition * dp) + (_derivatives.SpinByVelocity * dv) + (_derivatives.SpinBySpin * dw);
+                double size = (_velocity[j].Length + (_ball.Radius * _spin[j].Length)) / speed + (_place[j].Length / (_times[leg] * speed));
+                double width = size > 0 ? Width / size : 0;
+                double perWidth = size > 0 ? size / Width : 0;
+                BallState other = Flown(p + (width * _place[j]), v + (width * _velocity[j]), w + (width * _spin[j]), time, _times[leg]);
+                moved = perWidth * (other.Position - state.Position);
+                _velocity[j] = perWidth * (other.Velocity - state.Velocity);
+                _spin[j] = perWidth * (other.Spin - state.Spin);
             }
             else
             {
                 moved = j == known ? -Contacts[leg].Level : -Contacts[leg].Steep;
             }
 
-            _rows[(row * unknowns) + j] = Vector3d.Dot(in moved, in _level);
-            _rows[((row + 1) * unknowns) + j] = Vector3d.Dot(in moved, in _steep);
-            double late = -Vector3d.Dot(in moved, in v) * perSquare;
+            _rows[(2 * leg * unknowns) + j] = Vector3d.Dot(in moved, in _level);
+            _rows[(((2 * leg) + 1) * unknowns) + j] = Vector3d.Dot(in moved, in _steep);
+            double late = -Vector3d.Dot(in moved, state.Velocity) * perSquare;
             _lateBy[(leg * unknowns) + j] = late;
             _velocity[j] += late * a;
         }
@@ -232,7 +281,7 @@ internal sealed class BankShotChain
 
     /// <summary>What the impact at the end of a leg does to the motion, and to its derivatives: those by difference quotients.</summary>
     /// <returns>False where the ball comes from inside.</returns>
-    private bool Bounce(int leg, ref Vector3d v, ref Vector3d w)
+    private bool Bounce(int leg, ref Vector3d v, ref Vector3d w, bool measures)
     {
         ref BankShotContact contact = ref Contacts[leg];
         Vector3d n = contact.Normal;
@@ -246,13 +295,13 @@ internal sealed class BankShotChain
         CoulombImpact.Apply(_ball, in material, in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin);
         int own = 2 * (leg + 1);
         double speed = v.Length;
-        for (int j = 0; j < own + 2; j++)
+        for (int j = 0; measures && j < own + 2; j++)
         {
             Vector3d place = j < own ? Vector3d.Zero : j == own ? contact.Level : contact.Steep;
             Vector3d turn = contact.Curvature * place;
             double size = (_velocity[j].Length / speed) + (_ball.Radius * _spin[j].Length / speed) + turn.Length;
-            double width = size > 0 ? 1e-6 / size : 0;
-            double perWidth = width > 0 ? 1.0 / width : 0;
+            double width = size > 0 ? Width / size : 0;
+            double perWidth = size > 0 ? size / Width : 0;
             Vector3d turned = n + (width * turn);
             CoulombImpact.Apply(_ball, in material, in turned, in surface, v + (width * _velocity[j]), w + (width * _spin[j]), out Vector3d otherVelocity, out Vector3d otherSpin);
             _place[j] = place;
@@ -265,10 +314,34 @@ internal sealed class BankShotChain
         return true;
     }
 
-    /// <summary>Newton's step.</summary>
-    private bool Solve(int legs)
+    /// <summary>Broyden's update of the derivatives by what the last step did, row by row: J ← J + (Δg − J s) sᵀ/sᵀs, of s what the row depends on.</summary>
+    private void Update()
     {
-        int n = 2 * legs;
+        int n = 2 * (Count + 1);
+        for (int row = 0; row < n; row++)
+        {
+            int last = Math.Min(n, (row & ~1) + 4);
+            double off = _gaps[row] - _before[row];
+            double square = 0;
+            for (int j = 0; j < last; j++)
+            {
+                off -= _rows[(row * n) + j] * _step[j];
+                square += Weight(j) * _step[j] * _step[j];
+            }
+
+            for (int j = 0; j < last && square > 0; j++)
+            {
+                _rows[(row * n) + j] += off * Weight(j) * _step[j] / square;
+            }
+        }
+
+        static double Weight(int unknown) => unknown < 2 ? MetresPerRadian * MetresPerRadian : 1.0;
+    }
+
+    /// <summary>Newton's step.</summary>
+    private bool Solve()
+    {
+        int n = 2 * (Count + 1);
         for (int i = 0; i < n; i++)
         {
             Array.Copy(_rows, i * n, _system, i * (n + 1), n);
@@ -297,12 +370,17 @@ internal sealed class BankShotChain
             return false;
         }
 
+        for (int j = 0; j < unknowns; j++)
+        {
+            _step[j] *= share;
+        }
+
         for (int leg = 0; leg <= Count; leg++)
         {
             double late = _late[leg];
             for (int j = 0; j < unknowns; j++)
             {
-                late += share * _lateBy[(leg * unknowns) + j] * _step[j];
+                late += _lateBy[(leg * unknowns) + j] * _step[j];
             }
 
             double least = Math.Max(ShortestLeg, _times[leg] / LargestChange);
@@ -310,11 +388,11 @@ internal sealed class BankShotChain
             _times[leg] = Math.Min(most, Math.Max(least, _times[leg] + late));
         }
 
-        Kick.Elevation = Math.Min(0.5 * Math.PI, Math.Max(-0.5 * Math.PI, Kick.Elevation + (share * _step[0])));
-        Kick.Azimuth += share * _step[1];
+        Kick.Elevation = Math.Min(0.5 * Math.PI, Math.Max(-0.5 * Math.PI, Kick.Elevation + _step[0]));
+        Kick.Azimuth += _step[1];
         for (int i = 0; i < Count; i++)
         {
-            Contacts[i].GoTo(Contacts[i].Place + (share * Move(i)), _ball.Radius);
+            Contacts[i].GoTo(Contacts[i].Place + Move(i), _ball.Radius);
         }
 
         return true;

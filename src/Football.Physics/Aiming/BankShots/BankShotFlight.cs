@@ -5,10 +5,8 @@ internal sealed class BankShotFlight
 {
     /// <summary>Steps of a look and of the search itself, s.</summary>
     public const double CoarseStep = 0.04;
-    public const double FineStep = 0.01;
+    public const double FineStep = 0.02;
 
-    /// <summary>A kick is given up after this, s.</summary>
-    private const double LongestFlight = 8;
     private const int MostHalvings = 8;
 
     /// <summary>The most that a direction is turned at once, rad.</summary>
@@ -16,15 +14,13 @@ internal sealed class BankShotFlight
 
     private readonly Simulator _simulator;
     private readonly LaunchDerivatives _derivatives;
-    private readonly StepLog _log = new();
     private readonly BankShotPath _path;
 
     public BankShotFlight(Simulator simulator)
     {
         _simulator = simulator;
         _derivatives = new LaunchDerivatives(simulator);
-        _path = new BankShotPath(_log, simulator.Scene.Air.IsStill);
-        _log.Observer = _path;
+        _path = new BankShotPath(simulator);
     }
 
     /// <summary>Forward simulations since the search began.</summary>
@@ -45,18 +41,10 @@ internal sealed class BankShotFlight
     {
         kick.Vectors(request.Speed, frame.Forward, out Vector3d velocity, out Vector3d spin);
         BallState state = _simulator.Launch(request.From, velocity, spin);
-        _log.Clear();
-        _path.Begin(things, frame.Target);
-        _simulator.Run(ref state, step, LongestFlight, StopAt.Rest, _log, null);
         Simulations++;
-        BankShotStart shot;
+        BankShotStart shot = default;
         shot.Kick = kick;
-        shot.Meets = _path.MeetsAll;
-        shot.IsFine = false;
-        shot.Miss = shot.Meets ? Math.Sqrt(_path.Best) : double.MaxValue;
-        shot.Time = _path.Time;
-        shot.Position = _path.Position;
-        shot.Velocity = _path.Velocity;
+        _path.Fly(state, step, things, frame.Target, ref shot);
         return shot;
     }
 
