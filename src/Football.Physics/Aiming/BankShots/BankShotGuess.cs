@@ -14,7 +14,10 @@ internal sealed class BankShotGuess
     private const double Slowed = 0.9;
 
     private const int Sweeps = 4;
-    private const int MirrorSteps = 8;
+    private const int MirrorSteps = 10;
+
+    /// <summary>The most that the normal of a contact turns at once, rad.</summary>
+    private const double LargestBend = 0.7;
 
     /// <summary>The share of the last hop that there is when the target is reached: the guesses, one by one.</summary>
     private static readonly double[] Shares = [0.5, 0.12, 0.85];
@@ -97,7 +100,7 @@ internal sealed class BankShotGuess
         return next - 1;
     }
 
-    /// <summary>Puts a contact to where the way over it is shortest, both ends raised by what the ball falls on its way: least |A − c| + |c − B| by Newton's method.</summary>
+    /// <summary>Puts a contact to where the way over it is shortest, both ends raised by what the ball falls on its way: least |A − c| + |c − B|.</summary>
     private void Mirror(BankShotChain chain, AimRequest request, in TargetFrame frame, int index)
     {
         ref BankShotContact c = ref chain.Contacts[index];
@@ -124,27 +127,23 @@ internal sealed class BankShotGuess
             b /= lb;
             Vector3d slope = a + b;
 
-            // ∇∇f = (1 − aaᵀ)/l_a + (1 − bbᵀ)/l_b − (∇f·n) H along the surface
-            double bent = -Vector3d.Dot(in slope, in c.Normal);
-            double xx = Second(in c.Level, in c.Level);
-            double xy = Second(in c.Level, in c.Steep);
-            double yy = Second(in c.Steep, in c.Steep);
+            // Of ∇∇f = (1 − aaᵀ)/l_a + (1 − bbᵀ)/l_b − (∇f·n) H along the surface what makes no step too long: without aaᵀ and bbᵀ (Weiszfeld)
+            double flat = (1.0 / la) + (1.0 / lb);
+            double bent = Math.Max(0, -Vector3d.Dot(in slope, in c.Normal));
+            double xx = flat + (bent * Math.Max(0, Vector3d.Dot(in c.Level, c.Curvature * c.Level)));
+            double xy = bent * Vector3d.Dot(in c.Level, c.Curvature * c.Steep);
+            double yy = flat + (bent * Math.Max(0, Vector3d.Dot(in c.Steep, c.Curvature * c.Steep)));
             double gx = Vector3d.Dot(in slope, in c.Level);
             double gy = Vector3d.Dot(in slope, in c.Steep);
             double determinant = (xx * yy) - (xy * xy);
-            if (!(determinant > 0 && xx > 0))
+            if (!(determinant > 0))
             {
                 return;
             }
 
-            Vector3d move = ((((xy * gy) - (yy * gx)) / determinant) * c.Level) + ((((xy * gx) - (xx * gy)) / determinant) * c.Steep);
+            Vector3d move = (((xy * gy) - (yy * gx)) / determinant * c.Level) + (((xy * gx) - (xx * gy)) / determinant * c.Steep);
             double bend = (c.Curvature * move).Length;
-            c.GoTo(c.Place + (Math.Min(1.0, 0.7 / Math.Max(bend, 1e-9)) * move), _ball.Radius);
-
-            double Second(in Vector3d x, in Vector3d y) =>
-                (Vector3d.Dot(in x, in y) * ((1.0 / la) + (1.0 / lb)))
-                - (Vector3d.Dot(in x, in a) * Vector3d.Dot(in y, in a) / la) - (Vector3d.Dot(in x, in b) * Vector3d.Dot(in y, in b) / lb)
-                + (bent * Vector3d.Dot(in x, chain.Contacts[index].Curvature * y));
+            c.GoTo(c.Place + (Math.Min(1.0, LargestBend / Math.Max(bend, 1e-9)) * move), _ball.Radius);
         }
     }
 
