@@ -75,23 +75,40 @@ public sealed class BankShotAimer
     /// <summary>Puts kicks together from where they may touch things.</summary>
     private BankShotStart Chained(AimRequest request, in TargetFrame frame, int[] things, BankShotStart best)
     {
-        _chain.Prepare(things.Length);
-        bool hops = false;
-        for (int i = 0; i < things.Length; i++)
+        int contacts = 0;
+        foreach (int thing in things)
         {
-            Collider thing = _colliders[things[i] - _first];
+            contacts += _colliders[thing - _first] == _ground ? 0 : 1;
+        }
+
+        _chain.Prepare(contacts);
+        int leg = 0;
+        _chain.Bounces[0] = 0;
+        foreach (int index in things)
+        {
+            Collider thing = _colliders[index - _first];
             if (thing.Moves)
             {
                 return best;
             }
 
-            _chain.Contacts[i].Thing = thing;
-            hops |= thing == _ground;
+            if (thing == _ground)
+            {
+                _chain.Bounces[leg]++;
+                continue;
+            }
+
+            _chain.Contacts[leg++].Thing = thing;
+            _chain.Bounces[leg] = 0;
         }
 
-        for (int i = 0; i < BankShotGuess.CountOf(hops) && !best.IsHit(request); i++)
+        for (int i = 0; i < BankShotGuess.Count && !best.IsHit(request); i++)
         {
-            _guess.Make(_chain, _ground, request, in frame, i);
+            if (!_guess.Make(_chain, _ground, request, in frame, i))
+            {
+                continue;
+            }
+
             if (_chain.Close(request, in frame, _flight))
             {
                 BankShotStart found = Flown(request, in frame, things);

@@ -1,13 +1,14 @@
 namespace Football.Physics;
 
 /// <summary>
-/// A kick in legs, each from one contact to the next and the last to the target, flown without ground or things: multiple shooting. What is sought are the kick's
-/// elevation and azimuth and two numbers for the place of each contact, such that every leg ends where the next begins; what an impact does is known in closed form.
+/// A kick in legs, each from one contact to the next and the last to the target, flown among nothing but the ground, and that only where it is to be met: multiple
+/// shooting. What is sought are the kick's elevation and azimuth and two numbers for the place of each contact, such that every leg ends where the next begins; what an
+/// impact does is known in closed form.
 /// </summary>
 /// <remarks>
-/// The places at which a kick meets a post are a hair's breadth of its elevations and azimuths, and a post's whole side of places: in these unknowns Newton's method
-/// comes from far. How the ends of the legs move is measured once, by flying them a little changed, and kept by Broyden's updates, row by row for what each depends on
-/// (Schubert), as long as that gets closer.
+/// The kicks that meet a post are a hair's breadth of elevations and azimuths, and a post's whole side of places: in these unknowns Newton's method comes from far. How
+/// the ends of the legs move is measured by flying them a little changed, and kept by Broyden's updates, row by row for what each depends on (Schubert), as long as
+/// that gets closer.
 /// </remarks>
 internal sealed class BankShotChain
 {
@@ -15,6 +16,10 @@ internal sealed class BankShotChain
     private const double TimeStep = 0.08;
 
     private const int MostSteps = 16;
+
+    /// <summary>A step that leads to no smaller gap is shortened so often, to this share of it.</summary>
+    private const int MostTries = 5;
+    private const double Shorter = 0.35;
 
     /// <summary>A gap that is not this much smaller after a step calls for new derivatives.</summary>
     private const double Progress = 0.25;
@@ -41,11 +46,13 @@ internal sealed class BankShotChain
     private const double LongestLeg = 8;
 
     private readonly Simulator _open;
+    private readonly Simulator _grounded;
     private readonly StepLog _log = new();
     private readonly BallProperties _ball;
     private readonly double _upward;
     private readonly Vector3d _wind;
     private double[] _times = [];
+    private double[] _savedTimes = [];
     private double[] _late = [];
     private double[] _lateBy = [];
     private double[] _gaps = [];
@@ -56,6 +63,8 @@ internal sealed class BankShotChain
     private Vector3d[] _place = [];
     private Vector3d[] _velocity = [];
     private Vector3d[] _spin = [];
+    private BankShotContact[] _savedContacts = [];
+    private Kick _savedKick;
     private double _gap;
     private Vector3d _level;
     private Vector3d _steep;
@@ -63,14 +72,19 @@ internal sealed class BankShotChain
     /// <param name="scene">The scene whose air it is.</param>
     public BankShotChain(Scene scene)
     {
-        _open = new Simulator(AimContext.WithoutGround(AimContext.WithoutThings(scene)));
+        Scene empty = AimContext.WithoutThings(scene);
+        _grounded = new Simulator(empty);
+        _open = new Simulator(AimContext.WithoutGround(empty));
         _ball = scene.Ball;
         _upward = Weight.UpwardAcceleration(scene);
         _wind = scene.Air.Wind;
     }
 
-    /// <summary>What is touched, in order.</summary>
+    /// <summary>What is touched but for the ground, in order.</summary>
     public BankShotContact[] Contacts { get; private set; } = [];
+
+    /// <summary>How often a leg meets the ground.</summary>
+    public int[] Bounces { get; private set; } = [];
 
     /// <summary>How many of them there are.</summary>
     public int Count { get; private set; }
@@ -82,14 +96,17 @@ internal sealed class BankShotChain
     public void Prepare(int count)
     {
         Count = count;
-        if (Contacts.Length >= count)
+        if (Bounces.Length > count)
         {
             return;
         }
 
         int unknowns = 2 * (count + 1);
         Contacts = new BankShotContact[count];
+        Bounces = new int[count + 1];
         _times = new double[count + 1];
+        _savedTimes = new double[count + 1];
+        _savedContacts = new BankShotContact[count];
         _late = new double[count + 1];
         _lateBy = new double[(count + 1) * unknowns];
         _gaps = new double[unknowns];
@@ -110,40 +127,58 @@ internal sealed class BankShotChain
     public bool Close(AimRequest request, in TargetFrame frame, BankShotFlight counts)
     {
         Array.Clear(_times, 0, Count + 1);
-        double last = double.PositiveInfinity;
-        bool measures = true;
+        bool isFresh = true;
+        if (!Fly(request, in frame, measures: true, counts))
+        {
+            return false;
+        }
+
         for (int i = 0; i < Math.Min(MostSteps, request.MaximumIterations); i++)
         {
             counts.Iterations++;
-            counts.Simulations += measures ? 1 + (2 * (Count + 1)) : 1;
-            if (!Fly(request, in frame, measures))
+            if (!Solve())
             {
                 return false;
             }
 
-            bool closes = _gap < Closed;
-            if (!measures)
-            {
-                measures = !closes && !(_gap < Progress * last);
-                if (measures)
-                {
-                    continue;
-                }
-
-                Update();
-            }
-
-            measures = false;
-            last = _gap;
+            double last = _gap;
             Array.Copy(_gaps, _before, _gaps.Length);
-            if (!Solve() || !Take(request.Speed))
+            Save();
+            bool better = false;
+            for (int tries = 0; tries < (isFresh ? MostTries : 1) && !better; tries++)
+            {
+                Restore();
+                better = Take(tries == 0 ? 1.0 : Shorter, request.Speed) && Fly(request, in frame, measures: false, counts) && _gap < last;
+            }
+
+            if (!better && isFresh)
             {
                 return false;
             }
 
-            if (closes)
+            if (better && _gap < Closed)
             {
-                return true;
+                // The last step is not flown.
+                Update();
+                return Solve() && Take(1.0, request.Speed);
+            }
+
+            if (better && _gap < Progress * last)
+            {
+                Update();
+                isFresh = false;
+                continue;
+            }
+
+            if (!better)
+            {
+                Restore();
+            }
+
+            isFresh = true;
+            if (!Fly(request, in frame, measures: true, counts))
+            {
+                return false;
             }
         }
 
@@ -167,8 +202,9 @@ internal sealed class BankShotChain
 
     /// <summary>Flies all legs; then the gaps are known, and where that is measured, how they change with every unknown.</summary>
     /// <returns>False where a leg leads away from what it is to touch.</returns>
-    private bool Fly(AimRequest request, in TargetFrame frame, bool measures)
+    private bool Fly(AimRequest request, in TargetFrame frame, bool measures, BankShotFlight counts)
     {
+        counts.Simulations += measures ? 1 + (2 * (Count + 1)) : 1;
         Kick.Vectors(request.Speed, frame.Forward, out Vector3d v, out Vector3d w);
         if (measures)
         {
@@ -187,20 +223,15 @@ internal sealed class BankShotChain
         {
             bool isLast = leg == Count;
             Vector3d end = isLast ? frame.Target : Contacts[leg].Place;
-            if (!(_times[leg] > 0))
+            if (!Flown(leg, in p, in v, in w, time, in end, out BallState state))
             {
-                // Straight on, and as far as it is; sideways or away, as if a part of the speed led there.
-                Vector3d way = end - p;
-                double length = way.Length;
-                double along = Vector3d.Dot(in way, in v) / length;
-                _times[leg] = Math.Min(LongestLeg, Math.Max(ShortestLeg, length / Math.Max(along, 0.3 * v.Length)));
+                return false;
             }
 
-            BallState state = Flown(in p, in v, in w, time, _times[leg]);
             Arrive(leg, in state, in end);
-            if (measures)
+            if (measures && !Measure(leg, in p, in v, in w, time, in state))
             {
-                Measure(leg, in p, in v, in w, time, in state);
+                return false;
             }
 
             if (isLast)
@@ -208,7 +239,7 @@ internal sealed class BankShotChain
                 return !double.IsNaN(_gap);
             }
 
-            time += _times[leg];
+            time = state.Time + _late[leg];
             v = state.Velocity + (_late[leg] * Acceleration(in state));
             w = state.Spin;
             if (!Bounce(leg, ref v, ref w, measures))
@@ -220,12 +251,37 @@ internal sealed class BankShotChain
         }
     }
 
-    private BallState Flown(in Vector3d p, in Vector3d v, in Vector3d w, double time, double duration)
+    /// <summary>Flies a leg: over its bounces, and for its time after them.</summary>
+    /// <returns>False where the ball does not bounce that often.</returns>
+    private bool Flown(int leg, in Vector3d p, in Vector3d v, in Vector3d w, double time, in Vector3d end, out BallState state)
     {
-        BallState state = _open.LaunchAt(in p, in v, in w, time);
+        Simulator simulator = Bounces[leg] > 0 ? _grounded : _open;
+        state = simulator.LaunchAt(in p, in v, in w, time);
         _log.Clear();
-        _open.Run(ref state, TimeStep, duration, StopAt.Time, _log, null);
-        return state;
+        for (int i = 0; i < Bounces[leg]; i++)
+        {
+            if (!_grounded.Run(ref state, TimeStep, LongestLeg, StopAt.Impact, _log, null) || state.Motion != MotionState.Airborne)
+            {
+                return false;
+            }
+        }
+
+        if (Bounces[leg] > 0)
+        {
+            state = _open.LaunchAt(state.Position, state.Velocity, state.Spin, state.Time);
+        }
+
+        if (!(_times[leg] > 0))
+        {
+            // Straight on, and as far as it is; sideways or away, as if a part of the speed led there.
+            Vector3d way = end - state.Position;
+            double length = way.Length;
+            double along = Vector3d.Dot(in way, state.Velocity) / length;
+            _times[leg] = Math.Min(LongestLeg, Math.Max(ShortestLeg, length / Math.Max(along, 0.3 * state.Velocity.Length)));
+        }
+
+        _open.Run(ref state, TimeStep, _times[leg], StopAt.Time, _log, null);
+        return true;
     }
 
     /// <summary>The gap at the end of a leg across the way, and how late it is there.</summary>
@@ -245,7 +301,7 @@ internal sealed class BankShotChain
     }
 
     /// <summary>How the gap, the time and the motion at the end of a leg change with what is unknown: by flights a little changed.</summary>
-    private void Measure(int leg, in Vector3d p, in Vector3d v, in Vector3d w, double time, in BallState state)
+    private bool Measure(int leg, in Vector3d p, in Vector3d v, in Vector3d w, double time, in BallState state)
     {
         int unknowns = 2 * (Count + 1);
         int known = 2 * (leg + 1);
@@ -261,7 +317,11 @@ internal sealed class BankShotChain
                 double size = (_velocity[j].Length + (_ball.Radius * _spin[j].Length)) / speed + (_place[j].Length / (_times[leg] * speed));
                 double width = size > 0 ? Width / size : 0;
                 double perWidth = size > 0 ? size / Width : 0;
-                BallState other = Flown(p + (width * _place[j]), v + (width * _velocity[j]), w + (width * _spin[j]), time, _times[leg]);
+                if (!Flown(leg, p + (width * _place[j]), v + (width * _velocity[j]), w + (width * _spin[j]), time, Vector3d.Zero, out BallState other))
+                {
+                    return false;
+                }
+
                 moved = perWidth * (other.Position - state.Position);
                 _velocity[j] = perWidth * (other.Velocity - state.Velocity);
                 _spin[j] = perWidth * (other.Spin - state.Spin);
@@ -277,6 +337,8 @@ internal sealed class BankShotChain
             _lateBy[(leg * unknowns) + j] = late;
             _velocity[j] += late * a;
         }
+
+        return true;
     }
 
     /// <summary>What the impact at the end of a leg does to the motion, and to its derivatives: those by difference quotients.</summary>
@@ -351,18 +413,34 @@ internal sealed class BankShotChain
         return Linear.Solve(_system, _step, n);
     }
 
-    /// <summary>Takes the step, or the share of it that is not too large.</summary>
-    private bool Take(double speed)
+    /// <summary>Remembers where the unknowns are.</summary>
+    private void Save()
+    {
+        _savedKick = Kick;
+        Array.Copy(_times, _savedTimes, _times.Length);
+        Array.Copy(Contacts, _savedContacts, Contacts.Length);
+    }
+
+    /// <summary>Goes back there.</summary>
+    private void Restore()
+    {
+        Kick = _savedKick;
+        Array.Copy(_savedTimes, _times, _times.Length);
+        Array.Copy(_savedContacts, Contacts, Contacts.Length);
+    }
+
+    /// <summary>Takes a share of the step, or what of it is not too large; the step is then that.</summary>
+    private bool Take(double most, double speed)
     {
         int unknowns = 2 * (Count + 1);
-        double share = 1.0 / Math.Max(1.0, Math.Sqrt((_step[0] * _step[0]) + (_step[1] * _step[1])) / LargestTurn);
+        double share = most / Math.Max(1.0, most * Math.Sqrt((_step[0] * _step[0]) + (_step[1] * _step[1])) / LargestTurn);
         for (int i = 0; i < Count; i++)
         {
             ref BankShotContact contact = ref Contacts[i];
             Vector3d move = Move(i);
             double bend = (contact.Curvature * move).Length;
             double far = move.Length / Math.Max(0.1, _times[i] * speed);
-            share = Math.Min(share, 1.0 / Math.Max(1.0, Math.Max(bend / LargestBend, far / LargestShare)));
+            share = Math.Min(share, most / Math.Max(1.0, most * Math.Max(bend / LargestBend, far / LargestShare)));
         }
 
         if (double.IsNaN(share))
@@ -377,15 +455,15 @@ internal sealed class BankShotChain
 
         for (int leg = 0; leg <= Count; leg++)
         {
-            double late = _late[leg];
+            double late = most * _late[leg];
             for (int j = 0; j < unknowns; j++)
             {
                 late += _lateBy[(leg * unknowns) + j] * _step[j];
             }
 
-            double least = Math.Max(ShortestLeg, _times[leg] / LargestChange);
-            double most = Math.Min(LongestLeg, LargestChange * _times[leg]);
-            _times[leg] = Math.Min(most, Math.Max(least, _times[leg] + late));
+            double shortest = Math.Max(ShortestLeg, _times[leg] / LargestChange);
+            double longest = Math.Min(LongestLeg, LargestChange * _times[leg]);
+            _times[leg] = Math.Min(longest, Math.Max(shortest, _times[leg] + late));
         }
 
         Kick.Elevation = Math.Min(0.5 * Math.PI, Math.Max(-0.5 * Math.PI, Kick.Elevation + _step[0]));

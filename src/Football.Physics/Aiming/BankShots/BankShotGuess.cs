@@ -19,8 +19,8 @@ internal sealed class BankShotGuess
     /// <summary>The most that the normal of a contact turns at once, rad.</summary>
     private const double LargestBend = 0.7;
 
-    /// <summary>The share of the last hop that there is when the target is reached: the guesses, one by one.</summary>
-    private static readonly double[] Shares = [0.5, 0.12, 0.85];
+    /// <summary>The guesses: of the last hop as large a share, and the last leg a flat one or a lob.</summary>
+    private static readonly (double Share, bool IsLob)[] Ways = [(0.5, false), (0.5, true), (0.12, false), (0.85, false), (0.12, true), (0.85, true)];
 
     private readonly BallProperties _ball;
     private readonly double _upward;
@@ -31,81 +31,79 @@ internal sealed class BankShotGuess
         _upward = Weight.UpwardAcceleration(scene);
     }
 
-    /// <summary>How many guesses there are for what lies on the ground in between, or not.</summary>
-    /// <param name="hops">Whether the ground is among what is to be touched.</param>
-    public static int CountOf(bool hops) => hops ? Shares.Length : 1;
+    /// <summary>How many guesses there are.</summary>
+    public static int Count => Ways.Length;
 
     /// <summary>Puts the contacts of a chain, of which each has its thing, and its kick where they may be.</summary>
     /// <param name="chain">The chain.</param>
-    /// <param name="ground">What is the ground of its things.</param>
+    /// <param name="ground">The ground.</param>
     /// <param name="request">What the kick is to do.</param>
     /// <param name="frame">Ball and target.</param>
     /// <param name="index">Which guess.</param>
-    public void Make(BankShotChain chain, Collider? ground, AimRequest request, in TargetFrame frame, int index)
+    /// <returns>False where it is no other than one before.</returns>
+    public bool Make(BankShotChain chain, Collider? ground, AimRequest request, in TargetFrame frame, int index)
     {
-        int count = chain.Count;
-        BankShotContact[] contacts = chain.Contacts;
+        (double share, bool lob) = Ways[index];
+        bool hops = false;
         Vector3d before = frame.From;
-        for (int i = 0; i < count; i++)
+        for (int i = 0; i < chain.Count; i++)
         {
-            contacts[i].GoTo(in before, _ball.Radius);
-            before = contacts[i].Thing == ground ? before : contacts[i].Place;
+            chain.Contacts[i].GoTo(in before, _ball.Radius);
+            before = chain.Contacts[i].Place;
+            hops |= chain.Bounces[i] > 0;
+        }
+
+        hops |= chain.Bounces[chain.Count] > 0;
+        if ((lob && chain.Count == 0) || (share != Ways[0].Share && !hops))
+        {
+            return false;
         }
 
         for (int sweep = 0; sweep < Sweeps; sweep++)
         {
-            for (int i = 0; i < count; i++)
+            for (int i = 0; i < chain.Count; i++)
             {
-                if (contacts[i].Thing == ground)
-                {
-                    i = Hop(chain, ground, in frame, i, Shares[index]);
-                }
-                else
-                {
-                    Mirror(chain, request, in frame, i);
-                }
+                Mirror(chain, ground, request, in frame, i, share, lob && i == chain.Count - 1);
             }
         }
 
-        Vector3d first = contacts[0].Place;
+        Vector3d first = Hop(chain, ground, in frame, 0, share, isLast: false);
         chain.Kick = Thrown(request, in frame, first - frame.From);
+        return true;
     }
 
-    /// <summary>Puts a row of contacts with the ground between what is before and after it.</summary>
-    /// <returns>The last of them.</returns>
-    private int Hop(BankShotChain chain, Collider ground, in TargetFrame frame, int first, double share)
+    /// <summary>The first or last place on the ground of a leg, or where it leads to or comes from where it has none.</summary>
+    private Vector3d Hop(BankShotChain chain, Collider? ground, in TargetFrame frame, int leg, double share, bool isLast)
     {
-        BankShotContact[] contacts = chain.Contacts;
-        int next = first;
-        double whole = 0;
-        double hop = 1;
-        for (; next < chain.Count && contacts[next].Thing == ground; next++)
+        Vector3d from = leg == 0 ? frame.From : chain.Contacts[leg - 1].Place;
+        Vector3d to = leg == chain.Count ? frame.Target : chain.Contacts[leg].Place;
+        int bounces = chain.Bounces[leg];
+        if (bounces == 0 || ground is null)
         {
-            whole += hop;
-            hop *= NextHop;
+            return isLast ? from : to;
         }
 
-        whole += share * hop;
-        Vector3d from = first == 0 ? frame.From : contacts[first - 1].Place;
-        Vector3d to = next == chain.Count ? frame.Target : contacts[next].Place;
         double gone = 0;
-        hop = 1;
-        for (int i = first; i < next; i++)
+        double hop = 1;
+        for (int i = 0; i < bounces; i++)
         {
             gone += hop;
             hop *= NextHop;
-            contacts[i].GoTo(Vector3d.Lerp(in from, in to, gone / whole), _ball.Radius);
         }
 
-        return next - 1;
+        double whole = gone + (share * hop);
+        BankShotContact place = default;
+        place.Thing = ground;
+        place.GoTo(Vector3d.Lerp(in from, in to, (isLast ? gone : 1.0) / whole), _ball.Radius);
+        return place.Place;
     }
 
     /// <summary>Puts a contact to where the way over it is shortest, both ends raised by what the ball falls on its way: least |A − c| + |c − B|.</summary>
-    private void Mirror(BankShotChain chain, AimRequest request, in TargetFrame frame, int index)
+    private void Mirror(BankShotChain chain, Collider? ground, AimRequest request, in TargetFrame frame, int index, double share, bool lob)
     {
         ref BankShotContact c = ref chain.Contacts[index];
-        Vector3d before = index == 0 ? frame.From : chain.Contacts[index - 1].Place;
-        Vector3d after = index == chain.Count - 1 ? frame.Target : chain.Contacts[index + 1].Place;
+        Vector3d before = Hop(chain, ground, in frame, index, share, isLast: true);
+        Vector3d after = Hop(chain, ground, in frame, index + 1, share, isLast: false);
         double speed = Slowed * request.Speed;
         for (int i = 0; i < index; i++)
         {
@@ -114,8 +112,8 @@ internal sealed class BankShotGuess
 
         for (int i = 0; i < MirrorSteps; i++)
         {
-            Vector3d a = Raised(c.Place - before, speed);
-            Vector3d b = Raised(c.Place - after, Kept * speed);
+            Vector3d a = Raised(c.Place - before, speed, lob: false);
+            Vector3d b = Raised(c.Place - after, Kept * speed, lob);
             double la = a.Length;
             double lb = b.Length;
             if (!(la > 0 && lb > 0))
@@ -147,11 +145,16 @@ internal sealed class BankShotGuess
         }
     }
 
-    /// <summary>A way from a point that is raised by what a ball falls on the way, ½ g t².</summary>
-    private Vector3d Raised(in Vector3d way, double speed)
+    /// <summary>A way from a point that is raised by what a ball falls on the way, ½ g t²: its time is that of a throw at a speed, a flat one or a lob.</summary>
+    private Vector3d Raised(in Vector3d way, double speed, bool lob)
     {
-        double time = way.Length / speed;
-        return way + new Vector3d(0, 0.5 * _upward * time * time, 0);
+        // |w + ½ a t²| = v t:  ¼ a² t⁴ − (v² − a w_y) t² + w² = 0
+        double a = _upward;
+        double half = 0.5 * ((speed * speed) - (a * way.Y));
+        double root = Math.Sqrt(Math.Max(0, (half * half) - (0.25 * a * a * way.LengthSquared)));
+        double squared = lob ? (half + root) / (0.25 * a * a) : way.LengthSquared / Math.Max(half + root, 1e-9);
+        squared = lob ? Math.Min(squared, 9.0) : squared;
+        return way + new Vector3d(0, 0.5 * a * squared, 0);
     }
 
     /// <summary>The kick that is thrown over a way, the low one: tan ε = (v² − √(v⁴ − g (g x² + 2 y v²)))/(g x).</summary>
