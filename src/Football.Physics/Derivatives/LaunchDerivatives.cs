@@ -41,15 +41,6 @@ public sealed class LaunchDerivatives
     /// <summary>The velocity at the end, before the event there, by the spin of the launch, m/rad.</summary>
     public Matrix3d VelocityBySpin => _observer.Tangent.Block(MotionVector.Velocity, MotionVector.Spin);
 
-    /// <summary>The spin at the end by the place of the launch, rad/(s m).</summary>
-    internal Matrix3d SpinByPosition => _observer.Tangent.Block(MotionVector.Spin, 0);
-
-    /// <summary>The spin at the end by the velocity of the launch, rad/m.</summary>
-    internal Matrix3d SpinByVelocity => _observer.Tangent.Block(MotionVector.Spin, MotionVector.Velocity);
-
-    /// <summary>The spin at the end by the spin of the launch.</summary>
-    internal Matrix3d SpinBySpin => _observer.Tangent.Block(MotionVector.Spin, MotionVector.Spin);
-
     /// <summary>The time of the end by the place of the launch, s/m; zero where no event ended the run.</summary>
     public Vector3d TimeByPosition { get; private set; }
 

@@ -11,9 +11,6 @@ public sealed class BankShotAimer
     /// <summary>Flights of a kick that was put together, each corrected by the last one's miss.</summary>
     private const int MostCorrections = 4;
 
-    /// <summary>A miss that is not worth a correction, of the tolerance.</summary>
-    private const double Enough = 0.1;
-
     private readonly Simulator _simulator;
     private readonly Collider[] _colliders;
     private readonly Collider? _ground;
@@ -127,7 +124,7 @@ public sealed class BankShotAimer
         kick.Elevation = bounds.Clamp(kick.Elevation);
         BankShotStart best = _flight.Fly(request, in frame, things, in kick, BankShotFlight.FineStep);
         bool better = best.Meets;
-        for (int i = 0; i < MostCorrections && better && best.Miss > Enough * request.Tolerance; i++)
+        for (int i = 0; i < MostCorrections && better && best.Miss > BankShotFlight.Enough * request.Tolerance; i++)
         {
             if (!_chain.Correct(best.Position - frame.Target, out double up, out double aside))
             {

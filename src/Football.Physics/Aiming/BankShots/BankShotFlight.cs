@@ -1,25 +1,31 @@
 namespace Football.Physics;
 
-/// <summary>Flies kicks among all there is in a scene, and finds how they change with their elevation and azimuth.</summary>
+/// <summary>Flies kicks among all there is in a scene, and finds by their misses what comes closer.</summary>
 internal sealed class BankShotFlight
 {
     /// <summary>Steps of a look and of the search itself, s.</summary>
     public const double CoarseStep = 0.04;
     public const double FineStep = 0.02;
 
+    private const int MostCorrections = 20;
     private const int MostHalvings = 8;
+
+    /// <summary>A miss that is not worth a correction, of the tolerance.</summary>
+    public const double Enough = 0.1;
+
+    /// <summary>Derivatives are difference quotients over so much of a turn, rad.</summary>
+    private const double Width = 1e-6;
 
     /// <summary>The most that a direction is turned at once, rad.</summary>
     private const double LargestTurn = 0.1;
 
     private readonly Simulator _simulator;
-    private readonly LaunchDerivatives _derivatives;
+    private readonly StepLog _log = new();
     private readonly BankShotPath _path;
 
     public BankShotFlight(Simulator simulator)
     {
         _simulator = simulator;
-        _derivatives = new LaunchDerivatives(simulator);
         _path = new BankShotPath(simulator);
     }
 
@@ -53,7 +59,7 @@ internal sealed class BankShotFlight
     {
         BankShotStart at = Fly(request, in frame, things, start.Kick, FineStep);
         var bounds = ElevationBounds.Of(request);
-        for (int i = 0; at.Meets && i < request.MaximumIterations && at.Miss > 1e-3 * request.Tolerance; i++)
+        for (int i = 0; at.Meets && i < Math.Min(MostCorrections, request.MaximumIterations) && at.Miss > Enough * request.Tolerance; i++)
         {
             Iterations++;
             if (!Step(request, in frame, in at, out double up, out double aside))
@@ -90,13 +96,13 @@ internal sealed class BankShotFlight
     /// <summary>The turn that takes away the miss across the way: least squares of e + (∂p/∂θ) Δθ over the directions across v.</summary>
     private bool Step(AimRequest request, in TargetFrame frame, in BankShotStart at, out double up, out double aside)
     {
-        at.Kick.Vectors(request.Speed, frame.Forward, out Vector3d velocity, out Vector3d spin);
-        BallState state = _simulator.Launch(request.From, velocity, spin);
-        _derivatives.Run(ref state, FineStep, at.Time, StopAt.Time);
-        Simulations++;
-        at.Kick.Turns(request.Speed, frame.Forward, out Vector3d velocityByElevation, out Vector3d velocityByAzimuth, out Vector3d spinByAzimuth);
-        Vector3d byElevation = _derivatives.PositionByVelocity * velocityByElevation;
-        Vector3d byAzimuth = (_derivatives.PositionByVelocity * velocityByAzimuth) + (_derivatives.PositionBySpin * spinByAzimuth);
+        Vector3d place = At(request, in frame, at.Kick, at.Time);
+        Kick raised = at.Kick;
+        raised.Elevation += Width;
+        Kick turned = at.Kick;
+        turned.Azimuth += Width;
+        Vector3d byElevation = 1.0 / Width * (At(request, in frame, in raised, at.Time) - place);
+        Vector3d byAzimuth = 1.0 / Width * (At(request, in frame, in turned, at.Time) - place);
         Vector3d way = at.Velocity.LengthSquared > 0 ? at.Velocity / at.Velocity.Length : Vector3d.Zero;
         Vector3d e = Across(at.Position - frame.Target, in way);
         byElevation = Across(in byElevation, in way);
@@ -110,6 +116,17 @@ internal sealed class BankShotFlight
         up = ((ab * eb) - (bb * ea)) / determinant;
         aside = ((ab * ea) - (aa * eb)) / determinant;
         return determinant > 1e-12 * aa * bb && !double.IsNaN(up + aside);
+    }
+
+    /// <summary>Where a kick is at a time.</summary>
+    private Vector3d At(AimRequest request, in TargetFrame frame, in Kick kick, double time)
+    {
+        kick.Vectors(request.Speed, frame.Forward, out Vector3d velocity, out Vector3d spin);
+        BallState state = _simulator.Launch(request.From, velocity, spin);
+        _log.Clear();
+        Simulations++;
+        _simulator.Run(ref state, FineStep, time, StopAt.Time, _log, null);
+        return state.Position;
     }
 
     private static Vector3d Across(in Vector3d v, in Vector3d way) => v - (Vector3d.Dot(in v, in way) * way);
