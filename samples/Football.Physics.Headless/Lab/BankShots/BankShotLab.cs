@@ -37,7 +37,7 @@ internal static class BankShotLab
 
     private static LabReport Run(long seed, int requests, Progress progress)
     {
-        var table = new LabTable("Aims after what is met before, to 1 mm", "after", "requests", "hit", "hit, %", "simulations", "median", "95 %", "worst", "µs", "median, µs", "95 %, µs", "worst, µs", "verdict");
+        var table = new LabTable("Aims after what is met before, to 1 mm", "after", "requests", "hit", "hit, %", "simulations", "median", "95 %", "worst", "µs", "median µs", "95 % µs", "worst µs", "verdict");
         var report = new LabReport { Name = "bankshots", Seed = seed, Tables = { table } };
         var aimer = new BankShotAimer(Scene);
         var simulator = new Simulator(Scene);
@@ -62,18 +62,15 @@ internal static class BankShotLab
 
             all += requests;
             hit += hits;
-            Array.Sort(simulations);
-            Array.Sort(times);
+            var counts = new Spread(simulations);
+            var spans = new Spread(times);
             table.Add(
-                name, requests, hits, 100.0 * hits / requests, simulations.Average(), Quantile(simulations, 0.5), Quantile(simulations, 0.95), simulations[^1],
-                times.Average(), Quantile(times, 0.5), Quantile(times, 0.95), times[^1], Verdict.Of(hits >= 0.98 * requests));
+                name, requests, hits, 100.0 * hits / requests, counts.Mean, counts.Median, counts.P95, counts.Worst, spans.Mean, spans.Median, spans.P95, spans.Worst, Verdict.Of(hits >= 0.98 * requests));
         }
 
         report.Notes.Add(FormattableString.Invariant($"{hit} of {all} hit: {100.0 * hit / all:0.0} %. Reached: 98 % of a kind."));
         return report;
     }
-
-    private static double Quantile(double[] sorted, double share) => sorted[(int)(share * (sorted.Length - 1))];
 
     /// <summary>A request for where a random kick came after it had met these things.</summary>
     private static AimRequest Draw(Simulator simulator, string[] after, SeededRandom random)

@@ -80,7 +80,7 @@ public sealed class BankShotAimer
 
         _chain.Prepare(contacts);
         int leg = 0;
-        _chain.Bounces[0] = 0;
+        _chain.Legs.Bounces[0] = 0;
         foreach (int index in things)
         {
             Collider thing = _colliders[index - _first];
@@ -91,17 +91,17 @@ public sealed class BankShotAimer
 
             if (thing == _ground)
             {
-                _chain.Bounces[leg]++;
+                _chain.Legs.Bounces[leg]++;
                 continue;
             }
 
-            _chain.Contacts[leg++].Thing = thing;
-            _chain.Bounces[leg] = 0;
+            _chain.Legs.Contacts[leg++].Thing = thing;
+            _chain.Legs.Bounces[leg] = 0;
         }
 
         for (int i = 0; i < BankShotGuess.Count && !best.IsHit(request); i++)
         {
-            if (!_guess.Make(_chain, _ground, request, in frame, i))
+            if (!_guess.Make(_chain.Legs, _ground, request, in frame, i))
             {
                 continue;
             }
@@ -120,7 +120,7 @@ public sealed class BankShotAimer
     private BankShotStart Flown(AimRequest request, in TargetFrame frame, int[] things)
     {
         var bounds = ElevationBounds.Of(request);
-        Kick kick = _chain.Kick;
+        Kick kick = _chain.Legs.Kick;
         kick.Elevation = bounds.Clamp(kick.Elevation);
         BankShotStart best = _flight.Fly(request, in frame, things, in kick, BankShotFlight.FineStep);
         bool better = best.Meets;

@@ -34,50 +34,50 @@ internal sealed class BankShotGuess
     /// <summary>How many guesses there are.</summary>
     public static int Count => Ways.Length;
 
-    /// <summary>Puts the contacts of a chain, of which each has its thing, and its kick where they may be.</summary>
-    /// <param name="chain">The chain.</param>
+    /// <summary>Puts the contacts of some legs, of which each has its thing, and its kick where they may be.</summary>
+    /// <param name="chain">The legs.</param>
     /// <param name="ground">The ground.</param>
     /// <param name="request">What the kick is to do.</param>
     /// <param name="frame">Ball and target.</param>
     /// <param name="index">Which guess.</param>
     /// <returns>False where it is no other than one before.</returns>
-    public bool Make(BankShotChain chain, Collider? ground, AimRequest request, in TargetFrame frame, int index)
+    public bool Make(BankShotLegs legs, Collider? ground, AimRequest request, in TargetFrame frame, int index)
     {
         (double share, bool lob) = Ways[index];
         bool hops = false;
         Vector3d before = frame.From;
-        for (int i = 0; i < chain.Count; i++)
+        for (int i = 0; i < legs.Count; i++)
         {
-            chain.Contacts[i].GoTo(in before, _ball.Radius);
-            before = chain.Contacts[i].Place;
-            hops |= chain.Bounces[i] > 0;
+            legs.Contacts[i].GoTo(in before, _ball.Radius);
+            before = legs.Contacts[i].Place;
+            hops |= legs.Bounces[i] > 0;
         }
 
-        hops |= chain.Bounces[chain.Count] > 0;
-        if ((lob && chain.Count == 0) || (share != Ways[0].Share && !hops))
+        hops |= legs.Bounces[legs.Count] > 0;
+        if ((lob && legs.Count == 0) || (share != Ways[0].Share && !hops))
         {
             return false;
         }
 
         for (int sweep = 0; sweep < Sweeps; sweep++)
         {
-            for (int i = 0; i < chain.Count; i++)
+            for (int i = 0; i < legs.Count; i++)
             {
-                Mirror(chain, ground, request, in frame, i, share, lob && i == chain.Count - 1);
+                Mirror(legs, ground, request, in frame, i, share, lob && i == legs.Count - 1);
             }
         }
 
-        Vector3d first = Hop(chain, ground, in frame, 0, share, isLast: false);
-        chain.Kick = Thrown(request, in frame, first - frame.From);
+        Vector3d first = Hop(legs, ground, in frame, 0, share, isLast: false);
+        legs.Kick = Thrown(request, in frame, first - frame.From);
         return true;
     }
 
     /// <summary>The first or last place on the ground of a leg, or where it leads to or comes from where it has none.</summary>
-    private Vector3d Hop(BankShotChain chain, Collider? ground, in TargetFrame frame, int leg, double share, bool isLast)
+    private Vector3d Hop(BankShotLegs legs, Collider? ground, in TargetFrame frame, int leg, double share, bool isLast)
     {
-        Vector3d from = leg == 0 ? frame.From : chain.Contacts[leg - 1].Place;
-        Vector3d to = leg == chain.Count ? frame.Target : chain.Contacts[leg].Place;
-        int bounces = chain.Bounces[leg];
+        Vector3d from = leg == 0 ? frame.From : legs.Contacts[leg - 1].Place;
+        Vector3d to = leg == legs.Count ? frame.Target : legs.Contacts[leg].Place;
+        int bounces = legs.Bounces[leg];
         if (bounces == 0 || ground is null)
         {
             return isLast ? from : to;
@@ -99,11 +99,11 @@ internal sealed class BankShotGuess
     }
 
     /// <summary>Puts a contact to where the way over it is shortest, both ends raised by what the ball falls on its way: least |A − c| + |c − B|.</summary>
-    private void Mirror(BankShotChain chain, Collider? ground, AimRequest request, in TargetFrame frame, int index, double share, bool lob)
+    private void Mirror(BankShotLegs legs, Collider? ground, AimRequest request, in TargetFrame frame, int index, double share, bool lob)
     {
-        ref BankShotContact c = ref chain.Contacts[index];
-        Vector3d before = Hop(chain, ground, in frame, index, share, isLast: true);
-        Vector3d after = Hop(chain, ground, in frame, index + 1, share, isLast: false);
+        ref BankShotContact c = ref legs.Contacts[index];
+        Vector3d before = Hop(legs, ground, in frame, index, share, isLast: true);
+        Vector3d after = Hop(legs, ground, in frame, index + 1, share, isLast: false);
         double speed = Slowed * request.Speed;
         for (int i = 0; i < index; i++)
         {
