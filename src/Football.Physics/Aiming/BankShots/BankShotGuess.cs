@@ -35,7 +35,7 @@ internal sealed class BankShotGuess
     public static int Count => Ways.Length;
 
     /// <summary>Puts the contacts of some legs, of which each has its thing, and its kick where they may be.</summary>
-    /// <param name="chain">The legs.</param>
+    /// <param name="legs">The legs.</param>
     /// <param name="ground">The ground.</param>
     /// <param name="request">What the kick is to do.</param>
     /// <param name="frame">Ball and target.</param>
