@@ -11,6 +11,12 @@ public sealed class BankShotAimer
     /// <summary>Flights of a kick that was put together, each corrected by the last one's miss.</summary>
     private const int MostCorrections = 4;
 
+    /// <summary>A kick that misses by more than this does not go the way of its chain, m: something is in between.</summary>
+    private const double Strange = 0.2;
+
+    /// <summary>Kicks are the same that differ by less than this, rad.</summary>
+    private const double Same = 1e-3;
+
     private readonly Simulator _simulator;
     private readonly Collider[] _colliders;
     private readonly Collider? _ground;
@@ -19,6 +25,8 @@ public sealed class BankShotAimer
     private readonly BankShotChain _chain;
     private readonly BankShotGuess _guess;
     private readonly BankShotGrid _grid;
+    private readonly Kick[] _kicks = new Kick[BankShotGuess.Count];
+    private int _flown;
     private int[] _things = [];
 
     /// <summary>Compiles a scene for aiming.</summary>
@@ -99,6 +107,7 @@ public sealed class BankShotAimer
             _chain.Legs.Bounces[leg] = 0;
         }
 
+        _flown = 0;
         for (int i = 0; i < BankShotGuess.Count && !best.IsHit(request); i++)
         {
             if (!_guess.Make(_chain.Legs, _ground, request, in frame, i))
@@ -106,7 +115,7 @@ public sealed class BankShotAimer
                 continue;
             }
 
-            if (_chain.Close(request, in frame, _flight))
+            if (_chain.Close(request, in frame, _flight) && IsNew(_chain.Legs.Kick))
             {
                 BankShotStart found = Flown(request, in frame, things);
                 best = found.IsFine && (!best.IsFine || found.Miss < best.Miss) ? found : best;
@@ -116,6 +125,21 @@ public sealed class BankShotAimer
         return best;
     }
 
+    /// <summary>Whether no chain has led to a kick before; it is then remembered.</summary>
+    private bool IsNew(in Kick kick)
+    {
+        for (int i = 0; i < _flown; i++)
+        {
+            if (Math.Abs(_kicks[i].Elevation - kick.Elevation) + Math.Abs(_kicks[i].Azimuth - kick.Azimuth) < Same)
+            {
+                return false;
+            }
+        }
+
+        _kicks[_flown++] = kick;
+        return true;
+    }
+
     /// <summary>Flies the kick of a chain, and corrects it by what it misses.</summary>
     private BankShotStart Flown(AimRequest request, in TargetFrame frame, int[] things)
     {
@@ -123,7 +147,7 @@ public sealed class BankShotAimer
         Kick kick = _chain.Legs.Kick;
         kick.Elevation = bounds.Clamp(kick.Elevation);
         BankShotStart best = _flight.Fly(request, in frame, things, in kick, BankShotFlight.FineStep);
-        bool better = best.Meets;
+        bool better = best.Meets && best.Miss < Strange;
         for (int i = 0; i < MostCorrections && better && best.Miss > BankShotFlight.Enough * request.Tolerance; i++)
         {
             if (!_chain.Correct(best.Position - frame.Target, out double up, out double aside))
@@ -141,7 +165,7 @@ public sealed class BankShotAimer
         }
 
         best.IsFine = best.Meets;
-        return best.Meets && !best.IsHit(request) ? _flight.Improve(request, in frame, things, in best) : best;
+        return best.Meets && best.Miss < Strange && !best.IsHit(request) ? _flight.Improve(request, in frame, things, in best) : best;
     }
 
     private int[] Things(string[] names)

@@ -19,8 +19,14 @@ internal sealed class BankShotGuess
     /// <summary>The most that the normal of a contact turns at once, rad.</summary>
     private const double LargestBend = 0.7;
 
-    /// <summary>The guesses: of the last hop as large a share, and the last leg a flat one or a lob.</summary>
-    private static readonly (double Share, bool IsLob)[] Ways = [(0.5, false), (0.5, true), (0.12, false), (0.85, false), (0.12, true), (0.85, true)];
+    /// <summary>How much steeper than thrown a kick is that may come to the ground behind a throw, rad.</summary>
+    private const double Steeper = 0.15;
+
+    /// <summary>The guesses: of the last hop as large a share, the last leg a flat one or a lob, the kick as much steeper.</summary>
+    private static readonly (double Share, bool IsLob, double Steeper)[] Ways =
+    [
+        (0.5, false, 0), (0.5, true, 0), (0.12, false, 0), (0.12, false, Steeper), (0.85, false, 0), (0.12, true, 0), (0.85, true, 0),
+    ];
 
     private readonly BallProperties _ball;
     private readonly double _upward;
@@ -43,7 +49,7 @@ internal sealed class BankShotGuess
     /// <returns>False where it is no other than one before.</returns>
     public bool Make(BankShotLegs legs, Collider? ground, AimRequest request, in TargetFrame frame, int index)
     {
-        (double share, bool lob) = Ways[index];
+        (double share, bool lob, double steeper) = Ways[index];
         bool hops = false;
         Vector3d before = frame.From;
         for (int i = 0; i < legs.Count; i++)
@@ -68,7 +74,7 @@ internal sealed class BankShotGuess
         }
 
         Vector3d first = Hop(legs, ground, in frame, 0, share, isLast: false);
-        legs.Kick = Thrown(request, in frame, first - frame.From);
+        legs.Kick = Thrown(request, in frame, first - frame.From, steeper);
         return true;
     }
 
@@ -158,7 +164,7 @@ internal sealed class BankShotGuess
     }
 
     /// <summary>The kick that is thrown over a way, the low one: tan ε = (v² − √(v⁴ − g (g x² + 2 y v²)))/(g x).</summary>
-    private Kick Thrown(AimRequest request, in TargetFrame frame, in Vector3d way)
+    private Kick Thrown(AimRequest request, in TargetFrame frame, in Vector3d way, double steeper)
     {
         double x = way.Horizontal.Length;
         double g = -_upward;
@@ -166,6 +172,6 @@ internal sealed class BankShotGuess
         double root = (v * v * v * v) - (g * ((g * x * x) + (2.0 * way.Y * v * v)));
         double elevation = g * x > 1e-9 ? Elementary.Atan2((v * v) - Math.Sqrt(Math.Max(0, root)), g * x) : Elementary.Atan2(way.Y, x);
         double azimuth = Elementary.Atan2(Vector3d.Dot(in way, frame.Left), Vector3d.Dot(in way, frame.Forward));
-        return Kick.Of(request, ElevationBounds.Of(request).Clamp(elevation), azimuth);
+        return Kick.Of(request, ElevationBounds.Of(request).Clamp(elevation + steeper), azimuth);
     }
 }
