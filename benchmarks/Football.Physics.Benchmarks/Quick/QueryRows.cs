@@ -16,7 +16,7 @@ internal static class QueryRows
         new("22 runners on a 3 s look-ahead of 80 ms: who is first, of the look-ahead", () => Runners((path, query, runners) => query.FindFirst(path, runners, out _), Path()), LookAhead),
         new("22 runners on a 3 s look-ahead of 80 ms: windows and shares, of the look-ahead", () => Runners(Shares, Path()), LookAhead),
         new("best pass of a fan of 1 000 kicks among 13 players (2 ms are to be reached), of a 3 s look-ahead of 80 ms", Passes, LookAhead),
-        new("aim off a wall, to 1 mm, of a 3 s look-ahead of 80 ms", OffTheWall, LookAhead),
+        .. BankShotRows.All,
     ];
 
     private static TargetRow Derivatives(string name, Scene scene) =>
@@ -86,7 +86,8 @@ internal static class QueryRows
         return path;
     }
 
-    private static Workload LookAhead()
+    /// <summary>A look-ahead of 3 s.</summary>
+    public static Workload LookAhead()
     {
         var simulator = new Simulator(Scene.Default);
         BallState kick = Kicks(simulator)[0];
@@ -136,13 +137,5 @@ internal static class QueryRows
         Runner[] mates = [new Runner { Position = new Vector3d(5, 0, -30), Velocity = new Vector3d(1, 0, -4) }, new Runner { Position = new Vector3d(-12, 0, -25) }];
         Runner[] opponents = [.. Enumerable.Range(0, 11).Select(i => new Runner { Position = new Vector3d(-20 + (4 * i), 0, -22 - (i % 3 * 4)) })];
         return new Workload(() => fan.Find(request, mates, opponents).Open, 1);
-    }
-
-    private static Workload OffTheWall()
-    {
-        var wall = new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(-9, 0, 0), new Vector3d(1, 0, 0)), Surface = Surface.Board };
-        var aimer = new BankShotAimer(Scene.Default with { Obstacles = [wall] });
-        var request = new AimRequest { From = Shot.Spot, Target = new Vector3d(-3, 0.6, -20), Speed = 22, Tolerance = 0.001 };
-        return new Workload(() => aimer.Find(request, "wall").Miss, 1);
     }
 }
