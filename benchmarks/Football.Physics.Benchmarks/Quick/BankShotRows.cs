@@ -15,7 +15,7 @@ internal static class BankShotRows
 
     public static IReadOnlyList<TargetRow> All { get; } =
     [
-        Row("one bounce", -12, 12, "ground"),
+        Row("over a bounce", -12, 12, "ground"),
         Row("off a wall", 20, 70, "wall"),
         Row("off a wall, and a bounce", 20, 70, "wall", "ground"),
         Row("off a post", 13, 18, "right post"),
@@ -25,7 +25,7 @@ internal static class BankShotRows
     private static TargetRow Row(string name, double least, double most, params string[] after)
     {
         var results = new Lazy<AimResult[]>(() => [.. Draw(least, most, after).Select(request => new BankShotAimer(Scene).Find(request, after))]);
-        return new TargetRow($"aim after {name}, to 1 mm, of a 3 s look-ahead of 80 ms", () => Aims(Draw(least, most, after), after), QueryRows.LookAhead)
+        return new TargetRow($"aim {name}, to 1 mm, of a 3 s look-ahead of 80 ms", () => Aims(Draw(least, most, after), after), QueryRows.LookAhead)
         {
             Error = () => results.Value.Average(found => found.Miss),
             Note = () => FormattableString.Invariant(
