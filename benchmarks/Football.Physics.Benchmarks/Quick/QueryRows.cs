@@ -19,7 +19,7 @@ internal static class QueryRows
         new("the same, 100 of them along the ground", () => Passes(Scene.Default, 0), LookAhead),
         new("the same, each time with another spin, so that no way along the ground is known", () => Passes(Scene.Default, 0, isNew: true), LookAhead),
         new("the same in wind: 100 ways along the ground", () => Passes(Windy, 0), LookAhead),
-        new("aim off a wall, to 1 mm, of a 3 s look-ahead of 80 ms", OffTheWall, LookAhead),
+        .. BankShotRows.All,
     ];
 
     private static TargetRow Derivatives(string name, Scene scene) =>
@@ -89,7 +89,8 @@ internal static class QueryRows
         return path;
     }
 
-    private static Workload LookAhead()
+    /// <summary>A look-ahead of 3 s.</summary>
+    public static Workload LookAhead()
     {
         var simulator = new Simulator(Scene.Default);
         BallState kick = Kicks(simulator)[0];
@@ -146,13 +147,5 @@ internal static class QueryRows
         Runner[] opponents = [.. Enumerable.Range(0, 11).Select(i => new Runner { Position = new Vector3d(-20 + (4 * i), 0, -22 - (i % 3 * 4)) })];
         int round = 0;
         return new Workload(() => fan.Find(requests[round++ % requests.Length], mates, opponents).Open, 1);
-    }
-
-    private static Workload OffTheWall()
-    {
-        var wall = new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(-9, 0, 0), new Vector3d(1, 0, 0)), Surface = Surface.Board };
-        var aimer = new BankShotAimer(Scene.Default with { Obstacles = [wall] });
-        var request = new AimRequest { From = Shot.Spot, Target = new Vector3d(-3, 0.6, -20), Speed = 22, Tolerance = 0.001 };
-        return new Workload(() => aimer.Find(request, "wall").Miss, 1);
     }
 }

@@ -167,8 +167,9 @@ internal sealed class AimContext
         return most * Math.Max(drag, Math.Abs(lift)) > Ruling * Math.Abs(Upward);
     }
 
-    private static Scene WithoutThings(Scene scene) => scene with { Obstacles = [], Nets = [], Goals = [], Bodies = null, EngineColliders = null };
+    /// <summary>The scene with nothing in it but the ground.</summary>
+    public static Scene WithoutThings(Scene scene) => scene with { Obstacles = [], Nets = [], Goals = [], Bodies = null, EngineColliders = null };
 
     /// <summary>The scene with a plain ground out of reach.</summary>
-    private static Scene WithoutGround(Scene scene) => scene with { Ground = Ground.Turf with { Height = -0.5 * Limits.Length } };
+    public static Scene WithoutGround(Scene scene) => scene with { Ground = Ground.Turf with { Height = -0.5 * Limits.Length } };
 }

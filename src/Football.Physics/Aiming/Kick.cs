@@ -18,6 +18,10 @@ internal struct Kick
     /// <summary>Size of the spin, rad/s.</summary>
     public readonly double SpinRate => Math.Sqrt((Top * Top) + (Side * Side));
 
+    /// <summary>A kick with the spin of a request.</summary>
+    public static Kick Of(AimRequest request, double elevation, double azimuth) =>
+        new() { Elevation = elevation, Azimuth = azimuth, Top = request.TopSpin, Side = request.SideSpin };
+
     /// <summary>Horizontal unit direction of the kick.</summary>
     /// <param name="forward">Horizontal unit direction of the target.</param>
     public readonly Vector3d Direction(in Vector3d forward)
@@ -35,6 +39,19 @@ internal struct Kick
         Elementary.SinCos(Elevation, out double sin, out double cos);
         velocity = Limited(new Vector3d(speed * cos * d.X, speed * sin, speed * cos * d.Z), Limits.Speed);
         spin = Limited(new Vector3d(Top * d.Z, Side, -(Top * d.X)), Limits.Spin);
+    }
+
+    /// <summary>How they change with the two angles; the spin with the azimuth alone.</summary>
+    public readonly void Turns(double speed, in Vector3d forward, out Vector3d byElevation, out Vector3d byAzimuth, out Vector3d spinByAzimuth)
+    {
+        Vector3d d = Direction(in forward);
+        var left = new Vector3d(d.Z, 0, -d.X);
+        Elementary.SinCos(Elevation, out double sin, out double cos);
+
+        // v = V (cos ε d + sin ε ŷ), ω = top ŷ × d + side ŷ;  ∂d/∂φ = ŷ × d, ∂(ŷ × d)/∂φ = −d
+        byElevation = speed * new Vector3d(-sin * d.X, cos, -sin * d.Z);
+        byAzimuth = speed * cos * left;
+        spinByAzimuth = -(Top * d);
     }
 
     /// <summary>A vector that is not longer than a limit, by rounding neither.</summary>

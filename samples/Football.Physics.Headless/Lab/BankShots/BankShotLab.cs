@@ -37,7 +37,7 @@ internal static class BankShotLab
 
     private static LabReport Run(long seed, int requests, Progress progress)
     {
-        var table = new LabTable("Aims after what is met before, to 1 mm", "after", "requests", "hit", "hit, %", "simulations", "ms", "verdict");
+        var table = new LabTable("Aims after what is met before, to 1 mm", "after", "requests", "hit", "hit, %", "simulations", "median", "95 %", "worst", "µs", "median µs", "95 % µs", "worst µs", "verdict");
         var report = new LabReport { Name = "bankshots", Seed = seed, Tables = { table } };
         var aimer = new BankShotAimer(Scene);
         var simulator = new Simulator(Scene);
@@ -47,22 +47,25 @@ internal static class BankShotLab
         {
             var random = new SeededRandom(SeededRandom.Mix(seed, name.Length));
             int hits = 0;
-            double simulations = 0;
-            var clock = new Stopwatch();
+            double[] simulations = new double[requests];
+            double[] times = new double[requests];
             for (int i = 0; i < requests; i++)
             {
                 progress.Report(i, requests, () => name);
                 AimRequest request = Draw(simulator, after, random);
-                clock.Start();
+                long start = Stopwatch.GetTimestamp();
                 AimResult found = aimer.Find(request, after);
-                clock.Stop();
+                times[i] = Stopwatch.GetElapsedTime(start).TotalMicroseconds;
                 hits += found.Status == AimStatus.Hit ? 1 : 0;
-                simulations += found.Simulations;
+                simulations[i] = found.Simulations;
             }
 
             all += requests;
             hit += hits;
-            table.Add(name, requests, hits, 100.0 * hits / requests, simulations / requests, clock.Elapsed.TotalMilliseconds / requests, Verdict.Of(hits >= 0.98 * requests));
+            var counts = new Spread(simulations);
+            var spans = new Spread(times);
+            table.Add(
+                name, requests, hits, 100.0 * hits / requests, counts.Mean, counts.Median, counts.P95, counts.Worst, spans.Mean, spans.Median, spans.P95, spans.Worst, Verdict.Of(hits >= 0.98 * requests));
         }
 
         report.Notes.Add(FormattableString.Invariant($"{hit} of {all} hit: {100.0 * hit / all:0.0} %. Reached: 98 % of a kind."));

@@ -22,4 +22,7 @@ internal struct BankShotStart
 
     /// <summary>How fast, m/s.</summary>
     public Vector3d Velocity;
+
+    /// <summary>Whether it does what is asked.</summary>
+    public readonly bool IsHit(AimRequest request) => IsFine && Miss <= request.Tolerance;
 }

@@ -1,0 +1,133 @@
+namespace Football.Physics;
+
+/// <summary>Flies kicks among all there is in a scene, and finds by their misses what comes closer.</summary>
+internal sealed class BankShotFlight
+{
+    /// <summary>Steps of a look and of the search itself, s.</summary>
+    public const double CoarseStep = 0.04;
+    public const double FineStep = 0.02;
+
+    private const int MostCorrections = 20;
+    private const int MostHalvings = 8;
+
+    /// <summary>A miss that is not worth a correction, of the tolerance.</summary>
+    public const double Enough = 0.1;
+
+    /// <summary>Derivatives are difference quotients over so much of a turn, rad.</summary>
+    private const double Width = 1e-6;
+
+    /// <summary>The most that a direction is turned at once, rad.</summary>
+    private const double LargestTurn = 0.1;
+
+    private readonly Simulator _simulator;
+    private readonly StepLog _log = new();
+    private readonly BankShotPath _path;
+
+    public BankShotFlight(Simulator simulator)
+    {
+        _simulator = simulator;
+        _path = new BankShotPath(simulator);
+    }
+
+    /// <summary>Forward simulations since the search began.</summary>
+    public int Simulations { get; set; }
+
+    /// <summary>Corrections since the search began.</summary>
+    public int Iterations { get; set; }
+
+    /// <summary>Begins a search.</summary>
+    public void Begin()
+    {
+        Simulations = 0;
+        Iterations = 0;
+    }
+
+    /// <summary>Flies a kick.</summary>
+    public BankShotStart Fly(AimRequest request, in TargetFrame frame, int[] things, in Kick kick, double step)
+    {
+        kick.Vectors(request.Speed, frame.Forward, out Vector3d velocity, out Vector3d spin);
+        BallState state = _simulator.Launch(request.From, velocity, spin);
+        Simulations++;
+        BankShotStart shot = default;
+        shot.Kick = kick;
+        _path.Fly(state, step, things, frame.Target, ref shot);
+        return shot;
+    }
+
+    /// <summary>Newton's method on the part of the miss across the way, by elevation and azimuth.</summary>
+    public BankShotStart Improve(AimRequest request, in TargetFrame frame, int[] things, in BankShotStart start)
+    {
+        BankShotStart at = Fly(request, in frame, things, start.Kick, FineStep);
+        var bounds = ElevationBounds.Of(request);
+        for (int i = 0; at.Meets && i < Math.Min(MostCorrections, request.MaximumIterations) && at.Miss > Enough * request.Tolerance; i++)
+        {
+            Iterations++;
+            if (!Step(request, in frame, in at, out double up, out double aside))
+            {
+                break;
+            }
+
+            double turn = Math.Sqrt((up * up) + (aside * aside));
+            double share = turn > LargestTurn ? LargestTurn / turn : 1.0;
+            BankShotStart next = at;
+            bool better = false;
+            for (int halving = 0; halving < MostHalvings && !better; halving++)
+            {
+                Kick kick = at.Kick;
+                kick.Elevation = bounds.Clamp(kick.Elevation + (share * up));
+                kick.Azimuth += share * aside;
+                next = Fly(request, in frame, things, in kick, FineStep);
+                better = next.Meets && next.Miss < at.Miss;
+                share *= 0.5;
+            }
+
+            if (!better)
+            {
+                break;
+            }
+
+            at = next;
+        }
+
+        at.IsFine = at.Meets;
+        return at;
+    }
+
+    /// <summary>The turn that takes away the miss across the way: least squares of e + (∂p/∂θ) Δθ over the directions across v.</summary>
+    private bool Step(AimRequest request, in TargetFrame frame, in BankShotStart at, out double up, out double aside)
+    {
+        Vector3d place = At(request, in frame, at.Kick, at.Time);
+        Kick raised = at.Kick;
+        raised.Elevation += Width;
+        Kick turned = at.Kick;
+        turned.Azimuth += Width;
+        Vector3d byElevation = 1.0 / Width * (At(request, in frame, in raised, at.Time) - place);
+        Vector3d byAzimuth = 1.0 / Width * (At(request, in frame, in turned, at.Time) - place);
+        Vector3d way = at.Velocity.LengthSquared > 0 ? at.Velocity / at.Velocity.Length : Vector3d.Zero;
+        Vector3d e = Across(at.Position - frame.Target, in way);
+        byElevation = Across(in byElevation, in way);
+        byAzimuth = Across(in byAzimuth, in way);
+        double aa = byElevation.LengthSquared;
+        double ab = Vector3d.Dot(in byElevation, in byAzimuth);
+        double bb = byAzimuth.LengthSquared;
+        double determinant = (aa * bb) - (ab * ab);
+        double ea = Vector3d.Dot(in e, in byElevation);
+        double eb = Vector3d.Dot(in e, in byAzimuth);
+        up = ((ab * eb) - (bb * ea)) / determinant;
+        aside = ((ab * ea) - (aa * eb)) / determinant;
+        return determinant > 1e-12 * aa * bb && !double.IsNaN(up + aside);
+    }
+
+    /// <summary>Where a kick is at a time.</summary>
+    private Vector3d At(AimRequest request, in TargetFrame frame, in Kick kick, double time)
+    {
+        kick.Vectors(request.Speed, frame.Forward, out Vector3d velocity, out Vector3d spin);
+        BallState state = _simulator.Launch(request.From, velocity, spin);
+        _log.Clear();
+        Simulations++;
+        _simulator.Run(ref state, FineStep, time, StopAt.Time, _log, null);
+        return state.Position;
+    }
+
+    private static Vector3d Across(in Vector3d v, in Vector3d way) => v - (Vector3d.Dot(in v, in way) * way);
+}

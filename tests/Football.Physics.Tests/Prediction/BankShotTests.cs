@@ -1,0 +1,124 @@
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Tests.Predictors;
+
+/// <summary>Kicks after bounces and off things: how much it takes to find them, and what they do.</summary>
+public sealed class BankShotTests
+{
+    private const double Tolerance = 1e-3;
+
+    private const int Requests = 8;
+
+    private static readonly Scene Scene = Scene.Measured with
+    {
+        Obstacles = [new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(-9, 0, 0), new Vector3d(1, 0, 0)), Surface = Surface.Board }],
+        Goals = [new Goal { Center = new Vector3d(0, 0, -14), Facing = new Vector3d(0, 0, 1), Surface = Surface.MeasuredFrame, HasNet = false }],
+    };
+
+    [Theory]
+    [InlineData(20, 60, 40, "ground")]
+    [InlineData(-60, -20, 60, "ground,ground")]
+    [InlineData(20, 70, 30, "wall")]
+    [InlineData(20, 70, 60, "wall,ground")]
+    [InlineData(20, 70, 100, "ground,wall")]
+    [InlineData(13, 18, 30, "right post")]
+    [InlineData(-18, -13, 30, "left post")]
+    [InlineData(-12, 12, 60, "crossbar")]
+    [InlineData(-12, 12, 100, "crossbar,ground")]
+    public void Known_kicks_are_found_again_in_few_simulations_and_do_what_is_asked(double least, double most, int simulations, string things)
+    {
+        string[] after = things.Split(',');
+        var simulator = new Simulator(Scene);
+        var aimer = new BankShotAimer(Scene);
+        var path = new Trajectory(1024);
+        int sum = 0;
+        foreach (AimRequest request in Draw(least, most, after))
+        {
+            AimResult found = aimer.Find(request, after);
+            Assert.Equal(AimStatus.Hit, found.Status);
+            Assert.InRange(found.Simulations, 1, simulations);
+            sum += found.Simulations;
+            Assert.InRange(found.Miss, 0, Tolerance);
+
+            // Flown again in steps of a fourth, it meets just these, and then the target.
+            BallState again = simulator.Launch(request.From, found.Velocity, found.Spin);
+            simulator.LookAhead(in again, new LookAheadRequest { Duration = found.Time, TimeStep = 0.005, StopAt = StopAt.Time }, path);
+            Assert.Equal(after, Impacts(path).Select(e => simulator.NameOf(e.Thing)!));
+            Assert.InRange(Vector3d.Distance(path.Final.Position, request.Target), 0, Tolerance + 1e-5);
+            Assert.Equal(request.Speed, found.Velocity.Length, 9);
+        }
+
+        Assert.InRange(sum, 0, Requests * simulations / 2);
+    }
+
+    [Theory]
+    [InlineData(20, 60, "ground")]
+    [InlineData(20, 70, "wall,ground")]
+    [InlineData(13, 18, "right post")]
+    public void An_aimer_that_is_warm_allocates_nothing_and_finds_the_same(double least, double most, string things)
+    {
+        string[] after = things.Split(',');
+        AimRequest request = Draw(least, most, after)[0];
+        var aimer = new BankShotAimer(Scene);
+        AimResult first = aimer.Find(request, after);
+        AimResult last = default;
+        Assert.Equal(0, Allocation.Of(() => last = aimer.Find(request, after)));
+        Assert.Equal(first.Velocity, last.Velocity);
+        Assert.Equal(first.Simulations, last.Simulations);
+    }
+
+    [Fact]
+    public void A_place_behind_the_wall_is_not_converged()
+    {
+        var request = new AimRequest { From = new Vector3d(0, 0.11, 0), Target = new Vector3d(-15, 1, -10), Speed = 22, Tolerance = Tolerance };
+        AimResult found = new BankShotAimer(Scene).Find(request, "wall");
+        Assert.Equal(AimStatus.NotConverged, found.Status);
+        Assert.True(found.Miss > 1);
+    }
+
+    [Fact]
+    public void A_wall_that_moves_is_met_where_it_is_then()
+    {
+        Scene scene = Scene.Measured with
+        {
+            Obstacles = [new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(-9, 0, 0), new Vector3d(1, 0, 0)), Velocity = new Vector3d(0.5, 0, 0), Surface = Surface.Board }],
+        };
+        var request = new AimRequest { From = new Vector3d(0, 0.11, 0), Target = new Vector3d(-4, 0.6, -14), Speed = 22, Tolerance = Tolerance };
+        AimResult found = new BankShotAimer(scene).Find(request, "wall");
+        Assert.Equal(AimStatus.Hit, found.Status);
+        var simulator = new Simulator(scene);
+        BallState again = simulator.Launch(request.From, found.Velocity, found.Spin);
+        simulator.Run(ref again, 0.005, found.Time, StopAt.Time, new StepLog());
+        Assert.InRange(Vector3d.Distance(again.Position, request.Target), 0, Tolerance + 1e-5);
+    }
+
+    /// <summary>Requests for where random kicks come after they have met these things, and no more.</summary>
+    private static List<AimRequest> Draw(double least, double most, string[] after)
+    {
+        var random = new SeededRandom(29L);
+        var simulator = new Simulator(Scene);
+        var path = new Trajectory(1024);
+        var from = new Vector3d(0, 0.11, 0);
+        var requests = new List<AimRequest>();
+        while (requests.Count < Requests)
+        {
+            double azimuth = random.Uniform(least, most) * Math.PI / 180;
+            double elevation = random.Uniform(4, 30) * Math.PI / 180;
+            var velocity = random.Uniform(15, 26) * new Vector3d(-Math.Sin(azimuth) * Math.Cos(elevation), Math.Sin(elevation), -Math.Cos(azimuth) * Math.Cos(elevation));
+            (double top, double side) = (random.Uniform(-20, 20), random.Uniform(-20, 20));
+            BallState kick = simulator.Launch(from, velocity, KickSpin.Vector(velocity, top, side));
+            simulator.LookAhead(in kick, new LookAheadRequest { Duration = 5, TimeStep = 0.01, StopAt = StopAt.Time }, path);
+            BallEvent[] impacts = Impacts(path);
+            if (impacts.Length > after.Length && impacts.Take(after.Length).Select(e => simulator.NameOf(e.Thing)).SequenceEqual(after))
+            {
+                double begin = impacts[after.Length - 1].Time;
+                Vector3d target = path.PositionAt(begin + (random.Uniform(0.2, 0.9) * (impacts[after.Length].Time - begin)));
+                requests.Add(new AimRequest { From = from, Target = target, Speed = velocity.Length, TopSpin = top, SideSpin = side, Tolerance = Tolerance });
+            }
+        }
+
+        return requests;
+    }
+
+    private static BallEvent[] Impacts(Trajectory path) => [.. path.Events.Span.ToArray().Where(e => e.Kind == BallEventKind.Impact)];
+}
