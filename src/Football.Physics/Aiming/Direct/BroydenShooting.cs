@@ -15,6 +15,10 @@ internal static class BroydenShooting
     private const double LargestElevation = 0.35;
     private const double LargestAzimuth = 0.5;
 
+    /// <summary>A rehearsed correction leaves a share of the miss: no less than this is relied on, and with more than that nothing is learnt.</summary>
+    private const double LeastContraction = 0.01;
+    private const double MostContraction = 0.2;
+
     /// <summary>Solves a problem.</summary>
     /// <param name="problem">The problem.</param>
     /// <param name="solution">The kick, and how it crosses the target's plane.</param>
@@ -22,46 +26,43 @@ internal static class BroydenShooting
     public static bool Solve(PlaneProblem problem, out PlaneShot solution)
     {
         solution = default;
-        if (!problem.Guess(out Kick first))
+        if (!problem.Guess(out Kick first, out double time))
         {
             return false;
         }
 
-        solution = problem.Fly(in first);
+        double rehearsed = Rehearse(problem, ref first, ref time, out CrossingJacobian jacobian, out double contraction);
+        solution = problem.Fly(in first, time);
         if (!solution.Crossed)
         {
             return false;
         }
 
-        CrossingJacobian jacobian = problem.Jacobian(in solution);
-        double before = double.PositiveInfinity;
+        // A rehearsal tells how much a correction leaves of a miss; where the flight misses by more than the guess did, it told nothing.
+        bool known = solution.Miss < rehearsed;
+        jacobian = known ? jacobian : problem.Jacobian(in solution);
+        double before = known ? solution.Miss / contraction : double.PositiveInfinity;
         int limit = Math.Min(problem.Request.MaximumIterations, MostIterations);
         while (solution.Miss > problem.Tolerance)
         {
             if (problem.Shots >= limit
-                || !jacobian.Solve(solution.Up, solution.Left, out double elevation, out double azimuth)
-                || solution.Miss > Progress * before)
+                || solution.Miss > Progress * before
+                || !Correct(problem, in jacobian, in solution, out Kick next, out double elevation, out double azimuth))
             {
                 return false;
             }
 
-            Kick next = solution.Kick;
-            next.Elevation += elevation;
-            next.Azimuth += azimuth;
-            if (!(Math.Abs(elevation) < LargestElevation && Math.Abs(azimuth) < LargestAzimuth) || !problem.Bounds.Contain(next.Elevation))
-            {
-                return false;
-            }
-
-            if (Convergence.IsPlenty(solution.Miss, before, problem.Tolerance, out double contraction))
+            if (Convergence.IsPlenty(solution.Miss, before, problem.Tolerance, out double left))
             {
                 solution.Kick = next;
-                solution.Miss *= contraction;
+                solution.Miss *= left;
+                solution.Up *= left;
+                solution.Left *= left;
                 return true;
             }
 
             before = solution.Miss;
-            PlaneShot shot = problem.Fly(in next);
+            PlaneShot shot = problem.Fly(in next, solution.Time);
             if (!shot.Crossed)
             {
                 return false;
@@ -72,5 +73,58 @@ internal static class BroydenShooting
         }
 
         return true;
+    }
+
+    /// <summary>The first correction, in the fitted air.</summary>
+    /// <param name="problem">The problem.</param>
+    /// <param name="kick">The guess; the corrected kick.</param>
+    /// <param name="time">About when the guess is there, s; about when the corrected kick is.</param>
+    /// <param name="jacobian">How the crossing moves.</param>
+    /// <param name="contraction">What a correction leaves of a miss.</param>
+    /// <returns>What the guess misses by, m; 0 where there is nothing to learn from it.</returns>
+    private static double Rehearse(PlaneProblem problem, ref Kick kick, ref double time, out CrossingJacobian jacobian, out double contraction)
+    {
+        jacobian = default;
+        contraction = 1;
+        problem.Fit(in kick, time);
+        PlaneShot first = problem.Rehearse(in kick, time);
+        if (!first.Crossed)
+        {
+            return 0;
+        }
+
+        jacobian = problem.Jacobian(in first);
+        if (!Correct(problem, in jacobian, in first, out Kick next, out double elevation, out double azimuth))
+        {
+            return 0;
+        }
+
+        PlaneShot second = problem.Rehearse(in next, first.Time);
+        contraction = Math.Max(second.Miss / first.Miss, LeastContraction);
+        jacobian.Update(elevation, azimuth, second.Up - first.Up, second.Left - first.Left);
+        if (!second.Crossed || !(contraction < MostContraction) || !Correct(problem, in jacobian, in second, out next, out _, out _))
+        {
+            return 0;
+        }
+
+        kick = next;
+        time = second.Time;
+        return first.Miss;
+    }
+
+    /// <summary>A corrected kick.</summary>
+    /// <returns>False where the correction is too long, or leaves the bounds.</returns>
+    private static bool Correct(
+        PlaneProblem problem, in CrossingJacobian jacobian, in PlaneShot shot, out Kick next, out double elevation, out double azimuth)
+    {
+        next = shot.Kick;
+        if (!jacobian.Solve(shot.Up, shot.Left, out elevation, out azimuth))
+        {
+            return false;
+        }
+
+        next.Elevation += elevation;
+        next.Azimuth += azimuth;
+        return Math.Abs(elevation) < LargestElevation && Math.Abs(azimuth) < LargestAzimuth && problem.Bounds.Contain(next.Elevation);
     }
 }

@@ -9,6 +9,8 @@ internal sealed class PlaneProblem
     private readonly AimContext _context;
     private TargetFrame _frame;
     private double _step;
+    private FlatFire _model;
+    private FittedFlight _fitted;
 
     public PlaneProblem(AimContext context) => _context = context;
 
@@ -45,15 +47,17 @@ internal sealed class PlaneProblem
     }
 
     /// <summary>A first kick, from the flight in closed form.</summary>
+    /// <param name="kick">The kick.</param>
+    /// <param name="time">About when it is there, s.</param>
     /// <returns>False where that does not reach the target.</returns>
-    public bool Guess(out Kick kick)
+    public bool Guess(out Kick kick, out double time)
     {
         ref readonly TargetFrame frame = ref _frame;
         double top = Spins.Top;
-        double spinRate = Math.Sqrt((top * top) + (Spins.Side * Spins.Side));
-        FlatFire model = _context.Model(Speed, spinRate, frame.Distance);
+        double spinRate = Spins.SpinRate;
+        _model = _context.Model(Speed, spinRate, frame.Distance);
         Vector3d toTarget = frame.Target - frame.From;
-        double time = frame.Distance / Speed * (1.0 + (0.5 * model.Drag * frame.Distance));
+        time = frame.Distance / Speed * (1.0 + (0.5 * _model.Drag * frame.Distance));
         Vector3d direction = toTarget / toTarget.Length;
         Vector3d axis = Vector3d.Zero;
         bool reached = false;
@@ -69,7 +73,7 @@ internal sealed class PlaneProblem
                 axis = new Vector3d(top * d.Z, Spins.Side, -(top * d.X)) / spinRate;
             }
 
-            reached = model.Solve(in toTarget, wind - Request.TargetVelocity, in wind, Speed, in axis, ref direction, ref time);
+            reached = _model.Solve(in toTarget, wind - Request.TargetVelocity, in wind, Speed, in axis, ref direction, ref time);
             if (!reached)
             {
                 break;
@@ -80,31 +84,55 @@ internal sealed class PlaneProblem
         return reached;
     }
 
+    /// <summary>Fits the flight that kicks are rehearsed in.</summary>
+    /// <param name="kick">A kick about as those that will be.</param>
+    /// <param name="time">About when it is there, s.</param>
+    public void Fit(in Kick kick, double time)
+    {
+        kick.Vectors(Speed, in _frame.Forward, out Vector3d velocity, out _);
+        _fitted.Fit(_context, (velocity - _context.Scene.Air.Wind).Length, kick.SpinRate, _model.Drag, time);
+    }
+
+    /// <summary>Flies a kick to the target's plane as it would fly in the fitted air.</summary>
+    /// <param name="kick">The kick.</param>
+    /// <param name="time">About when it is there, s.</param>
+    public PlaneShot Rehearse(in Kick kick, double time)
+    {
+        ref readonly TargetFrame frame = ref _frame;
+        kick.Vectors(Speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
+        double spinRate = kick.SpinRate;
+        _fitted.Begin(in frame.From, in velocity, spinRate > 0 ? spin / spinRate : Vector3d.Zero);
+        var crossing = new PlaneCrossing(in frame.Target, Request.TargetVelocity, in frame.Forward);
+        _fitted.Fly(time, ref crossing);
+        return Shot(in kick, in crossing);
+    }
+
     /// <summary>Flies a kick to the target's plane.</summary>
-    public PlaneShot Fly(in Kick kick)
+    /// <param name="kick">The kick.</param>
+    /// <param name="time">About when it is there, s; 0 where that is not known.</param>
+    public PlaneShot Fly(in Kick kick, double time)
     {
         ref readonly TargetFrame frame = ref _frame;
         kick.Vectors(Speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
         PlaneShooter planes = _context.Planes;
-        planes.Fly(in frame.From, in velocity, in spin, _step);
+        planes.Fly(in frame.From, in velocity, in spin, _step, 0, time);
         _context.CountIteration();
         Shots++;
-        ref readonly PlaneCrossing crossing = ref planes.Target;
-        var shot = new PlaneShot { Kick = kick, Crossed = crossing.Crossed, Lowest = planes.Lowest };
+        PlaneShot shot = Shot(in kick, in planes.Target);
+        shot.Lowest = planes.Lowest;
+        return shot;
+    }
+
+    private PlaneShot Shot(in Kick kick, in PlaneCrossing crossing)
+    {
+        var shot = new PlaneShot { Kick = kick, Crossed = crossing.Crossed };
         if (crossing.Crossed)
         {
             shot.Up = crossing.Offset.Y;
-            shot.Left = Vector3d.Dot(crossing.Offset, in frame.Left);
+            shot.Left = Vector3d.Dot(crossing.Offset, in _frame.Left);
             shot.Time = crossing.Time;
             shot.Velocity = crossing.Velocity;
             shot.Miss = Math.Sqrt((shot.Up * shot.Up) + (shot.Left * shot.Left));
-        }
-        else
-        {
-            // Too short: the lower, the further it was from the plane.
-            double gap = Vector3d.Dot(frame.Target - planes.End, in frame.Forward);
-            shot.Up = -(10.0 + (2.0 * frame.Distance) + Math.Max(0, gap));
-            shot.Miss = double.PositiveInfinity;
         }
 
         return shot;

@@ -95,7 +95,7 @@ internal sealed class TwoPointProblem
     {
         ref readonly TargetFrame frame = ref _frame;
         KickOf(x).Vectors(Request.Speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
-        _context.Planes.Fly(in frame.From, in velocity, in spin, _step);
+        _context.Planes.Fly(in frame.From, in velocity, in spin, _step, 0, 0);
         if (!AtTarget.Crossed || !AtThrough.Crossed)
         {
             return false;
