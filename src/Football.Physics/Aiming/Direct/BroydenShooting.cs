@@ -32,7 +32,7 @@ internal static class BroydenShooting
         }
 
         double rehearsed = Rehearse(problem, ref first, ref time, out CrossingJacobian jacobian, out double contraction);
-        solution = problem.Fly(in first, time);
+        solution = problem.Fly(in first, time, rehearsed > 0);
         if (!solution.Crossed)
         {
             return false;
@@ -43,13 +43,13 @@ internal static class BroydenShooting
         jacobian = known ? jacobian : problem.Jacobian(in solution);
         double before = known ? solution.Miss / contraction : double.PositiveInfinity;
         int limit = Math.Min(problem.Request.MaximumIterations, MostIterations);
-        while (solution.Miss > problem.Tolerance)
+        bool isSure = !(rehearsed > 0);
+        while (true)
         {
-            if (problem.Shots >= limit
-                || solution.Miss > Progress * before
-                || !Correct(problem, in jacobian, in solution, out Kick next, out double elevation, out double azimuth))
+            bool hits = isSure && solution.Miss <= problem.Tolerance;
+            if (!Correct(problem, in jacobian, in solution, out Kick next, out double elevation, out double azimuth))
             {
-                return false;
+                return hits;
             }
 
             if (Convergence.IsPlenty(solution.Miss, before, problem.Tolerance, out double left))
@@ -61,18 +61,22 @@ internal static class BroydenShooting
                 return true;
             }
 
+            if (hits || problem.Shots >= limit || solution.Miss > Progress * before)
+            {
+                return hits;
+            }
+
             before = solution.Miss;
-            PlaneShot shot = problem.Fly(in next, solution.Time);
+            PlaneShot shot = problem.Fly(in next, solution.Time, false);
             if (!shot.Crossed)
             {
                 return false;
             }
 
+            isSure = true;
             jacobian.Update(elevation, azimuth, shot.Up - solution.Up, shot.Left - solution.Left);
             solution = shot;
         }
-
-        return true;
     }
 
     /// <summary>The first correction, in the fitted air.</summary>

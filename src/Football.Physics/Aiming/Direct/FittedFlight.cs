@@ -7,7 +7,7 @@ namespace Football.Physics;
 internal struct FittedFlight
 {
     /// <summary>Longest steps, s: RK4 is a millimetre off then; and most of them.</summary>
-    private const double LongestStep = 0.35;
+    private const double LongestStep = 0.5;
     private const double MostSteps = 16;
 
     /// <summary>The slowest speed that the laws are asked about is this share of the fastest at most, that the values lie apart.</summary>

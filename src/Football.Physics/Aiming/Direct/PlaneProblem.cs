@@ -9,6 +9,7 @@ internal sealed class PlaneProblem
     private readonly AimContext _context;
     private TargetFrame _frame;
     private double _step;
+    private double _firstStep;
     private FlatFire _model;
     private FittedFlight _fitted;
 
@@ -43,6 +44,7 @@ internal sealed class PlaneProblem
         Tolerance = AimContext.Sharp(request.Tolerance);
         Shots = 0;
         _step = _context.Steps.HitWithin(Tolerance);
+        _firstStep = _context.Steps.RehearsedWithin(Tolerance);
         _context.Planes.Aim(in _frame, request.TargetVelocity);
     }
 
@@ -53,33 +55,13 @@ internal sealed class PlaneProblem
     public bool Guess(out Kick kick, out double time)
     {
         ref readonly TargetFrame frame = ref _frame;
-        double top = Spins.Top;
-        double spinRate = Spins.SpinRate;
-        _model = _context.Model(Speed, spinRate, frame.Distance);
+        _model = _context.Model(Speed, Spins.SpinRate, frame.Distance);
         Vector3d toTarget = frame.Target - frame.From;
-        time = frame.Distance / Speed * (1.0 + (0.5 * _model.Drag * frame.Distance));
         Vector3d direction = toTarget / toTarget.Length;
-        Vector3d axis = Vector3d.Zero;
-        bool reached = false;
         Vector3d wind = _context.Scene.Air.Wind;
-        for (int i = 0; i < 2; i++)
-        {
-            // The axis turns with the azimuth: once more with the right one.
-            if (spinRate > 0)
-            {
-                Vector3d d = direction.Horizontal;
-                double flat = d.Length;
-                d = flat > 0 ? d / flat : frame.Forward;
-                axis = new Vector3d(top * d.Z, Spins.Side, -(top * d.X)) / spinRate;
-            }
-
-            reached = _model.Solve(in toTarget, wind - Request.TargetVelocity, in wind, Speed, in axis, ref direction, ref time);
-            if (!reached)
-            {
-                break;
-            }
-        }
-
+        Kick spins = Spins;
+        time = frame.Distance / Speed * (1.0 + (0.5 * _model.Drag * frame.Distance));
+        bool reached = _model.Solve(in toTarget, wind - Request.TargetVelocity, in wind, Speed, in spins, ref direction, ref time);
         kick = frame.Turned(Spins, in direction, Bounds);
         return reached;
     }
@@ -110,12 +92,13 @@ internal sealed class PlaneProblem
     /// <summary>Flies a kick to the target's plane.</summary>
     /// <param name="kick">The kick.</param>
     /// <param name="time">About when it is there, s; 0 where that is not known.</param>
-    public PlaneShot Fly(in Kick kick, double time)
+    /// <param name="isRehearsed">Whether it is to show no more than how far a rehearsed kick is off.</param>
+    public PlaneShot Fly(in Kick kick, double time, bool isRehearsed)
     {
         ref readonly TargetFrame frame = ref _frame;
         kick.Vectors(Speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
         PlaneShooter planes = _context.Planes;
-        planes.Fly(in frame.From, in velocity, in spin, _step, 0, time);
+        planes.Fly(in frame.From, in velocity, in spin, isRehearsed ? _firstStep : _step, 0, time);
         _context.CountIteration();
         Shots++;
         PlaneShot shot = Shot(in kick, in planes.Target);
