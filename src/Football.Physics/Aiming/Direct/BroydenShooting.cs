@@ -16,7 +16,7 @@ internal static class BroydenShooting
     private const double LargestAzimuth = 0.5;
 
     /// <summary>A rehearsed correction leaves a share of the miss: no less than this is relied on, and with more than that nothing is learnt.</summary>
-    private const double LeastContraction = 0.01;
+    private const double LeastContraction = 0.03;
     private const double MostContraction = 0.2;
 
     /// <summary>Solves a problem.</summary>

@@ -25,6 +25,12 @@ internal sealed class DirectTwoPointAim : IAimMethod
     /// <summary>Flights after which the next correction is foretold by the last: the first update of a Jacobian of four unknowns tells of one.</summary>
     private const int LeastFlights = 3;
 
+    /// <summary>Corrections in fitted air, the miss below which there need be none more, m, and what each must leave of a miss at least and at most.</summary>
+    private const int MostRehearsals = 5;
+    private const double RehearsedEnough = 1e-4;
+    private const double LeastContraction = 0.05;
+    private const double MostContraction = 0.5;
+
     private readonly AimContext _context;
     private readonly DirectAim _direct;
     private readonly TwoPointSearch _search;
@@ -33,6 +39,7 @@ internal sealed class DirectTwoPointAim : IAimMethod
     private readonly TwoPointStep _step = new();
     private readonly double[] _x = new double[N];
     private readonly double[] _r = new double[N];
+    private readonly double[] _guess = new double[N];
     private readonly double[] _nextX = new double[N];
     private readonly double[] _nextR = new double[N];
 
@@ -96,8 +103,7 @@ internal sealed class DirectTwoPointAim : IAimMethod
 
     private AimSolution Solve()
     {
-        TwoPointGuess.Make(_context, _problem, _x);
-        _step.Reset();
+        bool isRehearsed = Rehearse(out double rehearsed, out double contraction);
         var solution = new AimSolution
         {
             Status = AimStatus.NotConverged,
@@ -107,17 +113,25 @@ internal sealed class DirectTwoPointAim : IAimMethod
             ThroughMiss = double.NaN,
         };
         _context.CountIteration();
-        if (!_problem.Fly(_x, _r))
+        if (!_problem.Fly(_x, _r, isRehearsed))
         {
             return solution;
         }
 
-        _jacobian.ReadOff(_problem, _x);
+        // A rehearsal tells how much a correction leaves of a miss; where the flight misses by more than the guess did, it told nothing.
+        bool isKnown = isRehearsed && Asked() < rehearsed;
+        if (!isKnown)
+        {
+            _step.Reset();
+            _jacobian.ReadOff(_problem, _x);
+        }
+
         int limit = Math.Min(_problem.Request.MaximumIterations, MostIterations);
-        double before = double.PositiveInfinity;
+        double before = isKnown ? Asked() / contraction : double.PositiveInfinity;
         double least = double.PositiveInfinity;
         int stalled = 0;
-        int flights = 1;
+        int flights = isKnown ? LeastFlights : 1;
+        bool isSure = !isRehearsed;
         while (true)
         {
             double asked = _step.ThroughAsked(_r);
@@ -125,7 +139,7 @@ internal sealed class DirectTwoPointAim : IAimMethod
             solution.Miss = _problem.Miss;
             solution.ThroughMiss = _problem.ThroughMiss;
             solution.Time = _problem.AtTarget.Time;
-            if (_problem.Miss <= _problem.Tolerance && asked <= _problem.ThroughTolerance)
+            if (isSure && _problem.Miss <= _problem.Tolerance && asked <= _problem.ThroughTolerance)
             {
                 solution.Status = _problem.StaysClear(_x) ? AimStatus.Hit : AimStatus.NotConverged;
                 return solution;
@@ -136,12 +150,12 @@ internal sealed class DirectTwoPointAim : IAimMethod
                 return solution;
             }
 
-            double size = Math.Sqrt((_problem.Miss * _problem.Miss) + (asked * asked));
-            if (sameHeld && flights >= LeastFlights && Convergence.IsPlenty(size, before, _problem.Tolerance, out double contraction) && _problem.StaysClear(_x))
+            double size = Asked();
+            if (sameHeld && flights >= LeastFlights && Convergence.IsPlenty(size, before, _problem.Tolerance, out double left) && _problem.StaysClear(_x))
             {
                 TakeStep();
                 solution.Kick = TwoPointProblem.KickOf(_nextX);
-                solution.Miss = contraction * _problem.Miss;
+                solution.Miss = left * _problem.Miss;
                 solution.Status = AimStatus.Hit;
                 return solution;
             }
@@ -155,17 +169,83 @@ internal sealed class DirectTwoPointAim : IAimMethod
             }
 
             flights++;
-            bool stale = Norm(_nextR) > 0.9 * Norm(_r);
-            _jacobian.Update(_step.Change, _r, _nextR);
-            Array.Copy(_nextX, _x, N);
-            Array.Copy(_nextR, _r, N);
-            if (stale)
+            isSure = true;
+            TakeFlown();
+        }
+    }
+
+    /// <summary>The misses at the target and at the point on the way, m, but for the directions of spins that are held at their limit.</summary>
+    private double Asked()
+    {
+        double asked = _step.ThroughAsked(_r);
+        return Math.Sqrt((_problem.Miss * _problem.Miss) + (asked * asked));
+    }
+
+    /// <summary>Makes the step that was flown the kick, and the Jacobian better by it.</summary>
+    private void TakeFlown()
+    {
+        bool stale = Norm(_nextR) > 0.9 * Norm(_r);
+        _jacobian.Update(_step.Change, _r, _nextR);
+        Array.Copy(_nextX, _x, N);
+        Array.Copy(_nextR, _r, N);
+        if (stale)
+        {
+            // Broyden's matrix no longer fits: read it off the flight again.
+            _jacobian.ReadOff(_problem, _x);
+        }
+    }
+
+    /// <summary>Guesses a kick, and corrects it in fitted air.</summary>
+    /// <param name="first">What the guess misses by, m.</param>
+    /// <param name="contraction">What a correction leaves of a miss.</param>
+    /// <returns>False where nothing is learnt: the kick is the guess then.</returns>
+    private bool Rehearse(out double first, out double contraction)
+    {
+        double drag = TwoPointGuess.Make(_context, _problem, _x, out double throughTime, out double targetTime);
+        _step.Reset();
+        contraction = 1;
+        first = 0;
+        if (!_problem.Rehearse(_x, _r, drag, throughTime, targetTime))
+        {
+            return false;
+        }
+
+        Array.Copy(_x, _guess, N);
+        first = Asked();
+        _jacobian.ReadOff(_problem, _x);
+        double size = first;
+        for (int i = 0; i < MostRehearsals; i++)
+        {
+            if (!_step.Solve(_problem, _jacobian, _x, _r, out _))
             {
-                // Broyden's matrix no longer fits: read it off the flight again.
-                _jacobian.ReadOff(_problem, _x);
+                break;
             }
 
+            TakeStep();
+            if (i == MostRehearsals - 1 || size * contraction < RehearsedEnough)
+            {
+                Array.Copy(_nextX, _x, N);
+                return true;
+            }
+
+            if (!_problem.Rehearse(_nextX, _nextR, drag, _problem.AtThrough.Time, _problem.AtTarget.Time))
+            {
+                break;
+            }
+
+            TakeFlown();
+            double next = Asked();
+            contraction = Math.Max(next / size, LeastContraction);
+            if (!(contraction < MostContraction))
+            {
+                break;
+            }
+
+            size = next;
         }
+
+        Array.Copy(_guess, _x, N);
+        return false;
     }
 
     /// <summary>Flies the kick after the step, or after a half, a quarter of it where that does not reach both planes.</summary>
@@ -175,7 +255,7 @@ internal sealed class DirectTwoPointAim : IAimMethod
         {
             TakeStep();
             _context.CountIteration();
-            if (_problem.Fly(_nextX, _nextR))
+            if (_problem.Fly(_nextX, _nextR, false))
             {
                 return true;
             }

@@ -24,7 +24,11 @@ internal sealed class TwoPointProblem
 
     private readonly AimContext _context;
     private TargetFrame _frame;
+    private FittedFlight _fitted;
+    private PlaneCrossing _atThrough;
+    private PlaneCrossing _atTarget;
     private double _step;
+    private double _firstStep;
 
     public TwoPointProblem(AimContext context) => _context = context;
 
@@ -53,10 +57,10 @@ internal sealed class TwoPointProblem
     public double ThroughMiss { get; private set; }
 
     /// <summary>The crossing of the target's plane by the last kick.</summary>
-    public ref readonly PlaneCrossing AtTarget => ref _context.Planes.Target;
+    public ref readonly PlaneCrossing AtTarget => ref _atTarget;
 
     /// <summary>The crossing of the plane of the point on the way.</summary>
-    public ref readonly PlaneCrossing AtThrough => ref _context.Planes.Through;
+    public ref readonly PlaneCrossing AtThrough => ref _atThrough;
 
     /// <summary>Sets the problem.</summary>
     /// <returns>False where the point does not lie on the way to the target.</returns>
@@ -76,6 +80,9 @@ internal sealed class TwoPointProblem
         }
 
         _step = _context.Steps.HitWithin(Tolerance);
+        _firstStep = _context.Steps.RehearsedWithin(Tolerance);
+        _atThrough = default;
+        _atTarget = default;
         _context.Planes.Aim(in frame, Vector3d.Zero);
         _context.Planes.AimThrough(Through, in frame.Forward);
         return true;
@@ -87,24 +94,50 @@ internal sealed class TwoPointProblem
     /// <summary>Largest size of a spin, rad/s.</summary>
     public double Limit(int spin) => spin == Top ? Request.MaximumTopSpin : Request.MaximumSideSpin;
 
+    /// <summary>Flies a kick to both planes as it would fly in air that is fitted to its own speed and spin.</summary>
+    /// <param name="x">The unknowns.</param>
+    /// <param name="r">The residuals.</param>
+    /// <param name="drag">About how much drag there is a length, 1/m.</param>
+    /// <param name="throughTime">About when it passes the point on the way, s.</param>
+    /// <param name="targetTime">About when it is at the target, s.</param>
+    /// <returns>False where it does not reach both.</returns>
+    public bool Rehearse(double[] x, double[] r, double drag, double throughTime, double targetTime)
+    {
+        ref readonly TargetFrame frame = ref _frame;
+        Kick kick = KickOf(x);
+        kick.Vectors(Request.Speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
+        double spinRate = kick.SpinRate;
+        _fitted.Fit(_context, (velocity - _context.Scene.Air.Wind).Length, spinRate, drag, targetTime);
+        _fitted.Begin(in frame.From, in velocity, spinRate > 0 ? spin / spinRate : Vector3d.Zero);
+        _atThrough = new PlaneCrossing(Through, Vector3d.Zero, in frame.Forward);
+        _atTarget = new PlaneCrossing(in frame.Target, Vector3d.Zero, in frame.Forward);
+        return _fitted.Fly(throughTime, ref _atThrough) && _fitted.Fly(targetTime, ref _atTarget) && TakeResiduals(r);
+    }
+
     /// <summary>Flies a kick to both planes.</summary>
     /// <param name="x">The unknowns.</param>
     /// <param name="r">The residuals.</param>
+    /// <param name="isRehearsed">Whether it is to show no more than how far a rehearsed kick is off: about when it is where, the rehearsal has told.</param>
     /// <returns>False where it does not reach both.</returns>
-    public bool Fly(double[] x, double[] r)
+    public bool Fly(double[] x, double[] r, bool isRehearsed)
     {
         ref readonly TargetFrame frame = ref _frame;
         KickOf(x).Vectors(Request.Speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
-        _context.Planes.Fly(in frame.From, in velocity, in spin, _step, 0, 0);
-        if (!AtTarget.Crossed || !AtThrough.Crossed)
-        {
-            return false;
-        }
+        double throughTime = _atThrough.Crossed ? _atThrough.Time : 0;
+        double targetTime = _atTarget.Crossed ? _atTarget.Time : 0;
+        _context.Planes.Fly(in frame.From, in velocity, in spin, isRehearsed ? _firstStep : _step, throughTime, targetTime);
+        _atThrough = _context.Planes.Through;
+        _atTarget = _context.Planes.Target;
+        return _atTarget.Crossed && _atThrough.Crossed && TakeResiduals(r);
+    }
 
-        r[ThroughLeft] = Vector3d.Dot(AtThrough.Offset, in frame.Left);
-        r[ThroughUp] = AtThrough.Offset.Y;
-        r[TargetLeft] = Vector3d.Dot(AtTarget.Offset, in frame.Left);
-        r[TargetUp] = AtTarget.Offset.Y;
+    private bool TakeResiduals(double[] r)
+    {
+        ref readonly TargetFrame frame = ref _frame;
+        r[ThroughLeft] = Vector3d.Dot(_atThrough.Offset, in frame.Left);
+        r[ThroughUp] = _atThrough.Offset.Y;
+        r[TargetLeft] = Vector3d.Dot(_atTarget.Offset, in frame.Left);
+        r[TargetUp] = _atTarget.Offset.Y;
         Miss = Math.Sqrt((r[TargetLeft] * r[TargetLeft]) + (r[TargetUp] * r[TargetUp]));
         ThroughMiss = Math.Sqrt((r[ThroughLeft] * r[ThroughLeft]) + (r[ThroughUp] * r[ThroughUp]));
         return true;
