@@ -28,6 +28,7 @@ internal sealed class DirectTwoPointAim : IAimMethod
     /// <summary>Corrections in fitted air, the miss below which there need be none more, m, and what each must leave of a miss at least and at most.</summary>
     private const int MostRehearsals = 5;
     private const double RehearsedEnough = 1e-4;
+    private const double Plenty = 0.1;
     private const double LeastContraction = 0.05;
     private const double MostContraction = 0.5;
 
@@ -49,7 +50,7 @@ internal sealed class DirectTwoPointAim : IAimMethod
         _context = context;
         _direct = direct;
         _problem = new TwoPointProblem(context);
-        _jacobian = new TwoPointJacobian(context);
+        _jacobian = new TwoPointJacobian();
     }
 
     public AimSolution Find(AimRequest request)
@@ -119,27 +120,30 @@ internal sealed class DirectTwoPointAim : IAimMethod
         }
 
         // A rehearsal tells how much a correction leaves of a miss; where the flight misses by more than the guess did, it told nothing.
-        bool isKnown = isRehearsed && Asked() < rehearsed;
+        bool isKnown = isRehearsed && Asked(_r) < rehearsed;
         if (!isKnown)
         {
             _step.Reset();
-            _jacobian.ReadOff(_problem, _x);
+            if (!Differentiate())
+            {
+                return solution;
+            }
         }
 
         int limit = Math.Min(_problem.Request.MaximumIterations, MostIterations);
-        double before = isKnown ? Asked() / contraction : double.PositiveInfinity;
+        double before = isKnown ? Asked(_r) / contraction : double.PositiveInfinity;
         double least = double.PositiveInfinity;
         int stalled = 0;
         int flights = isKnown ? LeastFlights : 1;
         bool isSure = !isRehearsed;
         while (true)
         {
-            double asked = _step.ThroughAsked(_r);
+            double miss = TwoPointProblem.Miss(_r);
             solution.Kick = TwoPointProblem.KickOf(_x);
-            solution.Miss = _problem.Miss;
-            solution.ThroughMiss = _problem.ThroughMiss;
-            solution.Time = _problem.AtTarget.Time;
-            if (isSure && _problem.Miss <= _problem.Tolerance && asked <= _problem.ThroughTolerance)
+            solution.Miss = miss;
+            solution.ThroughMiss = TwoPointProblem.ThroughMiss(_r);
+            solution.Time = _problem.Time;
+            if (isSure && miss <= _problem.Tolerance && _step.ThroughAsked(_r) <= _problem.ThroughTolerance)
             {
                 solution.Status = _problem.StaysClear(_x) ? AimStatus.Hit : AimStatus.NotConverged;
                 return solution;
@@ -150,12 +154,12 @@ internal sealed class DirectTwoPointAim : IAimMethod
                 return solution;
             }
 
-            double size = Asked();
+            double size = Asked(_r);
             if (sameHeld && flights >= LeastFlights && Convergence.IsPlenty(size, before, _problem.Tolerance, out double left) && _problem.StaysClear(_x))
             {
                 TakeStep();
                 solution.Kick = TwoPointProblem.KickOf(_nextX);
-                solution.Miss = left * _problem.Miss;
+                solution.Miss = left * miss;
                 solution.Status = AimStatus.Hit;
                 return solution;
             }
@@ -170,30 +174,35 @@ internal sealed class DirectTwoPointAim : IAimMethod
 
             flights++;
             isSure = true;
+
+            // Where Broyden's matrix no longer fits, it is made anew.
+            bool isStale = Norm(_nextR) > 0.9 * Norm(_r);
             TakeFlown();
+            if (isStale && !Differentiate())
+            {
+                return solution;
+            }
         }
     }
 
     /// <summary>The misses at the target and at the point on the way, m, but for the directions of spins that are held at their limit.</summary>
-    private double Asked()
+    private double Asked(double[] r)
     {
-        double asked = _step.ThroughAsked(_r);
-        return Math.Sqrt((_problem.Miss * _problem.Miss) + (asked * asked));
+        double miss = TwoPointProblem.Miss(r);
+        double asked = _step.ThroughAsked(r);
+        return Math.Sqrt((miss * miss) + (asked * asked));
     }
 
     /// <summary>Makes the step that was flown the kick, and the Jacobian better by it.</summary>
     private void TakeFlown()
     {
-        bool stale = Norm(_nextR) > 0.9 * Norm(_r);
         _jacobian.Update(_step.Change, _r, _nextR);
         Array.Copy(_nextX, _x, N);
         Array.Copy(_nextR, _r, N);
-        if (stale)
-        {
-            // Broyden's matrix no longer fits: read it off the flight again.
-            _jacobian.ReadOff(_problem, _x);
-        }
     }
+
+    /// <summary>Makes the Jacobian anew.</summary>
+    private bool Differentiate() => _problem.Rehearse(_x, _nextR) && _jacobian.Rehearse(_problem, _x, _nextR);
 
     /// <summary>Guesses a kick, and corrects it in fitted air.</summary>
     /// <param name="first">What the guess misses by, m.</param>
@@ -202,19 +211,19 @@ internal sealed class DirectTwoPointAim : IAimMethod
     private bool Rehearse(out double first, out double contraction)
     {
         double drag = TwoPointGuess.Make(_context, _problem, _x, out double throughTime, out double targetTime);
+        _problem.Prepare(drag, throughTime, targetTime);
         _step.Reset();
         contraction = 1;
         first = 0;
-        if (!_problem.Rehearse(_x, _r, drag, throughTime, targetTime))
+        if (!_problem.Rehearse(_x, _r) || !_jacobian.Rehearse(_problem, _x, _r))
         {
             return false;
         }
 
         Array.Copy(_x, _guess, N);
-        first = Asked();
-        _jacobian.ReadOff(_problem, _x);
+        first = Asked(_r);
         double size = first;
-        for (int i = 0; i < MostRehearsals; i++)
+        for (int i = 0; i <= MostRehearsals; i++)
         {
             if (!_step.Solve(_problem, _jacobian, _x, _r, out _))
             {
@@ -222,19 +231,19 @@ internal sealed class DirectTwoPointAim : IAimMethod
             }
 
             TakeStep();
-            if (i == MostRehearsals - 1 || size * contraction < RehearsedEnough)
+            if (i == MostRehearsals || (size * contraction < RehearsedEnough && contraction < Plenty))
             {
                 Array.Copy(_nextX, _x, N);
                 return true;
             }
 
-            if (!_problem.Rehearse(_nextX, _nextR, drag, _problem.AtThrough.Time, _problem.AtTarget.Time))
+            if (!_problem.Rehearse(_nextX, _nextR))
             {
                 break;
             }
 
             TakeFlown();
-            double next = Asked();
+            double next = Asked(_r);
             contraction = Math.Max(next / size, LeastContraction);
             if (!(contraction < MostContraction))
             {

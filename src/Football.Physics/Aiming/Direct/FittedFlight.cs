@@ -16,12 +16,18 @@ internal struct FittedFlight
     /// <summary>Share of the spin by which its effect on drag and lift is found.</summary>
     private const double SpinChange = 0.02;
 
+    /// <summary>What is fitted to a spin serves spins that are off it by this share: it is a few parts in ten thousand off then.</summary>
+    private const double CloseSpin = 0.05;
+
+    /// <summary>The slowest spin, rad/s, that is fitted to.</summary>
+    private const double LeastSpin = 1;
+
     /// <summary>Share of its time by which a flight may be off its plane, for the end of the path to go on to there.</summary>
     private const double Reach = 0.25;
 
     private Vector3d _wind;
     private double _upward;
-    private double _speed;
+    private double _spinRate;
     private double _middleSquared;
     private double _endSquared;
     private double _drag;
@@ -42,6 +48,7 @@ internal struct FittedFlight
     private Vector3d _velocity;
     private Vector3d _from;
     private double _time;
+    private double _lost;
 
     /// <summary>Fits drag and lift.</summary>
     /// <param name="context">The laws.</param>
@@ -53,19 +60,19 @@ internal struct FittedFlight
     {
         _wind = context.Scene.Air.Wind;
         _upward = context.Upward;
-        _speed = speed;
+        _spinRate = Math.Max(LeastSpin, spinRate);
 
         // |u| = v/(1 + k v t) at a half and at all of the time
         double slowing = drag * speed * time;
         double end = speed * Math.Min(Slowest, 1.0 / (1.0 + slowing));
         double middle = Math.Max(speed / (1.0 + (0.5 * slowing)), 0.5 * (speed + end));
-        context.Factors(speed, spinRate, out double drag0, out double lift0, out double decay0);
-        context.Factors(middle, spinRate, out double drag1, out double lift1, out _);
-        context.Factors(end, spinRate, out double drag2, out double lift2, out double decay2);
-        context.Factors(middle, (1.0 - SpinChange) * spinRate, out double lessDrag, out double lessLift, out _);
+        context.Factors(speed, _spinRate, out double drag0, out double lift0, out double decay0);
+        context.Factors(middle, _spinRate, out double drag1, out double lift1, out _);
+        context.Factors(end, _spinRate, out double drag2, out double lift2, out double decay2);
+        context.Factors(middle, (1.0 - SpinChange) * _spinRate, out double lessDrag, out double lessLift, out _);
 
         // What is left of the spin, 1 − t (d₀ − (d₀ − d₂) t/2T)/ω, and what that leaves of drag and lift
-        double perSpin = spinRate > 0 ? 1.0 / (SpinChange * spinRate) : 0;
+        double perSpin = 1.0 / (SpinChange * _spinRate);
         _dragPerLoss = drag1 > 0 ? perSpin * (1.0 - (lessDrag / drag1)) : 0;
         _liftPerLoss = lift1 > 0 ? perSpin * (1.0 - (lessLift / lift1)) : 0;
         _decay = decay0;
@@ -85,16 +92,21 @@ internal struct FittedFlight
         _liftBend = (((lift0 - lift1) * perFirst) - _liftSlope) * perBoth;
     }
 
+    /// <summary>Whether a flight with a spin, rad/s, is close enough to what was fitted.</summary>
+    public readonly bool Fits(double spinRate) => Math.Abs(spinRate - _spinRate) < CloseSpin * _spinRate;
+
     /// <summary>Begins a flight.</summary>
     /// <param name="from">Where, m.</param>
     /// <param name="velocity">With which velocity, m/s.</param>
-    /// <param name="axis">Unit axis of the spin, or zero.</param>
-    public void Begin(in Vector3d from, in Vector3d velocity, in Vector3d axis)
+    /// <param name="spin">With which spin, rad/s: about as fast as what was fitted.</param>
+    public void Begin(in Vector3d from, in Vector3d velocity, in Vector3d spin)
     {
+        double spinRate = spin.Length;
         _from = from;
         _path = Vector3d.Zero;
         _velocity = velocity - _wind;
-        _axis = axis;
+        _axis = spinRate > 0 ? spin / spinRate : Vector3d.Zero;
+        _lost = _spinRate - spinRate;
         _time = 0;
     }
 
@@ -145,7 +157,7 @@ internal struct FittedFlight
     /// <summary>u̇ = L (ω̂ × u) − D u + g.</summary>
     private readonly void Rates(in Vector3d u, double time, out Vector3d rates)
     {
-        double loss = time * (_decay - (time * _decaySlope));
+        double loss = _lost + (time * (_decay - (time * _decaySlope)));
         double squared = u.LengthSquared;
         double past = squared - _endSquared;
         double beyond = squared - _middleSquared;

@@ -34,6 +34,9 @@ internal struct PlaneCrossing
     /// <summary>Position relative to the point then, m.</summary>
     public Vector3d Offset { get; private set; }
 
+    /// <summary>Position then, m.</summary>
+    public readonly Vector3d Position => _point + (Time * _pointVelocity) + Offset;
+
     /// <summary>Velocity relative to the point then, m/s.</summary>
     public Vector3d Velocity { get; private set; }
 

@@ -82,8 +82,7 @@ internal sealed class PlaneProblem
     {
         ref readonly TargetFrame frame = ref _frame;
         kick.Vectors(Speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
-        double spinRate = kick.SpinRate;
-        _fitted.Begin(in frame.From, in velocity, spinRate > 0 ? spin / spinRate : Vector3d.Zero);
+        _fitted.Begin(in frame.From, in velocity, in spin);
         var crossing = new PlaneCrossing(in frame.Target, Request.TargetVelocity, in frame.Forward);
         _fitted.Fly(time, ref crossing);
         return Shot(in kick, in crossing);
@@ -108,22 +107,14 @@ internal sealed class PlaneProblem
 
     private PlaneShot Shot(in Kick kick, in PlaneCrossing crossing)
     {
-        var shot = new PlaneShot { Kick = kick, Crossed = crossing.Crossed };
-        if (crossing.Crossed)
-        {
-            shot.Up = crossing.Offset.Y;
-            shot.Left = Vector3d.Dot(crossing.Offset, in _frame.Left);
-            shot.Time = crossing.Time;
-            shot.Velocity = crossing.Velocity;
-            shot.Miss = Math.Sqrt((shot.Up * shot.Up) + (shot.Left * shot.Left));
-        }
-
-        return shot;
+        double up = crossing.Offset.Y;
+        double left = Vector3d.Dot(crossing.Offset, in _frame.Left);
+        return new PlaneShot { Kick = kick, Crossing = crossing, Up = up, Left = left, Miss = Math.Sqrt((up * up) + (left * left)) };
     }
 
     /// <summary>How the crossing of a shot moves with elevation and azimuth.</summary>
     public CrossingJacobian Jacobian(in PlaneShot shot) =>
-        CrossingJacobian.Of(in shot, in _frame, Request.TargetVelocity, _context.Scene.Air.Wind, _context.Upward);
+        CrossingJacobian.Of(in shot.Kick, in shot.Crossing, in _frame, _context.Scene.Air.Wind, _context.Upward);
 
     /// <summary>Whether a flight to the target leaves the ground and stays above it, so that no impact comes first.</summary>
     public bool StaysClear(in PlaneShot shot)
