@@ -26,11 +26,11 @@ internal sealed class DirectTwoPointAim : IAimMethod
     private const int LeastFlights = 3;
 
     /// <summary>Corrections in fitted air, the miss below which there need be none more, m, and what each must leave of a miss at least and at most.</summary>
-    private const int MostRehearsals = 5;
+    private const int MostRehearsals = 6;
     private const double RehearsedEnough = 1e-4;
     private const double Plenty = 0.1;
     private const double LeastContraction = 0.05;
-    private const double MostContraction = 0.5;
+    private const double MostContraction = 1.5;
 
     private readonly AimContext _context;
     private readonly DirectAim _direct;
