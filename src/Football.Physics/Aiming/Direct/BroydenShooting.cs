@@ -31,7 +31,10 @@ internal static class BroydenShooting
             return false;
         }
 
-        double rehearsed = Rehearse(problem, ref first, ref time, out CrossingJacobian jacobian, out double contraction);
+        // What longer steps were wrong about grazes the drag law's jump: there only a kick's own flight tells.
+        CrossingJacobian jacobian = default;
+        double contraction = 1;
+        double rehearsed = problem.IsFine ? 0 : Rehearse(problem, ref first, ref time, out jacobian, out contraction);
         solution = problem.Fly(in first, time, rehearsed > 0);
         if (!solution.Crossed)
         {
@@ -52,7 +55,7 @@ internal static class BroydenShooting
                 return hits;
             }
 
-            if (Convergence.IsPlenty(solution.Miss, before, problem.Tolerance, out double left))
+            if (Convergence.IsPlenty(solution.Miss, before, problem.Tolerance, out double left) && !problem.IsFine)
             {
                 solution.Kick = next;
                 solution.Miss *= left;

@@ -62,15 +62,28 @@ internal sealed class DirectTwoPointAim : IAimMethod
             return !_context.Scene.Air.IsStill && _search.Find(request, in alone.Kick, out AimSolution turned) ? turned : alone;
         }
 
-        AimSolution solution = Solve();
-        if ((Passes(in solution) && !_context.Steps.AreShort) || (solution.Status == AimStatus.Hit && IsOnlyOne(in solution.Kick)))
+        AimSolution solution = Solve(rehearses: !_context.Steps.AreShort);
+        if (Suffices(in solution))
         {
             return solution;
         }
 
+        // Fitted air may have led astray what the flights themselves do not.
+        AimSolution plain = Solve(rehearses: false);
+        if (Suffices(in plain))
+        {
+            return plain;
+        }
+
+        bool isBetter = solution.Status != AimStatus.Hit || (plain.Status == AimStatus.Hit && plain.ThroughMiss < solution.ThroughMiss);
+        solution = isBetter ? plain : solution;
+
         // From elsewhere there may be one that the closed form is too far from.
         return _search.Find(request, in solution.Kick, out AimSolution other) ? other : solution.Status == AimStatus.Hit ? solution : TargetFirst(in solution);
     }
+
+    private bool Suffices(in AimSolution solution) =>
+        (Passes(in solution) && !_context.Steps.AreShort) || (solution.Status == AimStatus.Hit && IsOnlyOne(in solution.Kick));
 
     private bool Passes(in AimSolution solution) =>
         solution.Status == AimStatus.Hit && solution.ThroughMiss <= _problem.Request.ThroughTolerance;
@@ -102,9 +115,11 @@ internal sealed class DirectTwoPointAim : IAimMethod
         return single;
     }
 
-    private AimSolution Solve()
+    /// <summary>Newton's method.</summary>
+    /// <param name="rehearses">Whether its first corrections are made in fitted air.</param>
+    private AimSolution Solve(bool rehearses)
     {
-        bool isRehearsed = Rehearse(out double rehearsed, out double contraction);
+        bool isRehearsed = Rehearse(rehearses ? MostRehearsals : 0, out double rehearsed, out double contraction);
         var solution = new AimSolution
         {
             Status = AimStatus.NotConverged,
@@ -155,7 +170,8 @@ internal sealed class DirectTwoPointAim : IAimMethod
             }
 
             double size = Asked(_r);
-            if (sameHeld && flights >= LeastFlights && Convergence.IsPlenty(size, before, _problem.Tolerance, out double left) && _problem.StaysClear(_x))
+            bool isPlenty = Convergence.IsPlenty(size, before, _problem.Tolerance, out double left) && !_context.Steps.AreShort;
+            if (isPlenty && sameHeld && flights >= LeastFlights && _problem.StaysClear(_x))
             {
                 TakeStep();
                 solution.Kick = TwoPointProblem.KickOf(_nextX);
@@ -205,17 +221,18 @@ internal sealed class DirectTwoPointAim : IAimMethod
     private bool Differentiate() => _problem.Rehearse(_x, _nextR) && _jacobian.Rehearse(_problem, _x, _nextR);
 
     /// <summary>Guesses a kick, and corrects it in fitted air.</summary>
+    /// <param name="most">Corrections at most.</param>
     /// <param name="first">What the guess misses by, m.</param>
     /// <param name="contraction">What a correction leaves of a miss.</param>
     /// <returns>False where nothing is learnt: the kick is the guess then.</returns>
-    private bool Rehearse(out double first, out double contraction)
+    private bool Rehearse(int most, out double first, out double contraction)
     {
         double drag = TwoPointGuess.Make(_context, _problem, _x, out double throughTime, out double targetTime);
         _problem.Prepare(drag, throughTime, targetTime);
         _step.Reset();
         contraction = 1;
         first = 0;
-        if (!_problem.Rehearse(_x, _r) || !_jacobian.Rehearse(_problem, _x, _r))
+        if (most == 0 || !_problem.Rehearse(_x, _r) || !_jacobian.Rehearse(_problem, _x, _r))
         {
             return false;
         }
@@ -223,7 +240,7 @@ internal sealed class DirectTwoPointAim : IAimMethod
         Array.Copy(_x, _guess, N);
         first = Asked(_r);
         double size = first;
-        for (int i = 0; i <= MostRehearsals; i++)
+        for (int i = 0; i <= most; i++)
         {
             if (!_step.Solve(_problem, _jacobian, _x, _r, out _))
             {
@@ -231,7 +248,7 @@ internal sealed class DirectTwoPointAim : IAimMethod
             }
 
             TakeStep();
-            if (i == MostRehearsals || (size * contraction < RehearsedEnough && contraction < Plenty))
+            if (i == most || (size * contraction < RehearsedEnough && contraction < Plenty))
             {
                 Array.Copy(_nextX, _x, N);
                 return true;

@@ -30,6 +30,9 @@ internal sealed class PlaneProblem
     /// <summary>Miss distance within which the search ends, m.</summary>
     public double Tolerance { get; private set; }
 
+    /// <summary>Whether kicks are flown in short steps, because longer ones were wrong.</summary>
+    public bool IsFine => _context.Steps.AreShort;
+
     /// <summary>Kicks flown.</summary>
     public int Shots { get; private set; }
 

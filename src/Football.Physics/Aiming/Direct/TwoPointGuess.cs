@@ -27,7 +27,7 @@ internal static class TwoPointGuess
         double drag = 0;
         throughTime = 0;
         targetTime = 0;
-        for (int i = 0; i < 2; i++)
+        for (int i = 0; i < 3; i++)
         {
             FlatFire model = context.Model(request.Speed, spinRate, frame.Distance);
             Elementary.SinCos(elevation, out _, out double cosine);
