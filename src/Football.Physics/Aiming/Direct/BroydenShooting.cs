@@ -1,8 +1,9 @@
 namespace Football.Physics;
 
 /// <summary>
-/// Newton's method on the crossing of the target's plane, for elevation and azimuth. It starts in closed form; the first Jacobian is read off
-/// the flight itself, and Broyden's updates make it better, so that an iteration costs one flight and no differences.
+/// Newton's method on the crossing of the target's plane, for elevation and azimuth. It starts in closed form; the first correction is
+/// rehearsed in fitted air; the first Jacobian is read off the flight itself, and Broyden's updates make it better, so that an iteration costs
+/// one flight and no differences.
 /// </summary>
 internal static class BroydenShooting
 {
