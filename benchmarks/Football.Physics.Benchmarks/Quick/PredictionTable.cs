@@ -21,11 +21,11 @@ internal static class PredictionTable
         Thesis("Method B, RK2 10 ms", AimMethod.Bisection, 0.01, 280, "3.45 ms; 4.5 mm"),
         Thesis("Method B, RK2 40 ms", AimMethod.Bisection, 0.04, 80, "0.95 ms; 5 mm"),
         new("two-point, RK2 40 ms, both free kicks", () => Rk2(0.04), BothWalls, AimMethod.TwoPoint) { Target = 350, Thesis = "4.9 ms; 4.5–4.7 mm" },
-        new("direct, one target, the thesis' kicks", () => new Aimer(Scene.Published), () => AimSets.Thesis(Seed, Count), AimMethod.Direct) { Target = 22, Simulations = 2.5, Miss = 1e-3 },
-        new("direct, two points, both free kicks", () => new Aimer(Scene.Published), BothWalls, AimMethod.Direct) { Target = 60, Simulations = 4, Miss = 1e-3 },
+        new("direct, one target, the thesis' kicks", () => new Aimer(Scene.Published), () => AimSets.Thesis(Seed, Count), AimMethod.Direct) { Target = 13, Simulations = 2.5, Miss = 1e-3 },
+        new("direct, two points, both free kicks", () => new Aimer(Scene.Published), BothWalls, AimMethod.Direct) { Target = 26, Simulations = 4, Miss = 1e-3 },
         new("direct, two points within the spins' limits", () => new Aimer(Scene.Published), () => AimSets.TwoPoint(Seed, Count), AimMethod.Direct)
         {
-            Target = 60, Simulations = 4, Miss = 1e-3, ThroughMiss = 1e-2,
+            Target = 26, Simulations = 4, Miss = 1e-3, ThroughMiss = 1e-2,
         },
         new("direct, one target, the thesis' kicks, miss measured", () => new Aimer(Scene.Published), () => AimSets.Thesis(Seed, Count), AimMethod.Direct)
         {

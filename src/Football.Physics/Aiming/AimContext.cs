@@ -159,6 +159,10 @@ internal sealed class AimContext
         };
     }
 
+    /// <inheritdoc cref="Stepper.AirFactors"/>
+    public void Factors(double speed, double spinRate, out double drag, out double lift, out double decay) =>
+        _simulator.AirFactors(speed, spinRate, out drag, out lift, out decay);
+
     /// <summary>Whether, at a speed, drag or lift are so much stronger than gravity that ways bend into loops, or end in the air.</summary>
     public bool IsRuledByAir(double speed, double spinRate)
     {

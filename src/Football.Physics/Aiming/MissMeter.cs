@@ -3,7 +3,7 @@ namespace Football.Physics;
 /// <summary>Measures by what a kick misses a target that may move, and a point on the way, before its first impact: in steps that leave no doubt.</summary>
 internal sealed class MissMeter : PieceObserver
 {
-    /// <summary>Step of the measurement, s: its own error is below 1e-6 m; and of one that the air rules, or in a storm.</summary>
+    /// <summary>Step of the measurement, s: its own error is below 1e-6 m; and of one that the air rules, that spins faster than it flies, or in a storm.</summary>
     private const double TimeStep = 0.02;
     private const double FineStep = 0.005;
 
@@ -91,7 +91,8 @@ internal sealed class MissMeter : PieceObserver
     }
 
     private double Step(in Vector3d velocity, in Vector3d spin) =>
-        _context.IsRuledByAir(velocity.Length, spin.Length) || _context.Scene.Air.Wind.Length > Storm ? FineStep : TimeStep;
+        _context.IsRuledByAir(velocity.Length, spin.Length) || _context.Scene.Air.Wind.Length > Storm
+            || _context.Scene.Ball.Radius * spin.Length > velocity.Length ? FineStep : TimeStep;
 
     /// <summary>Flies to the first impact, and looks closely only at steps in which the ball passes a point.</summary>
     private void Fly(ref BallState state, double timeStep)

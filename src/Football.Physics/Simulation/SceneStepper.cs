@@ -187,11 +187,11 @@ internal class Stepper<TAir, TIntegrator> : Stepper
     public override bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate) =>
         _clear is null || _clear.HasFlown(in from, in to, duration, airSpeed, spinRate);
 
-    public override void AirFactors(double speed, double spinRate, out double drag, out double lift)
+    public override void AirFactors(double speed, double spinRate, out double drag, out double lift, out double decay)
     {
         double speedSquared = speed * speed;
         _air.Begin(spinRate, DragJump.At(speedSquared, _radiusSquared * spinRate * spinRate).Branch, out PointStep step);
-        _air.AtStart(ref step, speedSquared, spinRate, speedSquared, out drag, out lift, out _);
+        _air.AtStart(ref step, speedSquared, spinRate, speedSquared, out drag, out lift, out decay);
     }
 
     /// <summary>Whether a step of flight meets nothing but level ground; |u|² may be a bound of it.</summary>

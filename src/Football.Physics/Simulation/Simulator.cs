@@ -213,7 +213,11 @@ public sealed class Simulator
 
     /// <inheritdoc cref="Stepper.AirFactors"/>
     internal void AirFactors(double speed, double spinRate, out double drag, out double lift) =>
-        _stepper.AirFactors(speed, spinRate, out drag, out lift);
+        AirFactors(speed, spinRate, out drag, out lift, out _);
+
+    /// <inheritdoc cref="Stepper.AirFactors"/>
+    internal void AirFactors(double speed, double spinRate, out double drag, out double lift, out double decay) =>
+        _stepper.AirFactors(speed, spinRate, out drag, out lift, out decay);
 
     /// <summary>Refuses a run whose numbers are out of range.</summary>
     internal static void CheckRun(in BallState state, double timeStep, double duration, StopAt stopAt)

@@ -23,6 +23,6 @@ internal abstract class Stepper
     /// <param name="spinRate">Spin at its start, rad/s.</param>
     public abstract bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate);
 
-    /// <summary>The factors of the aerodynamic laws at a speed and a spin: a = −drag · u + lift · (ω̂ × u).</summary>
-    public abstract void AirFactors(double speed, double spinRate, out double drag, out double lift);
+    /// <summary>The factors of the aerodynamic laws at a speed and a spin: a = −drag · u + lift · (ω̂ × u), |ω|˙ = −decay.</summary>
+    public abstract void AirFactors(double speed, double spinRate, out double drag, out double lift, out double decay);
 }

@@ -1,7 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>
-/// The library's own solver for one target: Newton's method on the crossing of the target's plane, which takes two flights and a bit. Where
+/// The library's own solver for one target: Newton's method on the crossing of the target's plane, which mostly takes one flight. Where
 /// that fails, leaves the bounds or meets the ground, the closest approach over all elevations gives the hit, or the verdict that there is none.
 /// </summary>
 internal sealed class DirectAim : IAimMethod

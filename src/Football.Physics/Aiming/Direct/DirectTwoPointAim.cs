@@ -1,8 +1,8 @@
 namespace Football.Physics;
 
 /// <summary>
-/// The library's own solver for a point on the way and a target: Newton's method in four unknowns, start and first Jacobian in closed form,
-/// Broyden's updates, spins within their limits. Where it does not converge, the target comes first: it is hit with the spins that came nearest.
+/// The library's own solver for a point on the way and a target: Newton's method in four unknowns, start in closed form, first
+/// corrections in fitted air, Broyden's updates, spins within their limits. Where it does not converge, the target comes first: it is hit with the spins that came nearest.
 /// </summary>
 internal sealed class DirectTwoPointAim : IAimMethod
 {
@@ -25,6 +25,13 @@ internal sealed class DirectTwoPointAim : IAimMethod
     /// <summary>Flights after which the next correction is foretold by the last: the first update of a Jacobian of four unknowns tells of one.</summary>
     private const int LeastFlights = 3;
 
+    /// <summary>Corrections in fitted air, the miss below which there need be none more, m, and what each must leave of a miss at least and at most.</summary>
+    private const int MostRehearsals = 6;
+    private const double RehearsedEnough = 1e-4;
+    private const double Plenty = 0.1;
+    private const double LeastContraction = 0.05;
+    private const double MostContraction = 1.5;
+
     private readonly AimContext _context;
     private readonly DirectAim _direct;
     private readonly TwoPointSearch _search;
@@ -33,6 +40,7 @@ internal sealed class DirectTwoPointAim : IAimMethod
     private readonly TwoPointStep _step = new();
     private readonly double[] _x = new double[N];
     private readonly double[] _r = new double[N];
+    private readonly double[] _guess = new double[N];
     private readonly double[] _nextX = new double[N];
     private readonly double[] _nextR = new double[N];
 
@@ -42,7 +50,7 @@ internal sealed class DirectTwoPointAim : IAimMethod
         _context = context;
         _direct = direct;
         _problem = new TwoPointProblem(context);
-        _jacobian = new TwoPointJacobian(context);
+        _jacobian = new TwoPointJacobian();
     }
 
     public AimSolution Find(AimRequest request)
@@ -54,15 +62,28 @@ internal sealed class DirectTwoPointAim : IAimMethod
             return !_context.Scene.Air.IsStill && _search.Find(request, in alone.Kick, out AimSolution turned) ? turned : alone;
         }
 
-        AimSolution solution = Solve();
-        if ((Passes(in solution) && !_context.Steps.AreShort) || (solution.Status == AimStatus.Hit && IsOnlyOne(in solution.Kick)))
+        AimSolution solution = Solve(rehearses: !_context.Steps.AreShort);
+        if (Suffices(in solution))
         {
             return solution;
         }
 
+        // Fitted air may have led astray what the flights themselves do not.
+        AimSolution plain = Solve(rehearses: false);
+        if (Suffices(in plain))
+        {
+            return plain;
+        }
+
+        bool isBetter = solution.Status != AimStatus.Hit || (plain.Status == AimStatus.Hit && plain.ThroughMiss < solution.ThroughMiss);
+        solution = isBetter ? plain : solution;
+
         // From elsewhere there may be one that the closed form is too far from.
         return _search.Find(request, in solution.Kick, out AimSolution other) ? other : solution.Status == AimStatus.Hit ? solution : TargetFirst(in solution);
     }
+
+    private bool Suffices(in AimSolution solution) =>
+        (Passes(in solution) && !_context.Steps.AreShort) || (solution.Status == AimStatus.Hit && IsOnlyOne(in solution.Kick));
 
     private bool Passes(in AimSolution solution) =>
         solution.Status == AimStatus.Hit && solution.ThroughMiss <= _problem.Request.ThroughTolerance;
@@ -94,10 +115,11 @@ internal sealed class DirectTwoPointAim : IAimMethod
         return single;
     }
 
-    private AimSolution Solve()
+    /// <summary>Newton's method.</summary>
+    /// <param name="rehearses">Whether its first corrections are made in fitted air.</param>
+    private AimSolution Solve(bool rehearses)
     {
-        TwoPointGuess.Make(_context, _problem, _x);
-        _step.Reset();
+        bool isRehearsed = Rehearse(rehearses ? MostRehearsals : 0, out double rehearsed, out double contraction);
         var solution = new AimSolution
         {
             Status = AimStatus.NotConverged,
@@ -107,25 +129,36 @@ internal sealed class DirectTwoPointAim : IAimMethod
             ThroughMiss = double.NaN,
         };
         _context.CountIteration();
-        if (!_problem.Fly(_x, _r))
+        if (!_problem.Fly(_x, _r, isRehearsed))
         {
             return solution;
         }
 
-        _jacobian.ReadOff(_problem, _x);
+        // A rehearsal tells how much a correction leaves of a miss; where the flight misses by more than the guess did, it told nothing.
+        bool isKnown = isRehearsed && Asked(_r) < rehearsed;
+        if (!isKnown)
+        {
+            _step.Reset();
+            if (!Differentiate())
+            {
+                return solution;
+            }
+        }
+
         int limit = Math.Min(_problem.Request.MaximumIterations, MostIterations);
-        double before = double.PositiveInfinity;
+        double before = isKnown ? Asked(_r) / contraction : double.PositiveInfinity;
         double least = double.PositiveInfinity;
         int stalled = 0;
-        int flights = 1;
+        int flights = isKnown ? LeastFlights : 1;
+        bool isSure = !isRehearsed;
         while (true)
         {
-            double asked = _step.ThroughAsked(_r);
+            double miss = TwoPointProblem.Miss(_r);
             solution.Kick = TwoPointProblem.KickOf(_x);
-            solution.Miss = _problem.Miss;
-            solution.ThroughMiss = _problem.ThroughMiss;
-            solution.Time = _problem.AtTarget.Time;
-            if (_problem.Miss <= _problem.Tolerance && asked <= _problem.ThroughTolerance)
+            solution.Miss = miss;
+            solution.ThroughMiss = TwoPointProblem.ThroughMiss(_r);
+            solution.Time = _problem.Time;
+            if (isSure && miss <= _problem.Tolerance && _step.ThroughAsked(_r) <= _problem.ThroughTolerance)
             {
                 solution.Status = _problem.StaysClear(_x) ? AimStatus.Hit : AimStatus.NotConverged;
                 return solution;
@@ -136,12 +169,13 @@ internal sealed class DirectTwoPointAim : IAimMethod
                 return solution;
             }
 
-            double size = Math.Sqrt((_problem.Miss * _problem.Miss) + (asked * asked));
-            if (sameHeld && flights >= LeastFlights && Convergence.IsPlenty(size, before, _problem.Tolerance, out double contraction) && _problem.StaysClear(_x))
+            double size = Asked(_r);
+            bool isPlenty = Convergence.IsPlenty(size, before, _problem.Tolerance, out double left) && !_context.Steps.AreShort;
+            if (isPlenty && sameHeld && flights >= LeastFlights && _problem.StaysClear(_x))
             {
                 TakeStep();
                 solution.Kick = TwoPointProblem.KickOf(_nextX);
-                solution.Miss = contraction * _problem.Miss;
+                solution.Miss = left * miss;
                 solution.Status = AimStatus.Hit;
                 return solution;
             }
@@ -155,17 +189,89 @@ internal sealed class DirectTwoPointAim : IAimMethod
             }
 
             flights++;
-            bool stale = Norm(_nextR) > 0.9 * Norm(_r);
-            _jacobian.Update(_step.Change, _r, _nextR);
-            Array.Copy(_nextX, _x, N);
-            Array.Copy(_nextR, _r, N);
-            if (stale)
+            isSure = true;
+
+            // Where Broyden's matrix no longer fits, it is made anew.
+            bool isStale = Norm(_nextR) > 0.9 * Norm(_r);
+            TakeFlown();
+            if (isStale && !Differentiate())
             {
-                // Broyden's matrix no longer fits: read it off the flight again.
-                _jacobian.ReadOff(_problem, _x);
+                return solution;
+            }
+        }
+    }
+
+    /// <summary>The misses at the target and at the point on the way, m, but for the directions of spins that are held at their limit.</summary>
+    private double Asked(double[] r)
+    {
+        double miss = TwoPointProblem.Miss(r);
+        double asked = _step.ThroughAsked(r);
+        return Math.Sqrt((miss * miss) + (asked * asked));
+    }
+
+    /// <summary>Makes the step that was flown the kick, and the Jacobian better by it.</summary>
+    private void TakeFlown()
+    {
+        _jacobian.Update(_step.Change, _r, _nextR);
+        Array.Copy(_nextX, _x, N);
+        Array.Copy(_nextR, _r, N);
+    }
+
+    /// <summary>Makes the Jacobian anew.</summary>
+    private bool Differentiate() => _problem.Rehearse(_x, _nextR) && _jacobian.Rehearse(_problem, _x, _nextR);
+
+    /// <summary>Guesses a kick, and corrects it in fitted air.</summary>
+    /// <param name="most">Corrections at most.</param>
+    /// <param name="first">What the guess misses by, m.</param>
+    /// <param name="contraction">What a correction leaves of a miss.</param>
+    /// <returns>False where nothing is learnt: the kick is the guess then.</returns>
+    private bool Rehearse(int most, out double first, out double contraction)
+    {
+        double drag = TwoPointGuess.Make(_context, _problem, _x, out double throughTime, out double targetTime);
+        _problem.Prepare(drag, throughTime, targetTime);
+        _step.Reset();
+        contraction = 1;
+        first = 0;
+        if (most == 0 || !_problem.Rehearse(_x, _r) || !_jacobian.Rehearse(_problem, _x, _r))
+        {
+            return false;
+        }
+
+        Array.Copy(_x, _guess, N);
+        first = Asked(_r);
+        double size = first;
+        for (int i = 0; i <= most; i++)
+        {
+            if (!_step.Solve(_problem, _jacobian, _x, _r, out _))
+            {
+                break;
             }
 
+            TakeStep();
+            if (i == most || (size * contraction < RehearsedEnough && contraction < Plenty))
+            {
+                Array.Copy(_nextX, _x, N);
+                return true;
+            }
+
+            if (!_problem.Rehearse(_nextX, _nextR))
+            {
+                break;
+            }
+
+            TakeFlown();
+            double next = Asked(_r);
+            contraction = Math.Max(next / size, LeastContraction);
+            if (!(contraction < MostContraction))
+            {
+                break;
+            }
+
+            size = next;
         }
+
+        Array.Copy(_guess, _x, N);
+        return false;
     }
 
     /// <summary>Flies the kick after the step, or after a half, a quarter of it where that does not reach both planes.</summary>
@@ -175,7 +281,7 @@ internal sealed class DirectTwoPointAim : IAimMethod
         {
             TakeStep();
             _context.CountIteration();
-            if (_problem.Fly(_nextX, _nextR))
+            if (_problem.Fly(_nextX, _nextR, false))
             {
                 return true;
             }

@@ -9,6 +9,9 @@ internal struct FlatFire
     /// <summary>Lengths of way over which drag takes a factor e of the speed: more of them are not looked at.</summary>
     private const double MostDamping = 5;
 
+    /// <summary>Share of the way within which a kick for a target ends there: what the model itself is off.</summary>
+    private const double Closeness = 0.005;
+
     /// <summary>Drag per length k, |u̇| = k |u|², 1/m.</summary>
     public double Drag;
 
@@ -93,21 +96,28 @@ internal struct FlatFire
     /// <param name="wind">Wind less the target's own velocity.</param>
     /// <param name="launchWind">Wind.</param>
     /// <param name="v">Speed of the kick.</param>
-    /// <param name="axis">Unit axis of the spin, or zero.</param>
-    /// <param name="direction">Unit vector of the kick's velocity.</param>
+    /// <param name="spins">The spins of the kick; their axis turns with its direction.</param>
+    /// <param name="direction">Unit vector of the kick's velocity; enters as a start value.</param>
     /// <param name="time">Time to the target; enters as a start value.</param>
     /// <returns>False where the model does not reach the target; the direction is then the nearest it found.</returns>
-    public readonly bool Solve(in Vector3d toTarget, in Vector3d wind, in Vector3d launchWind, double v, in Vector3d axis, ref Vector3d direction, ref double time)
+    public readonly bool Solve(
+        in Vector3d toTarget, in Vector3d wind, in Vector3d launchWind, double v, in Kick spins, ref Vector3d direction, ref double time)
     {
         double x = (v * direction - launchWind).Length;
         Vector3d air = x > 0 ? (v * direction - launchWind) / x : direction;
+        double spinRate = spins.SpinRate;
+        double perSpin = spinRate > 0 ? Lift / spinRate : 0;
         double t = time;
         double best = double.PositiveInfinity;
         for (int i = 0; i < 12; i++)
         {
             Ways(x, t, out double along, out double speed, out double fall, out double bend);
-            Vector3d across = Vector3d.Cross(in axis, in air);
-            Vector3d a = toTarget - (t * wind) - new Vector3d(0, Upward * fall, 0) - (Lift * bend * across);
+
+            // ω = top (ŷ × d) + side ŷ
+            double flat = Math.Sqrt((direction.X * direction.X) + (direction.Z * direction.Z));
+            double top = flat > 0 ? perSpin * spins.Top / flat : 0;
+            var axis = new Vector3d(top * direction.Z, perSpin * spins.Side, -(top * direction.X));
+            Vector3d a = toTarget - (t * wind) - new Vector3d(0, Upward * fall, 0) - (bend * Vector3d.Cross(in axis, in air));
             double size = a.Length;
             if (!(size > 1e-9))
             {
@@ -125,7 +135,7 @@ internal struct FlatFire
 
             // d|a|/dt − s'
             double slope = -Vector3d.Dot(in air, in wind) - (Upward * air.Y * (fall > 0 ? 2.0 * fall / t : 0)) - speed;
-            if (Math.Abs(excess) < 1e-4 * size)
+            if (Math.Abs(excess) < Closeness * size)
             {
                 return true;
             }

@@ -9,6 +9,9 @@ internal sealed class PlaneProblem
     private readonly AimContext _context;
     private TargetFrame _frame;
     private double _step;
+    private double _firstStep;
+    private FlatFire _model;
+    private FittedFlight _fitted;
 
     public PlaneProblem(AimContext context) => _context = context;
 
@@ -27,6 +30,9 @@ internal sealed class PlaneProblem
     /// <summary>Miss distance within which the search ends, m.</summary>
     public double Tolerance { get; private set; }
 
+    /// <summary>Whether kicks are flown in short steps, because longer ones were wrong.</summary>
+    public bool IsFine => _context.Steps.AreShort;
+
     /// <summary>Kicks flown.</summary>
     public int Shots { get; private set; }
 
@@ -41,78 +47,77 @@ internal sealed class PlaneProblem
         Tolerance = AimContext.Sharp(request.Tolerance);
         Shots = 0;
         _step = _context.Steps.HitWithin(Tolerance);
+        _firstStep = _context.Steps.RehearsedWithin(Tolerance);
         _context.Planes.Aim(in _frame, request.TargetVelocity);
     }
 
     /// <summary>A first kick, from the flight in closed form.</summary>
+    /// <param name="kick">The kick.</param>
+    /// <param name="time">About when it is there, s.</param>
     /// <returns>False where that does not reach the target.</returns>
-    public bool Guess(out Kick kick)
+    public bool Guess(out Kick kick, out double time)
     {
         ref readonly TargetFrame frame = ref _frame;
-        double top = Spins.Top;
-        double spinRate = Math.Sqrt((top * top) + (Spins.Side * Spins.Side));
-        FlatFire model = _context.Model(Speed, spinRate, frame.Distance);
+        _model = _context.Model(Speed, Spins.SpinRate, frame.Distance);
         Vector3d toTarget = frame.Target - frame.From;
-        double time = frame.Distance / Speed * (1.0 + (0.5 * model.Drag * frame.Distance));
         Vector3d direction = toTarget / toTarget.Length;
-        Vector3d axis = Vector3d.Zero;
-        bool reached = false;
         Vector3d wind = _context.Scene.Air.Wind;
-        for (int i = 0; i < 2; i++)
-        {
-            // The axis turns with the azimuth: once more with the right one.
-            if (spinRate > 0)
-            {
-                Vector3d d = direction.Horizontal;
-                double flat = d.Length;
-                d = flat > 0 ? d / flat : frame.Forward;
-                axis = new Vector3d(top * d.Z, Spins.Side, -(top * d.X)) / spinRate;
-            }
-
-            reached = model.Solve(in toTarget, wind - Request.TargetVelocity, in wind, Speed, in axis, ref direction, ref time);
-            if (!reached)
-            {
-                break;
-            }
-        }
-
+        Kick spins = Spins;
+        time = frame.Distance / Speed * (1.0 + (0.5 * _model.Drag * frame.Distance));
+        bool reached = _model.Solve(in toTarget, wind - Request.TargetVelocity, in wind, Speed, in spins, ref direction, ref time);
         kick = frame.Turned(Spins, in direction, Bounds);
         return reached;
     }
 
+    /// <summary>Fits the flight that kicks are rehearsed in.</summary>
+    /// <param name="kick">A kick about as those that will be.</param>
+    /// <param name="time">About when it is there, s.</param>
+    public void Fit(in Kick kick, double time)
+    {
+        kick.Vectors(Speed, in _frame.Forward, out Vector3d velocity, out _);
+        _fitted.Fit(_context, (velocity - _context.Scene.Air.Wind).Length, kick.SpinRate, _model.Drag, time);
+    }
+
+    /// <summary>Flies a kick to the target's plane as it would fly in the fitted air.</summary>
+    /// <param name="kick">The kick.</param>
+    /// <param name="time">About when it is there, s.</param>
+    public PlaneShot Rehearse(in Kick kick, double time)
+    {
+        ref readonly TargetFrame frame = ref _frame;
+        kick.Vectors(Speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
+        _fitted.Begin(in frame.From, in velocity, in spin);
+        var crossing = new PlaneCrossing(in frame.Target, Request.TargetVelocity, in frame.Forward);
+        _fitted.Fly(time, ref crossing);
+        return Shot(in kick, in crossing);
+    }
+
     /// <summary>Flies a kick to the target's plane.</summary>
-    public PlaneShot Fly(in Kick kick)
+    /// <param name="kick">The kick.</param>
+    /// <param name="time">About when it is there, s; 0 where that is not known.</param>
+    /// <param name="isRehearsed">Whether it is to show no more than how far a rehearsed kick is off.</param>
+    public PlaneShot Fly(in Kick kick, double time, bool isRehearsed)
     {
         ref readonly TargetFrame frame = ref _frame;
         kick.Vectors(Speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
         PlaneShooter planes = _context.Planes;
-        planes.Fly(in frame.From, in velocity, in spin, _step);
+        planes.Fly(in frame.From, in velocity, in spin, isRehearsed ? _firstStep : _step, 0, time);
         _context.CountIteration();
         Shots++;
-        ref readonly PlaneCrossing crossing = ref planes.Target;
-        var shot = new PlaneShot { Kick = kick, Crossed = crossing.Crossed, Lowest = planes.Lowest };
-        if (crossing.Crossed)
-        {
-            shot.Up = crossing.Offset.Y;
-            shot.Left = Vector3d.Dot(crossing.Offset, in frame.Left);
-            shot.Time = crossing.Time;
-            shot.Velocity = crossing.Velocity;
-            shot.Miss = Math.Sqrt((shot.Up * shot.Up) + (shot.Left * shot.Left));
-        }
-        else
-        {
-            // Too short: the lower, the further it was from the plane.
-            double gap = Vector3d.Dot(frame.Target - planes.End, in frame.Forward);
-            shot.Up = -(10.0 + (2.0 * frame.Distance) + Math.Max(0, gap));
-            shot.Miss = double.PositiveInfinity;
-        }
-
+        PlaneShot shot = Shot(in kick, in planes.Target);
+        shot.Lowest = planes.Lowest;
         return shot;
+    }
+
+    private PlaneShot Shot(in Kick kick, in PlaneCrossing crossing)
+    {
+        double up = crossing.Offset.Y;
+        double left = Vector3d.Dot(crossing.Offset, in _frame.Left);
+        return new PlaneShot { Kick = kick, Crossing = crossing, Up = up, Left = left, Miss = Math.Sqrt((up * up) + (left * left)) };
     }
 
     /// <summary>How the crossing of a shot moves with elevation and azimuth.</summary>
     public CrossingJacobian Jacobian(in PlaneShot shot) =>
-        CrossingJacobian.Of(in shot, in _frame, Request.TargetVelocity, _context.Scene.Air.Wind, _context.Upward);
+        CrossingJacobian.Of(in shot.Kick, in shot.Crossing, in _frame, _context.Scene.Air.Wind, _context.Upward);
 
     /// <summary>Whether a flight to the target leaves the ground and stays above it, so that no impact comes first.</summary>
     public bool StaysClear(in PlaneShot shot)

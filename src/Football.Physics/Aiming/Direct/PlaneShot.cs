@@ -6,7 +6,10 @@ internal struct PlaneShot
     public Kick Kick;
 
     /// <summary>Whether it got there.</summary>
-    public bool Crossed;
+    public readonly bool Crossed => Crossing.Crossed;
+
+    /// <summary>When, s.</summary>
+    public readonly double Time => Crossing.Time;
 
     /// <summary>Height above the target there, m.</summary>
     public double Up;
@@ -17,11 +20,8 @@ internal struct PlaneShot
     /// <summary>Distance from the target there, m.</summary>
     public double Miss;
 
-    /// <summary>When, s.</summary>
-    public double Time;
-
-    /// <summary>Velocity relative to the target there, m/s.</summary>
-    public Vector3d Velocity;
+    /// <summary>The crossing.</summary>
+    public PlaneCrossing Crossing;
 
     /// <summary>The lowest height on the way, m.</summary>
     public double Lowest;

@@ -7,7 +7,13 @@ namespace Football.Physics;
 internal static class TwoPointGuess
 {
     /// <summary>Guesses the unknowns of a problem.</summary>
-    public static void Make(AimContext context, TwoPointProblem problem, double[] x)
+    /// <param name="context">The laws.</param>
+    /// <param name="problem">The problem.</param>
+    /// <param name="x">The unknowns.</param>
+    /// <param name="throughTime">About when the kick passes the point on the way, s.</param>
+    /// <param name="targetTime">About when it is at the target, s.</param>
+    /// <returns>Drag a length, 1/m.</returns>
+    public static double Make(AimContext context, TwoPointProblem problem, double[] x, out double throughTime, out double targetTime)
     {
         AimRequest request = problem.Request;
         ref readonly TargetFrame frame = ref problem.Frame;
@@ -18,12 +24,18 @@ internal static class TwoPointGuess
         double side = 0;
         double azimuth = 0;
         double elevation = 0.2;
+        double drag = 0;
+        throughTime = 0;
+        targetTime = 0;
         for (int i = 0; i < 3; i++)
         {
             FlatFire model = context.Model(request.Speed, spinRate, frame.Distance);
             Elementary.SinCos(elevation, out _, out double cosine);
+            drag = model.Drag;
             double t1 = model.TimeFor(request.Speed, problem.ThroughDistance / Math.Max(cosine, 0.3));
             double t2 = model.TimeFor(request.Speed, frame.Distance / Math.Max(cosine, 0.3));
+            throughTime = t1;
+            targetTime = t2;
             model.Ways(request.Speed, t1, out double s1, out _, out double fall1, out double bend1);
             model.Ways(request.Speed, t2, out double s2, out _, out double fall2, out double bend2);
 
@@ -61,6 +73,7 @@ internal static class TwoPointGuess
         x[TwoPointProblem.Azimuth] = azimuth;
         x[TwoPointProblem.Top] = Math.Min(Math.Max(top, -request.MaximumTopSpin), request.MaximumTopSpin);
         x[TwoPointProblem.Side] = Math.Min(Math.Max(side, -request.MaximumSideSpin), request.MaximumSideSpin);
+        return drag;
     }
 
     /// <summary>The angle of a direction whose component across is known.</summary>

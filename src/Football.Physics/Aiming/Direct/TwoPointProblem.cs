@@ -24,7 +24,14 @@ internal sealed class TwoPointProblem
 
     private readonly AimContext _context;
     private TargetFrame _frame;
+    private FittedFlight _fitted;
+    private double _drag;
+    private PlaneCrossing _atThrough;
+    private PlaneCrossing _atTarget;
+    private double _throughTime;
+    private double _targetTime;
     private double _step;
+    private double _firstStep;
 
     public TwoPointProblem(AimContext context) => _context = context;
 
@@ -46,17 +53,8 @@ internal sealed class TwoPointProblem
     /// <summary>The same for the point on the way.</summary>
     public double ThroughTolerance { get; private set; }
 
-    /// <summary>Miss distance of the last kick at the target, m.</summary>
-    public double Miss { get; private set; }
-
-    /// <summary>The same at the point on the way.</summary>
-    public double ThroughMiss { get; private set; }
-
-    /// <summary>The crossing of the target's plane by the last kick.</summary>
-    public ref readonly PlaneCrossing AtTarget => ref _context.Planes.Target;
-
-    /// <summary>The crossing of the plane of the point on the way.</summary>
-    public ref readonly PlaneCrossing AtThrough => ref _context.Planes.Through;
+    /// <summary>When the last kick was at the target, s.</summary>
+    public double Time => _targetTime;
 
     /// <summary>Sets the problem.</summary>
     /// <returns>False where the point does not lie on the way to the target.</returns>
@@ -76,6 +74,7 @@ internal sealed class TwoPointProblem
         }
 
         _step = _context.Steps.HitWithin(Tolerance);
+        _firstStep = _context.Steps.RehearsedWithin(Tolerance);
         _context.Planes.Aim(in frame, Vector3d.Zero);
         _context.Planes.AimThrough(Through, in frame.Forward);
         return true;
@@ -84,29 +83,82 @@ internal sealed class TwoPointProblem
     /// <summary>The kick that unknowns stand for.</summary>
     public static Kick KickOf(double[] x) => new() { Elevation = x[Elevation], Azimuth = x[Azimuth], Top = x[Top], Side = x[Side] };
 
+    /// <summary>Miss distance at the target, m.</summary>
+    public static double Miss(double[] r) => Math.Sqrt((r[TargetLeft] * r[TargetLeft]) + (r[TargetUp] * r[TargetUp]));
+
+    /// <summary>Miss distance at the point on the way, m.</summary>
+    public static double ThroughMiss(double[] r) => Math.Sqrt((r[ThroughLeft] * r[ThroughLeft]) + (r[ThroughUp] * r[ThroughUp]));
+
     /// <summary>Largest size of a spin, rad/s.</summary>
     public double Limit(int spin) => spin == Top ? Request.MaximumTopSpin : Request.MaximumSideSpin;
+
+    /// <summary>Prepares the air that kicks are rehearsed in.</summary>
+    /// <param name="drag">About how much drag there is a length, 1/m.</param>
+    /// <param name="throughTime">About when a kick passes the point on the way, s.</param>
+    /// <param name="targetTime">About when it is at the target, s.</param>
+    public void Prepare(double drag, double throughTime, double targetTime)
+    {
+        _drag = drag;
+        _throughTime = throughTime;
+        _targetTime = targetTime;
+        _fitted = default;
+    }
+
+    /// <summary>Flies a kick to both planes as it would fly in air that is fitted to about its own spin.</summary>
+    /// <param name="x">The unknowns.</param>
+    /// <param name="r">The residuals.</param>
+    /// <returns>False where it does not reach both.</returns>
+    public bool Rehearse(double[] x, double[] r)
+    {
+        ref readonly TargetFrame frame = ref _frame;
+        Kick kick = KickOf(x);
+        kick.Vectors(Request.Speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
+        double spinRate = kick.SpinRate;
+        if (!_fitted.Fits(spinRate))
+        {
+            _fitted.Fit(_context, (velocity - _context.Scene.Air.Wind).Length, spinRate, _drag, _targetTime);
+        }
+
+        _fitted.Begin(in frame.From, in velocity, in spin);
+        _atThrough = new PlaneCrossing(Through, Vector3d.Zero, in frame.Forward);
+        _atTarget = new PlaneCrossing(in frame.Target, Vector3d.Zero, in frame.Forward);
+        return _fitted.Fly(_throughTime, ref _atThrough) && _fitted.Fly(_targetTime, ref _atTarget) && TakeCrossings(r);
+    }
 
     /// <summary>Flies a kick to both planes.</summary>
     /// <param name="x">The unknowns.</param>
     /// <param name="r">The residuals.</param>
+    /// <param name="isRehearsed">Whether it is to show no more than how far a rehearsed kick is off.</param>
     /// <returns>False where it does not reach both.</returns>
-    public bool Fly(double[] x, double[] r)
+    public bool Fly(double[] x, double[] r, bool isRehearsed)
     {
-        ref readonly TargetFrame frame = ref _frame;
-        KickOf(x).Vectors(Request.Speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
-        _context.Planes.Fly(in frame.From, in velocity, in spin, _step);
-        if (!AtTarget.Crossed || !AtThrough.Crossed)
-        {
-            return false;
-        }
+        KickOf(x).Vectors(Request.Speed, in _frame.Forward, out Vector3d velocity, out Vector3d spin);
+        PlaneShooter planes = _context.Planes;
+        planes.Fly(in _frame.From, in velocity, in spin, isRehearsed ? _firstStep : _step, _throughTime, _targetTime);
+        _atThrough = planes.Through;
+        _atTarget = planes.Target;
+        return _atThrough.Crossed && _atTarget.Crossed && TakeCrossings(r);
+    }
 
-        r[ThroughLeft] = Vector3d.Dot(AtThrough.Offset, in frame.Left);
-        r[ThroughUp] = AtThrough.Offset.Y;
-        r[TargetLeft] = Vector3d.Dot(AtTarget.Offset, in frame.Left);
-        r[TargetUp] = AtTarget.Offset.Y;
-        Miss = Math.Sqrt((r[TargetLeft] * r[TargetLeft]) + (r[TargetUp] * r[TargetUp]));
-        ThroughMiss = Math.Sqrt((r[ThroughLeft] * r[ThroughLeft]) + (r[ThroughUp] * r[ThroughUp]));
+    /// <summary>How the last crossing of the plane of the point on the way moves with the angles of its kick.</summary>
+    public CrossingJacobian JacobianAtThrough(double[] x) => Jacobian(KickOf(x), in _atThrough);
+
+    /// <summary>The same for the plane of the target.</summary>
+    public CrossingJacobian JacobianAtTarget(double[] x) => Jacobian(KickOf(x), in _atTarget);
+
+    private CrossingJacobian Jacobian(in Kick kick, in PlaneCrossing crossing) =>
+        CrossingJacobian.Of(in kick, in crossing, in _frame, _context.Scene.Air.Wind, _context.Upward);
+
+    /// <summary>Takes the residuals, and when to look for the next crossings.</summary>
+    /// <returns>True.</returns>
+    private bool TakeCrossings(double[] r)
+    {
+        _throughTime = _atThrough.Time;
+        _targetTime = _atTarget.Time;
+        r[ThroughLeft] = Vector3d.Dot(_atThrough.Offset, in _frame.Left);
+        r[ThroughUp] = _atThrough.Offset.Y;
+        r[TargetLeft] = Vector3d.Dot(_atTarget.Offset, in _frame.Left);
+        r[TargetUp] = _atTarget.Offset.Y;
         return true;
     }
 

@@ -1,0 +1,171 @@
+namespace Football.Physics;
+
+/// <summary>
+/// A flight in which drag and lift are quadratics of |u|² through the laws' own values at three speeds, and fall with the spin as the time goes:
+/// millimetres off at 25 m for a quarter of a flight's time. The solvers rehearse their first corrections in it.
+/// </summary>
+internal struct FittedFlight
+{
+    /// <summary>Longest steps, s: RK4 is a millimetre off then; and most of them.</summary>
+    private const double LongestStep = 0.5;
+    private const double MostSteps = 16;
+
+    /// <summary>The slowest speed that the laws are asked about is this share of the fastest at most, that the values lie apart.</summary>
+    private const double Slowest = 0.9;
+
+    /// <summary>Share of the spin by which its effect on drag and lift is found.</summary>
+    private const double SpinChange = 0.02;
+
+    /// <summary>What is fitted to a spin serves spins that are off it by this share: it is a few parts in ten thousand off then.</summary>
+    private const double CloseSpin = 0.05;
+
+    /// <summary>The slowest spin, rad/s, that is fitted to.</summary>
+    private const double LeastSpin = 1;
+
+    /// <summary>Share of its time by which a flight may be off its plane, for the end of the path to go on to there.</summary>
+    private const double Reach = 0.25;
+
+    private Vector3d _wind;
+    private double _upward;
+    private double _spinRate;
+    private double _middleSquared;
+    private double _endSquared;
+    private double _drag;
+    private double _dragSlope;
+    private double _dragBend;
+    private double _lift;
+    private double _liftSlope;
+    private double _liftBend;
+
+    private double _dragPerLoss;
+    private double _liftPerLoss;
+    private double _decay;
+    private double _decaySlope;
+
+    // The ball as the air sees it.
+    private Vector3d _axis;
+    private Vector3d _path;
+    private Vector3d _velocity;
+    private Vector3d _from;
+    private double _time;
+    private double _lost;
+
+    /// <summary>Fits drag and lift.</summary>
+    /// <param name="context">The laws.</param>
+    /// <param name="speed">Speed through the air at launch, m/s.</param>
+    /// <param name="spinRate">Spin at launch, rad/s.</param>
+    /// <param name="drag">About how much drag there is a length, 1/m.</param>
+    /// <param name="time">About how long the flight lasts, s.</param>
+    public void Fit(AimContext context, double speed, double spinRate, double drag, double time)
+    {
+        _wind = context.Scene.Air.Wind;
+        _upward = context.Upward;
+        _spinRate = Math.Max(LeastSpin, spinRate);
+
+        // |u| = v/(1 + k v t) at a half and at all of the time
+        double slowing = drag * speed * time;
+        double end = speed * Math.Min(Slowest, 1.0 / (1.0 + slowing));
+        double middle = Math.Max(speed / (1.0 + (0.5 * slowing)), 0.5 * (speed + end));
+        context.Factors(speed, _spinRate, out double drag0, out double lift0, out double decay0);
+        context.Factors(middle, _spinRate, out double drag1, out double lift1, out _);
+        context.Factors(end, _spinRate, out double drag2, out double lift2, out double decay2);
+        context.Factors(middle, (1.0 - SpinChange) * _spinRate, out double lessDrag, out double lessLift, out _);
+
+        // What is left of the spin, 1 − t (d₀ − (d₀ − d₂) t/2T)/ω, and what that leaves of drag and lift
+        double perSpin = 1.0 / (SpinChange * _spinRate);
+        _dragPerLoss = drag1 > 0 ? perSpin * (1.0 - (lessDrag / drag1)) : 0;
+        _liftPerLoss = lift1 > 0 ? perSpin * (1.0 - (lessLift / lift1)) : 0;
+        _decay = decay0;
+        _decaySlope = 0.5 * (decay0 - decay2) / time;
+
+        // Newton's divided differences
+        _middleSquared = middle * middle;
+        _endSquared = end * end;
+        double perFirst = 1.0 / ((speed * speed) - _middleSquared);
+        double perSecond = 1.0 / (_middleSquared - _endSquared);
+        double perBoth = 1.0 / ((speed * speed) - _endSquared);
+        _drag = drag2;
+        _dragSlope = (drag1 - drag2) * perSecond;
+        _dragBend = (((drag0 - drag1) * perFirst) - _dragSlope) * perBoth;
+        _lift = lift2;
+        _liftSlope = (lift1 - lift2) * perSecond;
+        _liftBend = (((lift0 - lift1) * perFirst) - _liftSlope) * perBoth;
+    }
+
+    /// <summary>Whether a flight with a spin, rad/s, is close enough to what was fitted.</summary>
+    public readonly bool Fits(double spinRate) => Math.Abs(spinRate - _spinRate) < CloseSpin * _spinRate;
+
+    /// <summary>Begins a flight.</summary>
+    /// <param name="from">Where, m.</param>
+    /// <param name="velocity">With which velocity, m/s.</param>
+    /// <param name="spin">With which spin, rad/s: about as fast as what was fitted.</param>
+    public void Begin(in Vector3d from, in Vector3d velocity, in Vector3d spin)
+    {
+        double spinRate = spin.Length;
+        _from = from;
+        _path = Vector3d.Zero;
+        _velocity = velocity - _wind;
+        _axis = spinRate > 0 ? spin / spinRate : Vector3d.Zero;
+        _lost = _spinRate - spinRate;
+        _time = 0;
+    }
+
+    /// <summary>Flies on to about a time, and from there to a plane.</summary>
+    /// <returns>False where that is not near.</returns>
+    public bool Fly(double time, ref PlaneCrossing crossing)
+    {
+        AdvanceTo(time);
+
+        // The parabola of the end: g = v τ + a τ²/2
+        Vector3d position = _from + _path + (_time * _wind);
+        Vector3d velocity = _velocity + _wind;
+        Rates(in _velocity, _time, out Vector3d a);
+        double gap = -crossing.Beyond(in position, _time);
+        double outward = crossing.Outward(in velocity);
+        double tau = gap / outward;
+        tau = gap / (outward + (0.5 * tau * crossing.Along(in a)));
+        if (!(outward > 0 && Math.Abs(tau) < Reach * time))
+        {
+            return false;
+        }
+
+        crossing.Take(_time + tau, position + (tau * (velocity + ((0.5 * tau) * a))), velocity + (tau * a));
+        return true;
+    }
+
+    /// <summary>The classical Runge–Kutta method; the path through the air needs the velocities' rates alone.</summary>
+    private void AdvanceTo(double time)
+    {
+        double left = time - _time;
+        double steps = Math.Min(Math.Ceiling(left / LongestStep), MostSteps);
+        double h = left / steps;
+        for (int i = 0; i < steps; i++)
+        {
+            Vector3d u = _velocity;
+            double start = _time + (i * h);
+            Rates(in u, start, out Vector3d k1);
+            Rates(u + ((0.5 * h) * k1), start + (0.5 * h), out Vector3d k2);
+            Rates(u + ((0.5 * h) * k2), start + (0.5 * h), out Vector3d k3);
+            Rates(u + (h * k3), start + h, out Vector3d k4);
+            _path += h * (u + ((h / 6.0) * (k1 + k2 + k3)));
+            _velocity += (h / 6.0) * (k1 + k4 + (2.0 * (k2 + k3)));
+        }
+
+        _time = time;
+    }
+
+    /// <summary>u̇ = L (ω̂ × u) − D u + g.</summary>
+    private readonly void Rates(in Vector3d u, double time, out Vector3d rates)
+    {
+        double loss = _lost + (time * (_decay - (time * _decaySlope)));
+        double squared = u.LengthSquared;
+        double past = squared - _endSquared;
+        double beyond = squared - _middleSquared;
+        double drag = (1.0 - (loss * _dragPerLoss)) * (_drag + (past * (_dragSlope + (beyond * _dragBend))));
+        double lift = (1.0 - (loss * _liftPerLoss)) * (_lift + (past * (_liftSlope + (beyond * _liftBend))));
+        rates = new Vector3d(
+            (lift * ((_axis.Y * u.Z) - (_axis.Z * u.Y))) - (drag * u.X),
+            (lift * ((_axis.Z * u.X) - (_axis.X * u.Z))) - (drag * u.Y) + _upward,
+            (lift * ((_axis.X * u.Y) - (_axis.Y * u.X))) - (drag * u.Z));
+    }
+}
