@@ -99,6 +99,12 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     /// <summary>The first piece of a step, already taken as a whole step, which is found to have something in it.</summary>
     public void Finish(ref BallState s, ref StepRun run, in FlightStep taken, double h)
     {
+        if (_world is not null && s.Velocity.Y <= ContactSearch.Leaving && s.Position.Y <= _around.LevelContact + ContactSearch.Touching)
+        {
+            // It touches the ground and does not leave it: what keeps it there is asked first, by the next piece.
+            return;
+        }
+
         var sweep = new FlightSweep<TAir, TIntegrator>(_around, in s);
         sweep.Take(in taken, h);
         Finish(ref s, ref run, ref sweep);

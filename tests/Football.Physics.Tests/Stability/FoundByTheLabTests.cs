@@ -15,6 +15,23 @@ public sealed class FoundByTheLabTests
     private const string SuddenEnd =
         "{\"ball\":{\"mass\":0.1,\"radius\":0.2,\"inertiaFactor\":0.6666666666666666},\"air\":{\"density\":1.1762562914182562,\"kinematicViscosity\":1.3951860254354255e-05,\"wind\":[0,0,0]},\"gravity\":5.272505996161495,\"forces\":{\"buoyancy\":true,\"drag\":\"empirical\",\"magnus\":\"empirical\",\"spinDecay\":\"constant\",\"coefficients\":\"regularised\",\"dragCoefficient\":0.644523874491457,\"magnusCoefficient\":0.25,\"spinDecayCoefficient\":0.000177260342930598},\"ground\":{\"normalRestitution\":0.2542465753203128,\"tangentialRestitution\":[1,0],\"spinRestitution\":0.8774676695157354,\"slidingFriction\":1.0523758826972465,\"rollingFriction\":0.02191011467771921,\"spinDamping\":0.0029924964380844024,\"minimumBounceSpeed\":0.2,\"restEnergy\":0.0001593796889270851,\"height\":18.666325181443426,\"aerodynamics\":\"none\"},\"launch\":{\"position\":[41.224377115789906,31.246972884560805,-36.61968908044834],\"velocity\":[-0.06901910205911946,-0.07886720140431411,-0.0587855414366288],\"spin\":[0,0,0]},\"solver\":{\"integrator\":\"rk4\",\"timeStep\":0.024295629392409174,\"rollingTransition\":\"heuristic\",\"collisionTiming\":\"exact\"},\"stop\":{\"at\":\"rest\",\"time\":300}}";
 
+    /// <summary>Struck along the ground, its spin carries it: it touches, does not leave, and is pressed again a moment later. It went on 2 mm within the ground.</summary>
+    [Theory]
+    [InlineData(0.01)]
+    [InlineData(0.04)]
+    [InlineData(0.08)]
+    public void A_ball_whose_lift_is_about_its_weight_stays_above_the_ground(double timeStep)
+    {
+        var simulator = new Simulator(Scene.Measured);
+        BallState ball = simulator.Launch(new Vector3d(0, simulator.ContactHeight, 0), new Vector3d(25.96, 0, 11.01), new Vector3d(-22.3, 41.2, 52.6));
+        Assert.Equal(MotionState.Airborne, ball.Motion);
+        var path = new Trajectory();
+        simulator.LookAhead(in ball, new LookAheadRequest { Duration = 0.4, TimeStep = timeStep, StopAt = StopAt.Time }, path);
+        double lowest = Enumerable.Range(0, 4001).Min(i => path.PositionAt(0.0001 * i).Y);
+        Assert.InRange(lowest, simulator.ContactHeight - 1e-9, 1);
+        Assert.Equal(MotionState.Sliding, path.Final.Motion);
+    }
+
     /// <summary>The apex of a straight piece of path was 0/0.</summary>
     [Fact]
     public void A_path_that_does_not_turn_has_a_finite_apex()
