@@ -16,9 +16,6 @@ internal sealed class AimContext
     /// <summary>Pieces of motion that one search may have: for a football some hundred simulations, for what needs very short steps a few.</summary>
     public const long MostPieces = 200_000;
 
-    /// <summary>Accelerations by the air and by gravity above whose ratio the air rules.</summary>
-    private const double Ruling = 3;
-
     /// <summary>Simulations of a search over elevations or times that count as one iteration.</summary>
     private const int SimulationsPerIteration = 16;
 
@@ -163,13 +160,8 @@ internal sealed class AimContext
     public void Factors(double speed, double spinRate, out double drag, out double lift, out double decay) =>
         _simulator.AirFactors(speed, spinRate, out drag, out lift, out decay);
 
-    /// <summary>Whether, at a speed, drag or lift are so much stronger than gravity that ways bend into loops, or end in the air.</summary>
-    public bool IsRuledByAir(double speed, double spinRate)
-    {
-        double most = speed + Scene.Air.Wind.Length;
-        _simulator.AirFactors(most, spinRate, out double drag, out double lift);
-        return most * Math.Max(drag, Math.Abs(lift)) > Ruling * Math.Abs(Upward);
-    }
+    /// <inheritdoc cref="MeasuringStep.IsRuledByAir"/>
+    public bool IsRuledByAir(double speed, double spinRate) => MeasuringStep.IsRuledByAir(_simulator, Upward, speed, spinRate);
 
     /// <summary>The scene with nothing in it but the ground.</summary>
     public static Scene WithoutThings(Scene scene) => scene with { Obstacles = [], Nets = [], Goals = [], Bodies = null, EngineColliders = null };

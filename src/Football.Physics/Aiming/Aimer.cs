@@ -237,7 +237,7 @@ public sealed class Aimer
     private AimResult Report(AimRequest request, in AimSolution solution, bool measure)
     {
         solution.Vectors(out Vector3d velocity, out Vector3d spin);
-        if (!measure && !_context.HasThings)
+        if (!measure && !_context.HasThings && solution.Miss < double.PositiveInfinity)
         {
             double? throughMiss = request.Through is null ? null : solution.ThroughMiss;
             var estimated = new MeasuredMiss(solution.Miss, throughMiss, solution.Time, request.Target);

@@ -3,13 +3,6 @@ namespace Football.Physics;
 /// <summary>Measures by what a kick misses a target that may move, and a point on the way, before its first impact: in steps that leave no doubt.</summary>
 internal sealed class MissMeter : PieceObserver
 {
-    /// <summary>Step of the measurement, s: its own error is below 1e-6 m; and of one that the air rules, that spins faster than it flies, or in a storm.</summary>
-    private const double TimeStep = 0.02;
-    private const double FineStep = 0.005;
-
-    /// <summary>Wind of a storm, m/s.</summary>
-    private const double Storm = 25;
-
     private readonly AimContext _context;
     private readonly Simulator _simulator;
     private readonly StepLog _log = new();
@@ -90,9 +83,7 @@ internal sealed class MissMeter : PieceObserver
         return new MeasuredMiss(Vector3d.Distance(state.Position, in target), null, after, state.Position, _blocker);
     }
 
-    private double Step(in Vector3d velocity, in Vector3d spin) =>
-        _context.IsRuledByAir(velocity.Length, spin.Length) || _context.Scene.Air.Wind.Length > Storm
-            || _context.Scene.Ball.Radius * spin.Length > velocity.Length ? FineStep : TimeStep;
+    private double Step(in Vector3d velocity, in Vector3d spin) => MeasuringStep.Of(_simulator, _context.Upward, velocity.Length, spin.Length);
 
     /// <summary>Flies to the first impact, and looks closely only at steps in which the ball passes a point.</summary>
     private void Fly(ref BallState state, double timeStep)

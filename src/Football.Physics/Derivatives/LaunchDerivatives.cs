@@ -10,7 +10,9 @@ public sealed class LaunchDerivatives
     private readonly TangentObserver _observer;
     private readonly StepDifferences _differences;
     private readonly Simulator.StepCallback _onStep;
-    private readonly StepLog _log = new();
+
+    /// <summary>Every event of a run counts.</summary>
+    private readonly StepLog _log = new(mostEvents: int.MaxValue);
     private BallState _start;
     private int _events;
     private long _pieces;
@@ -40,7 +42,7 @@ public sealed class LaunchDerivatives
     /// <summary>The place at the end by the velocity of the launch, s.</summary>
     public Matrix3d PositionByVelocity => _observer.Tangent.Block(0, MotionVector.Velocity);
 
-    /// <summary>The place at the end by the spin of the launch, m s/rad.</summary>
+    /// <summary>The place at the end by the spin of the launch, m s/rad. Without spin it says nothing by the published laws, whose lift is not smooth there.</summary>
     public Matrix3d PositionBySpin => _observer.Tangent.Block(0, MotionVector.Spin);
 
     /// <summary>The velocity at the end, before the event there, by the place of the launch, 1/s.</summary>

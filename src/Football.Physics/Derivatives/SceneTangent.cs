@@ -129,7 +129,7 @@ internal sealed class SceneTangent<TAir> : TangentObserver
     public override bool EndStep(in BallState end)
     {
         // An impact that ended the run is told as it was just before it.
-        bool hit = _log!.Halted && _event < _log.Events.Count && _log.Events[_log.Events.Count - 1].Kind == BallEventKind.Impact;
+        bool hit = _log!.Halted && _log.StopAt == StopAt.Impact;
         if (!hit && (end.Motion != MotionState.Airborne || end.Nets != 0))
         {
             Leave();

@@ -80,8 +80,8 @@ internal sealed class StepDifferences
             if (!isSmooth && Quotient(in start, in direction, 0.5 * width, events, out Motion nearer, out double nearerTime))
             {
                 // Of fourth order, (4 q(h/2) − q(h))/3
-                near = MotionVector.Sum(4.0 / 3.0, in nearer, -1.0 / 3.0, in near);
-                nearTime = nearerTime + ((nearerTime - nearTime) / 3.0);
+                near = same ? MotionVector.Sum(4.0 / 3.0, in nearer, -1.0 / 3.0, in near) : nearer;
+                nearTime = same ? nearerTime + ((nearerTime - nearTime) / 3.0) : nearerTime;
             }
 
             _changes[i] = near;
@@ -171,13 +171,27 @@ internal sealed class StepDifferences
             same = e.Kind == events[i].Kind && e.Thing == events[i].Thing && e.Time == start.Time == (events[i].Time == start.Time);
         }
 
-        if (_log.Halted && _log.Events.Count > 0)
+        if (_log.Halted)
         {
-            ref readonly BallEvent last = ref _log.Events[_log.Events.Count - 1];
-            end = new Motion(last.Position - from, last.VelocityBefore, last.SpinBefore, s.AirDistance);
+            // An impact after which the ball slides or rolls is not the last event.
+            ref readonly BallEvent ending = ref Ending();
+            end = new Motion(ending.Position - from, ending.VelocityBefore, ending.SpinBefore, s.AirDistance);
         }
 
         return same;
+    }
+
+    /// <summary>The event that ended the step: the first of its kind.</summary>
+    private ref readonly BallEvent Ending()
+    {
+        BallEventKind kind = _stopAt == StopAt.Impact ? BallEventKind.Impact : BallEventKind.Rest;
+        int i = 0;
+        while (_log.Events[i].Kind != kind)
+        {
+            i++;
+        }
+
+        return ref _log.Events[i];
     }
 
     /// <summary>By how much to change the motion: the slower a slip, a roll or the flow, the faster its force turns.</summary>

@@ -66,18 +66,9 @@ internal sealed class TangentBasis
 
         while (Count < Most)
         {
-            int most = -1;
-            double longest = Negligible;
-            for (int c = 0; c < Tangent.Columns; c++)
-            {
-                for (int b = 0; b < Blocks; b++)
-                {
-                    double size = sizes[(c * Blocks) + b];
-                    double share = size > 0 ? Length(c, b) / size : 0;
-                    (most, longest) = share > longest ? (c, share) : (most, longest);
-                }
-            }
-
+            // A law may not be smooth where there is no spin: the columns of the launch's place and velocity are not to be made of those of its spin.
+            int most = Largest(sizes, 0, MotionVector.Spin);
+            most = most < 0 ? Largest(sizes, MotionVector.Spin, Tangent.Columns) : most;
             if (most < 0)
             {
                 return;
@@ -85,6 +76,24 @@ internal sealed class TangentBasis
 
             Add(most);
         }
+    }
+
+    /// <summary>The column, from one up to another, of which the largest share is left; −1 where all is negligible.</summary>
+    private int Largest(ReadOnlySpan<double> sizes, int from, int to)
+    {
+        int most = -1;
+        double longest = Negligible;
+        for (int c = from; c < to; c++)
+        {
+            for (int b = 0; b < Blocks; b++)
+            {
+                double size = sizes[(c * Blocks) + b];
+                double share = size > 0 ? Length(c, b) / size : 0;
+                (most, longest) = share > longest ? (c, share) : (most, longest);
+            }
+        }
+
+        return most;
     }
 
     private void Add(int column)

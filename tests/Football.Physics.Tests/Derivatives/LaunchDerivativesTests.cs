@@ -100,6 +100,50 @@ public sealed class LaunchDerivativesTests
         Assert.Equal(wanted.Z, derivatives.PositionByVelocity.Z.X, 7);
     }
 
+    /// <summary>Without spin the published lift is not smooth: how the end changes with velocity and place must not be mixed with how it changes with spin.</summary>
+    [Fact]
+    public void Without_spin_the_end_changes_with_the_velocity_as_flights_without_spin_do()
+    {
+        var simulator = new Simulator(Scene.Published);
+        var derivatives = new LaunchDerivatives(simulator);
+        Vector3d End(double faster)
+        {
+            BallState ball = simulator.Launch(new Vector3d(0, 0.5, 0), new Vector3d(9, 5 + faster, 1), Vector3d.Zero);
+            simulator.Run(ref ball, 0.01, 1.8, StopAt.Time, new StepLog());
+            return ball.Position;
+        }
+
+        BallState state = simulator.Launch(new Vector3d(0, 0.5, 0), new Vector3d(9, 5, 1), Vector3d.Zero);
+        derivatives.Run(ref state, 0.01, 1.8, StopAt.Time);
+        Vector3d wanted = (End(1e-4) - End(-1e-4)) / 2e-4;
+        Assert.Equal(wanted.X, derivatives.PositionByVelocity.X.Y, 5);
+        Assert.Equal(wanted.Y, derivatives.PositionByVelocity.Y.Y, 5);
+    }
+
+    /// <summary>The impact is not the last event of a ball that stays down: the velocity is still that before it.</summary>
+    [Theory]
+    [InlineData(0.113)]
+    [InlineData(0.5)]
+    public void At_an_impact_the_velocity_is_that_before_it(double height)
+    {
+        var simulator = new Simulator(Scene.Published);
+        var derivatives = new LaunchDerivatives(simulator);
+        BallEvent Impact(double faster)
+        {
+            var log = new StepLog();
+            BallState ball = simulator.Launch(new Vector3d(0, height, 0), new Vector3d(9 + faster, 0, 1), new Vector3d(0, 5, 20));
+            simulator.Run(ref ball, 0.01, 5, StopAt.Impact, log);
+            return log.Events[0];
+        }
+
+        BallState state = simulator.Launch(new Vector3d(0, height, 0), new Vector3d(9, 0, 1), new Vector3d(0, 5, 20));
+        Assert.True(derivatives.Run(ref state, 0.01, 5, StopAt.Impact));
+        Vector3d wanted = (Impact(1e-3).VelocityBefore - Impact(-1e-3).VelocityBefore) / 2e-3;
+        Assert.Equal(wanted.X, derivatives.VelocityByVelocity.X.X, 5);
+        Assert.Equal(wanted.Y, derivatives.VelocityByVelocity.Y.X, 5);
+        Assert.Equal(wanted.Z, derivatives.VelocityByVelocity.Z.X, 5);
+    }
+
     [Fact]
     public void A_flight_in_vacuum_has_those_of_the_parabola()
     {

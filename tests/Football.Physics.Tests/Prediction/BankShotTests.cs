@@ -63,6 +63,10 @@ public sealed class BankShotTests
         AimResult first = aimer.Find(request, after);
         AimResult last = default;
         Assert.Equal(0, Allocation.Of(() => last = aimer.Find(request, after)));
+        string[] other = [.. after, "ground"];
+        aimer.Find(request, other);
+        Assert.Equal(0, Allocation.Of(() => aimer.Find(request, other)));
+        Assert.Equal(0, Allocation.Of(() => last = aimer.Find(request, after)));
         Assert.Equal(first.Velocity, last.Velocity);
         Assert.Equal(first.Simulations, last.Simulations);
     }
@@ -76,20 +80,57 @@ public sealed class BankShotTests
         Assert.True(found.Miss > 1);
     }
 
-    [Fact]
-    public void A_wall_that_moves_is_met_where_it_is_then()
+    [Theory]
+    [InlineData(0)]
+    [InlineData(5)]
+    public void A_wall_that_moves_is_met_where_it_is_then(double kickTime)
     {
         Scene scene = Scene.Measured with
         {
             Obstacles = [new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(-9, 0, 0), new Vector3d(1, 0, 0)), Velocity = new Vector3d(0.5, 0, 0), Surface = Surface.Board }],
         };
-        var request = new AimRequest { From = new Vector3d(0, 0.11, 0), Target = new Vector3d(-4, 0.6, -14), Speed = 22, Tolerance = Tolerance };
+        var request = new AimRequest { From = new Vector3d(0, 0.11, 0), Target = new Vector3d(-4, 0.6, -14), Speed = 22, Tolerance = Tolerance, KickTime = kickTime };
         AimResult found = new BankShotAimer(scene).Find(request, "wall");
         Assert.Equal(AimStatus.Hit, found.Status);
         var simulator = new Simulator(scene);
-        BallState again = simulator.Launch(request.From, found.Velocity, found.Spin);
+        BallState again = simulator.LaunchAt(request.From, found.Velocity, found.Spin, kickTime);
         simulator.Run(ref again, 0.005, found.Time, StopAt.Time, new StepLog());
         Assert.InRange(Vector3d.Distance(again.Position, request.Target), 0, Tolerance + 1e-5);
+    }
+
+    [Fact]
+    public void A_scene_with_nothing_to_meet_says_so()
+    {
+        var aimer = new BankShotAimer(Scene.Measured with { Ground = Ground.None });
+        var request = new AimRequest { From = new Vector3d(0, 1, 0), Target = new Vector3d(0, 1, -10), Speed = 22 };
+        var refused = Assert.Throws<ArgumentOutOfRangeException>(() => aimer.Find(request, "ground"));
+        Assert.Contains("aim.after[0] is ground; allowed: none", refused.Message, StringComparison.Ordinal);
+    }
+
+    /// <summary>Fast kicks are ruled by the air: long steps would take a miss for a hit.</summary>
+    [Fact]
+    public void A_fast_kick_is_flown_in_short_steps()
+    {
+        var simulator = new Simulator(Scene);
+        var aimer = new BankShotAimer(Scene);
+        int hits = 0;
+        for (int i = 0; i < 8; i++)
+        {
+            var request = new AimRequest { From = new Vector3d(0, 0.11, 0), Target = new Vector3d(-2 + (0.3 * i), 0.8, -18), Speed = 400, Tolerance = Tolerance };
+            AimResult found = aimer.Find(request, "wall");
+            if (found.Status != AimStatus.Hit)
+            {
+                continue;
+            }
+
+            hits++;
+            var path = new Trajectory(4096);
+            simulator.LookAhead(simulator.Launch(request.From, found.Velocity, found.Spin), new LookAheadRequest { Duration = found.Time + 0.01, TimeStep = 0.0005, StopAt = StopAt.Time }, path);
+            double closest = Enumerable.Range(-400, 801).Min(k => Vector3d.Distance(path.PositionAt(found.Time + (1e-5 * k)), request.Target));
+            Assert.InRange(closest, 0, 1.05 * Tolerance);
+        }
+
+        Assert.NotEqual(0, hits);
     }
 
     /// <summary>Requests for where random kicks come after they have met these things, and no more.</summary>

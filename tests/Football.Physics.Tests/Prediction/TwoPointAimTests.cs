@@ -5,6 +5,27 @@ namespace Football.Physics.Tests.Predictors;
 /// <summary>A point on the way and a target.</summary>
 public sealed class TwoPointAimTests
 {
+    /// <summary>The kick for the target alone is not the one that came near the point: its own miss there is told, measured or not.</summary>
+    [Fact]
+    public void A_kick_for_the_target_alone_is_no_hit_of_both()
+    {
+        var request = new AimRequest
+        {
+            From = new Vector3d(0, 0.11, 0),
+            Target = new Vector3d(25.61015641475195, 3.134920612085321, -0.744245637757711),
+            Through = new Vector3d(7.846570690671645, 2.3210332258104875, -0.22802578450969788),
+            Speed = 26.904411966867936,
+            Tolerance = 0.01,
+            ThroughTolerance = 0.01,
+            MaximumIterations = 1,
+        };
+        var aimer = new Aimer(new Simulator(Scene.Default));
+        AimResult unmeasured = aimer.Find(request, AimMethod.Direct, measure: false);
+        AimResult measured = aimer.Find(request);
+        Assert.NotEqual(AimStatus.Hit, unmeasured.Status);
+        Assert.Equal(measured.Status, unmeasured.Status);
+    }
+
     [Fact]
     public void Direct_passes_both_points_of_every_kick_there_is()
     {

@@ -26,8 +26,10 @@ public sealed class BankShotAimer
     private readonly BankShotGuess _guess;
     private readonly BankShotGrid _grid;
     private readonly Kick[] _kicks = new Kick[BankShotGuess.Count];
+
+    /// <summary>What is to be met, by how many that are.</summary>
+    private readonly Dictionary<int, int[]> _things = [];
     private int _flown;
-    private int[] _things = [];
 
     /// <summary>Compiles a scene for aiming.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
@@ -37,8 +39,10 @@ public sealed class BankShotAimer
         _simulator = new Simulator(scene);
         Scene made = _simulator.Scene;
         World? world = _simulator.World;
-        _ground = world is null ? new Collider(made.Ground, new PlaneShape(new Vector3d(0, made.Ground.Height, 0), made.Ground.Normal)) : world.Ground;
-        _colliders = world is null ? [_ground!] : world.Colliders;
+        _ground = world is not null ? world.Ground
+            : made.Ground.IsNone ? null
+            : new Collider(made.Ground, new PlaneShape(new Vector3d(0, made.Ground.Height, 0), made.Ground.Normal));
+        _colliders = world?.Colliders ?? (_ground is null ? [] : [_ground]);
         _first = world?.FirstCollider ?? 0;
         _flight = new BankShotFlight(_simulator);
         _chain = new BankShotChain(made);
@@ -47,8 +51,11 @@ public sealed class BankShotAimer
     }
 
     /// <summary>Finds a kick.</summary>
-    /// <param name="request">What the kick is to do: from, target, speed, spin, elevations, tolerance. Without a point on the way.</param>
-    /// <param name="after">The names of what it is to meet before, in order: "ground", an obstacle's, "left post", "crossbar" …; at least one.</param>
+    /// <param name="request">
+    /// What the kick is to do: from, target, speed, spin, elevations, tolerance, time of the kick. Without a point on the way. <see cref="AimRequest.MaximumIterations"/> are
+    /// those from one start; there are many.
+    /// </param>
+    /// <param name="after">The names of what it is to meet before, in order: "ground", an obstacle's, "left post", "crossbar" …; at least one. Of things of one name the first is meant.</param>
     /// <returns>The best kick found. A hit passes the target within the tolerance after having met just these; all else is not converged: no other kick is ruled out.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range, nothing is to be met, or the scene has nothing of a name; the message says what it has.</exception>
@@ -63,7 +70,7 @@ public sealed class BankShotAimer
         }
 
         int[] things = Things(after);
-        _flight.Begin();
+        _flight.Begin(request);
         var frame = new TargetFrame(AimContext.Raised(_simulator, request.From), AimContext.Raised(_simulator, request.Target));
         BankShotStart best = Chained(request, in frame, things, Nothing(request, in frame));
         if (!best.IsHit(request))
@@ -146,7 +153,7 @@ public sealed class BankShotAimer
         var bounds = ElevationBounds.Of(request);
         Kick kick = _chain.Legs.Kick;
         kick.Elevation = bounds.Clamp(kick.Elevation);
-        BankShotStart best = _flight.Fly(request, in frame, things, in kick, BankShotFlight.FineStep);
+        BankShotStart best = _flight.Fly(request, in frame, things, in kick, _flight.FineStep);
         bool better = best.Meets && best.Miss < Strange;
         for (int i = 0; i < MostCorrections && better && best.Miss > BankShotFlight.Enough * request.Tolerance; i++)
         {
@@ -159,7 +166,7 @@ public sealed class BankShotAimer
             kick = best.Kick;
             kick.Elevation = bounds.Clamp(kick.Elevation + up);
             kick.Azimuth += aside;
-            BankShotStart next = _flight.Fly(request, in frame, things, in kick, BankShotFlight.FineStep);
+            BankShotStart next = _flight.Fly(request, in frame, things, in kick, _flight.FineStep);
             better = next.Meets && next.Miss < best.Miss;
             best = better ? next : best;
         }
@@ -177,7 +184,12 @@ public sealed class BankShotAimer
 
         int first = _first;
         int count = _colliders.Length;
-        int[] things = _things.Length == names.Length ? _things : new int[names.Length];
+        if (!_things.TryGetValue(names.Length, out int[]? things))
+        {
+            things = new int[names.Length];
+            _things.Add(names.Length, things);
+        }
+
         for (int i = 0; i < names.Length; i++)
         {
             int found = first;
@@ -188,14 +200,13 @@ public sealed class BankShotAimer
 
             if (found == first + count)
             {
-                string known = string.Join(" | ", Enumerable.Range(first, count).Select(_simulator.NameOf));
+                string known = count == 0 ? "none: the scene has nothing to meet" : string.Join(" | ", Enumerable.Range(first, count).Select(_simulator.NameOf));
                 throw Check.Refusal(FormattableString.Invariant($"aim.after[{i}]"), names[i], known);
             }
 
             things[i] = found;
         }
 
-        _things = things;
         return things;
     }
 

@@ -3,9 +3,8 @@ namespace Football.Physics;
 /// <summary>Flies kicks among all there is in a scene, and finds by their misses what comes closer.</summary>
 internal sealed class BankShotFlight
 {
-    /// <summary>Steps of a look and of the search itself, s.</summary>
+    /// <summary>Step of a look, s.</summary>
     public const double CoarseStep = 0.04;
-    public const double FineStep = 0.02;
 
     private const int MostCorrections = 20;
     private const int MostHalvings = 8;
@@ -22,10 +21,12 @@ internal sealed class BankShotFlight
     private readonly Simulator _simulator;
     private readonly StepLog _log = new();
     private readonly BankShotPath _path;
+    private readonly double _upward;
 
     public BankShotFlight(Simulator simulator)
     {
         _simulator = simulator;
+        _upward = Weight.UpwardAcceleration(simulator.Scene);
         _path = new BankShotPath(simulator);
     }
 
@@ -35,9 +36,14 @@ internal sealed class BankShotFlight
     /// <summary>Corrections since the search began.</summary>
     public int Iterations { get; set; }
 
+    /// <summary>Step of the search itself, s: of a measurement.</summary>
+    public double FineStep { get; private set; }
+
     /// <summary>Begins a search.</summary>
-    public void Begin()
+    public void Begin(AimRequest request)
     {
+        double spinRate = Math.Sqrt((request.TopSpin * request.TopSpin) + (request.SideSpin * request.SideSpin));
+        FineStep = MeasuringStep.Of(_simulator, _upward, request.Speed, spinRate);
         Simulations = 0;
         Iterations = 0;
     }
@@ -46,7 +52,7 @@ internal sealed class BankShotFlight
     public BankShotStart Fly(AimRequest request, in TargetFrame frame, int[] things, in Kick kick, double step)
     {
         kick.Vectors(request.Speed, frame.Forward, out Vector3d velocity, out Vector3d spin);
-        BallState state = _simulator.Launch(request.From, velocity, spin);
+        BallState state = _simulator.LaunchAt(request.From, velocity, spin, request.KickTime);
         Simulations++;
         BankShotStart shot = default;
         shot.Kick = kick;
@@ -122,7 +128,7 @@ internal sealed class BankShotFlight
     private Vector3d At(AimRequest request, in TargetFrame frame, in Kick kick, double time)
     {
         kick.Vectors(request.Speed, frame.Forward, out Vector3d velocity, out Vector3d spin);
-        BallState state = _simulator.Launch(request.From, velocity, spin);
+        BallState state = _simulator.LaunchAt(request.From, velocity, spin, request.KickTime);
         _log.Clear();
         Simulations++;
         _simulator.Run(ref state, FineStep, time, StopAt.Time, _log, null);

@@ -25,6 +25,7 @@ internal sealed class BankShotPath : PieceObserver
     private double _time;
     private Vector3d _position;
     private Vector3d _velocity;
+    private double _start;
     private double _fast;
 
     /// <param name="simulator">The scene.</param>
@@ -52,9 +53,10 @@ internal sealed class BankShotPath : PieceObserver
         _target = target;
         _met = 0;
         _best = double.PositiveInfinity;
-        _fast = 0;
+        _start = state.Time;
+        _fast = _start;
         bool goesOn = true;
-        double last = LongestFlight - (1e-9 * step);
+        double last = _start + LongestFlight - (1e-9 * step);
         while (goesOn && state.Motion != MotionState.Stopped && state.Time < last)
         {
             BallState before = state;
@@ -82,7 +84,7 @@ internal sealed class BankShotPath : PieceObserver
 
         shot.Meets = HasMetAll;
         shot.Miss = shot.Meets ? Math.Sqrt(_best) : double.MaxValue;
-        shot.Time = _time;
+        shot.Time = _time - _start;
         shot.Position = _position;
         shot.Velocity = _velocity;
     }
@@ -169,6 +171,6 @@ internal sealed class BankShotPath : PieceObserver
 
         double gap = HasMetAll ? (state.Position - _target).Length - Math.Sqrt(_best)
             : _world!.Colliders[_things[_met] - _world.FirstCollider].At(state.Position, state.Time).Distance - _world.Ball.Radius;
-        return gap > 2.0 * speed * (LongestFlight - state.Time);
+        return gap > 2.0 * speed * (_start + LongestFlight - state.Time);
     }
 }

@@ -68,15 +68,18 @@ internal sealed class DirectTwoPointAim : IAimMethod
             return solution;
         }
 
-        // Fitted air may have led astray what the flights themselves do not.
-        AimSolution plain = Solve(rehearses: false);
-        if (Suffices(in plain))
+        if (_context.Iterations < _problem.Request.MaximumIterations)
         {
-            return plain;
-        }
+            // Fitted air may have led astray what the flights themselves do not.
+            AimSolution plain = Solve(rehearses: false);
+            if (Suffices(in plain))
+            {
+                return plain;
+            }
 
-        bool isBetter = solution.Status != AimStatus.Hit || (plain.Status == AimStatus.Hit && plain.ThroughMiss < solution.ThroughMiss);
-        solution = isBetter ? plain : solution;
+            bool isBetter = solution.Status != AimStatus.Hit || (plain.Status == AimStatus.Hit && plain.ThroughMiss < solution.ThroughMiss);
+            solution = isBetter ? plain : solution;
+        }
 
         // From elsewhere there may be one that the closed form is too far from.
         return _search.Find(request, in solution.Kick, out AimSolution other) ? other : solution.Status == AimStatus.Hit ? solution : TargetFirst(in solution);
@@ -101,18 +104,29 @@ internal sealed class DirectTwoPointAim : IAimMethod
     {
         AimRequest request = _problem.Request;
         AimSolution single = _direct.Find(request, request.Speed, request.Arc, nearest.Kick.Top, nearest.Kick.Side);
-        single.ThroughMiss = nearest.ThroughMiss;
+        single.ThroughMiss = ThroughMissOf(in single.Kick);
         if (single.Status != AimStatus.Hit)
         {
             AimSolution lifted = _direct.Find(request, request.Speed, request.Arc, -request.MaximumTopSpin, 0);
             if (lifted.Status == AimStatus.Hit || lifted.Miss < single.Miss)
             {
-                lifted.ThroughMiss = single.ThroughMiss;
+                lifted.ThroughMiss = ThroughMissOf(in lifted.Kick);
                 return lifted;
             }
         }
 
         return single;
+    }
+
+    /// <summary>By what a kick for the target alone misses the point on the way, m: it is flown to tell.</summary>
+    private double ThroughMissOf(in Kick kick)
+    {
+        _problem.Set(_problem.Request);
+        _x[TwoPointProblem.Elevation] = kick.Elevation;
+        _x[TwoPointProblem.Azimuth] = kick.Azimuth;
+        _x[TwoPointProblem.Top] = kick.Top;
+        _x[TwoPointProblem.Side] = kick.Side;
+        return _problem.Fly(_x, _r, false) ? TwoPointProblem.ThroughMiss(_r) : double.NaN;
     }
 
     /// <summary>Newton's method.</summary>

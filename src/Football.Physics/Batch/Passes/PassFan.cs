@@ -5,7 +5,7 @@ namespace Football.Physics;
 /// A pass through the air is to be met before it comes down, one along the ground until it rests. Kicks through the air are flown in lanes, kicks along the ground are
 /// stepped, and all are looked at step by step: before when nobody can meet each of them, and which an opponent surely takes. In that order they are judged on their
 /// exact paths, until no other can be better: the answer is that of judging every kick. Without team mates it is the kick that no opponent can meet and that comes
-/// down, or along the ground comes to rest, closest to a target. Made once for a scene and used again; then nothing is allocated. Not for several threads at once.
+/// down, or along the ground comes to rest, closest to a target. Made once for a scene and used again; then nothing is allocated, as long as the duration is the same. Not for several threads at once.
 /// Scenes with what lanes do not know (see <see cref="BallBatch"/>) are refused.
 /// </remarks>
 public sealed class PassFan

@@ -104,6 +104,7 @@ public sealed record PassFanRequest
         Check.Within("fan.directions × elevations × speeds", (double)Directions * Elevations * Speeds, 1, Most);
         Check.Within("fan.spin.top", TopSpin, -Limits.Spin, Limits.Spin);
         Check.Within("fan.spin.side", SideSpin, -Limits.Spin, Limits.Spin);
+        Check.Within("fan.spin", SpinRate, 0, Limits.Spin);
         Check.NotNegative("fan.margin", Margin);
         Check.Within("fan.duration", Duration, 0, Longest, exclusiveLow: true);
         Check.Place("fan.target", Target ?? From);

@@ -99,8 +99,10 @@ internal sealed class PassRolls
             return double.IsNaN(earliest) ? double.PositiveInfinity : earliest;
         }
 
-        Advance(track, (int)(request.Duration / length) + 1, length);
-        return track.Rests
+        // A track that is kept may go on for longer than is asked for.
+        int whole = (int)(request.Duration / length) + 1;
+        Advance(track, whole, length);
+        return track.Rests && track.Steps <= whole
             ? (from + Turned(in turn, in track.Place(track.Steps)) - (request.Target ?? request.From)).Horizontal.Length - Error
             : double.PositiveInfinity;
     }
