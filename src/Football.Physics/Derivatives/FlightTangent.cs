@@ -34,6 +34,9 @@ internal sealed class FlightTangent<TAir>
     /// <summary>A slower flow, m/s, likewise.</summary>
     private const double SlowestFlow = 0.5;
 
+    /// <summary>Only where the spin parameter is larger may the lift end: by the published laws at 1.886.</summary>
+    private const double FastSpin = 1.5;
+
     private readonly Surroundings<TAir> _around;
     private readonly bool _needsAcross;
     private readonly Vector3d[] _velocities = new Vector3d[MostPieces + 1];
@@ -65,7 +68,8 @@ internal sealed class FlightTangent<TAir>
     /// <summary>Whether it can take a piece.</summary>
     public bool Takes(in BallState before, in BallState after) =>
         before.SpinRate > SlowestSpin && after.SpinRate > SlowestSpin && (before.Velocity - _around.Wind).LengthSquared > SlowestFlow * SlowestFlow
-        && (after.Velocity - _around.Wind).LengthSquared > SlowestFlow * SlowestFlow && !(_needsAcross && IsAlongSpin(in before, in after));
+        && (after.Velocity - _around.Wind).LengthSquared > SlowestFlow * SlowestFlow && !(_needsAcross && IsAlongSpin(in before, in after))
+        && !LiftEnds(in before, in after);
 
     /// <summary>Begins a flight.</summary>
     public void Begin(in BallState s, DragBranch branch, bool afterImpact)
@@ -226,6 +230,19 @@ internal sealed class FlightTangent<TAir>
     {
         double across = Vector3d.Cross(before.SpinAxis, before.Velocity - _around.Wind).LengthSquared;
         return (after.Velocity - before.Velocity).LengthSquared > AcrossShare * AcrossShare * across;
+    }
+
+    /// <summary>Whether a piece leads through the kink at which the lift ends.</summary>
+    private bool LiftEnds(in BallState before, in BallState after) =>
+        _around.Air.Lifts && _around.RadiusSquared * before.SpinRate * before.SpinRate > FastSpin * FastSpin * (before.Velocity - _around.Wind).LengthSquared
+        && LiftOf(in before) > 0 != LiftOf(in after) > 0;
+
+    private double LiftOf(in BallState s)
+    {
+        double squared = (s.Velocity - _around.Wind).LengthSquared;
+        _around.Air.Begin(s.SpinRate, s.Branch, out PointStep step);
+        _around.Air.AtStart(ref step, squared, s.SpinRate, squared, out _, out double lift, out _);
+        return lift;
     }
 
     /// <summary>Whether the laws depend on the direction of the spin to the flow.</summary>

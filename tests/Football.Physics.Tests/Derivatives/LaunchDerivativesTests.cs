@@ -66,12 +66,13 @@ public sealed class LaunchDerivativesTests
         Assert.NotEqual(0, check.Events[BallEventKind.Net]);
     }
 
-    /// <summary>A net pushes on while the slip ends; a ball stands and spins under drilling friction; one that rolls in the wind until the flow all but stops.</summary>
+    /// <summary>A net pushes on while the slip ends; a ball stands and spins under drilling friction; one that rolls in the wind until the flow all but stops; a lift that ends with a kink.</summary>
     [Theory]
     [InlineData(DerivativesKind.Goal, 7, 1)]
     [InlineData(DerivativesKind.Measured, 11, 0)]
     [InlineData(DerivativesKind.Published, 7, 24)]
     [InlineData(DerivativesKind.Published, 7, 6)]
+    [InlineData(DerivativesKind.Slope, 3, 11)]
     public void Slides_rolls_and_what_follows_are_those_of_the_steps(object kind, int seed, int flight)
     {
         var check = new DerivativesCheck((DerivativesKind)kind);
