@@ -11,7 +11,7 @@ internal sealed class BankShotChain
 {
     private const int MostSteps = 16;
 
-    /// <summary>A step that leads to no smaller gap is shortened so often, to this share of it.</summary>
+    /// <summary>A step is tried so often; one that leads to no smaller gap is shortened to this share of it.</summary>
     private const int MostTries = 5;
     private const double Shorter = 0.35;
 

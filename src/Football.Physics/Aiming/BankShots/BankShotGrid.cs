@@ -2,7 +2,7 @@ namespace Football.Physics;
 
 /// <summary>
 /// The last resort: kicks over all directions that can meet the first thing are flown in long steps, few at first, more where those lead to no hit; from the closest of
-/// those that meet all of them, Newton's method goes on through the impacts with the derivatives by the launch.
+/// those that meet all of them, Newton's method goes on through the impacts.
 /// </summary>
 internal sealed class BankShotGrid
 {

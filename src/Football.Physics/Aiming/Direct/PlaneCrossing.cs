@@ -8,7 +8,6 @@ internal struct PlaneCrossing
 
     /// <summary>Newton's method for the crossing ends with a change of this share of the step: then what is left is rounding.</summary>
     private const double Closeness = 1e-9;
-    private const int MostNewton = 6;
 
     private readonly Vector3d _point;
     private readonly Vector3d _pointVelocity;
@@ -77,19 +76,10 @@ internal struct PlaneCrossing
             return false;
         }
 
-        var distance = new CubicHermite(before, length * Outward(start.Velocity), after, slope);
-        double s = 1.0 - (after / slope);
-        for (int i = 0; i < MostNewton && s > 0; i++)
-        {
-            double step = distance.At(s) / distance.SlopeAt(s);
-            s -= step;
-            if (Math.Abs(step) < Closeness)
-            {
-                break;
-            }
-        }
-
-        if (!(s > 0 && s < 1.0 + (2.0 * Reach) && distance.C1 > 0 && distance.SlopeAt(s) > 0))
+        var left = new WayLeft(new CubicHermite(-before, -length * Outward(start.Velocity), -after, -slope));
+        double farthest = 1.0 + (2.0 * Reach);
+        double s = Roots.Newton(ref left, 0, farthest, 1.0 - (after / slope), Closeness);
+        if (!(s > 0 && s < farthest && left.Curve.C1 < 0 && left.Curve.SlopeAt(s) < 0))
         {
             return false;
         }
@@ -121,4 +111,17 @@ internal struct PlaneCrossing
     }
 
     private readonly bool IsBehind(in Vector3d position) => Vector3d.Dot(position - _point, in _normal) >= 0;
+
+    /// <summary>What is left to the plane along a step.</summary>
+    private readonly struct WayLeft(CubicHermite curve) : IDifferentiableFunction
+    {
+        public readonly CubicHermite Curve = curve;
+
+        public bool Evaluate(double x, out double value, out double slope)
+        {
+            value = Curve.At(x);
+            slope = Curve.SlopeAt(x);
+            return false;
+        }
+    }
 }

@@ -60,9 +60,6 @@ public sealed record PassFanRequest
     /// <summary>How many kicks.</summary>
     internal int Count => Directions * Elevations * Speeds;
 
-    /// <summary>How many pairs of a speed and an elevation; all directions of one follow each other.</summary>
-    internal int Pairs => Elevations * Speeds;
-
     /// <summary>Size of the spin, rad/s.</summary>
     internal double SpinRate => Math.Sqrt((TopSpin * TopSpin) + (SideSpin * SideSpin));
 
