@@ -168,13 +168,16 @@ until half; do
   sleep 0.02
 done
 left=$(awk '/"rows"/ { gsub(/[^0-9]/, ""); print }' "$victim/checkpoint.json")
-gone() { [[ -z $(squeue --noheader --states=running,completing --job="${job}_$index") ]]; }
+# none ARGUMENTS…: squeue answers, and lists nothing.
+none() { local listed; listed=$(squeue --noheader "$@") && [[ -z $listed ]]; }
+gone() { none --states=running,completing --job="${job}_$index"; }
 until_true 60 "the killed task's end" gone
 scontrol requeue "${job}_$index" 2> "$log" || fail "scontrol requeue"
-# A cluster waits two minutes before it runs a task again.
-scontrol update JobId="${job}_$index" StartTime=now 2> "$log" || fail "scontrol update"
+# A cluster waits two minutes before it runs a task again. It is not to be at once: a node takes a launch in the second of the kill, counted in whole
+# seconds, for the one that was killed, and drops it.
+scontrol update JobId="${job}_$index" StartTime=now+2seconds 2> "$log" || fail "scontrol update"
 
-drained() { [[ -z $(squeue --noheader --job="$job") ]]; }
+drained() { none --job="$job"; }
 until_true 180 "the end of all tasks" drained
 said=$(tail -n 1 "$work/tasks/$index.log")
 now=$(sed -E 's/.* ([0-9]+) of them now .*/\1/' <<< "$said")
