@@ -117,7 +117,7 @@ internal static class SweepCommand
     private static int ToFolder(SweepPlan plan, SweepRun run, string folder, Shard shard, Terminal terminal)
     {
         var identity = new Identity(Program, run.Format.Name, plan.Seed, shard.Count, plan.Text);
-        using var sink = FolderSink.Open(folder, identity, shard, run.Format, Schema.Text(run.Columns, run.Format), run.CountsHandedOn);
+        using var sink = FolderSink.Open(folder, identity, shard, run.Format, Schema.Text(run.Columns, run.Format), run.CountsHandedOn, TimeProvider.System);
         string line = Progress.Show(
             terminal,
             "rows",

@@ -1,5 +1,4 @@
 using System.Buffers;
-using System.Diagnostics;
 using Football.Physics.Headless.Commands;
 using Football.Physics.Headless.Input;
 using Football.Physics.Headless.Sweep.Formats;
@@ -21,16 +20,19 @@ internal sealed class FolderSink : RowSink
     private readonly bool _countsHandedOn;
     private readonly FileRecord _schema;
     private readonly List<DataFile> _files = [];
-    private readonly Stopwatch _sinceCheckpoint = Stopwatch.StartNew();
+    private readonly TimeProvider _time;
+    private long _lastCheckpoint;
     private TimeSpan _untilCheckpoint = s_untilFirst;
 
-    private FolderSink(string folder, Identity identity, Shard shard, bool countsHandedOn, FileRecord schema)
+    private FolderSink(string folder, Identity identity, Shard shard, bool countsHandedOn, FileRecord schema, TimeProvider time)
     {
         _folder = folder;
         _identity = identity;
         _shard = shard;
         _countsHandedOn = countsHandedOn;
         _schema = schema;
+        _time = time;
+        _lastCheckpoint = time.GetTimestamp();
     }
 
     /// <summary>Whether all rows were there before.</summary>
@@ -43,8 +45,9 @@ internal sealed class FolderSink : RowSink
     /// <param name="format">How rows are written.</param>
     /// <param name="schema">What the columns are.</param>
     /// <param name="countsHandedOn">Whether lanes hand rows to the single ball.</param>
+    /// <param name="time">The clock by which checkpoints are due.</param>
     /// <exception cref="RefusedException">The folder holds something else, or has no room.</exception>
-    public static FolderSink Open(string folder, Identity identity, Shard shard, RowFormat format, byte[] schema, bool countsHandedOn)
+    public static FolderSink Open(string folder, Identity identity, Shard shard, RowFormat format, byte[] schema, bool countsHandedOn, TimeProvider time)
     {
         try
         {
@@ -62,7 +65,7 @@ internal sealed class FolderSink : RowSink
             throw new RefusedException("--out", $"{Quote.File(folder)}, which holds another sweep ({difference})", "a new folder, or that of an interrupted run of the same sweep");
         }
 
-        var sink = new FolderSink(folder, identity, shard, countsHandedOn, Schema.Record(schema));
+        var sink = new FolderSink(folder, identity, shard, countsHandedOn, Schema.Record(schema), time);
         try
         {
             sink.Begin(done, begun, format, schema);
@@ -97,7 +100,7 @@ internal sealed class FolderSink : RowSink
     public void Checkpoint()
     {
         Now.Write(_folder, Manifest.Unfinished, toDisk: false);
-        _sinceCheckpoint.Restart();
+        _lastCheckpoint = _time.GetTimestamp();
     }
 
     public override void Dispose() => _files.ForEach(file => file.Dispose());
@@ -112,7 +115,7 @@ internal sealed class FolderSink : RowSink
 
     protected override void Added()
     {
-        if (_sinceCheckpoint.Elapsed >= _untilCheckpoint)
+        if (_time.GetElapsedTime(_lastCheckpoint) >= _untilCheckpoint)
         {
             Checkpoint();
             _untilCheckpoint = 2 * _untilCheckpoint < s_untilLater ? 2 * _untilCheckpoint : s_untilLater;

@@ -218,7 +218,7 @@ public sealed class SweepFolderTests : IDisposable
         var run = new SweepRun(plan, format, 1);
         Write(format, "program", 1);
         Identity identity = Manifest.Read(At("program"), Manifest.Done)!.Identity with { Count = count };
-        using FolderSink sink = FolderSink.Open(At(folder), identity, new Shard(1, 1, count), run.Format, Schema.Text(run.Columns, run.Format), run.CountsHandedOn);
+        using FolderSink sink = FolderSink.Open(At(folder), identity, new Shard(1, 1, count), run.Format, Schema.Text(run.Columns, run.Format), run.CountsHandedOn, new StillTime());
         RowMaker maker = RowMaker.Create(plan, 110);
         foreach ((int first, int rows) in (ReadOnlySpan<(int, int)>)[(0, 110), (110, 90)])
         {
