@@ -25,8 +25,11 @@ internal sealed class FlightTangent<TAir>
 
     /// <summary>No more change of the flow at once than this share of it, and of its part across the spin: a piece that has more is taken in parts.</summary>
     private const double FlowShare = 0.09;
-    private const double AcrossShare = 0.25;
+    private const double AcrossShare = 0.15;
     private const double MostParts = 32;
+
+    /// <summary>A piece along which the part of the flow across the spin changes by more than this share of itself is left to the general form.</summary>
+    private const double LeftShare = 0.25;
 
     /// <summary>A slower spin, rad/s, is left to the general form: its axis may be none.</summary>
     private const double SlowestSpin = 1e-2;
@@ -229,7 +232,7 @@ internal sealed class FlightTangent<TAir>
     private bool IsAlongSpin(in BallState before, in BallState after)
     {
         double across = Vector3d.Cross(before.SpinAxis, before.Velocity - _around.Wind).LengthSquared;
-        return (after.Velocity - before.Velocity).LengthSquared > AcrossShare * AcrossShare * across;
+        return (after.Velocity - before.Velocity).LengthSquared > LeftShare * LeftShare * across;
     }
 
     /// <summary>Whether a piece leads through the kink at which the lift ends.</summary>

@@ -14,17 +14,17 @@ internal sealed class StepDifferences
     private const double Widest = 4e-4;
     private const double Way = 0.05;
 
-    /// <summary>The push of nets has kinks, which wide differences smear: the widest change in one, m/s.</summary>
-    private const double WidestInNets = 2e-5;
-
     /// <summary>Share of a slip, and of the speed of a roll or of the flow, by which it is changed at most, and the narrowest change, m/s.</summary>
     private const double SlipShare = 0.01;
     private const double RollShare = 0.001;
     private const double Narrowest = 1e-7;
 
-    /// <summary>Changed steps must go through the same events in as many pieces: else they are changed by less, so often and to this share.</summary>
+    /// <summary>Changed steps must go through the same events in as many pieces, and agree: else they are changed by less, so often and to this share.</summary>
     private const int MostTries = 6;
     private const double Narrower = 0.25;
+
+    /// <summary>They agree with those of half the width where the two differ by no more than this share of the change.</summary>
+    private const double Agreed = 3e-8;
 
     private readonly Simulator _simulator;
     private readonly StepLog _log = new();
@@ -65,27 +65,12 @@ internal sealed class StepDifferences
         bool dependsOnPlace = DependsOnPlace(in start, events);
         _basis.Span(tangent, dependsOnPlace);
         double widest = WidthAt(in start);
-        bool isSmooth = events.Length == 0 && start.Nets == 0 && start.Branch == end.Branch && start.Motion == MotionState.Airborne;
+        // What a game adds to the laws is smooth, and such steps are many: one width does.
+        bool isSmooth = !_hasLawsAlone && events.Length == 0 && start.Nets == 0 && start.Branch == end.Branch && start.Motion == MotionState.Airborne;
         for (int i = 0; i < _basis.Count; i++)
         {
             Motion direction = _basis[i];
-            double width = widest;
-            bool same = Quotient(in start, in direction, width, events, out Motion near, out double nearTime);
-            for (int tries = 1; tries < MostTries && !same; tries++)
-            {
-                width *= Narrower;
-                same = Quotient(in start, in direction, width, events, out near, out nearTime);
-            }
-
-            if (!isSmooth && Quotient(in start, in direction, 0.5 * width, events, out Motion nearer, out double nearerTime))
-            {
-                // Of fourth order, (4 q(h/2) − q(h))/3
-                near = same ? MotionVector.Sum(4.0 / 3.0, in nearer, -1.0 / 3.0, in near) : nearer;
-                nearTime = same ? nearerTime + ((nearerTime - nearTime) / 3.0) : nearerTime;
-            }
-
-            _changes[i] = near;
-            _times[i] = nearTime;
+            Change(in start, in direction, widest, events, isSmooth, out _changes[i], out _times[i]);
         }
 
         for (int c = 0; c < Tangent.Columns; c++)
@@ -104,6 +89,50 @@ internal sealed class StepDifferences
             eventTimes[c] = time;
         }
     }
+
+    /// <summary>
+    /// What a change along a direction becomes: narrower and narrower, until all go through the same and half of a width says the same as it does. A force
+    /// has kinks (that of spin where the ball spins about its way, a net's), which a wide change smears.
+    /// </summary>
+    private void Change(
+        in BallState start, in Motion direction, double width, ReadOnlySpan<BallEvent> events, bool isSmooth, out Motion change, out double time)
+    {
+        bool same = Quotient(in start, in direction, width, events, out change, out time);
+        if (isSmooth && same)
+        {
+            return;
+        }
+
+        Motion near = change;
+        double nearTime = time;
+        double least = double.PositiveInfinity;
+        for (int tries = 1; ; tries++)
+        {
+            if (Quotient(in start, in direction, 0.5 * width, events, out Motion nearer, out double nearerTime))
+            {
+                double apart = same ? Apart(in near, in nearer) : double.MaxValue;
+                if (apart < least)
+                {
+                    // Of fourth order, (4 q(h/2) − q(h))/3
+                    least = apart;
+                    change = same ? MotionVector.Sum(4.0 / 3.0, in nearer, -1.0 / 3.0, in near) : nearer;
+                    time = same ? nearerTime + ((nearerTime - nearTime) / 3.0) : nearerTime;
+                }
+            }
+
+            if (least <= Agreed || tries == MostTries)
+            {
+                return;
+            }
+
+            width *= Narrower;
+            same = Quotient(in start, in direction, width, events, out near, out nearTime);
+        }
+    }
+
+    /// <summary>By how much two changes of the velocity, or of the surface's, differ.</summary>
+    private double Apart(in Motion one, in Motion other) =>
+        Math.Max((one.Velocity - other.Velocity).Length, _simulator.Scene.Ball.Radius * (one.Spin - other.Spin).Length);
 
     /// <summary>
     /// Whether what happens depends on the place. In flight, and along level ground of one kind, in air that is the same everywhere, the place goes on with the
@@ -197,16 +226,15 @@ internal sealed class StepDifferences
     /// <summary>By how much to change the motion: the slower a slip, a roll or the flow, the faster its force turns.</summary>
     private double WidthAt(in BallState start)
     {
-        double widest = start.Nets == 0 && _end.Nets == 0 ? Widest : WidestInNets;
         if (start.Motion == MotionState.Airborne)
         {
-            return widest;
+            return Widest;
         }
 
         Vector3d moving = OnSurface(in start, out Vector3d normal);
         bool slides = start.Motion == MotionState.Sliding;
         double speed = (slides ? Slip.Of(in moving, start.Spin, in normal, _simulator.Scene.Ball.Radius) : moving).Length;
-        widest = Math.Min(widest, RollShare * (start.Velocity - _simulator.Scene.Air.Wind).Length);
+        double widest = Math.Min(Widest, RollShare * (start.Velocity - _simulator.Scene.Air.Wind).Length);
         widest = speed < Slip.Rolling ? widest : Math.Min(widest, (slides ? SlipShare : RollShare) * speed);
         return Math.Max(Narrowest, widest);
     }

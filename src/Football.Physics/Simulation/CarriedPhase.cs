@@ -90,6 +90,13 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
             }
 
             system.Pinned = size < Slip.Rolling && held;
+            if (system.Pinned)
+            {
+                // What was left of its speed is none: it does not creep.
+                s.Velocity = system.Carrier.Velocity;
+                from = new Motion(s.Position, s.Velocity, s.Spin);
+            }
+
             moving = size < Slip.Rolling ? drive : moving;
         }
         else

@@ -158,4 +158,17 @@ public sealed class WorldStabilityTests
 
         return energy;
     }
+
+    [Fact]
+    public void A_ball_that_stands_on_a_slope_and_spins_does_not_creep()
+    {
+        var simulator = new Simulator(Scene.Published with { Ground = Ground.Turf with { Normal = new Vector3d(0.02, 1, 0.01) } });
+        BallState ball = simulator.Launch(new Vector3d(0, 0.12, 0), new Vector3d(0.1, 0, 0), new Vector3d(0, 60, 0));
+        simulator.Run(ref ball, 0.01, 2, StopAt.Time, new StepLog());
+        Assert.Equal((MotionState.Rolling, Vector3d.Zero), (ball.Motion, ball.Velocity));
+        Vector3d place = ball.Position;
+        simulator.Run(ref ball, 0.01, 1, StopAt.Time, new StepLog());
+        Assert.Equal((MotionState.Rolling, place), (ball.Motion, ball.Position));
+        Assert.InRange(ball.Spin.Length, 1, 60);
+    }
 }

@@ -12,12 +12,12 @@ internal sealed class DerivativesCheck(DerivativesKind kind, double timeStep = 0
 
     /// <summary>
     /// The widest change of the launch, m/s; of the spin ten times that in rad/s. It is halved so often: wide differences pass from one course of events
-    /// to another, narrow ones magnify rounding. Those two in a row count that agree best.
+    /// to another, narrow ones magnify rounding. That one counts that agrees best with the next wider and the next narrower one.
     /// </summary>
     private const double Widest = 3.2e-3;
-    private const int Halvings = 9;
+    private const int Halvings = 15;
 
-    /// <summary>Two that agree to this share of themselves need no narrower ones.</summary>
+    /// <summary>Those that agree to this share of themselves need no narrower ones.</summary>
     private const double Agreed = 1e-9;
 
     /// <summary>No flight is judged by differences that are less certain than this share of what is judged.</summary>
@@ -31,10 +31,10 @@ internal sealed class DerivativesCheck(DerivativesKind kind, double timeStep = 0
     /// <summary>The largest error of each flight, as a share of the largest entry of its block.</summary>
     public List<double> Errors { get; } = [];
 
-    /// <summary>Flights of which the differences themselves are no better than what is judged: at no width do two agree.</summary>
+    /// <summary>Flights of which the differences themselves are no better than what is judged: at no width do they agree.</summary>
     public int Uncertain { get; private set; }
 
-    /// <summary>Flights on the edge of another course of events: at no two widths in a row do all changed launches go through the same.</summary>
+    /// <summary>Flights on the edge of another course: at no four widths in a row do all changed launches go through the same.</summary>
     public int OnEdge { get; private set; }
 
     /// <summary>Events that the flights went through.</summary>
@@ -51,6 +51,8 @@ internal sealed class DerivativesCheck(DerivativesKind kind, double timeStep = 0
         BallState state = _simulator.Launch(position, velocity, spin);
         bool ended = derivatives.Run(ref state, timeStep, duration, stopAt);
         BallEvent[] events = derivatives.Events.Span.ToArray();
+        End(position, velocity, spin, stopAt, duration, out _, out _);
+        long pieces = _log.Steps;
         Vector3d[] found = [.. Columns(derivatives)];
         double[] times = [.. Times(derivatives)];
         double worst = 0;
@@ -64,7 +66,10 @@ internal sealed class DerivativesCheck(DerivativesKind kind, double timeStep = 0
             double uncertainTime = 0;
             for (int axis = 0; axis < 3; axis++)
             {
-                if (!Difference(position, velocity, spin, (3 * block) + axis, stopAt, duration, events, out Difference difference))
+                // In another number of pieces the end is another one by the error of a step, which is no derivative: that counts only where nothing else does.
+                int column = (3 * block) + axis;
+                if (!Difference(position, velocity, spin, column, stopAt, duration, events, pieces, out Difference difference)
+                    && !Difference(position, velocity, spin, column, stopAt, duration, events, null, out difference))
                 {
                     OnEdge++;
                     return;
@@ -122,57 +127,63 @@ internal sealed class DerivativesCheck(DerivativesKind kind, double timeStep = 0
         }
     }
 
-    /// <summary>The change of place and time at the end, by differences of fourth order.</summary>
+    /// <summary>The change of place and time at the end, by differences of fourth order: the place by those widths that agree best on it, the time likewise.</summary>
     private bool Difference(
-        Vector3d position, Vector3d velocity, Vector3d spin, int column, StopAt stopAt, double duration, BallEvent[] events, out Difference best)
+        Vector3d position, Vector3d velocity, Vector3d spin, int column, StopAt stopAt, double duration, BallEvent[] events, long? pieces, out Difference best)
     {
         double width = column < 3 ? Widest : 10 * Widest;
-        best = new Difference(default, 0, double.PositiveInfinity, double.PositiveInfinity);
-        bool hasWide = false;
-        bool hasLast = false;
-        (Vector3d Place, double Time) wide = default;
-        (Vector3d Place, double Time) last = default;
-        for (int i = 0; i < Halvings; i++, width *= 0.5)
+        var found = new Difference(default, 0, double.PositiveInfinity, double.PositiveInfinity);
+        var quotients = new (Vector3d Place, double Time)[3];
+        var extrapolated = new (Vector3d Place, double Time)[3];
+        int inARow = 0;
+        for (int i = 0; i < Halvings && !IsCertain(in found); i++, width *= 0.5)
         {
-            bool same = Quotient(position, velocity, spin, column, width, stopAt, duration, events, out Vector3d narrow, out double narrowTime);
-            if (same && hasWide)
+            inARow = Quotient(position, velocity, spin, column, width, stopAt, duration, events, pieces, out Vector3d place, out double time) ? inARow + 1 : 0;
+            quotients.AsSpan(1).CopyTo(quotients);
+            quotients[2] = (place, time);
+            if (inARow < 2)
             {
-                // (4 q(h) − q(2h))/3
-                Vector3d place = narrow + ((narrow - wide.Place) / 3);
-                double time = narrowTime + ((narrowTime - wide.Time) / 3);
-                double error = Largest(place - last.Place);
-                double timeError = Math.Abs(time - last.Time);
-                if (hasLast && error < best.PlaceError)
-                {
-                    best = new Difference(place, time, error, timeError);
-                }
-
-                last = (place, time);
-                hasLast = true;
-                if (best.PlaceError <= Agreed * Largest(place) && best.TimeError <= Agreed * Math.Abs(time))
-                {
-                    return true;
-                }
+                continue;
             }
 
-            wide = (narrow, narrowTime);
-            hasLast &= same;
-            hasWide = same;
+            // (4 q(h) − q(2h))/3
+            extrapolated.AsSpan(1).CopyTo(extrapolated);
+            extrapolated[2] = (place + ((place - quotients[1].Place) / 3), time + ((time - quotients[1].Time) / 3));
+            if (inARow < 4)
+            {
+                continue;
+            }
+
+            (Vector3d middle, double middleTime) = extrapolated[1];
+            double error = Math.Max(Largest(middle - extrapolated[0].Place), Largest(middle - extrapolated[2].Place));
+            double timeError = Math.Max(Math.Abs(middleTime - extrapolated[0].Time), Math.Abs(middleTime - extrapolated[2].Time));
+            found = error < found.PlaceError ? found with { Place = middle, PlaceError = error } : found;
+            found = timeError < found.TimeError ? found with { Time = middleTime, TimeError = timeError } : found;
         }
 
+        best = found;
         return best.PlaceError < double.PositiveInfinity;
     }
 
+    private static bool IsCertain(in Difference difference) =>
+        difference.PlaceError <= Agreed * Largest(difference.Place) && difference.TimeError <= Agreed * Math.Abs(difference.Time);
+
     private bool Quotient(
-        Vector3d position, Vector3d velocity, Vector3d spin, int column, double width, StopAt stopAt, double duration, BallEvent[] events, out Vector3d change, out double time)
+        Vector3d position, Vector3d velocity, Vector3d spin, int column, double width, StopAt stopAt, double duration, BallEvent[] events, long? pieces, out Vector3d change, out double time)
     {
         change = default;
         time = 0;
         Vector3d by = width * new Vector3d(column % 3 == 0 ? 1 : 0, column % 3 == 1 ? 1 : 0, column % 3 == 2 ? 1 : 0);
         Vector3d velocityBy = column < 3 ? by : Vector3d.Zero;
         Vector3d spinBy = column < 3 ? Vector3d.Zero : by;
-        if (!End(position, velocity + velocityBy, spin + spinBy, stopAt, duration, events, out Vector3d high, out double later)
-            || !End(position, velocity - velocityBy, spin - spinBy, stopAt, duration, events, out Vector3d low, out double sooner))
+        End(position, velocity + velocityBy, spin + spinBy, stopAt, duration, out Vector3d high, out double later);
+        if (!IsSame(events, pieces))
+        {
+            return false;
+        }
+
+        End(position, velocity - velocityBy, spin - spinBy, stopAt, duration, out Vector3d low, out double sooner);
+        if (!IsSame(events, pieces))
         {
             return false;
         }
@@ -182,16 +193,20 @@ internal sealed class DerivativesCheck(DerivativesKind kind, double timeStep = 0
         return true;
     }
 
-    /// <summary>Plays a shot; the same things must happen to it.</summary>
-    private bool End(
-        Vector3d position, Vector3d velocity, Vector3d spin, StopAt stopAt, double duration, BallEvent[] events, out Vector3d place, out double time)
+    /// <summary>Plays a shot.</summary>
+    private void End(Vector3d position, Vector3d velocity, Vector3d spin, StopAt stopAt, double duration, out Vector3d place, out double time)
     {
         _log.Clear();
         BallState state = _simulator.Launch(position, velocity, spin);
         _simulator.Run(ref state, timeStep, duration, stopAt, _log);
         place = state.Position;
         time = state.Time;
-        bool same = _log.Events.Count == events.Length;
+    }
+
+    /// <summary>Whether the same things happened to the last shot.</summary>
+    private bool IsSame(BallEvent[] events, long? pieces)
+    {
+        bool same = (pieces is null || _log.Steps == pieces) && _log.Events.Count == events.Length;
         for (int i = 0; same && i < events.Length; i++)
         {
             same = _log.Events[i].Kind == events[i].Kind && _log.Events[i].Thing == events[i].Thing;

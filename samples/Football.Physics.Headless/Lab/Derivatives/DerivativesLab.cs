@@ -45,7 +45,7 @@ internal static class DerivativesLab
                 kind, errors.Length, check.OnEdge, check.Uncertain, Of(BallEventKind.Impact), Of(BallEventKind.Slide), Of(BallEventKind.Net), At(0.5), At(0.9), At(1), within, close, Verdict.Of(within >= 99));
         }
 
-        report.Notes.Add("Not judged are flights on edge (a launch that differs by 0.05 mm/s, or 0.5 mrad/s, goes through other events) and uncertain ones (no two widths of the differences agree to 3e-7). Reached: 99 % are within 1e-6.");
+        report.Notes.Add("Not judged are flights on edge (a launch that differs by 2 µm/s, or 20 µrad/s, goes through other events) and uncertain ones (at no width do differences agree with the next wider and narrower to 3e-7). Reached: 99 % are within 1e-6.");
         return report;
     }
 }
