@@ -65,7 +65,8 @@ internal sealed class StepDifferences
         bool dependsOnPlace = DependsOnPlace(in start, events);
         _basis.Span(tangent, dependsOnPlace);
         double widest = WidthAt(in start);
-        // What a game adds to the laws is smooth, and such steps are many: one width does.
+
+        // Wind that varies and what a game adds are smooth, and such steps are many: one width does.
         bool isSmooth = !_hasLawsAlone && events.Length == 0 && start.Nets == 0 && start.Branch == end.Branch && start.Motion == MotionState.Airborne;
         for (int i = 0; i < _basis.Count; i++)
         {
@@ -127,6 +128,12 @@ internal sealed class StepDifferences
 
             width *= Narrower;
             same = Quotient(in start, in direction, width, events, out near, out nearTime);
+            if (double.IsPositiveInfinity(least))
+            {
+                // On the edge of another course the narrowest says most.
+                change = near;
+                time = nearTime;
+            }
         }
     }
 
