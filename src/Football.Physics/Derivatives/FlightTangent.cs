@@ -23,7 +23,7 @@ internal sealed class FlightTangent<TAir>
     /// <summary>No more change of the speed, m/s.</summary>
     private const double LargestChange = 0.3;
 
-    /// <summary>No more change of the flow at once than this share of it, and of its part across the spin: a piece that has more is taken in parts.</summary>
+    /// <summary>No more change of the flow at once than this share of it, and of its part across the spin where the laws depend on that: a piece that has more is taken in parts.</summary>
     private const double FlowShare = 0.09;
     private const double AcrossShare = 0.15;
     private const double MostParts = 32;
@@ -161,9 +161,13 @@ internal sealed class FlightTangent<TAir>
     private double Change(int pieces)
     {
         Vector3d change = _velocities[pieces] - _velocities[0];
-        double across = Math.Min(Vector3d.Cross(in _axis, in _velocities[0]).LengthSquared, Vector3d.Cross(in _axis, in _velocities[pieces]).LengthSquared);
-        double flow = Math.Min(_velocities[0].LengthSquared, _velocities[pieces].LengthSquared);
-        double least = Math.Min(FlowShare * FlowShare * flow, (AcrossShare * AcrossShare * across) + 1e-6);
+        double least = FlowShare * FlowShare * Math.Min(_velocities[0].LengthSquared, _velocities[pieces].LengthSquared);
+        if (_needsAcross)
+        {
+            double across = Math.Min(Vector3d.Cross(in _axis, in _velocities[0]).LengthSquared, Vector3d.Cross(in _axis, in _velocities[pieces]).LengthSquared);
+            least = Math.Min(least, (AcrossShare * AcrossShare * across) + 1e-6);
+        }
+
         return Math.Sqrt(change.LengthSquared / least);
     }
 
