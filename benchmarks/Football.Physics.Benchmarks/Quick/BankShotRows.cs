@@ -50,30 +50,10 @@ internal static class BankShotRows
             Count);
     }
 
-    /// <summary>Requests that have an answer: for a place between what a random kick meets last and what comes next.</summary>
     private static AimRequest[] Draw(double least, double most, string[] after)
     {
         var random = new SeededRandom(17L);
-        var simulator = new Simulator(Scene);
-        var path = new Trajectory(1024);
-        var requests = new List<AimRequest>();
-        while (requests.Count < Count)
-        {
-            double azimuth = random.Uniform(least, most) * Math.PI / 180;
-            double elevation = random.Uniform(4, 32) * Math.PI / 180;
-            var velocity = random.Uniform(15, 26) * new Vector3d(-Math.Sin(azimuth) * Math.Cos(elevation), Math.Sin(elevation), -Math.Cos(azimuth) * Math.Cos(elevation));
-            (double top, double side) = (random.Uniform(-20, 20), random.Uniform(-20, 20));
-            BallState kick = simulator.Launch(Shot.Spot, velocity, KickSpin.Vector(velocity, top, side));
-            simulator.LookAhead(in kick, new LookAheadRequest { Duration = 5, TimeStep = 0.01, StopAt = StopAt.Time }, path);
-            BallEvent[] impacts = [.. path.Events.Span.ToArray().Where(e => e.Kind == BallEventKind.Impact)];
-            if (impacts.Length > after.Length && impacts.Take(after.Length).Select(e => simulator.NameOf(e.Thing)).SequenceEqual(after))
-            {
-                double begin = impacts[after.Length - 1].Time;
-                Vector3d target = path.PositionAt(begin + (random.Uniform(0.2, 0.9) * (impacts[after.Length].Time - begin)));
-                requests.Add(new AimRequest { From = Shot.Spot, Target = target, Speed = velocity.Length, TopSpin = top, SideSpin = side, Tolerance = 0.001 });
-            }
-        }
-
-        return [.. requests];
+        var set = new BankShotSet(new Simulator(Scene), after) { Azimuth = (least, most), Elevation = (4, 32) };
+        return [.. Enumerable.Range(0, Count).Select(_ => set.Draw(random))];
     }
 }

@@ -137,28 +137,8 @@ public sealed class BankShotTests
     private static List<AimRequest> Draw(double least, double most, string[] after)
     {
         var random = new SeededRandom(29L);
-        var simulator = new Simulator(Scene);
-        var path = new Trajectory(1024);
-        var from = new Vector3d(0, 0.11, 0);
-        var requests = new List<AimRequest>();
-        while (requests.Count < Requests)
-        {
-            double azimuth = random.Uniform(least, most) * Math.PI / 180;
-            double elevation = random.Uniform(4, 30) * Math.PI / 180;
-            var velocity = random.Uniform(15, 26) * new Vector3d(-Math.Sin(azimuth) * Math.Cos(elevation), Math.Sin(elevation), -Math.Cos(azimuth) * Math.Cos(elevation));
-            (double top, double side) = (random.Uniform(-20, 20), random.Uniform(-20, 20));
-            BallState kick = simulator.Launch(from, velocity, KickSpin.Vector(velocity, top, side));
-            simulator.LookAhead(in kick, new LookAheadRequest { Duration = 5, TimeStep = 0.01, StopAt = StopAt.Time }, path);
-            BallEvent[] impacts = Impacts(path);
-            if (impacts.Length > after.Length && impacts.Take(after.Length).Select(e => simulator.NameOf(e.Thing)).SequenceEqual(after))
-            {
-                double begin = impacts[after.Length - 1].Time;
-                Vector3d target = path.PositionAt(begin + (random.Uniform(0.2, 0.9) * (impacts[after.Length].Time - begin)));
-                requests.Add(new AimRequest { From = from, Target = target, Speed = velocity.Length, TopSpin = top, SideSpin = side, Tolerance = Tolerance });
-            }
-        }
-
-        return requests;
+        var set = new BankShotSet(new Simulator(Scene), after) { Azimuth = (least, most) };
+        return [.. Enumerable.Range(0, Requests).Select(_ => set.Draw(random))];
     }
 
     private static BallEvent[] Impacts(Trajectory path) => [.. path.Events.Span.ToArray().Where(e => e.Kind == BallEventKind.Impact)];

@@ -8,13 +8,11 @@ namespace Football.Physics.Headless.Lab.BankShots;
 /// <summary>football lab bankshots: kicks to where a random kick came after bounces, off a wall, off a post.</summary>
 internal static class BankShotLab
 {
-    private const double Tolerance = 1e-3;
-
-    /// <summary>What is to be met, in a scene that has it.</summary>
-    private static readonly (string Name, string[] After)[] Kinds =
+    /// <summary>What is to be met, in a scene that has it, and in which azimuths, degrees.</summary>
+    private static readonly (string Name, double Least, double Most, string[] After)[] Kinds =
     [
-        ("one bounce", ["ground"]), ("two bounces", ["ground", "ground"]), ("off the wall", ["wall"]), ("bounce, wall", ["ground", "wall"]), ("off the left post", ["left post"]),
-        ("crossbar, bounce", ["crossbar", "ground"]),
+        ("one bounce", -15, 15, ["ground"]), ("two bounces", -15, 15, ["ground", "ground"]), ("off the wall", 20, 70, ["wall"]), ("bounce, wall", 20, 70, ["ground", "wall"]),
+        ("off the left post", -18, -13, ["left post"]), ("crossbar, bounce", -15, 15, ["crossbar", "ground"]),
     ];
 
     private static readonly Scene Scene = Scene.Measured with
@@ -43,8 +41,9 @@ internal static class BankShotLab
         var simulator = new Simulator(Scene);
         int all = 0;
         int hit = 0;
-        foreach ((string name, string[] after) in Kinds)
+        foreach ((string name, double least, double most, string[] after) in Kinds)
         {
+            var set = new BankShotSet(simulator, after) { Azimuth = (least, most), Elevation = (2, 35), Speed = (14, 26) };
             var random = new SeededRandom(SeededRandom.Mix(seed, name.Length));
             int hits = 0;
             double[] simulations = new double[requests];
@@ -52,7 +51,7 @@ internal static class BankShotLab
             for (int i = 0; i < requests; i++)
             {
                 progress.Report(i, requests, () => name);
-                AimRequest request = Draw(simulator, after, random);
+                AimRequest request = set.Draw(random) with { MaximumElevationDegrees = 45 };
                 long start = Stopwatch.GetTimestamp();
                 AimResult found = aimer.Find(request, after);
                 times[i] = Stopwatch.GetElapsedTime(start).TotalMicroseconds;
@@ -70,35 +69,5 @@ internal static class BankShotLab
 
         report.Notes.Add(FormattableString.Invariant($"{hit} of {all} hit: {100.0 * hit / all:0.0} %. Reached: 98 % of a kind."));
         return report;
-    }
-
-    /// <summary>A request for where a random kick came after it had met these things.</summary>
-    private static AimRequest Draw(Simulator simulator, string[] after, SeededRandom random)
-    {
-        var from = new Vector3d(0, 0.11, 0);
-        while (true)
-        {
-            double speed = random.Uniform(14, 26);
-            double elevation = random.Uniform(2, 35);
-            (double top, double side) = (random.Uniform(-20, 20), random.Uniform(-20, 20));
-            double azimuth = after.Contains("wall") ? random.Uniform(20, 70) : after.Contains("left post") ? random.Uniform(-18, -13) : random.Uniform(-15, 15);
-            double angle = azimuth * Math.PI / 180;
-            double up = elevation * Math.PI / 180;
-            var d = new Vector3d(-Math.Sin(angle), 0, -Math.Cos(angle));
-            BallState state = simulator.Launch(from, speed * ((Math.Cos(up) * d) + new Vector3d(0, Math.Sin(up), 0)), KickSpin.Vector(d, top, side));
-            var path = new Trajectory(1024);
-            simulator.LookAhead(in state, new LookAheadRequest { Duration = 5, TimeStep = 0.01, StopAt = StopAt.Time }, path);
-            BallEvent[] impacts = [.. path.Events.Span.ToArray().Where(e => e.Kind == BallEventKind.Impact)];
-            if (impacts.Length < after.Length || !impacts.Take(after.Length).Select(e => simulator.NameOf(e.Thing)).SequenceEqual(after))
-            {
-                continue;
-            }
-
-            double begin = impacts[after.Length - 1].Time;
-            double end = impacts.Length > after.Length ? impacts[after.Length].Time : path.EndTime;
-            double share = random.Uniform(0.2, 0.9);
-            Vector3d target = path.PositionAt(begin + (share * Math.Min(end - begin, 2)));
-            return new AimRequest { From = from, Target = target, Speed = speed, TopSpin = top, SideSpin = side, MaximumElevationDegrees = 45, Tolerance = Tolerance };
-        }
     }
 }

@@ -203,7 +203,7 @@ internal sealed class DerivativesCheck(DerivativesKind kind, double timeStep = 0
         time = state.Time;
     }
 
-    /// <summary>Whether the same things happened to the last shot.</summary>
+    /// <summary>Whether the same things happened to the last shot; in so many pieces, where it is said in how many.</summary>
     private bool IsSame(BallEvent[] events, long? pieces)
     {
         bool same = (pieces is null || _log.Steps == pieces) && _log.Events.Count == events.Length;

@@ -122,7 +122,13 @@ internal sealed class TwoPointProblem
         _fitted.Begin(in frame.From, in velocity, in spin);
         _atThrough = new PlaneCrossing(Through, Vector3d.Zero, in frame.Forward);
         _atTarget = new PlaneCrossing(in frame.Target, Vector3d.Zero, in frame.Forward);
-        return _fitted.Fly(_throughTime, ref _atThrough) && _fitted.Fly(_targetTime, ref _atTarget) && TakeCrossings(r);
+        bool reaches = _fitted.Fly(_throughTime, ref _atThrough) && _fitted.Fly(_targetTime, ref _atTarget);
+        if (reaches)
+        {
+            TakeCrossings(r);
+        }
+
+        return reaches;
     }
 
     /// <summary>Flies a kick to both planes.</summary>
@@ -137,7 +143,13 @@ internal sealed class TwoPointProblem
         planes.Fly(in _frame.From, in velocity, in spin, isRehearsed ? _firstStep : _step, _throughTime, _targetTime);
         _atThrough = planes.Through;
         _atTarget = planes.Target;
-        return _atThrough.Crossed && _atTarget.Crossed && TakeCrossings(r);
+        bool reaches = _atThrough.Crossed && _atTarget.Crossed;
+        if (reaches)
+        {
+            TakeCrossings(r);
+        }
+
+        return reaches;
     }
 
     /// <summary>How the last crossing of the plane of the point on the way moves with the angles of its kick.</summary>
@@ -150,8 +162,7 @@ internal sealed class TwoPointProblem
         CrossingJacobian.Of(in kick, in crossing, in _frame, _context.Scene.Air.Wind, _context.Upward);
 
     /// <summary>Takes the residuals, and when to look for the next crossings.</summary>
-    /// <returns>True.</returns>
-    private bool TakeCrossings(double[] r)
+    private void TakeCrossings(double[] r)
     {
         _throughTime = _atThrough.Time;
         _targetTime = _atTarget.Time;
@@ -159,7 +170,6 @@ internal sealed class TwoPointProblem
         r[ThroughUp] = _atThrough.Offset.Y;
         r[TargetLeft] = Vector3d.Dot(_atTarget.Offset, in _frame.Left);
         r[TargetUp] = _atTarget.Offset.Y;
-        return true;
     }
 
     /// <summary>Whether the last flight leaves the ground and stays above it, or above where it began.</summary>
