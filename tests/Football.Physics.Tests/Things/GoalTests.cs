@@ -1,5 +1,4 @@
 using Football.Physics.Headless.Lab.Goals;
-using Football.Physics.Tests.Support;
 using Football.Physics.Yardsticks;
 
 namespace Football.Physics.Tests.Things;
