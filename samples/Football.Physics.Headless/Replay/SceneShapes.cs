@@ -18,7 +18,7 @@ internal static class SceneShapes
     [
         .. scene.Goals.Where(HasMarkings).Select(goal => Markings(goal, scene.Ground)),
         .. scene.Obstacles.Select(obstacle => Shape(obstacle, SceneShapeKind.Obstacle)),
-        .. scene.Goals.SelectMany(goal => goal.Frame()).Select(part => Shape(part, SceneShapeKind.Frame)),
+        .. scene.Goals.SelectMany(goal => goal.Frame(scene.Forces)).Select(part => Shape(part, SceneShapeKind.Frame)),
         .. scene.Nets.Concat(scene.Goals.SelectMany(goal => goal.Nets())).Select(Net),
     ];
 

@@ -27,7 +27,7 @@ internal sealed class World
         }
 
         colliders.AddRange(scene.Obstacles.Select(obstacle => new Collider(obstacle)));
-        colliders.AddRange(scene.Goals.SelectMany(goal => goal.Frame()).Select(obstacle => new Collider(obstacle)));
+        colliders.AddRange(scene.Goals.SelectMany(goal => goal.Frame(scene.Forces)).Select(obstacle => new Collider(obstacle)));
         if (scene.Bodies is { Count: > 0 } bodies)
         {
             bodies.Use();

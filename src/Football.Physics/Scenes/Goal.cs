@@ -28,8 +28,8 @@ public sealed record Goal
     /// <summary>Whether it has nets. Default true.</summary>
     public bool HasNet { get; init; } = true;
 
-    /// <summary>What posts and bar are made of. Default <see cref="Surface.GoalFrame"/>.</summary>
-    public Surface Surface { get; init; } = Surface.GoalFrame with { };
+    /// <summary>What posts and bar are made of. Default null: <see cref="Surface.MeasuredFrame"/> where the scene's laws are measured, else <see cref="Surface.GoalFrame"/>.</summary>
+    public Surface? Surface { get; init; }
 
     /// <summary>The line's direction towards the right post, seen by who stands in the goal and looks at the pitch; of length 1.</summary>
     internal Vector3d Right => Vector3d.Cross(Out, Vector3d.Up);
@@ -38,15 +38,17 @@ public sealed record Goal
     internal Vector3d Out => Check.Direction("facing", Facing);
 
     /// <summary>Posts and bar: capsules that meet at the corners.</summary>
-    internal IEnumerable<Obstacle> Frame()
+    /// <param name="laws">The laws of the scene, whose frame it has where it has none of its own.</param>
+    internal IEnumerable<Obstacle> Frame(ForceSet laws)
     {
+        Surface surface = Surface ?? (laws.Coefficients == CoefficientForm.Measured ? Physics.Surface.MeasuredFrame : Physics.Surface.GoalFrame);
         double side = (0.5 * Width) + PostRadius;
         var up = new Vector3d(0, Height + PostRadius, 0);
         Vector3d left = Center - (side * Right);
         Vector3d right = Center + (side * Right);
-        yield return new Obstacle { Name = "left post", Shape = new CapsuleShape(left, left + up, PostRadius), Surface = Surface };
-        yield return new Obstacle { Name = "right post", Shape = new CapsuleShape(right, right + up, PostRadius), Surface = Surface };
-        yield return new Obstacle { Name = "crossbar", Shape = new CapsuleShape(left + up, right + up, PostRadius), Surface = Surface };
+        yield return new Obstacle { Name = "left post", Shape = new CapsuleShape(left, left + up, PostRadius), Surface = surface };
+        yield return new Obstacle { Name = "right post", Shape = new CapsuleShape(right, right + up, PostRadius), Surface = surface };
+        yield return new Obstacle { Name = "crossbar", Shape = new CapsuleShape(left + up, right + up, PostRadius), Surface = surface };
     }
 
     /// <summary>Back, roof and sides, up to the axes of posts and bar.</summary>
@@ -100,8 +102,7 @@ public sealed record Goal
         Check.Within(field + ".postRadius", PostRadius, 0, Limits.Length, exclusiveLow: true);
         Check.Within(field + ".depth[0]", DepthAtBar, 0, Limits.Length, exclusiveLow: true);
         Check.Within(field + ".depth[1]", DepthOnGround, 0, Limits.Length, exclusiveLow: true);
-        _ = Surface ?? throw Check.Refusal(field + ".surface", "null", "a surface");
-        Surface.Validate(field + ".surface");
+        Surface?.Validate(field + ".surface");
     }
 
     private Net Side(string name, in Vector3d middle, in Vector3d back, double top) => new()

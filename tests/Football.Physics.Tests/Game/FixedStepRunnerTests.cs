@@ -57,6 +57,17 @@ public sealed class FixedStepRunnerTests
     }
 
     [Fact]
+    public void A_frame_as_long_as_a_step_makes_that_step_at_once()
+    {
+        var runner = new FixedStepRunner(timeStep: 1.0 / 60.0);
+        for (int frame = 0; frame < 120; frame++)
+        {
+            Assert.Equal(1, runner.Advance(runner.TimeStep));
+            Assert.Equal(0, runner.Fraction);
+        }
+    }
+
+    [Fact]
     public void A_hitch_is_cut_short_and_reported()
     {
         var runner = new FixedStepRunner(timeStep: 0.01, maximumFrameTime: 0.105);

@@ -33,6 +33,31 @@ public sealed class SnapshotTests
         }
     }
 
+    /// <summary>Two programs that exchange bytes read the same of them: time, place, velocity first, little-endian; what a ball is in comes in its place.</summary>
+    [Fact]
+    public void The_bytes_of_a_ball_in_a_net_have_each_field_in_its_place()
+    {
+        var ball = new Ball(new Simulator(Pitch.Standard.On()));
+        ball.Place(new Vector3d(1, 0.11, -46));
+        ball.Kick(new Vector3d(1, 4, -24), new Vector3d(20, 30, -10));
+        for (int i = 0; i < 300 && ball.State.Nets == 0; i++)
+        {
+            ball.Step(1.0 / 60.0);
+        }
+
+        BallState state = ball.State;
+        var bytes = new byte[Snapshot.Size];
+        Snapshot.Write(state, bytes);
+        Assert.Equal(state.Time, BitConverter.ToDouble(bytes, 0));
+        Assert.Equal(state.Position.X, BitConverter.ToDouble(bytes, 8));
+        Assert.Equal(state.Position.Z, BitConverter.ToDouble(bytes, 24));
+        Assert.Equal(state.Velocity.Y, BitConverter.ToDouble(bytes, 40));
+        Assert.NotEqual(0UL, state.Nets);
+        Assert.NotEqual(state.Nets, state.NetSides);
+        Assert.Equal(state.Nets, BitConverter.ToUInt64(bytes, 19 * 8));
+        Assert.Equal(state.NetSides, BitConverter.ToUInt64(bytes, 20 * 8));
+    }
+
     [Fact]
     public void One_flipped_bit_anywhere_changes_the_hash()
     {

@@ -41,6 +41,30 @@ public sealed class InterceptionTests
         }
     }
 
+    /// <summary>Standing where the ball has been a while ago, he has not saved it; standing where it will be, he saves it from now on.</summary>
+    [Fact]
+    public void A_keeper_saves_nothing_before_now()
+    {
+        var goal = new Goal { Center = new Vector3d(0, 0, -11), Facing = new Vector3d(0, 0, 1) };
+        Trajectory path = Path(new Vector3d(0, 0.11, 0), new Vector3d(0, 2, -20), 1);
+        var query = new Physics.Interception();
+        var passed = new Runner { Position = new Vector3d(0, 0, -3), Reaction = 10, Reach = 1 };
+        Assert.True(query.FindSave(path, in passed, goal).Saves);
+        Assert.False(query.FindSave(path, in passed, goal, 0.3).Saves);
+        var there = new Runner { Position = new Vector3d(0, 0, -5), Reach = 3 };
+        KeeperAnswer answer = query.FindSave(path, in there, goal, 0.3);
+        Assert.Equal((true, 0.3), (answer.Saves, answer.Save.Time));
+    }
+
+    [Fact]
+    public void What_a_keeper_covers_is_told_from_the_foot_of_his_goal()
+    {
+        Trajectory path = Path(new Vector3d(0, 0.11, 0), new Vector3d(0, 2, -20), 1);
+        var goal = new Goal { Center = new Vector3d(0, 3, -11), Facing = new Vector3d(0, 0, 1) };
+        var keeper = new Runner { Position = new Vector3d(0, 3, -10.5), HighestHeight = 5 };
+        Assert.Equal(2, new Physics.Interception().FindSave(path, in keeper, goal).CoversUpTo, 1e-12);
+    }
+
     [Fact]
     public void Who_is_first_is_found_without_all_windows_too()
     {

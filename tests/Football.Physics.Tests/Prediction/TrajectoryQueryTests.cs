@@ -19,6 +19,19 @@ public sealed class TrajectoryQueryTests
         Assert.Equal(apex.Position, path.PositionAt(apex.Time));
     }
 
+    [Theory]
+    [InlineData(0)]
+    [InlineData(9)]
+    public void A_plane_at_the_height_of_the_contact_is_met_where_the_ball_touches_down(double forward)
+    {
+        BallState from = s_simulator.Launch(new Vector3d(0, 1.5, 0), new Vector3d(forward, 2, 0), Vector3d.Zero);
+        var path = new Trajectory();
+        s_simulator.LookAhead(in from, new LookAheadRequest { StopAt = StopAt.Impact }, path);
+        Assert.True(path.TryGetTouchdown(0, out BallEvent touchdown));
+        Assert.True(path.TryGetCrossing(new Plane3d(touchdown.Position, Vector3d.Up), out PathPoint crossing));
+        Assert.Equal(touchdown.Time, crossing.Time, 1e-9);
+    }
+
     [Fact]
     public void Every_crossing_of_a_plane_is_found_in_its_direction()
     {

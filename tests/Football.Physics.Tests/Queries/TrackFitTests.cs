@@ -35,6 +35,41 @@ public sealed class TrackFitTests
         Assert.Equal(0, check.Lost);
     }
 
+    /// <summary>What the track alone says of the spin, and how surely, along its vaguest direction; then something else is known before, just as surely.</summary>
+    [Fact]
+    public void A_track_and_what_is_known_before_meet_half_way_where_both_are_as_sure()
+    {
+        var simulator = new Simulator();
+        BallState ball = simulator.Launch(new Vector3d(0, 0.5, 0), new Vector3d(3, 9, -20), new Vector3d(5, 30, 0));
+        var track = new TrackPoint[25];
+        for (int i = 0; i < track.Length; i++)
+        {
+            track[i] = new TrackPoint(0.04 * i, ball.Position, 0.01);
+            simulator.Run(ref ball, 0.01, 0.04, StopAt.Time, new StepLog());
+        }
+
+        var fit = new TrackFit();
+        TrackFitResult alone = fit.Find(track, new TrackFitRequest { SpinDeviation = 1e4, Spin = new Vector3d(5, 30, 0) });
+        Assert.True(alone.Converged);
+
+        // The vaguest direction, by the power method, and the variance along it.
+        var vaguest = new Vector3d(0.3, 0.5, 0.8);
+        double variance = 0;
+        for (int i = 0; i < 200; i++)
+        {
+            double Row(int row) => (alone.Covariance(row, 6) * vaguest.X) + (alone.Covariance(row, 7) * vaguest.Y) + (alone.Covariance(row, 8) * vaguest.Z);
+            var next = new Vector3d(Row(6), Row(7), Row(8));
+            variance = next.Length;
+            vaguest = next / variance;
+        }
+
+        double deviation = Math.Sqrt(variance);
+        Assert.InRange(deviation, 3, 30);
+        var known = new TrackFitRequest { SpinDeviation = deviation, Spin = alone.Spin + (0.5 * deviation * vaguest) };
+        TrackFitResult both = fit.Find(track, known);
+        Assert.Equal(0.25 * deviation, Vector3d.Dot(both.Spin - alone.Spin, in vaguest), 0.02 * deviation);
+    }
+
     [Fact]
     public void What_a_track_does_not_tell_is_not_identified()
     {

@@ -49,6 +49,7 @@ public sealed class BodyTests
     [InlineData(0.05, 0.11, 0)]
     [InlineData(0, 0.2, 0.05)]
     [InlineData(0, 0.35, 0)]
+    [InlineData(-0.03, 0.415, 0)]
     [InlineData(-0.1, 0.6, -0.1)]
     public void A_body_put_over_the_ball_pushes_it_out_and_gives_it_no_speed(double x, double y, double z)
     {
@@ -65,6 +66,26 @@ public sealed class BodyTests
         Assert.InRange((boot.Position - state.Position).Length, 0.2 + Flight.Radius - 1e-9, over ? 0.2 + Flight.Radius + 1e-9 : 10);
         Assert.Equal(Flight.Radius, state.Position.Y, 1e-12);
         Assert.Equal(0, state.Velocity.Length, 1e-12);
+    }
+
+    [Fact]
+    public void A_body_that_comes_up_under_a_ball_hits_it()
+    {
+        var bodies = new Bodies();
+        Body tray = bodies.Add("tray", new BoxShape(Vector3d.Zero, new Vector3d(1, 0.1, 1)), Surface.Wood);
+        tray.MoveTo(new Vector3d(0, 2, 0), Vector3d.Zero, 0);
+        var simulator = new Simulator(new Scene { Bodies = bodies }, s_rk4);
+        BallState state = simulator.Launch(new Vector3d(0, 2.1 + Flight.Radius, 0), Vector3d.Zero, Vector3d.Zero);
+        var log = new StepLog();
+        simulator.Run(ref state, Tick, 0.2, StopAt.Time, log);
+        Assert.Equal(MotionState.Stopped, state.Motion);
+        log.Clear();
+        tray.MoveTo(new Vector3d(0, 2, 0), new Vector3d(0, 2, 0), state.Time);
+        simulator.Step(ref state, Tick, log);
+        BallEvent hit = Flight.First(log, BallEventKind.Impact);
+        Assert.Equal("tray", simulator.NameOf(hit.Thing));
+        Assert.Equal(2 * 1.65, hit.Velocity.Y, 1e-3);
+        Assert.Equal(MotionState.Airborne, state.Motion);
     }
 
     [Fact]

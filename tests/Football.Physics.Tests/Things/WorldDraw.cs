@@ -36,7 +36,7 @@ internal sealed class WorldDraw
         {
             Vector3d place = Place(3);
             if (Scene.Obstacles.All(item => item.Shape.At(place).Distance > 0.12)
-                && Scene.Goals.SelectMany(goal => goal.Frame()).All(item => item.Shape.At(place).Distance > 0.12))
+                && Scene.Goals.SelectMany(goal => goal.Frame(Scene.Forces)).All(item => item.Shape.At(place).Distance > 0.12))
             {
                 return place;
             }

@@ -100,7 +100,7 @@ internal sealed class ThingsScene
             Vector3d place = Place(4);
             bool above = Scene.Ground.Heights is { } heights ? heights.At(in place).Distance > Radius + 0.01
                 : Vector3d.Dot(in place, Scene.Ground.Normal) > (Radius + 0.01) * Scene.Ground.Normal.Length;
-            if (above && Scene.Obstacles.Concat(Scene.Goals.SelectMany(goal => goal.Frame())).All(item => item.Shape.At(place).Distance > Radius + 0.01)
+            if (above && Scene.Obstacles.Concat(Scene.Goals.SelectMany(goal => goal.Frame(Scene.Forces))).All(item => item.Shape.At(place).Distance > Radius + 0.01)
                 && (Scene.Bodies ?? []).All(body => (body.Position - place).Length > 1))
             {
                 return place;
