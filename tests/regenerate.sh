@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Writes anew what is generated from the code: the golden hashes, docs/api.md, what the programs in README.md and docs/ print, the
+# Writes anew what is generated from the code: the golden hashes (golden.sh does those alone), docs/api.md, what the programs in README.md and docs/ print, the
 # tables of docs/accuracy-and-speed.md, and the errors of the reference cases.
 # Look at the differences before committing them.
 set -euo pipefail

@@ -10,7 +10,7 @@ public static class GoldenShots
     private const double TimeStep = 0.01;
     private const int Ticks = 1200;
 
-    /// <summary>One line a combination of shot, laws and integrator, one a combination of batch and laws, then the total.</summary>
+    /// <summary>One line a combination of shot, laws and integrator, one a combination of batch and laws; then what games get by default, and the total.</summary>
     public static IEnumerable<string> Lines()
     {
         ulong total = 0;
@@ -37,6 +37,13 @@ public static class GoldenShots
             }
         }
 
+        foreach (KeyValuePair<string, ulong> line in GoldenGames.Hashes())
+        {
+            total = Mix(total, line.Value);
+            yield return Line(line.Key, line.Value);
+        }
+
+        yield return "snapshot " + GoldenGames.SnapshotBytes();
         yield return Line("total", total);
     }
 
@@ -51,7 +58,7 @@ public static class GoldenShots
         yield return Named("custom", Scene.Published with { Forces = ForceSet.Published with { Custom = new[] { gust } }, Ground = Ground.WetTurf });
     }
 
-    private static IEnumerable<KeyValuePair<string, BallState>> Shots(Simulator simulator)
+    internal static IEnumerable<KeyValuePair<string, BallState>> Shots(Simulator simulator)
     {
         yield return Named("free-kick", Kick(simulator, 0.11, 27, new Vector3d(-0.12, 0.30, -1), -10, 55));
         yield return Named("corner", Kick(simulator, 0.11, 24, new Vector3d(-1, 0.45, -0.25), -25, -50));
@@ -79,17 +86,23 @@ public static class GoldenShots
         while (runner.Tick < Ticks)
         {
             runner.Step();
-            hash = Mix(hash, Snapshot.Hash(runner.State));
-            for (int i = 0; i < runner.Events.Count; i++)
-            {
-                hash = MixEvent(hash, runner.Events[i]);
-            }
-
-            BallPose pose = runner.PoseAt(0.375);
-            hash = Mix(Mix(hash, pose.Position), pose.Orientation.X);
+            hash = MixStep(hash, runner);
         }
 
         return hash;
+    }
+
+    /// <summary>State, events and what is drawn, after a step.</summary>
+    internal static ulong MixStep(ulong hash, FixedStepRunner runner)
+    {
+        hash = Mix(hash, Snapshot.Hash(runner.State));
+        for (int i = 0; i < runner.Events.Count; i++)
+        {
+            hash = MixEvent(hash, runner.Events[i]);
+        }
+
+        BallPose pose = runner.PoseAt(0.375);
+        return Mix(Mix(hash, pose.Position), pose.Orientation.X);
     }
 
     private static ulong MixEvent(ulong hash, BallEvent happened)

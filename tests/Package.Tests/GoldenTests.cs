@@ -10,6 +10,15 @@ public sealed class GoldenTests
         Repository.AssertCurrent("tests/Golden/golden.txt", string.Join('\n', GoldenShots.Lines()) + "\n");
 
     [Fact]
+    public void The_golden_shots_of_the_default_touch_everything()
+    {
+        var met = new List<string>();
+        Assert.NotEmpty(GoldenGames.Among(met).ToList());
+        string[] things = ["ground", "left post", "right post", "crossbar", "goal", "back net", "left net", "right board", "leg"];
+        Assert.Empty(things.Except(met.Distinct()));
+    }
+
+    [Fact]
     public void All_golden_shots_differ()
     {
         var lines = GoldenShots.Lines().ToList();

@@ -2,6 +2,7 @@ using System.CommandLine;
 using Football.Physics.Headless.Lab;
 using Football.Physics.Headless.Lab.BankShots;
 using Football.Physics.Headless.Lab.Derivatives;
+using Football.Physics.Headless.Lab.Goals;
 using Football.Physics.Headless.Lab.Intercept;
 using Football.Physics.Headless.Lab.Obstacles;
 using Football.Physics.Headless.Lab.Queries;
@@ -35,5 +36,6 @@ internal static class LabCommand
         ScatterLab.Create(terminal),
         FitLab.Create(terminal),
         ObstaclesLab.Create(terminal),
+        GoalsLab.Create(terminal),
     };
 }

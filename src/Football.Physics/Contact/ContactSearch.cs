@@ -18,6 +18,9 @@ internal readonly struct ContactSearch
     /// <summary>Up to this share of the radius from a hollow, the bend of the gap is known.</summary>
     private const double NearHollow = 0.1;
 
+    /// <summary>Putting a ball back onto what carries it after a piece moves it by less than this, m.</summary>
+    private const double Corrected = 1e-6;
+
     /// <summary>No walk takes steps shorter than this share of the path.</summary>
     private const double ShortestShare = 1e-7;
 
@@ -73,11 +76,10 @@ internal readonly struct ContactSearch
                 bool inside = (s.Nets >> net & 1) != 0;
                 at = inside ? at : MeetsNet(net, until, out gap);
             }
-            else if ((s.GoalsPassed >> (thing - goals) & 1) == 0)
+            else if (((s.GoalsEntered | s.GoalsPassed) >> (thing - goals) & 1) == 0)
             {
-                gap = Gap.OfGoal(_world, thing - goals);
-                at = Fall(in gap, until);
-                at = at <= until && _world.Goals[thing - goals].Contains(_path.At(at)) ? at : double.PositiveInfinity;
+                gap = Gap.OfGoal(_world, Happening.MouthEntered, thing - goals);
+                at = EntersMouth(in gap, until);
             }
 
             // Of what is met at one instant the first of the scene comes first, however the walk goes.
@@ -105,7 +107,73 @@ internal readonly struct ContactSearch
             }
         }
 
+        // In the mouth of a goal it passes the line, or leaves, wherever it is.
+        for (int goal = 0; goal < _world.Goals.Length && s.GoalsEntered >> goal != 0; goal++)
+        {
+            if ((s.GoalsEntered >> goal & 1) != 0)
+            {
+                Take(Gap.OfGoal(_world, Happening.GoalLine, goal), ref best, ref first);
+                Take(Gap.OfGoal(_world, Happening.MouthLeft, goal), ref best, ref first);
+            }
+        }
+
         return best;
+    }
+
+    /// <summary>Takes what happens at a plane of a goal, where it comes before all else.</summary>
+    private void Take(in Gap plane, ref double best, ref Gap first)
+    {
+        double at = PassesPlane(in plane, Math.Min(best, _path.Length));
+        if (at < best)
+        {
+            best = at;
+            first = plane;
+        }
+    }
+
+    /// <summary>When the ball comes through the opening of a mouth; infinite where it does not.</summary>
+    private double EntersMouth(in Gap mouth, double until)
+    {
+        double shortest = ShortestOf(in _path);
+        double t = 0;
+
+        // At the start of a piece it may be behind the mouth by what the last one was corrected by, when it was put back onto what carries it.
+        bool isBefore = _world.Goals[mouth.Index].BeforeMouth(_path.At(0)) >= -Corrected;
+        while (t <= until)
+        {
+            Vector3d place = _path.At(t);
+            mouth.Evaluate(in place, _path.VelocityAt(t), _time + t, out double gap, out double rate);
+            if (isBefore && gap <= Touching && rate < -Approaching && _world.Goals[mouth.Index].IsOpen(in place))
+            {
+                return t;
+            }
+
+            // The plane is next reached from whichever side the ball is on.
+            isBefore = gap > Touching || (isBefore && rate >= -Approaching);
+            double step = gap > Touching ? Safe(gap, rate, _bend) : gap < -Touching ? Safe(-gap, -rate, _bend) : Along(Math.Abs(rate), _bend);
+            t += Math.Max(step, shortest);
+        }
+
+        return double.PositiveInfinity;
+    }
+
+    /// <summary>When a ball in the mouth of a goal passes one of its planes, or is found to have done so; infinite where it does not.</summary>
+    private double PassesPlane(in Gap plane, double until)
+    {
+        double shortest = ShortestOf(in _path);
+        double t = 0;
+        while (t <= until)
+        {
+            plane.Evaluate(_path.At(t), _path.VelocityAt(t), _time + t, out double gap, out double rate);
+            if (gap < -2.0 * Touching || (gap <= Touching && rate < -Approaching))
+            {
+                return t;
+            }
+
+            t += Math.Max(gap > Touching ? Safe(gap, rate, _bend) : Along(rate, _bend), shortest);
+        }
+
+        return double.PositiveInfinity;
     }
 
     /// <summary>When the ball touches a collider first, coming closer; infinite where it does not.</summary>
@@ -176,7 +244,7 @@ internal readonly struct ContactSearch
                     return t;
                 }
 
-                if (sought.What == Happening.GoalLine || rate <= Approaching)
+                if (rate <= Approaching)
                 {
                     return double.PositiveInfinity;
                 }

@@ -41,8 +41,11 @@ internal readonly struct Gap
     /// <summary>The depth in a net.</summary>
     public static Gap OfLeavingNet(World world, int net, double side) => new(world, Happening.NetLeft, net, 0, side);
 
-    /// <summary>The distance before the plane of a goal.</summary>
-    public static Gap OfGoal(World world, int goal) => new(world, Happening.GoalLine, goal, 0, 0);
+    /// <summary>The distance before the mouth of a goal, behind it, or before its line.</summary>
+    /// <param name="world">The world.</param>
+    /// <param name="what">Which of these: entering the mouth, leaving it, or the line.</param>
+    /// <param name="goal">The goal.</param>
+    public static Gap OfGoal(World world, Happening what, int goal) => new(world, what, goal, 0, 0);
 
     /// <summary>Its value, m, and its rate, m/s, at a place with a velocity at a time.</summary>
     public void Evaluate(in Vector3d position, in Vector3d velocity, double time, out double value, out double rate)
@@ -71,9 +74,10 @@ internal readonly struct Gap
                 rate = -_side * Vector3d.Dot(in velocity, left.Normal);
                 break;
             default:
-                GoalMouth goal = _world.Goals[_index];
-                value = goal.Before(in position);
-                rate = Vector3d.Dot(in velocity, in goal.Out);
+                ref readonly GoalMouth goal = ref _world.Goals[_index];
+                double direction = What == Happening.MouthLeft ? -1.0 : 1.0;
+                value = direction * (What == Happening.GoalLine ? goal.BeforeLine(in position, _world.Ball.Radius) : goal.BeforeMouth(in position));
+                rate = direction * Vector3d.Dot(in velocity, goal.Out);
                 break;
         }
     }

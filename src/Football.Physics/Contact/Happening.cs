@@ -15,6 +15,12 @@ internal enum Happening
     /// <summary>It leaves a net.</summary>
     NetLeft,
 
-    /// <summary>It passes the plane of a goal inside its opening.</summary>
+    /// <summary>It comes through the mouth of a goal.</summary>
+    MouthEntered,
+
+    /// <summary>It goes back through the mouth.</summary>
+    MouthLeft,
+
+    /// <summary>Having come through the mouth, all of it is over the line.</summary>
     GoalLine,
 }

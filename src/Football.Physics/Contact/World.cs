@@ -43,7 +43,7 @@ internal sealed class World
 
         Colliders = [.. colliders];
         Nets = [.. scene.Nets.Concat(scene.Goals.SelectMany(goal => goal.Nets())).Select(net => new NetSheet(net, Ball))];
-        Goals = [.. scene.Goals.Select(goal => new GoalMouth(goal, Ball))];
+        Goals = [.. scene.Goals.Select(goal => new GoalMouth(goal))];
         FirstCollider = scene.Ground.IsNone ? 1 : 0;
         IsLevel = scene.Ground.IsLevel;
         IsLevelGroundAlone = IsLevel && HasNothing(scene);
@@ -222,6 +222,35 @@ internal sealed class World
         thing < Colliders.Length ? Colliders[thing].Bounds
         : thing < Colliders.Length + Nets.Length ? Nets[thing - Colliders.Length].Bounds
         : Goals[thing - Colliders.Length - Nets.Length].Bounds;
+
+    /// <summary>Of a ball that is put, or kicked, where it is: the goals whose mouth it has come through, a bit each.</summary>
+    public ulong GoalsEnteredAt(in Vector3d position)
+    {
+        ulong entered = 0;
+        for (int i = 0; i < Goals.Length; i++)
+        {
+            entered |= Goals[i].IsEntered(in position, Ball.Radius) ? 1UL << i : 0;
+        }
+
+        return entered;
+    }
+
+    /// <summary>Of a ball that was moved straight to where it is: it may have come through a mouth, or back.</summary>
+    public void PassMouths(ref BallState s, in Vector3d from)
+    {
+        for (int i = 0; i < Goals.Length; i++)
+        {
+            ulong bit = 1UL << i;
+            if (Goals[i].BeforeMouth(s.Position) > 0)
+            {
+                s.GoalsEntered &= ~bit;
+            }
+            else if ((s.GoalsPassed & bit) == 0 && Goals[i].IsEntered(in from, s.Position))
+            {
+                s.GoalsEntered |= bit;
+            }
+        }
+    }
 
     /// <summary>What carries the ball. A state of another scene may name what is not here: then it is the first thing.</summary>
     public Collider CarrierOf(in BallState s)

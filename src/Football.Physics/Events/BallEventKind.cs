@@ -18,7 +18,11 @@ public enum BallEventKind
     /// <summary>The ball met a net.</summary>
     Net = 4,
 
-    /// <summary>All of the ball passed a goal's line inside the opening.</summary>
+    /// <summary>
+    /// All of the ball is over the line of a goal, which is as wide as its posts: the centre has come through the mouth, the plane of the posts' axes, between
+    /// the posts and below the bar, has not gone back through it, and is now the radii of post and ball behind the line's middle, wherever on that plane.
+    /// Once for each goal, until the ball is kicked or placed.
+    /// </summary>
     Goal = 5,
 
     /// <summary>The ball left what carried it without an impact with it: over a crest, or lifted by a hit.</summary>

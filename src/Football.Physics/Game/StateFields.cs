@@ -17,7 +17,7 @@ internal interface IFieldVisitor
 internal static class StateFields
 {
     /// <summary>How many scalars there are; a test compares it with the struct itself.</summary>
-    public const int Count = 25;
+    public const int Count = 26;
 
     /// <summary>Visits every scalar, in a fixed order.</summary>
     public static void Visit<TVisitor>(ref BallState state, ref TVisitor visitor)
@@ -51,6 +51,7 @@ internal static class StateFields
         ulong airDistance = (ulong)BitConverter.DoubleToInt64Bits(state.AirDistance);
         visitor.Bits(ref airDistance);
         state.AirDistance = BitConverter.Int64BitsToDouble((long)airDistance);
+        visitor.Bits(ref state.GoalsEntered);
     }
 
     /// <summary>Takes the bits of a state out.</summary>

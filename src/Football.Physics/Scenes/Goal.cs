@@ -1,6 +1,7 @@
 namespace Football.Physics;
 
-/// <summary>A goal: two posts, a bar, nets, and the plane behind its line that a ball must pass. Sizes by law 1 of the game.</summary>
+/// <summary>A goal: two posts, a bar, nets, and the line that all of a ball must pass. Sizes by law 1 of the game.</summary>
+/// <remarks><see cref="BallEventKind.Goal"/> says when it counts.</remarks>
 public sealed record Goal
 {
     /// <summary>The middle of its line on the ground, m; components within ±1e6.</summary>

@@ -30,10 +30,16 @@ internal sealed class BodyPush<TAir>
         int deepest = NearThings.Deepest(_world, in s, out bool overlapsBody);
 
         // What overlaps a thing that stands still alone is not the game's doing: that is an impact.
+        Vector3d from = s.Position;
         for (int i = 0; overlapsBody && i < MostPushes && deepest >= 0; i++)
         {
             PushOut(ref s, _world.Colliders[deepest]);
             deepest = NearThings.Deepest(_world, in s, out _);
+        }
+
+        if (overlapsBody)
+        {
+            _world.PassMouths(ref s, in from);
         }
     }
 

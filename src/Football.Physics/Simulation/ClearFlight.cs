@@ -81,7 +81,8 @@ internal sealed class ClearFlight
             return true;
         }
 
-        if (s.Nets != 0)
+        // In a net and in the mouth of a goal a ball meets what has no box.
+        if (s.Nets != 0 || s.GoalsEntered != 0)
         {
             return false;
         }

@@ -94,6 +94,7 @@ public sealed class Simulator
         if (_world is not null)
         {
             _stepper.Settle(ref state);
+            state.GoalsEntered = _world.GoalsEnteredAt(state.Position);
         }
         else if (position.Y <= _contact)
         {

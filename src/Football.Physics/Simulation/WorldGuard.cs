@@ -116,7 +116,14 @@ internal sealed class WorldGuard<TAir>
             case Happening.NetLeft:
                 s.Nets &= ~(1UL << met.Index);
                 break;
+            case Happening.MouthEntered:
+                s.GoalsEntered |= 1UL << met.Index;
+                break;
+            case Happening.MouthLeft:
+                s.GoalsEntered &= ~(1UL << met.Index);
+                break;
             case Happening.GoalLine:
+                s.GoalsEntered &= ~(1UL << met.Index);
                 s.GoalsPassed |= 1UL << met.Index;
                 Report(in s, BallEventKind.Goal, _world.ThingOfGoal(met.Index), _world.Goals[met.Index].Out, ref run);
                 break;

@@ -71,7 +71,10 @@ public struct BallState : IFormattable
     /// <summary>On which side of its plane it met each of them: a bit is set for the side that the normal points to.</summary>
     internal ulong NetSides;
 
-    /// <summary>The goals whose plane the ball has passed since it was placed or kicked, a bit each.</summary>
+    /// <summary>The goals whose mouth the ball has come through, and whose line it has not passed, a bit each.</summary>
+    internal ulong GoalsEntered;
+
+    /// <summary>The goals whose line the ball has passed since it was placed or kicked, a bit each.</summary>
     internal ulong GoalsPassed;
 
     /// <summary>Until this time, s, the flight was found to meet nothing but level ground; 0 where that is not known.</summary>

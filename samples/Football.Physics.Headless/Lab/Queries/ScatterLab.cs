@@ -59,7 +59,7 @@ internal static class ScatterLab
         Simulator simulator, Vector3d from, Vector3d velocity, Vector3d spin, KickSpread spread, Goal goal, Runner keeper, int kicks, long seed)
     {
         var random = new SeededRandom(SeededRandom.Mix(seed, 77));
-        var plane = new GoalPlane(goal, simulator.Scene.Ball.Radius, keeper);
+        var plane = new GoalPlane(goal, keeper);
         var kick = new SpreadKick(in from, in velocity, in spin);
         double[] factor = new double[KickSpread.Count * KickSpread.Count];
         spread.Factor(factor);

@@ -1,22 +1,22 @@
 namespace Football.Physics;
 
-/// <summary>The vertical plane of a goal, and what a place in it is worth.</summary>
+/// <summary>The mouth of a goal, and what a place on its plane is worth.</summary>
 internal readonly struct GoalPlane
 {
+    private readonly GoalMouth _mouth;
     private readonly double _halfWidth;
     private readonly double _height;
     private readonly bool _hasKeeper;
     private readonly RunnerMotion _keeper;
     private readonly Vector3d _right;
 
-    public GoalPlane(Goal goal, double radius, Runner? keeper)
+    public GoalPlane(Goal goal, Runner? keeper)
     {
         goal.Validate("goal");
-        Out = goal.Out;
-        Center = goal.Center;
+        _mouth = new GoalMouth(goal);
         _right = goal.Right;
-        _halfWidth = (0.5 * goal.Width) - radius;
-        _height = goal.Height - radius;
+        _halfWidth = 0.5 * goal.Width;
+        _height = goal.Height;
         _hasKeeper = keeper is not null;
         if (keeper is { } given)
         {
@@ -28,31 +28,26 @@ internal readonly struct GoalPlane
     }
 
     /// <summary>The middle of the goal's line, m.</summary>
-    public Vector3d Center { get; }
+    public Vector3d Center => _mouth.Center;
 
     /// <summary>Unit normal, to the pitch.</summary>
-    public Vector3d Out { get; }
+    public Vector3d Out => _mouth.Out;
 
     /// <summary>The plane.</summary>
     public Plane3d Plane => new(Center, Out);
 
     /// <summary>How far right of the middle, and how high.</summary>
-    public void Place(in Vector3d position, out double aside, out double height)
-    {
-        Vector3d at = position - Center;
-        aside = Vector3d.Dot(in at, in _right);
-        height = at.Y;
-    }
+    public void Place(in Vector3d position, out double aside, out double height) => _mouth.Place(in position, out aside, out height);
 
-    /// <summary>The same of a change of place.</summary>
+    /// <summary>How far right, and up, a change of place is.</summary>
     public void Change(in Vector3d change, out double aside, out double height)
     {
         aside = Vector3d.Dot(in change, in _right);
         height = change.Y;
     }
 
-    /// <summary>Whether the whole ball goes in there.</summary>
-    public bool IsIn(double aside, double height) => Math.Abs(aside) <= _halfWidth && height <= _height;
+    /// <summary>Whether the ball goes in there.</summary>
+    public bool IsIn(double aside, double height) => _mouth.IsOpen(aside, height);
 
     /// <summary>Whether the goalkeeper can be there by then.</summary>
     public bool IsCovered(double aside, double height, double time)

@@ -82,7 +82,7 @@ public sealed class Scatter
         BallState ball = _simulator.Launch(position, velocity, spin);
         spread.Factor(_factor);
         kick = new SpreadKick(ball.Position, in velocity, in spin);
-        plane = new GoalPlane(goal, _simulator.Scene.Ball.Radius, keeper);
+        plane = new GoalPlane(goal, keeper);
     }
 
     /// <summary>By derivatives: A = M L maps normal numbers to the plane, where kicks at ± two standard deviations are where it says.</summary>

@@ -30,7 +30,7 @@ public readonly record struct ScatterResult
     /// <summary>Correlation of both, −1 … 1.</summary>
     public double Correlation { get; init; }
 
-    /// <summary>Chance, 0 … 1, that the whole ball crosses between the posts and under the bar.</summary>
+    /// <summary>Chance, 0 … 1, that the ball's centre crosses between the posts and below the bar: what goes in comes through there, see <see cref="BallEventKind.Goal"/>.</summary>
     public double OnTarget { get; init; }
 
     /// <summary>Chance, 0 … 1, that it does so where the goalkeeper can be by then.</summary>

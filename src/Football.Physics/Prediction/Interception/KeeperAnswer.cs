@@ -12,7 +12,7 @@ public readonly struct KeeperAnswer
     /// <summary>How far right of the goal's middle that is, seen by who stands in the goal and looks at the pitch, m.</summary>
     public double Aside { get; init; }
 
-    /// <summary>Whether the centre crosses between the posts and under the bar.</summary>
+    /// <summary>Whether the ball's centre crosses between the posts and below the bar: what goes in comes through there, see <see cref="BallEventKind.Goal"/>.</summary>
     public bool IsOnTarget { get; init; }
 
     /// <summary>The left end of the part of the line that he can cover by then, m right of its middle; above <see cref="CoversTo"/> where it is none.</summary>

@@ -18,7 +18,8 @@ internal readonly struct KeeperSearch
     /// <summary>Finds it.</summary>
     public KeeperAnswer Run(Trajectory path, in Runner keeper, Goal goal, double now)
     {
-        bool crosses = path.TryGetCrossing(new Plane3d(goal.Center, goal.Out), out PathPoint crossing) && Vector3d.Dot(crossing.Velocity, goal.Out) < 0;
+        var mouth = new GoalMouth(goal);
+        bool crosses = path.TryGetCrossing(new Plane3d(mouth.Center, mouth.Out), out PathPoint crossing) && Vector3d.Dot(crossing.Velocity, mouth.Out) < 0;
         _spans.Take(path, path.EndTime);
         double end = crosses ? crossing.Time : _spans.End;
         double begin = Math.Max(now, _spans.Start);
@@ -28,19 +29,18 @@ internal readonly struct KeeperSearch
         // What he covers: the part of the line within his circle when the ball gets there
         var motion = new RunnerMotion(in keeper, now);
         motion.MiddleAt(end, out double x, out double z);
-        Vector3d middle = new Vector3d(x, 0, z) - goal.Center;
-        double off = Vector3d.Dot(in middle, goal.Out);
-        double aside = Vector3d.Dot(in middle, goal.Right);
+        var middle = new Vector3d(x, 0, z);
+        double off = mouth.BeforeMouth(in middle);
+        mouth.Place(in middle, out double aside, out _);
         double radius = motion.RadiusAt(end);
         double half = radius > Math.Abs(off) ? Math.Sqrt((radius * radius) - (off * off)) : double.NegativeInfinity;
-        Vector3d at = crossing.Position - goal.Center;
-        double ballAside = crosses ? Vector3d.Dot(in at, goal.Right) : 0;
+        mouth.Place(crossing.Position, out double ballAside, out double height);
         return new KeeperAnswer
         {
             Crosses = crosses,
             Crossing = crosses ? crossing : default,
-            Aside = ballAside,
-            IsOnTarget = crosses && Math.Abs(ballAside) <= 0.5 * goal.Width && at.Y <= goal.Height,
+            Aside = crosses ? ballAside : 0,
+            IsOnTarget = crosses && mouth.IsOpen(ballAside, height),
             CoversFrom = Math.Max(-0.5 * goal.Width, aside - half),
             CoversTo = Math.Min(0.5 * goal.Width, aside + half),
             CoversUpTo = Math.Min(goal.Height, keeper.HighestHeight - goal.Center.Y),
