@@ -31,14 +31,14 @@ internal sealed class AimContext
     {
         Scene scene = game.Scene;
         HasThings = scene.Obstacles.Count > 0 || scene.Nets.Count > 0 || scene.Goals.Count > 0 || scene.Bodies is not null || scene.EngineColliders is not null;
-        var real = new Simulator(scene, SolverSettings.Default, game.Profile);
+        var real = new Simulator(scene, SolverSettings.Default);
         Scene open = HasThings ? WithoutThings(scene) : scene;
-        _simulator = HasThings ? new Simulator(open, SolverSettings.Default, game.Profile) : real;
+        _simulator = HasThings ? new Simulator(open, SolverSettings.Default) : real;
         Scene = scene;
         Game = game;
         Upward = Weight.UpwardAcceleration(scene);
         Steps = AimSteps.Long;
-        var withoutGround = new Simulator(WithoutGround(open), SolverSettings.Default, game.Profile);
+        var withoutGround = new Simulator(WithoutGround(open), SolverSettings.Default);
         Planes = new PlaneShooter(this, withoutGround);
         TimedFlight = new TimedFlight(this, withoutGround);
         TimedRoll = new TimedRoll(this, _simulator);

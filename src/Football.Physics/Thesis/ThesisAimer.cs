@@ -20,7 +20,7 @@ public sealed class ThesisAimer
         var simulator = new Simulator(scene, settings);
         Direct = new Aimer(simulator);
         AimContext context = Direct.Context;
-        Simulator open = context.HasThings ? new Simulator(AimContext.WithoutThings(simulator.Scene), simulator.Settings, simulator.Profile) : simulator;
+        Simulator open = context.HasThings ? new Simulator(AimContext.WithoutThings(simulator.Scene), simulator.Settings) : simulator;
         var frames = new FrameShooter(context, open, timeStep);
         _angle = new AngleAim(context, frames);
         _bisection = new BisectionAim(context, frames);

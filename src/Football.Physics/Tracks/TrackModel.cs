@@ -110,7 +110,7 @@ internal sealed class TrackModel
         }
 
         _factors = (drag, lift, restitution, friction);
-        _simulator = new Simulator(scene, null, ScaledProfile.Instance);
+        _simulator = new Simulator(scene);
         return _simulator;
     }
 

@@ -1,7 +1,7 @@
 namespace Football.Physics;
 
-/// <summary>The functions of a smooth law as tables that need no root of their argument.</summary>
-internal sealed class SmoothTables
+/// <summary>The functions of a law as tables that need no root of their argument.</summary>
+internal sealed class LawTables
 {
     /// <summary>log₂ S² from which on segments are fine: S 0.004.</summary>
     private const int Usual = -16;
@@ -19,7 +19,7 @@ internal sealed class SmoothTables
     /// <param name="law">The law; what it has from a scene is not asked.</param>
     /// <param name="speeds">Squares of the scaled speed.</param>
     /// <param name="crisis">Those with finer segments.</param>
-    public SmoothTables(ISmoothLaw law, Octaves speeds, Octaves crisis)
+    public LawTables(ITableLaw law, Octaves speeds, Octaves crisis)
     {
         Speeds = new FactorTable((double x, out LawFactors values) => law.OfSpeed(Math.Sqrt(x), out values), speeds, crisis);
         double none = new Octaves(None, Largest, 0).Lowest;

@@ -2,17 +2,14 @@ using System.Runtime.CompilerServices;
 
 namespace Football.Physics;
 
-/// <summary>Where the tables of the fused laws hold at every stage of a step, however strong gravity and the air are.</summary>
-internal struct FusedRange
+/// <summary>Where the tables of the laws hold at every stage of a step, however strong gravity and the air are.</summary>
+internal readonly struct TableRange
 {
     /// <summary>The fastest speed, m/s, at which the tables hold, with something in hand.</summary>
     public const double Fastest = 120;
 
     /// <summary>The largest spin parameter with which a step of a smooth law may begin. At 2 one plate of the empirical spin decay stands still.</summary>
     public const double LargestSpinParameter = 1.9;
-
-    /// <summary>And the slowest.</summary>
-    private const double Slowest = 0.75;
 
     /// <summary>Drag and lift may each change the velocity by this share within a step.</summary>
     private const double LargestChange = 0.125;
@@ -23,32 +20,23 @@ internal struct FusedRange
     /// <summary>Drag leaves 7/8 of a speed, and gravity takes the rest of it down to the slowest.</summary>
     private const double Slower = 1.0 / (1.0 - LargestChange);
 
-    /// <summary>A spin may lose this share within a step, for its powers are then good to 5e-9.</summary>
-    private const double LargestLoss = 0.02;
-
-    private double _slowest;  // m/s
-    private double _fastest;
-    private double _gravity;  // upward or downward, m/s²
-    private double _perSpeed; // bound for drag and lift, 1/m
-    private double _perSpin;
+    private readonly double _slowest;  // m/s
+    private readonly double _fastest;
+    private readonly double _gravity;  // upward or downward, m/s²
+    private readonly double _perSpeed; // bound for drag and lift, 1/m
+    private readonly double _perSpin;
 
     // Up to this length, s, drag and lift are small at every speed and spin, and these are the bounds of |u|².
-    private double _short;
-    private double _leastSquare;
-    private double _mostSquare;
-    private double _fallSquare;
-
-    /// <param name="scene">The scene.</param>
-    /// <param name="forces">How fast drag and lift change the velocity.</param>
-    /// <param name="fastestSpin">The fastest spin, rad/s, that the laws are asked about; without end where there is none.</param>
-    public void Prepare(Scene scene, in RateBound forces, double fastestSpin) => Prepare(scene, in forces, fastestSpin, Slowest, Fastest);
+    private readonly double _short;
+    private readonly double _leastSquare;
+    private readonly double _mostSquare;
 
     /// <param name="scene">The scene.</param>
     /// <param name="forces">How fast drag and lift change the velocity.</param>
     /// <param name="fastestSpin">The fastest spin, rad/s, that the laws are asked about; without end where there is none.</param>
     /// <param name="slowest">The slowest speed, m/s, at which the tables hold.</param>
     /// <param name="fastest">The fastest speed, m/s, at which the tables hold.</param>
-    public void Prepare(Scene scene, in RateBound forces, double fastestSpin, double slowest, double fastest)
+    public TableRange(Scene scene, in RateBound forces, double fastestSpin, double slowest, double fastest)
     {
         _slowest = slowest;
         _fastest = fastest;
@@ -58,14 +46,13 @@ internal struct FusedRange
         _short = Math.Min(LargestChange / (_perSpeed * fastest), LargestChange / (_perSpin * fastestSpin));
         _short = Math.Min(_short, ShortFall / Math.Max(1, _gravity));
         double fall = _short * _gravity;
-        _fallSquare = 9.0 * fall * fall;
         _leastSquare = Slower * (slowest + fall) * Slower * (slowest + fall);
         _mostSquare = fastest > fall ? (fastest - fall) * (fastest - fall) : 0;
     }
 
     /// <summary>Whether the speed stays within the tables.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly bool Holds(double speedSquared, double spinRate, double h)
+    public bool Holds(double speedSquared, double spinRate, double h)
     {
         if (h <= _short)
         {
@@ -85,24 +72,10 @@ internal struct FusedRange
     /// <param name="surfaceSquared">(r|ω|)².</param>
     /// <param name="h">Length of the step, s.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly bool HoldsSpin(double speedSquared, double surfaceSquared, double h)
+    public bool HoldsSpin(double speedSquared, double surfaceSquared, double h)
     {
         // (7/8 |u| − h g)² ≥ 7/8 (7/8 |u|)² − 7 (h g)²
         double fall = h * _gravity;
         return surfaceSquared + (56.0 * fall * fall) < LargestSpinParameter * LargestSpinParameter * speedSquared;
-    }
-
-    /// <summary>Whether the spin loses little enough; a ball without spin has none to lose.</summary>
-    /// <param name="speedSquared">|u|², or a bound for what the plates of the decay see.</param>
-    /// <param name="spinRate">|ω|.</param>
-    /// <param name="h">Length of the step, s.</param>
-    /// <param name="decayScale">Spin decay at 1 m/s, without spin.</param>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly bool Keeps(double speedSquared, double spinRate, double h, double decayScale)
-    {
-        // (|u| + h g)² ≤ (1 + 1/8) |u|² + (1 + 8) (h g)²
-        double fall = h * _gravity;
-        double fallSquare = h <= _short ? _fallSquare : 9.0 * fall * fall;
-        return spinRate * LargestLoss >= h * decayScale * ((1.125 * speedSquared) + fallSquare) || spinRate == 0;
     }
 }
