@@ -1,11 +1,11 @@
 namespace Football.Physics;
 
 /// <summary>The thesis' Method B (4.2): bisection over the elevation, the azimuth corrected by the horizontal angle each time.</summary>
-internal sealed class BisectionAim : IAimMethod
+internal sealed class BisectionAim
 {
     private readonly FrameProblem _problem;
 
-    public BisectionAim(AimContext context) => _problem = new FrameProblem(context);
+    public BisectionAim(AimContext context, FrameShooter frames) => _problem = new FrameProblem(context, frames);
 
     public AimSolution Find(AimRequest request) => Find(request, request.TopSpin, request.SideSpin);
 

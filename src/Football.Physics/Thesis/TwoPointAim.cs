@@ -5,7 +5,7 @@ namespace Football.Physics;
 /// scaled by how far the flight without and the flight with it pass the target's plane. Spins at their limit end it, and Method A
 /// then hits the target from there.
 /// </summary>
-internal sealed class TwoPointAim : IAimMethod
+internal sealed class TwoPointAim
 {
     /// <summary>The share of the limit that a spin starts with where none is given.</summary>
     private const double FirstSpin = 0.25;
@@ -18,6 +18,7 @@ internal sealed class TwoPointAim : IAimMethod
     private const double Progress = 0.95;
 
     private readonly AimContext _context;
+    private readonly FrameShooter _frames;
     private readonly AngleAim _angle;
     private readonly BisectionAim _bisection;
     private AimRequest _request = new();
@@ -25,9 +26,10 @@ internal sealed class TwoPointAim : IAimMethod
     private ElevationBounds _bounds;
     private Kick _kick;
 
-    public TwoPointAim(AimContext context, AngleAim angle, BisectionAim bisection)
+    public TwoPointAim(AimContext context, FrameShooter frames, AngleAim angle, BisectionAim bisection)
     {
         _context = context;
+        _frames = frames;
         _angle = angle;
         _bisection = bisection;
     }
@@ -65,9 +67,9 @@ internal sealed class TwoPointAim : IAimMethod
 
             // One flight tells both misses, and where to turn if they are too large.
             _kick.Vectors(request.Speed, in _frame.Forward, out Vector3d velocity, out Vector3d spin);
-            _context.Frames.FlyThrough(in _frame.From, in velocity, in spin, in through, in _frame.Target);
-            double targetMiss = _context.Frames.Target.Miss;
-            double throughMiss = _context.Frames.Through.Miss;
+            _frames.FlyThrough(in _frame.From, in velocity, in spin, in through, in _frame.Target);
+            double targetMiss = _frames.Target.Miss;
+            double throughMiss = _frames.Through.Miss;
             idle = targetMiss < Progress * bestMiss ? 0 : idle + 1;
             bool passes = throughMiss <= request.ThroughTolerance && targetMiss <= Margin * request.Tolerance;
             if (targetMiss < bestMiss || saturated || passes)
@@ -82,7 +84,7 @@ internal sealed class TwoPointAim : IAimMethod
                 break;
             }
 
-            Turn(in through, _context.Frames.Through);
+            Turn(in through, _frames.Through);
         }
 
         var solution = new AimSolution
@@ -118,8 +120,8 @@ internal sealed class TwoPointAim : IAimMethod
     {
         // The plane's normal, towards the ball in the thesis, is turned forward here.
         kick.Vectors(_request.Speed, in _frame.Forward, out Vector3d velocity, out Vector3d spin);
-        _context.Frames.FlyToPlane(in _frame.From, in velocity, in spin, in _frame.Target, in _frame.Forward);
-        FrameApproach target = _context.Frames.Target;
+        _frames.FlyToPlane(in _frame.From, in velocity, in spin, in _frame.Target, in _frame.Forward);
+        FrameApproach target = _frames.Target;
         return target.Crossed ? target.Crossing : target.Closest;
     }
 
@@ -127,8 +129,8 @@ internal sealed class TwoPointAim : IAimMethod
     private void TurnTowardsThrough(in Vector3d through)
     {
         _kick.Vectors(_request.Speed, in _frame.Forward, out Vector3d velocity, out Vector3d spin);
-        _context.Frames.Fly(in _frame.From, in velocity, in spin, in through);
-        Turn(in through, _context.Frames.Target);
+        _frames.Fly(in _frame.From, in velocity, in spin, in through);
+        Turn(in through, _frames.Target);
     }
 
     /// <summary>The turn itself, from a flight that watched the point on the way.</summary>

@@ -3,7 +3,7 @@ namespace Football.Physics;
 /// <summary>By which method to find a kick.</summary>
 public enum AimMethod
 {
-    /// <summary>The library's own: closed-form start, quasi-Newton on the crossing of the target's plane, bracketed fallback, verdict. For one and two points.</summary>
+    /// <summary>That of <see cref="Aimer"/>: closed-form start, quasi-Newton on the crossing of the target's plane, bracketed fallback, verdict. For one and two points.</summary>
     Direct = 0,
 
     /// <summary>The thesis' Method A (4.1): the velocity is turned by the angle between where the ball went and the target.</summary>

@@ -10,6 +10,7 @@ internal sealed class FrameProblem
     public const double Margin = 0.9;
 
     private readonly AimContext _context;
+    private readonly FrameShooter _frames;
     private TargetFrame _frame;
     private ElevationBounds _bounds;
     private double _speed;
@@ -17,7 +18,11 @@ internal sealed class FrameProblem
     private Kick _best;
     private double _bestMiss;
 
-    public FrameProblem(AimContext context) => _context = context;
+    public FrameProblem(AimContext context, FrameShooter frames)
+    {
+        _context = context;
+        _frames = frames;
+    }
 
     public ref readonly TargetFrame Frame => ref _frame;
 
@@ -50,8 +55,8 @@ internal sealed class FrameProblem
     {
         Kick = kick;
         kick.Vectors(_speed, in _frame.Forward, out Vector3d velocity, out Vector3d spin);
-        _context.Frames.Fly(in _frame.From, in velocity, in spin, in _frame.Target);
-        Closest = _context.Frames.Target.Closest;
+        _frames.Fly(in _frame.From, in velocity, in spin, in _frame.Target);
+        Closest = _frames.Target.Closest;
         Miss = Vector3d.Distance(Closest, in _frame.Target);
         if (Miss < _bestMiss)
         {

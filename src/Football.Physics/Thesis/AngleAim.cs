@@ -1,11 +1,11 @@
 namespace Football.Physics;
 
 /// <summary>The thesis' Method A (4.1): fly, and turn the velocity by the angle between where the ball went and the target.</summary>
-internal sealed class AngleAim : IAimMethod
+internal sealed class AngleAim
 {
     private readonly FrameProblem _problem;
 
-    public AngleAim(AimContext context) => _problem = new FrameProblem(context);
+    public AngleAim(AimContext context, FrameShooter frames) => _problem = new FrameProblem(context, frames);
 
     public AimSolution Find(AimRequest request)
     {
