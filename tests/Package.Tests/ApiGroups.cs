@@ -12,7 +12,7 @@ internal static class ApiGroups
         ("Scenes: ball, air, ground", ["Scenes", "Scenes/Winds"]),
         ("Things that the ball meets", ["Scenes/Shapes", "Contact"]),
         ("Where the ball will be", ["Prediction"]),
-        ("Which kick", ["Aiming"]),
+        ("Which kick", ["Aiming", "Tracks", "Thesis"]),
         ("Many at once", ["Batch"]),
         ("Step by step, and the methods", ["Simulation", "Integration", "State"]),
         ("Vectors and limits", ["Numerics"]),

@@ -3,7 +3,7 @@ using Football.Physics.Yardsticks;
 
 namespace Football.Physics.Benchmarks;
 
-/// <summary>One step on the ground: integrator × law × motion, against a plain RK2 step in flight.</summary>
+/// <summary>One step on the ground: profile × integrator × motion, against a plain RK2 step in flight.</summary>
 [MemoryDiagnoser]
 public class GroundBenchmarks : IHasError
 {
@@ -12,22 +12,24 @@ public class GroundBenchmarks : IHasError
     private readonly StepLog _log = new();
     private readonly PlainFlight _flight = PlainFlight.Create(PlainLawKind.Published, Integrator.Rk2);
     private readonly PlainState[] _plainShots = Shots.Plain(Shots.HighUp(ShotSets.Fast));
-    private Simulator _simulator = new(Scene.Published);
+    private Simulator _simulator = new();
     private BallState[] _shots = [];
 
     [ParamsAllValues]
     public Integrator Integrator { get; set; }
 
     [ParamsAllValues]
-    public PlainLawKind Law { get; set; }
+    public Profile Profile { get; set; }
 
     [ParamsAllValues]
     public GroundMotion Motion { get; set; }
 
+    private Scene Scene => Profile == Profile.Published ? Scene.Published : Scene.Default;
+
     [GlobalSetup]
     public void Setup()
     {
-        _simulator = new Simulator(PlainFlight.SceneOf(Law), new SolverSettings { Integrator = Integrator });
+        _simulator = new Simulator(Scene, new SolverSettings { Integrator = Integrator });
         _shots = Motion switch
         {
             GroundMotion.Sliding => Shots.Launch(_simulator, ShotSets.Sliding),
@@ -44,8 +46,8 @@ public class GroundBenchmarks : IHasError
 
     public double Error(string benchmark) => benchmark == nameof(Library) && Motion != GroundMotion.Stopped
         ? Errors.After(
+            Scene,
             new SolverSettings { Integrator = Integrator },
-            Law,
             H,
             ShotSets.Steps * H,
             Motion == GroundMotion.Sliding ? ShotSets.Sliding : ShotSets.Rolling)

@@ -10,7 +10,7 @@ public class LookAheadBenchmarks : IHasError
     private readonly StepLog _log = new();
     private readonly PlainFlight _flight = PlainFlight.Create(PlainLawKind.Published, Integrator.Rk2);
     private readonly PlainState[] _plainShots = Shots.Plain(Shots.HighUp(ShotSets.Fast));
-    private Simulator _simulator = new(Scene.Published);
+    private Simulator _simulator = new();
     private BallState[] _shots = [];
 
     [Params(Integrator.Rk2, Integrator.Rk4)]
@@ -20,10 +20,15 @@ public class LookAheadBenchmarks : IHasError
     [Params(10, 40, 80)]
     public int Milliseconds { get; set; }
 
+    [ParamsAllValues]
+    public Profile Profile { get; set; }
+
+    private Scene Scene => Profile == Profile.Published ? Scene.Published : Scene.Default;
+
     [GlobalSetup]
     public void Setup()
     {
-        _simulator = new Simulator(Scene.Published, new SolverSettings { Integrator = Integrator });
+        _simulator = new Simulator(Scene, new SolverSettings { Integrator = Integrator });
         _shots = Shots.Launch(_simulator, ShotSets.Mixed);
     }
 
@@ -34,5 +39,5 @@ public class LookAheadBenchmarks : IHasError
     public double Library() => Batches.LookAhead(_simulator, _shots, 1e-3 * Milliseconds, ShotSets.LookAhead, _log);
 
     public double Error(string benchmark) =>
-        benchmark == nameof(Library) ? Errors.LookAhead(Integrator, 1e-3 * Milliseconds, ShotSets.Mixed) : double.NaN;
+        benchmark == nameof(Library) ? Errors.LookAhead(Scene, Integrator, 1e-3 * Milliseconds, ShotSets.Mixed) : double.NaN;
 }

@@ -20,8 +20,8 @@ internal static class FreeTable
         new("all forces, regularised law", () => Workloads.Flight(Scene.Published with { Forces = ForceSet.Regularised }, Integrator.Rk2, ShotSets.Fast)),
         new("all forces, ball without spin", () => Workloads.Flight(Scene.Published, Integrator.Rk2, ShotSets.WithoutSpin)),
         new("all forces, orientation read every step", () => Workloads.FlightWithOrientation(Scene.Published, Integrator.Rk2, ShotSets.Fast)),
-        new("on the ground: sliding", () => Workloads.Chain(Scene.Published, Integrator.Rk2, ShotSets.Sliding), Advance + "Football.Physics.SlidingSystem"),
-        new("on the ground: rolling", () => Workloads.Chain(Scene.Published, Integrator.Rk2, ShotSets.Rolling), Advance + "Football.Physics.RollingSystem"),
+        new("published, on the ground: sliding", () => Workloads.Chain(Scene.Published, Integrator.Rk2, ShotSets.Sliding), Advance + "Football.Physics.SlidingSystem"),
+        new("published, on the ground: rolling", () => Workloads.Chain(Scene.Published, Integrator.Rk2, ShotSets.Rolling), Advance + "Football.Physics.RollingSystem"),
         new("rolling, no aerodynamics", () => Workloads.Chain(Scene.Published with { Forces = ForceSet.None }, Integrator.Rk2, ShotSets.Rolling), Advance + "Football.Physics.RollingSystem"),
         new("stopped", () => Workloads.Stopped(Integrator.Rk2), null),
     ];

@@ -15,31 +15,31 @@ internal static class PredictionTable
         Thesis("Method A, RK2 40 ms", AimMethod.Angle, 0.04, 35, "0.49 ms; 5.1 mm, worst 14"),
         new(
             "Method A, constant coefficients, semi-implicit 60 Hz",
-            () => new Aimer(AimSets.StudioScene, AimSets.StudioSettings, AimSets.StudioStep),
+            () => new ThesisAimer(AimSets.StudioScene, AimSets.StudioSettings, AimSets.StudioStep),
             () => AimSets.Studio(Seed, 4 * Count),
             AimMethod.Angle) { Target = 40, Thesis = "0.26 ms; 3.7 mm in its own integrator" },
         Thesis("Method B, RK2 10 ms", AimMethod.Bisection, 0.01, 280, "3.45 ms; 4.5 mm"),
         Thesis("Method B, RK2 40 ms", AimMethod.Bisection, 0.04, 80, "0.95 ms; 5 mm"),
         new("two-point, RK2 40 ms, both free kicks", () => Rk2(0.04), BothWalls, AimMethod.TwoPoint) { Target = 350, Thesis = "4.9 ms; 4.5–4.7 mm" },
-        new("direct, one target, the thesis' kicks", () => new Aimer(Scene.Published), () => AimSets.Thesis(Seed, Count), AimMethod.Direct) { Target = 13, Simulations = 2.5, Miss = 1e-3 },
-        new("direct, two points, both free kicks", () => new Aimer(Scene.Published), BothWalls, AimMethod.Direct) { Target = 26, Simulations = 4, Miss = 1e-3 },
-        new("direct, two points within the spins' limits", () => new Aimer(Scene.Published), () => AimSets.TwoPoint(Seed, Count), AimMethod.Direct)
+        new("direct, one target, the thesis' kicks", () => new ThesisAimer(Scene.Published), () => AimSets.Thesis(Seed, Count), AimMethod.Direct) { Target = 13, Simulations = 2.5, Miss = 1e-3 },
+        new("direct, two points, both free kicks", () => new ThesisAimer(Scene.Published), BothWalls, AimMethod.Direct) { Target = 26, Simulations = 4, Miss = 1e-3 },
+        new("direct, two points within the spins' limits", () => new ThesisAimer(Scene.Published), () => AimSets.TwoPoint(Seed, Count), AimMethod.Direct)
         {
             Target = 26, Simulations = 4, Miss = 1e-3, ThroughMiss = 1e-2,
         },
-        new("direct, one target, the thesis' kicks, miss measured", () => new Aimer(Scene.Published), () => AimSets.Thesis(Seed, Count), AimMethod.Direct)
+        new("direct, one target, the thesis' kicks, miss measured", () => new ThesisAimer(Scene.Published), () => AimSets.Thesis(Seed, Count), AimMethod.Direct)
         {
-            Target = 66, Miss = 1e-3, Question = (aimer, request) => aimer.Find(request),
+            Target = 66, Miss = 1e-3, Question = (aimer, request) => aimer.Direct.Find(request),
         },
-        new("FindSlowest, the thesis' kicks", () => new Aimer(Scene.Published), () => AimSets.Thesis(Seed, Count), AimMethod.Direct)
+        new("FindSlowest, the thesis' kicks", () => new ThesisAimer(Scene.Published), () => AimSets.Thesis(Seed, Count), AimMethod.Direct)
         {
-            Miss = 1e-3, Question = (aimer, request) => aimer.FindSlowest(request),
+            Miss = 1e-3, Question = (aimer, request) => aimer.Direct.FindSlowest(request),
         },
-        new("FindAtTime, the thesis' kicks at 1.3 times their time", () => new Aimer(Scene.Published), () => AimSets.Thesis(Seed, Count), AimMethod.Direct)
+        new("FindAtTime, the thesis' kicks at 1.3 times their time", () => new ThesisAimer(Scene.Published), () => AimSets.Thesis(Seed, Count), AimMethod.Direct)
         {
-            Miss = 1e-3, Question = (aimer, request) => aimer.FindAtTime(request, 1.3 * (request.Target - request.From).Length / 22),
+            Miss = 1e-3, Question = (aimer, request) => aimer.Direct.FindAtTime(request, 1.3 * (request.Target - request.From).Length / 22),
         },
-        new("direct, verdict \"out of reach\"", () => new Aimer(Scene.Published), () => AimSets.TooFar(Seed, Count), AimMethod.Direct) { Target = 90, OutOfReach = true },
+        new("direct, verdict \"out of reach\"", () => new ThesisAimer(Scene.Published), () => AimSets.TooFar(Seed, Count), AimMethod.Direct) { Target = 90, OutOfReach = true },
     ];
 
     /// <summary>Times and measures all rows.</summary>
@@ -63,7 +63,7 @@ internal static class PredictionTable
 
     private static string Line(PredictionRow row, Timing time)
     {
-        Aimer aimer = row.Aimer();
+        ThesisAimer aimer = row.Aimer();
         AimRequest[] requests = row.Requests();
         AimResult[] results = [.. requests.Select(request => row.Answer(aimer, request))];
         double[] misses = [.. results.Select(result => result.Miss).Order()];
@@ -87,7 +87,7 @@ internal static class PredictionTable
         row.ThroughMiss is { } through ? FormattableString.Invariant($"≤ {1e3 * through} mm at the point") : "",
     }.Where(part => part.Length > 0));
 
-    private static Aimer Rk2(double timeStep) => new(Scene.Published, new SolverSettings { Integrator = Integrator.Rk2 }, timeStep);
+    private static ThesisAimer Rk2(double timeStep) => new(Scene.Published, new SolverSettings { Integrator = Integrator.Rk2 }, timeStep);
 
     private static AimRequest[] BothWalls() => [.. AimSets.AroundTheWall(41), .. AimSets.OverTheWall(41)];
 

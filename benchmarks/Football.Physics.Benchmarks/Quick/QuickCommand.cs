@@ -8,7 +8,7 @@ namespace Football.Physics.Benchmarks;
 /// <summary>`quick`: the tables of times in under a minute, where BenchmarkDotNet takes many.</summary>
 internal static class QuickCommand
 {
-    private const string Usage = "quick [--seconds S] [--only TEXT] [--markdown FILE]";
+    private const string Usage = "quick [--seconds S] [--only TEXT, such as kick: | \"first use\" | world: | prediction:] [--markdown FILE]";
 
     public static int Run(string[] arguments)
     {
@@ -58,11 +58,17 @@ internal static class QuickCommand
         Print(text, "`plain` is the same laws in straightforward double C# with `Math.Pow` and `Math.Exp`, in the same process. Reach: what the project set itself.");
         Print(text, "Fast shots: 24 m/s, 20 to 30 rad/s; mixed shots: 12 to 27 m/s, 0 to 25 rad/s, on both branches of the drag law. Bytes: allocated by one operation.");
 
+        IReadOnlyList<KickRow> kicks = [.. KickTable.Rows.Where(row => Wanted("Kick: " + row.Name, only))];
         IReadOnlyList<TargetRow> targets = [.. TargetTable.Rows.Where(row => Wanted(row.Name, only))];
         IReadOnlyList<FreeRow> free = [.. FreeTable.Rows.Where(row => Wanted(row.Name, only))];
         IReadOnlyList<PredictionRow> predictions = [.. PredictionTable.Rows.Where(row => Wanted("Prediction: " + row.Name, only))];
         IReadOnlyList<WorldRow> world = [.. WorldTable.Rows.Where(row => Wanted("World: " + row.Name, only))];
-        double share = seconds / Math.Max(1, targets.Count + free.Count + world.Count + predictions.Count);
+        double share = seconds / Math.Max(1, kicks.Count + targets.Count + free.Count + world.Count + predictions.Count);
+        if (kicks.Count > 0)
+        {
+            KickTable.Print(line => Print(text, line), kicks, share);
+        }
+
         if (targets.Count > 0)
         {
             Targets(text, targets, share);

@@ -50,18 +50,18 @@ internal static class Workloads
     }
 
     /// <summary>Steps with one impact inside each.</summary>
-    public static Workload Impacts(Integrator integrator)
+    public static Workload Impacts(Scene scene, Integrator integrator)
     {
-        Simulator simulator = Compile(Scene.Published, integrator);
+        Simulator simulator = Compile(scene, integrator);
         BallState[] states = Shots.Launch(simulator, ShotSets.AboutToBounce);
         var log = new StepLog(2 * states.Length);
         return OfParts(part => Batches.OneStepEach(simulator, states.AsSpan(part, Part), H, log), Part);
     }
 
     /// <summary>Look-aheads of three seconds from the ground, bounces and all.</summary>
-    public static Workload LookAhead(Integrator integrator, double h)
+    public static Workload LookAhead(Scene scene, Integrator integrator, double h)
     {
-        Simulator simulator = Compile(Scene.Published, integrator);
+        Simulator simulator = Compile(scene, integrator);
         BallState[] states = Shots.Launch(simulator, ShotSets.Mixed);
         var log = new StepLog();
         return OfParts(part => Batches.LookAhead(simulator, states.AsSpan(part, Part), h, ShotSets.LookAhead, log), Part);
@@ -101,6 +101,16 @@ internal static class Workloads
         var engine = new RigidBodyEngine();
         PlainState[] states = Shots.Plain(Shots.HighUp(shots));
         return OfParts(part => Batches.Chain(engine, states.AsSpan(part, Part), Steps, 1.0 / RigidBodyEngine.FrameRate), Part * Steps);
+    }
+
+    /// <summary>A kick from foot to rest at 60 Hz.</summary>
+    public static Workload Kick(Scene scene, Integrator integrator)
+    {
+        Simulator simulator = Compile(scene, integrator);
+        BallState kick = Shots.FreeKick(simulator);
+        var log = new StepLog();
+        Batches.ToRest(simulator, in kick, log, out int steps);
+        return new Workload(() => Batches.ToRest(simulator, in kick, log, out _), steps);
     }
 
     private static Workload OfParts(Func<int, double> run, int operations)

@@ -2,7 +2,7 @@ namespace Football.Physics.Benchmarks;
 
 /// <summary>A row of "The ball among things".</summary>
 /// <param name="Name">What there is.</param>
-/// <param name="Target">The ratio to reach.</param>
+/// <param name="Target">The ratio to reach in the default scene.</param>
 /// <param name="Subject">Makes the workload.</param>
-/// <param name="Empty">Makes the same flights over an empty pitch.</param>
-internal sealed record WorldRow(string Name, double? Target, Func<Workload> Subject, Func<Workload> Empty);
+/// <param name="From">Where the shots begin, m.</param>
+internal sealed record WorldRow(string Name, double? Target, Func<StadiumScenes, Workload> Subject, Vector3d From);

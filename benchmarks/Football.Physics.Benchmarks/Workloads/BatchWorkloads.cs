@@ -83,7 +83,7 @@ internal static class BatchWorkloads
         BatchAims aims = MakeAims(Aims);
         var kicks = new BatchKicks(Aims);
         new BatchAimer(scene).Find(aims, kicks, Aims);
-        var meter = new AimContext(new Simulator(scene), 0.01).Miss;
+        var meter = new AimContext(new Simulator(scene)).Miss;
         double[] misses = [.. Enumerable.Range(0, Aims)
             .Where(i => kicks.Status[i] == AimStatus.Hit)
             .Select(i => meter.Measure(aims.Request(i), kicks.Velocity[i], kicks.Spin[i]).Distance)];

@@ -103,6 +103,21 @@ internal static class Batches
         return sum;
     }
 
+    /// <summary>A kick at 60 Hz until it rests.</summary>
+    public static double ToRest(Simulator simulator, in BallState kick, StepLog log, out int steps)
+    {
+        BallState s = kick;
+        steps = 0;
+        while (s.Motion != MotionState.Stopped)
+        {
+            log.Clear();
+            simulator.Step(ref s, 1.0 / 60, log);
+            steps++;
+        }
+
+        return s.Position.X;
+    }
+
     /// <summary>Where every shot is after a time, events and all.</summary>
     public static double LookAhead(Simulator simulator, ReadOnlySpan<BallState> shots, double h, double duration, StepLog log)
     {

@@ -11,7 +11,7 @@ internal static class Errors
     private const double LongestFlight = 20;
 
     private static readonly double Contact = BallProperties.Football.Radius;
-    private static readonly ConcurrentDictionary<(object Shots, PlainLawKind Law, double? After), Vector3d[]> References = new();
+    private static readonly ConcurrentDictionary<(object Shots, Scene Scene, double? After), Vector3d[]> References = new();
 
     /// <summary>First landings of shots from the ground, by the library.</summary>
     public static double Landing(Integrator integrator, PlainLawKind law, double h, IReadOnlyList<Shot> shots)
@@ -49,14 +49,14 @@ internal static class Errors
     }
 
     /// <summary>Positions of shots from the ground at the end of a look-ahead, by the library.</summary>
-    public static double LookAhead(Integrator integrator, double h, IReadOnlyList<Shot> shots) =>
-        After(new SolverSettings { Integrator = integrator }, PlainLawKind.Published, h, ShotSets.LookAhead, shots);
+    public static double LookAhead(Scene scene, Integrator integrator, double h, IReadOnlyList<Shot> shots) =>
+        After(scene, new SolverSettings { Integrator = integrator }, h, ShotSets.LookAhead, shots);
 
     /// <summary>Positions of shots after a time, s, by the library.</summary>
-    public static double After(SolverSettings settings, PlainLawKind law, double h, double time, IReadOnlyList<Shot> shots)
+    public static double After(Scene scene, SolverSettings settings, double h, double time, IReadOnlyList<Shot> shots)
     {
-        var simulator = new Simulator(PlainFlight.SceneOf(law), settings);
-        return Mean(Reference(shots, law, time), shots.Select(shot => Ahead(simulator, shot, h, time)));
+        var simulator = new Simulator(scene, settings);
+        return Mean(Reference(shots, scene, time), shots.Select(shot => Ahead(simulator, shot, h, time)));
     }
 
     /// <summary>Positions of shots after one step the thesis' way.</summary>
@@ -68,9 +68,11 @@ internal static class Errors
 
     private static double Mean(Vector3d[] truth, IEnumerable<Vector3d> places) => truth.Zip(places, (a, b) => Vector3d.Distance(a, b)).Average();
 
-    private static Vector3d[] Reference(IReadOnlyList<Shot> shots, PlainLawKind law, double? after) => References.GetOrAdd((shots, law, after), _ =>
+    private static Vector3d[] Reference(IReadOnlyList<Shot> shots, PlainLawKind law, double? after) => Reference(shots, PlainFlight.SceneOf(law), after);
+
+    private static Vector3d[] Reference(IReadOnlyList<Shot> shots, Scene scene, double? after) => References.GetOrAdd((shots, scene, after), _ =>
     {
-        var simulator = new Simulator(PlainFlight.SceneOf(law));
+        var simulator = new Simulator(scene);
         return [.. shots.Select(shot => after is { } time ? Ahead(simulator, shot, ReferenceStep, time) : Land(simulator, shot, ReferenceStep))];
     });
 

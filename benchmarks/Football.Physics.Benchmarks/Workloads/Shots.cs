@@ -13,6 +13,14 @@ internal static class Shots
 
     public static PlainState[] Plain(IReadOnlyList<Shot> shots) => [.. shots.Select(PlainState.Of)];
 
+    /// <summary>A free kick from the ground: 27 m/s, 17° up, backspin of 20 rad/s and 45 rad/s about the vertical.</summary>
+    public static BallState FreeKick(Simulator simulator)
+    {
+        var direction = new Vector3d(-0.1, Math.Tan(17 * Math.PI / 180), -1);
+        Vector3d velocity = 27 / direction.Length * direction;
+        return simulator.Launch(Shot.Spot, velocity, KickSpin.Vector(velocity, -20, 45));
+    }
+
     /// <summary>Balls that have come to rest.</summary>
     public static BallState[] Stopped(Simulator simulator)
     {

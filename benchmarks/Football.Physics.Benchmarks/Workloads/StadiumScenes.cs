@@ -1,21 +1,22 @@
 namespace Football.Physics.Benchmarks;
 
 /// <summary>A stadium with all that a match has: two goals with nets, boards, twenty-two players.</summary>
-internal static class StadiumScenes
+/// <param name="scene">Its air and ground.</param>
+internal sealed class StadiumScenes(Scene scene)
 {
     private const int Team = 11;
 
     /// <summary>Goals, nets and boards alone.</summary>
-    public static Scene WithoutPlayers { get; } = Pitch.Stadium.On(Scene.Published);
+    public Scene WithoutPlayers { get; } = Pitch.Stadium.On(scene);
 
     /// <summary>Players who stand.</summary>
-    public static Scene WithStandingPlayers { get; } = With(i => default);
+    public Scene WithStandingPlayers => With(i => default);
 
     /// <summary>Players who run, at a constant velocity each.</summary>
-    public static Scene WithRunningPlayers { get; } = With(i => new Vector3d(3.0 * ((i % 5) - 2), 0, 3.0 * ((i % 3) - 1)));
+    public Scene WithRunningPlayers => With(i => new Vector3d(3.0 * ((i % 5) - 2), 0, 3.0 * ((i % 3) - 1)));
 
     /// <summary>Players whom the game moves.</summary>
-    public static Scene WithBodies(out Bodies players)
+    public Scene WithBodies(out Bodies players)
     {
         players = new Bodies();
         for (int i = 0; i < 2 * Team; i++)
@@ -34,7 +35,7 @@ internal static class StadiumScenes
         return of == 0 ? new Vector3d(0, 0, side * 51) : new Vector3d((15.0 * ((of - 1) % 4)) - 22, 0, side * (6 + (15.0 * ((of - 1) / 4))));
     }
 
-    private static Scene With(Func<int, Vector3d> velocity) => WithoutPlayers with
+    private Scene With(Func<int, Vector3d> velocity) => WithoutPlayers with
     {
         Obstacles =
         [

@@ -9,18 +9,18 @@ internal static class AimRun
     private static AimScenario? s_compiledFor;
 
     [ThreadStatic]
-    private static Aimer? s_aimer;
+    private static ThesisAimer? s_aimer;
 
     /// <summary>Finds it.</summary>
     /// <exception cref="RefusedException">Its numbers, though each allowed, grew beyond what a double can hold.</exception>
     public static AimResult Find(AimScenario scenario)
     {
-        Aimer aimer = Compiled(scenario);
+        ThesisAimer aimer = Compiled(scenario);
         AimRequest request = scenario.Request;
         AimResult result = scenario.After is { } after ? new BankShotAimer(scenario.Scene).Find(request, after)
-            : scenario.Slowest ? aimer.FindSlowest(request)
-            : scenario.ArrivalTime is { } time ? aimer.FindAtTime(request, time)
-            : scenario.ArrivalSpeed is { } speed ? aimer.FindAtSpeed(request, speed)
+            : scenario.Slowest ? aimer.Direct.FindSlowest(request)
+            : scenario.ArrivalTime is { } time ? aimer.Direct.FindAtTime(request, time)
+            : scenario.ArrivalSpeed is { } speed ? aimer.Direct.FindAtSpeed(request, speed)
             : aimer.Find(request, scenario.Method);
         return IsFinite(in result)
             ? result
@@ -28,11 +28,11 @@ internal static class AimRun
     }
 
     /// <summary>The thread's last aimer where the scene is the same, as it mostly is in a batch.</summary>
-    private static Aimer Compiled(AimScenario scenario)
+    private static ThesisAimer Compiled(AimScenario scenario)
     {
         if (s_aimer is null || s_compiledFor!.Scene != scenario.Scene || s_compiledFor.Settings != scenario.Settings || s_compiledFor.TimeStep != scenario.TimeStep)
         {
-            s_aimer = new Aimer(scenario.Scene, scenario.Settings, scenario.TimeStep);
+            s_aimer = new ThesisAimer(scenario.Scene, scenario.Settings, scenario.TimeStep);
             s_compiledFor = scenario;
         }
 

@@ -5,7 +5,7 @@ namespace Football.Physics.Headless.Lab;
 /// <summary>Has a method answer requests, times it, and measures what it found.</summary>
 internal sealed class AimBench
 {
-    private readonly Aimer _aimer;
+    private readonly ThesisAimer _aimer;
     private readonly Simulator _own;
     private readonly LookAheadRequest _ownSteps;
     private readonly Trajectory _path = new(8192);
@@ -18,7 +18,7 @@ internal sealed class AimBench
     /// <param name="judgeOwn">Whether misses count in that integrator, not in truth.</param>
     public AimBench(Scene scene, SolverSettings settings, double timeStep, bool judgeOwn = false)
     {
-        _aimer = new Aimer(scene, settings, timeStep);
+        _aimer = new ThesisAimer(scene, settings, timeStep);
         _own = new Simulator(scene, settings);
         _ownSteps = new LookAheadRequest { TimeStep = timeStep, Duration = 30, StopAt = StopAt.Impact };
         _judgeOwn = judgeOwn;

@@ -153,7 +153,7 @@ internal static class SweepInput
         if (scene.Aim is { } aim)
         {
             aim.Request.Validate();
-            _ = new Aimer(scene.Scene, scene.Solver, scene.TimeStep);
+            _ = new ThesisAimer(scene.Scene, scene.Solver, scene.TimeStep);
             return true;
         }
 

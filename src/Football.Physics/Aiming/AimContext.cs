@@ -27,25 +27,23 @@ internal sealed class AimContext
     private int _most;
     private long _pieces;
 
-    public AimContext(Simulator game, double timeStep)
+    public AimContext(Simulator game)
     {
         Scene scene = game.Scene;
         HasThings = scene.Obstacles.Count > 0 || scene.Nets.Count > 0 || scene.Goals.Count > 0 || scene.Bodies is not null || scene.EngineColliders is not null;
-        var real = new Simulator(scene, SolverSettings.Default, game.Profile);
+        var real = new Simulator(scene, SolverSettings.Default);
         Scene open = HasThings ? WithoutThings(scene) : scene;
-        _simulator = HasThings ? new Simulator(open, SolverSettings.Default, game.Profile) : real;
-        Simulator openGame = HasThings ? new Simulator(open, game.Settings, game.Profile) : game;
+        _simulator = HasThings ? new Simulator(open, SolverSettings.Default) : real;
         Scene = scene;
         Game = game;
         Upward = Weight.UpwardAcceleration(scene);
         Steps = AimSteps.Long;
-        var withoutGround = new Simulator(WithoutGround(open), SolverSettings.Default, game.Profile);
+        var withoutGround = new Simulator(WithoutGround(open), SolverSettings.Default);
         Planes = new PlaneShooter(this, withoutGround);
         TimedFlight = new TimedFlight(this, withoutGround);
         TimedRoll = new TimedRoll(this, _simulator);
         Shooting = new ShootingProblem(this, withoutGround);
         Approaches = new ApproachShooter(this, _simulator);
-        Frames = new FrameShooter(this, openGame, timeStep);
         Miss = new MissMeter(this, real);
     }
 
@@ -65,9 +63,6 @@ internal sealed class AimContext
 
     /// <summary>Flights with ground, to their closest approach.</summary>
     public ApproachShooter Approaches { get; }
-
-    /// <summary>Flights in the game's own frames.</summary>
-    public FrameShooter Frames { get; }
 
     /// <summary>Flights that are somewhere at a time.</summary>
     public TimedFlight TimedFlight { get; }

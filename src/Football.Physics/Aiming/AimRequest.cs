@@ -9,7 +9,7 @@ public sealed record AimRequest
     /// <summary>Where it is to go, m; components within ±1e6. Below contact height it is raised to it. Without one a request is refused.</summary>
     public Vector3d Target { get; init; } = new(double.NaN, double.NaN, double.NaN);
 
-    /// <summary>Velocity of the target, m/s; at most 1000. Default at rest. Used by <see cref="AimMethod.Direct"/> without a point on the way.</summary>
+    /// <summary>Velocity of the target, m/s; at most 1000. Default at rest. Used by <see cref="Aimer"/> without a point on the way.</summary>
     public Vector3d TargetVelocity { get; init; }
 
     /// <summary>A point to pass on the way, m; default none.</summary>
@@ -43,20 +43,20 @@ public sealed record AimRequest
     public double ThroughTolerance { get; init; } = 0.1;
 
     /// <summary>
-    /// Iterations that a method may take. At least 1; default 60. An iteration of <see cref="AimMethod.Direct"/> is one flight and one correction,
+    /// Iterations that a method may take. At least 1; default 60. An iteration of <see cref="Aimer"/> is one flight and one correction,
     /// or, in its searches over elevations, directions and times, 16 simulations; after as many, or 200 000 integrated pieces of motion, it ends without a verdict.
     /// </summary>
     public int MaximumIterations { get; init; } = 60;
 
     /// <summary>
-    /// Which of the two kicks that reach a target. Default the low one. Used by <see cref="AimMethod.Direct"/>. The high one is mostly steeper than
+    /// Which of the two kicks that reach a target. Default the low one. Used by <see cref="Aimer"/>. The high one is mostly steeper than
     /// 45°: raise <see cref="MaximumElevationDegrees"/> for it; <see cref="AimResult.Arc"/> says which one was found.
     /// </summary>
     public AimArc Arc { get; init; } = AimArc.Low;
 
     /// <summary>
     /// Whether the spin may be changed, within <see cref="MaximumTopSpin"/> and <see cref="MaximumSideSpin"/>, to bring a kick round what is in its way.
-    /// Default not. Used by <see cref="AimMethod.Direct"/> without a point on the way.
+    /// Default not. Used by <see cref="Aimer"/> without a point on the way.
     /// </summary>
     public bool SpinIsFree { get; init; }
 

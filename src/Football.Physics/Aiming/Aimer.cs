@@ -22,35 +22,23 @@ public sealed class Aimer
     private readonly AimContext _context;
     private readonly DirectAim _direct;
     private readonly DirectTwoPointAim _directTwoPoint;
-    private readonly AngleAim _angle;
-    private readonly BisectionAim _bisection;
-    private readonly TwoPointAim _twoPoint;
     private readonly TimeSearch _times;
     private readonly SlowestSearch _slowest;
 
-    /// <summary>Whether the method that is at work passes a point on the way.</summary>
-    private bool _passesThrough;
-
     /// <summary>Compiles a scene for aiming.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
-    /// <param name="settings">The integrator of the thesis' methods; the library's own always uses RK4. Default <see cref="SolverSettings.Default"/>.</param>
-    /// <param name="timeStep">The step of the thesis' methods, s. Above 0; default 0.01.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
-    public Aimer(Scene? scene = null, SolverSettings? settings = null, double timeStep = 0.01)
-        : this(new Simulator(scene, settings), timeStep)
+    public Aimer(Scene? scene = null)
+        : this(new Simulator(scene))
     {
     }
 
     /// <summary>For the balls of a compiled scene.</summary>
-    /// <param name="simulator">The scene; its settings are those of the thesis' methods.</param>
-    /// <param name="timeStep">The step of the thesis' methods, s. Above 0; default 0.01.</param>
+    /// <param name="simulator">The scene; whatever its settings, kicks are sought with RK4.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="timeStep"/> is out of range.</exception>
-    public Aimer(Simulator simulator, double timeStep = 0.01)
+    public Aimer(Simulator simulator)
     {
-        Check.Positive("solver.timeStep", timeStep);
-        Check.AtLeast("solver.timeStep", timeStep, AimContext.LongestFlight * 1e-6);
-        _context = new AimContext(simulator ?? throw new ArgumentNullException(nameof(simulator)), timeStep);
+        _context = new AimContext(simulator ?? throw new ArgumentNullException(nameof(simulator)));
         var problem = new PlaneProblem(_context);
         var solver = new LevenbergMarquardt(_context.Shooting);
         var scan = new DirectionScan(_context.Shooting);
@@ -59,37 +47,25 @@ public sealed class Aimer
         _slowest = new SlowestSearch(_context, curves);
         _direct = new DirectAim(_context, problem, _times, new ShootingSearch(_context.Shooting, solver, scan));
         _directTwoPoint = new DirectTwoPointAim(_context, _direct, new TwoPointSearch(_context.Shooting, solver, scan));
-        _angle = new AngleAim(_context);
-        _bisection = new BisectionAim(_context);
-        _twoPoint = new TwoPointAim(_context, _angle, _bisection);
     }
 
     /// <summary>Finds a kick.</summary>
     /// <param name="request">What the kick is to do.</param>
-    /// <param name="method">By which method.</param>
-    /// <param name="measure">Whether to measure the miss of the kick that was found; without it the result has the method's own estimate.</param>
+    /// <param name="measure">Whether to measure the miss of the kick that was found; without it the result has the solver's own estimate.</param>
     /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the two-point method lacks its point.</exception>
-    public AimResult Find(AimRequest request, AimMethod method = AimMethod.Direct, bool measure = true)
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public AimResult Find(AimRequest request, bool measure = true)
     {
-        Begin(request, method);
-        IAimMethod finder = method switch
-        {
-            AimMethod.Direct => request.Through is null ? _direct : _directTwoPoint,
-            AimMethod.Angle => _angle,
-            AimMethod.Bisection => _bisection,
-            AimMethod.TwoPoint => _twoPoint,
-            _ => throw Check.Refusal("aim.method", method.ToString(), "one that has a solver"),
-        };
-        AimSolution solution = finder.Find(request);
+        Begin(request);
+        AimSolution solution = Search(request);
         AimResult result = Report(request, in solution, measure);
         bool blocked = result.Status == AimStatus.Blocked;
         bool astray = result.Miss > ((1.0 + Astray) * solution.Miss) + (Astray * NearMiss);
-        if (method == AimMethod.Direct && !result.HitsTarget && !blocked && (solution.Status == AimStatus.Hit || solution.Miss < NearMiss || astray))
+        if (!result.HitsTarget && !blocked && (solution.Status == AimStatus.Hit || solution.Miss < NearMiss || astray))
         {
             // A kick that grazes the drag law's jump goes elsewhere in finer steps: once more in those.
             _context.Steps = AimSteps.Short;
-            AimSolution fine = finder.Find(request);
+            AimSolution fine = Search(request);
             AimResult finer = Report(request, in fine, measure);
             if (!finer.HitsTarget && request.Through is null && _times.WithSpeed(request, out AimSolution timed))
             {
@@ -100,7 +76,7 @@ public sealed class Aimer
             result = finer.HitsTarget || !(result.Miss < finer.Miss) ? finer : Report(request, in solution, measure);
         }
 
-        return result.Status == AimStatus.Blocked && method == AimMethod.Direct && request.Through is null ? Around(request, in result, measure) : result;
+        return result.Status == AimStatus.Blocked && request.Through is null ? Around(request, in result, measure) : result;
     }
 
     /// <summary>Finds the slowest kick that hits a target.</summary>
@@ -110,7 +86,7 @@ public sealed class Aimer
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or a point on the way is given.</exception>
     public AimResult FindSlowest(AimRequest request)
     {
-        Begin(request, AimMethod.Direct);
+        Begin(request);
         RefuseThrough(request);
         if (!_slowest.Find(request, out AimSolution solution))
         {
@@ -135,7 +111,7 @@ public sealed class Aimer
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or a point on the way is given.</exception>
     public AimResult FindAtTime(AimRequest request, double time)
     {
-        Begin(request, AimMethod.Direct);
+        Begin(request);
         RefuseThrough(request);
         Check.Within(nameof(time), time, 0, AimContext.LongestFlight, exclusiveLow: true);
         AimResult result = AtTime(request, time);
@@ -166,6 +142,8 @@ public sealed class Aimer
 
         return found.HitsTarget ? found : blocked;
     }
+
+    private AimSolution Search(AimRequest request) => request.Through is null ? _direct.Find(request) : _directTwoPoint.Find(request);
 
     private AimResult With(AimRequest request, AimArc arc, double top, double side, bool measure)
     {
@@ -216,7 +194,7 @@ public sealed class Aimer
     internal AimContext Context => _context;
 
     /// <summary>Checks a request before anything is done for it.</summary>
-    private void Begin(AimRequest request, AimMethod method)
+    internal void Begin(AimRequest request)
     {
         if (request is null)
         {
@@ -224,31 +202,31 @@ public sealed class Aimer
         }
 
         request.Validate();
-        Check.Defined("aim.method", method, (int)method, 4);
-        if (method == AimMethod.TwoPoint && request.Through is null)
-        {
-            throw Check.Refusal("aim.through", "null", "a point, with method twoPoint");
-        }
-
-        _passesThrough = request.Through is not null && method is AimMethod.Direct or AimMethod.TwoPoint;
         _context.Begin(request.MaximumIterations);
     }
 
-    private AimResult Report(AimRequest request, in AimSolution solution, bool measure)
+    private AimResult Report(AimRequest request, in AimSolution solution, bool measure) => Report(request, in solution, measure, request.Through is not null);
+
+    /// <summary>Measures a kick that was found, and says what it is.</summary>
+    /// <param name="request">What it is to do.</param>
+    /// <param name="solution">The kick.</param>
+    /// <param name="measure">Whether to measure it, where its estimate could be taken instead.</param>
+    /// <param name="passes">Whether it was to pass the point on the way.</param>
+    internal AimResult Report(AimRequest request, in AimSolution solution, bool measure, bool passes)
     {
         solution.Vectors(out Vector3d velocity, out Vector3d spin);
         if (!measure && !_context.HasThings && solution.Miss < double.PositiveInfinity)
         {
             double? throughMiss = request.Through is null ? null : solution.ThroughMiss;
             var estimated = new MeasuredMiss(solution.Miss, throughMiss, solution.Time, request.Target);
-            return Result(request, Judge(request, solution.Status, in estimated), in solution, in velocity, in spin, in estimated);
+            return Result(request, Judge(request, solution.Status, in estimated, passes), in solution, in velocity, in spin, in estimated);
         }
 
         MeasuredMiss measured = _context.Miss.Measure(request, in velocity, in spin);
 
         // The measured miss decides; a method may only say why there is none.
         AimStatus status = _context.Frame(request).IsDegenerate ? AimStatus.Degenerate
-            : measured.Distance <= request.Tolerance ? Judge(request, AimStatus.Hit, in measured)
+            : measured.Distance <= request.Tolerance ? Judge(request, AimStatus.Hit, in measured, passes)
             : Missed(in solution, in measured);
         return Result(request, status, in solution, in velocity, in spin, in measured);
     }
@@ -258,8 +236,8 @@ public sealed class Aimer
         solution.Status != AimStatus.Hit ? solution.Status : measured.Blocker == MeasuredMiss.NoThing ? AimStatus.NotConverged : AimStatus.Blocked;
 
     /// <summary>A hit that misses the point on the way is one of the target only.</summary>
-    private AimStatus Judge(AimRequest request, AimStatus status, in MeasuredMiss measured) =>
-        status == AimStatus.Hit && _passesThrough && !(measured.ThroughDistance <= request.ThroughTolerance) ? AimStatus.TargetOnly : status;
+    private static AimStatus Judge(AimRequest request, AimStatus status, in MeasuredMiss measured, bool passes) =>
+        status == AimStatus.Hit && passes && !(measured.ThroughDistance <= request.ThroughTolerance) ? AimStatus.TargetOnly : status;
 
     private AimResult Result(
         AimRequest request, AimStatus status, in AimSolution solution, in Vector3d velocity, in Vector3d spin, in MeasuredMiss measured)

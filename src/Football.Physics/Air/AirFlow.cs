@@ -6,7 +6,7 @@ internal struct AirFlow
     /// <summary>|u|², m²/s².</summary>
     public double SpeedSquared;
 
-    /// <summary>|u|, m/s. Only where a law needs it.</summary>
+    /// <summary>|u|, m/s.</summary>
     public double Speed;
 
     /// <summary>|ω|, rad/s, not negative.</summary>
@@ -15,9 +15,9 @@ internal struct AirFlow
     /// <summary>|ω̂ × u|², m²/s²: the spin across the motion is |ω| |ω̂ × û|.</summary>
     public double AcrossSquared;
 
-    /// <summary>Spin parameter Sp = r|ω|/|u|. Only where a law needs it.</summary>
+    /// <summary>Spin parameter Sp = r|ω|/|u|. Only where a law reads the fitted C_D.</summary>
     public double SpinParameter;
 
-    /// <summary>The fitted C_D. Only where a law needs it.</summary>
+    /// <summary>The fitted C_D. Only where a law reads it.</summary>
     public double FittedDragCoefficient;
 }

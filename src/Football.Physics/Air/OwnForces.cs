@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace Football.Physics;
 
 /// <summary>The game's own forces, summed, per mass and per moment of inertia.</summary>
-internal readonly struct OwnForces
+internal sealed class OwnForces
 {
     private readonly IForce[] _forces;
     private readonly double _perMass;

@@ -18,9 +18,8 @@ public sealed class ScaledAir : IForce
         Check.Given(nameof(scene), scene);
         Check.NotNegative(nameof(drag), drag);
         Check.Finite(nameof(lift), lift);
-        Maker maker = default;
         _scene = scene;
-        Laws = AirChoice.Choose<Maker, PointAir>(scene, ref maker);
+        Laws = AirLaws.Of(scene);
         _mass = scene.Ball.Mass;
         _radius = scene.Ball.Radius;
         Drag = drag;
@@ -34,31 +33,25 @@ public sealed class ScaledAir : IForce
     public double Lift { get; }
 
     /// <summary>The laws without factors.</summary>
-    internal PointAir Laws { get; }
+    internal AirLaws Laws { get; }
 
     /// <inheritdoc/>
     public void Apply(in ForceInput ball, ref ForceSum sum)
     {
         Vector3d u = ball.AirVelocity;
         DragBranch branch = Laws.Jumps ? DragJump.At(u.LengthSquared, _radius * _radius * ball.Spin.LengthSquared).Branch : DragBranch.Unknown;
-        Laws.Evaluate(in ball, branch, out AirFactors air);
+        Vector3d w = ball.Spin;
+        AirRates.Factors(Laws, u.X, u.Y, u.Z, w.X, w.Y, w.Z, branch, out double drag, out double lift, out _);
 
         // (f_L − 1) m L (ω × u) − (f_D − 1) m D u
-        sum.AddForce(_mass * (((Lift - 1.0) * air.Lift * Vector3d.Cross(ball.Spin, in u)) - ((Drag - 1.0) * air.Drag * u)));
+        sum.AddForce(_mass * (((Lift - 1.0) * lift * Vector3d.Cross(in w, in u)) - ((Drag - 1.0) * drag * u)));
     }
+
+    /// <summary>The one own force of a scene, where it scales the scene's own laws: then it is taken as laws, and the axis of the spin stays constant.</summary>
+    internal static ScaledAir? AloneIn(Scene scene) =>
+        scene.Forces.Custom.Count == 1 && scene.Forces.Custom[0] is ScaledAir scaled && scaled.IsMadeFor(scene) ? scaled : null;
 
     /// <summary>Whether a scene has the ball, the air and the laws that this was made for.</summary>
-    internal bool IsMadeFor(Scene scene) =>
+    private bool IsMadeFor(Scene scene) =>
         scene.Ball == _scene.Ball && scene.Air == _scene.Air && scene.Forces with { Custom = _scene.Forces.Custom } == _scene.Forces;
-
-    private struct Maker : IAirVisitor<PointAir>
-    {
-        public readonly PointAir Visit<TAir>(Scene scene)
-            where TAir : struct, ILawsAir
-        {
-            TAir laws = default;
-            laws.Prepare(scene);
-            return PointAir.Of(in laws);
-        }
-    }
 }

@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>Finds many kicks of one scene at once: the same question as <see cref="Aimer"/> answers with <see cref="AimMethod.Direct"/>.</summary>
+/// <summary>Finds many kicks of one scene at once: the same question as <see cref="Aimer"/> answers.</summary>
 /// <remarks>
 /// Elevation and azimuth start in closed form and are improved with flights of many kicks at once; what does not converge, is out of reach,
 /// grazes the drag law's jump or would touch the ground on its way is handed to an <see cref="Aimer"/>, and called a hit only where its miss,

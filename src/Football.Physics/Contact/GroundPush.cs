@@ -39,7 +39,7 @@ internal struct GroundPush
         double uy = 0 - around.Wind.Y;
         double uz = at.VZ - around.Wind.Z;
         push.SpinRate = AirRates.Factors(
-            ref around.Air, ux, uy, uz, at.WX, at.WY, at.WZ, branch, out double drag, out double lift, out push.Decay);
+            around.Air.Laws, ux, uy, uz, at.WX, at.WY, at.WZ, branch, out double drag, out double lift, out push.Decay);
         push.AboutVertical = -(push.Decay + around.Ground.SpinDamping) * at.WY;
         push.SpinAcceleration = Vector3d.Zero;
         push.X = 0;

@@ -106,8 +106,7 @@ internal struct FlightGenerator
         double decay = 0;
         if (air.Drags || air.Lifts || air.SpinDecays)
         {
-            air.Begin(spin, branch, out PointStep step);
-            air.AtStart(ref step, squared, spin, across, out drag, out lift, out decay);
+            air.Factors(squared, spin, across, branch, out drag, out lift, out decay);
         }
 
         factors = new Vector3d(drag, lift, air.SpinDecays ? decay : 0);

@@ -229,7 +229,7 @@ internal sealed class FlightTangent<TAir>
         at.Axis = _axis;
         at.Upward = _around.Upward;
         at.Branch = _branch;
-        FlightRates.Of<TAir, PointStep>(ref _around.Air, in at, in at.AirVelocity, at.SpinRate, out acceleration, out spinRate);
+        FlightRates.Of(ref _around.Air, in at, in at.AirVelocity, at.SpinRate, out acceleration, out spinRate);
     }
 
     /// <summary>Whether the flow goes so nearly along the spin that forces turn too fast with it to be integrated: the step itself is then differentiated.</summary>
@@ -247,8 +247,7 @@ internal sealed class FlightTangent<TAir>
     private double LiftOf(in BallState s)
     {
         double squared = (s.Velocity - _around.Wind).LengthSquared;
-        _around.Air.Begin(s.SpinRate, s.Branch, out PointStep step);
-        _around.Air.AtStart(ref step, squared, s.SpinRate, squared, out _, out double lift, out _);
+        _around.Air.Factors(squared, s.SpinRate, squared, s.Branch, out _, out double lift, out _);
         return lift;
     }
 
@@ -260,10 +259,8 @@ internal sealed class FlightTangent<TAir>
             return true;
         }
 
-        _around.Air.Begin(30, DragBranch.Spinning, out PointStep step);
-        _around.Air.AtStart(ref step, 400, 30, 400, out double drag, out double lift, out double decay);
-        _around.Air.Begin(30, DragBranch.Spinning, out step);
-        _around.Air.AtStart(ref step, 400, 30, 100, out double otherDrag, out double otherLift, out double otherDecay);
+        _around.Air.Factors(400, 30, 400, DragBranch.Spinning, out double drag, out double lift, out double decay);
+        _around.Air.Factors(400, 30, 100, DragBranch.Spinning, out double otherDrag, out double otherLift, out double otherDecay);
         return drag != otherDrag || lift != otherLift || decay != otherDecay;
     }
 }

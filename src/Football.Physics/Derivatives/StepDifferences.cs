@@ -43,7 +43,7 @@ internal sealed class StepDifferences
         _simulator = simulator;
         Scene scene = simulator.Scene;
         _isEven = scene.Ground.Heights is null && scene.Ground.Pattern is null;
-        _hasLawsAlone = StepperFactory.HasLawsAlone(scene);
+        _hasLawsAlone = SceneAir.HasLawsAlone(scene);
         _basis = new TangentBasis(Way, 1.0 / scene.Ball.Radius);
     }
 

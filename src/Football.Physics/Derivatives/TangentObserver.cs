@@ -14,11 +14,7 @@ internal abstract class TangentObserver : PieceObserver
     public override bool WantsEndAcceleration => false;
 
     /// <summary>Makes one for a scene.</summary>
-    public static TangentObserver Of(Scene scene)
-    {
-        Maker maker = default;
-        return AirChoice.Choose<Maker, TangentObserver>(scene, ref maker);
-    }
+    public static TangentObserver Of(Scene scene) => new SceneTangent<SceneAir>(scene, SceneAir.Of(scene));
 
     public override bool Add(in PathPiece piece) => false;
 
@@ -47,31 +43,4 @@ internal abstract class TangentObserver : PieceObserver
     /// <param name="final">The ball.</param>
     /// <param name="ended">Whether an event ended it.</param>
     public abstract void Finish(in BallState final, bool ended);
-
-    private struct Maker : IAirVisitor<TangentObserver>
-    {
-        public readonly TangentObserver Visit<TAir>(Scene scene)
-            where TAir : struct, ILawsAir
-        {
-            TAir laws = default;
-            laws.Prepare(scene);
-            if (StepperFactory.HasLawsAlone(scene))
-            {
-                return new SceneTangent<TAir>(scene, in laws);
-            }
-
-            if (ScaledLaws.TryOf(scene, out ScaledLaws scaled))
-            {
-                return new SceneTangent<ScaledLaws>(scene, in scaled);
-            }
-
-            PointAir air = PointAir.Of(in laws);
-            if (scene.Forces.Custom.Count == 0)
-            {
-                return new SceneTangent<FieldAir>(scene, new FieldAir(scene, air));
-            }
-
-            return new SceneTangent<OwnForcesAir>(scene, new OwnForcesAir(scene, FieldAir.IsOf(scene) ? PointAir.Of(new FieldAir(scene, air)) : air));
-        }
-    }
 }

@@ -14,10 +14,8 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
     public bool GainsByHops => false;
 
     [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
-    public void Fly<TKernel, TStep>(
-        ref TKernel kernel, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
-        where TKernel : struct, IFlightKernel<TStep>
-        where TStep : struct
+    public void Fly<TAir>(ref TAir air, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
+        where TAir : struct, IFlightLaws
     {
         double ux = motion.Velocity.X - wind.X;
         double uy = motion.Velocity.Y - wind.Y;
@@ -26,11 +24,9 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         double nx = motion.Axis.X;
         double ny = motion.Axis.Y;
         double nz = motion.Axis.Z;
-        kernel.Begin(w, branch, out TStep once);
 
         // k1 = f(y)
-        FlightRates.AtStart(ref kernel, ref once, nx, ny, nz, upward, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
-        FlightRates.Expand(ref kernel, ref once, ux, uy, uz, ax, ay, az, b, h);
+        FlightRates.At(ref air, branch, nx, ny, nz, upward, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
         step.StartAcceleration = new Vector3d(ax, ay, az);
         step.StartSpinAcceleration = b;
         double sumX = ax;
@@ -46,7 +42,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
             double vy = uy + (along * ay);
             double vz = uz + (along * az);
             double vw = w + (along * b);
-            FlightRates.AtStage(ref kernel, in once, nx, ny, nz, upward, vx, vy, vz, vw, out ax, out ay, out az, out b);
+            FlightRates.At(ref air, branch, nx, ny, nz, upward, vx, vy, vz, vw, out ax, out ay, out az, out b);
             if (stage == 2)
             {
                 break;

@@ -14,18 +14,15 @@ internal readonly struct ExplicitEuler : IIntegrator
     public bool GainsByHops => true;
 
     [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
-    public void Fly<TKernel, TStep>(
-        ref TKernel kernel, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
-        where TKernel : struct, IFlightKernel<TStep>
-        where TStep : struct
+    public void Fly<TAir>(ref TAir air, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
+        where TAir : struct, IFlightLaws
     {
         double ux = motion.Velocity.X - wind.X;
         double uy = motion.Velocity.Y - wind.Y;
         double uz = motion.Velocity.Z - wind.Z;
         double w = motion.SpinRate;
-        kernel.Begin(w, branch, out TStep once);
-        FlightRates.AtStart(
-            ref kernel, ref once, motion.Axis.X, motion.Axis.Y, motion.Axis.Z, upward, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
+        FlightRates.At(
+            ref air, branch, motion.Axis.X, motion.Axis.Y, motion.Axis.Z, upward, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
         double ex = ux + (h * ax);
         double ey = uy + (h * ay);
         double ez = uz + (h * az);

@@ -16,17 +16,15 @@ internal interface IIntegrator
     bool GainsByHops { get; }
 
     /// <summary>A step in flight, where the axis of the spin is constant and the rates depend on velocity and spin alone.</summary>
-    /// <param name="kernel">The factors of the air's forces.</param>
+    /// <param name="air">The laws of the air.</param>
     /// <param name="motion">Velocity and spin; moved to the end of the step.</param>
     /// <param name="wind">Wind, m/s.</param>
     /// <param name="branch">Branch of the drag law that the step is locked to.</param>
     /// <param name="upward">Upward acceleration by gravity and buoyancy, m/s².</param>
     /// <param name="h">Length of the step, s.</param>
     /// <param name="step">What it did.</param>
-    void Fly<TKernel, TStep>(
-        ref TKernel kernel, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
-        where TKernel : struct, IFlightKernel<TStep>
-        where TStep : struct;
+    void Fly<TAir>(ref TAir air, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
+        where TAir : struct, IFlightLaws;
 
     /// <summary>A step of any motion: in flight with forces of the game's own.</summary>
     /// <param name="system">Gives the rates.</param>

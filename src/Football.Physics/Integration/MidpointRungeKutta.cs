@@ -14,10 +14,8 @@ internal readonly struct MidpointRungeKutta : IIntegrator
     public bool GainsByHops => false;
 
     [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
-    public void Fly<TKernel, TStep>(
-        ref TKernel kernel, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
-        where TKernel : struct, IFlightKernel<TStep>
-        where TStep : struct
+    public void Fly<TAir>(ref TAir air, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
+        where TAir : struct, IFlightLaws
     {
         double ux = motion.Velocity.X - wind.X;
         double uy = motion.Velocity.Y - wind.Y;
@@ -26,13 +24,11 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         double nx = motion.Axis.X;
         double ny = motion.Axis.Y;
         double nz = motion.Axis.Z;
-        kernel.Begin(w, branch, out TStep once);
 
         double half = 0.5 * h;
 
         // k1 = f(y)
-        FlightRates.AtStart(ref kernel, ref once, nx, ny, nz, upward, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
-        FlightRates.Expand(ref kernel, ref once, ux, uy, uz, ax, ay, az, b, half);
+        FlightRates.At(ref air, branch, nx, ny, nz, upward, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
         step.StartAcceleration = new Vector3d(ax, ay, az);
         step.StartSpinAcceleration = b;
 
@@ -41,7 +37,7 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         double my = uy + (half * ay);
         double mz = uz + (half * az);
         double mw = w + (half * b);
-        FlightRates.AtStage(ref kernel, in once, nx, ny, nz, upward, mx, my, mz, mw, out ax, out ay, out az, out b);
+        FlightRates.At(ref air, branch, nx, ny, nz, upward, mx, my, mz, mw, out ax, out ay, out az, out b);
 
         // y' = y + h k2
         double ex = ux + (h * ax);

@@ -107,14 +107,24 @@ public static class LookAheads
     internal static void Extend(this Simulator simulator, Trajectory path, double end, double timeStep, StopAt stopAt)
     {
         BallState state = path.Final;
-        path.Log.Halted = false;
+        path.Resume();
         path.Log.StopAt = stopAt;
         BeginMoving(simulator, path, in state);
         try
         {
             while (state.Time < end && !path.Log.Halted && state.Motion != MotionState.Stopped)
             {
+                BallState before = state;
+                StepLogMark mark = path.Log.Mark();
                 simulator.Advance(ref state, timeStep, path.Log);
+                if (!path.IsComplete && path.StartTime < before.Time)
+                {
+                    // The memory ends within this step: it is taken back, so that the path can go on from its start when there is room again.
+                    path.Log.TakeBack(in mark);
+                    path.Break(in before);
+                    return;
+                }
+
                 path.OnStep?.Invoke(in state);
             }
         }

@@ -64,7 +64,7 @@ public sealed class Prediction
         }
 
         Path.Forget(real.Time);
-        if (Path.IsComplete && !Path.Log.Halted)
+        if (Path.EndsWhole)
         {
             _simulator.Extend(Path, real.Time + _request.Duration, _request.TimeStep, _request.StopAt);
         }

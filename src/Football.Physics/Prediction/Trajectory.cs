@@ -198,6 +198,16 @@ public sealed class Trajectory
 
     internal void End(in BallState final) => _final = final;
 
+    /// <summary>Whether a path that is to be extended ends with whole steps, not where an event or its memory ended it within one.</summary>
+    internal bool EndsWhole => IsComplete ? !Log.Halted : Count < _pieces.Length && !Log.Halted;
+
+    /// <summary>Prepares for going on from the end.</summary>
+    internal void Resume()
+    {
+        Log.Halted = false;
+        IsComplete = true;
+    }
+
     /// <summary>Ends it with the state before a step that failed: the pieces of that step are none.</summary>
     internal void Break(in BallState final)
     {

@@ -7,7 +7,7 @@ namespace Football.Physics;
 /// along the constant axis of the spin; all else is done as in any air.
 /// </summary>
 /// <typeparam name="TIntegrator">The one-step method.</typeparam>
-internal sealed class FieldStepper<TIntegrator> : Stepper<FieldAir, TIntegrator>
+internal sealed class FieldStepper<TIntegrator> : SceneStepper<TIntegrator>
     where TIntegrator : struct, IIntegrator
 {
     private readonly StabilityLimit _limit;
@@ -15,11 +15,11 @@ internal sealed class FieldStepper<TIntegrator> : Stepper<FieldAir, TIntegrator>
     private readonly double _fastestWind;
     private readonly TIntegrator _integrator;
 
-    public FieldStepper(Scene scene, SolverSettings settings, in FieldAir air)
+    public FieldStepper(Scene scene, SolverSettings settings, in SceneAir air)
         : base(scene, settings, in air)
     {
         _integrator = default;
-        _limit = StabilityLimit.Of(scene, ref Around.Air, Around.Upward, _integrator.Order);
+        _limit = Limit;
         _contactHeight = Around.LevelContact;
         _fastestWind = Around.Air.FastestWind;
     }

@@ -6,7 +6,7 @@ namespace Football.Physics;
 internal struct FieldSystem : IFieldSystem
 {
     /// <summary>The air, the steady wind, gravity and buoyancy.</summary>
-    public Surroundings<FieldAir> Around;
+    public Surroundings<SceneAir> Around;
 
     /// <summary>Unit axis of the spin.</summary>
     public Vector3d Axis;
@@ -14,7 +14,7 @@ internal struct FieldSystem : IFieldSystem
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Rates(double time, in FieldMotion at, out FieldRates rates)
     {
-        ref FieldAir air = ref Around.Air;
+        ref SceneAir air = ref Around.Air;
         Vector3d wind = air.WindAt(time, at.Position);
         double ux = at.VX - Around.Wind.X - wind.X;
         double uy = at.VY - Around.Wind.Y - wind.Y;
@@ -22,7 +22,9 @@ internal struct FieldSystem : IFieldSystem
         double cx = (Axis.Y * uz) - (Axis.Z * uy);
         double cy = (Axis.Z * ux) - (Axis.X * uz);
         double cz = (Axis.X * uy) - (Axis.Y * ux);
-        air.AtPoint((ux * ux) + (uy * uy) + (uz * uz), at.SpinRate, (cx * cx) + (cy * cy) + (cz * cz), out double drag, out double lift, out double decay);
+        double speedSquared = (ux * ux) + (uy * uy) + (uz * uz);
+        double acrossSquared = (cx * cx) + (cy * cy) + (cz * cz);
+        air.Factors(speedSquared, at.SpinRate, acrossSquared, DragBranch.Unknown, out double drag, out double lift, out double decay);
         Vector3d side = air.Side(new Vector3d(ux, uy, uz), at.SpinRate * Axis, at.AirDistance, out rates.AirSpeed);
 
         // v̇ = L (n × u) − D u + g + F_K/m,  ω̇ = −decay

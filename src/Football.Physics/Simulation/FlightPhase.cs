@@ -16,6 +16,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
 
     private readonly SolverSettings _settings;
     private readonly Surroundings<TAir> _around;
+    private readonly IFlight _flight;
     private readonly StabilityLimit _limit;
     private readonly DragJumpGuard<TAir> _jump;
     private readonly ContactPhase<TAir> _contact;
@@ -29,6 +30,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     public FlightPhase(
         SolverSettings settings,
         Surroundings<TAir> around,
+        IFlight flight,
         in StabilityLimit limit,
         DragJumpGuard<TAir> jump,
         ContactPhase<TAir> contact,
@@ -39,6 +41,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         _nets = around.World is null ? null : new NetGuard(around.World);
         _settings = settings;
         _around = around;
+        _flight = flight;
         _limit = limit;
         _jump = jump;
         _contact = contact;
@@ -86,7 +89,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
                 return;
             }
 
-            var sweep = new FlightSweep<TAir, TIntegrator>(_around, in s);
+            var sweep = new FlightSweep<TAir, TIntegrator>(_around, _flight, in s);
             sweep.Step(h);
             Finish(ref s, ref run, ref sweep);
         }
@@ -105,7 +108,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
             return;
         }
 
-        var sweep = new FlightSweep<TAir, TIntegrator>(_around, in s);
+        var sweep = new FlightSweep<TAir, TIntegrator>(_around, _flight, in s);
         sweep.Take(in taken, h);
         Finish(ref s, ref run, ref sweep);
     }
@@ -297,7 +300,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
                 : _limit.PartOf(ref _around.Air, asked, _fastestWind > 0 ? AirSpeed(in s, in u) : most, spin, s.Branch);
             h = h > 0 && _nets is not null ? _nets.LongestPiece(in s, h) : h;
         }
-        else if (_around.AirActs && !_limit.AllowsWhole(h, speedSquared, s.SpinRate, _around.Air.Covers(speedSquared, s.SpinRate, h)))
+        else if (_around.AirActs && !_limit.AllowsWhole(h, speedSquared, s.SpinRate, false))
         {
             h = _limit.PartOf(ref _around.Air, asked, Math.Sqrt(speedSquared), s.SpinRate, s.Branch);
         }

@@ -6,15 +6,17 @@ internal struct FlightSweep<TAir, TIntegrator> : IFlightSweep
     where TIntegrator : struct, IIntegrator
 {
     private readonly Surroundings<TAir> _around;
+    private readonly IFlight _flight;
     private readonly FlightPoint _from;
     private readonly Vector3d _position;
     private FlightStep _taken;
     private TIntegrator _integrator;
 
     /// <summary>A step from a state of the ball.</summary>
-    public FlightSweep(Surroundings<TAir> around, in BallState from)
+    public FlightSweep(Surroundings<TAir> around, IFlight flight, in BallState from)
     {
         _around = around;
+        _flight = flight;
         _from.AirVelocity = from.Velocity - around.Wind;
         _from.SpinRate = from.SpinRate;
         _from.Axis = from.SpinAxis;
@@ -55,9 +57,7 @@ internal struct FlightSweep<TAir, TIntegrator> : IFlightSweep
         motion.Velocity = _from.AirVelocity;
         motion.Axis = _from.Axis;
         motion.SpinRate = _from.SpinRate;
-        double speedSquared = _from.AirVelocity.LengthSquared;
-        bool covered = _around.Air.Covers(speedSquared, _from.SpinRate, h);
-        _around.Air.Fly(ref _integrator, covered, speedSquared, ref motion, Vector3d.Zero, _from.Branch, _from.Upward, h, out _taken);
+        _flight.Fly(ref motion, Vector3d.Zero, _from.Branch, _from.Upward, h, out _taken);
         Evaluations += _integrator.Stages;
         Length = h;
     }
@@ -105,7 +105,7 @@ internal struct FlightSweep<TAir, TIntegrator> : IFlightSweep
 
     private void EndRates(out Vector3d acceleration, out double spinAcceleration)
     {
-        FlightRates.Of<TAir, PointStep>(ref _around.Air, in _from, in _taken.AirVelocity, _taken.SpinRate, out acceleration, out spinAcceleration);
+        FlightRates.Of(ref _around.Air, in _from, in _taken.AirVelocity, _taken.SpinRate, out acceleration, out spinAcceleration);
         Evaluations++;
     }
 

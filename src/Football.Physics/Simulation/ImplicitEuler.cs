@@ -94,8 +94,7 @@ internal struct ImplicitEuler<TAir>
     private void Factors(double speed, double spin, out double drag, out double lift, out double decay)
     {
         double speedSquared = speed * speed;
-        Air.Begin(spin, DragJump.At(speedSquared, RadiusSquared * spin * spin).Branch, out PointStep step);
-        Air.AtStart(ref step, speedSquared, spin, speedSquared, out drag, out lift, out decay);
+        Air.Factors(speedSquared, spin, speedSquared, DragJump.At(speedSquared, RadiusSquared * spin * spin).Branch, out drag, out lift, out decay);
         drag = drag < Infinite ? drag : Infinite;
         lift = lift < Infinite ? (lift > -Infinite ? lift : -Infinite) : Infinite;
         decay = decay < Infinite ? decay : Infinite;

@@ -1,10 +1,11 @@
 using System.Runtime.CompilerServices;
+using TAir = Football.Physics.SceneAir;
 
 namespace Football.Physics;
 
 /// <summary>
-/// A step of the ball in one scene with one method. Nearly every step is one piece of flight with nothing in it: <see cref="Step"/> proposes
-/// it, takes it, looks whether anything happened, and moves the ball. Else the step is a loop over pieces, each by the phase that the ball is in:
+/// A step of the ball in one scene with one method, as a loop over pieces, each by the phase that the ball is in. The whole step of flight in which
+/// nothing happens, which most steps are, is <see cref="FlightStepper{TAir, TIntegrator}"/>'s.
 /// <list type="number">
 /// <item><see cref="FlightPhase{TAir, TIntegrator}"/>: to the drag law's jump, the end of the spin, the ground;</item>
 /// <item><see cref="SlidePhase{TAir, TIntegrator}"/>: to the jump, the end of the slip;</item>
@@ -15,10 +16,8 @@ namespace Football.Physics;
 /// <item><see cref="ImplicitPhase{TAir}"/>: where the air is too strong for explicit pieces.</item>
 /// </list>
 /// </summary>
-/// <typeparam name="TAir">The air.</typeparam>
 /// <typeparam name="TIntegrator">The one-step method.</typeparam>
-internal class Stepper<TAir, TIntegrator> : Stepper
-    where TAir : struct, IAir
+internal class SceneStepper<TIntegrator> : Stepper, IFlight
     where TIntegrator : struct, IIntegrator
 {
     /// <summary>After so many pieces the length of the parts is chosen anew: what asked for short ones may be over.</summary>
@@ -29,11 +28,7 @@ internal class Stepper<TAir, TIntegrator> : Stepper
 
     private readonly Vector3d _wind;
     private readonly double _upward;
-    private readonly double _contactHeight;
-    private readonly double _radiusSquared;
-    private readonly StabilityLimit _limit;
     private readonly bool _staysDown;
-    private readonly bool _locatesJump;
     private TAir _air;
     private TIntegrator _integrator;
     private readonly FlightPhase<TAir, TIntegrator> _flight;
@@ -47,7 +42,7 @@ internal class Stepper<TAir, TIntegrator> : Stepper
     private readonly WorldContact<TAir>? _worldContact;
     private readonly BodyPush<TAir>? _bodies;
 
-    public Stepper(Scene scene, SolverSettings settings, in TAir air)
+    public SceneStepper(Scene scene, SolverSettings settings, in TAir air)
     {
         var around = new Surroundings<TAir>(scene, in air);
         Around = around;
@@ -55,15 +50,13 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         _integrator = default;
         _wind = around.Wind;
         _upward = around.Upward;
-        _contactHeight = around.LevelContact;
-        _radiusSquared = around.RadiusSquared;
         _staysDown = _upward <= 0 && around.World is null;
-        _limit = StabilityLimit.Of(scene, ref _air, _upward, _integrator.Order);
+        Limit = StabilityLimit.Of(scene, in _air, 0, _upward, _integrator.Order);
         var jump = new DragJumpGuard<TAir>(around, settings.LocateJump && _integrator.Order > 1);
-        _locatesJump = jump.Acts;
+        LocatesJump = jump.Acts;
         var contact = new ContactPhase<TAir>(scene, around);
         World? world = around.World;
-        _clear = world is null or { IsLevelGroundAlone: true } ? null : new ClearFlight(world, in _limit, in _wind, _upward, _integrator.ShareInPath);
+        _clear = world is null or { IsLevelGroundAlone: true } ? null : new ClearFlight(world, Limit, in _wind, _upward, _integrator.ShareInPath);
 
         // Where there are bodies, no answer is good for longer than a step.
         _clearKey = _clear is { LooksForBodies: false } ? _clear.Key : 0;
@@ -71,12 +64,12 @@ internal class Stepper<TAir, TIntegrator> : Stepper
         _bodies = world is { Bodies: not null } or { Engine: not null } ? new BodyPush<TAir>(world, _worldContact!) : null;
         WorldGuard<TAir>? guard = world is null ? null : new WorldGuard<TAir>(world, _worldContact!);
         _implicit = new ImplicitPhase<TAir>(around, contact, guard);
-        _carried = guard is null ? null : new CarriedPhase<TAir, TIntegrator>(around, in _limit, jump, guard, _worldContact!, _implicit);
+        _carried = guard is null ? null : new CarriedPhase<TAir, TIntegrator>(around, Limit, jump, guard, _worldContact!, _implicit);
         _rest = guard is null ? null : new RestPhase<TAir>(world!, guard);
-        _flight = new FlightPhase<TAir, TIntegrator>(settings, around, in _limit, jump, contact, _implicit, guard);
+        _flight = new FlightPhase<TAir, TIntegrator>(settings, around, this, Limit, jump, contact, _implicit, guard);
 
         // Friction may speed a ball up faster than gravity does.
-        StabilityLimit pushed = StabilityLimit.Of(scene, ref _air, Math.Max(Math.Abs(_upward), around.Ground.Sliding), _integrator.Order);
+        StabilityLimit pushed = StabilityLimit.Of(scene, in _air, 0, Math.Max(Math.Abs(_upward), around.Ground.Sliding), _integrator.Order);
         var ground = new GroundLimit<TAir>(around, in pushed);
         _slide = new SlidePhase<TAir, TIntegrator>(settings, around, in ground, jump, contact, _implicit);
         _roll = new RollPhase<TAir, TIntegrator>(scene, around, in ground, jump, contact, _implicit);
@@ -87,95 +80,26 @@ internal class Stepper<TAir, TIntegrator> : Stepper
     /// <summary>What acts on a ball wherever it is.</summary>
     protected Surroundings<TAir> Around { get; }
 
-    [MethodImpl(Hot.Path)]
+    /// <summary>How long a piece may be.</summary>
+    protected StabilityLimit Limit { get; }
+
+    /// <summary>Whether pieces end where the drag law jumps.</summary>
+    protected bool LocatesJump { get; }
+
     public override void Step(ref BallState s, double dt, StepLog log)
     {
-        double vx = s.Flight.Velocity.X;
-        double vy = s.Flight.Velocity.Y;
-        double vz = s.Flight.Velocity.Z;
-        double spin = s.Flight.SpinRate;
-        Vector3d position = s.Position;
-        double y = position.Y;
-        DragBranch branch = s.Branch;
-        if (s.Motion != MotionState.Airborne)
-        {
-            // A ball lighter than the air may leave the ground, and air that varies may do anything.
-            bool done = _staysDown && !_air.Varies
-                && ((s.Motion == MotionState.Rolling && _roll.TryWhole(ref s, dt, log))
-                    || (s.Motion == MotionState.Sliding && _slide.TryWhole(ref s, dt, log)));
-            if (!done)
-            {
-                TakePieces(ref s, dt, log);
-            }
-
-            return;
-        }
-
-        if (_air.Varies || branch >= DragBranch.AlongCriticalSpeed || (y <= _contactHeight && vy < 0))
+        // A ball lighter than the air may leave the ground, and air that varies may do anything.
+        bool done = _staysDown && !_air.Varies
+            && ((s.Motion == MotionState.Rolling && _roll.TryWhole(ref s, dt, log))
+                || (s.Motion == MotionState.Sliding && _slide.TryWhole(ref s, dt, log)));
+        if (!done)
         {
             TakePieces(ref s, dt, log);
-            return;
-        }
-
-        // Propose: the whole step, locked to one branch of the drag law, if it is short enough for the forces here.
-        double ux = vx - _wind.X;
-        double uy = vy - _wind.Y;
-        double uz = vz - _wind.Z;
-        double speedSquared = (ux * ux) + (uy * uy) + (uz * uz);
-        if (_air.Jumps && (branch == DragBranch.Unknown || !_locatesJump))
-        {
-            branch = DragJump.At(speedSquared, _radiusSquared * spin * spin).Branch;
-            s.Branch = branch;
-        }
-
-        bool covered = _air.Covers(speedSquared, spin, dt);
-        if (((_air.Drags || _air.Lifts || _air.SpinDecays) && !_limit.AllowsWhole(dt, speedSquared, spin, covered))
-            || (_integrator.GainsByHops && _limit.WithinHop(dt, y - _contactHeight, vy) < dt))
-        {
-            TakePieces(ref s, dt, log);
-            return;
-        }
-
-        if (!IsClear(ref s, dt, speedSquared))
-        {
-            TakePieces(ref s, dt, log);
-            return;
-        }
-
-        if (!(_air.Drags || _air.Lifts || _air.SpinDecays))
-        {
-            Fall(ref s, dt, log);
-            return;
-        }
-
-        // Take it.
-        _air.Fly(ref _integrator, covered, speedSquared, ref s.Flight, in _wind, branch, _upward, dt, out FlightStep step);
-        log.Evaluations += _integrator.Stages;
-
-        // Guards: the ground, a dip through it, the end of the spin, the drag law's jump. Each errs towards yes.
-        double height = y + (step.Path.Y + (dt * _wind.Y));
-        double climb = step.AirVelocity.Y + _wind.Y;
-        if (height < _contactHeight || (vy < 0 && climb > 0)
-            || (_air.SpinDecays && step.SpinRate < 0)
-            || (_air.Jumps && _locatesJump && MayCrossJump(branch, ux, uy, uz, speedSquared, spin, in step, dt)))
-        {
-            s.Flight.Velocity = new Vector3d(vx, vy, vz);
-            s.Flight.SpinRate = spin;
-            FinishPieces(ref s, dt, log, in step);
-            return;
-        }
-
-        // Nothing happened: move the ball.
-        s.Position = new Vector3d(position.X + (step.Path.X + (dt * _wind.X)), height, position.Z + (step.Path.Z + (dt * _wind.Z)));
-        s.Angle += step.Turn;
-        double time = s.Time;
-        s.Time = time + dt;
-        log.Steps++;
-        if (log.Observer is not null)
-        {
-            Show(log, in s, time, in position, new Vector3d(vx, vy, vz), spin, in step);
         }
     }
+
+    public virtual void Fly(ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step) =>
+        _integrator.Fly(ref _air, ref motion, in wind, branch, upward, h, out step);
 
     public override void Settle(ref BallState s)
     {
@@ -190,8 +114,8 @@ internal class Stepper<TAir, TIntegrator> : Stepper
     public override void AirFactors(double speed, double spinRate, out double drag, out double lift, out double decay)
     {
         double speedSquared = speed * speed;
-        _air.Begin(spinRate, DragJump.At(speedSquared, _radiusSquared * spinRate * spinRate).Branch, out PointStep step);
-        _air.AtStart(ref step, speedSquared, spinRate, speedSquared, out drag, out lift, out decay);
+        DragBranch branch = DragJump.At(speedSquared, Around.RadiusSquared * spinRate * spinRate).Branch;
+        _air.Factors(speedSquared, spinRate, speedSquared, branch, out drag, out lift, out decay);
     }
 
     /// <summary>Whether a step of flight meets nothing but level ground; |u|² may be a bound of it.</summary>
@@ -199,46 +123,9 @@ internal class Stepper<TAir, TIntegrator> : Stepper
     protected bool IsClear(ref BallState s, double dt, double airSpeedSquared) =>
         _clear is null || (s.Time + dt <= s.ClearUntil && s.ClearIn == _clearKey) || _clear.Holds(ref s, dt, airSpeedSquared);
 
-    /// <summary>Whether a step may have crossed the drag law's jump.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private bool MayCrossJump(DragBranch branch, double ux, double uy, double uz, double speedSquared, double spin, in FlightStep step, double h)
-    {
-        var start = DragJump.At(speedSquared, _radiusSquared * spin * spin);
-        var rate = DragJump.Rate(
-            2.0 * ((ux * step.StartAcceleration.X) + (uy * step.StartAcceleration.Y) + (uz * step.StartAcceleration.Z)),
-            2.0 * _radiusSquared * spin * step.StartSpinAcceleration);
-        double wx = step.AirVelocity.X;
-        double wy = step.AirVelocity.Y;
-        double wz = step.AirVelocity.Z;
-        var end = DragJump.At((wx * wx) + (wy * wy) + (wz * wz), _radiusSquared * step.SpinRate * step.SpinRate);
-        return DragJump.MayCross(branch, in start, in rate, in end, h);
-    }
-
-    /// <summary>A step in vacuum: what the method makes of a constant acceleration, p + h (v + c h g), v + h g.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Fall(ref BallState s, double h, StepLog log)
-    {
-        double vy = s.Velocity.Y;
-        double gained = h * _upward;
-        double climb = vy + gained;
-        double height = s.Position.Y + (h * (vy + (_integrator.ShareInPath * gained)));
-        if (height < _contactHeight || (vy < 0 && climb > 0) || log.Observer is not null)
-        {
-            TakePieces(ref s, h, log);
-            return;
-        }
-
-        s.Position = new Vector3d(s.Position.X + (h * s.Velocity.X), height, s.Position.Z + (h * s.Velocity.Z));
-        s.Velocity = new Vector3d(s.Velocity.X, climb, s.Velocity.Z);
-        s.Angle += h * s.SpinRate;
-        s.Time += h;
-        log.Steps++;
-        log.Evaluations += _integrator.Stages;
-    }
-
     /// <summary>Shows a whole step of flight to the observer: the ball is at its end, the rest is of its start.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Show(StepLog log, in BallState s, double time, in Vector3d position, in Vector3d velocity, double spin, in FlightStep step)
+    protected void Show(StepLog log, in BallState s, double time, in Vector3d position, in Vector3d velocity, double spin, in FlightStep step)
     {
         BallState before = s;
         before.Time = time;
@@ -254,7 +141,7 @@ internal class Stepper<TAir, TIntegrator> : Stepper
             at.Axis = s.Flight.Axis;
             at.Upward = _upward;
             at.Branch = s.Branch;
-            FlightRates.Of<TAir, PointStep>(ref _air, in at, in at.AirVelocity, at.SpinRate, out acceleration, out _);
+            FlightRates.Of(ref _air, in at, in at.AirVelocity, at.SpinRate, out acceleration, out _);
             log.Evaluations++;
         }
 
@@ -263,7 +150,7 @@ internal class Stepper<TAir, TIntegrator> : Stepper
 
     /// <summary>A step, piece by piece.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void TakePieces(ref BallState s, double dt, StepLog log)
+    protected void TakePieces(ref BallState s, double dt, StepLog log)
     {
         if (_air.Varies)
         {
@@ -296,7 +183,7 @@ internal class Stepper<TAir, TIntegrator> : Stepper
 
     /// <summary>The same, where the whole step has been taken as flight already and something was found in it.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void FinishPieces(ref BallState s, double dt, StepLog log, in FlightStep taken)
+    protected void FinishPieces(ref BallState s, double dt, StepLog log, in FlightStep taken)
     {
         var run = new StepRun(dt, s.Time, log);
         _flight.Finish(ref s, ref run, in taken, dt);

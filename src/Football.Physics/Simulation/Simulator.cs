@@ -17,24 +17,12 @@ public sealed class Simulator
     /// <param name="settings">How to integrate it; default <see cref="SolverSettings.Default"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public Simulator(Scene? scene = null, SolverSettings? settings = null)
-        : this(scene, settings, AirProfile.All)
     {
-    }
-
-    /// <summary>Checks a scene and compiles it, with the code of one profile only: for small programs that are compiled ahead of time.</summary>
-    /// <param name="scene">The scene; null for <see cref="Scene.Default"/>.</param>
-    /// <param name="settings">How to integrate it; null for <see cref="SolverSettings.Default"/>.</param>
-    /// <param name="profile">The laws of the air that the scene has.</param>
-    /// <exception cref="ArgumentNullException"><paramref name="profile"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the scene has other laws; the message names field, value and range.</exception>
-    public Simulator(Scene? scene, SolverSettings? settings, AirProfile profile)
-    {
-        Profile = profile ?? throw new ArgumentNullException(nameof(profile));
         Scene = scene ?? Scene.Default;
         Settings = settings ?? SolverSettings.Default;
         Scene.Validate();
         Settings.Validate();
-        _stepper = profile.Compile(Scene, Settings);
+        _stepper = StepperFactory.Create(Scene, Settings);
         _contact = Scene.Ground.Height + Scene.Ball.Radius;
         _world = _stepper.World;
         _hasOwnForces = Scene.Forces.Custom.Count > 0;
@@ -46,9 +34,6 @@ public sealed class Simulator
 
     /// <summary>How it is integrated.</summary>
     public SolverSettings Settings { get; }
-
-    /// <summary>The laws of the air that it was made for.</summary>
-    public AirProfile Profile { get; }
 
     /// <summary>Height of the centre of a ball on the ground, m.</summary>
     public double ContactHeight => _contact;

@@ -55,7 +55,12 @@ internal readonly struct StabilityLimit
     public RateBound Bound => _bound;
 
     /// <summary>The limit of a scene for a method of an order.</summary>
-    public static StabilityLimit Of<TAir>(Scene scene, ref TAir air, double upward, int order)
+    /// <param name="scene">The scene.</param>
+    /// <param name="air">Its air.</param>
+    /// <param name="wholeUpTo">Up to which length, s, no step that the fast form of the laws covers must be divided; 0 where that is not known.</param>
+    /// <param name="upward">Upward acceleration, m/s².</param>
+    /// <param name="order">Order of the method.</param>
+    public static StabilityLimit Of<TAir>(Scene scene, in TAir air, double wholeUpTo, double upward, int order)
         where TAir : struct, IAir
     {
         RateBound ofAir = air.Bound;
@@ -64,7 +69,7 @@ internal readonly struct StabilityLimit
         var bound = new RateBound(ofAir.PerSpeed, ofAir.PerSpin, ofAir.Constant + (Math.Sqrt(ofAir.PerSpeed) * Math.Sqrt(Math.Abs(upward))));
         double restitution = Math.Min(scene.Ground.NormalRestitution, MostElastic);
         bool spirals = order < 4 && air.Lifts && !(air.Drags && ofAir.PerSpeed > 0);
-        return new StabilityLimit(in bound, upward, air.WholeUpTo(in bound), 3.0 * restitution / (1.0 - restitution), spirals, order);
+        return new StabilityLimit(in bound, upward, wholeUpTo, 3.0 * restitution / (1.0 - restitution), spirals, order);
     }
 
     /// <summary>Whether a step may be taken whole: a quick test that errs towards no.</summary>
@@ -100,8 +105,7 @@ internal readonly struct StabilityLimit
         if (pieces > FewPieces && branch < DragBranch.AlongCriticalSpeed)
         {
             // The bound adds what each law could do; twice what they do here is enough, and in still air what they are about to do.
-            air.Begin(spinRate, branch, out PointStep once);
-            air.AtStart(ref once, speed * speed, spinRate, speed * speed, out double drag, out double lift, out double decay);
+            air.Factors(speed * speed, spinRate, speed * speed, branch, out double drag, out double lift, out double decay);
             double ofSpin = spinRate > 0 ? Math.Min(decay / spinRate, (_bound.PerSpeed * speed) + (_bound.PerSpin * spinRate)) : 0;
             double here = 2.0 * (drag + Math.Abs(lift) + ofSpin);
             double closer = left * (here + _bound.Constant + damping);
@@ -130,8 +134,7 @@ internal readonly struct StabilityLimit
         }
 
         double speedSquared = speed * speed;
-        air.Begin(spinRate, branch, out PointStep once);
-        air.AtStart(ref once, speedSquared, spinRate, speedSquared, out double drag, out double lift, out _);
+        air.Factors(speedSquared, spinRate, speedSquared, branch, out double drag, out double lift, out _);
         double turn = lift * h * lift * h;
         double longer = _order == 2 ? 0.125 * turn * turn : 0.5 * turn;
         return longer > drag * h;

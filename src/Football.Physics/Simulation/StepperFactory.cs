@@ -1,50 +1,46 @@
 namespace Football.Physics;
 
-/// <summary>Makes the compiled body for a scene: one per air and integrator.</summary>
+/// <summary>
+/// Makes the stepper of a scene. Flight is compiled for a handful of airs (published, measured, regularised, constant, none), one that asks any mixture
+/// of laws point by point, and wind by place and time; each with every method.
+/// </summary>
 internal static class StepperFactory
 {
-    /// <summary>For a scene whose laws are known: with the game's own forces and with wind by place and time, where it has them.</summary>
-    /// <typeparam name="TAir">The laws.</typeparam>
-    public static Stepper Create<TAir>(Scene scene, SolverSettings settings)
-        where TAir : struct, ILawsAir
+    /// <summary>The stepper of a scene.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The scene names a law, or the settings a method, that there is not.</exception>
+    public static Stepper Create(Scene scene, SolverSettings settings) => settings.Integrator switch
     {
-        TAir laws = default;
-        laws.Prepare(scene);
-        return HasLawsAlone(scene) ? Of(scene, settings, in laws) : Around(scene, settings, PointAir.Of(in laws));
-    }
+        Integrator.Euler => Create<ExplicitEuler>(scene, settings),
+        Integrator.SemiImplicitEuler => Create<SemiImplicitEuler>(scene, settings),
+        Integrator.Rk2 => Create<MidpointRungeKutta>(scene, settings),
+        Integrator.Rk4 => Create<ClassicalRungeKutta>(scene, settings),
+        _ => throw Check.Unknown("solver.integrator", settings.Integrator),
+    };
 
-    /// <summary>Whether nothing but laws acts in a scene.</summary>
-    public static bool HasLawsAlone(Scene scene) => scene.Forces.Custom.Count == 0 && !FieldAir.IsOf(scene);
-
-    /// <summary>For laws alone.</summary>
-    public static Stepper Of<TAir>(Scene scene, SolverSettings settings, in TAir air)
-        where TAir : struct, IAir => settings.Integrator switch
-        {
-            Integrator.Euler => new Stepper<TAir, ExplicitEuler>(scene, settings, in air),
-            Integrator.SemiImplicitEuler => new Stepper<TAir, SemiImplicitEuler>(scene, settings, in air),
-            Integrator.Rk2 => new Stepper<TAir, MidpointRungeKutta>(scene, settings, in air),
-            Integrator.Rk4 => new Stepper<TAir, ClassicalRungeKutta>(scene, settings, in air),
-            _ => throw Check.Unknown("solver.integrator", settings.Integrator),
-        };
-
-    /// <summary>For laws with all that a scene has around them.</summary>
-    public static Stepper Around(Scene scene, SolverSettings settings, PointAir laws)
+    private static Stepper Create<TIntegrator>(Scene scene, SolverSettings settings)
+        where TIntegrator : struct, IIntegrator
     {
-        bool inField = FieldAir.IsOf(scene);
-        if (scene.Forces.Custom.Count > 0)
+        var air = SceneAir.Of(scene);
+        if (air.TurnsAxis)
         {
-            PointAir air = inField ? PointAir.Of(new FieldAir(scene, laws)) : laws;
-            return Of(scene, settings, new OwnForcesAir(scene, air));
+            return new SceneStepper<TIntegrator>(scene, settings, in air);
         }
 
-        var field = new FieldAir(scene, laws);
-        return settings.Integrator switch
+        if (air.Varies)
         {
-            Integrator.Euler => new FieldStepper<ExplicitEuler>(scene, settings, in field),
-            Integrator.SemiImplicitEuler => new FieldStepper<SemiImplicitEuler>(scene, settings, in field),
-            Integrator.Rk2 => new FieldStepper<MidpointRungeKutta>(scene, settings, in field),
-            Integrator.Rk4 => new FieldStepper<ClassicalRungeKutta>(scene, settings, in field),
-            _ => throw Check.Unknown("solver.integrator", settings.Integrator),
-        };
+            return new FieldStepper<TIntegrator>(scene, settings, in air);
+        }
+
+        ForceSet forces = scene.Forces;
+        return forces.Custom.Count > 0 || forces.Drag != forces.Magnus || forces.Magnus != forces.SpinDecay
+            ? new FlightStepper<SceneAir, TIntegrator>(scene, settings, in air, in air)
+            : (forces.Drag, forces.Coefficients) switch
+            {
+                (ForceLaw.None, _) => new FlightStepper<NoAir, TIntegrator>(scene, settings, in air, default),
+                (ForceLaw.Constant, _) => new FlightStepper<ConstantAir, TIntegrator>(scene, settings, in air, new ConstantAir(scene)),
+                (_, CoefficientForm.Published) => new FlightStepper<TableAir<PublishedLaw>, TIntegrator>(scene, settings, in air, new TableAir<PublishedLaw>(scene)),
+                (_, CoefficientForm.Regularised) => new FlightStepper<TableAir<RegularisedLaw>, TIntegrator>(scene, settings, in air, new TableAir<RegularisedLaw>(scene)),
+                _ => new FlightStepper<TableAir<MeasuredLaw>, TIntegrator>(scene, settings, in air, new TableAir<MeasuredLaw>(scene)),
+            };
     }
 }

@@ -17,7 +17,9 @@ internal static class Rooms
         "Simulation",
         "Derivatives",
         "Prediction",
+        "Tracks",
         "Aiming",
+        "Thesis",
         "Batch",
         "Game",
     ];

@@ -18,7 +18,7 @@ public sealed class BatchAimerTests
         var kicks = new BatchKicks(Count);
         var aimer = new BatchAimer(scene);
         aimer.Find(aims, kicks, Count);
-        var meter = new AimContext(new Simulator(scene), 0.01).Miss;
+        var meter = new AimContext(new Simulator(scene)).Miss;
         var single = new Aimer(scene);
         int hits = 0;
         for (int i = 0; i < Count; i++)
@@ -56,7 +56,7 @@ public sealed class BatchAimerTests
 
         var kicks = new BatchKicks(many);
         new BatchAimer(Scene.Published).Find(aims, kicks, many);
-        var meter = new AimContext(new Simulator(Scene.Published), 0.01).Miss;
+        var meter = new AimContext(new Simulator(Scene.Published)).Miss;
         int hits = 0;
         for (int i = 0; i < many; i++)
         {
@@ -88,7 +88,7 @@ public sealed class BatchAimerTests
 
         var kicks = new BatchKicks(many);
         new BatchAimer(Scene.Published).Find(aims, kicks, many);
-        MissMeter meter = new AimContext(new Simulator(Scene.Published), 0.01).Miss;
+        MissMeter meter = new AimContext(new Simulator(Scene.Published)).Miss;
         int hits = 0;
         for (int i = 0; i < many; i++)
         {

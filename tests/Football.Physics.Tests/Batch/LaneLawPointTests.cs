@@ -13,8 +13,7 @@ public sealed class LaneLawPointTests
     public void The_published_law_is_the_law_on_both_branches()
     {
         FittedLaneLaw<Lanes1, PublishedLaneFit<Lanes1>> law = default;
-        Compare<FittedLaneLaw<Lanes1, PublishedLaneFit<Lanes1>>, AirLaws<PublishedDragFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>>(
-            ref law, ForceSet.Published, Tolerance, DecayBound);
+        Compare(ref law, ForceSet.Published, Tolerance, DecayBound);
     }
 
     [Fact]
@@ -22,16 +21,14 @@ public sealed class LaneLawPointTests
     {
         // Its weight changes by e within 0.25 m/s: of a speed of 12 m/s in float by 2e-6.
         FittedLaneLaw<Lanes1, RegularisedLaneFit<Lanes1>> law = default;
-        Compare<FittedLaneLaw<Lanes1, RegularisedLaneFit<Lanes1>>, AirLaws<RegularisedDragFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>>(
-            ref law, ForceSet.Regularised, 4e-6, DecayBound);
+        Compare(ref law, ForceSet.Regularised, 4e-6, DecayBound);
     }
 
     [Fact]
     public void The_constant_law_is_the_law()
     {
         ConstantLaneLaw<Lanes1> law = default;
-        Compare<ConstantLaneLaw<Lanes1>, AirLaws<NoDragFit, ConstantDrag, ConstantMagnus, ConstantSpinDecay>>(
-            ref law, ForceSet.Constant with { SpinDecayCoefficient = 3e-5 }, Tolerance, _ => Tolerance);
+        Compare(ref law, ForceSet.Constant with { SpinDecayCoefficient = 3e-5 }, Tolerance, _ => Tolerance);
     }
 
     [Fact]
@@ -39,19 +36,17 @@ public sealed class LaneLawPointTests
     {
         // The crisis is so narrow that a Reynolds number in float moves the drag in it by more than an operation.
         MeasuredLaneLaw<Lanes1> law = default;
-        Compare<MeasuredLaneLaw<Lanes1>, SmoothAir<MeasuredLaw, MeasuredDrag, MeasuredMagnus, ProportionalSpinDecay>>(ref law, ForceSet.Measured, 2e-6, _ => Tolerance);
+        Compare(ref law, ForceSet.Measured, 2e-6, _ => Tolerance);
     }
 
     /// <summary>The two plates as a parabola in x = Sp/2: what the next terms of the series come to, and what a power by degree 5 lacks.</summary>
     private static double DecayBound(double spinParameter) => 2.5e-6 + (0.02 * Math.Pow(spinParameter / 2, 4));
 
-    private static void Compare<TLaw, TAir>(ref TLaw law, ForceSet forces, double tolerance, Func<double, double> decayTolerance)
+    private static void Compare<TLaw>(ref TLaw law, ForceSet forces, double tolerance, Func<double, double> decayTolerance)
         where TLaw : struct, ILaneLaw<Lanes1>
-        where TAir : struct, ILawsAir
     {
         Scene scene = LawGrid.Scene with { Forces = forces };
-        TAir air = default;
-        air.Prepare(scene);
+        var air = new MixedLaws(scene, 1, 1);
         law.Prepare(scene);
         var drags = new Errors("drag");
         var lifts = new Errors("lift");
@@ -70,8 +65,7 @@ public sealed class LaneLawPointTests
                     continue;
                 }
 
-                air.Begin(rate, branch, out PointStep whole);
-                air.AtStage(in whole, speedSquared, rate, across, out double expectedDrag, out double expectedLift, out double expectedDecay);
+                air.Factors(speedSquared, rate, across, branch, out double expectedDrag, out double expectedLift, out double expectedDecay);
                 law.Begin(Lanes1.Of(rate), out LaneSpin<Lanes1> step);
                 Lanes1 mask = Lanes1.Of(branch == DragBranch.Spinning ? 1 : 0);
                 law.Evaluate(

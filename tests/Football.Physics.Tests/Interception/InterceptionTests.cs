@@ -169,4 +169,65 @@ public sealed class InterceptionTests
         simulator.LookAhead(simulator.Launch(position, velocity, new Vector3d(0, 20, 0)), new LookAheadRequest { Duration = duration, StopAt = stopAt }, path);
         return path;
     }
+
+    [Fact]
+    public void Of_those_who_meet_it_at_one_instant_the_lowest_index_is_first()
+    {
+        // All stand under a high ball and wait until it falls to where they can reach it.
+        var simulator = new Simulator(Scene.Measured);
+        var path = new Trajectory();
+        var query = new Physics.Interception();
+        var random = new SeededRandom(8L);
+        for (int k = 0; k < 200; k++)
+        {
+            BallState kicked = simulator.Launch(new Vector3d(0, 0.11, 0), random.Velocity(14, 20, 50, 70), Vector3d.Zero);
+            simulator.LookAhead(in kicked, new LookAheadRequest { Duration = 6 }, path);
+            Assert.True(path.TryGetTouchdown(0, out BallEvent down));
+            Runner[] runners =
+            [
+                new Runner { Position = new Vector3d(500, 0, 0) },
+                .. Enumerable.Range(0, 6).Select(_ => new Runner { Position = (down.Position + (random.Uniform(0, 2) * random.Heading())).Horizontal, HighestHeight = 2.3 }),
+            ];
+            query.Find(path, runners);
+            Assert.Equal(1, query.First);
+            Assert.Equal(0, query.Lead, 1e-8);
+            Assert.Equal(1, query.FindFirst(path, runners, out PathPoint at));
+            Assert.Equal(query.WindowsOf(1)[0].From, at.Time, 1e-9);
+        }
+    }
+
+    [Fact]
+    public void After_the_latest_reaction_of_a_keeper_who_runs_no_other_saves()
+    {
+        var random = new SeededRandom(2L);
+        var goal = new Goal { Center = new Vector3d(0, 0, -20), Facing = new Vector3d(0, 0, 1) };
+        var query = new Physics.Interception();
+        int saves = 0;
+        for (int k = 0; k < 300; k++)
+        {
+            Trajectory path = Path(new Vector3d(random.Uniform(-6, 6), 0.11, 0), new Vector3d(random.Uniform(-5, 5), random.Uniform(1, 6), -random.Uniform(10, 24)), 3);
+            var keeper = new Runner
+            {
+                Position = new Vector3d(random.Uniform(-5, 5), 0, -20 + random.Uniform(0, 5)),
+                Velocity = random.Uniform(0, 6) * random.Heading(),
+                Reach = 0.9,
+                Reaction = random.Uniform(0, 0.3),
+                HighestHeight = 2.5,
+            };
+            KeeperAnswer answer = query.FindSave(path, in keeper, goal);
+            if (!answer.Saves || !answer.Crosses)
+            {
+                continue;
+            }
+
+            saves++;
+            for (int i = 0; i <= 500; i++)
+            {
+                double later = answer.LatestReaction + 1e-5 + (i * (answer.Crossing.Time - answer.LatestReaction) / 500);
+                Assert.False(later < answer.Crossing.Time && query.FindSave(path, keeper.Reacting(later), goal).Saves, $"{k}: {answer.LatestReaction} s, and {later} s");
+            }
+        }
+
+        Assert.True(saves > 40, $"{saves}");
+    }
 }

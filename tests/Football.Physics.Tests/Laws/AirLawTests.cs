@@ -9,57 +9,62 @@ public sealed class AirLawTests
 
     [Fact]
     public void Published_drag_is_the_equation() =>
-        Compare<PublishedDragFit, EmpiricalDrag, NoAirLaw, NoAirLaw>(
+        Compare(
+            ForceSet.Published with { Magnus = ForceLaw.None, SpinDecay = ForceLaw.None },
             (u, w) => PlainLaws.Drag(LawGrid.Scene, PlainLaws.Published(u.Length, Sp(u, w)), u), (_, _) => 0);
 
     [Fact]
     public void Regularised_drag_is_the_equation() =>
-        Compare<RegularisedDragFit, EmpiricalDrag, NoAirLaw, NoAirLaw>(
+        Compare(
+            ForceSet.Regularised with { Magnus = ForceLaw.None, SpinDecay = ForceLaw.None },
             (u, w) => PlainLaws.Drag(LawGrid.Scene, PlainLaws.Regularised(u.Length, Sp(u, w)), u), (_, _) => 0);
 
     [Fact]
     public void Constant_drag_is_the_equation() =>
-        Compare<NoDragFit, ConstantDrag, NoAirLaw, NoAirLaw>(
-            (u, w) => PlainLaws.Drag(LawGrid.Scene, 0.31, u), (_, _) => 0, ForceSet.Published with { DragCoefficient = 0.31 });
-
+        Compare(
+            ForceSet.Published with { Drag = ForceLaw.Constant, Magnus = ForceLaw.None, SpinDecay = ForceLaw.None, DragCoefficient = 0.31 },
+            (u, w) => PlainLaws.Drag(LawGrid.Scene, 0.31, u), (_, _) => 0);
     [Fact]
     public void Published_lift_is_the_equation() =>
-        Compare<PublishedDragFit, NoAirLaw, EmpiricalMagnus, NoAirLaw>(
+        Compare(
+            ForceSet.Published with { Drag = ForceLaw.None, SpinDecay = ForceLaw.None },
             (u, w) => PlainLaws.Magnus(LawGrid.Scene, PlainLaws.Lift(PlainLaws.Published(u.Length, Sp(u, w)), Sp(u, w)), u, w), (_, _) => 0);
 
     [Fact]
     public void Regularised_lift_is_the_equation() =>
-        Compare<RegularisedDragFit, NoAirLaw, EmpiricalMagnus, NoAirLaw>(
+        Compare(
+            ForceSet.Regularised with { Drag = ForceLaw.None, SpinDecay = ForceLaw.None },
             (u, w) => PlainLaws.Magnus(LawGrid.Scene, PlainLaws.Lift(PlainLaws.Regularised(u.Length, Sp(u, w)), Sp(u, w)), u, w), (_, _) => 0);
 
     [Fact]
     public void Lift_keeps_the_fitted_drag_coefficient_where_drag_itself_is_constant() =>
-        Compare<PublishedDragFit, ConstantDrag, EmpiricalMagnus, NoAirLaw>(
+        Compare(
+            ForceSet.Published with { Drag = ForceLaw.Constant, SpinDecay = ForceLaw.None, DragCoefficient = 0.31 },
             (u, w) => PlainLaws.Drag(LawGrid.Scene, 0.31, u)
                 + PlainLaws.Magnus(LawGrid.Scene, PlainLaws.Lift(PlainLaws.Published(u.Length, Sp(u, w)), Sp(u, w)), u, w),
-            (_, _) => 0,
-            ForceSet.Published with { DragCoefficient = 0.31 });
-
+            (_, _) => 0);
     [Theory]
     [InlineData(0.37)]
     [InlineData(-0.2)]
     public void Constant_lift_is_the_equation(double coefficient) =>
-        Compare<NoDragFit, NoAirLaw, ConstantMagnus, NoAirLaw>(
-            (u, w) => PlainLaws.ConstantMagnus(LawGrid.Scene, coefficient, u, w), (_, _) => 0, ForceSet.Published with { MagnusCoefficient = coefficient });
-
+        Compare(
+            ForceSet.Published with { Drag = ForceLaw.None, Magnus = ForceLaw.Constant, SpinDecay = ForceLaw.None, MagnusCoefficient = coefficient },
+            (u, w) => PlainLaws.ConstantMagnus(LawGrid.Scene, coefficient, u, w), (_, _) => 0);
     [Fact]
     public void Spin_decay_is_the_equation() =>
-        Compare<NoDragFit, NoAirLaw, NoAirLaw, EmpiricalSpinDecay>(
+        Compare(
+            ForceSet.Published with { Drag = ForceLaw.None, Magnus = ForceLaw.None },
             (_, _) => Vector3d.Zero, (speed, spin) => PlainLaws.DecayTorque(LawGrid.Scene, speed, spin));
 
     [Fact]
     public void Constant_spin_decay_is_the_equation() =>
-        Compare<NoDragFit, NoAirLaw, NoAirLaw, ConstantSpinDecay>(
-            (_, _) => Vector3d.Zero, (_, spin) => 3e-5 * spin, ForceSet.Published with { SpinDecayCoefficient = 3e-5 });
-
+        Compare(
+            ForceSet.Published with { Drag = ForceLaw.None, Magnus = ForceLaw.None, SpinDecay = ForceLaw.Constant, SpinDecayCoefficient = 3e-5 },
+            (_, _) => Vector3d.Zero, (_, spin) => 3e-5 * spin);
     [Fact]
     public void All_laws_together_add_up() =>
-        Compare<PublishedDragFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>(
+        Compare(
+            ForceSet.Published,
             (u, w) =>
             {
                 double drag = PlainLaws.Published(u.Length, Sp(u, w));
@@ -70,8 +75,7 @@ public sealed class AirLawTests
     [Fact]
     public void There_is_no_drag_and_no_lift_below_a_nanometre_a_second()
     {
-        AirRatesAt<PublishedDragFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay>(
-            ForceSet.Published, 0.99e-9, 50, out double drag, out double lift, out double decay);
+        AirRatesAt(ForceSet.Published, 0.99e-9, 50, out double drag, out double lift, out double decay);
         Assert.Equal(0, drag);
         Assert.Equal(0, lift);
         Assert.InRange(decay * LawGrid.Scene.Ball.MomentOfInertia / PlainLaws.DecayTorque(LawGrid.Scene, 0, 50), 1 - 1e-8, 1 + 1e-8);
@@ -82,8 +86,8 @@ public sealed class AirLawTests
     {
         // c Sp^d passes C_D0 there.
         double spin = Math.Pow(PlainLaws.AtRest / FittedDrag.C, 1 / FittedDrag.D) * 20 / LawGrid.Scene.Ball.Radius;
-        AirRatesAt<PublishedDragFit, NoAirLaw, EmpiricalMagnus, NoAirLaw>(ForceSet.Published, 20, 0.999 * spin, out _, out double below, out _);
-        AirRatesAt<PublishedDragFit, NoAirLaw, EmpiricalMagnus, NoAirLaw>(ForceSet.Published, 20, 1.001 * spin, out _, out double above, out _);
+        AirRatesAt(ForceSet.Published with { Drag = ForceLaw.None, SpinDecay = ForceLaw.None }, 20, 0.999 * spin, out _, out double below, out _);
+        AirRatesAt(ForceSet.Published with { Drag = ForceLaw.None, SpinDecay = ForceLaw.None }, 20, 1.001 * spin, out _, out double above, out _);
         Assert.True(below > 0);
         Assert.Equal(0, above);
     }
@@ -99,8 +103,8 @@ public sealed class AirLawTests
             {
                 foreach (DragBranch branch in new[] { DragBranch.NoSpin, DragBranch.Spinning })
                 {
-                    Finite<PublishedDragFit>(speed, spin, branch);
-                    Finite<RegularisedDragFit>(speed, spin, branch);
+                    Finite(ForceSet.Published, speed, spin, branch);
+                    Finite(ForceSet.Regularised, speed, spin, branch);
                 }
             }
         }
@@ -138,47 +142,31 @@ public sealed class AirLawTests
     public void The_drag_coefficient_has_the_published_values(double speed, double spinParameter, double expected) =>
         Assert.Equal(expected, PublishedCoefficient(speed, spinParameter), 1e-11);
 
-    private static double PublishedCoefficient(double speed, double spinParameter)
-    {
-        AirFlow flow = default;
-        flow.SpeedSquared = speed * speed;
-        flow.Speed = speed;
-        flow.SpinParameter = spinParameter;
-        return default(PublishedDragFit).Coefficient(in flow, LawGrid.BranchOf(speed, spinParameter));
-    }
+    private static double PublishedCoefficient(double speed, double spinParameter) => LawGrid.BranchOf(speed, spinParameter) == DragBranch.Spinning
+        ? FittedDrag.WithSpin(spinParameter)
+        : FittedDrag.WithoutSpin(speed);
 
     private static double Sp(Vector3d u, Vector3d w) => LawGrid.Scene.Ball.Radius * w.Length / u.Length;
 
-    private static void Finite<TFit>(double speed, double spin, DragBranch branch)
-        where TFit : struct, IDragFit
+    private static void Finite(ForceSet forces, double speed, double spin, DragBranch branch)
     {
-        AirLaws<TFit, EmpiricalDrag, EmpiricalMagnus, EmpiricalSpinDecay> air = default;
-        air.Prepare(LawGrid.Scene);
-        air.Begin(spin, branch, out PointStep step);
-        air.AtStage(in step, speed * speed, spin, 0, out double drag, out double lift, out double decay);
-        Assert.True(double.IsFinite(drag) && double.IsFinite(lift) && double.IsFinite(decay), $"{speed} m/s, {spin} rad/s, {branch}: {drag} {lift} {decay}");
+        Scene scene = LawGrid.Scene with { Forces = forces };
+        foreach (AirLaws air in new[] { new MixedLaws(scene, 1, 1), AirLaws.Of(scene) })
+        {
+            air.Factors(speed * speed, spin, 0, branch, out double drag, out double lift, out double decay);
+            Assert.True(double.IsFinite(drag) && double.IsFinite(lift) && double.IsFinite(decay), $"{speed} m/s, {spin} rad/s, {branch}: {drag} {lift} {decay}");
+        }
     }
 
-    private static void AirRatesAt<TFit, TDrag, TMagnus, TDecay>(
-        ForceSet forces, double speed, double spin, out double drag, out double lift, out double decay)
-        where TFit : struct, IDragFit
-        where TDrag : struct, IAirLaw
-        where TMagnus : struct, IAirLaw
-        where TDecay : struct, IAirLaw
+    private static void AirRatesAt(ForceSet forces, double speed, double spin, out double drag, out double lift, out double decay)
     {
-        AirLaws<TFit, TDrag, TMagnus, TDecay> air = default;
-        air.Prepare(LawGrid.Scene with { Forces = forces });
-        air.Begin(spin, LawGrid.BranchOf(speed, LawGrid.Scene.Ball.Radius * spin / speed), out PointStep step);
-        air.AtStage(in step, speed * speed, spin, 0, out drag, out lift, out decay);
+        var air = new MixedLaws(LawGrid.Scene with { Forces = forces }, 1, 1);
+        DragBranch branch = LawGrid.BranchOf(speed, LawGrid.Scene.Ball.Radius * spin / speed);
+        air.Factors(speed * speed, spin, 0, branch, out drag, out lift, out decay);
     }
 
     /// <summary>Accelerations of the library's laws at every point of the grid against a plain force and torque.</summary>
-    private static void Compare<TFit, TDrag, TMagnus, TDecay>(
-        Func<Vector3d, Vector3d, Vector3d> force, Func<double, double, double> torque, ForceSet? forces = null)
-        where TFit : struct, IDragFit
-        where TDrag : struct, IAirLaw
-        where TMagnus : struct, IAirLaw
-        where TDecay : struct, IAirLaw
+    private static void Compare(ForceSet forces, Func<Vector3d, Vector3d, Vector3d> force, Func<double, double, double> torque)
     {
         var direction = new Vector3d(2.0 / 7, 3.0 / 7, -6.0 / 7);
         var axis = new Vector3d(-4.0 / 9, 7.0 / 9, 4.0 / 9);
@@ -188,7 +176,7 @@ public sealed class AirLawTests
         {
             Vector3d u = speed * direction;
             Vector3d w = spin * axis;
-            AirRatesAt<TFit, TDrag, TMagnus, TDecay>(forces ?? ForceSet.Published, speed, spin, out double drag, out double lift, out double decay);
+            AirRatesAt(forces, speed, spin, out double drag, out double lift, out double decay);
             Vector3d acceleration = (lift * Vector3d.Cross(axis, u)) - (drag * u);
             Vector3d expected = force(u, w) / LawGrid.Scene.Ball.Mass;
             double expectedDecay = torque(speed, spin) / LawGrid.Scene.Ball.MomentOfInertia;

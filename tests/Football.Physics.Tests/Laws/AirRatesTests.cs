@@ -5,12 +5,10 @@ public sealed class AirRatesTests
 {
     private static readonly Scene s_scene = LawGrid.Scene;
 
-    private static MotionRates InFlight<TAir>(in Vector3d u, in Vector3d w)
-        where TAir : struct, ILawsAir
+    private static MotionRates InFlight(ForceSet forces, in Vector3d u, in Vector3d w)
     {
-        TAir air = default;
-        air.Prepare(s_scene);
-        var flight = new FlightSystem<TAir> { Around = new Surroundings<TAir>(s_scene, in air), Branch = DragBranch.Spinning };
+        Scene scene = s_scene with { Forces = forces };
+        var flight = new FlightSystem<SceneAir> { Around = new Surroundings<SceneAir>(scene, SceneAir.Of(scene)), Branch = DragBranch.Spinning };
         flight.Rates(0, new Football.Physics.Motion(Vector3d.Zero, in u, in w), out MotionRates rates);
         return new MotionRates(rates.Acceleration - new Vector3d(0, flight.Around.Upward, 0), in rates.SpinAcceleration);
     }
@@ -20,7 +18,7 @@ public sealed class AirRatesTests
     {
         var u = new Vector3d(3, -4, 12);
         var w = new Vector3d(-20, 5, 9);
-        MotionRates rates = InFlight<AirLaws<PublishedDragFit, EmpiricalDrag, NoAirLaw, EmpiricalSpinDecay>>(in u, in w);
+        MotionRates rates = InFlight(ForceSet.Published with { Magnus = ForceLaw.None }, in u, in w);
         Assert.Equal(-1, Vector3d.Dot(rates.Acceleration / rates.Acceleration.Length, u / u.Length), 1e-14);
         Assert.Equal(-1, Vector3d.Dot(rates.SpinAcceleration / rates.SpinAcceleration.Length, w / w.Length), 1e-14);
     }
@@ -30,7 +28,7 @@ public sealed class AirRatesTests
     {
         var u = new Vector3d(0, 0, -20);
         var w = new Vector3d(0, 30, 0);
-        MotionRates rates = InFlight<AirLaws<PublishedDragFit, NoAirLaw, EmpiricalMagnus, NoAirLaw>>(in u, in w);
+        MotionRates rates = InFlight(ForceSet.Published with { Drag = ForceLaw.None, SpinDecay = ForceLaw.None }, in u, in w);
 
         // ŷ × (−ẑ) = −x̂: to the left of a ball that flies to −z.
         Assert.True(rates.Acceleration.X < -1);
@@ -42,7 +40,7 @@ public sealed class AirRatesTests
     public void Spin_along_the_flight_gives_no_lift_and_the_cross_product_is_not_normalised()
     {
         var u = new Vector3d(0, 0, -20);
-        double Lift(Vector3d w) => InFlight<AirLaws<PublishedDragFit, NoAirLaw, EmpiricalMagnus, NoAirLaw>>(in u, in w).Acceleration.Length;
+        double Lift(Vector3d w) => InFlight(ForceSet.Published with { Drag = ForceLaw.None, SpinDecay = ForceLaw.None }, in u, in w).Acceleration.Length;
         Assert.Equal(0, Lift(new Vector3d(0, 0, 30)));
         Assert.Equal(0.5, Lift(new Vector3d(0, 15, -15 * Math.Sqrt(3))) / Lift(new Vector3d(0, 30, 0)), 1e-12);
     }
@@ -50,13 +48,8 @@ public sealed class AirRatesTests
     [Fact]
     public void Decay_at_zero_spin_acts_against_the_spin_that_is_about_to_start()
     {
-        AirLaws<NoDragFit, NoAirLaw, NoAirLaw, EmpiricalSpinDecay> air = default;
-        air.Prepare(s_scene);
-        var sliding = new SlidingSystem<AirLaws<NoDragFit, NoAirLaw, NoAirLaw, EmpiricalSpinDecay>>
-        {
-            Around = new Surroundings<AirLaws<NoDragFit, NoAirLaw, NoAirLaw, EmpiricalSpinDecay>>(s_scene, in air),
-            Branch = DragBranch.NoSpin,
-        };
+        Scene scene = s_scene with { Forces = ForceSet.Published with { Drag = ForceLaw.None, Magnus = ForceLaw.None } };
+        var sliding = new SlidingSystem<SceneAir> { Around = new Surroundings<SceneAir>(scene, SceneAir.Of(scene)), Branch = DragBranch.NoSpin };
         sliding.Pushed(0, new PlanarMotion { VX = 8 }, 0, -1, out PlanarRates rates);
         Assert.Equal(PlainLaws.DecayTorque(s_scene, 8, 0) / s_scene.Ball.MomentOfInertia, rates.BZ, 1e-9);
     }

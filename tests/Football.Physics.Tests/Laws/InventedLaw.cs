@@ -1,15 +1,17 @@
 namespace Football.Physics.Tests.Laws;
 
-/// <summary>A smooth law that is nobody's: what the tables are made of must be this law's own functions.</summary>
-internal struct InventedLaw : ISmoothLaw
+/// <summary>A law that is nobody's: what the tables are made of must be this law's own functions.</summary>
+internal struct InventedLaw : ITableLaw
 {
     private double _k;
 
     public readonly bool NeedsSpinAcross => false;
 
+    public readonly bool Jumps => false;
+
     public readonly double SpeedScale => 0.5;
 
-    public readonly SmoothTables Tables => new(this, new Octaves(-6, 14, 6), new Octaves(0, 8, 7));
+    public readonly LawTables Tables => new(this, new Octaves(-6, 14, 6), new Octaves(0, 8, 7));
 
     public readonly RateBound LiftBound => new(0, 2 * _k, 0);
 
@@ -36,7 +38,7 @@ internal struct InventedLaw : ISmoothLaw
     }
 
     public readonly void Combine(
-        in LawFactors bySpeed, in LawFactors bySpin, double speed, double spinRate, out double drag, out double lift, out double decay)
+        DragBranch region, in LawFactors bySpeed, in LawFactors bySpin, double speed, double spinRate, out double drag, out double lift, out double decay)
     {
         drag = _k * speed * (bySpeed.First + (bySpeed.Fourth * bySpin.First));
         lift = _k * speed * (bySpeed.Second * bySpin.Second);

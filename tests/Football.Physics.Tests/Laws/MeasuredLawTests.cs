@@ -64,13 +64,12 @@ public sealed class MeasuredLawTests
         double r = s_scene.Ball.Radius;
         double speed = reynolds * s_scene.Air.KinematicViscosity / (2 * r);
         double scale = AirScale.DynamicArea(s_scene) * speed;
-        foreach (IFlightKernel<PointStep> air in Forms())
+        foreach (AirLaws air in Forms())
         {
             for (int i = 0; i < s_spinParameters.Length; i++)
             {
                 double spin = s_spinParameters[i] * speed / r;
-                air.Begin(spin, DragBranch.NoSpin, out PointStep step);
-                air.AtStage(in step, speed * speed, spin, speed * speed, out double drag, out double lift, out _);
+                air.Factors(speed * speed, spin, speed * speed, DragBranch.NoSpin, out double drag, out double lift, out _);
                 Assert.Equal(drags[i], drag / scale, 1.1e-6);
                 Assert.Equal(lifts[i], lift / scale, 1.1e-6);
             }
@@ -82,11 +81,10 @@ public sealed class MeasuredLawTests
     {
         var u = new Vector3d(24, 7, 1);
         var w = new Vector3d(1, 20, 15);
-        foreach (IFlightKernel<PointStep> air in Forms())
+        foreach (AirLaws air in Forms())
         {
-            air.Begin(w.Length, DragBranch.NoSpin, out PointStep step);
             double across = Vector3d.Cross(w / w.Length, in u).LengthSquared;
-            air.AtStage(in step, u.LengthSquared, w.Length, across, out double drag, out double lift, out double decay);
+            air.Factors(u.LengthSquared, w.Length, across, DragBranch.NoSpin, out double drag, out double lift, out double decay);
             Vector3d force = s_scene.Ball.Mass * ((lift * Vector3d.Cross(w / w.Length, in u)) - (drag * u));
             Vector3d torque = -s_scene.Ball.MomentOfInertia * decay / w.Length * w;
             Near(new Vector3d(-3.45161595, 0.75150132, -2.29449527), force, 5e-8);
@@ -97,11 +95,10 @@ public sealed class MeasuredLawTests
     [Fact]
     public void Spin_along_the_motion_neither_lifts_nor_drags()
     {
-        foreach (IFlightKernel<PointStep> air in Forms())
+        foreach (AirLaws air in Forms())
         {
-            air.Begin(60, DragBranch.NoSpin, out PointStep step);
-            air.AtStage(in step, 400, 60, 0, out double gyro, out _, out double decay);
-            air.AtStage(in step, 400, 0, 400, out double none, out _, out double still);
+            air.Factors(400, 60, 0, DragBranch.NoSpin, out double gyro, out _, out double decay);
+            air.Factors(400, 0, 400, DragBranch.NoSpin, out double none, out _, out double still);
             Assert.Equal(none, gyro, 1e-9 * none);
             Assert.True(decay > 0);
             Assert.Equal(0, still);
@@ -111,12 +108,11 @@ public sealed class MeasuredLawTests
     [Fact]
     public void Spin_decays_by_speed_and_density_and_at_rest_too()
     {
-        SmoothAir<MeasuredLaw, MeasuredDrag, MeasuredMagnus, ProportionalSpinDecay> air = default;
-        air.Prepare(s_scene);
-        air.ByFunctions(0, 30, 0, out double drag, out double lift, out double decay);
+        var air = new TableAir<MeasuredLaw>(s_scene);
+        air.ByFunctions(0, 30, 0, DragBranch.NoSpin, out double drag, out double lift, out double decay);
         Assert.Equal((0, 0), (drag, lift));
         Assert.Equal(0.004 * 30, decay, 1e-9);
-        air.ByFunctions(400, 30, 400, out _, out _, out decay);
+        air.ByFunctions(400, 30, 400, DragBranch.NoSpin, out _, out _, out decay);
 
         // β π ρ r²/(α m) is 1.53e-3 1/m for a football.
         Assert.Equal((0.004 + (1.5276e-3 * 20)) * 30, decay, 1e-4);
@@ -125,13 +121,12 @@ public sealed class MeasuredLawTests
     [Fact]
     public void No_speed_and_no_spin_gives_a_number_that_is_not_finite()
     {
-        SmoothAir<MeasuredLaw, MeasuredDrag, MeasuredMagnus, ProportionalSpinDecay> air = default;
-        air.Prepare(s_scene);
+        var air = new TableAir<MeasuredLaw>(s_scene);
         foreach (double speed in new[] { 0, double.Epsilon, 1e-160, 1e-10, 1e-9, 1, 1000, 2000 })
         {
             foreach (double spin in new[] { 0, double.Epsilon, 1e-160, 1, 10_000, -1e-12, -1 })
             {
-                air.ByFunctions(speed * speed, spin, speed * speed, out double drag, out double lift, out double decay);
+                air.ByFunctions(speed * speed, spin, speed * speed, DragBranch.NoSpin, out double drag, out double lift, out double decay);
                 Assert.True(double.IsFinite(drag) && double.IsFinite(lift) && double.IsFinite(decay), $"{speed} m/s, {spin} rad/s");
                 Assert.True(drag >= 0);
             }
@@ -142,27 +137,22 @@ public sealed class MeasuredLawTests
     [Fact]
     public void No_force_is_stronger_than_its_bound()
     {
-        SmoothAir<MeasuredLaw, MeasuredDrag, MeasuredMagnus, ProportionalSpinDecay> air = default;
-        air.Prepare(LawGrid.Scene);
         Scene scene = LawGrid.Scene with { Forces = ForceSet.Measured };
+        var table = new TableAir<MeasuredLaw>(scene);
+        AirLaws air = AirLaws.Of(scene);
         Assert.Equal(air.Bound, SceneLaws.Drag(scene).Bound + SceneLaws.Magnus(scene).Bound + SceneLaws.SpinDecay(scene).Bound);
         foreach ((double speed, double spin, _) in LawGrid.Points)
         {
-            air.ByFunctions(speed * speed, spin, speed * speed, out double drag, out double lift, out double decay);
+            table.ByFunctions(speed * speed, spin, speed * speed, DragBranch.NoSpin, out double drag, out double lift, out double decay);
             Assert.InRange(drag + lift + (decay / spin), 0, (air.Bound.PerSpeed * speed) + (air.Bound.PerSpin * spin) + air.Bound.Constant);
         }
     }
 
-    /// <summary>Point by point, by table, and one by one.</summary>
-    private static IEnumerable<IFlightKernel<PointStep>> Forms()
+    /// <summary>By table, and one by one.</summary>
+    private static IEnumerable<AirLaws> Forms()
     {
-        AirLaws<NoDragFit, MeasuredDrag, MeasuredMagnus, ProportionalSpinDecay> alone = default;
-        alone.Prepare(s_scene);
-        SmoothAir<MeasuredLaw, MeasuredDrag, MeasuredMagnus, ProportionalSpinDecay> laws = default;
-        SmoothKernel<MeasuredLaw, MeasuredDrag, MeasuredMagnus, ProportionalSpinDecay> table = default;
-        laws.Prepare(s_scene);
-        table.Prepare(s_scene);
-        return [laws, table, alone];
+        Scene scene = s_scene with { Forces = ForceSet.Measured };
+        return [AirLaws.Of(scene), new MixedLaws(scene, 1, 1)];
     }
 
     private static void Near(Vector3d expected, Vector3d actual, double tolerance) => Assert.InRange(Vector3d.Distance(actual, expected), 0, tolerance);

@@ -13,7 +13,7 @@ public sealed class AimTests
     public void Every_kick_is_what_it_says(AimMethod method)
     {
         var random = new Shots(1);
-        var aimer = new Aimer(Scene.Published, timeStep: 0.02);
+        var aimer = new ThesisAimer(Scene.Published, timeStep: 0.02);
         int hits = 0;
         for (int i = 0; i < 300; i++)
         {
@@ -31,11 +31,12 @@ public sealed class AimTests
     {
         var random = new Shots(2);
         var aimer = new Aimer(Scene.Published);
+        var thesis = new ThesisAimer(Scene.Published);
         int hits = 0;
         for (int i = 0; i < 300; i++)
         {
             AimRequest request = AimCheck.Any(random);
-            AimResult other = aimer.Find(request, AimMethod.Bisection);
+            AimResult other = thesis.Find(request, AimMethod.Bisection);
             AimResult direct = aimer.Find(request);
             hits += other.Status == AimStatus.Hit ? 1 : 0;
             Assert.True(other.Status != AimStatus.Hit || direct.Status == AimStatus.Hit, $"{direct.Status} {direct.Miss}: {request}");
@@ -115,7 +116,7 @@ public sealed class AimTests
     public void A_search_allocates_nothing(AimMethod method)
     {
         var random = new Shots(6);
-        var aimer = new Aimer(Scene.Published, timeStep: 0.02);
+        var aimer = new ThesisAimer(Scene.Published, timeStep: 0.02);
         AimRequest[] requests = [.. Enumerable.Range(0, 100).Select(i =>
         {
             AimRequest request = AimCheck.Any(random);

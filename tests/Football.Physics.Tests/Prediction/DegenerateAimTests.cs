@@ -80,7 +80,7 @@ public sealed class DegenerateAimTests
         AimRequest request = s_requests.Single(item => item.Name == name).Request;
         foreach ((_, Scene scene) in s_scenes)
         {
-            AimResult result = new Aimer(scene, timeStep: 0.02).Find(request, method);
+            AimResult result = new ThesisAimer(scene, timeStep: 0.02).Find(request, method);
             AimCheck.Holds(request, in result, scene);
         }
     }

@@ -162,7 +162,7 @@ public sealed class KnownKickTests
     [InlineData(AimMethod.Angle)]
     [InlineData(AimMethod.Bisection)]
     public void A_target_at_the_ball_is_degenerate(AimMethod method) =>
-        Assert.Equal(AimStatus.Degenerate, new Aimer(Scene.Published).Find(new AimRequest { From = new Vector3d(0, 0.5, 0), Target = new Vector3d(0, 0.5, 0) }, method).Status);
+        Assert.Equal(AimStatus.Degenerate, new ThesisAimer(Scene.Published).Find(new AimRequest { From = new Vector3d(0, 0.5, 0), Target = new Vector3d(0, 0.5, 0) }, method).Status);
 
     [Fact]
     public void The_steeper_of_two_kicks_is_on_the_low_arc_where_it_is_there_first()

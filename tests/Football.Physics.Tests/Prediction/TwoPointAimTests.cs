@@ -20,7 +20,7 @@ public sealed class TwoPointAimTests
             MaximumIterations = 1,
         };
         var aimer = new Aimer(new Simulator(Scene.Default));
-        AimResult unmeasured = aimer.Find(request, AimMethod.Direct, measure: false);
+        AimResult unmeasured = aimer.Find(request, measure: false);
         AimResult measured = aimer.Find(request);
         Assert.NotEqual(AimStatus.Hit, unmeasured.Status);
         Assert.Equal(measured.Status, unmeasured.Status);
@@ -47,12 +47,12 @@ public sealed class TwoPointAimTests
     [InlineData(false)]
     public void Where_the_spin_is_at_its_limit_the_target_is_hit_and_the_miss_of_the_point_is_told(bool around)
     {
-        var aimer = new Aimer(Scene.Published, settings: new SolverSettings { Integrator = Integrator.Rk2 }, timeStep: 0.04);
+        var aimer = new ThesisAimer(Scene.Published, settings: new SolverSettings { Integrator = Integrator.Rk2 }, timeStep: 0.04);
         int saturated = 0;
         int simulations = 0;
         foreach (AimRequest request in around ? AimSets.AroundTheWall(41) : AimSets.OverTheWall(41))
         {
-            AimResult direct = aimer.Find(request);
+            AimResult direct = aimer.Direct.Find(request);
             AimCheck.Holds(request, in direct);
             Assert.True(direct.Miss <= 1e-3, $"{direct.Status} {direct.Miss}: {request}");
             AimResult thesis = aimer.Find(request, AimMethod.TwoPoint);

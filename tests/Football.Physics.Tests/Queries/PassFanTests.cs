@@ -104,6 +104,37 @@ public sealed class PassFanTests
         StringComparison.Ordinal);
 
     [Fact]
-    public void A_scene_with_things_is_refused() => Assert.Contains(
-        "scene is", Assert.Throws<ArgumentOutOfRangeException>(() => new PassFan(Scene.Measured with { Goals = [new Goal { Center = default, Facing = new Vector3d(1, 0, 0) }] })).Message, StringComparison.Ordinal);
+    public void A_scene_that_the_game_moves_is_refused()
+    {
+        var bodies = new Bodies();
+        bodies.Add("player", new SphereShape(Vector3d.Zero, 0.3));
+        Assert.Contains("scene is", Assert.Throws<ArgumentOutOfRangeException>(() => new PassFan(Scene.Measured with { Bodies = bodies })).Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void On_a_pitch_the_best_pass_is_that_of_the_open_field()
+    {
+        PassChoice open = new PassFan(Scene.Measured).Find(s_request, s_mates, s_opponents);
+        PassChoice pitch = new PassFan(Pitch.Stadium.On(Scene.Measured)).Find(s_request, s_mates, s_opponents);
+        Assert.True(open.IsFound);
+        Assert.Equal((open.Velocity, open.Spin, open.Receiver, open.Meeting.Time), (pitch.Velocity, pitch.Spin, pitch.Receiver, pitch.Meeting.Time));
+    }
+
+    [Fact]
+    public void What_stands_in_the_way_of_the_best_pass_has_another_taken()
+    {
+        PassChoice open = new PassFan(Scene.Measured).Find(s_request, s_mates, s_opponents);
+        Simulator free = new(Scene.Measured);
+        BallState ball = free.Launch(s_request.From, open.Velocity, open.Spin);
+        free.Run(ref ball, 0.01, 0.5 * open.Meeting.Time, StopAt.Time, new StepLog());
+        Scene scene = Scene.Measured with { Obstacles = [new Obstacle { Name = "referee", Shape = new SphereShape(ball.Position, 0.3) }] };
+        PassChoice other = new PassFan(scene).Find(s_request, s_mates, s_opponents);
+        Assert.True(other.IsFound && other.Meeting.Time >= open.Meeting.Time);
+        Assert.NotEqual(open.Velocity, other.Velocity);
+        var simulator = new Simulator(scene);
+        BallState kicked = simulator.Launch(s_request.From, other.Velocity, other.Spin);
+        var log = new StepLog();
+        simulator.Run(ref kicked, 0.01, other.Meeting.Time, StopAt.Time, log);
+        Assert.DoesNotContain(log.Events.Span.ToArray(), item => item.Thing > 0);
+    }
 }

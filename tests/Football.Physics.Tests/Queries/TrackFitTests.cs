@@ -148,14 +148,15 @@ public sealed class TrackFitTests
             return ball.Position;
         }
 
-        Vector3d asLaws = End(new Simulator(scaled, null, ScaledProfile.Instance));
-        Assert.InRange(Vector3d.Distance(asLaws, End(new Simulator(scaled))), 0, 1e-6);
+        Vector3d asLaws = End(new Simulator(scaled));
+        Scene asForce = scene with { Forces = scene.Forces with { Custom = [.. scaled.Forces.Custom, Force.From(_ => Vector3d.Zero)] } };
+        Assert.InRange(Vector3d.Distance(asLaws, End(new Simulator(asForce))), 0, 1e-6);
         Assert.InRange(Vector3d.Distance(asLaws, End(new Simulator(scene))), 0.5, 10);
 
         // Where more acts, or where it was made for another ball, it is a force among others.
-        Assert.True(ScaledLaws.TryOf(scaled, out _));
-        Assert.False(ScaledLaws.TryOf(scaled with { Forces = scaled.Forces with { Custom = [.. scaled.Forces.Custom, Force.From(_ => Vector3d.Zero)] } }, out _));
-        Assert.False(ScaledLaws.TryOf(scaled with { Ball = scaled.Ball with { Mass = 0.4 } }, out _));
+        Assert.False(SceneAir.Of(scaled).Varies);
+        Assert.True(SceneAir.Of(asForce).Varies);
+        Assert.True(SceneAir.Of(scaled with { Ball = scaled.Ball with { Mass = 0.4 } }).Varies);
     }
 
     [Fact]

@@ -29,7 +29,7 @@ public sealed class BlockedAimTests
     [InlineData(AimMethod.Bisection)]
     public void A_kick_with_no_way_is_blocked_and_says_by_what(AimMethod method)
     {
-        AimResult found = new Aimer(Scene.Published with { Obstacles = [s_post, s_roof] }).Find(s_request, method);
+        AimResult found = new ThesisAimer(Scene.Published with { Obstacles = [s_post, s_roof] }).Find(s_request, method);
         Assert.Equal(AimStatus.Blocked, found.Status);
         Assert.Contains(found.BlockedBy, new[] { "post", "roof" });
         Assert.False(found.HitsTarget);

@@ -56,6 +56,6 @@ internal sealed class AimRows : RowMaker
     {
         public SweepScene Scene { get; } = scene;
 
-        public Aimer Aimer { get; } = new(scene.Scene, scene.Solver, scene.TimeStep);
+        public ThesisAimer Aimer { get; } = new(scene.Scene, scene.Solver, scene.TimeStep);
     }
 }

@@ -4,7 +4,7 @@ namespace Football.Physics;
 /// The library's own solver for one target: Newton's method on the crossing of the target's plane, which mostly takes one flight. Where
 /// that fails, leaves the bounds or meets the ground, the closest approach over all elevations gives the hit, or the verdict that there is none.
 /// </summary>
-internal sealed class DirectAim : IAimMethod
+internal sealed class DirectAim
 {
     /// <summary>What the solver's own steps may be off, m: a closer miss is none, even where a request is content with less.</summary>
     private const double StepError = 1e-4;

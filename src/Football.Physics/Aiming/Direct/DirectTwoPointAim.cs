@@ -4,7 +4,7 @@ namespace Football.Physics;
 /// The library's own solver for a point on the way and a target: Newton's method in four unknowns, start in closed form, first
 /// corrections in fitted air, Broyden's updates, spins within their limits. Where it does not converge, the target comes first: it is hit with the spins that came nearest.
 /// </summary>
-internal sealed class DirectTwoPointAim : IAimMethod
+internal sealed class DirectTwoPointAim
 {
     private const int N = TwoPointProblem.Size;
     private const int MostIterations = 20;

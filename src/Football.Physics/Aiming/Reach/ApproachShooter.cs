@@ -36,7 +36,7 @@ internal sealed class ApproachShooter : PieceObserver
     {
         _context = context;
         _simulator = simulator;
-        _rough = new Simulator(simulator.Scene, simulator.Settings with { Integrator = Integrator.Rk2 }, simulator.Profile);
+        _rough = new Simulator(simulator.Scene, simulator.Settings with { Integrator = Integrator.Rk2 });
         _stillAir = simulator.Scene.Air.IsStill;
         _watched.Observer = this;
     }

@@ -1,29 +1,9 @@
-using System.Runtime.CompilerServices;
-
 namespace Football.Physics;
 
 /// <summary>Drag with a constant coefficient, F_D = −½ ρ C_D A |u| u.</summary>
 internal struct ConstantDrag : IAirLaw
 {
     private double _k; // ½ ρ C_D A / m, 1/m
-
-    public readonly bool Acts
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
-
-    public readonly bool NeedsFit
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
-
-    public readonly bool NeedsSpeed
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
 
     public readonly RateBound Bound => new(_k, 0, 0);
 
@@ -33,6 +13,5 @@ internal struct ConstantDrag : IAirLaw
     }
 
     // D = ½ ρ C_D A |u| / m
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly double Factor(in AirFlow flow) => _k * flow.Speed;
 }

@@ -1,29 +1,9 @@
-using System.Runtime.CompilerServices;
-
 namespace Football.Physics;
 
 /// <summary>Magnus force with a constant coefficient, F_M = C_M π ρ r³ (ω × u).</summary>
 internal struct ConstantMagnus : IAirLaw
 {
     private double _k; // C_M π ρ r³ / m
-
-    public readonly bool Acts
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
-
-    public readonly bool NeedsFit
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
-
-    public readonly bool NeedsSpeed
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
 
     public readonly RateBound Bound => new(0, Math.Abs(_k), 0);
 
@@ -34,6 +14,5 @@ internal struct ConstantMagnus : IAirLaw
     }
 
     // L = C_M π ρ r³ |ω| / m
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly double Factor(in AirFlow flow) => _k * flow.SpinRate;
 }

@@ -1,29 +1,9 @@
-using System.Runtime.CompilerServices;
-
 namespace Football.Physics;
 
 /// <summary>Spin decay with a constant coefficient, T_D = −k ω.</summary>
 internal struct ConstantSpinDecay : IAirLaw
 {
     private double _k; // k / I, 1/s
-
-    public readonly bool Acts
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
-
-    public readonly bool NeedsFit
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
-
-    public readonly bool NeedsSpeed
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
 
     public readonly RateBound Bound => new(0, 0, _k);
 
@@ -33,6 +13,5 @@ internal struct ConstantSpinDecay : IAirLaw
     }
 
     // ω̇ = −k ω / I
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly double Factor(in AirFlow flow) => _k * flow.SpinRate;
 }

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace Football.Physics;
 
 /// <summary>Drag with the fitted coefficient, F_D = −½ ρ C_D A |u| u (thesis 2.3, with the density it lacks).</summary>
@@ -7,24 +5,6 @@ internal struct EmpiricalDrag : IAirLaw
 {
     private double _k; // ½ ρ A / m, 1/m
     private double _radius;
-
-    public readonly bool Acts
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
-
-    public readonly bool NeedsFit
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
-
-    public readonly bool NeedsSpeed
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
 
     // C_D |u| ≤ C_D0 |u| + c Sp^d |u|, and Sp^d |u| = (r|ω|)^d |u|^(1−d) ≤ d r|ω| + (1−d)|u|
     public readonly RateBound Bound => new(
@@ -39,6 +19,5 @@ internal struct EmpiricalDrag : IAirLaw
     }
 
     // D = ½ ρ C_D A |u| / m
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly double Factor(in AirFlow flow) => _k * flow.FittedDragCoefficient * flow.Speed;
 }

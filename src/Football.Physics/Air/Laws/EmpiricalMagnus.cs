@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace Football.Physics;
 
 /// <summary>Magnus force with the fitted lift coefficient, F_M = ½ ρ C_L A |u|² (ω̂ × û) (thesis 2.8 to 2.10, corrected).</summary>
@@ -19,24 +17,6 @@ internal struct EmpiricalMagnus : IAirLaw
     private double _k; // ½ ρ A / m, 1/m
     private double _radius;
 
-    public readonly bool Acts
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
-
-    public readonly bool NeedsFit
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
-
-    public readonly bool NeedsSpeed
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
-
     // C_L |u| ≤ 1.15 Sp^β |u| = 1.15 (r|ω|)^β |u|^(1−β) ≤ 1.15 (β r|ω| + (1−β)|u|), the deficit's quotient being at most C_D0/(C_D0 − a)
     public readonly RateBound Bound => new(
         _k * Scale * FittedDrag.AtRest * (1 - Beta),
@@ -53,7 +33,6 @@ internal struct EmpiricalMagnus : IAirLaw
     }
 
     // C_L = 1.15 Sp^0.83 (C_D0 − min(C_D, C_D0)) / (C_D0 − a),  L = ½ ρ C_L A |u| / m
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly double Factor(in AirFlow flow)
     {
         double deficit = FittedDrag.AtRest - flow.FittedDragCoefficient;

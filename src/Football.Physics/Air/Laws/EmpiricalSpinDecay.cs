@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace Football.Physics;
 
 /// <summary>Spin decay by skin friction on two plates (Tuplin; thesis 2.11 to 2.15, with |U±|).</summary>
@@ -18,24 +16,6 @@ internal struct EmpiricalSpinDecay : IAirLaw
 
     private double _k; // (r/2) ρ π r² 0.0074 (2r/ν)^(−0.2) / I
     private double _halfRadius;
-
-    public readonly bool Acts
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
-
-    public readonly bool NeedsFit
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
-
-    public readonly bool NeedsSpeed
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
 
     /// <remarks>
     /// Near zero spin the torque of a ball that moves does not fade: what it could reverse is caught where it happens. Else the torque changes with the
@@ -65,7 +45,6 @@ internal struct EmpiricalSpinDecay : IAirLaw
     }
 
     // T_D = (r/2) ρ π r² (U₊² C₊ + U₋² C₋), U± = abs(|u| ± r|ω|/2), C± = 0.0074 (U± 2r/ν)^(−0.2), so U² C ∝ U^1.8
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly double Factor(in AirFlow flow)
     {
         double plate = _halfRadius * flow.SpinRate;

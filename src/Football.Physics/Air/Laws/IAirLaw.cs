@@ -4,19 +4,9 @@ namespace Football.Physics;
 /// <remarks>
 /// <see cref="Factor"/> is, for drag, D in a = −D u; for the Magnus force, L in a = L (ω̂ × u); for spin decay, the angular
 /// deceleration along the spin (rad/s²). All three are in SI and not negative, but for a negative constant Magnus coefficient.
-/// The properties are constants of the type, so that the compiler removes what a law does not need.
 /// </remarks>
 internal interface IAirLaw
 {
-    /// <summary>False when the law is left out.</summary>
-    bool Acts { get; }
-
-    /// <summary>Whether the law reads the fitted drag coefficient (and with it the spin parameter).</summary>
-    bool NeedsFit { get; }
-
-    /// <summary>Whether the law reads |u|.</summary>
-    bool NeedsSpeed { get; }
-
     /// <summary>Reads the law's constants from the scene.</summary>
     void Prepare(Scene scene);
 

@@ -1,29 +1,9 @@
-using System.Runtime.CompilerServices;
-
 namespace Football.Physics;
 
 /// <summary>Drag of the measured laws alone, F_D = −½ ρ A C_D |u| u by <see cref="ReynoldsDrag"/> and <see cref="SpinDrag"/>.</summary>
 internal struct MeasuredDrag : IAirLaw
 {
     private MeasuredLaw _law;
-
-    public readonly bool Acts
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
-
-    public readonly bool NeedsFit
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
-
-    public readonly bool NeedsSpeed
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
 
     public readonly RateBound Bound => _law.DragBound(2.0 * Limits.Speed);
 

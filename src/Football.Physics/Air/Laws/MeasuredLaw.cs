@@ -6,10 +6,10 @@ namespace Football.Physics;
 /// The measured laws: <see cref="ReynoldsDrag"/> and <see cref="SpinDrag"/>, <see cref="SaturatingLift"/>, <see cref="ProportionalSpinDecay"/>.
 /// Functions of the Reynolds number stand for those of the speed, so that a ball has the same tables in every weather.
 /// </summary>
-internal struct MeasuredLaw : ISmoothLaw
+internal struct MeasuredLaw : ITableLaw
 {
     /// <summary>The tables of a drag curve, for as long as something knows the curve.</summary>
-    private static readonly ConditionalWeakTable<DragCurve, SmoothTables> Shared = new();
+    private static readonly ConditionalWeakTable<DragCurve, LawTables> Shared = new();
 
     /// <summary>Reynolds numbers 4 096 to 4.2e6.</summary>
     private static readonly Octaves Reynolds = new(24, 44, 6);
@@ -33,14 +33,20 @@ internal struct MeasuredLaw : ISmoothLaw
         get => true;
     }
 
+    public readonly bool Jumps
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
+
     public readonly double SpeedScale
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         get => _perSpeed;
     }
 
-    public readonly SmoothTables Tables =>
-        Shared.GetValue(_curve, static curve => new SmoothTables(new MeasuredLaw { _drag = new ReynoldsDrag(curve), _largest = double.PositiveInfinity }, Reynolds, Crisis));
+    public readonly LawTables Tables =>
+        Shared.GetValue(_curve, static curve => new LawTables(new MeasuredLaw { _drag = new ReynoldsDrag(curve), _largest = double.PositiveInfinity }, Reynolds, Crisis));
 
     // C_L |u| ≤ L |u|
     public readonly RateBound LiftBound => new(_k * SaturatingLift.Limit, 0, 0);
@@ -85,7 +91,7 @@ internal struct MeasuredLaw : ISmoothLaw
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Combine(
-        in LawFactors bySpeed, in LawFactors bySpin, double speed, double spinRate, out double drag, out double lift, out double decay)
+        DragBranch region, in LawFactors bySpeed, in LawFactors bySpin, double speed, double spinRate, out double drag, out double lift, out double decay)
     {
         // D = ½ρA/m |u| C_D
         double scale = _k * speed;
@@ -103,6 +109,6 @@ internal struct MeasuredLaw : ISmoothLaw
         // S = r|ω × u|/|u|²
         OfSpeed(_perSpeed * flow.Speed, out LawFactors bySpeed);
         OfSpin(_radius * flow.SpinRate * Math.Sqrt(flow.AcrossSquared) / flow.SpeedSquared, out LawFactors bySpin);
-        Combine(in bySpeed, in bySpin, flow.Speed, flow.SpinRate, out drag, out lift, out decay);
+        Combine(DragBranch.Unknown, in bySpeed, in bySpin, flow.Speed, flow.SpinRate, out drag, out lift, out decay);
     }
 }

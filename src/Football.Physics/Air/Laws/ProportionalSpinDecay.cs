@@ -14,24 +14,6 @@ internal struct ProportionalSpinDecay : IAirLaw
     private double _perMetre; // β π ρ r⁴ / I, 1/m
     private double _atRest; // ε ρ/1.2, 1/s
 
-    public readonly bool Acts
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
-
-    public readonly bool NeedsFit
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
-
-    public readonly bool NeedsSpeed
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
-
     public readonly RateBound Bound => new(_perMetre, 0, _atRest);
 
     public void Prepare(Scene scene)
@@ -45,6 +27,5 @@ internal struct ProportionalSpinDecay : IAirLaw
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly double PerSpin(double speed) => (_perMetre * speed) + _atRest;
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly double Factor(in AirFlow flow) => PerSpin(flow.Speed) * flow.SpinRate;
 }

@@ -1,9 +1,7 @@
-using System.Runtime.CompilerServices;
-
 namespace Football.Physics;
 
-/// <summary>The fitted C_D with its jumps smoothed over 0.25 m/s and 0.0025 of spin parameter.</summary>
-internal readonly struct RegularisedDragFit : IDragFit
+/// <summary>The weights by which the jumps of the fitted C_D are smoothed over 0.25 m/s and 0.0025 of spin parameter.</summary>
+internal static class RegularisedDragFit
 {
     /// <summary>Width over which the jump at the critical speed is smoothed, m/s.</summary>
     public const double SpeedWidth = 0.25;
@@ -11,17 +9,11 @@ internal readonly struct RegularisedDragFit : IDragFit
     /// <summary>Width over which the jump at the critical spin parameter is smoothed.</summary>
     public const double SpinWidth = 0.0025;
 
-    public bool Jumps
+    /// <summary>w c Sp^d + (1 − w) C_D,no spin with w = σ((|u| − v_c)/0.25) · σ((Sp − 0.05)/0.0025).</summary>
+    public static double Coefficient(double speed, double spinParameter)
     {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
-
-    // w = σ((|u| − v_c)/0.25) · σ((Sp − 0.05)/0.0025),  C_D = w c Sp^d + (1 − w) C_D,no spin
-    public double Coefficient(in AirFlow flow, DragBranch branch)
-    {
-        double weight = SpeedWeight(flow.Speed) * SpinWeight(flow.SpinParameter);
-        return (weight * FittedDrag.WithSpin(flow.SpinParameter)) + ((1.0 - weight) * FittedDrag.WithoutSpin(flow.Speed));
+        double weight = SpeedWeight(speed) * SpinWeight(spinParameter);
+        return (weight * FittedDrag.WithSpin(spinParameter)) + ((1.0 - weight) * FittedDrag.WithoutSpin(speed));
     }
 
     /// <summary>σ((|u| − v_c)/0.25), the weight of the law with spin by speed.</summary>

@@ -6,10 +6,10 @@ namespace Football.Physics;
 /// The published laws with the regularised drag coefficient (<see cref="RegularisedDragFit"/>, <see cref="EmpiricalMagnus"/>,
 /// <see cref="EmpiricalSpinDecay"/>), taken apart into functions of the speed and of the spin parameter.
 /// </summary>
-internal struct RegularisedLaw : ISmoothLaw
+internal struct RegularisedLaw : ITableLaw
 {
     /// <summary>From 0.5 to 128 m/s; from 8 to 32 m/s segments fine enough for the layer of 0.25 m/s about the critical speed.</summary>
-    private static readonly SmoothTables Shared = new(default(RegularisedLaw), new Octaves(-2, 14, 6), new Octaves(6, 10, 8));
+    private static readonly LawTables Shared = new(default(RegularisedLaw), new Octaves(-2, 14, 6), new Octaves(6, 10, 8));
 
     private EmpiricalDrag _drag;
     private EmpiricalMagnus _magnus;
@@ -24,13 +24,19 @@ internal struct RegularisedLaw : ISmoothLaw
         get => false;
     }
 
+    public readonly bool Jumps
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
+
     public readonly double SpeedScale
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         get => 1;
     }
 
-    public readonly SmoothTables Tables => Shared;
+    public readonly LawTables Tables => Shared;
 
     public readonly RateBound LiftBound => _magnus.Bound;
 
@@ -68,7 +74,7 @@ internal struct RegularisedLaw : ISmoothLaw
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Combine(
-        in LawFactors bySpeed, in LawFactors bySpin, double speed, double spinRate, out double drag, out double lift, out double decay)
+        DragBranch region, in LawFactors bySpeed, in LawFactors bySpin, double speed, double spinRate, out double drag, out double lift, out double decay)
     {
         // D = ½ρA/m |u| C_D,  C_D = C_D,no spin + w c S^d − w C_D,no spin
         double scale = _k * speed;

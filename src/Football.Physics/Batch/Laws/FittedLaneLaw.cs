@@ -4,7 +4,7 @@ namespace Football.Physics;
 
 /// <summary>
 /// The laws fitted to measurements, side by side. Each power of speed and spin is one polynomial in a logarithm over the whole domain, made
-/// from the law's own constants; <see cref="AirLaws{TFit, TDrag, TMagnus, TDecay}"/> with the laws one by one is its definition.
+/// from the law's own constants; <see cref="MixedLaws"/> with the laws one by one is its definition.
 /// </summary>
 /// <remarks>
 /// |u|² from ½ m²/s² and r|ω| from 2^−12 m/s up to where <see cref="LaneDomain"/> ends. Below those the powers keep their last value, which

@@ -6,7 +6,8 @@ namespace Football.Physics;
 /// stepped, and all are looked at step by step: before when nobody can meet each of them, and which an opponent surely takes. In that order they are judged on their
 /// exact paths, until no other can be better: the answer is that of judging every kick. Without team mates it is the kick that no opponent can meet and that comes
 /// down, or along the ground comes to rest, closest to a target. Made once for a scene and used again; then nothing is allocated, as long as the duration is the same. Not for several threads at once.
-/// Scenes with what lanes do not know (see <see cref="BallBatch"/>) are refused.
+/// A pass that meets a thing of the scene before it is met itself, a post, a board, a net, is none. Scenes with what lanes do not know (see <see cref="BallBatch"/>),
+/// or that the game moves, are refused.
 /// </remarks>
 public sealed class PassFan
 {
@@ -34,18 +35,21 @@ public sealed class PassFan
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the scene has what lanes do not know; the message names field, value and range.</exception>
     public PassFan(Scene? scene = null)
     {
-        _simulator = new Simulator(scene);
+        // Kicks are tried over the open pitch: one that meets a thing is lost, and so an open pitch never tells less of it than there is.
+        Scene whole = scene ?? Scene.Default;
+        Simulator? amongThings = whole.Obstacles.Count + whole.Nets.Count + whole.Goals.Count > 0 ? new Simulator(whole) : null;
+        _simulator = new Simulator(whole with { Obstacles = [], Nets = [], Goals = [] });
         Scene known = _simulator.Scene;
         if (!LaneFlight.Covers(known))
         {
-            throw Check.Refusal("scene", "one with things, fields of wind or forces of its own", "a level pitch, steady wind and laws of one kind");
+            throw Check.Refusal("scene", "one with bodies, colliders of an engine, fields of wind or forces of its own", "a level pitch, what stands on it, steady wind and laws of one kind");
         }
 
         _domain = new LaneDomain(known, Step);
         _lanes = LaneFlight.Create(known, fourthOrder: true, Step, LaneFlight.BestLanes);
         _watch = new PassWatch(_simulator, _players);
         _rolls = new PassRolls(_simulator, _players, _watch, _lanes.TimeStep);
-        _judge = new PassJudge(_simulator);
+        _judge = new PassJudge(_simulator, amongThings);
         _group.Watch = _watch;
     }
 

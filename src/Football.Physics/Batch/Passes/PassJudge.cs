@@ -6,7 +6,12 @@ internal sealed class PassJudge
     /// <summary>How much longer a kick is looked at than it is known to need, s.</summary>
     private const double Ahead = 0.4;
 
+    /// <summary>Step of a kick that is followed among things, s.</summary>
+    private const double TimeStep = 0.02;
+
     private readonly Simulator _simulator;
+    private readonly Simulator? _amongThings;
+    private readonly StepLog _log = new();
     private readonly Interception _query = new();
     private Trajectory _path = new();
 
@@ -15,7 +20,14 @@ internal sealed class PassJudge
     private LookAheadRequest[] _toRest = [];
     private double _duration;
 
-    public PassJudge(Simulator simulator) => _simulator = simulator;
+    /// <summary>Judges kicks of a scene.</summary>
+    /// <param name="simulator">Its open pitch.</param>
+    /// <param name="amongThings">All of it; null where there is nothing on it.</param>
+    public PassJudge(Simulator simulator, Simulator? amongThings)
+    {
+        _simulator = simulator;
+        _amongThings = amongThings;
+    }
 
     /// <summary>Prepares for passes of a duration.</summary>
     public void Begin(double duration)
@@ -80,8 +92,28 @@ internal sealed class PassJudge
             score = meeting.Time;
         }
 
-        score = holds ? score : double.PositiveInfinity;
+        score = holds && !MeetsThing(request.From, in velocity, in spin, meeting.Time) ? score : double.PositiveInfinity;
         return true;
+    }
+
+    /// <summary>Whether a kick meets a thing of the scene within a time.</summary>
+    private bool MeetsThing(in Vector3d from, in Vector3d velocity, in Vector3d spin, double time)
+    {
+        if (_amongThings is null)
+        {
+            return false;
+        }
+
+        BallState ball = _amongThings.Launch(from, velocity, spin);
+        _log.Clear();
+        _amongThings.Run(ref ball, TimeStep, time, StopAt.Time, _log);
+        bool meets = _log.Events.Missed > 0;
+        foreach (ref readonly BallEvent happened in _log.Events.Span)
+        {
+            meets |= happened.Kind == BallEventKind.Net || (happened.Kind == BallEventKind.Impact && happened.Thing > 0);
+        }
+
+        return meets;
     }
 
     /// <summary>Says by how much a kick that holds is met before any opponent could meet it: that may be long after.</summary>

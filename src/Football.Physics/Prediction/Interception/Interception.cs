@@ -7,12 +7,16 @@ namespace Football.Physics;
 /// </remarks>
 public sealed class Interception
 {
+    /// <summary>Instants closer than this, s, are one.</summary>
+    private const double Instant = 1e-9;
+
     private readonly PathSpans _path = new();
     private readonly WindowList _windows = new();
     private readonly WindowList _firsts = new();
     private readonly ShareSearch _shares;
     private int[] _starts = new int[23];
     private RunnerMotion[] _motions = new RunnerMotion[22];
+    private InterceptWindow[] _earliest = new InterceptWindow[22];
     private int _runners;
 
     /// <summary>Makes one without an answer.</summary>
@@ -21,7 +25,7 @@ public sealed class Interception
     /// <summary>The windows of all runners of the last <see cref="Find"/>: runner by runner, each in order of time.</summary>
     public ReadOnlySpan<InterceptWindow> Windows => _windows.Items.AsSpan(0, _windows.Count);
 
-    /// <summary>Who meets the ball first; −1 where nobody does.</summary>
+    /// <summary>Who meets the ball first, of those who do within the same nanosecond the one with the lowest index; −1 where nobody does.</summary>
     public int First { get; private set; } = -1;
 
     /// <summary>By how much he is first, s: how much later the next one meets it. Infinite where no one else does.</summary>
@@ -47,20 +51,15 @@ public sealed class Interception
     {
         double start = Begin(path, runners, now, until);
         _windows.Count = 0;
-        First = -1;
-        Lead = double.PositiveInfinity;
-        double first = double.PositiveInfinity;
         for (int i = 0; i < _runners; i++)
         {
             _starts[i] = _windows.Count;
             new WindowSearch(_path, in _motions[i], i, firstOnly: false, _windows).Run(start, _path.End);
-            if (_windows.Count > _starts[i])
-            {
-                Rank(i, _windows.Items[_starts[i]].From, ref first);
-            }
+            _earliest[i] = _windows.Count > _starts[i] ? _windows.Items[_starts[i]] : new InterceptWindow(i, double.PositiveInfinity, double.PositiveInfinity, default, default);
         }
 
         _starts[_runners] = _windows.Count;
+        Rank();
     }
 
     /// <summary>Finds who meets the ball first: cheaper than <see cref="Find"/>, whose windows it leaves alone.</summary>
@@ -75,23 +74,21 @@ public sealed class Interception
     public int FindFirst(Trajectory path, Runner[] runners, out PathPoint at, double? now = null, double? until = null)
     {
         double start = Begin(path, runners, now, until);
-        at = default;
-        First = -1;
-        Lead = double.PositiveInfinity;
         double first = double.PositiveInfinity;
+        double second = double.PositiveInfinity;
         for (int i = 0; i < _runners; i++)
         {
             // Who comes after the second changes nothing.
             _firsts.Count = 0;
-            new WindowSearch(_path, in _motions[i], i, firstOnly: true, _firsts).Run(start, Math.Min(_path.End, first + Lead));
-            if (_firsts.Count > 0)
-            {
-                InterceptWindow found = _firsts.Items[0];
-                Rank(i, found.From, ref first);
-                at = First == i ? new PathPoint(found.From, found.Position, found.Velocity, 0) : at;
-            }
+            new WindowSearch(_path, in _motions[i], i, firstOnly: true, _firsts).Run(start, Math.Min(_path.End, second));
+            _earliest[i] = _firsts.Count > 0 ? _firsts.Items[0] : new InterceptWindow(i, double.PositiveInfinity, double.PositiveInfinity, default, default);
+            double from = _earliest[i].From;
+            second = Math.Min(second, Math.Max(first, from));
+            first = Math.Min(first, from);
         }
 
+        Rank();
+        at = First >= 0 ? new PathPoint(_earliest[First].From, _earliest[First].Position, _earliest[First].Velocity, 0) : default;
         return First;
     }
 
@@ -134,6 +131,7 @@ public sealed class Interception
         if (_motions.Length < runners.Length)
         {
             _motions = new RunnerMotion[runners.Length];
+            _earliest = new InterceptWindow[runners.Length];
             _starts = new int[runners.Length + 1];
         }
 
@@ -148,18 +146,30 @@ public sealed class Interception
         return Math.Max(start, _path.Start);
     }
 
-    /// <summary>Keeps who is first, and by how much.</summary>
-    private void Rank(int runner, double from, ref double first)
+    /// <summary>Who is first, and by how much. Instants are known to a nanosecond: within that, the lowest index is.</summary>
+    private void Rank()
     {
-        if (from < first)
+        double least = double.PositiveInfinity;
+        for (int i = 0; i < _runners; i++)
         {
-            Lead = first - from;
-            first = from;
-            First = runner;
+            least = Math.Min(least, _earliest[i].From);
         }
-        else
+
+        First = -1;
+        double next = double.PositiveInfinity;
+        for (int i = 0; i < _runners; i++)
         {
-            Lead = Math.Min(Lead, from - first);
+            double from = _earliest[i].From;
+            if (First < 0 && from <= least + Instant && !double.IsPositiveInfinity(from))
+            {
+                First = i;
+            }
+            else
+            {
+                next = Math.Min(next, from);
+            }
         }
+
+        Lead = First < 0 ? double.PositiveInfinity : Math.Max(0, next - _earliest[First].From);
     }
 }

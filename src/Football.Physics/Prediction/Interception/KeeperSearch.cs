@@ -6,6 +6,9 @@ internal readonly struct KeeperSearch
     /// <summary>Halvings of the time that he may wait: seconds become a microsecond.</summary>
     private const int Halvings = 24;
 
+    /// <summary>Reactions that are tried; what helps for less than one of so many parts of the time may be missed.</summary>
+    private const int Tries = 64;
+
     private readonly PathSpans _spans;
     private readonly WindowList _found;
 
@@ -58,11 +61,27 @@ internal readonly struct KeeperSearch
         return _found.Count > 0;
     }
 
-    /// <summary>The latest reaction with which he still meets the ball.</summary>
+    /// <summary>
+    /// The latest reaction with which he still meets the ball. Who runs on may come closer by it, so that a later one can do where an earlier one does not: from the
+    /// last one back they are tried, and the end of the first that does is halved down to.
+    /// </summary>
     private double Latest(Runner keeper, double now, double begin, double end)
     {
-        double low = keeper.Reaction;
-        double high = Math.Max(low, end - now);
+        double least = keeper.Reaction;
+        double step = Math.Max(0, end - now - least) / Tries;
+        double high = Math.Max(least, end - now);
+        double low = high;
+        while (low > least && !Meets(keeper.Reacting(low), now, begin, end))
+        {
+            high = low;
+            low = Math.Max(least, low - step);
+        }
+
+        if (low == high)
+        {
+            return now + low;
+        }
+
         var tooLate = new TooLate(this, keeper, now, begin, end);
         Roots.Bisect(ref tooLate, ref low, ref high, Halvings);
         return now + low;

@@ -1,0 +1,45 @@
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Benchmarks;
+
+/// <summary>The rows of "A kick": what a game gets by default, from foot to rest, and what the published profile gets.</summary>
+internal static class KickTable
+{
+    public static IReadOnlyList<KickRow> Rows { get; } = [.. Of(Integrator.Rk2, "RK2"), .. Of(Integrator.Rk4, "RK4")];
+
+    /// <summary>Times the rows.</summary>
+    public static void Print(Action<string> print, IReadOnlyList<KickRow> rows, double share)
+    {
+        Scene[] scenes = [new Scene(), Scene.Published];
+        (KickRow Row, Workload[] Subjects, Workload[] Yardsticks)[] work =
+            [.. rows.Select(row => (row, scenes.Select(row.Subject).ToArray(), scenes.Select(row.Yardstick).ToArray()))];
+        Stopwatching.WarmUp([.. work.SelectMany(w => w.Subjects.Concat(w.Yardsticks))]);
+        print("");
+        print("## A kick");
+        print("");
+        print("A free kick of 27 m/s with spin, from the foot until it rests, at 60 Hz: its time by its steps, in flight steps of 10 ms of the same scene and method; in the scene that everybody has, `new Scene()`, and in the published one. Rolling and sliding at 10 ms.");
+        print("");
+        print("| | ns a step | yardstick, ns | ratio | reach | | bytes | published: ns | ratio |");
+        print("|---|--:|--:|--:|--:|---|--:|--:|--:|");
+        foreach ((KickRow row, Workload[] subjects, Workload[] yardsticks) in work)
+        {
+            Timing time = Stopwatching.Measure(subjects[0], yardsticks[0], 0.5 * share);
+            Timing published = Stopwatching.Measure(subjects[1], yardsticks[1], 0.5 * share);
+            string verdict = time.Ratio <= row.Target ? "reached" : "**missed**";
+            print($"| {row.Name} | {Text.Number(time.Nanoseconds)} | {Text.Number(time.YardstickNanoseconds)} | {Text.Number(time.Ratio)} | ≤ {Text.Number(row.Target)} | {verdict} | {Text.Number(time.Bytes)} | {Text.Number(published.Nanoseconds)} | {Text.Number(published.Ratio)} |");
+        }
+    }
+
+    private static KickRow[] Of(Integrator integrator, string name)
+    {
+        Workload Flight(Scene scene) => Workloads.Flight(scene, integrator, ShotSets.Fast);
+        Workload Kick(Scene scene) => Workloads.Kick(scene, integrator);
+        return
+        [
+            new($"a kick from foot to rest at 60 Hz, {name}, of a flight step", 2.2, Kick, Flight),
+            new($"the same kick on `Pitch.Standard`, {name}, of that on the bare pitch", 1.2, scene => Kick(Pitch.Standard.On(scene)), Kick),
+            new($"rolling, {name}, of a flight step", 2, scene => Workloads.Chain(scene, integrator, ShotSets.Rolling), Flight),
+            new($"sliding, {name}, of a flight step", 3, scene => Workloads.Chain(scene, integrator, ShotSets.Sliding), Flight),
+        ];
+    }
+}

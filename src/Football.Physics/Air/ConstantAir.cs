@@ -1,0 +1,48 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>Laws of constant coefficients (<see cref="ConstantDrag"/>, <see cref="ConstantMagnus"/>, <see cref="ConstantSpinDecay"/>) for a step of flight.</summary>
+internal struct ConstantAir : IFlightAir
+{
+    private readonly double _drag;
+    private readonly double _lift;
+    private readonly double _decay;
+
+    public ConstantAir(Scene scene)
+    {
+        AirFlow unit = default;
+        unit.Speed = 1;
+        unit.SpinRate = 1;
+        _drag = SceneLaws.Drag(scene).Factor(in unit);
+        _lift = SceneLaws.Magnus(scene).Factor(in unit);
+        _decay = SceneLaws.SpinDecay(scene).Factor(in unit);
+    }
+
+    public readonly bool Acts
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => true;
+    }
+
+    public readonly bool Jumps
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly bool Covers(double speedSquared, double spinRate, double h) => true;
+
+    public readonly double WholeUpTo(in RateBound bound) => 0;
+
+    // D = k_D |u|,  L = k_L |ω|,  |ω|˙ = −k |ω|
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void Factors(
+        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        drag = _drag * Math.Sqrt(speedSquared);
+        lift = _lift * (spinRate > 0 ? spinRate : 0);
+        decay = _decay * Math.Abs(spinRate);
+    }
+}

@@ -1,0 +1,126 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>
+/// A law by the tables of its functions, where <see cref="Covers"/> says that they hold: two indices, a handful of cubics, and the law's own
+/// <see cref="ITableLaw.Combine"/>. The law's functions are its definition, and the tests compare the two over the whole domain.
+/// </summary>
+/// <typeparam name="TLaw">The law.</typeparam>
+internal struct TableAir<TLaw> : IFlightAir
+    where TLaw : struct, ITableLaw
+{
+    /// <summary>Below this |u|, m/s, there is no drag and no lift, and the spin decays as it does there.</summary>
+    private const double StillAir = 1e-9;
+
+    /// <summary>Added to (r|ω|)², m²/s², so that a ball without spin is within the tables, where they say that there is none.</summary>
+    private const double NoSpin = 1e-20;
+
+    /// <summary>The slowest speed, m/s, that is asked about.</summary>
+    private const double SlowestPoint = 0.5;
+
+    /// <summary>Steps begin so much above the slowest speed of the tables.</summary>
+    private const double AboveSlowest = 1.5;
+
+    /// <summary>And so much below the fastest.</summary>
+    private const double BelowFastest = 0.9375;
+
+    private TLaw _law;
+    private readonly FactorTable _speeds;
+    private readonly FactorTable _spins;
+    private readonly TableRange _range;
+    private readonly double _radius;
+    private readonly double _radiusSquared;
+    private readonly double _slowestSquared; // |u|² within the tables
+    private readonly double _fastestSquared;
+
+    public bool Acts
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => true;
+    }
+
+    public bool Jumps
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => _law.Jumps;
+    }
+
+    /// <summary>The fastest spin, rad/s, that is covered at any speed.</summary>
+    private double FastestSpin => TableRange.LargestSpinParameter * TableRange.Fastest / _radius;
+
+    public TableAir(Scene scene)
+    {
+        _law = default;
+        _law.Prepare(scene);
+        LawTables tables = _law.Tables;
+        _speeds = tables.Speeds;
+        _spins = tables.Spins;
+        _radius = scene.Ball.Radius;
+        _radiusSquared = _radius * _radius;
+        double slowest = Math.Max(SlowestPoint, tables.Slowest / _law.SpeedScale);
+        double fastest = Math.Min(TableRange.Fastest, BelowFastest * tables.Fastest / _law.SpeedScale);
+        _slowestSquared = slowest * slowest;
+        _fastestSquared = fastest * fastest;
+        _range = new TableRange(scene, _law.DragBound(fastest) + _law.LiftBound, FastestSpin, AboveSlowest * slowest, fastest);
+    }
+
+    /// <inheritdoc cref="IFlightAir.WholeUpTo"/>
+    public double WholeUpTo(in RateBound bound) => 0.5 / ((bound.PerSpeed * TableRange.Fastest) + (bound.PerSpin * FastestSpin) + bound.Constant);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool Covers(double speedSquared, double spinRate, double h) =>
+        _range.Holds(speedSquared, spinRate, h) && _range.HoldsSpin(speedSquared, _radiusSquared * spinRate * spinRate, h);
+
+    /// <summary>Whether the tables hold at a point by itself.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool HoldsAt(double speedSquared, double spinRate)
+    {
+        const double Largest = TableRange.LargestSpinParameter * TableRange.LargestSpinParameter;
+        return speedSquared > _slowestSquared && speedSquared < _fastestSquared && _radiusSquared * spinRate * spinRate < Largest * speedSquared;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Factors(
+        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        // A stage may overshoot zero spin: there S is 0.
+        double spin = spinRate > 0 ? spinRate : 0;
+        double surfaceSquared = _radiusSquared * (spin * spin);
+        double ofSpin;
+        if (_law.NeedsSpinAcross)
+        {
+            // S² = (r|ω|)² |ω̂ × u|²/|u|⁴
+            double perSpeedSquared = 1.0 / speedSquared;
+            ofSpin = ((surfaceSquared * acrossSquared) + (NoSpin * speedSquared)) * perSpeedSquared * perSpeedSquared;
+        }
+        else
+        {
+            // 1/S² = |u|²/(r|ω|)²: the division does not wait for the speed
+            ofSpin = speedSquared * (1.0 / (surfaceSquared + NoSpin));
+        }
+
+        _speeds.Evaluate(speedSquared * (_law.SpeedScale * _law.SpeedScale), out LawFactors bySpeed);
+        _spins.Evaluate(ofSpin, out LawFactors bySpin);
+        _law.Combine(region, in bySpeed, in bySpin, Math.Sqrt(speedSquared), spinRate, out drag, out lift, out decay);
+    }
+
+    /// <summary>The law by its functions themselves, anywhere.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public void ByFunctions(
+        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        double speed = Math.Sqrt(speedSquared);
+        bool moves = speed > StillAir;
+        speed = moves ? speed : StillAir;
+        double across = _law.NeedsSpinAcross && moves ? Math.Sqrt(acrossSquared) / speed : 1.0;
+
+        // A stage may overshoot zero spin: there the forces end, and the decay goes on.
+        double spin = spinRate > 0 ? spinRate : 0;
+        _law.OfSpeed(_law.SpeedScale * speed, out LawFactors bySpeed);
+        _law.OfSpin(_radius * spin * across / speed, out LawFactors bySpin);
+        _law.Combine(region, in bySpeed, in bySpin, speed, spinRate, out drag, out lift, out decay);
+        drag = moves ? drag : 0;
+        lift = moves && spinRate > 0 ? lift : 0;
+    }
+}

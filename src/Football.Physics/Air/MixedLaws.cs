@@ -1,0 +1,64 @@
+namespace Football.Physics;
+
+/// <summary>Any mixture of laws, each by its own equation.</summary>
+internal sealed class MixedLaws : AirLaws
+{
+    /// <summary>Below this |u|² there is no drag and no lift.</summary>
+    private const double StillAir = 1e-18;
+
+    private readonly IAirLaw _drag;
+    private readonly IAirLaw _magnus;
+    private readonly IAirLaw _decay;
+    private readonly double _ofDrag;
+    private readonly double _ofLift;
+    private readonly double _radius;
+    private readonly bool _fits;
+
+    /// <param name="scene">The scene.</param>
+    /// <param name="drag">Factor of the drag.</param>
+    /// <param name="lift">Factor of the Magnus force.</param>
+    public MixedLaws(Scene scene, double drag, double lift)
+    {
+        ForceSet forces = scene.Forces;
+        _drag = SceneLaws.Drag(scene);
+        _magnus = SceneLaws.Magnus(scene);
+        _decay = SceneLaws.SpinDecay(scene);
+        _ofDrag = drag;
+        _ofLift = lift;
+        _radius = scene.Ball.Radius;
+        Drags = forces.Drag != ForceLaw.None;
+        Lifts = forces.Magnus != ForceLaw.None;
+        SpinDecays = forces.SpinDecay != ForceLaw.None;
+        _fits = forces.Coefficients != CoefficientForm.Measured && (forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical);
+        Jumps = _fits && forces.Coefficients == CoefficientForm.Published;
+        Bound = Scaled(_drag.Bound, drag) + Scaled(_magnus.Bound, lift) + _decay.Bound;
+    }
+
+    public override void Factors(
+        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        // A stage may overshoot zero spin: there the forces end, and the decay, even in ω, goes on smoothly.
+        AirFlow flow = default;
+        flow.SpeedSquared = speedSquared;
+        flow.Speed = Math.Sqrt(speedSquared);
+        flow.SpinRate = spinRate > 0 ? spinRate : 0;
+        flow.AcrossSquared = acrossSquared;
+        drag = 0;
+        lift = 0;
+        if (speedSquared > StillAir)
+        {
+            if (_fits)
+            {
+                flow.SpinParameter = _radius * flow.SpinRate / flow.Speed;
+                flow.FittedDragCoefficient = !Jumps ? RegularisedDragFit.Coefficient(flow.Speed, flow.SpinParameter)
+                    : region == DragBranch.Spinning ? FittedDrag.WithSpin(flow.SpinParameter) : FittedDrag.WithoutSpin(flow.Speed);
+            }
+
+            drag = _ofDrag * _drag.Factor(in flow);
+            lift = _ofLift * _magnus.Factor(in flow);
+        }
+
+        flow.SpinRate = Math.Abs(spinRate);
+        decay = _decay.Factor(in flow);
+    }
+}

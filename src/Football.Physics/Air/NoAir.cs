@@ -1,0 +1,33 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>No laws of the air: what is left of a step of flight is its parabola.</summary>
+internal struct NoAir : IFlightAir
+{
+    public readonly bool Acts
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
+
+    public readonly bool Jumps
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly bool Covers(double speedSquared, double spinRate, double h) => true;
+
+    public readonly double WholeUpTo(in RateBound bound) => 0;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void Factors(
+        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        drag = 0;
+        lift = 0;
+        decay = 0;
+    }
+}

@@ -1,0 +1,112 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>
+/// All that the air of a scene does at one instant: its laws, the wind by place and time, the knuckle force, a game's own forces. What everything but
+/// the hot step of flight asks.
+/// </summary>
+/// <remarks>A drag law that jumps is not located where the air varies: each evaluation takes the branch that holds there.</remarks>
+internal struct SceneAir : IAir
+{
+    private readonly AirLaws _laws;
+    private readonly IWind? _wind;
+    private readonly KnuckleForce? _knuckle;
+    private readonly OwnForces? _own;
+    private readonly double _radiusSquared;
+    private readonly bool _hasField;
+    private readonly bool _jumpsInField;
+
+    private SceneAir(Scene scene, AirLaws laws, bool hasOwnForces)
+    {
+        _laws = laws;
+        _wind = scene.Air.WindField;
+        _knuckle = KnuckleForce.Of(scene);
+        _own = hasOwnForces ? new OwnForces(scene) : null;
+        _radiusSquared = scene.Ball.Radius * scene.Ball.Radius;
+        _hasField = HasField(scene);
+        _jumpsInField = _hasField && laws.Jumps;
+        Bound = laws.Bound + (_knuckle?.Bound ?? default);
+    }
+
+    public readonly AirLaws Laws => _laws;
+
+    public readonly bool Drags => _laws.Drags;
+
+    public readonly bool Lifts => _laws.Lifts;
+
+    public readonly bool SpinDecays => _laws.SpinDecays;
+
+    public readonly bool Acts => _laws.Drags || _laws.Lifts || _laws.SpinDecays;
+
+    public readonly bool Jumps => !_hasField && _laws.Jumps;
+
+    public readonly bool Varies => _hasField || _own is not null;
+
+    public readonly bool TurnsAxis => _own is not null;
+
+    public readonly double FastestWind => _wind?.Fastest ?? 0;
+
+    public RateBound Bound { get; }
+
+    /// <summary>The air of a scene. A <see cref="ScaledAir"/> that is its only own force scales its laws.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>
+    public static SceneAir Of(Scene scene) => ScaledAir.AloneIn(scene) is { } scaled
+        ? new SceneAir(scene, AirLaws.Of(scene, scaled.Drag, scaled.Lift), false)
+        : new SceneAir(scene, AirLaws.Of(scene), scene.Forces.Custom.Count > 0);
+
+    /// <summary>Whether nothing but laws acts in a scene.</summary>
+    public static bool HasLawsAlone(Scene scene) => !HasField(scene) && (scene.Forces.Custom.Count == 0 || ScaledAir.AloneIn(scene) is not null);
+
+    /// <summary>Whether the wind of a scene depends on place or time, or a knuckle force acts.</summary>
+    public static bool HasField(Scene scene) => scene.Air.WindField is not null || scene.Forces.KnuckleSeed is not null;
+
+    public readonly bool Covers(double speedSquared, double spinRate, double h) => true;
+
+    public readonly double WholeUpTo(in RateBound bound) => 0;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void Factors(
+        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        DragBranch here = _jumpsInField ? DragJump.At(speedSquared, _radiusSquared * spinRate * spinRate).Branch : region;
+        _laws.Factors(speedSquared, spinRate, acrossSquared, here, out drag, out lift, out decay);
+    }
+
+    /// <summary>The wind by place and time, m/s.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly Vector3d WindAt(double time, in Vector3d position) => _wind is null ? Vector3d.Zero : _wind.At(time, in position);
+
+    /// <summary>Acceleration by the knuckle force, m/s², and |u|, which the distance flown grows by; nothing where there is none.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly Vector3d Side(in Vector3d u, in Vector3d spin, double distance, out double airSpeed)
+    {
+        if (_knuckle is null)
+        {
+            airSpeed = 0;
+            return Vector3d.Zero;
+        }
+
+        airSpeed = u.Length;
+        return _knuckle.Acceleration(in u, in spin, distance);
+    }
+
+    public readonly double Evaluate(in ForceInput ball, DragBranch branch, out AirFactors factors)
+    {
+        Vector3d u = _wind is null ? ball.AirVelocity : ball.AirVelocity - _wind.At(ball.Time, ball.Position);
+        Vector3d w = ball.Spin;
+        factors.AirVelocity = u;
+        factors.AirSpeed = 0;
+        factors.Acceleration = Vector3d.Zero;
+        factors.SpinAcceleration = Vector3d.Zero;
+        DragBranch here = _jumpsInField ? DragJump.At(u.LengthSquared, _radiusSquared * w.LengthSquared).Branch : branch;
+        double rate = AirRates.Factors(_laws, u.X, u.Y, u.Z, w.X, w.Y, w.Z, here, out factors.Drag, out factors.Lift, out factors.Decay);
+        if (_knuckle is not null && ball.Motion == MotionState.Airborne)
+        {
+            factors.Acceleration = Side(in u, in w, ball.AirDistance, out factors.AirSpeed);
+        }
+
+        _own?.AddTo(in ball, ref factors);
+        return rate;
+    }
+}

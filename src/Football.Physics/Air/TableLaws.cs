@@ -1,0 +1,60 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>Laws by tables, some of them left out or scaled.</summary>
+/// <typeparam name="TLaw">The law.</typeparam>
+internal sealed class TableLaws<TLaw> : AirLaws
+    where TLaw : struct, ITableLaw
+{
+    private readonly double _ofDrag;
+    private readonly double _ofLift;
+    private readonly double _ofDecay;
+    private TableAir<TLaw> _air;
+
+    /// <param name="scene">The scene.</param>
+    /// <param name="drag">Factor of the drag.</param>
+    /// <param name="lift">Factor of the Magnus force.</param>
+    public TableLaws(Scene scene, double drag, double lift)
+    {
+        ForceSet forces = scene.Forces;
+        TLaw law = default;
+        law.Prepare(scene);
+        _air = new TableAir<TLaw>(scene);
+        Drags = Acts("forces.drag", forces.Drag);
+        Lifts = Acts("forces.magnus", forces.Magnus);
+        SpinDecays = Acts("forces.spinDecay", forces.SpinDecay);
+        _ofDrag = Drags ? drag : 0;
+        _ofLift = Lifts ? lift : 0;
+        _ofDecay = SpinDecays ? 1 : 0;
+        Jumps = law.Jumps && (Drags || Lifts);
+        Bound = (Drags ? Scaled(law.DragBound(2.0 * Limits.Speed), drag) : default)
+            + (Lifts ? Scaled(law.LiftBound, lift) : default)
+            + (SpinDecays ? law.DecayBound : default);
+    }
+
+    [MethodImpl(Hot.Path)]
+    public override void Factors(
+        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        if (_air.HoldsAt(speedSquared, spinRate))
+        {
+            _air.Factors(speedSquared, spinRate, acrossSquared, region, out drag, out lift, out decay);
+        }
+        else
+        {
+            _air.ByFunctions(speedSquared, spinRate, acrossSquared, region, out drag, out lift, out decay);
+        }
+
+        drag *= _ofDrag;
+        lift *= _ofLift;
+        decay *= _ofDecay;
+    }
+
+    private static bool Acts(string field, ForceLaw law) => law switch
+    {
+        ForceLaw.None => false,
+        ForceLaw.Empirical => true,
+        _ => throw Check.Unknown(field, law),
+    };
+}

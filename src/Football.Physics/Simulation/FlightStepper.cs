@@ -1,0 +1,171 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>
+/// The hot step of flight, compiled for one air and one method: it proposes the whole step, takes it, looks whether anything happened, and moves the ball.
+/// All else is left to the pieces of <see cref="SceneStepper{TIntegrator}"/>.
+/// </summary>
+/// <typeparam name="TAir">The laws of the air, without wind by place and time and without own forces.</typeparam>
+/// <typeparam name="TIntegrator">The one-step method.</typeparam>
+internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrator>
+    where TAir : struct, IFlightAir
+    where TIntegrator : struct, IIntegrator
+{
+    private readonly Vector3d _wind;
+    private readonly double _upward;
+    private readonly double _contactHeight;
+    private readonly double _radiusSquared;
+    private readonly bool _locatesJump;
+    private readonly StabilityLimit _limit;
+    private TAir _air;
+    private TIntegrator _integrator;
+
+    public FlightStepper(Scene scene, SolverSettings settings, in SceneAir air, in TAir laws)
+        : base(scene, settings, in air)
+    {
+        _air = laws;
+        _integrator = default;
+        _wind = Around.Wind;
+        _upward = Around.Upward;
+        _contactHeight = Around.LevelContact;
+        _radiusSquared = Around.RadiusSquared;
+        _locatesJump = LocatesJump;
+        _limit = StabilityLimit.Of(scene, in air, _air.WholeUpTo(Limit.Bound), _upward, _integrator.Order);
+    }
+
+    [MethodImpl(Hot.Path)]
+    public override void Step(ref BallState s, double dt, StepLog log)
+    {
+        if (s.Motion != MotionState.Airborne)
+        {
+            base.Step(ref s, dt, log);
+            return;
+        }
+
+        double vx = s.Flight.Velocity.X;
+        double vy = s.Flight.Velocity.Y;
+        double vz = s.Flight.Velocity.Z;
+        double spin = s.Flight.SpinRate;
+        Vector3d position = s.Position;
+        double y = position.Y;
+        DragBranch branch = s.Branch;
+        if (branch >= DragBranch.AlongCriticalSpeed || (y <= _contactHeight && vy < 0))
+        {
+            TakePieces(ref s, dt, log);
+            return;
+        }
+
+        // Propose: the whole step, locked to one branch of the drag law, if it is short enough for the forces here.
+        double ux = vx - _wind.X;
+        double uy = vy - _wind.Y;
+        double uz = vz - _wind.Z;
+        double speedSquared = (ux * ux) + (uy * uy) + (uz * uz);
+        if (_air.Jumps && (branch == DragBranch.Unknown || !_locatesJump))
+        {
+            branch = DragJump.At(speedSquared, _radiusSquared * spin * spin).Branch;
+            s.Branch = branch;
+        }
+
+        bool covered = _air.Covers(speedSquared, spin, dt);
+        if ((_air.Acts && !_limit.AllowsWhole(dt, speedSquared, spin, covered))
+            || (_integrator.GainsByHops && _limit.WithinHop(dt, y - _contactHeight, vy) < dt)
+            || !IsClear(ref s, dt, speedSquared))
+        {
+            TakePieces(ref s, dt, log);
+            return;
+        }
+
+        if (!_air.Acts)
+        {
+            Fall(ref s, dt, log);
+            return;
+        }
+
+        // Take it: by the fast form of the laws where that holds, else point by point.
+        FlightStep step;
+        if (covered)
+        {
+            _integrator.Fly(ref _air, ref s.Flight, in _wind, branch, _upward, dt, out step);
+        }
+        else
+        {
+            _integrator.Fly(ref Around.Air, ref s.Flight, in _wind, branch, _upward, dt, out step);
+        }
+
+        log.Evaluations += _integrator.Stages;
+
+        // Guards: the ground, a dip through it, the end of the spin, the drag law's jump. Each errs towards yes.
+        double height = y + (step.Path.Y + (dt * _wind.Y));
+        double climb = step.AirVelocity.Y + _wind.Y;
+        if (height < _contactHeight || (vy < 0 && climb > 0)
+            || step.SpinRate < 0
+            || (_air.Jumps && _locatesJump && MayCrossJump(branch, ux, uy, uz, speedSquared, spin, in step, dt)))
+        {
+            s.Flight.Velocity = new Vector3d(vx, vy, vz);
+            s.Flight.SpinRate = spin;
+            FinishPieces(ref s, dt, log, in step);
+            return;
+        }
+
+        // Nothing happened: move the ball.
+        s.Position = new Vector3d(position.X + (step.Path.X + (dt * _wind.X)), height, position.Z + (step.Path.Z + (dt * _wind.Z)));
+        s.Angle += step.Turn;
+        double time = s.Time;
+        s.Time = time + dt;
+        log.Steps++;
+        if (log.Observer is not null)
+        {
+            Show(log, in s, time, in position, new Vector3d(vx, vy, vz), spin, in step);
+        }
+    }
+
+    public override void Fly(ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
+    {
+        if (_air.Covers((motion.Velocity - wind).LengthSquared, motion.SpinRate, h))
+        {
+            _integrator.Fly(ref _air, ref motion, in wind, branch, upward, h, out step);
+        }
+        else
+        {
+            _integrator.Fly(ref Around.Air, ref motion, in wind, branch, upward, h, out step);
+        }
+    }
+
+    /// <summary>Whether a step may have crossed the drag law's jump.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private bool MayCrossJump(DragBranch branch, double ux, double uy, double uz, double speedSquared, double spin, in FlightStep step, double h)
+    {
+        var start = DragJump.At(speedSquared, _radiusSquared * spin * spin);
+        var rate = DragJump.Rate(
+            2.0 * ((ux * step.StartAcceleration.X) + (uy * step.StartAcceleration.Y) + (uz * step.StartAcceleration.Z)),
+            2.0 * _radiusSquared * spin * step.StartSpinAcceleration);
+        double wx = step.AirVelocity.X;
+        double wy = step.AirVelocity.Y;
+        double wz = step.AirVelocity.Z;
+        var end = DragJump.At((wx * wx) + (wy * wy) + (wz * wz), _radiusSquared * step.SpinRate * step.SpinRate);
+        return DragJump.MayCross(branch, in start, in rate, in end, h);
+    }
+
+    /// <summary>A step in vacuum: what the method makes of a constant acceleration, p + h (v + c h g), v + h g.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Fall(ref BallState s, double h, StepLog log)
+    {
+        double vy = s.Velocity.Y;
+        double gained = h * _upward;
+        double climb = vy + gained;
+        double height = s.Position.Y + (h * (vy + (_integrator.ShareInPath * gained)));
+        if (height < _contactHeight || (vy < 0 && climb > 0) || log.Observer is not null)
+        {
+            TakePieces(ref s, h, log);
+            return;
+        }
+
+        s.Position = new Vector3d(s.Position.X + (h * s.Velocity.X), height, s.Position.Z + (h * s.Velocity.Z));
+        s.Velocity = new Vector3d(s.Velocity.X, climb, s.Velocity.Z);
+        s.Angle += h * s.SpinRate;
+        s.Time += h;
+        log.Steps++;
+        log.Evaluations += _integrator.Stages;
+    }
+}

@@ -1,0 +1,63 @@
+namespace Football.Physics;
+
+/// <summary>Finds kicks by the methods of the thesis, kept for comparison: in the game's own integrator and steps, judged between frames.</summary>
+/// <remarks>Made once for a scene and used again; a search allocates nothing. Not for several threads at once.</remarks>
+public sealed class ThesisAimer
+{
+    private readonly AngleAim _angle;
+    private readonly BisectionAim _bisection;
+    private readonly TwoPointAim _twoPoint;
+
+    /// <summary>Compiles a scene for aiming.</summary>
+    /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
+    /// <param name="settings">The integrator of the flights; default <see cref="SolverSettings.Default"/>.</param>
+    /// <param name="timeStep">The step of the flights, s. Above 0; default 0.01.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public ThesisAimer(Scene? scene = null, SolverSettings? settings = null, double timeStep = 0.01)
+    {
+        Check.Positive("solver.timeStep", timeStep);
+        Check.AtLeast("solver.timeStep", timeStep, AimContext.LongestFlight * 1e-6);
+        var simulator = new Simulator(scene, settings);
+        Direct = new Aimer(simulator);
+        AimContext context = Direct.Context;
+        Simulator open = context.HasThings ? new Simulator(AimContext.WithoutThings(simulator.Scene), simulator.Settings) : simulator;
+        var frames = new FrameShooter(context, open, timeStep);
+        _angle = new AngleAim(context, frames);
+        _bisection = new BisectionAim(context, frames);
+        _twoPoint = new TwoPointAim(context, frames, _angle, _bisection);
+    }
+
+    /// <summary>The library's own way to aim in the same scene, to compare with.</summary>
+    public Aimer Direct { get; }
+
+    /// <summary>Finds a kick.</summary>
+    /// <param name="request">What the kick is to do.</param>
+    /// <param name="method">By which method.</param>
+    /// <param name="measure">Whether to measure the miss of the kick that was found; without it the result has the method's own estimate.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the two-point method lacks its point.</exception>
+    public AimResult Find(AimRequest request, AimMethod method, bool measure = true)
+    {
+        Check.Given(nameof(request), request);
+        Check.Defined("aim.method", method, (int)method, 4);
+        if (method == AimMethod.Direct)
+        {
+            return Direct.Find(request, measure);
+        }
+
+        Direct.Begin(request);
+        if (method == AimMethod.TwoPoint && request.Through is null)
+        {
+            throw Check.Refusal("aim.through", "null", "a point, with method twoPoint");
+        }
+
+        AimSolution solution = method switch
+        {
+            AimMethod.Angle => _angle.Find(request),
+            AimMethod.Bisection => _bisection.Find(request),
+            AimMethod.TwoPoint => _twoPoint.Find(request),
+            _ => throw Check.Refusal("aim.method", method.ToString(), "one that has a solver"),
+        };
+        return Direct.Report(request, in solution, measure, passes: method == AimMethod.TwoPoint);
+    }
+}

@@ -1,0 +1,131 @@
+namespace Football.Physics;
+
+/// <summary>The numbers that a fit looks for: the launch, and factors of a scene.</summary>
+internal sealed class TrackModel
+{
+    /// <summary>Numbers of the launch: position, velocity, spin.</summary>
+    public const int Launch = 9;
+
+    /// <summary>The first number of which something was known before: the spin, then the factors.</summary>
+    public const int FirstKnown = 6;
+
+    private static readonly string[] LaunchNames =
+        ["position.x", "position.y", "position.z", "velocity.x", "velocity.y", "velocity.z", "spin.x", "spin.y", "spin.z"];
+
+    private readonly Scene _scene;
+    private readonly TrackFitRequest _request;
+
+    /// <summary>The last one that was asked for, and its factors: most paths differ from those before them in the launch alone.</summary>
+    private Simulator? _simulator;
+    private (double Drag, double Lift, double Restitution, double Friction) _factors;
+
+    public TrackModel(Scene scene, TrackFitRequest request)
+    {
+        _scene = scene;
+        _request = request;
+        List<string> names = [.. LaunchNames];
+        Add(names, "drag", request.Drag);
+        Add(names, "lift", request.Lift);
+        Add(names, "restitution", request.Restitution);
+        Add(names, "friction", request.Friction);
+        Names = [.. names];
+    }
+
+    /// <summary>Names of the numbers.</summary>
+    public string[] Names { get; }
+
+    /// <summary>How many.</summary>
+    public int Count => Names.Length;
+
+    /// <summary>Standard deviation of a number before the track was seen; infinite where nothing was known.</summary>
+    public double KnownDeviation(int number) =>
+        number < FirstKnown ? double.PositiveInfinity : number < Launch ? _request.SpinDeviation : _request.FactorDeviation;
+
+    /// <summary>Adds what was known before, where something was: N += 1/σ², g += (likely − value)/σ².</summary>
+    /// <param name="values">The numbers.</param>
+    /// <param name="normal">N, row by row; null for g alone.</param>
+    /// <param name="gradient">g.</param>
+    /// <returns>Σ (likely − value)²/σ².</returns>
+    public double AddKnown(double[] values, double[]? normal, double[] gradient)
+    {
+        double cost = 0;
+        for (int i = FirstKnown; i < Count; i++)
+        {
+            double weight = 1.0 / (KnownDeviation(i) * KnownDeviation(i));
+            double off = Likely(i) - values[i];
+            gradient[i] += weight * off;
+            cost += weight * off * off;
+            if (normal is not null)
+            {
+                normal[(i * Count) + i] += weight;
+            }
+        }
+
+        return cost;
+    }
+
+    /// <summary>Σ (likely − value)²/σ² of what was known before.</summary>
+    public double KnownCost(double[] values)
+    {
+        double cost = 0;
+        for (int i = FirstKnown; i < Count; i++)
+        {
+            double off = (Likely(i) - values[i]) / KnownDeviation(i);
+            cost += off * off;
+        }
+
+        return cost;
+    }
+
+    /// <summary>Whether numbers are those of a ball that can be launched.</summary>
+    public static bool IsLaunch(double[] v) =>
+        new Vector3d(v[0], v[1], v[2]).Length < Limits.Length && new Vector3d(v[3], v[4], v[5]).Length < Limits.Speed && new Vector3d(v[6], v[7], v[8]).Length < Limits.Spin;
+
+    /// <summary>The scene with the factors among some numbers.</summary>
+    public Simulator Simulator(double[] values)
+    {
+        int at = Launch;
+        double drag = _request.Drag ? values[at++] : 1;
+        double lift = _request.Lift ? values[at++] : 1;
+        double restitution = _request.Restitution ? values[at++] : 1;
+        double friction = _request.Friction ? values[at] : 1;
+        if (_simulator is not null && _factors == (drag, lift, restitution, friction))
+        {
+            return _simulator;
+        }
+
+        Ground ground = _scene.Ground;
+        Scene scene = _scene with
+        {
+            Ground = ground with
+            {
+                NormalRestitution = Math.Min(1, Math.Max(0, restitution) * ground.NormalRestitution),
+                ImpactFriction = Math.Max(0, friction) * ground.ImpactFriction,
+                SlidingFriction = Math.Max(0, friction) * ground.SlidingFriction,
+            },
+        };
+        if (_request.Drag || _request.Lift)
+        {
+            scene = scene with { Forces = scene.Forces with { Custom = [.. scene.Forces.Custom, new ScaledAir(_scene, Math.Max(0, drag), lift)] } };
+        }
+
+        _factors = (drag, lift, restitution, friction);
+        _simulator = new Simulator(scene);
+        return _simulator;
+    }
+
+    /// <summary>The ball at its launch.</summary>
+    public static BallState Ball(Simulator simulator, double[] v) =>
+        simulator.Launch(new Vector3d(v[0], v[1], v[2]), new Vector3d(v[3], v[4], v[5]), new Vector3d(v[6], v[7], v[8]));
+
+    private double Likely(int number) =>
+        number == FirstKnown ? _request.Spin.X : number == FirstKnown + 1 ? _request.Spin.Y : number == FirstKnown + 2 ? _request.Spin.Z : 1;
+
+    private static void Add(List<string> names, string name, bool wanted)
+    {
+        if (wanted)
+        {
+            names.Add(name);
+        }
+    }
+}
