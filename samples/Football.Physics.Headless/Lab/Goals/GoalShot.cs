@@ -41,7 +41,7 @@ internal sealed class GoalShot
         bool low = random.Chance(0.4);
         double high = low ? 0.11 : random.Uniform(0.11, 3.5);
         Vector3d from = Place(distance * Math.Sin(angle), high, distance * Math.Cos(angle));
-        while (Goal.Frame().Concat(people).Any(thing => thing.Shape.At(from).Distance < 0.12))
+        while (Goal.Frame(ForceSet.Measured).Concat(people).Any(thing => thing.Shape.At(from).Distance < 0.12))
         {
             // Not from within what stands there.
             distance += 0.3;
