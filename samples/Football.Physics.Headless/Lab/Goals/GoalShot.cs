@@ -39,7 +39,15 @@ internal sealed class GoalShot
         double angle = random.Uniform(-92, 92) * Math.PI / 180;
         double distance = random.Uniform(0.3, Farthest);
         bool low = random.Chance(0.4);
-        Vector3d from = Place(distance * Math.Sin(angle), low ? 0.11 : random.Uniform(0.11, 3.5), distance * Math.Cos(angle));
+        double high = low ? 0.11 : random.Uniform(0.11, 3.5);
+        Vector3d from = Place(distance * Math.Sin(angle), high, distance * Math.Cos(angle));
+        while (Goal.Frame().Concat(people).Any(thing => thing.Shape.At(from).Distance < 0.12))
+        {
+            // Not from within what stands there.
+            distance += 0.3;
+            from = Place(distance * Math.Sin(angle), high, distance * Math.Cos(angle));
+        }
+
         double side = random.Uniform(-1, 1);
         double aside = random.Chance(0.4) ? Math.Sign(side) * ((0.5 * Goal.Width) + random.Uniform(-0.5, 0.2)) : side * ((0.5 * Goal.Width) + 1);
         double height = random.Chance(0.25) ? Goal.Height + random.Uniform(-0.4, 0.2) : random.Chance(0.3) ? 0.11 : random.Uniform(0.11, Goal.Height + 0.5);
