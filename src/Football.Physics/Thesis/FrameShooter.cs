@@ -28,15 +28,15 @@ internal sealed class FrameShooter
     public void Fly(in Vector3d from, in Vector3d velocity, in Vector3d spin, in Vector3d point)
     {
         Target.Begin(in from, in point);
-        Run(in from, in velocity, in spin);
+        Run(in from, in velocity, in spin, null);
     }
 
-    /// <summary>The same until a plane through the point is crossed.</summary>
+    /// <summary>Flies a kick past a point, and until a plane through it is crossed.</summary>
     public void FlyToPlane(in Vector3d from, in Vector3d velocity, in Vector3d spin, in Vector3d point, in Vector3d normal)
     {
         Target.Begin(in from, in point);
         Target.WantCrossing(in normal);
-        Run(in from, in velocity, in spin);
+        Run(in from, in velocity, in spin, null);
     }
 
     /// <summary>Flies a kick past two points.</summary>
@@ -44,30 +44,22 @@ internal sealed class FrameShooter
     {
         Target.Begin(in from, in point);
         Through.Begin(in from, in through);
-        BallState state = _simulator.Launch(from, velocity, spin);
-        _log.Clear();
-        bool passed = false;
-        bool ended = false;
-        while (!ended && state.Time < AimContext.LongestFlight && _log.Steps < AimContext.MostPieces)
-        {
-            ended = _simulator.StepToImpact(ref state, _timeStep, _log);
-            passed = passed || Through.Add(in state);
-            ended |= Target.Add(in state) && passed;
-        }
-
-        _context.CountSimulation(_log.Steps);
+        Run(in from, in velocity, in spin, Through);
     }
 
-    private void Run(in Vector3d from, in Vector3d velocity, in Vector3d spin)
+    /// <summary>Flies a kick until it has passed the point that it is for, and another before, or met the ground.</summary>
+    private void Run(in Vector3d from, in Vector3d velocity, in Vector3d spin, FrameApproach? before)
     {
         // Step by step: a step that nobody watches is the fastest.
         BallState state = _simulator.Launch(from, velocity, spin);
         _log.Clear();
+        bool passed = before is null;
         bool ended = false;
         while (!ended && state.Time < AimContext.LongestFlight && _log.Steps < AimContext.MostPieces)
         {
             ended = _simulator.StepToImpact(ref state, _timeStep, _log);
-            ended |= Target.Add(in state);
+            passed = passed || before!.Add(in state);
+            ended |= Target.Add(in state) && passed;
         }
 
         _context.CountSimulation(_log.Steps);

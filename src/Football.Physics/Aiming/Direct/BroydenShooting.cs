@@ -26,6 +26,9 @@ internal static class BroydenShooting
     /// <returns>False where it does not converge, or leaves the bounds.</returns>
     public static bool Solve(PlaneProblem problem, out PlaneShot solution)
     {
+        // A guess in closed form; one correction rehearsed in fitted air, which also tells how much a correction leaves of a miss; one real flight;
+        // a correction by what it missed. Where the next would miss by far less than the tolerance, it is not flown: one flight an aim. Else
+        // Broyden's update, and the next flight, as long as misses shrink.
         solution = default;
         if (!problem.Guess(out Kick first, out double time))
         {

@@ -62,6 +62,8 @@ internal sealed class PlaneShooter : PieceObserver
     /// <param name="targetTime">The same for the plane of the target.</param>
     public void Fly(in Vector3d from, in Vector3d velocity, in Vector3d spin, double longestStep, double throughTime, double targetTime)
     {
+        // Equal steps, so long that one ends where a plane is about to be crossed. A whole step that crosses is read off the cubic between its ends;
+        // one that had pieces (the drag law's jump) is taken again with each piece looked at; one that crosses nothing only tells how low it came.
         _target.Reset();
         _through.Reset();
         Lowest = double.PositiveInfinity;

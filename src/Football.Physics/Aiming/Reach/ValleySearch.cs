@@ -87,6 +87,7 @@ internal sealed class ValleySearch
 /// What the drag law's jump does to the bottom of a valley: a flight that just grazes it goes elsewhere at once, so that the miss distance over
 /// the elevation has waves beside the bottom, and steps in the middle of a descent.
 /// </summary>
+/// <remarks>Without it a dense scan finds a closer kick for 3 of 5 564 verdicts (<c>football lab aim --full</c>), with it for none.</remarks>
 internal sealed class WaveSearch
 {
     /// <summary>How far apart, rad, and how many to each side, are looks for waves beside the bottom of a valley.</summary>
@@ -205,6 +206,7 @@ internal sealed class WaveSearch
 /// In a wind, where elevation and azimuth do not separate: whether a kick beside the closest one, up, down, left or right, is closer. Steps are
 /// halved where none is.
 /// </summary>
+/// <remarks>Without it 3 of 193 verdicts in wind can be closer, with it 1 (<c>football lab answers --only verdicts --count 300</c>).</remarks>
 internal sealed class CompassSearch
 {
     private const int MostShots = 30;

@@ -1,6 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>The search for a kick of a given speed that knows nothing: a scan over all directions, and from what comes close there the method of Levenberg and Marquardt.</summary>
+/// <remarks>Without it 8 of the known kicks of five balls in a storm are not found again, and with it all (<c>football lab answers --only known --count 300</c>).</remarks>
 internal sealed class ShootingSearch
 {
     private const int N = ShootingProblem.Unknowns;
@@ -57,6 +58,7 @@ internal sealed class ShootingSearch
 }
 
 /// <summary>The search for a two-point kick that the closed form is too far from: from many kicks, in all directions and with many spins.</summary>
+/// <remarks>Without it 14 of 176 known kicks through two points are not found again, with it all are (<c>football lab answers --only known --count 300</c>).</remarks>
 internal sealed class TwoPointSearch
 {
     private const int N = ShootingProblem.Unknowns;
