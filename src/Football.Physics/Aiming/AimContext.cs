@@ -164,3 +164,79 @@ internal sealed class AimContext
     /// <summary>The scene with a plain ground out of reach.</summary>
     public static Scene WithoutGround(Scene scene) => scene with { Ground = Ground.Turf with { Height = -0.5 * Limits.Length } };
 }
+
+/// <summary>How long the steps are in which an aim flies its kicks, s: each as long as its question allows.</summary>
+internal readonly struct AimSteps
+{
+    /// <summary>Miss distance from which on the rough step will do, m.</summary>
+    private const double RoughMiss = 5e-4;
+
+    private AimSteps(double search, double hit, double roughHit, double rehearsedHit, double? roll, bool areShort)
+    {
+        Search = search;
+        Hit = hit;
+        RoughHit = roughHit;
+        RehearsedHit = rehearsedHit;
+        Roll = roll;
+        AreShort = areShort;
+    }
+
+    /// <summary>With RK4: a search within 1e-4 m, a hit with the drag law's jump located within 1e-5 m, a rough one within 1e-4 m, a rehearsed one within 5e-4 m.</summary>
+    public static AimSteps Long => new(search: 0.25, hit: 0.1, roughHit: 0.2, rehearsedHit: 0.3, roll: 2.0, areShort: false);
+
+    /// <summary>For a kick that grazes the drag law's jump, so that longer steps were wrong about it.</summary>
+    public static AimSteps Short => new(search: 0.02, hit: 0.02, roughHit: 0.02, rehearsedHit: 0.02, roll: null, areShort: true);
+
+    /// <summary>Of flights that only look where a kick goes.</summary>
+    public double Search { get; }
+
+    /// <summary>Of flights from which a hit is said.</summary>
+    public double Hit { get; }
+
+    /// <summary>Of a roll of which only the direction counts; null where none may be as rough as that.</summary>
+    public double? Roll { get; }
+
+    /// <summary>Whether they are the short ones: longer steps were wrong then.</summary>
+    public bool AreShort { get; }
+
+    private double RoughHit { get; }
+
+    private double RehearsedHit { get; }
+
+    /// <summary>Of flights from which a miss distance of a size is to be known.</summary>
+    public double HitWithin(double miss) => miss >= RoughMiss ? RoughHit : Hit;
+
+    /// <summary>Of flights that show by how little a rehearsed kick misses, which is then corrected.</summary>
+    public double RehearsedWithin(double miss) => miss >= RoughMiss ? RehearsedHit : Hit;
+}
+
+/// <summary>The kick that a method found, in its own estimate.</summary>
+internal struct AimSolution
+{
+    public AimStatus Status;
+    public Kick Kick;
+
+    /// <summary>Horizontal unit direction of the target, from which the kick's azimuth counts.</summary>
+    public Vector3d Forward;
+
+    /// <summary>Speed of the kick, m/s.</summary>
+    public double Speed;
+
+    /// <summary>Miss distance at the target, m.</summary>
+    public double Miss;
+
+    /// <summary>Miss distance at the point on the way, m.</summary>
+    public double ThroughMiss;
+
+    /// <summary>Time to the target, s.</summary>
+    public double Time;
+
+    /// <summary>Iterations, where the method counts its own; else 0.</summary>
+    public int Iterations;
+
+    /// <summary>Which of the two kicks of its speed it is; null where that is not known yet.</summary>
+    public AimArc? Arc;
+
+    /// <summary>Velocity and spin of the kick.</summary>
+    public readonly void Vectors(out Vector3d velocity, out Vector3d spin) => Kick.Vectors(Speed, in Forward, out velocity, out spin);
+}

@@ -11,6 +11,9 @@ internal struct SceneAir : IAir
 {
     private readonly AirLaws _laws;
     private readonly IWind? _wind;
+
+    /// <summary>The same, where it is the library's own: asked without a virtual call.</summary>
+    private readonly WindByHeight? _byHeight;
     private readonly KnuckleForce? _knuckle;
     private readonly OwnForces? _own;
     private readonly double _radiusSquared;
@@ -21,6 +24,7 @@ internal struct SceneAir : IAir
     {
         _laws = laws;
         _wind = scene.Air.WindField;
+        _byHeight = _wind as WindByHeight;
         _knuckle = KnuckleForce.Of(scene);
         _own = hasOwnForces ? new OwnForces(scene) : null;
         _radiusSquared = scene.Ball.Radius * scene.Ball.Radius;
@@ -75,7 +79,8 @@ internal struct SceneAir : IAir
 
     /// <summary>The wind by place and time, m/s.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Vector3d WindAt(double time, in Vector3d position) => _wind is null ? Vector3d.Zero : _wind.At(time, in position);
+    public readonly Vector3d WindAt(double time, in Vector3d position) =>
+        _byHeight is not null ? _byHeight.At(time, in position) : _wind is null ? Vector3d.Zero : _wind.At(time, in position);
 
     /// <summary>Acceleration by the knuckle force, m/s², and |u|, which the distance flown grows by; nothing where there is none.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

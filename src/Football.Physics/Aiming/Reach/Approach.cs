@@ -23,3 +23,88 @@ internal struct Approach
 
     public readonly double Elevation => Kick.Elevation;
 }
+
+/// <summary>Three kicks of rising elevation, and the parabola of their miss distances.</summary>
+internal struct ApproachBracket
+{
+    public Approach Low;
+    public Approach Middle;
+    public Approach High;
+
+    public ApproachBracket(in Approach low, in Approach middle, in Approach high)
+    {
+        Low = low;
+        Middle = middle;
+        High = high;
+    }
+
+    /// <summary>From the low one to the middle, rad.</summary>
+    public readonly double Left => Middle.Elevation - Low.Elevation;
+
+    /// <summary>From the middle one to the high one, rad.</summary>
+    public readonly double Right => High.Elevation - Middle.Elevation;
+
+    /// <summary>Whether one of them passes above the target.</summary>
+    public readonly bool AnyAbove => Low.Above || Middle.Above || High.Above;
+
+    /// <summary>The least miss distance of the three, m.</summary>
+    public readonly double LeastMiss => Math.Min(Math.Min(Low.Miss, Middle.Miss), High.Miss);
+
+    /// <summary>What no elevation between them is below, m: the least of their parabola, less what that may be wrong by.</summary>
+    public readonly double LowerBound
+    {
+        get
+        {
+            double left = Left;
+            double right = Right;
+            if (!(left > 0 && right > 0))
+            {
+                return 0;
+            }
+
+            Parabola(out double slope, out double curvature);
+            double x = curvature > 0 ? -slope / curvature : 0;
+            bool within = curvature > 0 && x > -left && x < right;
+            double vertex = within ? Middle.Miss - (0.5 * slope * slope / curvature) : LeastMiss;
+            double doubt = left * right;
+            return vertex - (0.5 * Math.Abs(curvature) * doubt * doubt);
+        }
+    }
+
+    /// <summary>The miss distance at another elevation, of the parabola through three that need not be in order.</summary>
+    public static double Extrapolate(in Approach one, in Approach two, in Approach three, double elevation)
+    {
+        double x = elevation - three.Elevation;
+        double x1 = one.Elevation - three.Elevation;
+        double x2 = two.Elevation - three.Elevation;
+        double s1 = (one.Miss - three.Miss) / x1;
+        double s2 = (two.Miss - three.Miss) / x2;
+        double q = (s1 - s2) / (x1 - x2);
+        return three.Miss + (x * (s2 + (q * (x - x2))));
+    }
+
+    /// <summary>The parabola through them: m(b + x) = m_b + s x + ½ q x².</summary>
+    public readonly void Parabola(out double slope, out double curvature)
+    {
+        double left = Left;
+        double right = Right;
+        curvature = 2.0 * ((left * (High.Miss - Middle.Miss)) + (right * (Low.Miss - Middle.Miss))) / (left * right * (left + right));
+        slope = ((High.Miss - Middle.Miss) / right) - (0.5 * curvature * right);
+    }
+
+    /// <summary>Takes a kick between the middle one and a neighbour into the three, and leaves one out.</summary>
+    public void Insert(in Approach next, bool becomesMiddle)
+    {
+        bool left = next.Elevation < Middle.Elevation;
+        double outer = left ? Low.Miss : High.Miss;
+        if (becomesMiddle || next.Miss < Middle.Miss || outer < Middle.Miss)
+        {
+            (Low, High) = left ? (Low, Middle) : (Middle, High);
+            Middle = next;
+        }
+        else
+        {
+            (Low, High) = left ? (next, High) : (Low, next);
+        }
+    }
+}

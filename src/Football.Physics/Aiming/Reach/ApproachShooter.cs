@@ -64,6 +64,9 @@ internal sealed class ApproachShooter : PieceObserver
     /// <param name="roughly">Whether only the direction of a ball that rolls is asked for: RK2 will do then.</param>
     public Approach Fly(in Kick kick, double timeStep, bool roughly)
     {
+        // On the ground every piece is looked at. In the air a step is flown unwatched; where the distance fell at its start and grows at its end, the
+        // closest point lies inside: read off the cubic of a whole step, or off the pieces of the step taken again. Ends at the impact, at rest,
+        // or where the ball can come no closer.
         _roughly = roughly;
         kick.Vectors(_speed, in _frame.Forward, out Vector3d velocity, out Vector3d spin);
         BallState state = _simulator.Launch(_frame.From, velocity, spin);

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>
@@ -81,18 +83,20 @@ public sealed class WindByHeight : IWind
     public double Fastest { get; }
 
     /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3d At(double time, in Vector3d position)
     {
-        double height = Math.Max(position.Y - GroundHeight, 0.0);
+        double height = position.Y - GroundHeight;
+        height = height > 0 ? height : 0;
         double mean = MeanAt(height);
-        if (_gusts is null)
-        {
-            return new Vector3d(mean * _alongX, 0, mean * _alongZ);
-        }
+        return _gusts is null ? new Vector3d(mean * _alongX, 0, mean * _alongZ) : WithGusts(_gusts, time, in position, height, mean);
+    }
 
-        // ξ = (distance along the wind) − u_ref t,  W = d (u + f g₀) + d⊥ f g₁ + ŷ f₂ g₂,  f = u(y)/u_ref,  f₂ = f min(1, y/2)
+    // ξ = (distance along the wind) − u_ref t,  W = d (u + f g₀) + d⊥ f g₁ + ŷ f₂ g₂,  f = u(y)/u_ref,  f₂ = f min(1, y/2)
+    private Vector3d WithGusts(GustWaves gusts, double time, in Vector3d position, double height, double mean)
+    {
         double distance = ((position.X * _alongX) + (position.Z * _alongZ)) - (Speed * time);
-        Vector3d gust = _gusts.At(distance);
+        Vector3d gust = gusts.At(distance);
         double share = mean * _perSpeed;
         double along = mean + (share * gust.X);
         double across = share * gust.Y;
@@ -103,5 +107,6 @@ public sealed class WindByHeight : IWind
     }
 
     /// <summary>u(y), m/s.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private double MeanAt(double height) => _perLogarithm * LogarithmTable.Of((height * _perRoughness) + 1.0);
 }
