@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+"""Plays small mistakes in the library against the tests, one at a time, in a copy: which does no test see?
+
+  tests/mutations.py [NAME...]     all of tests/mutations.json, or those named; exit code 1 where one survives
+
+Each is a file, a text that stands in it exactly once, what stands there instead, and the tests concerned. Needs the tests to be built:
+dotnet build -c Release tests/Football.Physics.Tests
+"""
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+BUILT = ROOT / "tests/Football.Physics.Tests/bin/Release/net10.0"
+LIBRARY = "src/Football.Physics"
+
+
+def run(command, folder):
+    return subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+
+def main():
+    mutations = json.loads((ROOT / "tests/mutations.json").read_text())
+    wanted = [m for m in mutations if not sys.argv[1:] or m["name"] in sys.argv[1:]]
+    lost = []
+    for m in mutations:
+        path = ROOT / LIBRARY / m["file"]
+        count = path.read_text().count(m["old"]) if path.exists() else -1
+        if count != 1:
+            lost.append(f"{m['name']}: its text stands in {m['file']} {count} times" if count >= 0 else f"{m['name']}: there is no {m['file']}")
+    if lost:
+        sys.exit("tests/mutations.json is not of these sources:\n" + "\n".join(lost))
+
+    survivors = []
+    with tempfile.TemporaryDirectory() as work:
+        work = pathlib.Path(work)
+        for name in ["BannedSymbols.txt", "Directory.Build.props", "Directory.Packages.props", "global.json", "README.md", "LICENSE"]:
+            shutil.copy(ROOT / name, work / name)
+        shutil.copytree(ROOT / LIBRARY, work / LIBRARY, ignore=shutil.ignore_patterns("bin"))
+        shutil.copytree(BUILT, work / "built")
+        for m in wanted:
+            path = work / LIBRARY / m["file"]
+            text = path.read_text()
+            path.write_text(text.replace(m["old"], m["new"]))
+            build = run(["dotnet", "build", "-c", "Release", LIBRARY, "-f", "net10.0", "-p:TargetFrameworks=net10.0", "-p:RunAnalyzers=false",
+                         "--nologo", "-v", "q", "-o", str(work / "mutant")], work)
+            path.write_text(text)
+            if build.returncode != 0:
+                sys.exit(f"{m['name']} does not compile:\n" + build.stdout[-2000:])
+            shutil.copy(work / "mutant/Football.Physics.dll", work / "built/Football.Physics.dll")
+            filter = "|".join("FullyQualifiedName~" + test for test in m["tests"])
+            test = run(["dotnet", "vstest", str(work / "built/Football.Physics.Tests.dll"), "--TestCaseFilter:" + filter], work)
+            if "Total:" not in test.stdout or "No test matches" in test.stdout:
+                sys.exit(f"{m['name']}: no tests ran:\n" + test.stdout[-2000:])
+            caught = test.returncode != 0
+            survivors += [] if caught else [m["name"]]
+            print(("caught    " if caught else "SURVIVED  ") + m["name"], flush=True)
+    print(f"{len(wanted) - len(survivors)} of {len(wanted)} caught, {len(survivors)} survived")
+    sys.exit(1 if survivors else 0)
+
+
+main()
