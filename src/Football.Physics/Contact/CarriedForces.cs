@@ -27,6 +27,9 @@ internal struct CarriedForces
     /// <summary>Torques of the air, of nets and of the game's own, rad/s².</summary>
     public Vector3d Torque;
 
+    /// <summary>By how much the air holds a ball without spin that friction begins to turn, rad/s²; 0 where the ball spins.</summary>
+    public double Holding;
+
     /// <summary>N/m, not negative, m/s².</summary>
     public double Load;
 

@@ -1,7 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>
-/// A ball that slides or rolls on any surface. With n the normal, V the carrier's velocity, H the curvature, a_t what acts along the surface and
+/// A ball that slides or rolls on a surface. With n the normal, V the carrier's velocity, H the curvature, a_t what acts along the surface and
 /// N/m = max(0, −a_b·n − (v−V)ᵀH(v−V)), less the air's part along n where it counts:
 /// sliding v̇_t = a_t − μ_s (N/m) ŝ, ω̇ = (μ_s N r/I) n × ŝ + torques; rolling v̇_t = (a_b,t + α r ω_n n × ṅ)/(1+α) + a_air,t/κ − (μ_r + c₁|v|)(N/m) v̂,
 /// ω_t = n × (v−V)/r. The normal part of v̇ keeps the ball on the surface.
@@ -37,8 +37,12 @@ internal struct CarriedSystem<TAir> : IMotionSystem
     public readonly void Rates(double time, in Motion at, out MotionRates rates)
     {
         CarriedForces on = ForcesOn(time, in at);
-        rates = Rolls ? Rolling(time, in at, in on) : Sliding(time, in at, in on);
+        rates = RatesUnder(in on, time, in at);
     }
+
+    /// <summary>The rates of change where the forces are known.</summary>
+    public readonly MotionRates RatesUnder(in CarriedForces on, double time, in Motion at) =>
+        Rolls ? Rolling(time, in at, in on) : Sliding(time, in at, in on);
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
     {
@@ -63,7 +67,7 @@ internal struct CarriedSystem<TAir> : IMotionSystem
         on.Body = Tangential(in body, in n);
         Vector3d u = at.Velocity - Around.Wind;
         var ball = new ForceInput(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding);
-        Around.Air.Evaluate(in ball, Branch, out AirFactors air);
+        double rate = Around.Air.Evaluate(in ball, Branch, out AirFactors air);
         u = air.AirVelocity;
         Vector3d push = air.Acceleration;
         if (World.AirActs)
@@ -74,6 +78,7 @@ internal struct CarriedSystem<TAir> : IMotionSystem
         load -= World.SharesAir ? Vector3d.Dot(in push, in n) : 0;
         on.Air = Tangential(in push, in n);
         on.Torque = (-air.Decay * at.Spin) + air.SpinAcceleration;
+        on.Holding = rate > 0 ? 0 : air.Decay;
         if (Nets != 0)
         {
             MotionRates nets = World.PushOfNets(Nets, NetSides, in at);
@@ -121,6 +126,13 @@ internal struct CarriedSystem<TAir> : IMotionSystem
     public readonly double RollingFriction(in CarriedForces on, double speed) =>
         (Material.RollingFriction + (Material.RollingFrictionBySpeed * speed)) * on.Load;
 
+    /// <summary>What changes the slip, friction apart, m/s²: the push along the surface, and r n × the torques.</summary>
+    public readonly Vector3d SlipPush(in CarriedForces on) => on.Body + on.Air + (World.Ball.Radius * Vector3d.Cross(in on.Normal, in on.Torque));
+
+    /// <summary>The rate of the spin about the normal while the ball slides, rad/s².</summary>
+    public readonly double AboutRate(in CarriedForces on, in Motion at) =>
+        AboutNormal(Vector3d.Dot(in at.Spin, in on.Normal), in on) + Vector3d.Dot(in on.Torque, in on.Normal);
+
     /// <summary>The part of a vector along the surface.</summary>
     public static Vector3d Tangential(in Vector3d vector, in Vector3d normal) => vector - (Vector3d.Dot(in vector, in normal) * normal);
 
@@ -131,10 +143,13 @@ internal struct CarriedSystem<TAir> : IMotionSystem
         double size = slip.Length;
         Vector3d s = size > 0 && Vector3d.Dot(in slip, in Direction) > 0 ? slip / size : Direction;
         double friction = SlidingFriction(in on);
+
+        // A ball without spin is held by the air as friction begins to turn it, and no more than that.
+        double turning = Math.Max(0, (friction / (World.Ball.InertiaFactor * World.Ball.Radius)) - on.Holding);
         Vector3d along = Guided(time, in at, on.Body + on.Air - (friction * s), in on);
         Vector3d acceleration = along - (on.Centripetal * n);
         Vector3d spin = on.Torque
-            + (friction / (World.Ball.InertiaFactor * World.Ball.Radius) * Vector3d.Cross(in n, in s))
+            + (turning * Vector3d.Cross(in n, in s))
             + (AboutNormal(Vector3d.Dot(in at.Spin, in n), in on) * n);
         return new MotionRates(in acceleration, in spin);
     }

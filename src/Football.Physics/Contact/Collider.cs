@@ -101,6 +101,9 @@ internal sealed class Collider
         return (uint)patch < (uint)_patches.Length ? patch : -1;
     }
 
+    /// <summary>What it is made of: its own material, then those of its parts.</summary>
+    public IEnumerable<ContactMaterial> Materials => _patches.Prepend(_material);
+
     /// <summary>What it is made of under a place.</summary>
     public ref readonly ContactMaterial MaterialAt(in Vector3d position)
     {

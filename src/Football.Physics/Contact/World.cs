@@ -46,7 +46,8 @@ internal sealed class World
         Goals = [.. scene.Goals.Select(goal => new GoalMouth(goal))];
         FirstCollider = scene.Ground.IsNone ? 1 : 0;
         IsLevel = scene.Ground.IsLevel;
-        IsLevelGroundAlone = IsLevel && HasNothing(scene);
+        IsBare = HasNothing(scene);
+        IsLevelGroundAlone = IsLevel && IsBare;
         LevelContact = scene.Ground.IsNone || !scene.Ground.IsLevel ? double.NegativeInfinity : scene.Ground.Height + Ball.Radius;
         Moving = [.. Of(collider => collider.Moves).Where(i => Engine is null || !Engine.Has(i))];
         foreach (Collider collider in Moving.Select(i => Colliders[i]).Where(collider => !collider.IsBody))
@@ -111,6 +112,9 @@ internal sealed class World
 
     /// <summary>Whether the ground is level.</summary>
     public bool IsLevel { get; }
+
+    /// <summary>Whether there is nothing but the ground, or nothing at all.</summary>
+    public bool IsBare { get; }
 
     /// <summary>Whether there is nothing but level ground, or nothing at all.</summary>
     public bool IsLevelGroundAlone { get; }

@@ -30,14 +30,15 @@ internal sealed class BodyTube
     }
 
     /// <summary>Whether a ball stays in it during a step.</summary>
-    /// <param name="s">The ball, in the air.</param>
+    /// <param name="s">The ball.</param>
     /// <param name="dt">Length of the step, s.</param>
     /// <param name="airSpeedSquared">|u|², m²/s².</param>
+    /// <param name="spinRate">Spin, rad/s.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool Holds(in BallState s, double dt, double airSpeedSquared)
+    public bool Holds(in BallState s, double dt, double airSpeedSquared, double spinRate)
     {
         double gone = s.Time - _time;
-        if (!(gone >= 0 && gone + dt <= _duration && dt <= _longestStep && s.SpinRate <= _spinRate && airSpeedSquared <= _airSpeedSquared))
+        if (!(gone >= 0 && gone + dt <= _duration && dt <= _longestStep && spinRate <= _spinRate && airSpeedSquared <= _airSpeedSquared))
         {
             return false;
         }
@@ -51,6 +52,7 @@ internal sealed class BodyTube
 
     /// <summary>Looks for a new one.</summary>
     /// <param name="s">The ball.</param>
+    /// <param name="spinRate">Its spin, rad/s.</param>
     /// <param name="dt">Length of its step, s.</param>
     /// <param name="longest">Length of the longest step that it is good for, s.</param>
     /// <param name="ahead">How far to look, s.</param>
@@ -58,13 +60,13 @@ internal sealed class BodyTube
     /// <param name="bendOfStep">How far the ball may go from a straight line in the longest step, m.</param>
     /// <param name="bend">How far in all the time ahead, m; half of that is the more usual.</param>
     /// <returns>Whether it is long enough for the step.</returns>
-    public bool Renew(in BallState s, double dt, double longest, double ahead, double airSpeed, double bendOfStep, double bend)
+    public bool Renew(in BallState s, double spinRate, double dt, double longest, double ahead, double airSpeed, double bendOfStep, double bend)
     {
         _width = LeastWidth + (0.5 * bend);
         var way = new StraightWay(s.Position, s.Velocity, s.Time, ahead, _ballRadius + _width + bendOfStep);
         _from = s.Position;
         _velocity = s.Velocity;
-        _spinRate = s.SpinRate;
+        _spinRate = spinRate;
         _airSpeedSquared = airSpeed * airSpeed;
         _time = s.Time;
         _longestStep = longest;

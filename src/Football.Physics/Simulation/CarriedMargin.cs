@@ -34,19 +34,27 @@ internal struct CarriedMargin<TAir, TIntegrator> : IFunction
 
     public double Of(in Motion at, double after)
     {
-        ref CarriedSystem<TAir> system = ref Sweep.System;
-        if (_what == CarriedLimit.Spin)
+        CarriedForces on = default;
+        if (_what != CarriedLimit.Spin)
         {
-            // Without drilling friction nothing happens at zero.
-            return system.Material.DrillingLength > 0 && system.SpinSign != 0
-                ? system.SpinSign * Vector3d.Dot(in at.Spin, system.Carrier.At(in at.Position, _time + after).Normal)
-                : 0;
+            on = Sweep.System.ForcesOn(_time + after, in at);
+            Sweep.Evaluations++;
         }
 
-        CarriedForces on = system.ForcesOn(_time + after, in at);
-        Sweep.Evaluations++;
+        return Of(in on, in at, after);
+    }
+
+    /// <summary>The number where the forces are known; those of the spin are not asked for.</summary>
+    private double Of(in CarriedForces on, in Motion at, double after)
+    {
+        ref CarriedSystem<TAir> system = ref Sweep.System;
         switch (_what)
         {
+            case CarriedLimit.Spin:
+                // Without drilling friction nothing happens at zero.
+                return system.Material.DrillingLength > 0 && system.SpinSign != 0
+                    ? system.SpinSign * Vector3d.Dot(in at.Spin, system.Carrier.At(in at.Position, _time + after).Normal)
+                    : 0;
             case CarriedLimit.Load:
                 return on.FreeLoad;
             case CarriedLimit.Grip:
@@ -67,6 +75,8 @@ internal struct CarriedMargin<TAir, TIntegrator> : IFunction
         // The same length beyond the edge for all: one of them after the other would come back before it.
         double beyond = Beyond * sweep.Length;
         bool jumps = false;
+        CarriedForces atEnd = sweep.System.ForcesOn(s.Time + sweep.Length, in sweep.Taken.End);
+        sweep.Evaluations++;
         for (var what = CarriedLimit.Load; what <= CarriedLimit.Spin; what++)
         {
             if (!rolls && what is CarriedLimit.Grip or CarriedLimit.Rest)
@@ -75,7 +85,7 @@ internal struct CarriedMargin<TAir, TIntegrator> : IFunction
             }
 
             var margin = new CarriedMargin<TAir, TIntegrator>(what, in sweep, s.Time);
-            double end = margin.Of(in sweep.Taken.End, sweep.Length);
+            double end = margin.Of(in atEnd, in sweep.Taken.End, sweep.Length);
             if (end >= 0)
             {
                 continue;
@@ -92,6 +102,8 @@ internal struct CarriedMargin<TAir, TIntegrator> : IFunction
                 }
 
                 sweep = margin.Sweep;
+                atEnd = sweep.System.ForcesOn(s.Time + sweep.Length, in sweep.Taken.End);
+                sweep.Evaluations++;
             }
         }
 

@@ -8,8 +8,21 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
     where TAir : struct, IAir
     where TIntegrator : struct, IIntegrator
 {
-    /// <summary>The last of a slide, this share of a step long, is done in closed form.</summary>
-    private const double ClosedForm = 0.0025;
+    /// <summary>On a curved surface, whose push changes with the place, it is no longer than this, s.</summary>
+    private const double CurvedSlideEnd = 1.25e-5;
+
+    /// <summary>The last of a slide is done in closed form where the push on the slip changes so little that the end is known to this, s.</summary>
+    private const double SlideEnd = 1e-10;
+
+    /// <summary>A piece takes at least this share of a slip or a roll, and at most that.</summary>
+    private const double LeastShare = 0.125;
+    private const double LargestShare = 0.75;
+
+    /// <summary>So much of the square of the rate across the direction is usual: with less of it pieces are longer.</summary>
+    private const double OftenTurns = 0.01;
+
+    /// <summary>A slip smaller than this, m/s, is none to the thesis' heuristic (2.28).</summary>
+    private const double HeuristicSlip = 1e-3;
 
     /// <summary>The normal turns by no more than this in a piece, rad.</summary>
     private const double LargestTurn = 0.05;
@@ -25,11 +38,15 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
     private readonly TIntegrator _integrator;
     private readonly double _alpha;
     private readonly double _inertia;
+    private readonly bool _endsSlipExactly;
+    private readonly bool _isFlat;
 
     public CarriedPhase(
-        Surroundings<TAir> around, in StabilityLimit limit, DragJumpGuard<TAir> jump, WorldGuard<TAir> guard, WorldContact<TAir> contact, ImplicitPhase<TAir> implicitPhase)
+        Scene scene, SolverSettings settings, Surroundings<TAir> around, in StabilityLimit limit, DragJumpGuard<TAir> jump, WorldGuard<TAir> guard, WorldContact<TAir> contact, ImplicitPhase<TAir> implicitPhase)
     {
         _around = around;
+        _isFlat = scene.Ground.Heights is null;
+        _endsSlipExactly = settings.RollingTransition == RollingTransition.Exact;
         _world = around.World!;
         _limit = limit;
         _jump = jump;
@@ -115,19 +132,52 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
 
         if (size >= Slip.Rolling)
         {
-            system.Rates(s.Time, in from, out MotionRates rates);
-            run.Log.Evaluations++;
-            double most = rolls ? system.RollingFriction(in on, size) : (1.0 + (1.0 / _alpha)) * sliding;
+            MotionRates rates = system.RatesUnder(in on, s.Time, in from);
+            double most = rolls ? system.RollingFriction(in on, size) : sliding;
             Vector3d rate = rolls ? rates.Acceleration + (on.Centripetal * on.Normal) : SlipRate(in on, in rates);
-            if (!rolls && sliding > 0 && system.Guides.Count == 0 && EndSlip(ref s, ref run, ref system, in from, in on, in moving, in rate, most, h))
+            if (!rolls && _endsSlipExactly && sliding > 0 && system.Guides.Count == 0 && EndSlip(ref s, ref run, ref system, in from, in on, in moving, h))
             {
                 return;
             }
 
-            h = most > 0 ? GroundLimit<TAir>.Shorten(h, run.Length, system.Direction, size, in rate) : h;
+            h = most > 0 && (rolls || _endsSlipExactly) ? Shorten(h, system.Direction, size, in rate, s.Nets == 0 && on.Turning == Vector3d.Zero) : h;
         }
 
         TakePiece(ref s, ref run, ref system, in from, h);
+        if (!_endsSlipExactly && s.Motion == MotionState.Sliding && !rolls && !run.Log.Halted)
+        {
+            EndSlipByHeuristic(ref s, ref run, size);
+        }
+    }
+
+    /// <summary>
+    /// Shortens a piece in which the direction of a slip or a roll would turn too fast for a method to follow: it takes a share of the size, the more, the less
+    /// the direction turns, as the fourth root.
+    /// </summary>
+    /// <param name="h">Length of the piece, s.</param>
+    /// <param name="direction">The direction.</param>
+    /// <param name="size">Size of the slip or the roll, m/s.</param>
+    /// <param name="rate">Its rate of change, m/s².</param>
+    /// <param name="isFlat">Whether the surface is flat: on a curved one the rate itself changes on the way.</param>
+    private static double Shorten(double h, in Vector3d direction, double size, in Vector3d rate, bool isFlat)
+    {
+        double along = Vector3d.Dot(in rate, in direction);
+        double acrossSquared = Math.Max(0, rate.LengthSquared - (along * along));
+        double closing = Math.Sqrt(acrossSquared + (along < 0 ? along * along : 0));
+        double straight = isFlat && acrossSquared < closing * closing * OftenTurns ? Math.Sqrt(Math.Sqrt(OftenTurns * closing * closing / Math.Max(acrossSquared, 1e-300))) : 1.0;
+        double share = Math.Min(LargestShare, LeastShare * straight);
+        return closing * h > share * size ? share * size / closing : h;
+    }
+
+    /// <summary>The thesis' end of a slide (2.27, 2.28): the slip grew, or is small.</summary>
+    private void EndSlipByHeuristic(ref BallState s, ref StepRun run, double before)
+    {
+        Collider carrier = _world.CarrierOf(in s);
+        double after = Slip.Of(s.Velocity - carrier.Velocity, s.Spin, carrier.At(s.Position, s.Time).Normal, _around.Radius).Length;
+        if (after > before || after < HeuristicSlip)
+        {
+            _contact.StartRolling(ref s, ref run);
+        }
     }
 
     /// <summary>Takes a piece, ends it at the first thing that happens in it, and moves the ball.</summary>
@@ -166,72 +216,96 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         }
     }
 
-    /// <summary>The end of a slide in closed form: near it the push along the surface is all but constant.</summary>
+    /// <summary>
+    /// The end of a slide in closed form, whatever way the slip turns: near it the push and the load are all but constant, and their means of both ends are taken.
+    /// </summary>
     /// <returns>False where it is not near, or friction cannot hold the ball then.</returns>
     private bool EndSlip(
-        ref BallState s,
-        ref StepRun run,
-        ref CarriedSystem<TAir> system,
-        in Motion from,
-        in CarriedForces on,
-        in Vector3d slip,
-        in Vector3d slipRate,
-        double friction,
-        double longest)
+        ref BallState s, ref StepRun run, ref CarriedSystem<TAir> system, in Motion from, in CarriedForces on, in Vector3d slip, double longest)
     {
-        Vector3d push = slipRate + (friction * system.Direction);
-        double size = slip.Length;
-        if (!(size < 0.5 * friction * ClosedForm * Math.Min(run.Length, 0.01)) || !(push.LengthSquared < 0.25 * friction * friction))
+        // With the push and the friction at the start.
+        double perLoad = (1.0 + (1.0 / _alpha)) * system.Material.SlidingFriction;
+        Vector3d push = system.SlipPush(in on);
+        double friction = perLoad * on.Load;
+        double most = s.Nets == 0 && on.Turning == Vector3d.Zero ? longest : Math.Min(longest, CurvedSlideEnd);
+        if (!(slip.Length < friction * most) || !(push.LengthSquared < 0.25 * friction * friction))
         {
             return false;
         }
 
+        double about = Vector3d.Dot(from.Spin, on.Normal);
+        double turning = system.AboutRate(in on, in from);
+        Vector3d start = on.Body + on.Air - (on.Centripetal * on.Normal);
         var decay = new SlipDecay(in slip, in push, friction);
+        Motion end = SlipEnd(in system, in from, in decay, system.SlidingFriction(in on), in start, in start, about + (decay.Time * turning), in on.Normal);
+
+        // And with the means: the end is known to what they leave out.
+        CarriedForces there = system.ForcesOn(s.Time + decay.Time, in end);
+        run.Log.Evaluations++;
+        Vector3d endPush = system.SlipPush(in there);
+        double endFriction = perLoad * there.Load;
+        double change = (endPush - push).Length * (endPush.Length + push.Length);
+        double loadChange = endFriction - friction;
+        if (!(decay.Time * (change + (loadChange * loadChange)) <= SlideEnd * friction * friction))
+        {
+            return false;
+        }
+
+        decay = new SlipDecay(in slip, 0.5 * (push + endPush), 0.5 * (friction + endFriction));
         double t = decay.Time;
         if (!(t > 0 && t <= longest))
         {
             return false;
         }
 
-        // Along the way the ball goes by its own integral of the friction, then onto the surface again.
-        double sliding = system.SlidingFriction(in on);
-        Vector3d acceleration = on.Body + on.Air - (on.Centripetal * on.Normal);
-        Vector3d velocity = from.Velocity + (t * acceleration) - (sliding * decay.Direction);
-        Vector3d position = s.Position + (t * from.Velocity) + ((0.5 * t * t) * acceleration) - (sliding * decay.Twice);
-        var path = PathCubic.Line(s.Position, (position - s.Position) / t, t);
+        Vector3d last = there.Body + there.Air - (there.Centripetal * there.Normal);
+        double sliding = 0.5 * system.Material.SlidingFriction * (on.Load + there.Load);
+        about += 0.5 * t * (turning + system.AboutRate(in there, in end));
+        end = SlipEnd(in system, in from, in decay, sliding, in start, in last, about, in on.Normal);
+        if (system.SpinSign * about < 0 || system.Carrier.PatchAt(s.Position) != system.Carrier.PatchAt(in end.Position))
+        {
+            return false;
+        }
+
+        var path = PathCubic.Line(s.Position, (end.Position - s.Position) / t, t);
         if (new ContactSearch(_world, in path, s.Time).First(in s, (int)s.Carrier - _world.FirstCollider, out _) <= t)
         {
             return false;
         }
 
-        double about = Vector3d.Dot(from.Spin, on.Normal);
-        system.Rates(s.Time, in from, out MotionRates rates);
-        about += t * Vector3d.Dot(rates.SpinAcceleration, on.Normal);
         BallState before = s;
-        Vector3d rolling = Slip.RollingSpin(velocity - system.Carrier.Velocity, about, in on.Normal, _around.Radius);
-        s.BaseOrientation = s.BaseOrientation.Turned((0.5 * t) * (from.Spin + rolling));
-        s.Position = position;
-        s.Velocity = velocity;
-        s.SpinAxis = rolling;
+        s.BaseOrientation = s.BaseOrientation.Turned((0.5 * t) * (from.Spin + end.Spin));
+        s.Position = end.Position;
+        s.Velocity = end.Velocity;
+        s.SpinAxis = end.Spin;
         run.Advance(ref s, t);
         Hold(ref s, in system, -1);
         if (run.Log.Observer is not null)
         {
-            Vector3d end = Extrapolate.Rate(from.Velocity, s.Velocity, rates.Acceleration, t);
-            run.Log.Show(in before, in s, rates.Acceleration, in end, _integrator.Order);
+            Vector3d acceleration = start - (system.SlidingFriction(in on) * system.Direction);
+            Vector3d atEnd = Extrapolate.Rate(from.Velocity, s.Velocity, in acceleration, t);
+            run.Log.Show(in before, in s, in acceleration, in atEnd, _integrator.Order);
         }
 
-        if (!run.Log.Halted)
+        if (!run.Log.Halted && system.Grips(in there))
         {
-            CarriedForces there = system.ForcesOn(s.Time, new Motion(s.Position, s.Velocity, s.Spin));
-            run.Log.Evaluations++;
-            if (system.Grips(in there))
-            {
-                _contact.StartRolling(ref s, ref run);
-            }
+            _contact.StartRolling(ref s, ref run);
         }
 
         return true;
+    }
+
+    /// <summary>
+    /// The motion where a slip ends: v = v₀ + ∫a − μ_s N/m ∫ŝ, p = p₀ + v₀ t + ∫∫a − μ_s N/m ∫∫ŝ with a linear in time, and the spin of a roll.
+    /// </summary>
+    private Motion SlipEnd(
+        in CarriedSystem<TAir> system, in Motion from, in SlipDecay decay, double sliding, in Vector3d first, in Vector3d last, double about, in Vector3d normal)
+    {
+        double t = decay.Time;
+        Vector3d velocity = from.Velocity + ((0.5 * t) * (first + last)) - (sliding * decay.Direction);
+        Vector3d position = from.Position + (t * from.Velocity) + ((t * t / 6.0) * ((2.0 * first) + last)) - (sliding * decay.Twice);
+        Vector3d spin = Slip.RollingSpin(velocity - system.Carrier.Velocity, about, in normal, _around.Radius);
+        return new Motion(in position, in velocity, in spin);
     }
 
     /// <summary>ṡ = v̇_t + r n × ω̇.</summary>
@@ -278,8 +352,9 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         Vector3d spin = s.SpinAxis;
         double about = Vector3d.Dot(in spin, in n);
 
-        // Drilling friction ends the spin about the normal, and reverses nothing.
-        double kept = system.SpinSign * about < 0 && system.Material.DrillingLength > 0 ? 0 : about;
+        // Friction, damping and the air's decay end the spin about the normal, and reverse nothing.
+        bool brakesAlone = system.Material.DrillingLength > 0 || (!_around.Air.Varies && _isFlat && system.Carrier == _world.Ground);
+        double kept = system.SpinSign * about < 0 && brakesAlone ? 0 : about;
         s.SpinAxis = system.Rolls ? Slip.RollingSpin(s.Velocity - system.Carrier.Velocity, kept, in n, _around.Radius)
             : kept == about ? spin : spin - (about * n);
     }

@@ -1,7 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>
-/// Whether a flight meets nothing but level ground. The broad phase is asked for several steps at once, and its answer is kept with the state as a time:
+/// Whether a flight, or a way along the ground, meets nothing but level ground. The broad phase is asked for several steps at once, and its answer is kept with the state as a time:
 /// until then a step asks nothing. It holds for the scene in which it was given, which a key tells from others.
 /// </summary>
 internal sealed class ClearFlight
@@ -28,6 +28,7 @@ internal sealed class ClearFlight
     private readonly StabilityLimit _limit;
     private readonly double _weight;
     private readonly double _shareInPath;
+    private readonly double _friction;
     private readonly BodyTube? _tube;
 
     /// <summary>Prepares the questions.</summary>
@@ -42,6 +43,7 @@ internal sealed class ClearFlight
         _limit = limit;
         _weight = Math.Abs(upward);
         _shareInPath = Math.Max(0.5, shareInPath);
+        _friction = world.Ground is { } ground ? ground.Materials.Max(material => Math.Max(material.SlidingFriction, material.RollingFriction)) : 0;
         _tube = world.Bodies is { } bodies ? new BodyTube(bodies, world.Ball.Radius) : null;
         var key = new ClearKey();
         key.Add(limit.Bound.PerSpeed);
@@ -50,6 +52,7 @@ internal sealed class ClearFlight
         key.Add(upward);
         key.Add(_shareInPath);
         key.Add(in wind);
+        key.Add(_friction);
         world.AddTo(ref key);
         Key = key.Value;
     }
@@ -60,15 +63,34 @@ internal sealed class ClearFlight
     /// <summary>Whether there are bodies to look for in every step.</summary>
     public bool LooksForBodies => _tube is not null || _world.Engine is not null;
 
-    /// <summary>Whether the next step meets nothing.</summary>
+    /// <summary>Whether the next step of flight meets nothing.</summary>
     /// <param name="s">The ball, in the air.</param>
     /// <param name="dt">Length of the step, s.</param>
     /// <param name="airSpeedSquared">|u|², m²/s².</param>
-    public bool Holds(ref BallState s, double dt, double airSpeedSquared)
+    public bool Holds(ref BallState s, double dt, double airSpeedSquared) => Holds(ref s, dt, new Push(airSpeedSquared, s.SpinRate, 1.0));
+
+    /// <summary>Whether the next step along the ground meets nothing else. Friction adds to what bends the path, and may make speed of spin, or spin of speed.</summary>
+    /// <param name="s">The ball, on the ground.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="airSpeed">|u|, m/s.</param>
+    /// <param name="spinRate">|ω|, rad/s.</param>
+    public bool HoldsOnSurface(ref BallState s, double dt, double airSpeed, double spinRate)
+    {
+        if (_tube is null && _world.Engine is null && s.Time + dt <= s.ClearUntil && s.ClearIn == Key)
+        {
+            return true;
+        }
+
+        double radius = _world.Ball.Radius;
+        double most = airSpeed + (radius * spinRate);
+        return Holds(ref s, dt, new Push(most * most, spinRate + (airSpeed / radius), 1.0 + _friction));
+    }
+
+    private bool Holds(ref BallState s, double dt, in Push push)
     {
         if (_world.Engine is { } engine)
         {
-            double bend = Bend(Math.Sqrt(airSpeedSquared), s.SpinRate, dt, dt);
+            double bend = Bend(in push, dt, dt);
             if (s.Nets != 0 || !engine.IsFree(new StraightWay(s.Position, s.Velocity, s.Time, dt, _world.Ball.Radius + bend)))
             {
                 return false;
@@ -76,7 +98,7 @@ internal sealed class ClearFlight
         }
 
         bool isKnown = s.Time + dt <= s.ClearUntil && s.ClearIn == Key;
-        if (isKnown && (_tube is null || _tube.Holds(in s, dt, airSpeedSquared)))
+        if (isKnown && (_tube is null || _tube.Holds(in s, dt, push.AirSpeedSquared, push.SpinRate)))
         {
             return true;
         }
@@ -88,10 +110,9 @@ internal sealed class ClearFlight
         }
 
         // The way ahead is a straight line, and as much around it as forces can bend it.
-        double speed = Math.Sqrt(airSpeedSquared);
-        double steps = dt * _limit.RateAtMost(speed, s.SpinRate) <= SmallChange ? Ahead : 1.0;
-        return (isKnown || IsFree(ref s, dt, steps, speed) || (steps > 1.0 && (IsFree(ref s, dt, Nearer, speed) || IsFree(ref s, dt, 1.0, speed))))
-            && (_tube is null || Renew(in s, dt, Math.Min(steps, AheadOfBodies), speed) || (steps > 1.0 && Renew(in s, dt, 1.0, speed)));
+        double steps = dt * _limit.RateAtMost(push.AirSpeed, push.SpinRate) <= SmallChange ? Ahead : 1.0;
+        return (isKnown || IsFree(ref s, dt, steps, in push) || (steps > 1.0 && (IsFree(ref s, dt, Nearer, in push) || IsFree(ref s, dt, 1.0, in push))))
+            && (_tube is null || Renew(in s, dt, Math.Min(steps, AheadOfBodies), in push) || (steps > 1.0 && Renew(in s, dt, 1.0, in push)));
     }
 
     /// <inheritdoc cref="Stepper.FliesClear"/>
@@ -104,36 +125,51 @@ internal sealed class ClearFlight
         return _world.FreeFor(in way) >= duration;
     }
 
-    private bool IsFree(ref BallState s, double dt, double steps, double speed)
+    private bool IsFree(ref BallState s, double dt, double steps, in Push push)
     {
         double ahead = steps * dt;
-        double around = _world.Ball.Radius + Bend(speed, s.SpinRate, ahead, ahead);
+        double around = _world.Ball.Radius + Bend(in push, ahead, ahead);
         double free = _world.FreeFor(new StraightWay(s.Position, s.Velocity, s.Time, ahead, around));
         s.ClearUntil = s.Time + free;
         s.ClearIn = Key;
         return dt <= free;
     }
 
-    private bool Renew(in BallState s, double dt, double steps, double speed)
+    private bool Renew(in BallState s, double dt, double steps, in Push push)
     {
         double ahead = Math.Min(steps * dt, Math.Max(dt, Bodies.Foresight));
         double longest = LongestStep * dt;
         return _tube!.Renew(
-            in s, dt, longest, ahead, SpeedLater(speed, ahead), Bend(speed, s.SpinRate, ahead + longest, longest), Bend(speed, s.SpinRate, ahead, ahead));
+            in s, push.SpinRate, dt, longest, ahead, SpeedLater(in push, ahead), Bend(in push, ahead + longest, longest), Bend(in push, ahead, ahead));
     }
 
     /// <summary>A bound of how far the ball goes off a straight line, m: c a t², which is ½ a t² for most methods, with all that the air can do to the speed that the ball may have then.</summary>
-    /// <param name="speed">Speed now, m/s.</param>
-    /// <param name="spinRate">Spin, rad/s.</param>
+    /// <param name="push">What acts on it now.</param>
     /// <param name="ahead">The speed may be that of so much later, s.</param>
     /// <param name="during">t, s.</param>
-    private double Bend(double speed, double spinRate, double ahead, double during)
+    private double Bend(in Push push, double ahead, double during)
     {
-        double most = SpeedLater(speed, ahead);
-        double acceleration = _weight + (_limit.RateAtMost(most, spinRate) * most);
+        double most = SpeedLater(in push, ahead);
+        double acceleration = push.Friction * (_weight + (_limit.RateAtMost(most, push.SpinRate) * most));
         return _shareInPath * acceleration * during * during;
     }
 
     /// <summary>A bound of the air speed so much later, m/s.</summary>
-    private double SpeedLater(double speed, double ahead) => 1.1 * (speed + (ahead * _weight));
+    private double SpeedLater(in Push push, double ahead) => 1.1 * (push.AirSpeed + (ahead * push.Friction * _weight));
+
+    /// <summary>Bounds of what bends a path.</summary>
+    private readonly struct Push(double airSpeedSquared, double spinRate, double friction)
+    {
+        /// <summary>|u|², m²/s².</summary>
+        public readonly double AirSpeedSquared = airSpeedSquared;
+
+        /// <summary>|ω|, rad/s.</summary>
+        public readonly double SpinRate = spinRate;
+
+        /// <summary>By how much friction adds to the air and the weight: 1 in the air, 1 + μ on a surface.</summary>
+        public readonly double Friction = friction;
+
+        /// <summary>|u|, m/s.</summary>
+        public double AirSpeed => Math.Sqrt(AirSpeedSquared);
+    }
 }

@@ -38,6 +38,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     private readonly ClearFlight? _clear;
     private readonly ulong _clearKey;
     private readonly CarriedPhase<TAir, TIntegrator>? _carried;
+    private readonly FlatSurfaceStep? _flat;
     private readonly RestPhase<TAir>? _rest;
     private readonly WorldContact<TAir>? _worldContact;
     private readonly BodyPush<TAir>? _bodies;
@@ -64,7 +65,8 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         _bodies = world is { Bodies: not null } or { Engine: not null } ? new BodyPush<TAir>(world, _worldContact!) : null;
         WorldGuard<TAir>? guard = world is null ? null : new WorldGuard<TAir>(world, _worldContact!);
         _implicit = new ImplicitPhase<TAir>(around, contact, guard);
-        _carried = guard is null ? null : new CarriedPhase<TAir, TIntegrator>(around, Limit, jump, guard, _worldContact!, _implicit);
+        _carried = guard is null ? null : new CarriedPhase<TAir, TIntegrator>(scene, settings, around, Limit, jump, guard, _worldContact!, _implicit);
+        _flat = world is null ? null : new FlatSurfaceStep(scene, settings, around, Limit, world.IsBare ? null : _clear, LocatesJump);
         _rest = guard is null ? null : new RestPhase<TAir>(world!, guard);
         _flight = new FlightPhase<TAir, TIntegrator>(settings, around, this, Limit, jump, contact, _implicit, guard);
 
@@ -88,6 +90,11 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
     public override void Step(ref BallState s, double dt, StepLog log)
     {
+        if (s.Motion is MotionState.Rolling or MotionState.Sliding && _flat is not null && _flat.TryWhole(ref s, dt, log))
+        {
+            return;
+        }
+
         // A ball lighter than the air may leave the ground, and air that varies may do anything.
         bool done = _staysDown && !_air.Varies
             && ((s.Motion == MotionState.Rolling && _roll.TryWhole(ref s, dt, log))
