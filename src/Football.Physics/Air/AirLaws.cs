@@ -18,6 +18,12 @@ internal abstract class AirLaws
     /// <inheritdoc cref="IAir.Bound"/>
     public RateBound Bound { get; protected init; }
 
+    /// <summary>The speed, m/s, up to which <see cref="OrdinaryBound"/> holds: twice that of any kick.</summary>
+    public const double OrdinarySpeed = 100;
+
+    /// <summary>The bound up to that speed: closer than one for every speed where a coefficient grows with it.</summary>
+    public RateBound OrdinaryBound { get; protected init; }
+
     /// <summary>The laws that a scene names, without its own forces.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>
     public static AirLaws Of(Scene scene) => Of(scene, 1, 1);

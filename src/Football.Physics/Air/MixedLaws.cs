@@ -32,6 +32,7 @@ internal sealed class MixedLaws : AirLaws
         _fits = forces.Coefficients != CoefficientForm.Measured && (forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical);
         Jumps = _fits && forces.Coefficients == CoefficientForm.Published;
         Bound = Scaled(_drag.Bound, drag) + Scaled(_magnus.Bound, lift) + _decay.Bound;
+        OrdinaryBound = Bound;
     }
 
     public override void Factors(

@@ -14,6 +14,9 @@ internal readonly struct RateBound
         Constant = constant;
     }
 
+    /// <summary>The bound, 1/s, at a speed relative to the air, m/s, and a spin, rad/s.</summary>
+    public double At(double speed, double spinRate) => (PerSpeed * speed) + (PerSpin * spinRate) + Constant;
+
     public static RateBound operator +(in RateBound a, in RateBound b) =>
         new(a.PerSpeed + b.PerSpeed, a.PerSpin + b.PerSpin, a.Constant + b.Constant);
 }

@@ -31,6 +31,7 @@ internal struct SceneAir : IAir
         _hasField = HasField(scene);
         _jumpsInField = _hasField && laws.Jumps;
         Bound = laws.Bound + (_knuckle?.Bound ?? default);
+        OrdinaryBound = laws.OrdinaryBound + (_knuckle?.Bound ?? default);
     }
 
     public readonly AirLaws Laws => _laws;
@@ -52,6 +53,9 @@ internal struct SceneAir : IAir
     public readonly double FastestWind => _wind?.Fastest ?? 0;
 
     public RateBound Bound { get; }
+
+    /// <inheritdoc cref="AirLaws.OrdinaryBound"/>
+    public RateBound OrdinaryBound { get; }
 
     /// <summary>The air of a scene. A <see cref="ScaledAir"/> that is its only own force scales its laws.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>

@@ -28,7 +28,10 @@ internal sealed class TableLaws<TLaw> : AirLaws
         _ofLift = Lifts ? lift : 0;
         _ofDecay = SpinDecays ? 1 : 0;
         Jumps = law.Jumps && (Drags || Lifts);
-        Bound = (Drags ? Scaled(law.DragBound(2.0 * Limits.Speed), drag) : default)
+        Bound = BoundUpTo(2.0 * Limits.Speed);
+        OrdinaryBound = BoundUpTo(OrdinarySpeed);
+
+        RateBound BoundUpTo(double fastest) => (Drags ? Scaled(law.DragBound(fastest), drag) : default)
             + (Lifts ? Scaled(law.LiftBound, lift) : default)
             + (SpinDecays ? law.DecayBound : default);
     }

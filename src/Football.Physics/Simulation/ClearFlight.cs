@@ -26,6 +26,7 @@ internal sealed class ClearFlight
 
     private readonly World _world;
     private readonly StabilityLimit _limit;
+    private readonly RateBound _ordinary;
     private readonly double _weight;
     private readonly double _shareInPath;
     private readonly double _friction;
@@ -34,13 +35,15 @@ internal sealed class ClearFlight
     /// <summary>Prepares the questions.</summary>
     /// <param name="world">The world.</param>
     /// <param name="limit">How fast the air can change the motion.</param>
+    /// <param name="ordinary">The same up to <see cref="AirLaws.OrdinarySpeed"/>.</param>
     /// <param name="wind">Wind, m/s.</param>
     /// <param name="upward">Upward acceleration by gravity and buoyancy, m/s².</param>
     /// <param name="shareInPath">c of the method's path p + h (v + c h a).</param>
-    public ClearFlight(World world, in StabilityLimit limit, in Vector3d wind, double upward, double shareInPath)
+    public ClearFlight(World world, in StabilityLimit limit, in RateBound ordinary, in Vector3d wind, double upward, double shareInPath)
     {
         _world = world;
         _limit = limit;
+        _ordinary = ordinary;
         _weight = Math.Abs(upward);
         _shareInPath = Math.Max(0.5, shareInPath);
         _friction = world.Ground is { } ground ? ground.Materials.Max(material => Math.Max(material.SlidingFriction, material.RollingFriction)) : 0;
@@ -49,6 +52,7 @@ internal sealed class ClearFlight
         key.Add(limit.Bound.PerSpeed);
         key.Add(limit.Bound.PerSpin);
         key.Add(limit.Bound.Constant);
+        key.Add(ordinary.PerSpeed);
         key.Add(upward);
         key.Add(_shareInPath);
         key.Add(in wind);
@@ -110,7 +114,7 @@ internal sealed class ClearFlight
         }
 
         // The way ahead is a straight line, and as much around it as forces can bend it.
-        double steps = dt * _limit.RateAtMost(push.AirSpeed, push.SpinRate) <= SmallChange ? Ahead : 1.0;
+        double steps = dt * RateAtMost(push.AirSpeed, push.SpinRate) <= SmallChange ? Ahead : 1.0;
         return (isKnown || IsFree(ref s, dt, steps, in push) || (steps > 1.0 && (IsFree(ref s, dt, Nearer, in push) || IsFree(ref s, dt, 1.0, in push))))
             && (_tube is null || Renew(in s, dt, Math.Min(steps, AheadOfBodies), in push) || (steps > 1.0 && Renew(in s, dt, 1.0, in push)));
     }
@@ -120,7 +124,7 @@ internal sealed class ClearFlight
     {
         // A path that bends by a at most is within ⅛ a t² of the straight way between its ends.
         double most = airSpeed + (duration * _weight);
-        double bend = 0.125 * (_weight + (_limit.RateAtMost(most, spinRate) * most)) * duration * duration;
+        double bend = 0.125 * (_weight + (RateAtMost(most, spinRate) * most)) * duration * duration;
         var way = new StraightWay(in from, (to - from) / duration, 0, duration, _world.Ball.Radius + bend + Rounding);
         return _world.FreeFor(in way) >= duration;
     }
@@ -150,9 +154,12 @@ internal sealed class ClearFlight
     private double Bend(in Push push, double ahead, double during)
     {
         double most = SpeedLater(in push, ahead);
-        double acceleration = push.Friction * (_weight + (_limit.RateAtMost(most, push.SpinRate) * most));
+        double acceleration = push.Friction * (_weight + (RateAtMost(most, push.SpinRate) * most));
         return _shareInPath * acceleration * during * during;
     }
+
+    private double RateAtMost(double speed, double spinRate) =>
+        speed <= AirLaws.OrdinarySpeed ? _ordinary.At(speed, spinRate) : _limit.RateAtMost(speed, spinRate);
 
     /// <summary>A bound of the air speed so much later, m/s.</summary>
     private double SpeedLater(in Push push, double ahead) => 1.1 * (push.AirSpeed + (ahead * push.Friction * _weight));

@@ -57,7 +57,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         LocatesJump = jump.Acts;
         var contact = new ContactPhase<TAir>(scene, around);
         World? world = around.World;
-        _clear = world is null or { IsLevelGroundAlone: true } ? null : new ClearFlight(world, Limit, in _wind, _upward, _integrator.ShareInPath);
+        _clear = world is null or { IsLevelGroundAlone: true } ? null : new ClearFlight(world, Limit, StabilityLimit.WithFall(_air.OrdinaryBound, _upward), in _wind, _upward, _integrator.ShareInPath);
 
         // Where there are bodies, no answer is good for longer than a step.
         _clearKey = _clear is { LooksForBodies: false } ? _clear.Key : 0;

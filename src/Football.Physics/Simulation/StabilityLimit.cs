@@ -64,13 +64,15 @@ internal readonly struct StabilityLimit
         where TAir : struct, IAir
     {
         RateBound ofAir = air.Bound;
-
-        // A ball that falls from rest is soon as fast as drag lets it: 1/√(P a) is how soon.
-        var bound = new RateBound(ofAir.PerSpeed, ofAir.PerSpin, ofAir.Constant + (Math.Sqrt(ofAir.PerSpeed) * Math.Sqrt(Math.Abs(upward))));
+        RateBound bound = WithFall(in ofAir, upward);
         double restitution = Math.Min(scene.Ground.NormalRestitution, MostElastic);
         bool spirals = order < 4 && air.Lifts && !(air.Drags && ofAir.PerSpeed > 0);
         return new StabilityLimit(in bound, upward, wholeUpTo, 3.0 * restitution / (1.0 - restitution), spirals, order);
     }
+
+    /// <summary>How fast the air and gravity can change the motion: a ball that falls from rest is soon as fast as drag lets it, 1/√(P a) is how soon.</summary>
+    public static RateBound WithFall(in RateBound ofAir, double upward) =>
+        new(ofAir.PerSpeed, ofAir.PerSpin, ofAir.Constant + (Math.Sqrt(ofAir.PerSpeed) * Math.Sqrt(Math.Abs(upward))));
 
     /// <summary>Whether a step may be taken whole: a quick test that errs towards no.</summary>
     /// <param name="h">Length of the step, s.</param>
@@ -93,7 +95,7 @@ internal readonly struct StabilityLimit
     /// <summary>A bound, 1/s, for how fast anything changes the motion.</summary>
     /// <param name="speed">|u|, or a bound of it, m/s.</param>
     /// <param name="spinRate">|ω|, rad/s.</param>
-    public double RateAtMost(double speed, double spinRate) => (_bound.PerSpeed * speed) + (_bound.PerSpin * spinRate) + _bound.Constant;
+    public double RateAtMost(double speed, double spinRate) => _bound.At(speed, spinRate);
 
     /// <summary>The longest of equal parts of a step for which no force overshoots, or 0 where they would be too many.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]

@@ -44,7 +44,7 @@ internal sealed class GustWaves
         Span<double> cosines = stackalloc double[Bands];
         for (int component = 0; component < Components; component++)
         {
-            ReadOnlySpan<double> shares = component == 0 ? along : across;
+            Span<double> shares = component == 0 ? along : across;
             double sum = component == 0 ? sumAlong : sumAcross;
             double largest = 0;
             for (int i = 0; i < Bands; i++)
@@ -94,7 +94,7 @@ internal sealed class GustWaves
 
     private static Vector3d Unit(int component) => new(component == 0 ? 1 : 0, component == 1 ? 1 : 0, component == 2 ? 1 : 0);
 
-    private static Quad At(ReadOnlySpan<double> of, int block) => new(of[4 * block], of[(4 * block) + 1], of[(4 * block) + 2], of[(4 * block) + 3]);
+    private static Quad At(Span<double> of, int block) => new(of[4 * block], of[(4 * block) + 1], of[(4 * block) + 2], of[(4 * block) + 3]);
 
     // F(y) = (2 atan y − y/(1 + y²))/π
     private static double AcrossUpTo(double y) => ((2.0 * Atan(y)) - (y / (1.0 + (y * y)))) / Math.PI;
