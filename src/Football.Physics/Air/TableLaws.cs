@@ -36,7 +36,6 @@ internal sealed class TableLaws<TLaw> : AirLaws
             + (SpinDecays ? law.DecayBound : default);
     }
 
-    [MethodImpl(Hot.Path)]
     public override void Factors(
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
