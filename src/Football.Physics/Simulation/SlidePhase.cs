@@ -47,6 +47,7 @@ internal sealed class SlidePhase<TAir, TIntegrator>
     /// motion stays in registers.
     /// </summary>
     /// <returns>False where something may happen; then nothing is done.</returns>
+    [MethodImpl(Hot.Path)]
     public bool TryWhole(ref BallState s, double dt, StepLog log)
     {
         // Propose: the whole step, if the slip does not turn too fast in it, and the air is not too strong.
