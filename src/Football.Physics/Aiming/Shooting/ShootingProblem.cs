@@ -337,7 +337,7 @@ internal sealed class ShootingProblem
         solution.ThroughMiss = measured.ThroughDistance ?? double.NaN;
 
         // What is in the way of the kick for a time is to be told.
-        bool isBlocked = !IsFree[LogTime] && measured.Blocker != MeasuredMiss.NoThing;
+        bool isBlocked = !IsFree[LogTime] && measured.Blocker != KickFlight.NoThing;
         return (measured.Distance <= Request.Tolerance || isBlocked) && (!_passesThrough || measured.ThroughDistance <= Request.ThroughTolerance);
     }
 
