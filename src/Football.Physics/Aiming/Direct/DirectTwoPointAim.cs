@@ -68,19 +68,6 @@ internal sealed class DirectTwoPointAim
             return solution;
         }
 
-        if (_context.Iterations < _problem.Request.MaximumIterations)
-        {
-            // Fitted air may have led astray what the flights themselves do not.
-            AimSolution plain = Solve(rehearses: false);
-            if (Suffices(in plain))
-            {
-                return plain;
-            }
-
-            bool isBetter = solution.Status != AimStatus.Hit || (plain.Status == AimStatus.Hit && plain.ThroughMiss < solution.ThroughMiss);
-            solution = isBetter ? plain : solution;
-        }
-
         // From elsewhere there may be one that the closed form is too far from.
         return _general.Through(request, in solution.Kick, out AimSolution other) ? other : solution.Status == AimStatus.Hit ? solution : TargetFirst(in solution);
     }
