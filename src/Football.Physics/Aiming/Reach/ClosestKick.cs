@@ -71,7 +71,7 @@ internal sealed class ClosestKick
             return _approaches.Accept(_approaches.At(bounds.Lowest));
         }
 
-        return _approaches.TurnWithAzimuth && _coarse.Find(in problem.Frame, arc, out bool hit) ? hit : _close.Find(arc);
+        return _approaches.TurnWithAzimuth ? _coarse.Find(in problem.Frame, arc, out bool hit) && hit : _close.Find(arc);
     }
 }
 
@@ -265,38 +265,6 @@ internal sealed class CloseSearch
             _looks[i] = _approaches.At(i == Looks - 1 ? highest : lowest + ((highest - lowest) * i / (Looks - 1)));
         }
 
-        for (int i = 1; i < Looks; i++)
-        {
-            int at = arc == AimArc.Low ? i : Looks - i;
-            if (_looks[at - 1].Above != _looks[at].Above && _hits.Between(in _looks[at - 1], in _looks[at]))
-            {
-                return true;
-            }
-        }
-
-        for (int i = 0; i < Looks; i++)
-        {
-            double miss = _looks[i].Miss;
-            if (miss <= _looks[Math.Max(0, i - 1)].Miss && miss <= _looks[Math.Min(Looks - 1, i + 1)].Miss && FindInValley(i, arc))
-            {
-                return true;
-            }
-        }
-
         return _approaches.Accept(_approaches.Best);
-    }
-
-    private bool FindInValley(int look, AimArc arc)
-    {
-        int middle = Math.Min(Math.Max(look, 1), Looks - 2);
-        var at = new ApproachBracket(in _looks[middle - 1], in _looks[middle], in _looks[middle + 1]);
-        if (!_valley.Descend(ref at, enough: double.PositiveInfinity))
-        {
-            return false;
-        }
-
-        return arc == AimArc.Low
-            ? _hits.Between(in at.Low, in at.Middle) || _hits.Between(in at.High, in at.Middle)
-            : _hits.Between(in at.High, in at.Middle) || _hits.Between(in at.Low, in at.Middle);
     }
 }

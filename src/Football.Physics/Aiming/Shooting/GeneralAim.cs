@@ -92,6 +92,14 @@ internal sealed class GeneralAim
         return Follow(MostStarts, arc == AimArc.Low ? Wanted.Earliest : Wanted.Latest, leavesHalf: true, ref solution, ref found);
     }
 
+    /// <summary>The kick of a speed that hits the target, from one that is close.</summary>
+    public bool From(AimRequest request, double speed, in Kick kick, double time, out AimSolution solution)
+    {
+        _problem.Begin(request, speed, through: false);
+        Put(in kick, speed, time);
+        return _solver.Hit(_x, out solution);
+    }
+
     /// <summary>The kick that is at the target at a time, in flight or along the ground.</summary>
     /// <param name="request">What it is to do; its speed is the fastest allowed.</param>
     /// <param name="time">The time, s.</param>
@@ -175,12 +183,7 @@ internal sealed class GeneralAim
     public AimArc ArcOf(AimRequest request, in AimSolution hit)
     {
         Begin(request, rolls: false);
-        _x[ShootingProblem.Elevation] = hit.Kick.Elevation;
-        _x[ShootingProblem.Azimuth] = hit.Kick.Azimuth;
-        _x[ShootingProblem.LogSpeed] = Elementary.Log(hit.Speed);
-        _x[ShootingProblem.Top] = hit.Kick.Top;
-        _x[ShootingProblem.Side] = hit.Kick.Side;
-        _x[ShootingProblem.LogTime] = Elementary.Log(hit.Time);
+        Put(in hit.Kick, hit.Speed, hit.Time);
         return _curve.SlowsWithTime(_x) ? AimArc.Low : AimArc.High;
     }
 
@@ -192,11 +195,7 @@ internal sealed class GeneralAim
     public bool Through(AimRequest request, in Kick near, out AimSolution solution)
     {
         _problem.Begin(request, request.Speed, through: true);
-        _x[ShootingProblem.Elevation] = _problem.Clamp(ShootingProblem.Elevation, near.Elevation);
-        _x[ShootingProblem.Azimuth] = near.Azimuth;
-        _x[ShootingProblem.LogSpeed] = Elementary.Log(request.Speed);
-        _x[ShootingProblem.Top] = _problem.Clamp(ShootingProblem.Top, near.Top);
-        _x[ShootingProblem.Side] = _problem.Clamp(ShootingProblem.Side, near.Side);
+        Put(in near, request.Speed, 1);
         _problem.Approach(_x);
         if (_solver.Hit(_x, out solution))
         {
@@ -255,6 +254,17 @@ internal sealed class GeneralAim
         bool hits = _solver.Hit(_x, out solution) && solution.ThroughMiss <= tolerance;
         _problem.AskThrough(true);
         return hits;
+    }
+
+    /// <summary>Makes a kick the unknowns, as far as their bounds allow.</summary>
+    private void Put(in Kick kick, double speed, double time)
+    {
+        _x[ShootingProblem.Elevation] = _problem.Clamp(ShootingProblem.Elevation, kick.Elevation);
+        _x[ShootingProblem.Azimuth] = kick.Azimuth;
+        _x[ShootingProblem.LogSpeed] = Elementary.Log(speed);
+        _x[ShootingProblem.Top] = _problem.IsFree[ShootingProblem.Top] ? _problem.Clamp(ShootingProblem.Top, kick.Top) : kick.Top;
+        _x[ShootingProblem.Side] = _problem.IsFree[ShootingProblem.Side] ? _problem.Clamp(ShootingProblem.Side, kick.Side) : kick.Side;
+        _x[ShootingProblem.LogTime] = Elementary.Log(Math.Max(time, 1e-3));
     }
 
     /// <summary>Asks for a kick whose speed is free.</summary>
