@@ -50,6 +50,8 @@ public sealed class Aimer
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public AimResult Find(AimRequest request, bool measure = true)
     {
+        // 1. The search in long steps, and the true miss of what it found. 2. Where that is not what the search said, once more in short steps. 3. What is blocked: the
+        // other arc, and other spins where they are free.
         Begin(request);
         AimSolution solution = Search(request);
         AimResult result = Report(request, in solution, measure);
@@ -80,6 +82,7 @@ public sealed class Aimer
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or a point on the way is given.</exception>
     public AimResult FindSlowest(AimRequest request)
     {
+        // In long steps, in short ones, and where there is none, what the fastest does is the verdict.
         Begin(request);
         RefuseThrough(request);
         if (!Slowest(request, out AimSolution solution))

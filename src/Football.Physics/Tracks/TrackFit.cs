@@ -34,6 +34,7 @@ public sealed class TrackFit
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public TrackFitResult Find(TrackPoint[] track, TrackFitRequest? request = null)
     {
+        // 1. A start by the first points. 2. Downhill for the launch, then for the factors too. 3. From other spins where that fits poorly. 4. The uncertainty, measured.
         request ??= new TrackFitRequest();
         Validate(track, request);
         TrackFitRequest launch = request with { Drag = false, Lift = false, Restitution = false, Friction = false };

@@ -99,6 +99,7 @@ internal sealed class TrackSearch
         double damping = 0;
         for (int i = 0; i < MostSteps; i++)
         {
+            // The secants are as wide as the uncertainty that the last ones told.
             _hasAxes = _secants.Evaluate(values);
             if (!_hasAxes)
             {
@@ -132,6 +133,8 @@ internal sealed class TrackSearch
     /// <returns>False where a lower cost was found; the numbers are then those.</returns>
     private bool MeasureAxes(double[] values)
     {
+        // 1. Out along each axis of the uncertainty, the numbers before it following, to where the cost has risen by one. 2. Both ends give deviation and bend.
+        // 3. Pairs of axes, where what they do together may bend: a spin times a lift.
         Array.Clear(Covariance, 0, Covariance.Length);
         double best = Cost;
         double[] bend = new double[_count];

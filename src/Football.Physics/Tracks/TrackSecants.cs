@@ -61,6 +61,7 @@ internal sealed class TrackSecants
     /// <returns>False where a number tells of nothing.</returns>
     public bool Evaluate(double[] values)
     {
+        // 1. The start is raised so that no secant begins in the ground. 2. Along each axis both ends are followed. 3. J from the secants, N from J, axes from N.
         double lift = 0;
         _floor = _model.Simulator(values).ContactHeight;
         for (int j = 0; j < _count; j++)

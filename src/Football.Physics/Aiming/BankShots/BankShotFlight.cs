@@ -72,6 +72,7 @@ internal sealed class BankShotFlight
     /// <summary>Newton's method on the part of the miss across the way, by elevation and azimuth.</summary>
     public BankShotStart Improve(AimRequest request, in TargetFrame frame, int[] things, in BankShotStart start)
     {
+        // Through the impacts, whose kinks end a step early: halved until it meets the same things and comes closer.
         BankShotStart at = Fly(request, in frame, things, start.Kick, FineStep);
         var bounds = ElevationBounds.Of(request);
         for (int i = 0; at.Meets && i < Math.Min(MostCorrections, request.MaximumIterations) && at.Miss > Enough * request.Tolerance; i++)
@@ -111,6 +112,7 @@ internal sealed class BankShotFlight
     /// <summary>The turn that takes away the miss across the way: least squares of e + (∂p/∂θ) Δθ over the directions across v.</summary>
     private bool Step(AimRequest request, in TargetFrame frame, in BankShotStart at, out double up, out double aside)
     {
+        // Along the way a miss is a matter of time alone: only what is across counts.
         Vector3d place = At(request, in frame, at.Kick, at.Time);
         Kick raised = at.Kick;
         raised.Elevation += Width;

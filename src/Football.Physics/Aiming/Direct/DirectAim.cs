@@ -101,9 +101,6 @@ internal sealed class DirectAim
     }
 
     /// <summary>The slowest kick along the ground: one that is a little slower stops short.</summary>
-    /// <param name="request">What it is to do.</param>
-    /// <param name="fastest">The fastest allowed, m/s.</param>
-    /// <param name="solution">The kick.</param>
     public bool SlowestRoll(AimRequest request, double fastest, out AimSolution solution)
     {
         solution = default;

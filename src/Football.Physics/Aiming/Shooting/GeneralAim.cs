@@ -65,15 +65,11 @@ internal sealed class GeneralAim
     }
 
     /// <summary>The kick of a speed that hits the target.</summary>
-    /// <param name="request">What the kick is to do.</param>
-    /// <param name="speed">Its speed, m/s.</param>
-    /// <param name="arc">Whether the one that is there first is wanted, or the last.</param>
-    /// <param name="top">Its topspin, rad/s.</param>
-    /// <param name="side">Its sidespin, rad/s.</param>
-    /// <param name="solution">The kick.</param>
     /// <returns>Whether there is one, measured.</returns>
     public bool WithSpeed(AimRequest request, double speed, AimArc arc, double top, double side, out AimSolution solution)
     {
+        // 1. From the closed form on the wanted arc, else on the other. 2. Where the air rules, or that led to the other arc, from a scan over all directions: the
+        // earliest of its hits, or the last. It leaves half of the flights to who comes after.
         solution = default;
         if (_context.IsHalfSpent)
         {
@@ -100,10 +96,7 @@ internal sealed class GeneralAim
         return _solver.Hit(_x, out solution);
     }
 
-    /// <summary>The kick that is at the target at a time, in flight or along the ground.</summary>
-    /// <param name="request">What it is to do; its speed is the fastest allowed.</param>
-    /// <param name="time">The time, s.</param>
-    /// <param name="solution">The kick; where there is none, what comes close.</param>
+    /// <summary>The kick that is at the target at a time, in flight or along the ground, no faster than the request; where there is none, what comes close.</summary>
     /// <returns>Whether there is one, measured.</returns>
     public bool AtTime(AimRequest request, double time, out AimSolution solution)
     {
@@ -140,9 +133,7 @@ internal sealed class GeneralAim
         return false;
     }
 
-    /// <summary>The slowest kick that flies to the target.</summary>
-    /// <param name="request">What it is to do; its speed is the fastest allowed.</param>
-    /// <param name="solution">The kick.</param>
+    /// <summary>The slowest kick that flies to the target, no faster than the request.</summary>
     /// <returns>Whether there is one, measured.</returns>
     public bool Slowest(AimRequest request, out AimSolution solution)
     {
@@ -163,6 +154,7 @@ internal sealed class GeneralAim
 
     private bool FromSlowestModel(AimRequest request, out AimSolution solution)
     {
+        // Within the bounds the time is held, at that of the slowest in closed form; on a bound the elevation is.
         double time = SlowestOfModel(request.TopSpin, request.SideSpin, request.Speed, out _);
         double elevation = ElevationOf(Model(time, request.TopSpin, request.SideSpin));
         double bound = _problem.Clamp(ShootingProblem.Elevation, elevation);
@@ -188,12 +180,10 @@ internal sealed class GeneralAim
     }
 
     /// <summary>The kick that passes the point on the way, and hits the target; all but its speed is free.</summary>
-    /// <param name="request">What the kick is to do.</param>
-    /// <param name="near">A kick to begin with.</param>
-    /// <param name="solution">The kick.</param>
     /// <returns>Whether there is one, measured.</returns>
     public bool Through(AimRequest request, in Kick near, out AimSolution solution)
     {
+        // 1. From the kick nearby. 2. From scans with several spins, the closest starts first; one that ends near both points goes on to the target alone.
         _problem.Begin(request, request.Speed, through: true);
         Put(in near, request.Speed, 1);
         _problem.Approach(_x);
