@@ -13,7 +13,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
 
     public bool GainsByHops => false;
 
-    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public void Fly<TAir>(ref TAir air, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
         where TAir : struct, IFlightLaws
     {
@@ -95,7 +95,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         step.StartRates = k1;
     }
 
-    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public void Advance<TSystem>(ref TSystem system, double time, in FieldMotion from, double h, out FieldStep step)
         where TSystem : struct, IFieldSystem
     {
@@ -126,7 +126,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         step.Turn = h * (Sixth * (from.SpinRate + (2.0 * (second.SpinRate + third.SpinRate)) + fourth.SpinRate));
     }
 
-    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public void Advance<TSystem>(ref TSystem system, double time, in PlanarMotion from, double h, out PlanarStep step)
         where TSystem : struct, IPlanarSystem
     {

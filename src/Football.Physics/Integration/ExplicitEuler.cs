@@ -13,7 +13,7 @@ internal readonly struct ExplicitEuler : IIntegrator
 
     public bool GainsByHops => true;
 
-    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public void Fly<TAir>(ref TAir air, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
         where TAir : struct, IFlightLaws
     {
@@ -45,7 +45,7 @@ internal readonly struct ExplicitEuler : IIntegrator
         step.Rotation = h * from.Spin;
     }
 
-    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public void Advance<TSystem>(ref TSystem system, double time, in FieldMotion from, double h, out FieldStep step)
         where TSystem : struct, IFieldSystem
     {
@@ -55,7 +55,7 @@ internal readonly struct ExplicitEuler : IIntegrator
         step.Turn = h * from.SpinRate;
     }
 
-    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public void Advance<TSystem>(ref TSystem system, double time, in PlanarMotion from, double h, out PlanarStep step)
         where TSystem : struct, IPlanarSystem
     {

@@ -13,7 +13,7 @@ internal readonly struct MidpointRungeKutta : IIntegrator
 
     public bool GainsByHops => false;
 
-    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public void Fly<TAir>(ref TAir air, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
         where TAir : struct, IFlightLaws
     {
@@ -63,7 +63,7 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         step.Rotation = h * middle.Spin;
     }
 
-    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public void Advance<TSystem>(ref TSystem system, double time, in FieldMotion from, double h, out FieldStep step)
         where TSystem : struct, IFieldSystem
     {
@@ -76,7 +76,7 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         step.Turn = h * middle.SpinRate;
     }
 
-    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public void Advance<TSystem>(ref TSystem system, double time, in PlanarMotion from, double h, out PlanarStep step)
         where TSystem : struct, IPlanarSystem
     {

@@ -13,7 +13,7 @@ internal readonly struct SemiImplicitEuler : IIntegrator
 
     public bool GainsByHops => false;
 
-    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public void Fly<TAir>(ref TAir air, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
         where TAir : struct, IFlightLaws
     {
@@ -46,7 +46,7 @@ internal readonly struct SemiImplicitEuler : IIntegrator
         step.Rotation = h * step.End.Spin;
     }
 
-    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public void Advance<TSystem>(ref TSystem system, double time, in FieldMotion from, double h, out FieldStep step)
         where TSystem : struct, IFieldSystem
     {
@@ -56,7 +56,7 @@ internal readonly struct SemiImplicitEuler : IIntegrator
         step.Turn = h * step.End.SpinRate;
     }
 
-    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public void Advance<TSystem>(ref TSystem system, double time, in PlanarMotion from, double h, out PlanarStep step)
         where TSystem : struct, IPlanarSystem
     {
