@@ -14,6 +14,7 @@ internal sealed class ClosestKick
     private readonly HitSearch _hits;
     private readonly CoarseSearch _coarse;
     private readonly CompassSearch _compass;
+    private readonly Approach[] _looks = new Approach[Looks];
 
     public ClosestKick(AimContext context)
     {
@@ -73,9 +74,15 @@ internal sealed class ClosestKick
             return _coarse.Find(in problem.Frame, arc);
         }
 
+        // Where the miss changes sign between two elevations there is a hit: that of the wanted arc first.
         for (int i = 0; i < Looks && !_approaches.IsSpent; i++)
         {
-            _approaches.At(bounds.Lowest + ((bounds.Highest - bounds.Lowest) * i / (Looks - 1)));
+            int look = arc == AimArc.Low ? i : Looks - 1 - i;
+            _looks[i] = _approaches.At(bounds.Lowest + ((bounds.Highest - bounds.Lowest) * look / (Looks - 1)));
+            if (i > 0 && _looks[i].Above != _looks[i - 1].Above && _hits.Between(in _looks[i - 1], in _looks[i]))
+            {
+                return true;
+            }
         }
 
         return _approaches.Accept(_approaches.Best);
