@@ -25,6 +25,10 @@ internal struct ConstantAir : IFlightAir
         get => true;
     }
 
+    public readonly bool HasField => false;
+
+    public readonly bool HasSide => false;
+
     public readonly bool Jumps
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -45,4 +49,8 @@ internal struct ConstantAir : IFlightAir
         lift = _lift * (spinRate > 0 ? spinRate : 0);
         decay = _decay * Math.Abs(spinRate);
     }
+
+    public readonly Vector3d WindAt(double time, double x, double y, double z) => Vector3d.Zero;
+
+    public readonly Vector3d Side(in Vector3d u, in Vector3d spin, double distance) => Vector3d.Zero;
 }

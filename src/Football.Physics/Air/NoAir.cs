@@ -11,6 +11,10 @@ internal struct NoAir : IFlightAir
         get => false;
     }
 
+    public readonly bool HasField => false;
+
+    public readonly bool HasSide => false;
+
     public readonly bool Jumps
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -30,4 +34,8 @@ internal struct NoAir : IFlightAir
         lift = 0;
         decay = 0;
     }
+
+    public readonly Vector3d WindAt(double time, double x, double y, double z) => Vector3d.Zero;
+
+    public readonly Vector3d Side(in Vector3d u, in Vector3d spin, double distance) => Vector3d.Zero;
 }

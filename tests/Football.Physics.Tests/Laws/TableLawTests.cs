@@ -225,7 +225,7 @@ public sealed class TableLawTests
                 motion.Axis = Direction(random);
                 motion.SpinRate = spin;
                 default(ClassicalRungeKutta).Fly(
-                    ref air, ref motion, Vector3d.Zero, DragBranch.NoSpin, -scene.Gravity, h, out FlightStep step);
+                    ref air, default, ref motion, Vector3d.Zero, DragBranch.NoSpin, -scene.Gravity, h, out FlightStep step);
                 Assert.True(double.IsFinite(step.AirVelocity.LengthSquared) && double.IsFinite(step.SpinRate));
                 covered++;
             }

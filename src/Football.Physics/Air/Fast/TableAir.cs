@@ -40,6 +40,10 @@ internal struct TableAir<TLaw> : IFlightAir
         get => true;
     }
 
+    public bool HasField => false;
+
+    public bool HasSide => false;
+
     public bool Jumps
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -123,4 +127,8 @@ internal struct TableAir<TLaw> : IFlightAir
         drag = moves ? drag : 0;
         lift = moves && spinRate > 0 ? lift : 0;
     }
+
+    public Vector3d WindAt(double time, double x, double y, double z) => Vector3d.Zero;
+
+    public Vector3d Side(in Vector3d u, in Vector3d spin, double distance) => Vector3d.Zero;
 }
