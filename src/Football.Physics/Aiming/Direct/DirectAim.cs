@@ -10,7 +10,7 @@ internal sealed class DirectAim
     private const double StepError = 1e-4;
 
     /// <summary>Share of the target's distance below which a miss is a close one, and the slope above which a target is steep.</summary>
-    private const double CloseMiss = 0.002;
+    private const double CloseMiss = 0.001;
     private const double Steep = 1.2;
 
     /// <summary>Share of its speed within which a slowest roll is known.</summary>
