@@ -1,8 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>
-/// All that a ball can meet in a scene that has more than a level pitch: colliders (the ground first), nets, goals. Built once; nothing of it changes but where
-/// the game puts its bodies.
+/// All that a ball can meet in a scene: colliders (the ground first), nets, goals. Built once; nothing of it changes but where the game puts its bodies.
 /// </summary>
 internal sealed class World
 {
@@ -10,7 +9,7 @@ internal sealed class World
     /// <summary>Around what moves by itself: the first of <see cref="Moving"/>, for bodies are its last.</summary>
     private readonly MovingSpheres _movers = new();
 
-    private World(Scene scene)
+    public World(Scene scene)
     {
         Ball = scene.Ball;
         MinimumBounceSpeed = scene.Ground.MinimumBounceSpeed;
@@ -133,20 +132,6 @@ internal sealed class World
 
     /// <summary>Whether the air pushes a ball that is carried.</summary>
     public bool AirActs { get; }
-
-    /// <summary>The world of a scene; null where the level pitch is all there is.</summary>
-    public static World? Of(Scene scene)
-    {
-        Ground ground = scene.Ground;
-        bool plain = ground.IsLevel
-            && double.IsPositiveInfinity(ground.ImpactFriction)
-            && double.IsPositiveInfinity(ground.RestitutionSpeed)
-            && ground.RollingFrictionBySpeed == 0
-            && ground.DrillingLength == 0
-            && ground.Aerodynamics != GroundAerodynamics.Full
-            && ground.Pattern is null;
-        return plain && HasNothing(scene) ? null : new World(scene);
-    }
 
     private static bool HasNothing(Scene scene) =>
         scene.Obstacles.Count == 0 && scene.Nets.Count == 0 && scene.Goals.Count == 0 && scene.Bodies is not { Count: > 0 } && scene.EngineColliders is null;

@@ -11,12 +11,7 @@ internal sealed class EventSurface<TAir>
     /// <summary>Contact with a thing: g is the distance.</summary>
     public EventGradient Contact(int thing, in BallState s)
     {
-        if (_around.World is not { } world)
-        {
-            return new EventGradient(Vector3d.Up, Vector3d.Zero, Vector3d.Zero, s.Velocity.Y);
-        }
-
-        Collider hit = world.Colliders[thing - world.FirstCollider];
+        Collider hit = _around.World.Colliders[thing - _around.World.FirstCollider];
         Vector3d normal = hit.At(s.Position, s.Time).Normal;
         return new EventGradient(in normal, Vector3d.Zero, Vector3d.Zero, Vector3d.Dot(s.Velocity - hit.Velocity, in normal));
     }

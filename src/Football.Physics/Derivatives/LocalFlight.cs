@@ -25,7 +25,7 @@ internal sealed class LocalFlight<TAir>
             Branch = s.Branch != DragBranch.Unknown || !_around.Air.Jumps ? s.Branch : DragJump.At(in at, in _around.Wind, _around.Radius).Branch,
         };
         IsPlain = s.Motion == MotionState.Airborne && s.Nets == 0 && !_around.Air.Varies && Branch < DragBranch.AlongCriticalSpeed
-            && (_around.World is not { } world || Guides.Of(world, s.Position, s.Velocity, s.Time, -1).Count == 0);
+            && Guides.Of(_around.World, s.Position, s.Velocity, s.Time, -1).Count == 0;
     }
 
     /// <summary>v̇ and ω̇.</summary>

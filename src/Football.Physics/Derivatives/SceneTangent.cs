@@ -57,7 +57,7 @@ internal sealed class SceneTangent<TAir> : TangentObserver
         if (from.Motion is MotionState.Sliding or MotionState.Rolling)
         {
             // Placed on the ground: neither off it nor into it.
-            Vector3d normal = _around.World is { } world ? world.CarrierOf(in from).At(from.Position, from.Time).Normal : Vector3d.Up;
+            Vector3d normal = _around.World.CarrierOf(in from).At(from.Position, from.Time).Normal;
             Tangent.Project(0, in normal);
             Tangent.Project(MotionVector.Velocity, in normal);
             if (from.Motion == MotionState.Rolling)
@@ -264,7 +264,7 @@ internal sealed class SceneTangent<TAir> : TangentObserver
 
         int impacts = _impacts.Impact(ref at, thing, _map);
         Tangent.Map(_map);
-        if (_around.World is { Moves: true })
+        if (_around.World.Moves)
         {
             Tangent.Add(_impacts.TimeRate, EventTimes);
         }

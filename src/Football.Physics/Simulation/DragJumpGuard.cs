@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace Football.Physics;
 
 /// <summary>
@@ -138,31 +136,7 @@ internal sealed class DragJumpGuard<TAir>
         branch = end.Branch;
     }
 
-    /// <summary>Whether a step on the ground may have crossed the jump: a quick test that errs towards yes.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool MayCrossOnGround(DragBranch branch, in PlanarMotion from, in PlanarStep taken, double h)
-    {
-        if (!Acts)
-        {
-            return false;
-        }
-
-        Surroundings<TAir> around = _flight.Around;
-        DragJump start = DragJump.At(in from, in around.Wind, around.Radius);
-        DragJump startRate = DragJump.Rate(in from, in taken.StartRates, in around.Wind, around.Radius);
-        DragJump end = DragJump.At(in taken.End, in around.Wind, around.Radius);
-        return DragJump.MayCross(branch, in start, in startRate, in end, h);
-    }
-
-    /// <summary>The branch that a piece on the ground is locked to: the last one, unless that is not known or leads along a surface.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public DragBranch OnGround(DragBranch last, in PlanarMotion from)
-    {
-        bool known = Acts && (last is DragBranch.NoSpin or DragBranch.Spinning);
-        return known || !_flight.Around.Air.Jumps ? last : DragJump.At(in from, in _flight.Around.Wind, _flight.Around.Radius).Branch;
-    }
-
-    /// <summary>The same on any surface.</summary>
+    /// <summary>The branch that a piece on a surface is locked to: the last one, unless that is not known or leads along a surface of the jump.</summary>
     public DragBranch OnSurface(DragBranch last, in Motion from)
     {
         bool known = Acts && (last is DragBranch.NoSpin or DragBranch.Spinning);
@@ -177,7 +151,7 @@ internal sealed class DragJumpGuard<TAir>
     private DragBranch Resolve(double time, in Motion at, in BallState s, ref StepRun run)
     {
         FlightSystem<TAir> system = _flight;
-        system.Nets = system.Around.World is null ? 0 : s.Nets;
+        system.Nets = s.Nets;
         system.NetSides = s.NetSides;
         DragJump here = system.JumpAt(in at);
         DragBranch along = here.NearerToSpeed ? DragBranch.AlongCriticalSpeed : DragBranch.AlongCriticalSpin;

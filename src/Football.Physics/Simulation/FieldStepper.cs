@@ -20,7 +20,7 @@ internal sealed class FieldStepper<TIntegrator> : SceneStepper<TIntegrator>
     {
         _integrator = default;
         _limit = Limit;
-        _contactHeight = Around.LevelContact;
+        _contactHeight = Around.World.LevelContact;
         _fastestWind = Around.Air.FastestWind;
     }
 

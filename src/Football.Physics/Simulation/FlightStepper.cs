@@ -28,7 +28,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         _integrator = default;
         _wind = Around.Wind;
         _upward = Around.Upward;
-        _contactHeight = Around.LevelContact;
+        _contactHeight = Around.World.LevelContact;
         _radiusSquared = Around.RadiusSquared;
         _locatesJump = LocatesJump;
         _limit = StabilityLimit.Of(scene, in air, _air.WholeUpTo(Limit.Bound), _upward, _integrator.Order);

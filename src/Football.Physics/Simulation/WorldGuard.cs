@@ -15,10 +15,14 @@ internal sealed class WorldGuard<TAir>
 
     private readonly World _world;
     private readonly WorldContact<TAir> _contact;
+    private readonly bool _bisects;
+    private readonly double _tolerance;
 
-    public WorldGuard(World world, WorldContact<TAir> contact)
+    public WorldGuard(World world, WorldContact<TAir> contact, SolverSettings settings)
     {
         _world = world;
+        _bisects = settings.CollisionTiming == CollisionTiming.Bisection;
+        _tolerance = settings.CollisionTolerance;
         _contact = contact;
     }
 
@@ -82,6 +86,13 @@ internal sealed class WorldGuard<TAir>
                 break;
             }
 
+            if (_bisects && IsLevelGround(in found) && sweep.Position.Y < _world.LevelContact)
+            {
+                Bisection.End(ref sweep, _tolerance, _world.LevelContact);
+                met = found;
+                break;
+            }
+
             if (!Locate(ref sweep, in found, s.Time, at))
             {
                 // It only grazes: the piece ends there all the same, for nothing else is met before, and the next one sees what is ahead.
@@ -106,6 +117,12 @@ internal sealed class WorldGuard<TAir>
         switch (met.What)
         {
             case Happening.Contact:
+                if (_bisects && IsLevelGround(in met))
+                {
+                    s.Position = new Vector3d(s.Position.X, _world.LevelContact, s.Position.Z);
+                    s.Velocity = new Vector3d(s.Velocity.X, Math.Min(s.Velocity.Y, 0), s.Velocity.Z);
+                }
+
                 _contact.Impact(ref s, met.Index, ref run);
                 break;
             case Happening.NetMet:
@@ -129,6 +146,8 @@ internal sealed class WorldGuard<TAir>
                 break;
         }
     }
+
+    private bool IsLevelGround(in Gap met) => met.What == Happening.Contact && _world.IsLevel && _world.Colliders[met.Index] == _world.Ground;
 
     private static void Report(in BallState s, BallEventKind kind, int thing, in Vector3d normal, ref StepRun run) =>
         run.Log.Events.Add(new BallEvent(kind, thing, in normal, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));

@@ -46,15 +46,6 @@ public sealed class AirRatesTests
     }
 
     [Fact]
-    public void Decay_at_zero_spin_acts_against_the_spin_that_is_about_to_start()
-    {
-        Scene scene = s_scene with { Forces = ForceSet.Published with { Drag = ForceLaw.None, Magnus = ForceLaw.None } };
-        var sliding = new SlidingSystem<SceneAir> { Around = new Surroundings<SceneAir>(scene, SceneAir.Of(scene)), Branch = DragBranch.NoSpin };
-        sliding.Pushed(0, new PlanarMotion { VX = 8 }, 0, -1, out PlanarRates rates);
-        Assert.Equal(PlainLaws.DecayTorque(s_scene, 8, 0) / s_scene.Ball.MomentOfInertia, rates.BZ, 1e-9);
-    }
-
-    [Fact]
     public void Buoyancy_is_the_weight_of_the_air_displaced()
     {
         double r = s_scene.Ball.Radius;

@@ -14,7 +14,7 @@ internal sealed class BankShotPath : PieceObserver
     private const double Long = 0.4;
 
     private readonly Simulator _simulator;
-    private readonly World? _world;
+    private readonly World _world;
     private readonly StepLog _log = new();
     private readonly StepLog _watched = new();
     private readonly bool _stillAir;
@@ -170,7 +170,7 @@ internal sealed class BankShotPath : PieceObserver
         }
 
         double gap = HasMetAll ? (state.Position - _target).Length - Math.Sqrt(_best)
-            : _world!.Colliders[_things[_met] - _world.FirstCollider].At(state.Position, state.Time).Distance - _world.Ball.Radius;
+            : _world.Colliders[_things[_met] - _world.FirstCollider].At(state.Position, state.Time).Distance - _world.Ball.Radius;
         return gap > 2.0 * speed * (_start + LongestFlight - state.Time);
     }
 }
