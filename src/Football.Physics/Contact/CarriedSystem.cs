@@ -34,23 +34,56 @@ internal struct CarriedSystem<TAir> : IMotionSystem
     /// <summary>Which way it spins about the normal: drilling friction keeps to it.</summary>
     public double SpinSign;
 
-    public readonly void Rates(double time, in Motion at, out MotionRates rates)
+    /// <summary>The spin at the piece's start, rad/s.</summary>
+    public Vector3d StartSpin;
+
+    /// <summary>What the air takes of the spin while the ball slides, where that is more than friction can add, rad/s²; else 0. Then the spin can only get slower.</summary>
+    private double _ending;
+
+    public void Rates(double time, in Motion at, out MotionRates rates)
     {
+        if (HasEnded(in at.Spin))
+        {
+            // Past zero the decay goes on as before, so that the piece's end shows it, but there is no spin to lift the ball.
+            var still = new Motion(in at.Position, in at.Velocity, Vector3d.Zero);
+            CarriedForces held = ForcesOn(time, in still);
+            rates = new MotionRates(Sliding(time, in still, in held).Acceleration, (-_ending / StartSpin.Length) * StartSpin);
+            return;
+        }
+
         CarriedForces on = ForcesOn(time, in at);
         rates = RatesUnder(in on, time, in at);
     }
 
     /// <summary>The rates of change where the forces are known.</summary>
-    public readonly MotionRates RatesUnder(in CarriedForces on, double time, in Motion at) =>
-        Rolls ? Rolling(time, in at, in on) : Sliding(time, in at, in on);
+    public MotionRates RatesUnder(in CarriedForces on, double time, in Motion at)
+    {
+        if (Rolls)
+        {
+            return Rolling(time, in at, in on);
+        }
+
+        _ending = on.Braking > Turning(in on) && !Around.Air.Varies ? on.Braking : 0;
+        return Sliding(time, in at, in on);
+    }
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
     {
         s.BaseOrientation = s.BaseOrientation.Turned(in step.Rotation);
         s.Position = step.End.Position;
         s.Velocity = step.End.Velocity;
-        s.SpinAxis = step.End.Spin;
+
+        // One that is faster at the end has ended on the way, where a stage found it next to zero and pointing anywhere.
+        Vector3d spin = step.End.Spin;
+        bool ended = HasEnded(in spin) || (_ending > 0 && spin.LengthSquared > StartSpin.LengthSquared);
+        s.SpinAxis = ended ? Vector3d.Zero : spin;
     }
+
+    /// <summary>Whether the air has stopped the spin.</summary>
+    private readonly bool HasEnded(in Vector3d spin) => _ending > 0 && Vector3d.Dot(in spin, in StartSpin) < 0;
+
+    /// <summary>How fast friction turns a ball that slides, rad/s².</summary>
+    private readonly double Turning(in CarriedForces on) => SlidingFriction(in on) / (World.Ball.InertiaFactor * World.Ball.Radius);
 
     /// <summary>Everything but friction.</summary>
     public readonly CarriedForces ForcesOn(double time, in Motion at)
@@ -78,7 +111,8 @@ internal struct CarriedSystem<TAir> : IMotionSystem
         load -= World.SharesAir ? Vector3d.Dot(in push, in n) : 0;
         on.Air = Tangential(in push, in n);
         on.Torque = (-air.Decay * at.Spin) + air.SpinAcceleration;
-        on.Holding = rate > 0 ? 0 : air.Decay;
+        on.Spins = rate > 0;
+        on.Braking = on.Spins ? air.Decay * rate : air.Decay;
         if (Nets != 0)
         {
             MotionRates nets = World.PushOfNets(Nets, NetSides, in at);
@@ -110,6 +144,13 @@ internal struct CarriedSystem<TAir> : IMotionSystem
         Vector3d shared = World.SharesAir ? on.Body + on.Air + (alpha * World.Ball.Radius * Vector3d.Cross(in on.Torque, in on.Normal)) : on.Body;
         Vector3d drive = shared / (1.0 + alpha);
         return World.SharesAir ? drive : drive + on.Air;
+    }
+
+    /// <summary>Whether rolling friction holds a ball that has come to a halt. Where the air is not shared with the spin, a ball at rest stays whatever the wind.</summary>
+    public readonly bool Rests(in CarriedForces on)
+    {
+        Vector3d drive = World.SharesAir ? Drive(in on) : on.Body / (1.0 + World.Ball.InertiaFactor);
+        return drive.Length <= RollingFriction(in on, 0);
     }
 
     /// <summary>The slip velocity relative to the carrier, m/s.</summary>
@@ -145,7 +186,7 @@ internal struct CarriedSystem<TAir> : IMotionSystem
         double friction = SlidingFriction(in on);
 
         // A ball without spin is held by the air as friction begins to turn it, and no more than that.
-        double turning = Math.Max(0, (friction / (World.Ball.InertiaFactor * World.Ball.Radius)) - on.Holding);
+        double turning = Math.Max(0, Turning(in on) - (on.Spins ? 0 : on.Braking));
         Vector3d along = Guided(time, in at, on.Body + on.Air - (friction * s), in on);
         Vector3d acceleration = along - (on.Centripetal * n);
         Vector3d spin = on.Torque

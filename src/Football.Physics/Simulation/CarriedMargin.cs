@@ -60,7 +60,7 @@ internal struct CarriedMargin<TAir, TIntegrator> : IFunction
             case CarriedLimit.Grip:
                 return system.SlidingFriction(in on) - system.Traction(in on).Length;
             default:
-                bool held = system.Drive(in on).Length <= system.RollingFriction(in on, 0);
+                bool held = system.Rests(in on);
                 return held ? system.World.Energy(in at, system.Carrier) - system.World.RestEnergy : 1;
         }
     }

@@ -100,7 +100,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         {
             Vector3d drive = system.Drive(in on);
             bool held = drive.Length <= system.RollingFriction(in on, 0);
-            if (held && _world.Energy(in from, system.Carrier) <= _world.RestEnergy * (1.0 + 1e-12))
+            if (system.Rests(in on) && _world.Energy(in from, system.Carrier) <= _world.RestEnergy * (1.0 + 1e-12))
             {
                 _contact.Rest(ref s, ref run);
                 return;
@@ -144,7 +144,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         }
 
         TakePiece(ref s, ref run, ref system, in from, h);
-        if (!_endsSlipExactly && s.Motion == MotionState.Sliding && !rolls && !run.Log.Halted)
+        if (!_endsSlipExactly && sliding > 0 && s.Motion == MotionState.Sliding && !rolls && !run.Log.Halted)
         {
             EndSlipByHeuristic(ref s, ref run, size);
         }
@@ -260,7 +260,8 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
 
         Vector3d last = there.Body + there.Air - (there.Centripetal * there.Normal);
         double sliding = 0.5 * system.Material.SlidingFriction * (on.Load + there.Load);
-        about += 0.5 * t * (turning + system.AboutRate(in there, in end));
+        double lastTurning = system.AboutRate(in there, in end);
+        about += 0.5 * t * (turning + lastTurning);
         end = SlipEnd(in system, in from, in decay, sliding, in start, in last, about, in on.Normal);
         if (system.SpinSign * about < 0 || system.Carrier.PatchAt(s.Position) != system.Carrier.PatchAt(in end.Position))
         {
@@ -273,8 +274,14 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
             return false;
         }
 
+        // ∫ω, and Magnus' term for its turning axis, t²/12 ω(t) × ω(0).
+        Vector3d torque = CarriedSystem<TAir>.Tangential(on.Torque, on.Normal) + (turning * on.Normal);
+        Vector3d lastTorque = CarriedSystem<TAir>.Tangential(there.Torque, on.Normal) + (lastTurning * on.Normal);
+        Vector3d turn = (t * from.Spin) + ((t * t / 6.0) * ((2.0 * torque) + lastTorque))
+            + ((sliding / (_alpha * _around.Radius)) * Vector3d.Cross(on.Normal, decay.Twice))
+            + ((t * t / 12.0) * Vector3d.Cross(end.Spin, from.Spin));
         BallState before = s;
-        s.BaseOrientation = s.BaseOrientation.Turned((0.5 * t) * (from.Spin + end.Spin));
+        s.BaseOrientation = s.BaseOrientation.Turned(in turn);
         s.Position = end.Position;
         s.Velocity = end.Velocity;
         s.SpinAxis = end.Spin;
@@ -354,7 +361,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
 
         // Friction, damping and the air's decay end the spin about the normal, and reverse nothing.
         bool brakesAlone = system.Material.DrillingLength > 0 || (!_around.Air.Varies && _isFlat && system.Carrier == _world.Ground);
-        double kept = system.SpinSign * about < 0 && brakesAlone ? 0 : about;
+        double kept = Vector3d.Dot(in system.StartSpin, in n) * about < 0 && brakesAlone ? 0 : about;
         s.SpinAxis = system.Rolls ? Slip.RollingSpin(s.Velocity - system.Carrier.Velocity, kept, in n, _around.Radius)
             : kept == about ? spin : spin - (about * n);
     }
@@ -374,6 +381,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
             NetSides = s.NetSides,
             Guides = Guides.Of(_world, s.Position, s.Velocity, s.Time, (int)s.Carrier - _world.FirstCollider),
             Rolls = rolls,
+            StartSpin = from.Spin,
             SpinSign = about > Slip.Rolling ? 1.0 : about < -Slip.Rolling ? -1.0 : 0.0,
         };
     }

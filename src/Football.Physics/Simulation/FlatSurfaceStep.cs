@@ -15,8 +15,8 @@ namespace Football.Physics;
 /// </remarks>
 internal sealed class FlatSurfaceStep
 {
-    /// <summary>The axis of the spin turns so little in a step that h² |ω(h) × ω(0)| is below this: what Magnus' series leaves out is some thousandths of that (WorldReferenceTests).</summary>
-    private const double LargestCommutator = 0.1;
+    /// <summary>Where the axis of the spin turns so little in a step that h² |ω(h) × ω(0)| is below this, two terms of Magnus' series do: they leave out some thousandths of it (WholeRun).</summary>
+    private const double LittleTurn = 1e-3;
 
     /// <summary>A rolling ball that needs more than this share of the friction that it has, or a load that has less than this of the weight left, is looked at closely.</summary>
     private const double Ample = 0.9;
@@ -180,7 +180,7 @@ internal sealed class FlatSurfaceStep
         double rateX = rolls ? rates.AX : rates.AX + (_radius * rates.BZ);
         double rateZ = rolls ? rates.AZ : rates.AZ - (_radius * rates.BX);
         double across = Math.Abs((rateX * on.Z) - (rateZ * on.X));
-        if (!TurnLimit.Allows(size, dt * ((rateX * on.X) + (rateZ * on.Z)), dt * across))
+        if (!TurnLimit.Allows(size, dt * ((rateX * on.X) + (rateZ * on.Z)), dt * across) || !(first.Braking <= Ample * on.Material.SlidingTorque * first.Load))
         {
             return false;
         }
@@ -221,7 +221,7 @@ internal sealed class FlatSurfaceStep
         double friction = Ample * on.Material.Sliding * endLoad;
         if (!((endX * on.X) + (endZ * on.Z) > 0) || !(first.Load > Slight * _weight) || !(endLoad > Slight * _weight)
             || (rolls && (Energy(in end) <= _restEnergy * 1.001 || !(Math.Max(first.TractionSquared, rates.TractionSquared) <= friction * friction)))
-            || on.SpinSign * end.WY < 0
+            || start.WY * end.WY < 0
             || (_locatesJump && MayCrossJump(in on, in start, in first, in end, dt)))
         {
             return false;
@@ -235,20 +235,17 @@ internal sealed class FlatSurfaceStep
             return false;
         }
 
-        // The axis turns as well: ∫ω dt + h²/12 ω(h) × ω(0), Magnus' series to the fourth order.
-        Vector3d commutator = dt * dt * Vector3d.Cross(new Vector3d(end.WX, end.WY, end.WZ), new Vector3d(start.WX, start.WY, start.WZ));
-        if (!(commutator.LengthSquared <= LargestCommutator * LargestCommutator))
-        {
-            return false;
-        }
-
         // Nothing happened: move the ball.
         log.Evaluations += _weights.Length;
         log.Steps++;
-        Vector3d turn = InWorld(
-            (dt * (_semiImplicit ? end.WX : sumWX)) + ((1.0 / 12.0) * commutator.X),
-            (dt * (_semiImplicit ? end.WY : sumWY)) + ((1.0 / 12.0) * commutator.Y),
-            (dt * (_semiImplicit ? end.WZ : sumWZ)) + ((1.0 / 12.0) * commutator.Z));
+
+        // The axis turns as well: ∫ω dt + h²/12 ω(h) × ω(0), Magnus' series to the fourth order; where it turns much, to the sixth.
+        var mean = new Vector3d(_semiImplicit ? end.WX : sumWX, _semiImplicit ? end.WY : sumWY, _semiImplicit ? end.WZ : sumWZ);
+        Vector3d commutator = dt * dt * Vector3d.Cross(end.Spin, start.Spin);
+        Vector3d turned = commutator.LengthSquared <= LittleTurn * LittleTurn || _order < 4
+            ? (dt * mean) + ((1.0 / 12.0) * commutator)
+            : RotationVector.Of(start.Spin, 0.25 * ((6.0 * mean) - start.Spin - at.Spin), end.Spin, dt);
+        Vector3d turn = InWorld(turned.X, turned.Y, turned.Z);
         if (log.Observer is not null)
         {
             MoveAndShow(log, ref s, in on, in position, in turn, in first, in end, dt, alongX, alongZ);
@@ -347,6 +344,7 @@ internal sealed class FlatSurfaceStep
         flow.Lift = lift * perRate;
         flow.Decay = decay * perRate;
         flow.Spins = spins;
+        flow.Braking = decay;
         RatesUnder(in on, in at, in flow, 0, 0, 0, 0, 0, 0, out rates);
     }
 
@@ -368,6 +366,7 @@ internal sealed class FlatSurfaceStep
         flow.Lift = air.Lift;
         flow.Decay = air.Decay;
         flow.Spins = rate > 0;
+        flow.Braking = rate > 0 ? air.Decay * rate : air.Decay;
         Vector3d a = air.Acceleration;
         Vector3d t = air.SpinAcceleration;
         RatesUnder(
@@ -431,6 +430,7 @@ internal sealed class FlatSurfaceStep
             double tractionX = (_bodyInTraction * _bodyX) + (_airInTraction * (airX + turnedX));
             double tractionZ = (_bodyInTraction * _bodyZ) + (_airInTraction * (airZ + turnedZ));
             rates.TractionSquared = (tractionX * tractionX) + (tractionZ * tractionZ);
+            rates.Braking = 0;
         }
         else
         {
@@ -445,13 +445,14 @@ internal sealed class FlatSurfaceStep
 
             // n × ŝ; a ball without spin is held by the air as it begins to turn, and no more than that.
             double turning = material.SlidingTorque * load;
-            turning = flow.Spins ? turning : Math.Max(0, turning - decay);
+            turning = flow.Spins ? turning : Math.Max(0, turning - flow.Braking);
             decay = flow.Spins ? decay : 0;
             rates.AX = _bodyX + airX - (friction * sx);
             rates.AZ = _bodyZ + airZ - (friction * sz);
             rates.BX = torqueX - (decay * at.WX) + (turning * sz);
             rates.BZ = torqueZ - (decay * at.WZ) - (turning * sx);
             rates.TractionSquared = 0;
+            rates.Braking = flow.Braking;
         }
     }
 
@@ -523,6 +524,9 @@ internal sealed class FlatSurfaceStep
         public double Drag;
         public double Lift;
         public double Decay;
+
+        /// <summary>By how much the air slows the spin, rad/s²; of a ball without spin, by how much it holds one that begins to turn.</summary>
+        public double Braking;
         public bool Spins;
     }
 
@@ -535,6 +539,8 @@ internal sealed class FlatSurfaceStep
         public double WY;
         public double WZ;
 
+        public readonly Vector3d Spin => new(WX, WY, WZ);
+
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public readonly void After(double h, in PlaneRates rates, out PlaneMotion after)
         {
@@ -546,7 +552,7 @@ internal sealed class FlatSurfaceStep
         }
     }
 
-    /// <summary>Their rates of change, the load per mass, and the square of what a roll asks of friction, per mass.</summary>
+    /// <summary>Their rates of change, the load per mass, the square of what a roll asks of friction, per mass, and how much the air slows the spin of a slide.</summary>
     private struct PlaneRates
     {
         public double AX;
@@ -556,6 +562,7 @@ internal sealed class FlatSurfaceStep
         public double BZ;
         public double Load;
         public double TractionSquared;
+        public double Braking;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public readonly PlaneRates Scaled(double weight)

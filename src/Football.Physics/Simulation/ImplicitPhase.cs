@@ -112,7 +112,7 @@ internal sealed class ImplicitPhase<TAir>
         return new ContactSearch(_around.World, in path, s.Time).First(in s, -1, out met);
     }
 
-    /// <summary>A piece of a slide or a roll: the ball goes with the air along the surface, and what carries it keeps it.</summary>
+    /// <summary>A piece of a slide or a roll: friction first, to the end of the slip or the roll at most, then the air; along its straight line, up to the first thing that is met.</summary>
     public void Slow(ref BallState s, ref StepRun run)
     {
         World world = _around.World;
@@ -120,33 +120,56 @@ internal sealed class ImplicitPhase<TAir>
         run.Implicit++;
         Collider carrier = world.CarrierOf(in s);
         Vector3d n = carrier.At(s.Position, s.Time).Normal;
+        ref readonly ContactMaterial material = ref carrier.MaterialAt(s.Position);
+        double load = Math.Max(0, -_around.Upward * n.Y);
+        bool slides = s.Motion == MotionState.Sliding;
         MotionRates push = Push(in s, s.Velocity, s.Spin, ref run, out Vector3d wind);
-        var euler = new ImplicitEuler<TAir> { Air = _around.Air, RadiusSquared = _around.RadiusSquared };
-        double rate = s.Spin.Length;
-        Vector3d axis = rate > 0 ? s.Spin / rate : Vector3d.Up;
-        Vector3d u = s.Velocity - wind;
-        if (_around.AirActsOnGround)
+        Vector3d v = s.Velocity - carrier.Velocity;
+        Vector3d w = s.Spin + (h * push.SpinAcceleration);
+
+        bool slipEnds = false;
+        if (slides)
         {
-            u = euler.Velocity(in u, push.Acceleration, in axis, rate, h);
+            // |s| falls by (1 + 1/α) μ_s N/m a second; its direction stays.
+            double alpha = world.Ball.InertiaFactor;
+            double friction = material.SlidingFriction * load;
+            Vector3d slip = Slip.Of(in v, in w, in n, _around.Radius);
+            double size = slip.Length;
+            double fall = (1.0 + (1.0 / alpha)) * friction;
+            double slowing = Math.Min(h, fall > 0 ? size / fall : h);
+            slipEnds = !(size > fall * h);
+            Vector3d direction = size > 0 ? slip / size : Vector3d.Zero;
+            v -= slowing * friction * direction;
+            w += slowing * friction / (alpha * _around.Radius) * Vector3d.Cross(in n, in direction);
+        }
+        else
+        {
+            double speed = v.Length;
+            double friction = h * material.RollingFriction * load;
+            v = speed > friction ? v * (1.0 - (friction / speed)) : Vector3d.Zero;
         }
 
-        Vector3d relative = u + wind - carrier.Velocity;
-        relative -= Vector3d.Dot(in relative, in n) * n;
-        ref readonly ContactMaterial material = ref carrier.MaterialAt(s.Position);
-        double friction = h * (s.Motion == MotionState.Sliding ? material.SlidingFriction : material.RollingFriction)
-            * Math.Max(0, -_around.Upward * n.Y);
-        double speed = relative.Length;
-        relative = speed > friction ? relative * (1.0 - (friction / speed)) : Vector3d.Zero;
+        double about = Vector3d.Dot(in w, in n);
+        w -= (about - (about / (1.0 + (h * material.SpinDamping / world.Ball.MomentOfInertia)))) * n;
+        var euler = new ImplicitEuler<TAir> { Air = _around.Air, RadiusSquared = _around.RadiusSquared };
+        double rate = w.Length;
+        Vector3d axis = rate > 0 ? w / rate : Vector3d.Up;
+        Vector3d pushed = push.Acceleration + (_around.Upward * (Vector3d.Up - (n.Y * n)));
+        Vector3d u = v + carrier.Velocity - wind;
+        u = _around.AirActsOnGround ? euler.Velocity(in u, in pushed, in axis, rate, h) : u + (h * pushed);
+        w = euler.Spin(rate, u.Length, h) * axis;
+        Vector3d relative = CarriedSystem<TAir>.Tangential(u + wind - carrier.Velocity, in n);
         Vector3d velocity = relative + carrier.Velocity;
         var path = PathCubic.Line(s.Position, in velocity, h);
         double at = new ContactSearch(world, in path, s.Time).First(in s, (int)s.Carrier - world.FirstCollider, out Gap met);
         bool meets = at <= h;
         h = meets ? at : h;
         BallState before = s;
-        double about = Vector3d.Dot(euler.Spin(rate, u.Length, h) * axis, in n) / (1.0 + (h * material.SpinDamping / world.Ball.MomentOfInertia));
+        Vector3d turn = 0.5 * h * (s.Spin + w);
+        s.BaseOrientation = s.BaseOrientation.Turned(in turn);
         s.Position = path.At(h);
         s.Velocity = velocity;
-        s.SetGroundSpin(Slip.RollingSpin(in relative, about, in n, _around.Radius));
+        s.SpinAxis = slides && !slipEnds ? w : Slip.RollingSpin(in relative, Vector3d.Dot(in w, in n), in n, _around.Radius);
         s.Branch = DragBranch.Unknown;
         run.Advance(ref s, h);
         ShapePoint there = carrier.At(s.Position, s.Time);
@@ -157,6 +180,10 @@ internal sealed class ImplicitPhase<TAir>
         if (meets && !run.Log.Halted)
         {
             _guard.Meet(ref s, in met, ref run);
+        }
+        else if (slipEnds && !run.Log.Halted)
+        {
+            _guard.StartRolling(ref s, ref run);
         }
     }
 

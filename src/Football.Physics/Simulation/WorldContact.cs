@@ -113,6 +113,13 @@ internal sealed class WorldContact<TAir>
     /// <summary>A ball inside the ground, where a state says so, is raised to it.</summary>
     public void Raise(ref BallState s)
     {
+        if (_world.IsLevel)
+        {
+            // To the last bit: heights of a ball on level ground are compared with that.
+            s.Position = new Vector3d(s.Position.X, Math.Max(s.Position.Y, _world.LevelContact), s.Position.Z);
+            return;
+        }
+
         for (int i = 0; i < MostRaises && _world.Ground is { } ground; i++)
         {
             ShapePoint at = ground.At(s.Position);

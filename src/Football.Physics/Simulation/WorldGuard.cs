@@ -111,14 +111,18 @@ internal sealed class WorldGuard<TAir>
         return met.What != Happening.None;
     }
 
+    /// <inheritdoc cref="WorldContact{TAir}.StartRolling"/>
+    public void StartRolling(ref BallState s, ref StepRun run) => _contact.StartRolling(ref s, ref run);
+
     /// <summary>What meeting a thing calls for, where the ball is.</summary>
     public void Meet(ref BallState s, in Gap met, ref StepRun run)
     {
         switch (met.What)
         {
             case Happening.Contact:
-                if (_bisects && IsLevelGround(in met))
+                if (s.Motion == MotionState.Airborne && IsLevelGround(in met))
                 {
+                    // Height and climb are known here: what was left of them is rounding, or the tolerance of a bisection.
                     s.Position = new Vector3d(s.Position.X, _world.LevelContact, s.Position.Z);
                     s.Velocity = new Vector3d(s.Velocity.X, Math.Min(s.Velocity.Y, 0), s.Velocity.Z);
                 }
@@ -194,7 +198,10 @@ internal sealed class WorldGuard<TAir>
             bool isClose = tau + correction >= 0 && EventLocator.IsLinear(ref sweep, correction);
             if (isClose)
             {
+                // Twice: the first correction leaves what the gap bends in it.
                 sweep.Nudge(correction);
+                _gap.Evaluate(sweep.Position, sweep.Velocity, _start + sweep.Length, out double left, out rate);
+                sweep.Nudge(rate < 0 ? Math.Max(-left / rate, -sweep.Length) : 0);
             }
 
             return isClose;

@@ -87,7 +87,7 @@ public sealed class EventTests
         {
             BallState state = Flight.Play(
                 scene, Flight.With(integrator), 0.2, 1, StopAt.Impact, new Vector3d(0, 0.111, 0), new Vector3d(0, -0.3, 0), Vector3d.Zero, out StepLog log);
-            Assert.Equal("Impact Roll", Flight.Kinds(log)[..Math.Min(11, Flight.Kinds(log).Length)].TrimEnd());
+            Assert.Equal("Impact", Flight.Kinds(log));
             Assert.Equal(0.0034, state.Time, 2e-4);
         }
     }

@@ -31,7 +31,7 @@ public sealed class RestTests
             AssertStill(start, state);
             Assert.Equal(MotionState.Stopped, state.Motion);
             Assert.Equal(1, log.Events.Count);
-            Assert.Equal(0, log.Evaluations);
+            Assert.Equal(1, log.Evaluations);
             Assert.Equal(300.01, state.Time, 1e-9);
         }
     }
