@@ -48,6 +48,14 @@ internal sealed class World
         IsBare = HasNothing(scene);
         IsLevelGroundAlone = IsLevel && IsBare;
         LevelContact = scene.Ground.IsNone || !scene.Ground.IsLevel ? double.NegativeInfinity : scene.Ground.Height + Ball.Radius;
+        foreach (Collider collider in Colliders)
+        {
+            foreach (ContactMaterial material in collider.Materials)
+            {
+                LargestFriction = Math.Max(LargestFriction, material.SlidingFriction);
+            }
+        }
+
         Moving = [.. Of(collider => collider.Moves).Where(i => Engine is null || !Engine.Has(i))];
         foreach (Collider collider in Moving.Select(i => Colliders[i]).Where(collider => !collider.IsBody))
         {
@@ -120,6 +128,9 @@ internal sealed class World
 
     /// <summary>Height of the centre of a ball on level ground, m; −∞ where there is none.</summary>
     public double LevelContact { get; }
+
+    /// <summary>The largest sliding friction of all that it is made of.</summary>
+    public double LargestFriction { get; }
 
     /// <summary>A ball that leaves a contact slower than this stays, m/s.</summary>
     public double MinimumBounceSpeed { get; }

@@ -59,8 +59,12 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         _bodies = world is { Bodies: not null } or { Engine: not null } ? new BodyPush<TAir>(world, _contact) : null;
         var guard = new WorldGuard<TAir>(world, _contact, settings);
         _implicit = new ImplicitPhase<TAir>(around, guard);
-        _carried = new CarriedPhase<TAir, TIntegrator>(scene, settings, around, Limit, jump, guard, _contact, _implicit);
-        _flat = new FlatSurfaceStep(scene, settings, around, Limit, world.IsBare ? null : _clear, LocatesJump);
+
+        // Friction may speed a ball up faster than gravity does.
+        double pull = Math.Abs(_upward) * Math.Max(1.0, world.LargestFriction);
+        StabilityLimit pulled = StabilityLimit.Of(scene, in _air, 0, pull, _integrator.Order);
+        _carried = new CarriedPhase<TAir, TIntegrator>(scene, settings, around, pulled, jump, guard, _contact, _implicit);
+        _flat = new FlatSurfaceStep(scene, settings, around, pulled, world.IsBare ? null : _clear, LocatesJump);
         _rest = new RestPhase<TAir>(world, guard);
         _flight = new FlightPhase<TAir, TIntegrator>(around, this, Limit, jump, _implicit, guard);
     }

@@ -141,7 +141,9 @@ public sealed class EventTests
                 BallEvent impact = log.Events[0];
                 Assert.Equal(0.11, impact.Position.Y);
                 Assert.False(Hits(simulator, start, impact.Time - start.Time - tolerance), $"{timeStep} s, shot {i}");
-                Assert.True(Hits(simulator, start, impact.Time - start.Time + tolerance), $"{timeStep} s, shot {i}");
+
+                // Less than a nanometre below contact the ball still only touches: the next step begins with the impact.
+                Assert.True(Hits(simulator, start, impact.Time - start.Time + tolerance + (1e-9 / -impact.VelocityBefore.Y)), $"{timeStep} s, shot {i}");
             }
         }
     }
