@@ -102,13 +102,9 @@ internal struct CarriedSystem<TAir> : IMotionSystem
         var ball = new ForceInput(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding);
         double rate = Around.Air.Evaluate(in ball, Branch, out AirFactors air);
         u = air.AirVelocity;
-        Vector3d push = air.Acceleration;
-        if (World.AirActs)
-        {
-            push += (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u);
-        }
-
-        load -= World.SharesAir ? Vector3d.Dot(in push, in n) : 0;
+        Vector3d flow = (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u);
+        Vector3d push = World.AirActs ? air.Acceleration + flow : air.Acceleration;
+        load -= World.AirLoads ? Vector3d.Dot(air.Acceleration + flow, in n) : 0;
         on.Air = Tangential(in push, in n);
         on.Torque = (-air.Decay * at.Spin) + air.SpinAcceleration;
         on.Spins = rate > 0;

@@ -15,6 +15,7 @@ internal sealed class World
         MinimumBounceSpeed = scene.Ground.MinimumBounceSpeed;
         RestEnergy = scene.Ground.RestEnergy;
         SharesAir = scene.Ground.Aerodynamics == GroundAerodynamics.Full;
+        AirLoads = SharesAir || Weight.UpwardAcceleration(scene) >= 0;
         AirActs = scene.Ground.Aerodynamics != GroundAerodynamics.None;
         var colliders = new List<Collider>();
         if (!scene.Ground.IsNone)
@@ -141,6 +142,9 @@ internal sealed class World
     /// <summary>Whether all of the air's force counts for a ball that is carried, and is shared with the spin of one that rolls.</summary>
     public bool SharesAir { get; }
 
+    /// <summary>Whether the air's push counts in the load: where all of it counts, and for a ball that is no heavier than the air, which nothing else could keep on the ground.</summary>
+    public bool AirLoads { get; }
+
     /// <summary>Whether the air pushes a ball that is carried.</summary>
     public bool AirActs { get; }
 
@@ -257,6 +261,19 @@ internal sealed class World
     {
         long index = s.Carrier - FirstCollider;
         return Colliders[(ulong)index < (ulong)Colliders.Length ? index : 0];
+    }
+
+    /// <summary>Puts a ball onto a collider that it touches: what the integrator left of that is within its own error. Heights on level ground are exact.</summary>
+    /// <returns>The normal there.</returns>
+    public Vector3d Hold(ref BallState s, Collider collider)
+    {
+        Vector3d n = collider.Hold(ref s, Ball.Radius);
+        if (IsLevel && collider == Ground)
+        {
+            s.Position = new Vector3d(s.Position.X, LevelContact, s.Position.Z);
+        }
+
+        return n;
     }
 
     /// <summary>½ m |v−V|² + ½ I ω², J.</summary>

@@ -176,7 +176,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         double after = Slip.Of(s.Velocity - carrier.Velocity, s.Spin, carrier.At(s.Position, s.Time).Normal, _around.Radius).Length;
         if (after > before || after < HeuristicSlip)
         {
-            _contact.StartRolling(ref s, ref run);
+            _contact.EndSlip(ref s, ref run);
         }
     }
 
@@ -338,7 +338,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
     private void Hold(ref BallState s, in CarriedSystem<TAir> system, int met)
     {
         Vector3d from = s.Position;
-        Vector3d n = system.Carrier.Hold(ref s, _world.Ball.Radius);
+        Vector3d n = _world.Hold(ref s, system.Carrier);
         if (met < 0 && Vector3d.Distance(s.Position, from) > ContactSearch.Touching)
         {
             // Back on the surface it may be in what it was just leaving.

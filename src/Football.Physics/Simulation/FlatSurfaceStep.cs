@@ -112,7 +112,7 @@ internal sealed class FlatSurfaceStep
         _fastestWind = around.Air.FastestWind;
         bool shares = _world.SharesAir;
         _airAlong = _world.AirActs ? 1 : 0;
-        _airInLoad = shares ? 1 : 0;
+        _airInLoad = _world.AirLoads ? 1 : 0;
         _bodyInRoll = 1.0 / (1.0 + alpha);
         _airInRoll = shares ? 1.0 / (1.0 + alpha) : 1;
         _decayInRoll = shares ? alpha / (1.0 + alpha) : 0;
@@ -405,7 +405,7 @@ internal sealed class FlatSurfaceStep
 
         // a = L (ω × u) − D u
         double airX = (_airAlong * ((lift * ((at.WY * uz) - (at.WZ * uy))) - (drag * ux))) + pushX;
-        double airUp = (_airAlong * ((lift * ((at.WZ * ux) - (at.WX * uz))) - (drag * uy))) + pushUp;
+        double airUp = (lift * ((at.WZ * ux) - (at.WX * uz))) - (drag * uy) + pushUp;
         double airZ = (_airAlong * ((lift * ((at.WX * uy) - (at.WY * ux))) - (drag * uz))) + pushZ;
         double load = _weight - (_airInLoad * airUp);
         rates.Load = load;

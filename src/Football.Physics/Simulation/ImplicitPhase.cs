@@ -172,8 +172,7 @@ internal sealed class ImplicitPhase<TAir>
         s.SpinAxis = slides && !slipEnds ? w : Slip.RollingSpin(in relative, Vector3d.Dot(in w, in n), in n, _around.Radius);
         s.Branch = DragBranch.Unknown;
         run.Advance(ref s, h);
-        ShapePoint there = carrier.At(s.Position, s.Time);
-        s.Position += (_around.Radius - there.Distance) * there.Normal;
+        world.Hold(ref s, carrier);
         run.Log.Relaxed++;
         run.Log.Evaluations += euler.Evaluations;
         Show(in before, in s, h, ref run);
@@ -183,7 +182,7 @@ internal sealed class ImplicitPhase<TAir>
         }
         else if (slipEnds && !run.Log.Halted)
         {
-            _guard.StartRolling(ref s, ref run);
+            _guard.EndSlip(ref s, ref run);
         }
     }
 

@@ -72,6 +72,23 @@ internal sealed class WorldContact<TAir>
         Fly(ref s, in velocity, in spin);
     }
 
+    /// <summary>The ground takes a ball that touches it, does not come closer and is pressed on it: no impact.</summary>
+    public void TakeUp(ref BallState s, int collider, ref StepRun run)
+    {
+        Vector3d spin = s.Spin;
+        _world.Hold(ref s, _world.Colliders[collider]);
+        Stay(ref s, collider + _world.FirstCollider, s.Velocity, in spin, ref run);
+    }
+
+    /// <summary>The slip is over: the ball rolls, where friction can hold it.</summary>
+    public void EndSlip(ref BallState s, ref StepRun run)
+    {
+        if (Grips(in s, _world.CarrierOf(in s), ref run))
+        {
+            StartRolling(ref s, ref run);
+        }
+    }
+
     /// <summary>The slip is over, or was never there: the spin becomes that of pure rolling.</summary>
     public void StartRolling(ref BallState s, ref StepRun run)
     {
@@ -156,7 +173,7 @@ internal sealed class WorldContact<TAir>
             TakesUp(in s, first, out Vector3d velocity);
             Collider collider = _world.Colliders[first];
             Vector3d spin = s.Spin;
-            Vector3d n = collider.At(s.Position, s.Time).Normal;
+            Vector3d n = _world.Hold(ref s, collider);
             s.Velocity = velocity;
             s.Carrier = first + _world.FirstCollider;
             bool rolls = Slip.Of(velocity - collider.Velocity, in spin, in n, _world.Ball.Radius).Length < Slip.Rolling;
@@ -248,7 +265,7 @@ internal sealed class WorldContact<TAir>
     private double Load(in BallState s, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
     {
         var motion = new Motion(s.Position, in velocity, in spin);
-        if (_world.SharesAir)
+        if (_world.AirLoads)
         {
             return System(in s, collider).ForcesOn(s.Time, in motion).FreeLoad;
         }

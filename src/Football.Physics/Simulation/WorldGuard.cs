@@ -26,12 +26,13 @@ internal sealed class WorldGuard<TAir>
         _contact = contact;
     }
 
-    /// <summary>An impact with what the ball touches and comes closer to where it is, if anything.</summary>
-    /// <returns>True when there was one.</returns>
+    /// <summary>An impact with what the ball touches and comes closer to where it is, if anything; the ground takes a ball that it presses even where nothing comes closer.</summary>
+    /// <returns>True when there was one, or the ground has taken the ball.</returns>
     public bool HitsAtOnce(ref BallState s, ref StepRun run)
     {
         long carrier = s.Motion == MotionState.Airborne ? -1 : s.Carrier - _world.FirstCollider;
         int first = int.MaxValue;
+        bool takesUp = false;
         var near = NearThings.At(_world, s.Position, s.Time);
         while (near.NextCollider(out int i))
         {
@@ -42,11 +43,12 @@ internal sealed class WorldGuard<TAir>
 
             Gap.OfContact(_world, i).Evaluate(s.Position, s.Velocity, s.Time, out double gap, out double rate);
 
-            // The ground takes a ball that it presses at any speed, even where nothing comes closer.
             bool isGround = carrier < 0 && _world.Colliders[i] == _world.Ground;
-            bool hits = gap <= ContactSearch.Touching
-                && (rate < -ContactSearch.Approaching || (rate <= ContactSearch.Leaving && isGround && _contact.IsPressed(in s, i)));
-            first = hits ? i : first;
+            bool touches = gap <= ContactSearch.Touching;
+            bool hits = touches && rate < -ContactSearch.Approaching;
+            bool presses = touches && !hits && rate <= ContactSearch.Leaving && isGround && _contact.IsPressed(in s, i);
+            takesUp = presses || (takesUp && !hits);
+            first = hits || presses ? i : first;
         }
 
         if (first == int.MaxValue)
@@ -54,7 +56,15 @@ internal sealed class WorldGuard<TAir>
             return false;
         }
 
-        _contact.Impact(ref s, first, ref run);
+        if (takesUp)
+        {
+            _contact.TakeUp(ref s, first, ref run);
+        }
+        else
+        {
+            _contact.Impact(ref s, first, ref run);
+        }
+
         return true;
     }
 
@@ -111,8 +121,8 @@ internal sealed class WorldGuard<TAir>
         return met.What != Happening.None;
     }
 
-    /// <inheritdoc cref="WorldContact{TAir}.StartRolling"/>
-    public void StartRolling(ref BallState s, ref StepRun run) => _contact.StartRolling(ref s, ref run);
+    /// <inheritdoc cref="WorldContact{TAir}.EndSlip"/>
+    public void EndSlip(ref BallState s, ref StepRun run) => _contact.EndSlip(ref s, ref run);
 
     /// <summary>What meeting a thing calls for, where the ball is.</summary>
     public void Meet(ref BallState s, in Gap met, ref StepRun run)

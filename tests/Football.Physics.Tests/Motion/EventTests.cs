@@ -140,10 +140,10 @@ public sealed class EventTests
 
                 BallEvent impact = log.Events[0];
                 Assert.Equal(0.11, impact.Position.Y);
-                Assert.False(Hits(simulator, start, impact.Time - start.Time - tolerance), $"{timeStep} s, shot {i}");
-
-                // Less than a nanometre below contact the ball still only touches: the next step begins with the impact.
-                Assert.True(Hits(simulator, start, impact.Time - start.Time + tolerance + (1e-9 / -impact.VelocityBefore.Y)), $"{timeStep} s, shot {i}");
+                // A step of first order that is a little longer is another step; less than a nanometre below contact the ball still only touches.
+                double other = integrator is Integrator.Euler or Integrator.SemiImplicitEuler ? 1e-8 : 0;
+                Assert.False(Hits(simulator, start, impact.Time - start.Time - tolerance - other), $"{timeStep} s, shot {i}");
+                Assert.True(Hits(simulator, start, impact.Time - start.Time + 1e-9 + other + (1e-9 / -impact.VelocityBefore.Y)), $"{timeStep} s, shot {i}");
             }
         }
     }
