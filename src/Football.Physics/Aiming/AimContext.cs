@@ -40,9 +40,7 @@ internal sealed class AimContext
         Steps = AimSteps.Long;
         var withoutGround = new Simulator(WithoutGround(open), SolverSettings.Default);
         Planes = new PlaneShooter(this, withoutGround);
-        TimedFlight = new TimedFlight(this, withoutGround);
-        TimedRoll = new TimedRoll(this, _simulator);
-        Shooting = new ShootingProblem(this, withoutGround);
+        Shooting = new ShootingProblem(this, withoutGround, _simulator);
         Approaches = new ApproachShooter(this, _simulator);
         Miss = new MissMeter(this, real);
     }
@@ -63,12 +61,6 @@ internal sealed class AimContext
 
     /// <summary>Flights with ground, to their closest approach.</summary>
     public ApproachShooter Approaches { get; }
-
-    /// <summary>Flights that are somewhere at a time.</summary>
-    public TimedFlight TimedFlight { get; }
-
-    /// <summary>Kicks along the ground that are somewhere at a time.</summary>
-    public TimedRoll TimedRoll { get; }
 
     /// <summary>Flights to given times, any of whose numbers may be unknown.</summary>
     public ShootingProblem Shooting { get; }

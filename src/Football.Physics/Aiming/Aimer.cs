@@ -22,8 +22,7 @@ public sealed class Aimer
     private readonly AimContext _context;
     private readonly DirectAim _direct;
     private readonly DirectTwoPointAim _directTwoPoint;
-    private readonly TimeSearch _times;
-    private readonly SlowestSearch _slowest;
+    private readonly GeneralAim _general;
 
     /// <summary>Compiles a scene for aiming.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
@@ -39,14 +38,9 @@ public sealed class Aimer
     public Aimer(Simulator simulator)
     {
         _context = new AimContext(simulator ?? throw new ArgumentNullException(nameof(simulator)));
-        var problem = new PlaneProblem(_context);
-        var solver = new LevenbergMarquardt(_context.Shooting);
-        var scan = new DirectionScan(_context.Shooting);
-        var curves = new CurveSearch(_context.Shooting, scan, solver);
-        _times = new TimeSearch(_context, curves);
-        _slowest = new SlowestSearch(_context, curves);
-        _direct = new DirectAim(_context, problem, _times, new ShootingSearch(_context.Shooting, solver, scan));
-        _directTwoPoint = new DirectTwoPointAim(_context, _direct, new TwoPointSearch(_context.Shooting, solver, scan));
+        _general = new GeneralAim(_context);
+        _direct = new DirectAim(_context, _general);
+        _directTwoPoint = new DirectTwoPointAim(_context, _direct, _general);
     }
 
     /// <summary>Finds a kick.</summary>
@@ -67,7 +61,7 @@ public sealed class Aimer
             _context.Steps = AimSteps.Short;
             AimSolution fine = Search(request);
             AimResult finer = Report(request, in fine, measure);
-            if (!finer.HitsTarget && request.Through is null && _times.WithSpeed(request, out AimSolution timed))
+            if (!finer.HitsTarget && request.Through is null && _general.WithSpeed(request, request.Speed, request.Arc, request.TopSpin, request.SideSpin, out AimSolution timed))
             {
                 finer = Report(request, in timed, measure);
             }
@@ -88,10 +82,10 @@ public sealed class Aimer
     {
         Begin(request);
         RefuseThrough(request);
-        if (!_slowest.Find(request, out AimSolution solution))
+        if (!Slowest(request, out AimSolution solution))
         {
             _context.Steps = AimSteps.Short;
-            if (!_slowest.Find(request, out solution))
+            if (!Slowest(request, out solution))
             {
                 _context.Steps = AimSteps.Long;
                 solution = _direct.Find(request);
@@ -143,6 +137,18 @@ public sealed class Aimer
         return found.HitsTarget ? found : blocked;
     }
 
+    private bool Slowest(AimRequest request, out AimSolution solution)
+    {
+        bool flies = _general.Slowest(request, out solution);
+        if (_context.Shooting.CanRoll(request) && _direct.SlowestRoll(request, flies ? solution.Speed : request.Speed, out AimSolution roll))
+        {
+            solution = roll;
+            return true;
+        }
+
+        return flies;
+    }
+
     private AimSolution Search(AimRequest request) => request.Through is null ? _direct.Find(request) : _directTwoPoint.Find(request);
 
     private AimResult With(AimRequest request, AimArc arc, double top, double side, bool measure)
@@ -167,11 +173,9 @@ public sealed class Aimer
 
     private AimResult AtTime(AimRequest request, double time)
     {
-        if (!_times.AtTime(request, time, out AimSolution solution))
+        if (!_general.AtTime(request, time, out AimSolution solution))
         {
-            bool isSpent = _context.IsSpent;
-            solution = _direct.Find(request);
-            solution.Status = isSpent ? AimStatus.NotConverged : AimStatus.OutOfReach;
+            solution.Status = _context.IsSpent ? AimStatus.NotConverged : AimStatus.OutOfReach;
         }
 
         // A kick that passes the target at another time is no hit.
@@ -249,7 +253,7 @@ public sealed class Aimer
         bool rolls = _context.StaysDown(in frame.From, velocity.Y);
         bool hits = status is AimStatus.Hit or AimStatus.TargetOnly;
         bool flat = rolls || (solution.Kick.Elevation < FlatKick && frame.Target.Y >= frame.From.Y);
-        AimArc arc = solution.Arc ?? (flat || !hits ? AimArc.Low : _times.ArcOf(request, in solution));
+        AimArc arc = solution.Arc ?? (flat || !hits ? AimArc.Low : _general.ArcOf(request, in solution));
         string? blocker = status == AimStatus.Blocked ? _context.Miss.NameOf(measured.Blocker) : null;
         return new AimResult(status, in velocity, in spin, in measured, arc, rolls, iterations, simulations, blocker);
     }

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace Football.Physics;
 
 /// <summary>Laws by tables, some of them left out or scaled.</summary>
@@ -36,7 +34,6 @@ internal sealed class TableLaws<TLaw> : AirLaws
             + (SpinDecays ? law.DecayBound : default);
     }
 
-    [MethodImpl(Hot.Path)]
     public override void Factors(
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {

@@ -23,7 +23,7 @@ internal sealed class Collider
         : this("ground", shape, new ContactMaterial(ground))
     {
         _pattern = ground.Pattern;
-        _patches = _pattern is null ? [] : [.. _pattern.Surfaces.Select(surface => new ContactMaterial(surface))];
+        _patches = _pattern is null ? [] : PatchesOf(_pattern);
     }
 
     public Collider(Obstacle obstacle)
@@ -94,6 +94,8 @@ internal sealed class Collider
         _placement = collider.Placement;
     }
 
+    private static ContactMaterial[] PatchesOf(ISurfacePattern pattern) => [.. pattern.Surfaces.Select(surface => new ContactMaterial(surface))];
+
     /// <summary>Which of its materials is under a place; −1 for its own.</summary>
     public int PatchAt(in Vector3d position)
     {
@@ -102,7 +104,16 @@ internal sealed class Collider
     }
 
     /// <summary>What it is made of: its own material, then those of its parts.</summary>
-    public IEnumerable<ContactMaterial> Materials => _patches.Prepend(_material);
+    public ContactMaterial[] Materials
+    {
+        get
+        {
+            var materials = new ContactMaterial[1 + _patches.Length];
+            materials[0] = _material;
+            _patches.CopyTo(materials, 1);
+            return materials;
+        }
+    }
 
     /// <summary>What it is made of under a place.</summary>
     public ref readonly ContactMaterial MaterialAt(in Vector3d position)

@@ -26,29 +26,12 @@ internal sealed class World
             Ground = colliders[0];
         }
 
-        colliders.AddRange(scene.Obstacles.Select(obstacle => new Collider(obstacle)));
-        colliders.AddRange(scene.Goals.SelectMany(goal => goal.Frame(scene.Forces)).Select(obstacle => new Collider(obstacle)));
-        if (scene.Bodies is { Count: > 0 } bodies)
-        {
-            bodies.Use();
-            colliders.AddRange(bodies.Select(body => new Collider(body)));
-            Bodies = bodies;
-        }
-
-        if (scene.EngineColliders is { } engine)
-        {
-            Engine = new EngineThings(engine, Ball.Radius, colliders.Count);
-            colliders.AddRange(Engine.Colliders);
-        }
-
-        Colliders = [.. colliders];
-        Nets = [.. scene.Nets.Concat(scene.Goals.SelectMany(goal => goal.Nets())).Select(net => new NetSheet(net, Ball))];
-        Goals = [.. scene.Goals.Select(goal => new GoalMouth(goal))];
+        IsBare = HasNothing(scene);
         FirstCollider = scene.Ground.IsNone ? 1 : 0;
         IsLevel = scene.Ground.IsLevel;
-        IsBare = HasNothing(scene);
         IsLevelGroundAlone = IsLevel && IsBare;
         LevelContact = scene.Ground.IsNone || !scene.Ground.IsLevel ? double.NegativeInfinity : scene.Ground.Height + Ball.Radius;
+<<<<<<< HEAD
         foreach (Collider collider in Colliders)
         {
             foreach (ContactMaterial material in collider.Materials)
@@ -59,24 +42,57 @@ internal sealed class World
 
         Moving = [.. Of(collider => collider.Moves).Where(i => Engine is null || !Engine.Has(i))];
         foreach (Collider collider in Moving.Select(i => Colliders[i]).Where(collider => !collider.IsBody))
+=======
+        if (!IsBare)
+>>>>>>> main
         {
-            _movers.Add(in collider.Bounds, collider.Velocity);
+            Bodies = scene.Bodies is { Count: > 0 } ? scene.Bodies : null;
+            Bodies?.Use();
+            AddThings(scene, colliders);
+            Engine = scene.EngineColliders is null ? null : new EngineThings(scene.EngineColliders, Ball.Radius, colliders.Count);
+            colliders.AddRange(Engine?.Colliders ?? []);
+            Nets = NetsOf(scene);
+            Goals = GoalsOf(scene);
         }
 
-        Unbounded = Of(collider => !collider.Moves && !collider.Bounds.IsFinite);
-        Leaves =
-        [
-            .. Of(collider => !collider.Moves && collider.Bounds.IsFinite),
-            .. Enumerable.Range(Colliders.Length, Nets.Length + Goals.Length),
-        ];
-        Tree = new BoundsTree([.. Leaves.Select(BoundsOf)]);
-        _names =
-        [
-            "ground",
-            .. Colliders.Where(collider => collider != Ground).Select(collider => collider.Name),
-            .. Nets.Select(net => net.Name),
-            .. scene.Goals.Select(_ => "goal"),
-        ];
+        // Each collider is met as what moves, what has no bounds, or a box of the tree.
+        Colliders = colliders.ToArray();
+        var moving = new List<int>();
+        var unbounded = new List<int>();
+        var leaves = new List<int>();
+        for (int i = 0; i < Colliders.Length; i++)
+        {
+            Collider collider = Colliders[i];
+            if (!collider.Moves)
+            {
+                (collider.Bounds.IsFinite ? leaves : unbounded).Add(i);
+            }
+            else if (Engine is null || !Engine.Has(i))
+            {
+                moving.Add(i);
+                if (!collider.IsBody)
+                {
+                    _movers.Add(in collider.Bounds, collider.Velocity);
+                }
+            }
+        }
+
+        for (int i = 0; i < Nets.Length + Goals.Length; i++)
+        {
+            leaves.Add(Colliders.Length + i);
+        }
+
+        Moving = moving.ToArray();
+        Unbounded = unbounded.ToArray();
+        Leaves = leaves.ToArray();
+        var boxes = new Bounds3d[Leaves.Length];
+        for (int i = 0; i < boxes.Length; i++)
+        {
+            boxes[i] = BoundsOf(Leaves[i]);
+        }
+
+        Tree = new BoundsTree(boxes);
+        _names = IsBare ? ["ground"] : NamesOf();
     }
 
     /// <summary>The ball.</summary>
@@ -101,10 +117,10 @@ internal sealed class World
     public int[] Leaves { get; }
 
     /// <summary>Nets.</summary>
-    public NetSheet[] Nets { get; }
+    public NetSheet[] Nets { get; } = [];
 
     /// <summary>Goals.</summary>
-    public GoalMouth[] Goals { get; }
+    public GoalMouth[] Goals { get; } = [];
 
     /// <summary>Index of the first collider among the things of the scene, of which the ground is always 0.</summary>
     public int FirstCollider { get; }
@@ -148,6 +164,44 @@ internal sealed class World
     /// <summary>Whether the air pushes a ball that is carried.</summary>
     public bool AirActs { get; }
 
+<<<<<<< HEAD
+=======
+    /// <summary>The world of a scene; null where the level pitch is all there is.</summary>
+    public static World? Of(Scene scene)
+    {
+        Ground ground = scene.Ground;
+        bool plain = ground.IsLevel
+            && double.IsPositiveInfinity(ground.ImpactFriction)
+            && double.IsPositiveInfinity(ground.RestitutionSpeed)
+            && ground.RollingFrictionBySpeed == 0
+            && ground.DrillingLength == 0
+            && ground.Aerodynamics != GroundAerodynamics.Full
+            && ground.Pattern is null;
+        return plain && HasNothing(scene) ? null : new World(scene);
+    }
+
+    // What a bare pitch does not need stands by itself: its first use costs a game nothing.
+    private static void AddThings(Scene scene, List<Collider> colliders)
+    {
+        colliders.AddRange(scene.Obstacles.Select(obstacle => new Collider(obstacle)));
+        colliders.AddRange(scene.Goals.SelectMany(goal => goal.Frame(scene.Forces)).Select(obstacle => new Collider(obstacle)));
+        colliders.AddRange((scene.Bodies ?? Enumerable.Empty<Body>()).Select(body => new Collider(body)));
+    }
+
+    private static NetSheet[] NetsOf(Scene scene) =>
+        [.. scene.Nets.Concat(scene.Goals.SelectMany(goal => goal.Nets())).Select(net => new NetSheet(net, scene.Ball))];
+
+    private static GoalMouth[] GoalsOf(Scene scene) => [.. scene.Goals.Select(goal => new GoalMouth(goal))];
+
+    private string[] NamesOf() =>
+    [
+        "ground",
+        .. Colliders.Where(collider => collider != Ground).Select(collider => collider.Name),
+        .. Nets.Select(net => net.Name),
+        .. Goals.Select(_ => "goal"),
+    ];
+
+>>>>>>> main
     private static bool HasNothing(Scene scene) =>
         scene.Obstacles.Count == 0 && scene.Nets.Count == 0 && scene.Goals.Count == 0 && scene.Bodies is not { Count: > 0 } && scene.EngineColliders is null;
 
@@ -218,9 +272,6 @@ internal sealed class World
 
     /// <summary>Index among the things of the scene of a goal.</summary>
     public int ThingOfGoal(int goal) => ThingOfNet(Nets.Length) + goal;
-
-    /// <summary>The colliders of a kind.</summary>
-    private int[] Of(Predicate<Collider> kind) => [.. Enumerable.Range(0, Colliders.Length).Where(i => kind(Colliders[i]))];
 
     private Bounds3d BoundsOf(int thing) =>
         thing < Colliders.Length ? Colliders[thing].Bounds

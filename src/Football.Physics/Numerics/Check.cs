@@ -127,5 +127,8 @@ internal static class Check
     public static ArgumentOutOfRangeException Refusal(string field, string value, string allowed) =>
         new(field, $"{field} is {value}; allowed: {allowed}.");
 
+    /// <summary>The name of an item of a list.</summary>
+    public static string Item(string list, int index) => $"{list}[{index.ToString(CultureInfo.InvariantCulture)}]";
+
     private static string Text(double value) => value.ToString("R", CultureInfo.InvariantCulture);
 }

@@ -14,7 +14,7 @@ public sealed record BallProperties
     public double InertiaFactor { get; init; } = 2.0 / 3.0;
 
     /// <summary>Drag coefficient without spin, for <see cref="CoefficientForm.Measured"/> alone. Default <see cref="DragCurve.Generic"/>.</summary>
-    public DragCurve DragCurve { get; init; } = DragCurve.Generic with { };
+    public DragCurve DragCurve { get; init; } = new();
 
     /// <summary>
     /// K, standard deviation of the knuckle force across the motion at 30 m/s without spin, N; see <see cref="ForceSet.KnuckleSeed"/>.

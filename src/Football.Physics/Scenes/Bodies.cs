@@ -102,7 +102,7 @@ public sealed class Bodies : IReadOnlyList<Body>
     {
         for (int i = 0; i < Count; i++)
         {
-            string field = FormattableString.Invariant($"bodies[{i}]");
+            string field = Check.Item("bodies", i);
             Check.Within(field + ".shape.hollowCurvature", _bodies[i].Shape.HollowCurvature, 0, 0.5 / radius);
             _bodies[i].Surface.Validate(field + ".surface");
         }

@@ -51,6 +51,9 @@ public sealed record Goal
         yield return new Obstacle { Name = "crossbar", Shape = new CapsuleShape(left + up, right + up, PostRadius), Surface = surface };
     }
 
+    /// <summary>How many nets it has.</summary>
+    internal int NetCount => HasNet ? 4 : 0;
+
     /// <summary>Back, roof and sides, up to the axes of posts and bar.</summary>
     internal IEnumerable<Net> Nets()
     {

@@ -6,10 +6,15 @@ public sealed record Scene
     /// <summary>Nets, and goals, of a scene at most: a state says of each in one bit whether the ball is in it.</summary>
     private const int MostNets = 64;
 
-    // Copies: a serializer may write into the values that a new scene has.
+    // Made when they are asked for: most games have none of them.
+    private static Scene? s_published;
+    private static Scene? s_vacuum;
+    private static Scene? s_highAltitude;
+
+    // New ones: a serializer may write into the values that a new scene has.
 
     /// <summary>The ball. Default <see cref="BallProperties.Football"/>.</summary>
-    public BallProperties Ball { get; init; } = BallProperties.Football with { };
+    public BallProperties Ball { get; init; } = new();
 
     /// <summary>The air. Default still air at sea level.</summary>
     public Air Air { get; init; } = new();
@@ -18,10 +23,10 @@ public sealed record Scene
     public double Gravity { get; init; } = 9.81;
 
     /// <summary>Which forces act, and by which law. Default all of them, by the measured laws.</summary>
-    public ForceSet Forces { get; init; } = ForceSet.Measured with { };
+    public ForceSet Forces { get; init; } = new();
 
     /// <summary>The ground. Default <see cref="Ground.DryTurf"/>.</summary>
-    public Ground Ground { get; init; } = Ground.DryTurf with { };
+    public Ground Ground { get; init; } = new();
 
     /// <summary>Things that can be hit: walls, posts, players. Default none.</summary>
     public IReadOnlyList<Obstacle> Obstacles { get; init; } = [];
@@ -45,13 +50,13 @@ public sealed record Scene
     public static Scene Default => Measured;
 
     /// <summary>The same by the laws and numbers of the thesis, as published.</summary>
-    public static Scene Published { get; } = new() { Forces = ForceSet.Published, Ground = Ground.Turf };
+    public static Scene Published => s_published ??= new() { Forces = ForceSet.Published, Ground = Ground.Turf };
 
     /// <summary>The published scene without air: no buoyancy, drag, Magnus force or spin decay.</summary>
-    public static Scene Vacuum { get; } = Published with { Forces = ForceSet.None };
+    public static Scene Vacuum => s_vacuum ??= Published with { Forces = ForceSet.None };
 
     /// <summary>A stadium at 2 240 m (Mexico City) at 20 °C and 40 % humidity: air of 0.913 kg/m³, kinematic viscosity 1.99e-5 m²/s.</summary>
-    public static Scene HighAltitude { get; } = new() { Air = Weather.AtAltitude(2240, 20, 0.4).ToAir() };
+    public static Scene HighAltitude => s_highAltitude ??= new() { Air = Weather.AtAltitude(2240, 20, 0.4).ToAir() };
 
     /// <summary>The default scene with a steady wind.</summary>
     /// <param name="wind">Wind velocity, m/s.</param>
@@ -101,6 +106,14 @@ public sealed record Scene
         Check.Defined("ground.aerodynamics", Ground.Aerodynamics, (int)Ground.Aerodynamics, 3);
         Vector3d normal = Check.Direction("ground.normal", Ground.Normal);
         Check.Within("ground.normal[1]", normal.Y, 0, 1, exclusiveLow: true);
+        if (!Ground.IsLevel || Ground.Pattern is not null)
+        {
+            ValidateShape(normal);
+        }
+    }
+
+    private void ValidateShape(in Vector3d normal)
+    {
         if (!Ground.IsLevel && Ground.TangentialRestitutionX != Ground.TangentialRestitutionZ)
         {
             throw Check.Refusal(
@@ -114,7 +127,7 @@ public sealed record Scene
             Check.Within("ground.pattern.leastWidth", pattern.LeastWidth, 0, double.PositiveInfinity, exclusiveLow: true);
             for (int i = 0; i < pattern.Surfaces.Count; i++)
             {
-                pattern.Surfaces[i].Validate(FormattableString.Invariant($"ground.pattern.surfaces[{i}]"));
+                pattern.Surfaces[i].Validate(Check.Item("ground.pattern.surfaces", i));
             }
         }
 
@@ -133,20 +146,20 @@ public sealed record Scene
     {
         for (int i = 0; i < Obstacles.Count; i++)
         {
-            Obstacles[i].Validate(FormattableString.Invariant($"obstacles[{i}]"), Ball.Radius);
+            Obstacles[i].Validate(Check.Item("obstacles", i), Ball.Radius);
         }
 
         Bodies?.Validate(Ball.Radius);
         int nets = Nets.Count;
         for (int i = 0; i < Nets.Count; i++)
         {
-            Nets[i].Validate(FormattableString.Invariant($"nets[{i}]"));
+            Nets[i].Validate(Check.Item("nets", i));
         }
 
         for (int i = 0; i < Goals.Count; i++)
         {
-            Goals[i].Validate(FormattableString.Invariant($"goals[{i}]"));
-            nets += Goals[i].Nets().Count();
+            Goals[i].Validate(Check.Item("goals", i));
+            nets += Goals[i].NetCount;
         }
 
         Check.Within("nets (those of the goals included)", nets, 0, MostNets);

@@ -18,7 +18,7 @@ public sealed class SurfaceRectangles : ISurfacePattern
         for (int i = 0; i < rectangles.Length; i++)
         {
             (Vector3d min, Vector3d max, Surface surface) = rectangles[i];
-            string field = FormattableString.Invariant($"rectangles[{i}]");
+            string field = Check.Item("rectangles", i);
             Check.Given(field + ".surface", surface);
             Check.Place(field + ".min", min);
             Check.Place(field + ".max", max);

@@ -24,7 +24,6 @@ internal sealed class FieldStepper<TIntegrator> : SceneStepper<TIntegrator>
         _fastestWind = Around.Air.FastestWind;
     }
 
-    [MethodImpl(Hot.Path)]
     public override void Step(ref BallState s, double dt, StepLog log)
     {
         if (s.Motion != MotionState.Airborne || _integrator.GainsByHops || !TryWhole(ref s, dt, log))

@@ -118,12 +118,16 @@ internal sealed class FlatSurfaceStep
         _decayInRoll = shares ? alpha / (1.0 + alpha) : 0;
         _bodyInTraction = alpha / (1.0 + alpha);
         _airInTraction = _decayInRoll;
-        _materials = _acts ? [.. _world.Ground!.Materials.Select(material => new Material(in material, ball))] : [];
+        ContactMaterial[] materials = _acts ? _world.Ground!.Materials : [];
+        _materials = new Material[materials.Length];
+        for (int i = 0; i < materials.Length; i++)
+        {
+            _materials[i] = new Material(in materials[i], ball);
+        }
     }
 
     /// <summary>A whole step, done if nothing happens in it.</summary>
     /// <returns>False where something may happen; then nothing is done.</returns>
-    [MethodImpl(Hot.Path)]
     public bool TryWhole(ref BallState s, double dt, StepLog log)
     {
         bool rolls = s.Motion == MotionState.Rolling;
@@ -312,7 +316,7 @@ internal sealed class FlatSurfaceStep
     }
 
     /// <summary>The rates of change at one instant: the laws of the air at a point, and what follows from them.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     private void RatesOf(in StepOn on, in PlaneMotion at, double after, double wayX, double wayZ, out PlaneRates rates)
     {
         if (_varies)

@@ -33,14 +33,23 @@ internal static class StepperFactory
 
         ForceSet forces = scene.Forces;
         return forces.Custom.Count > 0 || forces.Drag != forces.Magnus || forces.Magnus != forces.SpinDecay
-            ? new FlightStepper<SceneAir, TIntegrator>(scene, settings, in air, in air)
+            ? Of<SceneAir, TIntegrator>(scene, settings, in air, in air)
             : (forces.Drag, forces.Coefficients) switch
             {
-                (ForceLaw.None, _) => new FlightStepper<NoAir, TIntegrator>(scene, settings, in air, default),
-                (ForceLaw.Constant, _) => new FlightStepper<ConstantAir, TIntegrator>(scene, settings, in air, new ConstantAir(scene)),
-                (_, CoefficientForm.Published) => new FlightStepper<TableAir<PublishedLaw>, TIntegrator>(scene, settings, in air, new TableAir<PublishedLaw>(scene)),
-                (_, CoefficientForm.Regularised) => new FlightStepper<TableAir<RegularisedLaw>, TIntegrator>(scene, settings, in air, new TableAir<RegularisedLaw>(scene)),
-                _ => new FlightStepper<TableAir<MeasuredLaw>, TIntegrator>(scene, settings, in air, new TableAir<MeasuredLaw>(scene)),
+                (ForceLaw.None, _) => Of<NoAir, TIntegrator>(scene, settings, in air, default),
+                (ForceLaw.Constant, _) => Of<ConstantAir, TIntegrator>(scene, settings, in air, new ConstantAir(scene)),
+                (_, CoefficientForm.Published) => OfTables<PublishedLaw, TIntegrator>(scene, settings, in air),
+                (_, CoefficientForm.Regularised) => OfTables<RegularisedLaw, TIntegrator>(scene, settings, in air),
+                _ => OfTables<MeasuredLaw, TIntegrator>(scene, settings, in air),
             };
     }
+
+    // Each by itself: what a scene does not need is not loaded.
+    private static Stepper OfTables<TLaw, TIntegrator>(Scene scene, SolverSettings settings, in SceneAir air)
+        where TLaw : struct, ITableLaw
+        where TIntegrator : struct, IIntegrator => Of<TableAir<TLaw>, TIntegrator>(scene, settings, in air, new TableAir<TLaw>(scene));
+
+    private static Stepper Of<TAir, TIntegrator>(Scene scene, SolverSettings settings, in SceneAir air, in TAir laws)
+        where TAir : struct, IFlightAir
+        where TIntegrator : struct, IIntegrator => new FlightStepper<TAir, TIntegrator>(scene, settings, in air, in laws);
 }

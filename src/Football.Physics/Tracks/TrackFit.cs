@@ -141,7 +141,7 @@ public sealed class TrackFit
         Check.AtLeast("track's points", track.Length, 4);
         for (int i = 0; i < track.Length; i++)
         {
-            string at = FormattableString.Invariant($"track[{i}]");
+            string at = Check.Item("track", i);
             Check.Within(at + ".time", track[i].Time, i > 0 ? track[i - 1].Time : -Limits.Time, Limits.Time);
             Check.Place(at + ".position", track[i].Position);
             Check.Positive(at + ".noise", track[i].Noise);

@@ -20,6 +20,10 @@ public sealed class ProfileTests
         }
     }
 
+    /// <summary>A simulator takes it as it is.</summary>
+    [Fact]
+    public void The_default_scene_is_in_range() => Scene.Default.Validate();
+
     [Fact]
     public void The_published_profile_is_the_thesis()
     {

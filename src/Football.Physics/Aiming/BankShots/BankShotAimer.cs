@@ -199,7 +199,7 @@ public sealed class BankShotAimer
             if (found == first + count)
             {
                 string known = count == 0 ? "none: the scene has nothing to meet" : string.Join(" | ", Enumerable.Range(first, count).Select(_simulator.NameOf));
-                throw Check.Refusal(FormattableString.Invariant($"aim.after[{i}]"), names[i], known);
+                throw Check.Refusal(Check.Item("aim.after", i), names[i], known);
             }
 
             things[i] = found;

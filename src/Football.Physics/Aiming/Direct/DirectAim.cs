@@ -13,18 +13,19 @@ internal sealed class DirectAim
     private const double CloseMiss = 0.001;
     private const double Steep = 1.2;
 
+    /// <summary>Share of its speed within which a slowest roll is known.</summary>
+    private const double RollWidth = 1e-4;
+
     private readonly PlaneProblem _problem;
     private readonly AimContext _context;
     private readonly ClosestKick _closest;
-    private readonly TimeSearch _times;
-    private readonly ShootingSearch _shooting;
+    private readonly GeneralAim _general;
 
-    public DirectAim(AimContext context, PlaneProblem problem, TimeSearch times, ShootingSearch shooting)
+    public DirectAim(AimContext context, GeneralAim general)
     {
         _context = context;
-        _times = times;
-        _shooting = shooting;
-        _problem = problem;
+        _general = general;
+        _problem = new PlaneProblem(context);
         _closest = new ClosestKick(context);
     }
 
@@ -65,15 +66,14 @@ internal sealed class DirectAim
         }
 
         // Where elevation and azimuth do not separate, by the time of flight; else by the elevation.
-        if (!separates && frame.Distance >= 1e-6
-            && (_times.WithSpeed(request, speed, arc, top, side, out AimSolution hit) || _shooting.WithSpeed(request, speed, arc, top, side, out hit)))
+        if (!separates && frame.Distance >= 1e-6 && _general.WithSpeed(request, speed, arc, top, side, out AimSolution hit))
         {
             return hit;
         }
 
         Approach found = _closest.Find(_problem, arc);
         bool hits = found.Miss <= _problem.Tolerance;
-        if (separates && !hits && IsDoubtful(in frame, found.Miss) && _times.WithSpeed(request, speed, arc, top, side, out hit))
+        if (separates && !hits && IsDoubtful(in frame, found.Miss) && _general.WithSpeed(request, speed, arc, top, side, out hit))
         {
             return hit;
         }
@@ -97,6 +97,38 @@ internal sealed class DirectAim
                 : frame.IsDegenerate ? AimStatus.Degenerate
                 : found.Miss < StepError || _context.IsSpent ? AimStatus.NotConverged
                 : AimStatus.OutOfReach);
+    }
+
+    /// <summary>The slowest kick along the ground: one that is a little slower stops short.</summary>
+    /// <param name="request">What it is to do.</param>
+    /// <param name="fastest">The fastest allowed, m/s.</param>
+    /// <param name="solution">The kick.</param>
+    public bool SlowestRoll(AimRequest request, double fastest, out AimSolution solution)
+    {
+        solution = default;
+        double low = 0;
+        double high = fastest;
+        for (double speed = fastest; high - low > RollWidth * high && !_context.IsSpent; speed = 0.5 * (low + high))
+        {
+            bool hits = Rolls(request, speed, out _);
+            if (!hits && speed == fastest)
+            {
+                return false;
+            }
+
+            (low, high) = hits ? (low, speed) : (speed, high);
+        }
+
+        // A little faster, so that it does not stop there but passes.
+        return Rolls(request, Math.Min((1.0 + RollWidth) * high, fastest), out solution);
+    }
+
+    private bool Rolls(AimRequest request, double speed, out AimSolution solution)
+    {
+        _problem.Set(request, speed, request.TopSpin, request.SideSpin);
+        Approach roll = _closest.Roll(_problem);
+        solution = Solution(in roll, AimStatus.Hit);
+        return roll.Miss <= _problem.Tolerance;
     }
 
     private AimSolution Solution(in Approach found, AimStatus status) => new()

@@ -34,7 +34,7 @@ internal sealed class DirectTwoPointAim
 
     private readonly AimContext _context;
     private readonly DirectAim _direct;
-    private readonly TwoPointSearch _search;
+    private readonly GeneralAim _general;
     private readonly TwoPointProblem _problem;
     private readonly TwoPointJacobian _jacobian;
     private readonly TwoPointStep _step = new();
@@ -44,9 +44,9 @@ internal sealed class DirectTwoPointAim
     private readonly double[] _nextX = new double[N];
     private readonly double[] _nextR = new double[N];
 
-    public DirectTwoPointAim(AimContext context, DirectAim direct, TwoPointSearch search)
+    public DirectTwoPointAim(AimContext context, DirectAim direct, GeneralAim general)
     {
-        _search = search;
+        _general = general;
         _context = context;
         _direct = direct;
         _problem = new TwoPointProblem(context);
@@ -59,7 +59,7 @@ internal sealed class DirectTwoPointAim
         {
             AimSolution alone = _direct.Find(request);
             alone.ThroughMiss = double.NaN;
-            return !_context.Scene.Air.IsStill && _search.Find(request, in alone.Kick, out AimSolution turned) ? turned : alone;
+            return !_context.Scene.Air.IsStill && _general.Through(request, in alone.Kick, out AimSolution turned) ? turned : alone;
         }
 
         AimSolution solution = Solve(rehearses: !_context.Steps.AreShort);
@@ -82,7 +82,7 @@ internal sealed class DirectTwoPointAim
         }
 
         // From elsewhere there may be one that the closed form is too far from.
-        return _search.Find(request, in solution.Kick, out AimSolution other) ? other : solution.Status == AimStatus.Hit ? solution : TargetFirst(in solution);
+        return _general.Through(request, in solution.Kick, out AimSolution other) ? other : solution.Status == AimStatus.Hit ? solution : TargetFirst(in solution);
     }
 
     private bool Suffices(in AimSolution solution) =>

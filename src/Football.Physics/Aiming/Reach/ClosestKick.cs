@@ -54,6 +54,14 @@ internal sealed class ClosestKick
         return _approaches.Best;
     }
 
+    /// <summary>The closest kick along the ground.</summary>
+    public Approach Roll(PlaneProblem problem)
+    {
+        _approaches.Aim(problem);
+        _roll.Begin(problem);
+        return _roll.Fly();
+    }
+
     /// <summary>Searches the elevations at which the ball flies.</summary>
     private bool Flying(PlaneProblem problem, AimArc arc)
     {

@@ -23,7 +23,6 @@ internal sealed class LevenbergMarquardt
     private const int MostSlow = 3;
 
     private readonly ShootingProblem _problem;
-    private readonly double[] _jacobian = new double[ShootingProblem.MostEquations * N];
     private readonly double[] _system = new double[N * (N + 1)];
     private readonly double[] _change = new double[N];
     private readonly double[] _next = new double[N];
@@ -35,16 +34,21 @@ internal sealed class LevenbergMarquardt
     /// <summary>The residuals of the solution.</summary>
     public double[] Residuals { get; } = new double[ShootingProblem.MostEquations];
 
+    /// <summary>How they move with the unknowns, a row for each.</summary>
+    public double[] Jacobian { get; } = new double[ShootingProblem.MostEquations * N];
+
     /// <summary>Solves from a start.</summary>
     /// <param name="x">The unknowns: the start, and then the best that was found.</param>
+    /// <param name="isMeasured">Whether the Jacobian of the start is known.</param>
     /// <returns>Whether that is a hit.</returns>
-    private bool Solve(double[] x)
+    private bool Solve(double[] x, bool isMeasured)
     {
         _problem.Fly(x, Residuals);
         double cost = Squares(Residuals);
         double damping = FirstDamping;
         int slow = 0;
-        bool measures = true;
+        bool measures = !isMeasured;
+        _problem.TimeColumns(x, Jacobian);
         for (int i = 0; i < MostIterations && !_problem.IsSpent; i++)
         {
             if (_problem.IsHit(Residuals))
@@ -54,7 +58,7 @@ internal sealed class LevenbergMarquardt
 
             if (measures)
             {
-                _problem.Measure(x, Residuals, _jacobian);
+                _problem.Measure(x, Residuals, Jacobian);
             }
 
             double before = cost;
@@ -78,11 +82,12 @@ internal sealed class LevenbergMarquardt
     /// <summary>Solves from a start, and measures what that leads to.</summary>
     /// <param name="x">The unknowns: the start, and then the best that was found.</param>
     /// <param name="solution">The solution.</param>
+    /// <param name="isMeasured">Whether the Jacobian of the start is known.</param>
     /// <returns>Whether that truly hits.</returns>
-    public bool Hit(double[] x, out AimSolution solution)
+    public bool Hit(double[] x, out AimSolution solution, bool isMeasured = false)
     {
         solution = default;
-        return Solve(x) && _problem.IsMeasuredHit(x, out solution);
+        return Solve(x, isMeasured) && _problem.IsMeasuredHit(x, out solution);
     }
 
     /// <summary>Takes a step that leaves less of the squares, damped as much as that needs.</summary>
@@ -118,7 +123,7 @@ internal sealed class LevenbergMarquardt
     {
         for (int k = 0; k < N; k++)
         {
-            _held[k] = !_problem.IsFree[k];
+            _held[k] = !_problem.IsFree[k] || Product(k, k) == 0;
         }
 
         for (int attempt = 0; attempt < 3; attempt++)
@@ -171,16 +176,16 @@ internal sealed class LevenbergMarquardt
             for (int k = 0; k < N; k++)
             {
                 double moved = _next[k] - x[k];
-                error -= moved == 0 ? 0 : _jacobian[(i * N) + k] * moved;
+                error -= moved == 0 ? 0 : Jacobian[(i * N) + k] * moved;
             }
 
             for (int k = 0; k < N; k++)
             {
-                _jacobian[(i * N) + k] += error * _change[k] / squared;
+                Jacobian[(i * N) + k] += error * _change[k] / squared;
             }
         }
 
-        _problem.TimeColumns(_next, _jacobian);
+        _problem.TimeColumns(_next, Jacobian);
     }
 
     private void Assemble(double damping)
@@ -196,7 +201,7 @@ internal sealed class LevenbergMarquardt
             double sum = 0;
             for (int i = 0; i < _problem.Equations && !_held[a]; i++)
             {
-                sum -= _jacobian[(i * N) + a] * Residuals[i];
+                sum -= Jacobian[(i * N) + a] * Residuals[i];
             }
 
             _system[row + a] *= _held[a] ? 1 : 1 + damping;
@@ -209,7 +214,7 @@ internal sealed class LevenbergMarquardt
         double sum = 0;
         for (int i = 0; i < _problem.Equations; i++)
         {
-            sum += _jacobian[(i * N) + a] * _jacobian[(i * N) + b];
+            sum += Jacobian[(i * N) + a] * Jacobian[(i * N) + b];
         }
 
         return sum;

@@ -24,6 +24,11 @@ internal sealed class ShootingProblem
     private const double RuledByAirStep = 0.03;
     private const double ScanStep = 0.1;
 
+    /// <summary>Step of a roll, s, and of one that is fast enough to meet the drag law's jump, and that speed, m/s.</summary>
+    private const double RollStep = 0.5;
+    private const double FastRollStep = 0.1;
+    private const double FastRoll = 11;
+
     /// <summary>Changes of the unknowns by which the Jacobian is measured.</summary>
     private const double AngleDifference = 1e-4;
     private const double SpinDifference = 0.02;
@@ -32,7 +37,8 @@ internal sealed class ShootingProblem
     private const double LeastShare = 0.01;
 
     private readonly AimContext _context;
-    private readonly Simulator _simulator;
+    private readonly Simulator _open;
+    private readonly Simulator _grounded;
     private readonly StepLog _log = new();
     private readonly double[] _beside = new double[Unknowns];
     private readonly double[] _residuals = new double[MostEquations];
@@ -41,16 +47,19 @@ internal sealed class ShootingProblem
     private Vector3d _arrival;
     private Vector3d _passing;
     private bool _passesThrough;
+    private bool _rolls;
     private double _speed;
     private double _step;
     private double _scanStep;
 
     /// <param name="context">What the searches share.</param>
-    /// <param name="simulator">The scene without ground.</param>
-    public ShootingProblem(AimContext context, Simulator simulator)
+    /// <param name="open">The scene without ground.</param>
+    /// <param name="grounded">The scene.</param>
+    public ShootingProblem(AimContext context, Simulator open, Simulator grounded)
     {
         _context = context;
-        _simulator = simulator;
+        _open = open;
+        _grounded = grounded;
     }
 
     public AimRequest Request { get; private set; } = new();
@@ -70,16 +79,21 @@ internal sealed class ShootingProblem
     /// <summary>Whether nothing more can be searched.</summary>
     public bool IsSpent => _context.IsSpent;
 
-    /// <summary>Whether half of what may be searched has been: a search that others come after leaves them the rest.</summary>
-    public bool IsHalfSpent => _context.IsHalfSpent;
+    /// <summary>Whether the air rules, so that there may be several kicks for one time.</summary>
+    public bool IsRuledByAir { get; private set; }
+
+    /// <summary>From the ball to the target, m.</summary>
+    public double Way => Vector3d.Distance(_frame.From, in _frame.Target);
 
     /// <summary>Prepares for a target, and for the point on the way where the request has one; angles and times are free.</summary>
     /// <param name="request">What the kick is to do.</param>
     /// <param name="speed">Its speed, m/s, unless that is made free.</param>
     /// <param name="through">Whether it is to pass the point on the way.</param>
-    public void Begin(AimRequest request, double speed, bool through)
+    /// <param name="rolls">Whether it is to go along the ground.</param>
+    public void Begin(AimRequest request, double speed, bool through, bool rolls = false)
     {
         Request = request;
+        _rolls = rolls;
         _speed = speed;
         _frame = _context.Frame(request);
         _through = AimContext.Raised(_context.Game, request.Through.GetValueOrDefault());
@@ -87,17 +101,18 @@ internal sealed class ShootingProblem
         double spinRate = Math.Sqrt(through
             ? (request.MaximumTopSpin * request.MaximumTopSpin) + (request.MaximumSideSpin * request.MaximumSideSpin)
             : (request.TopSpin * request.TopSpin) + (request.SideSpin * request.SideSpin));
-        bool ruled = _context.IsRuledByAir(request.Speed, spinRate);
+        bool ruled = IsRuledByAir = _context.IsRuledByAir(request.Speed, spinRate);
         _step = Math.Min(ruled ? RuledByAirStep : double.PositiveInfinity, _context.Steps.HitWithin(tolerance));
         _scanStep = ruled ? 0.5 * ScanStep : ScanStep;
         ElevationBounds bounds = ElevationBounds.Of(request);
-        Bound(Elevation, bounds.Lowest, bounds.Highest);
+        Bound(Elevation, rolls ? bounds.Clamp(0) : bounds.Lowest, rolls ? bounds.Clamp(0) : bounds.Highest);
         Bound(Azimuth, double.NegativeInfinity, double.PositiveInfinity);
         Bound(LogSpeed, Elementary.Log(1e-3), Elementary.Log(Math.Min(Limits.Speed, 1.5 * request.Speed)));
         Bound(Top, -request.MaximumTopSpin, request.MaximumTopSpin);
         Bound(Side, -request.MaximumSideSpin, request.MaximumSideSpin);
         Bound(LogTime, Elementary.Log(ShortestTime), Elementary.Log(AimContext.LongestFlight));
         Bound(Share, LeastShare, 1.0 - LeastShare);
+        IsFree[Elevation] = !rolls;
         IsFree[LogSpeed] = false;
         IsFree[Top] = through;
         IsFree[Side] = through;
@@ -141,8 +156,77 @@ internal sealed class ShootingProblem
         FlyOn(ref state, time - way);
         _context.CountSimulation(_log.Steps);
         _arrival = state.Velocity - Request.TargetVelocity;
-        Put(r, 0, state.Position - _frame.Target - (time * Request.TargetVelocity));
+        Vector3d gap = state.Position - _frame.Target - (time * Request.TargetVelocity);
+        Put(r, 0, _rolls ? gap.Horizontal : gap);
     }
+
+    /// <summary>Whether a ball along the ground can hit the target of a request at all.</summary>
+    public bool CanRoll(AimRequest request)
+    {
+        TargetFrame frame = _context.Frame(request);
+        Elementary.SinCos(ElevationBounds.Of(request).Clamp(0), out double sine, out _);
+        return _context.StaysDown(in frame.From, request.Speed * sine) && Math.Abs(frame.Target.Y - _context.Game.ContactHeight) < request.Tolerance
+            && request.TargetVelocity.Y == 0 && frame.Distance > request.Tolerance;
+    }
+
+    /// <summary>The kick that is at the target at a time, in closed form.</summary>
+    /// <param name="time">The time, s.</param>
+    /// <param name="top">Its topspin, rad/s.</param>
+    /// <param name="side">Its sidespin, rad/s.</param>
+    /// <param name="x">Its unknowns.</param>
+    /// <param name="j">How its residuals move with them, but for the times.</param>
+    /// <returns>Its velocity without bounds, m/s.</returns>
+    public Vector3d Model(double time, double top, double side, double[] x, double[] j)
+    {
+        Vector3d wind = _context.Scene.Air.Wind;
+        Vector3d toTarget = _frame.Target + (time * Request.TargetVelocity) - _frame.From;
+        var spins = new Kick { Top = top, Side = side };
+        Vector3d velocity;
+        Vector3d direction;
+        double along;
+        double across;
+        if (_rolls)
+        {
+            // A ball that rolls slows down by friction, and by what its slide costs it first.
+            double slowing = _context.Scene.Ground.RollingFriction * _context.Scene.Gravity;
+            double length = Math.Max(toTarget.Horizontal.Length, 1e-3);
+            double rolled = Math.Min(time, slowing > 0 ? Math.Sqrt(2.0 * length / slowing) : time);
+            double speed = 1.2 * ((length / rolled) + (0.5 * slowing * rolled));
+            direction = toTarget.Horizontal / length;
+            velocity = speed * direction;
+            (along, across) = (0.8 * rolled, length / speed);
+        }
+        else
+        {
+            Vector3d air = toTarget - (time * wind);
+            Vector3d flat = toTarget.Horizontal.Length > 0 ? toTarget.Horizontal / toTarget.Horizontal.Length : _frame.Forward;
+            double spinRate = spins.SpinRate;
+            Vector3d axis = spinRate > 0 ? new Vector3d(spins.Top * flat.Z, spins.Side, -(spins.Top * flat.X)) / spinRate : Vector3d.Zero;
+            FlatFire model = _context.Model(Math.Max(air.Length / time, 1.0), spinRate, air.Length);
+            velocity = model.Launch(in air, in axis, time, out direction, out along, out across) + wind;
+        }
+
+        Kick kick = _frame.Turned(in spins, in velocity, new ElevationBounds(Least[Elevation], Most[Elevation]));
+        x[Elevation] = kick.Elevation;
+        x[Azimuth] = kick.Azimuth;
+        x[LogSpeed] = Clamp(LogSpeed, Elementary.Log(Math.Max(velocity.Length, 1e-3)));
+        x[Top] = kick.Top;
+        x[Side] = kick.Side;
+        x[LogTime] = Clamp(LogTime, Elementary.Log(time));
+
+        // ∂p/∂v = b I + (a − b) û ûᵀ: it stretches differently along the way and across it.
+        kick.Turns(Elementary.Exp(x[LogSpeed]), in _frame.Forward, out Vector3d byElevation, out Vector3d byAzimuth, out _);
+        SetColumn(j, 0, Elevation, Stretched(in byElevation));
+        SetColumn(j, 0, Azimuth, Stretched(in byAzimuth));
+        SetColumn(j, 0, LogSpeed, Stretched(in velocity));
+        return velocity;
+
+        Vector3d Stretched(in Vector3d turn) => (across * turn) + ((along - across) * Vector3d.Dot(in turn, in direction) * direction);
+    }
+
+    /// <summary>Whether the elevation or the speed is as low, or as high, as it may be.</summary>
+    public bool IsAtBound(double[] x) =>
+        x[Elevation] == Least[Elevation] || x[Elevation] == Most[Elevation] || x[LogSpeed] == Least[LogSpeed] || x[LogSpeed] == Most[LogSpeed];
 
     /// <summary>How the residuals move with the free unknowns, around the kick that was flown last.</summary>
     /// <param name="x">Its unknowns.</param>
@@ -202,7 +286,7 @@ internal sealed class ShootingProblem
         while (state.Time < AimContext.LongestFlight && _log.Steps < AimContext.MostPieces && !(state.Position.Y < floor && state.Velocity.Y < 0))
         {
             BallState before = state;
-            _simulator.StepToImpact(ref state, _scanStep, _log);
+            _open.StepToImpact(ref state, _scanStep, _log);
             double squared;
             double time;
             if (_passesThrough)
@@ -246,34 +330,47 @@ internal sealed class ShootingProblem
     /// <returns>Whether it hits, and passes the point on the way.</returns>
     public bool IsMeasuredHit(double[] x, out AimSolution solution)
     {
-        solution = new AimSolution
-        {
-            Status = AimStatus.Hit,
-            Kick = KickOf(x),
-            Forward = _frame.Forward,
-            Speed = IsFree[LogSpeed] ? Elementary.Exp(x[LogSpeed]) : _speed,
-            Time = Elementary.Exp(x[LogTime]),
-        };
+        solution = Solution(x);
         solution.Vectors(out Vector3d velocity, out Vector3d spin);
-        MeasuredMiss measured = _context.Miss.Measure(Request, in velocity, in spin);
+        MeasuredMiss measured = IsFree[LogTime] ? _context.Miss.Measure(Request, in velocity, in spin) : _context.Miss.MeasureAt(Request, in velocity, in spin, solution.Time);
         solution.Miss = measured.Distance;
         solution.ThroughMiss = measured.ThroughDistance ?? double.NaN;
-        return measured.Distance <= Request.Tolerance && (!_passesThrough || measured.ThroughDistance <= Request.ThroughTolerance);
+
+        // What is in the way of the kick for a time is to be told.
+        bool isBlocked = !IsFree[LogTime] && measured.Blocker != MeasuredMiss.NoThing;
+        return (measured.Distance <= Request.Tolerance || isBlocked) && (!_passesThrough || measured.ThroughDistance <= Request.ThroughTolerance);
     }
+
+    /// <summary>The solution that unknowns stand for.</summary>
+    public AimSolution Solution(double[] x) => new()
+    {
+        Status = AimStatus.Hit,
+        Kick = KickOf(x),
+        Forward = _frame.Forward,
+        Speed = IsFree[LogSpeed] ? Elementary.Exp(x[LogSpeed]) : _speed,
+        Time = Elementary.Exp(x[LogTime]),
+    };
 
     private BallState Launch(double[] x)
     {
         KickOf(x).Vectors(Elementary.Exp(x[LogSpeed]), in _frame.Forward, out Vector3d velocity, out Vector3d spin);
         _log.Clear();
-        return _simulator.Launch(_frame.From, velocity, spin);
+        return (_rolls ? _grounded : _open).Launch(_frame.From, velocity, spin);
     }
 
     private void FlyOn(ref BallState state, double time)
     {
-        double steps = Math.Ceiling(time / _step);
+        double last = state.Time + time - (1e-9 * time);
+        while (_rolls && state.Time < last && state.Motion != MotionState.Stopped && _log.Steps < AimContext.MostPieces)
+        {
+            double step = state.Motion == MotionState.Sliding || state.Velocity.LengthSquared > FastRoll * FastRoll ? FastRollStep : RollStep;
+            _grounded.StepToImpact(ref state, Math.Min(step, last - state.Time + (1e-9 * time)), _log);
+        }
+
+        double steps = _rolls ? 0 : Math.Ceiling(time / _step);
         for (int i = 0; i < steps && _log.Steps < AimContext.MostPieces; i++)
         {
-            _simulator.StepToImpact(ref state, time / steps, _log);
+            _open.StepToImpact(ref state, time / steps, _log);
         }
     }
 

@@ -33,8 +33,18 @@ internal sealed class FactorTable
         _fineOffset = (int)(fine.LowestBits >> fine.Shift);
         _coarseShift = whole.Shift;
         _coarseOffset = (int)(whole.LowestBits >> whole.Shift) - fine.Segments;
-        Fill(_segments.AsSpan(0, fine.Segments), functions, fine);
-        Fill(_segments.AsSpan(fine.Segments), functions, whole);
+        for (int i = 0; i < fine.Segments; i++)
+        {
+            Fill(ref _segments[i], functions, fine.Start(i), fine.Start(i + 1));
+        }
+
+        // The coarse ones below and above the fine.
+        int below = (fine.From - whole.From) << whole.SegmentBits;
+        int above = (fine.To - whole.From) << whole.SegmentBits;
+        for (int i = 0; i < whole.Segments; i = i + 1 == below ? above : i + 1)
+        {
+            Fill(ref _segments[fine.Segments + i], functions, whole.Start(i), whole.Start(i + 1));
+        }
     }
 
     /// <summary>Up to four functions of one number.</summary>
@@ -59,29 +69,24 @@ internal sealed class FactorTable
         values.Fourth = (segment.Fourth.A + (segment.Fourth.B * x)) + ((segment.Fourth.C * squared) + (segment.Fourth.D * cubed));
     }
 
-    [MethodImpl(Hot.Path)]
-    private static void Fill(Span<Segment> segments, Functions functions, Octaves octaves)
+    private static void Fill(ref Segment segment, Functions functions, double low, double high)
     {
-        for (int i = 0; i < segments.Length; i++)
-        {
-            var at = new ChebyshevPoints(octaves.Start(i), octaves.Start(i + 1));
-            functions(at.X0, out LawFactors f0);
-            functions(at.X1, out LawFactors f1);
-            functions(at.X2, out LawFactors f2);
-            functions(at.X3, out LawFactors f3);
-            segments[i] = new Segment(
-                Cubic.Through(in at, f0.First, f1.First, f2.First, f3.First),
-                Cubic.Through(in at, f0.Second, f1.Second, f2.Second, f3.Second),
-                Cubic.Through(in at, f0.Third, f1.Third, f2.Third, f3.Third),
-                Cubic.Through(in at, f0.Fourth, f1.Fourth, f2.Fourth, f3.Fourth));
-        }
+        var at = new ChebyshevPoints(low, high);
+        functions(at.X0, out LawFactors f0);
+        functions(at.X1, out LawFactors f1);
+        functions(at.X2, out LawFactors f2);
+        functions(at.X3, out LawFactors f3);
+        segment.First = Cubic.Through(in at, f0.First, f1.First, f2.First, f3.First);
+        segment.Second = Cubic.Through(in at, f0.Second, f1.Second, f2.Second, f3.Second);
+        segment.Third = Cubic.Through(in at, f0.Third, f1.Third, f2.Third, f3.Third);
+        segment.Fourth = Cubic.Through(in at, f0.Fourth, f1.Fourth, f2.Fourth, f3.Fourth);
     }
 
-    private readonly struct Segment(Cubic first, Cubic second, Cubic third, Cubic fourth)
+    private struct Segment
     {
-        public readonly Cubic First = first;
-        public readonly Cubic Second = second;
-        public readonly Cubic Third = third;
-        public readonly Cubic Fourth = fourth;
+        public Cubic First;
+        public Cubic Second;
+        public Cubic Third;
+        public Cubic Fourth;
     }
 }

@@ -29,7 +29,6 @@ internal sealed class KnuckleForce
     private static readonly double[] Weight = [0.70, 0.95, 1, 0.60];
     private static readonly PowerTable Power = new(Growth);
 
-    private readonly Quad _amplitude;
     private readonly FourWaves _first;
     private readonly FourWaves _second;
     private readonly double _perMass;
@@ -45,9 +44,9 @@ internal sealed class KnuckleForce
         }
 
         double scale = 1.0 / Math.Sqrt(sum);
-        _amplitude = new Quad(scale * Weight[0], scale * Weight[1], scale * Weight[2], scale * Weight[3]);
-        _first = new FourWaves(seed, 0, r);
-        _second = new FourWaves(seed, 8, r);
+        var amplitude = new Quad(scale * Weight[0], scale * Weight[1], scale * Weight[2], scale * Weight[3]);
+        _first = new FourWaves(seed, 0, r, amplitude);
+        _second = new FourWaves(seed, 8, r, amplitude);
         _radius = r;
         _perMass = scene.Ball.KnuckleForce * (scene.Air.Density / 1.2) * (r / 0.11) * (r / 0.11) / scene.Ball.Mass;
     }
@@ -56,7 +55,7 @@ internal sealed class KnuckleForce
     public static KnuckleForce? Of(Scene scene) => scene.Forces.KnuckleSeed is { } seed && scene.Ball.KnuckleForce > 0 ? new KnuckleForce(scene, seed) : null;
 
     /// <summary>An upper bound of what it does to the motion: |F_K|/m ≤ √2 c Σ w κ/m, and κ/|u|² is largest where κ grows no further.</summary>
-    public RateBound Bound => new(_perMass * Math.Sqrt(2.0) * _amplitude.Sum * Power.Of(Fastest / 30.0) / (Fastest * Fastest), 0, 0);
+    public RateBound Bound => new(_perMass * Math.Sqrt(2.0) * _first.Amplitude.Sum * Power.Of(Fastest / 30.0) / (Fastest * Fastest), 0, 0);
 
     /// <summary>The acceleration, m/s².</summary>
     /// <param name="u">Velocity relative to the air, m/s.</param>
@@ -85,23 +84,26 @@ internal sealed class KnuckleForce
         var level = new Vector3d(-along.Z, 0, along.X);
         double across = level.Length;
         Vector3d first = across > 0 ? level / across : new Vector3d(0, 0, 1);
-        return (strength * Wobble(in _first, distance) * first) + (strength * Wobble(in _second, distance) * Vector3d.Cross(in first, in along));
+        return (strength * Wobble(_first, distance) * first) + (strength * Wobble(_second, distance) * Vector3d.Cross(in first, in along));
     }
 
     // f_i = c Σ_k w_k sin 2π(0.0183 g_k (1 + 0.2 (R(8i+2k+1) − ½)) s/(2r) + R(8i+2k)),  c = 1/√(Σ w²/2)
-    private double Wobble(in FourWaves waves, double distance)
+    private static double Wobble(FourWaves waves, double distance)
     {
         QuadSine.SinCos((waves.TurnsPerMetre * Quad.Of(distance)) + waves.Phase, out Quad sin, out _);
-        return (_amplitude * sin).Sum;
+        return (waves.Amplitude * sin).Sum;
     }
 
-    private readonly struct FourWaves
+    // A class: a scene without a knuckle force then loads no vectors.
+    private sealed class FourWaves
     {
+        public readonly Quad Amplitude;
         public readonly Quad TurnsPerMetre;
         public readonly Quad Phase;
 
-        public FourWaves(long seed, int first, double radius)
+        public FourWaves(long seed, int first, double radius, Quad amplitude)
         {
+            Amplitude = amplitude;
             Span<double> turns = stackalloc double[Waves];
             Span<double> phase = stackalloc double[Waves];
             for (int k = 0; k < Waves; k++)
