@@ -31,20 +31,7 @@ internal sealed class World
         IsLevel = scene.Ground.IsLevel;
         IsLevelGroundAlone = IsLevel && IsBare;
         LevelContact = scene.Ground.IsNone || !scene.Ground.IsLevel ? double.NegativeInfinity : scene.Ground.Height + Ball.Radius;
-<<<<<<< HEAD
-        foreach (Collider collider in Colliders)
-        {
-            foreach (ContactMaterial material in collider.Materials)
-            {
-                LargestFriction = Math.Max(LargestFriction, material.SlidingFriction);
-            }
-        }
-
-        Moving = [.. Of(collider => collider.Moves).Where(i => Engine is null || !Engine.Has(i))];
-        foreach (Collider collider in Moving.Select(i => Colliders[i]).Where(collider => !collider.IsBody))
-=======
         if (!IsBare)
->>>>>>> main
         {
             Bodies = scene.Bodies is { Count: > 0 } ? scene.Bodies : null;
             Bodies?.Use();
@@ -57,6 +44,14 @@ internal sealed class World
 
         // Each collider is met as what moves, what has no bounds, or a box of the tree.
         Colliders = colliders.ToArray();
+        foreach (Collider collider in Colliders)
+        {
+            foreach (ContactMaterial material in collider.Materials)
+            {
+                LargestFriction = Math.Max(LargestFriction, material.SlidingFriction);
+            }
+        }
+
         var moving = new List<int>();
         var unbounded = new List<int>();
         var leaves = new List<int>();
@@ -164,22 +159,6 @@ internal sealed class World
     /// <summary>Whether the air pushes a ball that is carried.</summary>
     public bool AirActs { get; }
 
-<<<<<<< HEAD
-=======
-    /// <summary>The world of a scene; null where the level pitch is all there is.</summary>
-    public static World? Of(Scene scene)
-    {
-        Ground ground = scene.Ground;
-        bool plain = ground.IsLevel
-            && double.IsPositiveInfinity(ground.ImpactFriction)
-            && double.IsPositiveInfinity(ground.RestitutionSpeed)
-            && ground.RollingFrictionBySpeed == 0
-            && ground.DrillingLength == 0
-            && ground.Aerodynamics != GroundAerodynamics.Full
-            && ground.Pattern is null;
-        return plain && HasNothing(scene) ? null : new World(scene);
-    }
-
     // What a bare pitch does not need stands by itself: its first use costs a game nothing.
     private static void AddThings(Scene scene, List<Collider> colliders)
     {
@@ -201,7 +180,6 @@ internal sealed class World
         .. Goals.Select(_ => "goal"),
     ];
 
->>>>>>> main
     private static bool HasNothing(Scene scene) =>
         scene.Obstacles.Count == 0 && scene.Nets.Count == 0 && scene.Goals.Count == 0 && scene.Bodies is not { Count: > 0 } && scene.EngineColliders is null;
 
