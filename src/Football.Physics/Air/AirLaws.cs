@@ -15,7 +15,7 @@ internal abstract class AirLaws
     /// <inheritdoc cref="IFlightAir.Jumps"/>
     public bool Jumps { get; protected init; }
 
-    /// <inheritdoc cref="IAir.Bound"/>
+    /// <inheritdoc cref="SceneAir.Bound"/>
     public RateBound Bound { get; protected init; }
 
     /// <summary>The speed, m/s, up to which <see cref="OrdinaryBound"/> holds: twice that of any kick.</summary>

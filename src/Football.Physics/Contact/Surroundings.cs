@@ -1,11 +1,10 @@
 namespace Football.Physics;
 
 /// <summary>What acts on a ball wherever it is: the constants of a scene, shared by all phases of a step.</summary>
-internal sealed class Surroundings<TAir>
-    where TAir : struct, IAir
+internal sealed class Surroundings
 {
     /// <summary>The air. Not readonly: a call through a type parameter would copy it first.</summary>
-    public TAir Air;
+    public SceneAir Air;
 
     /// <summary>Whether the air acts at all.</summary>
     public readonly bool AirActs;
@@ -28,7 +27,7 @@ internal sealed class Surroundings<TAir>
     /// <summary>All that can be met.</summary>
     public readonly World World;
 
-    public Surroundings(Scene scene, in TAir air)
+    public Surroundings(Scene scene, in SceneAir air)
     {
         Air = air;
         AirActs = Air.Drags || Air.Lifts || Air.SpinDecays || Air.Varies;

@@ -1,8 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>What an impact makes of the motion, and how that changes with the motion before it: by the simulation's own impact, and difference quotients of it.</summary>
-internal sealed class ImpactMap<TAir>
-    where TAir : struct, IAir
+internal sealed class ImpactMap
 {
     private const double TimeWidth = 1e-6;
 
@@ -11,13 +10,13 @@ internal sealed class ImpactMap<TAir>
     private const double Narrower = 0.1;
 
     private readonly World _world;
-    private readonly WorldContact<TAir> _contact;
+    private readonly WorldContact _contact;
     private readonly StepLog _log = new();
 
-    public ImpactMap(Scene scene, Surroundings<TAir> around)
+    public ImpactMap(Scene scene, Surroundings around)
     {
         _world = around.World;
-        _contact = new WorldContact<TAir>(around, scene.Ground.IsLevel);
+        _contact = new WorldContact(around, scene.Ground.IsLevel);
     }
 
     /// <summary>How the motion changes with time itself, were the impact later: where what is hit moves.</summary>

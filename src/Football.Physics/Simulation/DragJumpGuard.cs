@@ -4,17 +4,16 @@ namespace Football.Physics;
 /// Watches the surfaces at which the published drag law jumps. A piece of motion is locked to one branch of the law; where it crosses a
 /// surface it ends there, and the branch that leads away from the surface holds from then on (Filippov).
 /// </summary>
-internal sealed class DragJumpGuard<TAir>
-    where TAir : struct, IAir
+internal sealed class DragJumpGuard
 {
     /// <summary>A rate across a surface is not known to more than this share of the products that it is summed of.</summary>
     private const double Rounding = 1e-14;
 
-    private readonly FlightSystem<TAir> _flight;
+    private readonly FlightSystem _flight;
 
-    public DragJumpGuard(Surroundings<TAir> around, bool locates)
+    public DragJumpGuard(Surroundings around, bool locates)
     {
-        _flight = new FlightSystem<TAir> { Around = around };
+        _flight = new FlightSystem { Around = around };
         Acts = around.Air.Jumps && locates;
     }
 
@@ -66,7 +65,7 @@ internal sealed class DragJumpGuard<TAir>
 
     /// <summary>Ends a piece of flight along a surface where one branch alone leads off it, or where the other surface is met.</summary>
     public DragBranch EndAlongSurface<TIntegrator>(
-        ref MotionSweep<FlightSystem<TAir>, TIntegrator> sweep, double time, in Motion from, ref StepRun run)
+        ref MotionSweep<FlightSystem, TIntegrator> sweep, double time, in Motion from, ref StepRun run)
         where TIntegrator : struct, IIntegrator
     {
         double h = sweep.Length;
@@ -150,7 +149,7 @@ internal sealed class DragJumpGuard<TAir>
     /// <param name="run">The step.</param>
     private DragBranch Resolve(double time, in Motion at, in BallState s, ref StepRun run)
     {
-        FlightSystem<TAir> system = _flight;
+        FlightSystem system = _flight;
         system.Nets = s.Nets;
         system.NetSides = s.NetSides;
         DragJump here = system.JumpAt(in at);

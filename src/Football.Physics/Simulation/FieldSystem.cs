@@ -6,7 +6,7 @@ namespace Football.Physics;
 internal struct FieldSystem : IFieldSystem
 {
     /// <summary>The air, the steady wind, gravity and buoyancy.</summary>
-    public Surroundings<SceneAir> Around;
+    public Surroundings Around;
 
     /// <summary>Unit axis of the spin.</summary>
     public Vector3d Axis;

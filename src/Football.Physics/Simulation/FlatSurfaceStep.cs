@@ -6,7 +6,7 @@ namespace Football.Physics;
 /// Whole steps of sliding and rolling on flat ground with nothing else near: nearly every step that a ball takes on the ground. The motion has two components
 /// along the plane and three of spin, in the plane's own axes; the load needs no curvature, and nothing is searched for.
 /// <see cref="TryWhole"/> proposes the step, takes it, asks whether anything may have happened in it, and moves the ball. Where something may, nothing is done
-/// and <see cref="CarriedPhase{TAir, TIntegrator}"/> takes the step in pieces, by the same equations on any surface.
+/// and <see cref="SurfacePhase{TIntegrator}"/> takes the step in pieces, by the same equations on any surface.
 /// </summary>
 /// <remarks>
 /// With a_b gravity and buoyancy, a_air the air's push, T its torque per moment of inertia and N the load per mass:
@@ -22,7 +22,7 @@ internal sealed class FlatSurfaceStep
     private const double Ample = 0.9;
     private const double Slight = 0.05;
 
-    private readonly Surroundings<SceneAir> _around;
+    private readonly Surroundings _around;
     private readonly World _world;
     private readonly AirLaws _laws;
     private readonly ClearFlight? _clear;
@@ -67,7 +67,7 @@ internal sealed class FlatSurfaceStep
     /// <param name="limit">How long a step may be.</param>
     /// <param name="clear">Finds out whether anything is near; null where there is nothing but the ground.</param>
     /// <param name="locatesJump">Whether steps end at the drag law's jump.</param>
-    public FlatSurfaceStep(Scene scene, SolverSettings settings, Surroundings<SceneAir> around, in StabilityLimit limit, ClearFlight? clear, bool locatesJump)
+    public FlatSurfaceStep(Scene scene, SolverSettings settings, Surroundings around, in StabilityLimit limit, ClearFlight? clear, bool locatesJump)
     {
         _around = around;
         _world = around.World!;

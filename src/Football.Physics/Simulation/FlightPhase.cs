@@ -4,29 +4,28 @@ namespace Football.Physics;
 /// Flight, piece by piece. A piece is as long as stability allows; it ends early at the drag law's jump, where the spin ends, or where the
 /// ball meets something, whichever is first.
 /// </summary>
-internal sealed class FlightPhase<TAir, TIntegrator>
-    where TAir : struct, IAir
+internal sealed class FlightPhase<TIntegrator>
     where TIntegrator : struct, IIntegrator
 {
-    private readonly Surroundings<TAir> _around;
+    private readonly Surroundings _around;
     private readonly IFlight _flight;
     private readonly StabilityLimit _limit;
-    private readonly DragJumpGuard<TAir> _jump;
-    private readonly ImplicitPhase<TAir> _implicit;
-    private readonly FlightSystem<TAir> _system;
+    private readonly DragJumpGuard _jump;
+    private readonly ImplicitPhase _implicit;
+    private readonly FlightSystem _system;
     private readonly TIntegrator _integrator;
     private readonly World _world;
-    private readonly WorldGuard<TAir> _guard;
+    private readonly WorldGuard _guard;
     private readonly NetGuard _nets;
     private readonly double _fastestWind;
 
     public FlightPhase(
-        Surroundings<TAir> around,
+        Surroundings around,
         IFlight flight,
         in StabilityLimit limit,
-        DragJumpGuard<TAir> jump,
-        ImplicitPhase<TAir> implicitPhase,
-        WorldGuard<TAir> guard)
+        DragJumpGuard jump,
+        ImplicitPhase implicitPhase,
+        WorldGuard guard)
     {
         _world = around.World;
         _guard = guard;
@@ -36,7 +35,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         _limit = limit;
         _jump = jump;
         _implicit = implicitPhase;
-        _system = new FlightSystem<TAir> { Around = around };
+        _system = new FlightSystem { Around = around };
         _integrator = default;
         _fastestWind = around.Air.FastestWind;
     }
@@ -68,7 +67,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
         run.Keep(h, asked);
         if (hasAxis)
         {
-            var sweep = new FlightSweep<TAir, TIntegrator>(_around, _flight, in s);
+            var sweep = new FlightSweep<TIntegrator>(_around, _flight, in s);
             sweep.Step(h);
             Finish(ref s, ref run, ref sweep);
         }
@@ -87,13 +86,13 @@ internal sealed class FlightPhase<TAir, TIntegrator>
             return;
         }
 
-        var sweep = new FlightSweep<TAir, TIntegrator>(_around, _flight, in s);
+        var sweep = new FlightSweep<TIntegrator>(_around, _flight, in s);
         sweep.Take(in taken, h);
         Finish(ref s, ref run, ref sweep);
     }
 
     /// <summary>Ends a piece along a constant axis at the first thing that happens in it, and moves the ball there.</summary>
-    private void Finish(ref BallState s, ref StepRun run, ref FlightSweep<TAir, TIntegrator> sweep)
+    private void Finish(ref BallState s, ref StepRun run, ref FlightSweep<TIntegrator> sweep)
     {
         DragBranch next = s.Branch;
         bool goes = !_jump.Acts || _jump.EndAtCrossing(ref sweep, in s, ref run, out next);
@@ -110,12 +109,12 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     private void TakeWithoutAxis(ref BallState s, ref StepRun run, double h, in Guides guides)
     {
         var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
-        FlightSystem<TAir> system = _system;
+        FlightSystem system = _system;
         system.Branch = s.Branch;
         system.Nets = s.Nets;
         system.NetSides = s.NetSides;
         system.Guides = guides;
-        var sweep = new MotionSweep<FlightSystem<TAir>, TIntegrator>(in system, s.Time, in from, _around.Wind, _around.Radius);
+        var sweep = new MotionSweep<FlightSystem, TIntegrator>(in system, s.Time, in from, _around.Wind, _around.Radius);
         sweep.Step(h);
         if (guides.Count > 0)
         {
@@ -150,7 +149,7 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     /// <summary>Puts a ball onto what it slides along: what the integrator left of it is within its own error.</summary>
     private void Hold(ref BallState s, in Guides guides, int met)
     {
-        FlightSystem<TAir> system = _system;
+        FlightSystem system = _system;
         system.Branch = s.Branch;
         system.Nets = s.Nets;
         system.NetSides = s.NetSides;
@@ -198,10 +197,10 @@ internal sealed class FlightPhase<TAir, TIntegrator>
     }
 
     /// <summary>Ends a piece where its spin reaches zero: decay never reverses a spin.</summary>
-    private static void EndSpin(ref FlightSweep<TAir, TIntegrator> sweep, double spinRate)
+    private static void EndSpin(ref FlightSweep<TIntegrator> sweep, double spinRate)
     {
         double tau = sweep.Length * spinRate / (spinRate - sweep.Taken.SpinRate);
-        EventLocator.Locate(ref sweep, new SpinLeft<TAir, TIntegrator>(spinRate), tau);
+        EventLocator.Locate(ref sweep, new SpinLeft<TIntegrator>(spinRate), tau);
         sweep.EndSpin();
     }
 

@@ -4,8 +4,7 @@ namespace Football.Physics;
 /// Pieces by implicit Euler, for air that is far stronger than the ball's inertia: stable at any length, they end in the balance of forces
 /// that the motion relaxes to. A step that explicit methods would have to divide too often is taken in a few of these.
 /// </summary>
-internal sealed class ImplicitPhase<TAir>
-    where TAir : struct, IAir
+internal sealed class ImplicitPhase
 {
     /// <summary>Pieces of a step that is taken by implicit Euler.</summary>
     private const int MostPieces = 16;
@@ -13,10 +12,10 @@ internal sealed class ImplicitPhase<TAir>
     /// <summary>Pieces tried at most to find the instant of a contact; every third halves.</summary>
     private const int MostTries = 120;
 
-    private readonly Surroundings<TAir> _around;
-    private readonly WorldGuard<TAir> _guard;
+    private readonly Surroundings _around;
+    private readonly WorldGuard _guard;
 
-    public ImplicitPhase(Surroundings<TAir> around, WorldGuard<TAir> guard)
+    public ImplicitPhase(Surroundings around, WorldGuard guard)
     {
         _around = around;
         _guard = guard;
@@ -43,7 +42,7 @@ internal sealed class ImplicitPhase<TAir>
         run.Implicit++;
         var from = new Motion(s.Position, s.Velocity, s.Spin);
         MotionRates push = Push(in s, in from.Velocity, in from.Spin, ref run, out Vector3d wind);
-        var step = new ImplicitStep<TAir>(_around, in from, in push, in wind);
+        var step = new ImplicitStep(_around, in from, in push, in wind);
         Motion end = step.To(h);
         double at = FirstMet(in s, in step.From, in end, h, out Gap met);
         bool meets = at <= h;
@@ -151,14 +150,14 @@ internal sealed class ImplicitPhase<TAir>
 
         double about = Vector3d.Dot(in w, in n);
         w -= (about - (about / (1.0 + (h * material.SpinDamping / world.Ball.MomentOfInertia)))) * n;
-        var euler = new ImplicitEuler<TAir> { Air = _around.Air, RadiusSquared = _around.RadiusSquared };
+        var euler = new ImplicitEuler { Air = _around.Air, RadiusSquared = _around.RadiusSquared };
         double rate = w.Length;
         Vector3d axis = rate > 0 ? w / rate : Vector3d.Up;
         Vector3d pushed = push.Acceleration + (_around.Upward * (Vector3d.Up - (n.Y * n)));
         Vector3d u = v + carrier.Velocity - wind;
         u = _around.AirActsOnGround ? euler.Velocity(in u, in pushed, in axis, rate, h) : u + (h * pushed);
         w = euler.Spin(rate, u.Length, h) * axis;
-        Vector3d relative = CarriedSystem<TAir>.Tangential(u + wind - carrier.Velocity, in n);
+        Vector3d relative = SurfaceSystem.Tangential(u + wind - carrier.Velocity, in n);
         Vector3d velocity = relative + carrier.Velocity;
         var path = PathCubic.Line(s.Position, in velocity, h);
         double at = new ContactSearch(world, in path, s.Time).First(in s, (int)s.Carrier - world.FirstCollider, out Gap met);

@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using TAir = Football.Physics.SceneAir;
 
 namespace Football.Physics;
 
@@ -7,12 +6,12 @@ namespace Football.Physics;
 /// A step of the ball in one scene with one method, as a loop over pieces, each by the phase that the ball is in. The whole step of flight in which
 /// nothing happens, which most steps are, is <see cref="FlightStepper{TAir, TIntegrator}"/>'s.
 /// <list type="number">
-/// <item><see cref="FlightPhase{TAir, TIntegrator}"/>: to the drag law's jump, the end of the spin, what is met;</item>
+/// <item><see cref="FlightPhase{TIntegrator}"/>: to the drag law's jump, the end of the spin, what is met;</item>
 /// <item><see cref="FlatSurfaceStep"/>: a whole step of a slide, a roll on flat ground in which nothing happens;</item>
-/// <item><see cref="CarriedPhase{TAir, TIntegrator}"/>: a slide, a roll on any surface, to the jump, the end of the slip, rest, what is met;</item>
-/// <item><see cref="WorldContact{TAir}"/>: an impact, and what becomes of the ball after it;</item>
-/// <item><see cref="RestPhase{TAir}"/>: at rest among what moves, to the first that hits;</item>
-/// <item><see cref="ImplicitPhase{TAir}"/>: where the air is too strong for explicit pieces.</item>
+/// <item><see cref="SurfacePhase{TIntegrator}"/>: a slide, a roll on any surface, to the jump, the end of the slip, rest, what is met;</item>
+/// <item><see cref="WorldContact"/>: an impact, and what becomes of the ball after it;</item>
+/// <item><see cref="RestPhase"/>: at rest among what moves, to the first that hits;</item>
+/// <item><see cref="ImplicitPhase"/>: where the air is too strong for explicit pieces.</item>
 /// </list>
 /// </summary>
 /// <typeparam name="TIntegrator">The one-step method.</typeparam>
@@ -27,52 +26,52 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
     private readonly Vector3d _wind;
     private readonly double _upward;
-    private TAir _air;
+    private SceneAir _air;
     private TIntegrator _integrator;
-    private readonly FlightPhase<TAir, TIntegrator> _flight;
-    private readonly ImplicitPhase<TAir> _implicit;
+    private readonly FlightPhase<TIntegrator> _flight;
+    private readonly ImplicitPhase _implicit;
     private readonly ClearFlight? _clear;
     private readonly ulong _clearKey;
-    private readonly CarriedPhase<TAir, TIntegrator> _carried;
+    private readonly SurfacePhase<TIntegrator> _carried;
     private readonly FlatSurfaceStep _flat;
-    private readonly RestPhase<TAir> _rest;
-    private readonly WorldContact<TAir> _contact;
-    private readonly BodyPush<TAir>? _bodies;
+    private readonly RestPhase _rest;
+    private readonly WorldContact _contact;
+    private readonly BodyPush? _bodies;
 
-    public SceneStepper(Scene scene, SolverSettings settings, in TAir air)
+    public SceneStepper(Scene scene, SolverSettings settings, in SceneAir air)
     {
-        var around = new Surroundings<TAir>(scene, in air);
+        var around = new Surroundings(scene, in air);
         Around = around;
         _air = around.Air;
         _integrator = default;
         _wind = around.Wind;
         _upward = around.Upward;
         Limit = StabilityLimit.Of(scene, in _air, 0, _upward, _integrator.Order);
-        var jump = new DragJumpGuard<TAir>(around, settings.LocateJump && _integrator.Order > 1);
+        var jump = new DragJumpGuard(around, settings.LocateJump && _integrator.Order > 1);
         LocatesJump = jump.Acts;
         World world = around.World;
         _clear = world.IsLevelGroundAlone ? null : new ClearFlight(world, Limit, StabilityLimit.WithFall(_air.OrdinaryBound, _upward), in _wind, _upward, _integrator.ShareInPath);
 
         // Where there are bodies, no answer is good for longer than a step.
         _clearKey = _clear is { LooksForBodies: false } ? _clear.Key : 0;
-        _contact = new WorldContact<TAir>(around, scene.Ground.IsLevel);
-        _bodies = world is { Bodies: not null } or { Engine: not null } ? new BodyPush<TAir>(world, _contact) : null;
-        var guard = new WorldGuard<TAir>(world, _contact, settings);
-        _implicit = new ImplicitPhase<TAir>(around, guard);
+        _contact = new WorldContact(around, scene.Ground.IsLevel);
+        _bodies = world is { Bodies: not null } or { Engine: not null } ? new BodyPush(world, _contact) : null;
+        var guard = new WorldGuard(world, _contact, settings);
+        _implicit = new ImplicitPhase(around, guard);
 
         // Friction may speed a ball up faster than gravity does.
         double pull = Math.Abs(_upward) * Math.Max(1.0, world.LargestFriction);
         StabilityLimit pulled = StabilityLimit.Of(scene, in _air, 0, pull, _integrator.Order);
-        _carried = new CarriedPhase<TAir, TIntegrator>(scene, settings, around, pulled, jump, guard, _contact, _implicit);
+        _carried = new SurfacePhase<TIntegrator>(scene, settings, around, pulled, jump, guard, _contact, _implicit);
         _flat = new FlatSurfaceStep(scene, settings, around, pulled, world.IsBare ? null : _clear, LocatesJump);
-        _rest = new RestPhase<TAir>(world, guard);
-        _flight = new FlightPhase<TAir, TIntegrator>(around, this, Limit, jump, _implicit, guard);
+        _rest = new RestPhase(world, guard);
+        _flight = new FlightPhase<TIntegrator>(around, this, Limit, jump, _implicit, guard);
     }
 
     public override World World => Around.World;
 
     /// <summary>What acts on a ball wherever it is.</summary>
-    protected Surroundings<TAir> Around { get; }
+    protected Surroundings Around { get; }
 
     /// <summary>How long a piece may be.</summary>
     protected StabilityLimit Limit { get; }

@@ -1,8 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>What touching a thing of the world does to the ball: an impact, and whether it then flies, is guided, or is carried, sliding or rolling.</summary>
-internal sealed class WorldContact<TAir>
-    where TAir : struct, IAir
+internal sealed class WorldContact
 {
     /// <summary>More impacts than this at one instant, and the ball is wedged: it goes along with what pushes it.</summary>
     private const int MostAtOnce = 64;
@@ -13,11 +12,11 @@ internal sealed class WorldContact<TAir>
     /// <summary>Less than this is no overlap to be raised from, m.</summary>
     private const double Overlap = 5e-10;
 
-    private readonly Surroundings<TAir> _around;
+    private readonly Surroundings _around;
     private readonly World _world;
     private readonly bool _levelGround;
 
-    public WorldContact(Surroundings<TAir> around, bool levelGround)
+    public WorldContact(Surroundings around, bool levelGround)
     {
         _levelGround = levelGround;
         _around = around;
@@ -63,7 +62,7 @@ internal sealed class WorldContact<TAir>
         }
 
         // Where a step has had its impacts, or is spent, the ball stays on what it hits even if the air would lift it.
-        if (!bounces && (!may || Load(in s, in velocity, in spin, hit, in at) > CarriedForces.Least))
+        if (!bounces && (!may || Load(in s, in velocity, in spin, hit, in at) > SurfaceForces.Least))
         {
             Stay(ref s, thing, in velocity, in spin, ref run);
             return;
@@ -155,7 +154,7 @@ internal sealed class WorldContact<TAir>
     {
         Collider on = _world.Colliders[collider];
         ShapePoint at = on.At(s.Position, s.Time);
-        return Load(in s, s.Velocity, s.Spin, on, in at) > CarriedForces.Least;
+        return Load(in s, s.Velocity, s.Spin, on, in at) > SurfaceForces.Least;
     }
 
     /// <summary>A ball that is placed: carried, where it touches something slowly enough and is pressed on it; else in the air.</summary>
@@ -196,7 +195,7 @@ internal sealed class WorldContact<TAir>
         // On a level pitch that is so up to the speed of the slowest bounce; on anything else what comes closer hits.
         double slowest = _levelGround && collider == _world.Ground ? -_world.MinimumBounceSpeed : -double.Epsilon;
         return at.Distance - _world.Ball.Radius <= ContactSearch.Touching && off < _world.MinimumBounceSpeed && off > slowest
-            && Load(in s, in velocity, s.Spin, collider, in at) > CarriedForces.Least;
+            && Load(in s, in velocity, s.Spin, collider, in at) > SurfaceForces.Least;
     }
 
     /// <summary>A carried ball was hit by something else: it keeps its carrier unless the impulse lifts it.</summary>
@@ -255,8 +254,8 @@ internal sealed class WorldContact<TAir>
     /// <summary>Whether friction can hold a ball without slip.</summary>
     private bool Grips(in BallState s, Collider carrier, ref StepRun run)
     {
-        CarriedSystem<TAir> system = System(in s, carrier);
-        CarriedForces on = system.ForcesOn(s.Time, new Motion(s.Position, s.Velocity, s.Spin));
+        SurfaceSystem system = System(in s, carrier);
+        SurfaceForces on = system.ForcesOn(s.Time, new Motion(s.Position, s.Velocity, s.Spin));
         run.Log.Evaluations++;
         return system.Grips(in on);
     }
@@ -274,7 +273,7 @@ internal sealed class WorldContact<TAir>
         return (-_around.Upward * at.Normal.Y) - Vector3d.Dot(in along, at.Curvature * along);
     }
 
-    private CarriedSystem<TAir> System(in BallState s, Collider carrier) => new()
+    private SurfaceSystem System(in BallState s, Collider carrier) => new()
     {
         Around = _around,
         World = _world,

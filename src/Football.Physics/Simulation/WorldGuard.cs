@@ -1,8 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>Ends a piece of motion at the first thing of the world that it meets, and does what that calls for.</summary>
-internal sealed class WorldGuard<TAir>
-    where TAir : struct, IAir
+internal sealed class WorldGuard
 {
     /// <summary>Below this, m, a gap needs no correction.</summary>
     private const double Closed = 1e-14;
@@ -14,11 +13,11 @@ internal sealed class WorldGuard<TAir>
     private const int MostSearches = 8;
 
     private readonly World _world;
-    private readonly WorldContact<TAir> _contact;
+    private readonly WorldContact _contact;
     private readonly bool _bisects;
     private readonly double _tolerance;
 
-    public WorldGuard(World world, WorldContact<TAir> contact, SolverSettings settings)
+    public WorldGuard(World world, WorldContact contact, SolverSettings settings)
     {
         _world = world;
         _bisects = settings.CollisionTiming == CollisionTiming.Bisection;
@@ -121,7 +120,7 @@ internal sealed class WorldGuard<TAir>
         return met.What != Happening.None;
     }
 
-    /// <inheritdoc cref="WorldContact{TAir}.EndSlip"/>
+    /// <inheritdoc cref="WorldContact.EndSlip"/>
     public void EndSlip(ref BallState s, ref StepRun run) => _contact.EndSlip(ref s, ref run);
 
     /// <summary>What meeting a thing calls for, where the ball is.</summary>

@@ -8,7 +8,7 @@ public sealed class AirRatesTests
     private static MotionRates InFlight(ForceSet forces, in Vector3d u, in Vector3d w)
     {
         Scene scene = s_scene with { Forces = forces };
-        var flight = new FlightSystem<SceneAir> { Around = new Surroundings<SceneAir>(scene, SceneAir.Of(scene)), Branch = DragBranch.Spinning };
+        var flight = new FlightSystem { Around = new Surroundings(scene, SceneAir.Of(scene)), Branch = DragBranch.Spinning };
         flight.Rates(0, new Football.Physics.Motion(Vector3d.Zero, in u, in w), out MotionRates rates);
         return new MotionRates(rates.Acceleration - new Vector3d(0, flight.Around.Upward, 0), in rates.SpinAcceleration);
     }

@@ -6,10 +6,9 @@ namespace Football.Physics;
 /// sliding v̇_t = a_t − μ_s (N/m) ŝ, ω̇ = (μ_s N r/I) n × ŝ + torques; rolling v̇_t = (a_b,t + α r ω_n n × ṅ)/(1+α) + a_air,t/κ − (μ_r + c₁|v|)(N/m) v̂,
 /// ω_t = n × (v−V)/r. The normal part of v̇ keeps the ball on the surface.
 /// </summary>
-internal struct CarriedSystem<TAir> : IMotionSystem
-    where TAir : struct, IAir
+internal struct SurfaceSystem : IMotionSystem
 {
-    public Surroundings<TAir> Around;
+    public Surroundings Around;
     public World World;
     public Collider Carrier;
 
@@ -46,17 +45,17 @@ internal struct CarriedSystem<TAir> : IMotionSystem
         {
             // Past zero the decay goes on as before, so that the piece's end shows it, but there is no spin to lift the ball.
             var still = new Motion(in at.Position, in at.Velocity, Vector3d.Zero);
-            CarriedForces held = ForcesOn(time, in still);
+            SurfaceForces held = ForcesOn(time, in still);
             rates = new MotionRates(Sliding(time, in still, in held).Acceleration, (-_ending / StartSpin.Length) * StartSpin);
             return;
         }
 
-        CarriedForces on = ForcesOn(time, in at);
+        SurfaceForces on = ForcesOn(time, in at);
         rates = RatesUnder(in on, time, in at);
     }
 
     /// <summary>The rates of change where the forces are known.</summary>
-    public MotionRates RatesUnder(in CarriedForces on, double time, in Motion at)
+    public MotionRates RatesUnder(in SurfaceForces on, double time, in Motion at)
     {
         if (Rolls)
         {
@@ -83,12 +82,12 @@ internal struct CarriedSystem<TAir> : IMotionSystem
     private readonly bool HasEnded(in Vector3d spin) => _ending > 0 && Vector3d.Dot(in spin, in StartSpin) < 0;
 
     /// <summary>How fast friction turns a ball that slides, rad/s².</summary>
-    private readonly double Turning(in CarriedForces on) => SlidingFriction(in on) / (World.Ball.InertiaFactor * World.Ball.Radius);
+    private readonly double Turning(in SurfaceForces on) => SlidingFriction(in on) / (World.Ball.InertiaFactor * World.Ball.Radius);
 
     /// <summary>Everything but friction.</summary>
-    public readonly CarriedForces ForcesOn(double time, in Motion at)
+    public readonly SurfaceForces ForcesOn(double time, in Motion at)
     {
-        CarriedForces on;
+        SurfaceForces on;
         ShapePoint point = Carrier.At(in at.Position, time);
         on.Normal = point.Normal;
         Vector3d n = on.Normal;
@@ -125,7 +124,7 @@ internal struct CarriedSystem<TAir> : IMotionSystem
     /// What friction must give so that the ball does not slip, per mass: α/(1+α) of what pushes it along the surface, less what the torque of the air
     /// turns by itself where that is shared.
     /// </summary>
-    public readonly Vector3d Traction(in CarriedForces on)
+    public readonly Vector3d Traction(in SurfaceForces on)
     {
         double alpha = World.Ball.InertiaFactor;
         Vector3d pushed = World.SharesAir ? on.Body + on.Air : on.Body;
@@ -134,7 +133,7 @@ internal struct CarriedSystem<TAir> : IMotionSystem
     }
 
     /// <summary>What pushes a ball that rolls along the surface, friction apart, m/s².</summary>
-    public readonly Vector3d Drive(in CarriedForces on)
+    public readonly Vector3d Drive(in SurfaceForces on)
     {
         double alpha = World.Ball.InertiaFactor;
         Vector3d shared = World.SharesAir ? on.Body + on.Air + (alpha * World.Ball.Radius * Vector3d.Cross(in on.Torque, in on.Normal)) : on.Body;
@@ -143,7 +142,7 @@ internal struct CarriedSystem<TAir> : IMotionSystem
     }
 
     /// <summary>Whether rolling friction holds a ball that has come to a halt. Where the air is not shared with the spin, a ball at rest stays whatever the wind.</summary>
-    public readonly bool Rests(in CarriedForces on)
+    public readonly bool Rests(in SurfaceForces on)
     {
         Vector3d drive = World.SharesAir ? Drive(in on) : on.Body / (1.0 + World.Ball.InertiaFactor);
         return drive.Length <= RollingFriction(in on, 0);
@@ -154,26 +153,26 @@ internal struct CarriedSystem<TAir> : IMotionSystem
         Slip.Of(at.Velocity - Carrier.Velocity, in at.Spin, in normal, World.Ball.Radius);
 
     /// <summary>Whether friction can hold the ball without slip.</summary>
-    public readonly bool Grips(in CarriedForces on) => Traction(in on).Length + CarriedForces.Least <= SlidingFriction(in on);
+    public readonly bool Grips(in SurfaceForces on) => Traction(in on).Length + SurfaceForces.Least <= SlidingFriction(in on);
 
     /// <summary>μ_s N/m, m/s².</summary>
-    public readonly double SlidingFriction(in CarriedForces on) => Material.SlidingFriction * on.Load;
+    public readonly double SlidingFriction(in SurfaceForces on) => Material.SlidingFriction * on.Load;
 
     /// <summary>(c₀ + c₁ |v|) N/m, m/s².</summary>
-    public readonly double RollingFriction(in CarriedForces on, double speed) =>
+    public readonly double RollingFriction(in SurfaceForces on, double speed) =>
         (Material.RollingFriction + (Material.RollingFrictionBySpeed * speed)) * on.Load;
 
     /// <summary>What changes the slip, friction apart, m/s²: the push along the surface, and r n × the torques.</summary>
-    public readonly Vector3d SlipPush(in CarriedForces on) => on.Body + on.Air + (World.Ball.Radius * Vector3d.Cross(in on.Normal, in on.Torque));
+    public readonly Vector3d SlipPush(in SurfaceForces on) => on.Body + on.Air + (World.Ball.Radius * Vector3d.Cross(in on.Normal, in on.Torque));
 
     /// <summary>The rate of the spin about the normal while the ball slides, rad/s².</summary>
-    public readonly double AboutRate(in CarriedForces on, in Motion at) =>
+    public readonly double AboutRate(in SurfaceForces on, in Motion at) =>
         AboutNormal(Vector3d.Dot(in at.Spin, in on.Normal), in on) + Vector3d.Dot(in on.Torque, in on.Normal);
 
     /// <summary>The part of a vector along the surface.</summary>
     public static Vector3d Tangential(in Vector3d vector, in Vector3d normal) => vector - (Vector3d.Dot(in vector, in normal) * normal);
 
-    private readonly MotionRates Sliding(double time, in Motion at, in CarriedForces on)
+    private readonly MotionRates Sliding(double time, in Motion at, in SurfaceForces on)
     {
         Vector3d n = on.Normal;
         Vector3d slip = SlipOf(in at, in n);
@@ -191,7 +190,7 @@ internal struct CarriedSystem<TAir> : IMotionSystem
         return new MotionRates(in acceleration, in spin);
     }
 
-    private readonly MotionRates Rolling(double time, in Motion at, in CarriedForces on)
+    private readonly MotionRates Rolling(double time, in Motion at, in SurfaceForces on)
     {
         Vector3d n = on.Normal;
         double r = World.Ball.Radius;
@@ -219,12 +218,12 @@ internal struct CarriedSystem<TAir> : IMotionSystem
         return new MotionRates(along - (on.Centripetal * n), in spin);
     }
 
-    private readonly Vector3d Guided(double time, in Motion at, in Vector3d along, in CarriedForces on) => Guides.Count == 0
+    private readonly Vector3d Guided(double time, in Motion at, in Vector3d along, in SurfaceForces on) => Guides.Count == 0
         ? along
         : Guides.FreeAlong(World, in at.Position, in at.Velocity, time, in along, in on.Normal, on.Centripetal);
 
     /// <summary>What the surface does to the spin about the normal, rad/s²: −(c_ω/I) ω_n − sign(ω_n) b μ_s N/I.</summary>
-    private readonly double AboutNormal(double about, in CarriedForces on)
+    private readonly double AboutNormal(double about, in SurfaceForces on)
     {
         double inertia = World.Ball.MomentOfInertia;
         double drilling = SpinSign * Material.DrillingLength * Material.SlidingFriction * on.Load * World.Ball.Mass / inertia;

@@ -1,7 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>What acts on a ball that a surface carries, but for friction; per mass, or per moment of inertia.</summary>
-internal struct CarriedForces
+internal struct SurfaceForces
 {
     /// <summary>A load, or a friction to spare, of less than this, m/s², is none.</summary>
     public const double Least = 1e-9;
