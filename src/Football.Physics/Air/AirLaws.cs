@@ -47,6 +47,20 @@ internal abstract class AirLaws
     public abstract void Factors(
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay);
 
+    /// <inheritdoc cref="IFlightAir.FactorsPerSpin"/>
+    public virtual bool FactorsPerSpin(
+        double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        bool spins = spinSquared > AirRates.NoSpin;
+        double perSquared = spins ? 1.0 / spinSquared : 0;
+        double rate = spins ? Math.Sqrt(spinSquared) : 0;
+        Factors(speedSquared, rate, perSquared * crossSquared, region, out drag, out lift, out decay);
+        double perRate = spins ? perSquared * rate : 1.0;
+        lift *= perRate;
+        decay *= perRate;
+        return spins;
+    }
+
     /// <summary>A bound that holds with a factor too.</summary>
     protected static RateBound Scaled(in RateBound bound, double factor)
     {

@@ -45,4 +45,15 @@ internal struct ConstantAir : IFlightAir
         lift = _lift * (spinRate > 0 ? spinRate : 0);
         decay = _decay * Math.Abs(spinRate);
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly bool FactorsPerSpin(
+        double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        bool spins = spinSquared > AirRates.NoSpin;
+        drag = _drag * Math.Sqrt(speedSquared);
+        lift = _lift;
+        decay = spins ? _decay : 0;
+        return spins;
+    }
 }

@@ -30,4 +30,14 @@ internal struct NoAir : IFlightAir
         lift = 0;
         decay = 0;
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly bool FactorsPerSpin(
+        double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        drag = 0;
+        lift = 0;
+        decay = 0;
+        return spinSquared > AirRates.NoSpin;
+    }
 }

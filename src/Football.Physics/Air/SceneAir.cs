@@ -89,6 +89,10 @@ internal struct SceneAir : IFlightAir
         _laws.Factors(speedSquared, spinRate, acrossSquared, here, out drag, out lift, out decay);
     }
 
+    public readonly bool FactorsPerSpin(
+        double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay) =>
+        _laws.FactorsPerSpin(speedSquared, spinSquared, crossSquared, region, out drag, out lift, out decay);
+
     /// <summary>The wind by place and time, m/s.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly Vector3d WindAt(double time, in Vector3d position) =>

@@ -22,6 +22,7 @@ internal sealed class FieldStepper<TIntegrator> : SceneStepper<TIntegrator>
         _limit = Limit;
         _contactHeight = Around.World.LevelContact;
         _fastestWind = Around.Air.FastestWind;
+        TakeWholeSteps(scene, settings, in air);
     }
 
     public override void Step(ref BallState s, double dt, StepLog log)

@@ -31,6 +31,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         _contactHeight = Around.World.LevelContact;
         _radiusSquared = Around.RadiusSquared;
         _locatesJump = LocatesJump;
+        TakeWholeSteps(scene, settings, in laws);
         _limit = StabilityLimit.Of(scene, in air, _air.WholeUpTo(Limit.Bound), _upward, _integrator.Order);
     }
 

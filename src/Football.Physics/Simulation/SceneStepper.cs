@@ -7,7 +7,7 @@ namespace Football.Physics;
 /// nothing happens, which most steps are, is <see cref="FlightStepper{TAir, TIntegrator}"/>'s.
 /// <list type="number">
 /// <item><see cref="FlightPhase{TIntegrator}"/>: to the drag law's jump, the end of the spin, what is met;</item>
-/// <item><see cref="FlatSurfaceStep"/>: a whole step of a slide, a roll on flat ground in which nothing happens;</item>
+/// <item><see cref="FlatSurfaceStep{TAir}"/>: a whole step of a slide, a roll on flat ground in which nothing happens;</item>
 /// <item><see cref="SurfacePhase{TIntegrator}"/>: a slide, a roll on any surface, to the jump, the end of the slip, rest, what is met;</item>
 /// <item><see cref="WorldContact"/>: an impact, and what becomes of the ball after it;</item>
 /// <item><see cref="RestPhase"/>: at rest among what moves, to the first that hits;</item>
@@ -33,7 +33,8 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     private readonly ClearFlight? _clear;
     private readonly ulong _clearKey;
     private readonly SurfacePhase<TIntegrator> _carried;
-    private readonly FlatSurfaceStep _flat;
+    private readonly StabilityLimit _pulled;
+    private FlatSurfaceStep? _flat;
     private readonly RestPhase _rest;
     private readonly WorldContact _contact;
     private readonly BodyPush? _bodies;
@@ -61,9 +62,8 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
         // Friction may speed a ball up faster than gravity does.
         double pull = Math.Abs(_upward) * Math.Max(1.0, world.LargestFriction);
-        StabilityLimit pulled = StabilityLimit.Of(scene, in _air, 0, pull, _integrator.Order);
-        _carried = new SurfacePhase<TIntegrator>(scene, settings, around, pulled, jump, guard, _contact, _implicit);
-        _flat = new FlatSurfaceStep(scene, settings, around, pulled, world.IsBare ? null : _clear, LocatesJump);
+        _pulled = StabilityLimit.Of(scene, in _air, 0, pull, _integrator.Order);
+        _carried = new SurfacePhase<TIntegrator>(scene, settings, around, _pulled, jump, guard, _contact, _implicit);
         _rest = new RestPhase(world, guard);
         _flight = new FlightPhase<TIntegrator>(around, this, Limit, jump, _implicit, guard);
     }
@@ -81,11 +81,16 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
     public override void Step(ref BallState s, double dt, StepLog log)
     {
-        if (!(s.Motion is MotionState.Rolling or MotionState.Sliding && _flat.TryWhole(ref s, dt, log)))
+        if (!(s.Motion is MotionState.Rolling or MotionState.Sliding && _flat is not null && _flat.TryWhole(ref s, dt, log)))
         {
             TakePieces(ref s, dt, log);
         }
     }
+
+    /// <summary>Compiles the whole steps on flat ground for an air.</summary>
+    protected void TakeWholeSteps<TAir>(Scene scene, SolverSettings settings, in TAir air)
+        where TAir : struct, IFlightAir =>
+        _flat = new FlatSurfaceStep<TAir>(scene, settings, Around, in air, in _pulled, World.IsBare ? null : _clear, LocatesJump);
 
     public virtual void Fly(ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step) =>
         _integrator.Fly(ref _air, ref motion, in wind, branch, upward, h, out step);

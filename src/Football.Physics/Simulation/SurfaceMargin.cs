@@ -60,7 +60,9 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
                 return system.SlidingFriction(in on) - system.Traction(in on).Length;
             default:
                 bool held = system.Rests(in on);
-                return held ? system.World.Energy(in at, system.Carrier) - system.World.RestEnergy : 1;
+
+                // The root of the energy falls all but linearly.
+                return held ? Math.Sqrt(system.World.Energy(in at, system.Carrier)) - Math.Sqrt(system.World.RestEnergy) : 1;
         }
     }
 

@@ -83,7 +83,7 @@ internal sealed class WorldGuard
             var path = PathCubic.Of(ref sweep, s.Position, s.Velocity, order);
             var search = new ContactSearch(_world, in path, s.Time);
             double at = search.First(in s, carrier, out Gap found);
-            if (!(at <= path.Length) || (met.What != Happening.None && at >= path.Length * (1.0 - 1e-9)))
+            if (!(at <= path.Length) || (met.What != Happening.None && (at >= path.Length * (1.0 - 1e-9) || IsAgain(ref sweep, in met, in found, s.Time, path.Length - at))))
             {
                 break;
             }
@@ -164,6 +164,19 @@ internal sealed class WorldGuard
 
     private static void Report(in BallState s, BallEventKind kind, int thing, in Vector3d normal, ref StepRun run) =>
         run.Log.Events.Add(new BallEvent(kind, thing, in normal, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
+
+    /// <summary>Whether what is found is what the piece ends at already, which touches by so much before.</summary>
+    private static bool IsAgain<TSweep>(ref TSweep sweep, in Gap met, in Gap found, double time, double before)
+        where TSweep : struct, ISweep
+    {
+        if (found.What != met.What || found.Index != met.Index)
+        {
+            return false;
+        }
+
+        met.Evaluate(sweep.Position, sweep.Velocity, time + sweep.Length, out _, out double rate);
+        return before * -rate <= 4.0 * ContactSearch.Touching;
+    }
 
     /// <summary>From the cubic path to the step itself: Newton on the gap, inside its bracket.</summary>
     /// <returns>False where the gap does not close after all.</returns>
