@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
-"""Plays small mistakes in the library against the tests, one at a time, in a copy: which does no test see?
+"""Plays small mistakes in the library against the tests of behaviour, one at a time, in a copy: which does no test see?
 
   tests/mutations.py [NAME...]     all of tests/mutations.json, or those named; exit code 1 where one survives
 
-Each is a file, a text that stands in it exactly once, what stands there instead, and the tests concerned. Needs the tests to be built:
+Each is a file, a text that stands in it exactly once, what stands there instead, and the tests concerned. What those do not see all the others are asked for, but for
+those that run the command line or read files of the repository; golden bits (tests/Package.Tests) are not asked. Needs the tests to be built:
 dotnet build -c Release tests/Football.Physics.Tests
 """
 import json
+import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -16,16 +19,30 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BUILT = ROOT / "tests/Football.Physics.Tests/bin/Release/net10.0"
 LIBRARY = "src/Football.Physics"
+OTHERS = "FullyQualifiedName!~.Headless.&FullyQualifiedName!~.Architecture.&FullyQualifiedName!~.Api.&FullyQualifiedName!~ChangedLawTests&FullyQualifiedName!~ProfileTests&FullyQualifiedName!~ReferenceBoundTests"
+ENVIRONMENT = {**os.environ, "DOTNET_CLI_TELEMETRY_OPTOUT": "1", "MSBUILDDISABLENODEREUSE": "1"}
 
 
 def run(command, folder):
-    return subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    return subprocess.run(command, cwd=folder, env=ENVIRONMENT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+
+def failures(work, name, chosen):
+    """The tests that fail, of those that are chosen."""
+    test = run(["dotnet", "vstest", str(work / "built/Football.Physics.Tests.dll"), "--TestCaseFilter:" + chosen], work)
+    if "Total:" not in test.stdout or "No test matches" in test.stdout:
+        sys.exit(f"{name}: no tests ran:\n" + test.stdout[-2000:])
+    return re.findall(r"^\s*Failed Football\.Physics\.Tests\.(?:\w+\.)*(\w+\.\w+)", test.stdout, re.MULTILINE) or (["?"] if test.returncode else [])
+
+
+def named(tests):
+    return "|".join("FullyQualifiedName~" + test for test in tests)
 
 
 def main():
     mutations = json.loads((ROOT / "tests/mutations.json").read_text())
     wanted = [m for m in mutations if not sys.argv[1:] or m["name"] in sys.argv[1:]]
-    lost = []
+    lost = [name for name in sys.argv[1:] if name not in [m["name"] for m in mutations]]
     for m in mutations:
         path = ROOT / LIBRARY / m["file"]
         count = path.read_text().count(m["old"]) if path.exists() else -1
@@ -41,6 +58,11 @@ def main():
             shutil.copy(ROOT / name, work / name)
         shutil.copytree(ROOT / LIBRARY, work / LIBRARY, ignore=shutil.ignore_patterns("bin"))
         shutil.copytree(BUILT, work / "built")
+        (work / "Football.Physics.sln").write_text("")
+        plain = failures(work, "unchanged", named(sorted({test for m in wanted for test in m["tests"]})))
+        if plain:
+            sys.exit("without any mistake these fail: " + ", ".join(sorted(set(plain))))
+
         for m in wanted:
             path = work / LIBRARY / m["file"]
             text = path.read_text()
@@ -50,14 +72,13 @@ def main():
             path.write_text(text)
             if build.returncode != 0:
                 sys.exit(f"{m['name']} does not compile:\n" + build.stdout[-2000:])
+
             shutil.copy(work / "mutant/Football.Physics.dll", work / "built/Football.Physics.dll")
-            filter = "|".join("FullyQualifiedName~" + test for test in m["tests"])
-            test = run(["dotnet", "vstest", str(work / "built/Football.Physics.Tests.dll"), "--TestCaseFilter:" + filter], work)
-            if "Total:" not in test.stdout or "No test matches" in test.stdout:
-                sys.exit(f"{m['name']}: no tests ran:\n" + test.stdout[-2000:])
-            caught = test.returncode != 0
-            survivors += [] if caught else [m["name"]]
-            print(("caught    " if caught else "SURVIVED  ") + m["name"], flush=True)
+            failed = failures(work, m["name"], named(m["tests"]))
+            others = [] if failed else failures(work, m["name"], OTHERS)
+            survivors += [] if failed or others else [m["name"]]
+            seen = "  " + ", ".join(sorted(set(failed))[:3]) if failed else "  by others: " + ", ".join(sorted(set(others))[:6]) if others else ""
+            print(("caught    " if failed or others else "SURVIVED  ") + m["name"] + " " + m["what"] + seen, flush=True)
     print(f"{len(wanted) - len(survivors)} of {len(wanted)} caught, {len(survivors)} survived")
     sys.exit(1 if survivors else 0)
 

@@ -25,6 +25,10 @@ internal struct ConstantAir : IFlightAir
         get => true;
     }
 
+    public readonly bool HasField => false;
+
+    public readonly bool HasSide => false;
+
     public readonly bool Jumps
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -56,4 +60,8 @@ internal struct ConstantAir : IFlightAir
         decay = spins ? _decay : 0;
         return spins;
     }
+
+    public readonly Vector3d WindAt(double time, double x, double y, double z) => Vector3d.Zero;
+
+    public readonly Vector3d Side(in Vector3d u, in Vector3d spin, double distance) => Vector3d.Zero;
 }

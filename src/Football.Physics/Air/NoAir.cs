@@ -11,6 +11,10 @@ internal struct NoAir : IFlightAir
         get => false;
     }
 
+    public readonly bool HasField => false;
+
+    public readonly bool HasSide => false;
+
     public readonly bool Jumps
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -40,4 +44,8 @@ internal struct NoAir : IFlightAir
         decay = 0;
         return spinSquared > AirRates.NoSpin;
     }
+
+    public readonly Vector3d WindAt(double time, double x, double y, double z) => Vector3d.Zero;
+
+    public readonly Vector3d Side(in Vector3d u, in Vector3d spin, double distance) => Vector3d.Zero;
 }

@@ -28,7 +28,7 @@ internal struct SceneAir : IFlightAir
         _knuckle = KnuckleForce.Of(scene);
         _own = hasOwnForces ? new OwnForces(scene) : null;
         _radiusSquared = scene.Ball.Radius * scene.Ball.Radius;
-        _hasField = HasField(scene);
+        _hasField = HasFieldIn(scene);
         _jumpsInField = _hasField && laws.Jumps;
         Bound = laws.Bound + (_knuckle?.Bound ?? default);
         OrdinaryBound = laws.OrdinaryBound + (_knuckle?.Bound ?? default);
@@ -46,7 +46,11 @@ internal struct SceneAir : IFlightAir
     /// <summary>Whether spin decays.</summary>
     public readonly bool SpinDecays => _laws.SpinDecays;
 
-    public readonly bool Acts => _laws.Drags || _laws.Lifts || _laws.SpinDecays;
+    public readonly bool Acts => _laws.Drags || _laws.Lifts || _laws.SpinDecays || _knuckle is not null;
+
+    public readonly bool HasField => _hasField;
+
+    public readonly bool HasSide => _knuckle is not null;
 
     public readonly bool Jumps => !_hasField && _laws.Jumps;
 
@@ -72,10 +76,10 @@ internal struct SceneAir : IFlightAir
         : new SceneAir(scene, AirLaws.Of(scene), scene.Forces.Custom.Count > 0);
 
     /// <summary>Whether nothing but laws acts in a scene.</summary>
-    public static bool HasLawsAlone(Scene scene) => !HasField(scene) && (scene.Forces.Custom.Count == 0 || ScaledAir.AloneIn(scene) is not null);
+    public static bool HasLawsAlone(Scene scene) => !HasFieldIn(scene) && (scene.Forces.Custom.Count == 0 || ScaledAir.AloneIn(scene) is not null);
 
     /// <summary>Whether the wind of a scene depends on place or time, or a knuckle force acts.</summary>
-    public static bool HasField(Scene scene) => scene.Air.WindField is not null || scene.Forces.KnuckleSeed is not null;
+    public static bool HasFieldIn(Scene scene) => scene.Air.WindField is not null || scene.Forces.KnuckleSeed is not null;
 
     public readonly bool Covers(double speedSquared, double spinRate, double h) => true;
 
@@ -93,24 +97,11 @@ internal struct SceneAir : IFlightAir
         double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay) =>
         _laws.FactorsPerSpin(speedSquared, spinSquared, crossSquared, region, out drag, out lift, out decay);
 
-    /// <summary>The wind by place and time, m/s.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Vector3d WindAt(double time, in Vector3d position) =>
-        _byHeight is not null ? _byHeight.At(time, in position) : _wind is null ? Vector3d.Zero : _wind.At(time, in position);
+    public readonly Vector3d WindAt(double time, double x, double y, double z) =>
+        _byHeight is not null ? _byHeight.At(time, x, y, z) : _wind is null ? Vector3d.Zero : _wind.At(time, new Vector3d(x, y, z));
 
-    /// <summary>Acceleration by the knuckle force, m/s², and |u|, which the distance flown grows by; nothing where there is none.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Vector3d Side(in Vector3d u, in Vector3d spin, double distance, out double airSpeed)
-    {
-        if (_knuckle is null)
-        {
-            airSpeed = 0;
-            return Vector3d.Zero;
-        }
-
-        airSpeed = u.Length;
-        return _knuckle.Acceleration(in u, in spin, distance);
-    }
+    public readonly Vector3d Side(in Vector3d u, in Vector3d spin, double distance) => _knuckle!.Acceleration(in u, in spin, distance);
 
     /// <summary>What the air, and a game's own forces, do at one instant, whatever the motion.</summary>
     /// <param name="ball">The ball.</param>
@@ -129,7 +120,8 @@ internal struct SceneAir : IFlightAir
         double rate = AirRates.Factors(_laws, u.X, u.Y, u.Z, w.X, w.Y, w.Z, here, out factors.Drag, out factors.Lift, out factors.Decay);
         if (_knuckle is not null && ball.Motion == MotionState.Airborne)
         {
-            factors.Acceleration = Side(in u, in w, ball.AirDistance, out factors.AirSpeed);
+            factors.AirSpeed = u.Length;
+            factors.Acceleration = Side(in u, in w, ball.AirDistance);
         }
 
         _own?.AddTo(in ball, ref factors);

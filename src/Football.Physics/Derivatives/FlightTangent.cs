@@ -222,13 +222,10 @@ internal sealed class FlightTangent
 
     private void Rates(int i, out Vector3d acceleration, out double spinRate)
     {
-        FlightPoint at;
-        at.AirVelocity = _velocities[i];
-        at.SpinRate = _spins[i];
-        at.Axis = _axis;
-        at.Upward = _around.Upward;
+        BallState at = default;
+        at.SpinAxis = _axis;
         at.Branch = _branch;
-        FlightRates.Of(ref _around.Air, in at, in at.AirVelocity, at.SpinRate, out acceleration, out spinRate);
+        FlightRates.Of(ref _around.Air, in at, _around.Upward, in _velocities[i], _spins[i], out acceleration, out spinRate);
     }
 
     /// <summary>Whether the flow goes so nearly along the spin that forces turn too fast with it to be integrated: the step itself is then differentiated.</summary>

@@ -14,7 +14,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
     public bool GainsByHops => false;
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public void Fly<TAir>(ref TAir air, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
+    public void Fly<TAir>(ref TAir air, in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
         where TAir : struct, IFlightLaws
     {
         double ux = motion.Velocity.X - wind.X;
@@ -26,23 +26,33 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         double nz = motion.Axis.Z;
 
         // k1 = f(y)
-        FlightRates.At(ref air, branch, nx, ny, nz, upward, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
+        FlightRates.At(
+            ref air, in start, branch, upward, 0, 0, 0, 0, 0, nx, ny, nz, ux, uy, uz, w, out double ax, out double ay, out double az, out double b, out double s);
         step.StartAcceleration = new Vector3d(ax, ay, az);
         step.StartSpinAcceleration = b;
         double sumX = ax;
         double sumY = ay;
         double sumZ = az;
         double sumB = b;
+        double sumS = s;
+        double startS = s;
 
         // k2 = f(y + h/2 k1), k3 = f(y + h/2 k2), k4 = f(y + h k3)
         double along = 0.5 * h;
+        double vx = ux;
+        double vy = uy;
+        double vz = uz;
         for (int stage = 0; stage < 3; stage++)
         {
-            double vx = ux + (along * ax);
-            double vy = uy + (along * ay);
-            double vz = uz + (along * az);
+            double px = along * (vx + wind.X);
+            double py = along * (vy + wind.Y);
+            double pz = along * (vz + wind.Z);
+            vx = ux + (along * ax);
+            vy = uy + (along * ay);
+            vz = uz + (along * az);
             double vw = w + (along * b);
-            FlightRates.At(ref air, branch, nx, ny, nz, upward, vx, vy, vz, vw, out ax, out ay, out az, out b);
+            FlightRates.At(
+                ref air, in start, branch, upward, along, px, py, pz, along * s, nx, ny, nz, vx, vy, vz, vw, out ax, out ay, out az, out b, out s);
             if (stage == 2)
             {
                 break;
@@ -52,6 +62,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
             sumY += ay;
             sumZ += az;
             sumB += b;
+            sumS += s;
             along = stage == 0 ? along : h;
         }
 
@@ -67,6 +78,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         step.SpinRate = nextW;
         step.Path = new Vector3d(h * (ux + (sixth * sumX)), h * (uy + (sixth * sumY)), h * (uz + (sixth * sumZ)));
         step.Turn = h * (w + (sixth * sumB));
+        step.AirDistance = sixth * (sumS + sumS - startS + s);
     }
 
     public void Advance<TSystem>(ref TSystem system, double time, in Motion from, double h, out MotionStep step)
@@ -93,36 +105,5 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
 
         step.Rotation = RotationVector.Of(in from.Spin, 0.5 * (second.Spin + third.Spin), in step.End.Spin, h);
         step.StartRates = k1;
-    }
-
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    public void Advance<TSystem>(ref TSystem system, double time, in FieldMotion from, double h, out FieldStep step)
-        where TSystem : struct, IFieldSystem
-    {
-        double half = 0.5 * h;
-        system.Rates(time, in from, out FieldRates k1);
-        step.StartAcceleration = k1.Acceleration;
-        from.After(half, from.VX, from.VY, from.VZ, in k1, out FieldMotion second);
-        system.Rates(time + half, in second, out FieldRates k2);
-        from.After(half, second.VX, second.VY, second.VZ, in k2, out FieldMotion third);
-        system.Rates(time + half, in third, out FieldRates k3);
-        from.After(h, third.VX, third.VY, third.VZ, in k3, out FieldMotion fourth);
-        system.Rates(time + h, in fourth, out FieldRates k4);
-
-        const double Sixth = 1.0 / 6.0;
-        FieldRates mean;
-        mean.AX = Sixth * (k1.AX + (2.0 * (k2.AX + k3.AX)) + k4.AX);
-        mean.AY = Sixth * (k1.AY + (2.0 * (k2.AY + k3.AY)) + k4.AY);
-        mean.AZ = Sixth * (k1.AZ + (2.0 * (k2.AZ + k3.AZ)) + k4.AZ);
-        mean.SpinAcceleration = Sixth * (k1.SpinAcceleration + (2.0 * (k2.SpinAcceleration + k3.SpinAcceleration)) + k4.SpinAcceleration);
-        mean.AirSpeed = Sixth * (k1.AirSpeed + (2.0 * (k2.AirSpeed + k3.AirSpeed)) + k4.AirSpeed);
-        from.After(
-            h,
-            Sixth * (from.VX + (2.0 * (second.VX + third.VX)) + fourth.VX),
-            Sixth * (from.VY + (2.0 * (second.VY + third.VY)) + fourth.VY),
-            Sixth * (from.VZ + (2.0 * (second.VZ + third.VZ)) + fourth.VZ),
-            in mean,
-            out step.End);
-        step.Turn = h * (Sixth * (from.SpinRate + (2.0 * (second.SpinRate + third.SpinRate)) + fourth.SpinRate));
     }
 }

@@ -14,7 +14,7 @@ internal readonly struct ExplicitEuler : IIntegrator
     public bool GainsByHops => true;
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public void Fly<TAir>(ref TAir air, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
+    public void Fly<TAir>(ref TAir air, in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
         where TAir : struct, IFlightLaws
     {
         double ux = motion.Velocity.X - wind.X;
@@ -22,7 +22,8 @@ internal readonly struct ExplicitEuler : IIntegrator
         double uz = motion.Velocity.Z - wind.Z;
         double w = motion.SpinRate;
         FlightRates.At(
-            ref air, branch, motion.Axis.X, motion.Axis.Y, motion.Axis.Z, upward, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
+            ref air, in start, branch, upward, 0, 0, 0, 0, 0, motion.Axis.X, motion.Axis.Y, motion.Axis.Z, ux, uy, uz, w,
+            out double ax, out double ay, out double az, out double b, out double s);
         double ex = ux + (h * ax);
         double ey = uy + (h * ay);
         double ez = uz + (h * az);
@@ -31,6 +32,7 @@ internal readonly struct ExplicitEuler : IIntegrator
         motion.SpinRate = ew;
         step.StartAcceleration = new Vector3d(ax, ay, az);
         step.StartSpinAcceleration = b;
+        step.AirDistance = h * s;
         step.AirVelocity = new Vector3d(ex, ey, ez);
         step.SpinRate = ew;
         step.Path = new Vector3d(h * ux, h * uy, h * uz);
@@ -43,15 +45,5 @@ internal readonly struct ExplicitEuler : IIntegrator
         system.Rates(time, in from, out step.StartRates);
         step.End = from.After(h, in from.Velocity, in step.StartRates);
         step.Rotation = h * from.Spin;
-    }
-
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    public void Advance<TSystem>(ref TSystem system, double time, in FieldMotion from, double h, out FieldStep step)
-        where TSystem : struct, IFieldSystem
-    {
-        system.Rates(time, in from, out FieldRates k1);
-        step.StartAcceleration = k1.Acceleration;
-        from.After(h, from.VX, from.VY, from.VZ, in k1, out step.End);
-        step.Turn = h * from.SpinRate;
     }
 }

@@ -5,29 +5,42 @@ namespace Football.Physics;
 /// <summary>The right-hand side in flight, m v̇ = F_G + F_B + F_D + F_M and I ω̇ = T_D, along a constant axis of the spin.</summary>
 internal static class FlightRates
 {
-    /// <summary>The rates at one instant, a = L (ω̂ × u) − D u + g, |ω|˙ = −decay.</summary>
-    /// <param name="air">The laws of the air.</param>
+    /// <summary>The rates at one stage of a step, a = L (ω̂ × u) − D u + g + side, |ω|˙ = −decay.</summary>
+    /// <param name="air">The air.</param>
+    /// <param name="start">The ball at the start of the step.</param>
     /// <param name="branch">The branch of the drag law that the step is locked to.</param>
+    /// <param name="upward">Upward acceleration by gravity and buoyancy.</param>
+    /// <param name="h">Time since the start of the step.</param>
+    /// <param name="px">Way since then, x.</param>
+    /// <param name="py">The same, y.</param>
+    /// <param name="pz">The same, z.</param>
+    /// <param name="distance">Way through the air since then.</param>
     /// <param name="nx">Axis of the spin, x.</param>
     /// <param name="ny">Axis of the spin, y.</param>
     /// <param name="nz">Axis of the spin, z.</param>
-    /// <param name="upward">Upward acceleration by gravity and buoyancy.</param>
-    /// <param name="ux">Air-relative velocity, x.</param>
-    /// <param name="uy">Air-relative velocity, y.</param>
-    /// <param name="uz">Air-relative velocity, z.</param>
+    /// <param name="ux">Velocity relative to the steady wind, x.</param>
+    /// <param name="uy">The same, y.</param>
+    /// <param name="uz">The same, z.</param>
     /// <param name="spin">Size of the spin.</param>
     /// <param name="ax">Acceleration, x.</param>
     /// <param name="ay">Acceleration, y.</param>
     /// <param name="az">Acceleration, z.</param>
     /// <param name="spinRate">Rate of change of the spin.</param>
+    /// <param name="airSpeed">Speed relative to the air, where the air asks for the distance flown; else 0.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void At<TAir>(
         ref TAir air,
+        in BallState start,
         DragBranch branch,
+        double upward,
+        double h,
+        double px,
+        double py,
+        double pz,
+        double distance,
         double nx,
         double ny,
         double nz,
-        double upward,
         double ux,
         double uy,
         double uz,
@@ -35,9 +48,18 @@ internal static class FlightRates
         out double ax,
         out double ay,
         out double az,
-        out double spinRate)
+        out double spinRate,
+        out double airSpeed)
         where TAir : struct, IFlightLaws
     {
+        if (air.HasField)
+        {
+            Vector3d wind = air.WindAt(start.Time + h, start.Position.X + px, start.Position.Y + py, start.Position.Z + pz);
+            ux -= wind.X;
+            uy -= wind.Y;
+            uz -= wind.Z;
+        }
+
         // Where the law does not ask for the part across the spin, no code remains of its square.
         double cx = (ny * uz) - (nz * uy);
         double cy = (nz * ux) - (nx * uz);
@@ -47,17 +69,35 @@ internal static class FlightRates
         ax = (lift * cx) - (drag * ux);
         ay = ((lift * cy) - (drag * uy)) + upward;
         az = (lift * cz) - (drag * uz);
+        airSpeed = 0;
+        if (air.HasField && air.HasSide)
+        {
+            airSpeed = Math.Sqrt((ux * ux) + (uy * uy) + (uz * uz));
+            Vector3d side = air.Side(new Vector3d(ux, uy, uz), new Vector3d(spin * nx, spin * ny, spin * nz), start.AirDistance + distance);
+            ax += side.X;
+            ay += side.Y;
+            az += side.Z;
+        }
 
         // A ball without spin stays without.
         spinRate = spin != 0 ? -decay : 0;
     }
 
     /// <summary>The rates at a point by itself.</summary>
-    public static void Of<TAir>(ref TAir air, in FlightPoint from, in Vector3d u, double spin, out Vector3d acceleration, out double spinRate)
+    /// <param name="air">The air.</param>
+    /// <param name="at">The ball there: place, time, axis of the spin and branch of the drag law.</param>
+    /// <param name="upward">Upward acceleration by gravity and buoyancy.</param>
+    /// <param name="u">Velocity relative to the steady wind.</param>
+    /// <param name="spin">Size of the spin.</param>
+    /// <param name="acceleration">Acceleration.</param>
+    /// <param name="spinRate">Rate of change of the spin.</param>
+    public static void Of<TAir>(
+        ref TAir air, in BallState at, double upward, in Vector3d u, double spin, out Vector3d acceleration, out double spinRate)
         where TAir : struct, IFlightLaws
     {
+        Vector3d n = at.Flight.Axis;
         At(
-            ref air, from.Branch, from.Axis.X, from.Axis.Y, from.Axis.Z, from.Upward, u.X, u.Y, u.Z, spin, out double ax, out double ay, out double az, out spinRate);
+            ref air, in at, at.Branch, upward, 0, 0, 0, 0, 0, n.X, n.Y, n.Z, u.X, u.Y, u.Z, spin, out double ax, out double ay, out double az, out spinRate, out _);
         acceleration = new Vector3d(ax, ay, az);
     }
 }

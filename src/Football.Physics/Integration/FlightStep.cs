@@ -15,6 +15,9 @@ internal struct FlightStep
     /// <summary>Angle turned about the axis, rad.</summary>
     public double Turn;
 
+    /// <summary>Distance flown through the air, m, where the air asks for it; else 0.</summary>
+    public double AirDistance;
+
     /// <summary>Acceleration at the start, m/s².</summary>
     public Vector3d StartAcceleration;
 

@@ -14,7 +14,7 @@ internal readonly struct MidpointRungeKutta : IIntegrator
     public bool GainsByHops => false;
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public void Fly<TAir>(ref TAir air, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
+    public void Fly<TAir>(ref TAir air, in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
         where TAir : struct, IFlightLaws
     {
         double ux = motion.Velocity.X - wind.X;
@@ -28,7 +28,8 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         double half = 0.5 * h;
 
         // k1 = f(y)
-        FlightRates.At(ref air, branch, nx, ny, nz, upward, ux, uy, uz, w, out double ax, out double ay, out double az, out double b);
+        FlightRates.At(
+            ref air, in start, branch, upward, 0, 0, 0, 0, 0, nx, ny, nz, ux, uy, uz, w, out double ax, out double ay, out double az, out double b, out double s);
         step.StartAcceleration = new Vector3d(ax, ay, az);
         step.StartSpinAcceleration = b;
 
@@ -37,7 +38,9 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         double my = uy + (half * ay);
         double mz = uz + (half * az);
         double mw = w + (half * b);
-        FlightRates.At(ref air, branch, nx, ny, nz, upward, mx, my, mz, mw, out ax, out ay, out az, out b);
+        FlightRates.At(
+            ref air, in start, branch, upward, half, half * (ux + wind.X), half * (uy + wind.Y), half * (uz + wind.Z), half * s, nx, ny, nz, mx, my, mz, mw,
+            out ax, out ay, out az, out b, out s);
 
         // y' = y + h k2
         double ex = ux + (h * ax);
@@ -50,6 +53,7 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         step.SpinRate = ew;
         step.Path = new Vector3d(h * mx, h * my, h * mz);
         step.Turn = h * mw;
+        step.AirDistance = h * s;
     }
 
     public void Advance<TSystem>(ref TSystem system, double time, in Motion from, double h, out MotionStep step)
@@ -61,18 +65,5 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         system.Rates(time + half, in middle, out MotionRates k2);
         step.End = from.After(h, in middle.Velocity, in k2);
         step.Rotation = h * middle.Spin;
-    }
-
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    public void Advance<TSystem>(ref TSystem system, double time, in FieldMotion from, double h, out FieldStep step)
-        where TSystem : struct, IFieldSystem
-    {
-        double half = 0.5 * h;
-        system.Rates(time, in from, out FieldRates k1);
-        step.StartAcceleration = k1.Acceleration;
-        from.After(half, from.VX, from.VY, from.VZ, in k1, out FieldMotion middle);
-        system.Rates(time + half, in middle, out FieldRates k2);
-        from.After(h, middle.VX, middle.VY, middle.VZ, in k2, out step.End);
-        step.Turn = h * middle.SpinRate;
     }
 }

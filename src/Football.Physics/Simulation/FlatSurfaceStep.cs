@@ -43,7 +43,6 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     private readonly bool _slides;
     private readonly bool _locatesJump;
     private readonly bool _semiImplicit;
-    private readonly bool _varies;
     private readonly int _order;
     private readonly double[] _offsets;
     private readonly double[] _weights;
@@ -89,7 +88,6 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         _clear = clear;
         _limit = limit;
         _locatesJump = locatesJump;
-        _varies = around.Air.Varies;
         _acts = !scene.Ground.IsNone && scene.Ground.Heights is null && scene.Forces.Custom.Count == 0;
         _slides = settings.RollingTransition == RollingTransition.Exact;
         (_offsets, _weights, _order) = settings.Integrator switch
@@ -375,7 +373,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         double uy = -_windUp;
         double uz = vz - _windZ;
         DragBranch branch = on.Branch;
-        if (_varies)
+        if (_air.HasField)
         {
             // A force of a game's own is not here, and the knuckle force acts in flight alone: what varies is the wind.
             Vector3d wind = WindAt(in on, after, wayX, wayZ);
@@ -462,7 +460,8 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     [MethodImpl(MethodImplOptions.NoInlining)]
     private Vector3d WindAt(in StepOn on, double after, double wayX, double wayZ)
     {
-        Vector3d wind = _around.Air.WindAt(on.Time + after, on.From + InWorld(wayX, 0, wayZ));
+        Vector3d at = on.From + InWorld(wayX, 0, wayZ);
+        Vector3d wind = _air.WindAt(on.Time + after, at.X, at.Y, at.Z);
         return new Vector3d(Vector3d.Dot(in wind, in _axisX), Vector3d.Dot(in wind, in _normal), Vector3d.Dot(in wind, in _axisZ));
     }
 

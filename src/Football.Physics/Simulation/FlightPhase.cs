@@ -55,9 +55,9 @@ internal sealed class FlightPhase<TIntegrator>
             s.Branch = DragJump.At(u.LengthSquared, _around.RadiusSquared * s.SpinRate * s.SpinRate).Branch;
         }
 
-        bool hasAxis = !_around.Air.Varies && s.Branch < DragBranch.AlongCriticalSpeed && s.Nets == 0 && guides.Count == 0;
+        bool hasAxis = !_around.Air.TurnsAxis && s.Branch < DragBranch.AlongCriticalSpeed && s.Nets == 0 && guides.Count == 0;
         double asked = run.Next;
-        double h = Longest(in s, in u, asked, hasAxis);
+        double h = Longest(in s, in u, asked, hasAxis && !_around.Air.Varies);
         if (h <= 0)
         {
             _implicit.Fly(ref s, ref run);
@@ -205,11 +205,11 @@ internal sealed class FlightPhase<TIntegrator>
     }
 
     /// <summary>The longest piece that stability allows, s; 0 where it would be too short.</summary>
-    private double Longest(in BallState s, in Vector3d u, double asked, bool hasAxis)
+    private double Longest(in BallState s, in Vector3d u, double asked, bool isPlain)
     {
         double h = asked;
         double speedSquared = u.LengthSquared;
-        if (!hasAxis)
+        if (!isPlain)
         {
             double spin = s.Spin.Length;
             double most = Math.Sqrt(speedSquared) + _fastestWind;

@@ -6,7 +6,7 @@ namespace Football.Physics;
 /// The hot step of flight, compiled for one air and one method: it proposes the whole step, takes it, looks whether anything happened, and moves the ball.
 /// All else is left to the pieces of <see cref="SceneStepper{TIntegrator}"/>.
 /// </summary>
-/// <typeparam name="TAir">The laws of the air, without wind by place and time and without own forces.</typeparam>
+/// <typeparam name="TAir">The air, without own forces.</typeparam>
 /// <typeparam name="TIntegrator">The one-step method.</typeparam>
 internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrator>
     where TAir : struct, IFlightAir
@@ -17,6 +17,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
     private readonly double _contactHeight;
     private readonly double _radiusSquared;
     private readonly bool _locatesJump;
+    private readonly double _fastestWind;
     private readonly StabilityLimit _limit;
     private TAir _air;
     private TIntegrator _integrator;
@@ -32,6 +33,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         _radiusSquared = Around.RadiusSquared;
         _locatesJump = LocatesJump;
         TakeWholeSteps(scene, settings, in laws);
+        _fastestWind = Around.Air.FastestWind;
         _limit = StabilityLimit.Of(scene, in air, _air.WholeUpTo(Limit.Bound), _upward, _integrator.Order);
     }
 
@@ -61,6 +63,13 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         double uy = vy - _wind.Y;
         double uz = vz - _wind.Z;
         double speedSquared = (ux * ux) + (uy * uy) + (uz * uz);
+        double mostSquared = speedSquared;
+        if (_air.HasField)
+        {
+            double most = Math.Sqrt(speedSquared) + _fastestWind;
+            mostSquared = most * most;
+        }
+
         if (_air.Jumps && (branch == DragBranch.Unknown || !_locatesJump))
         {
             branch = DragJump.At(speedSquared, _radiusSquared * spin * spin).Branch;
@@ -68,9 +77,9 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         }
 
         bool covered = _air.Covers(speedSquared, spin, dt);
-        if ((_air.Acts && !_limit.AllowsWhole(dt, speedSquared, spin, covered))
+        if ((_air.Acts && !_limit.AllowsWhole(dt, mostSquared, spin, covered))
             || (_integrator.GainsByHops && _limit.WithinHop(dt, y - _contactHeight, vy) < dt)
-            || !IsClear(ref s, dt, speedSquared))
+            || !IsClear(ref s, dt, mostSquared))
         {
             TakePieces(ref s, dt, log);
             return;
@@ -86,11 +95,11 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         FlightStep step;
         if (covered)
         {
-            _integrator.Fly(ref _air, ref s.Flight, in _wind, branch, _upward, dt, out step);
+            _integrator.Fly(ref _air, in s, ref s.Flight, in _wind, branch, _upward, dt, out step);
         }
         else
         {
-            _integrator.Fly(ref Around.Air, ref s.Flight, in _wind, branch, _upward, dt, out step);
+            _integrator.Fly(ref Around.Air, in s, ref s.Flight, in _wind, branch, _upward, dt, out step);
         }
 
         log.Evaluations += _integrator.Stages;
@@ -111,6 +120,11 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         // Nothing happened: move the ball.
         s.Position = new Vector3d(position.X + (step.Path.X + (dt * _wind.X)), height, position.Z + (step.Path.Z + (dt * _wind.Z)));
         s.Angle += step.Turn;
+        if (_air.HasField)
+        {
+            s.AirDistance += step.AirDistance;
+        }
+
         double time = s.Time;
         s.Time = time + dt;
         log.Steps++;
@@ -120,15 +134,15 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         }
     }
 
-    public override void Fly(ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
+    public override void Fly(in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
     {
         if (_air.Covers((motion.Velocity - wind).LengthSquared, motion.SpinRate, h))
         {
-            _integrator.Fly(ref _air, ref motion, in wind, branch, upward, h, out step);
+            _integrator.Fly(ref _air, in start, ref motion, in wind, branch, upward, h, out step);
         }
         else
         {
-            _integrator.Fly(ref Around.Air, ref motion, in wind, branch, upward, h, out step);
+            _integrator.Fly(ref Around.Air, in start, ref motion, in wind, branch, upward, h, out step);
         }
     }
 

@@ -6,8 +6,8 @@ internal struct FlightSweep<TIntegrator> : IFlightSweep
 {
     private readonly Surroundings _around;
     private readonly IFlight _flight;
-    private readonly FlightPoint _from;
-    private readonly Vector3d _position;
+    private readonly BallState _from;
+    private readonly Vector3d _fromAirVelocity;
     private FlightStep _taken;
     private TIntegrator _integrator;
 
@@ -16,12 +16,8 @@ internal struct FlightSweep<TIntegrator> : IFlightSweep
     {
         _around = around;
         _flight = flight;
-        _from.AirVelocity = from.Velocity - around.Wind;
-        _from.SpinRate = from.SpinRate;
-        _from.Axis = from.SpinAxis;
-        _from.Upward = around.Upward;
-        _from.Branch = from.Branch;
-        _position = from.Position;
+        _from = from;
+        _fromAirVelocity = from.Velocity - around.Wind;
         _taken = default;
         _integrator = default;
         Length = 0;
@@ -35,28 +31,25 @@ internal struct FlightSweep<TIntegrator> : IFlightSweep
 
     public int Evaluations { get; set; }
 
-    public readonly Vector3d Position => _position + (_taken.Path + (Length * _around.Wind));
+    public readonly Vector3d Position => _from.Position + (_taken.Path + (Length * _around.Wind));
 
     public readonly Vector3d Velocity => _taken.AirVelocity + _around.Wind;
 
     public readonly Vector3d StartAcceleration => _taken.StartAcceleration;
 
-    public readonly DragJump StartJump => JumpAt(in _from.AirVelocity, _from.SpinRate);
+    public readonly DragJump StartJump => JumpAt(in _fromAirVelocity, _from.SpinRate);
 
     public readonly DragJump StartJumpRate =>
-        JumpRate(in _from.AirVelocity, _from.SpinRate, in _taken.StartAcceleration, _taken.StartSpinAcceleration);
+        JumpRate(in _fromAirVelocity, _from.SpinRate, in _taken.StartAcceleration, _taken.StartSpinAcceleration);
 
     public readonly DragJump EndJump => JumpAt(in _taken.AirVelocity, _taken.SpinRate);
 
-    public readonly Motion EndMotion => new(Position, Velocity, _from.Axis * _taken.SpinRate);
+    public readonly Motion EndMotion => new(Position, Velocity, _from.SpinAxis * _taken.SpinRate, _from.AirDistance + _taken.AirDistance);
 
     public void Step(double h)
     {
-        FlightMotion motion;
-        motion.Velocity = _from.AirVelocity;
-        motion.Axis = _from.Axis;
-        motion.SpinRate = _from.SpinRate;
-        _flight.Fly(ref motion, Vector3d.Zero, _from.Branch, _from.Upward, h, out _taken);
+        FlightMotion motion = _from.Flight;
+        _flight.Fly(in _from, ref motion, in _around.Wind, _from.Branch, _around.Upward, h, out _taken);
         Evaluations += _integrator.Stages;
         Length = h;
     }
@@ -70,10 +63,11 @@ internal struct FlightSweep<TIntegrator> : IFlightSweep
 
     public void Nudge(double dt)
     {
-        Vector3d a = Extrapolate.Rate(in _from.AirVelocity, in _taken.AirVelocity, in _taken.StartAcceleration, Length);
+        Vector3d a = Extrapolate.Rate(in _fromAirVelocity, in _taken.AirVelocity, in _taken.StartAcceleration, Length);
         double b = Extrapolate.Rate(_from.SpinRate, _taken.SpinRate, _taken.StartSpinAcceleration, Length);
         _taken.Path += dt * (_taken.AirVelocity + ((0.5 * dt) * a));
         _taken.Turn += dt * _taken.SpinRate;
+        _taken.AirDistance += Length > 0 ? dt * _taken.AirDistance / Length : 0;
         _taken.AirVelocity += dt * a;
         _taken.SpinRate += dt * b;
         Length += dt;
@@ -85,6 +79,7 @@ internal struct FlightSweep<TIntegrator> : IFlightSweep
         s.Velocity = Velocity;
         s.SpinRate = Math.Max(0, _taken.SpinRate);
         s.Angle += _taken.Turn;
+        s.AirDistance += _taken.AirDistance;
     }
 
     /// <summary>Says that the spin has ended at the end of the step.</summary>
@@ -104,7 +99,10 @@ internal struct FlightSweep<TIntegrator> : IFlightSweep
 
     private void EndRates(out Vector3d acceleration, out double spinAcceleration)
     {
-        FlightRates.Of(ref _around.Air, in _from, in _taken.AirVelocity, _taken.SpinRate, out acceleration, out spinAcceleration);
+        BallState end = _from;
+        MoveTo(ref end);
+        end.Time += Length;
+        FlightRates.Of(ref _around.Air, in end, _around.Upward, in _taken.AirVelocity, _taken.SpinRate, out acceleration, out spinAcceleration);
         Evaluations++;
     }
 

@@ -34,18 +34,11 @@ internal struct FlightSystem : IMotionSystem
         s.Position = step.End.Position;
         s.Velocity = step.End.Velocity;
         s.AirDistance = step.End.AirDistance;
-        if (Around.Air.Varies && !Around.Air.TurnsAxis && Nets == 0)
-        {
-            s.Angle += Vector3d.Dot(in step.Rotation, s.SpinAxis);
-            s.SpinRate = Math.Max(0, Vector3d.Dot(in step.End.Spin, s.SpinAxis));
-            return;
-        }
-
         s.BaseOrientation = (Quaterniond.FromRotationVector(in step.Rotation) * s.Orientation).Normalized();
         s.Angle = 0;
 
         // Decay never reverses a spin; a force of the game's own may.
-        bool keeps = Around.Air.Varies || Nets != 0 || Vector3d.Dot(in step.End.Spin, in from.Spin) > 0;
+        bool keeps = Around.Air.TurnsAxis || Nets != 0 || Vector3d.Dot(in step.End.Spin, in from.Spin) > 0;
         s.SetFlightSpin(keeps ? step.End.Spin : Vector3d.Zero);
     }
 

@@ -4,5 +4,5 @@ namespace Football.Physics;
 internal interface IFlight
 {
     /// <inheritdoc cref="IIntegrator.Fly"/>
-    void Fly(ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step);
+    void Fly(in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step);
 }

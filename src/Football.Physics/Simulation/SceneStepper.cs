@@ -92,8 +92,8 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         where TAir : struct, IFlightAir =>
         _flat = new FlatSurfaceStep<TAir>(scene, settings, Around, in air, in _pulled, World.IsBare ? null : _clear, LocatesJump);
 
-    public virtual void Fly(ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step) =>
-        _integrator.Fly(ref _air, ref motion, in wind, branch, upward, h, out step);
+    public virtual void Fly(in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step) =>
+        _integrator.Fly(ref _air, in start, ref motion, in wind, branch, upward, h, out step);
 
     public override void Settle(ref BallState s)
     {
@@ -129,13 +129,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         Vector3d acceleration = default;
         if (log.Observer!.WantsEndAcceleration)
         {
-            FlightPoint at;
-            at.AirVelocity = step.AirVelocity;
-            at.SpinRate = step.SpinRate;
-            at.Axis = s.Flight.Axis;
-            at.Upward = _upward;
-            at.Branch = s.Branch;
-            FlightRates.Of(ref _air, in at, in at.AirVelocity, at.SpinRate, out acceleration, out _);
+            FlightRates.Of(ref _air, in s, _upward, in step.AirVelocity, step.SpinRate, out acceleration, out _);
             log.Evaluations++;
         }
 
@@ -179,6 +173,12 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     [MethodImpl(MethodImplOptions.NoInlining)]
     protected void FinishPieces(ref BallState s, double dt, StepLog log, in FlightStep taken)
     {
+        if (_air.Varies)
+        {
+            TakePieces(ref s, dt, log);
+            return;
+        }
+
         var run = new StepRun(dt, s.Time, log);
         _flight.Finish(ref s, ref run, in taken, dt);
         if (!log.Halted)

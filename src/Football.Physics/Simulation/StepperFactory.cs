@@ -2,7 +2,7 @@ namespace Football.Physics;
 
 /// <summary>
 /// Makes the stepper of a scene. Flight is compiled for a handful of airs (published, measured, regularised, constant, none), one that asks any mixture
-/// of laws point by point, and wind by place and time; each with every method.
+/// of laws point by point, in wind by place and time too; each with every method.
 /// </summary>
 internal static class StepperFactory
 {
@@ -26,28 +26,28 @@ internal static class StepperFactory
             return new SceneStepper<TIntegrator>(scene, settings, in air);
         }
 
-        if (air.Varies)
-        {
-            return new FieldStepper<TIntegrator>(scene, settings, in air);
-        }
-
         ForceSet forces = scene.Forces;
-        return forces.Custom.Count > 0 || forces.Drag != forces.Magnus || forces.Magnus != forces.SpinDecay
-            ? Of<SceneAir, TIntegrator>(scene, settings, in air, in air)
-            : (forces.Drag, forces.Coefficients) switch
-            {
-                (ForceLaw.None, _) => Of<NoAir, TIntegrator>(scene, settings, in air, default),
-                (ForceLaw.Constant, _) => Of<ConstantAir, TIntegrator>(scene, settings, in air, new ConstantAir(scene)),
-                (_, CoefficientForm.Published) => OfTables<PublishedLaw, TIntegrator>(scene, settings, in air),
-                (_, CoefficientForm.Regularised) => OfTables<RegularisedLaw, TIntegrator>(scene, settings, in air),
-                _ => OfTables<MeasuredLaw, TIntegrator>(scene, settings, in air),
-            };
+        bool mixes = forces.Custom.Count > 0 || forces.Drag != forces.Magnus || forces.Magnus != forces.SpinDecay;
+        return (mixes, air.Varies, forces.Drag, forces.Coefficients) switch
+        {
+            (false, true, ForceLaw.Empirical, CoefficientForm.Measured) => InField<MeasuredLaw, TIntegrator>(scene, settings, in air),
+            (true, _, _, _) or (_, true, _, _) => Of<SceneAir, TIntegrator>(scene, settings, in air, in air),
+            (_, _, ForceLaw.None, _) => Of<NoAir, TIntegrator>(scene, settings, in air, default),
+            (_, _, ForceLaw.Constant, _) => Of<ConstantAir, TIntegrator>(scene, settings, in air, new ConstantAir(scene)),
+            (_, _, _, CoefficientForm.Published) => OfTables<PublishedLaw, TIntegrator>(scene, settings, in air),
+            (_, _, _, CoefficientForm.Regularised) => OfTables<RegularisedLaw, TIntegrator>(scene, settings, in air),
+            _ => OfTables<MeasuredLaw, TIntegrator>(scene, settings, in air),
+        };
     }
 
     // Each by itself: what a scene does not need is not loaded.
     private static Stepper OfTables<TLaw, TIntegrator>(Scene scene, SolverSettings settings, in SceneAir air)
         where TLaw : struct, ITableLaw
         where TIntegrator : struct, IIntegrator => Of<TableAir<TLaw>, TIntegrator>(scene, settings, in air, new TableAir<TLaw>(scene));
+
+    private static Stepper InField<TLaw, TIntegrator>(Scene scene, SolverSettings settings, in SceneAir air)
+        where TLaw : struct, ITableLaw
+        where TIntegrator : struct, IIntegrator => Of<FieldAir<TLaw>, TIntegrator>(scene, settings, in air, new FieldAir<TLaw>(scene, in air));
 
     private static Stepper Of<TAir, TIntegrator>(Scene scene, SolverSettings settings, in SceneAir air, in TAir laws)
         where TAir : struct, IFlightAir

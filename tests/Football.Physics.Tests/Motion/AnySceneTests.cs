@@ -7,9 +7,10 @@ namespace Football.Physics.Tests.Motion;
 /// <summary>What holds in every scene that is allowed and for every kick: found by search, shrunk by FsCheck.</summary>
 public sealed class AnySceneTests
 {
-    [Fact]
-    public void The_state_stays_finite_and_above_the_ground_and_events_stay_in_order() =>
-        Search(500, world =>
+    [Theory]
+    [ProfileData]
+    public void The_state_stays_finite_and_above_the_ground_and_events_stay_in_order(Profile profile) =>
+        Search(profile, 400, world =>
         {
             var simulator = new Simulator(world.Scene, Flight.With(world.Integrator));
             BallState state = simulator.Launch(world.Position, world.Velocity, world.Spin);
@@ -61,9 +62,10 @@ public sealed class AnySceneTests
         });
 
     /// <summary>Without wind and without forces of the game, nothing gives the ball energy.</summary>
-    [Fact]
-    public void A_ball_never_gains_energy_in_still_air() =>
-        Search(500, world =>
+    [Theory]
+    [ProfileData]
+    public void A_ball_never_gains_energy_in_still_air(Profile profile) =>
+        Search(profile, 400, world =>
         {
             Scene scene = world.Scene with { Air = world.Scene.Air with { Wind = Vector3d.Zero } };
             var simulator = new Simulator(scene, Flight.With(Integrator.Rk4));
@@ -88,12 +90,12 @@ public sealed class AnySceneTests
             return null;
         });
 
-    private static void Search(int tests, Func<World, string?> verdict) =>
+    private static void Search(Profile profile, int tests, Func<World, string?> verdict) =>
         Prop.ForAll(
             ArbMap.Default.ArbFor<int>(),
             seed =>
             {
-                var world = World.From(seed);
+                var world = World.From(profile, seed);
                 string? wrong = verdict(world);
                 Assert.True(wrong is null, $"{wrong}\nin {world}");
             })
@@ -102,7 +104,7 @@ public sealed class AnySceneTests
     /// <summary>A scene, a kick, a method and a step, all from one number.</summary>
     private sealed record World(Scene Scene, Integrator Integrator, double Step, Vector3d Position, Vector3d Velocity, Vector3d Spin)
     {
-        public static World From(int seed)
+        public static World From(Profile profile, int seed)
         {
             var random = new Shots(seed);
             double Log(double low, double high) => Math.Exp(random.Uniform(Math.Log(low), Math.Log(high)));
@@ -114,23 +116,25 @@ public sealed class AnySceneTests
 
             // Heavier than the air it displaces.
             double mass = Log(0.02, 10) + (1.2 * density * 4.2 * radius * radius * radius);
-            var scene = Scene.Published with
+            ForceSet mixed = ForceSet.Published with
+            {
+                Buoyancy = random.Uniform(0, 1) < 0.5,
+                Drag = Any<ForceLaw>(),
+                Magnus = Any<ForceLaw>(),
+                SpinDecay = Any<ForceLaw>(),
+                Coefficients = Any<CoefficientForm>(),
+                DragCoefficient = Perhaps(Log(0.01, 3)),
+                MagnusCoefficient = random.Uniform(-0.2, 0.2),
+                SpinDecayCoefficient = Perhaps(Log(1e-6, 1e-2)),
+            };
+            ForceSet forces = profile == Profile.Published ? mixed : ForceSet.Measured with { Buoyancy = mixed.Buoyancy, KnuckleSeed = random.Uniform(0, 1) < 0.3 ? seed : null };
+            var scene = profile.Scene() with
             {
                 Ball = new BallProperties { Mass = mass, Radius = radius, InertiaFactor = random.Uniform(0.05, 1) },
                 Air = new Air { Density = density, KinematicViscosity = Log(1e-6, 1e-3), Wind = Perhaps(Log(0.1, 60)) * random.Direction() },
                 Gravity = Perhaps(Log(0.5, 40)),
-                Forces = ForceSet.Published with
-                {
-                    Buoyancy = random.Uniform(0, 1) < 0.5,
-                    Drag = Any<ForceLaw>(),
-                    Magnus = Any<ForceLaw>(),
-                    SpinDecay = Any<ForceLaw>(),
-                    Coefficients = Any<CoefficientForm>(),
-                    DragCoefficient = Perhaps(Log(0.01, 3)),
-                    MagnusCoefficient = random.Uniform(-0.2, 0.2),
-                    SpinDecayCoefficient = Perhaps(Log(1e-6, 1e-2)),
-                },
-                Ground = Ground.Turf with
+                Forces = forces,
+                Ground = profile.Ground() with
                 {
                     Height = random.Uniform(-10, 10),
                     NormalRestitution = random.Uniform(0, 1),

@@ -10,13 +10,13 @@ public sealed class CustomForceTests
     public static TheoryData<Integrator> Integrators() => Flight.EveryIntegrator();
 
     [Theory]
-    [MemberData(nameof(Integrators))]
-    public void A_constant_force_is_more_gravity(Integrator integrator)
+    [ProfileData(Member = nameof(Integrators))]
+    public void A_constant_force_is_more_gravity(Profile profile, Integrator integrator)
     {
-        Scene heavy = Scene.Published with { Gravity = 9.81 + 2, Forces = ForceSet.Published with { Buoyancy = false } };
-        Scene pulled = Scene.Published with
+        Scene heavy = profile.Scene() with { Gravity = 9.81 + 2, Forces = profile.Forces() with { Buoyancy = false } };
+        Scene pulled = profile.Scene() with
         {
-            Forces = ForceSet.Published with { Buoyancy = false, Custom = [Force.From(_ => new Vector3d(0, -2 * 0.43, 0))] },
+            Forces = profile.Forces() with { Buoyancy = false, Custom = [Force.From(_ => new Vector3d(0, -2 * 0.43, 0))] },
         };
         BallEvent expected = Flight.ToImpact(heavy, integrator, 0.01, new Vector3d(0, 0.11, 0), new Vector3d(16, 9, 3), new Vector3d(3, 30, -9));
         BallEvent actual = Flight.ToImpact(pulled, integrator, 0.01, new Vector3d(0, 0.11, 0), new Vector3d(16, 9, 3), new Vector3d(3, 30, -9));
@@ -43,11 +43,12 @@ public sealed class CustomForceTests
         Assert.InRange(Differences.Rotation(expected.Orientation, actual.Orientation), 0, 1e-8);
     }
 
-    [Fact]
-    public void A_force_that_does_nothing_changes_nothing_through_a_whole_life()
+    [Theory]
+    [ProfileData]
+    public void A_force_that_does_nothing_changes_nothing_through_a_whole_life(Profile profile)
     {
-        Scene scene = Scene.Published with { Air = new Air { Wind = new Vector3d(2, 0, 1) } };
-        Scene idle = scene with { Forces = ForceSet.Published with { Custom = [Force.From(_ => Vector3d.Zero)] } };
+        Scene scene = profile.Scene() with { Air = new Air { Wind = new Vector3d(2, 0, 1) } };
+        Scene idle = scene with { Forces = profile.Forces() with { Custom = [Force.From(_ => Vector3d.Zero)] } };
         var random = new Shots(81);
         for (int i = 0; i < 20; i++)
         {
@@ -77,38 +78,42 @@ public sealed class CustomForceTests
         Assert.True(end.Velocity.Z < 2);
     }
 
-    [Fact]
-    public void A_torque_of_the_game_turns_the_spin()
+    [Theory]
+    [ProfileData]
+    public void A_torque_of_the_game_turns_the_spin(Profile profile)
     {
-        var scene = Scene.Published with { Forces = ForceSet.None with { Custom = [new Torque(new Vector3d(0.001, 0.02, -0.003))] } };
+        var scene = profile.Scene() with { Forces = ForceSet.None with { Custom = [new Torque(new Vector3d(0.001, 0.02, -0.003))] } };
         BallState state = Flight.Play(scene, SolverSettings.Default, 0.01, 2, StopAt.Time, s_high, Vector3d.Zero, new Vector3d(5, 0, 0), out _);
         Vector3d expected = new Vector3d(5, 0, 0) + (2 / scene.Ball.MomentOfInertia * new Vector3d(0.001, 0.02, -0.003));
         Assert.InRange(Vector3d.Distance(expected, state.Spin), 0, 1e-11);
     }
 
     /// <summary>About a fixed axis from rest the angle is half the spin times the time.</summary>
-    [Fact]
-    public void A_torque_of_the_game_turns_the_ball()
+    [Theory]
+    [ProfileData]
+    public void A_torque_of_the_game_turns_the_ball(Profile profile)
     {
-        var scene = Scene.Published with { Forces = ForceSet.None with { Custom = [new Torque(new Vector3d(0, 0.003, 0))] } };
+        var scene = profile.Scene() with { Forces = ForceSet.None with { Custom = [new Torque(new Vector3d(0, 0.003, 0))] } };
         BallState state = Flight.Play(scene, SolverSettings.Default, 0.01, 0.5, StopAt.Time, s_high, Vector3d.Zero, Vector3d.Zero, out _);
         double angle = 0.5 * 0.003 / scene.Ball.MomentOfInertia * 0.25;
         Assert.Equal(Math.Sin(angle / 2), state.Orientation.Y, 1e-10);
     }
 
-    [Fact]
-    public void A_torque_of_the_game_may_reverse_a_spin()
+    [Theory]
+    [ProfileData]
+    public void A_torque_of_the_game_may_reverse_a_spin(Profile profile)
     {
-        var scene = Scene.Published with { Forces = ForceSet.Published with { Custom = [new Torque(new Vector3d(0, -0.01, 0))] } };
+        var scene = profile.Scene() with { Forces = profile.Forces() with { Custom = [new Torque(new Vector3d(0, -0.01, 0))] } };
         BallState state = Flight.Play(scene, SolverSettings.Default, 0.01, 2, StopAt.Time, s_high, new Vector3d(10, 0, 0), new Vector3d(0, 2, 0), out _);
         Assert.True(state.Spin.Y < -1);
     }
 
-    [Fact]
-    public void A_force_sees_the_ball_as_it_is()
+    [Theory]
+    [ProfileData]
+    public void A_force_sees_the_ball_as_it_is(Profile profile)
     {
         var seen = new Recorder();
-        Scene scene = Scene.Published with { Air = new Air { Wind = new Vector3d(1, 2, 3) }, Forces = ForceSet.Published with { Custom = [seen] } };
+        Scene scene = profile.Scene() with { Air = new Air { Wind = new Vector3d(1, 2, 3) }, Forces = profile.Forces() with { Custom = [seen] } };
         var simulator = new Simulator(scene, Flight.With(Integrator.Euler));
         BallState state = simulator.Launch(new Vector3d(0, 5, 0), new Vector3d(10, 1, 2), new Vector3d(4, 5, 6));
         var log = new StepLog();
@@ -125,10 +130,11 @@ public sealed class CustomForceTests
         Assert.Equal([MotionState.Airborne, MotionState.Sliding, MotionState.Rolling], seen.Motions.Order());
     }
 
-    [Fact]
-    public void Forces_add_up_in_their_order_and_by_mass()
+    [Theory]
+    [ProfileData]
+    public void Forces_add_up_in_their_order_and_by_mass(Profile profile)
     {
-        var scene = Scene.Published with
+        var scene = profile.Scene() with
         {
             Gravity = 0,
             Ball = new BallProperties { Mass = 2 },

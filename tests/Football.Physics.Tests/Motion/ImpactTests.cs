@@ -9,7 +9,7 @@ public sealed class ImpactTests
 
     [Fact]
     public void Slip_after_is_minus_restitution_times_slip_before() =>
-        ForEachImpact((scene, impact) =>
+        ForEachImpact(Profile.Published, (scene, impact) =>
         {
             double r = scene.Ball.Radius;
             (double before, double after) x = (impact.VelocityBefore.X + (r * impact.SpinBefore.Z), impact.Velocity.X + (r * impact.Spin.Z));
@@ -18,9 +18,10 @@ public sealed class ImpactTests
             Assert.Equal(-scene.Ground.TangentialRestitutionZ * z.before, z.after, 1e-10);
         });
 
-    [Fact]
-    public void Energy_never_grows() =>
-        ForEachImpact((scene, impact) =>
+    [Theory]
+    [ProfileData]
+    public void Energy_never_grows(Profile profile) =>
+        ForEachImpact(profile, (scene, impact) =>
         {
             double before = Energy(scene, impact.VelocityBefore, impact.SpinBefore);
             double after = Energy(scene, impact.Velocity, impact.Spin);
@@ -30,6 +31,7 @@ public sealed class ImpactTests
     [Fact]
     public void Energy_is_kept_where_every_restitution_is_one() =>
         ForEachImpact(
+            Profile.Published,
             (scene, impact) =>
             {
                 double before = Energy(scene, impact.VelocityBefore, impact.SpinBefore);
@@ -40,9 +42,10 @@ public sealed class ImpactTests
                 Ground = scene.Ground with { NormalRestitution = 1, TangentialRestitutionX = 1, TangentialRestitutionZ = -1, SpinRestitution = 1 },
             });
 
-    [Fact]
-    public void Angular_momentum_about_the_contact_point_is_conserved() =>
-        ForEachImpact((scene, impact) =>
+    [Theory]
+    [ProfileData]
+    public void Angular_momentum_about_the_contact_point_is_conserved(Profile profile) =>
+        ForEachImpact(profile, (scene, impact) =>
         {
             // L = r ŷ × m v + I ω, horizontal part
             Vector3d Momentum(Vector3d v, Vector3d w) =>
@@ -54,7 +57,7 @@ public sealed class ImpactTests
 
     [Fact]
     public void The_vertical_parts_are_scaled_by_their_restitutions() =>
-        ForEachImpact((scene, impact) =>
+        ForEachImpact(Profile.Published, (scene, impact) =>
         {
             Assert.Equal(-scene.Ground.NormalRestitution * impact.VelocityBefore.Y, impact.Velocity.Y, 1e-13);
             Assert.Equal(scene.Ground.SpinRestitution * impact.SpinBefore.Y, impact.Spin.Y, 1e-12);
@@ -62,7 +65,7 @@ public sealed class ImpactTests
 
     [Fact]
     public void The_bounced_ball_flies_on_with_what_the_impact_gave_it() =>
-        ForEachImpact((scene, impact) =>
+        ForEachImpact(Profile.Published, (scene, impact) =>
         {
             var simulator = new Simulator(scene);
             BallState state = simulator.Launch(impact.Position, impact.VelocityBefore, impact.SpinBefore);
@@ -106,17 +109,17 @@ public sealed class ImpactTests
     private static double Energy(Scene scene, Vector3d v, Vector3d w) =>
         0.5 * ((scene.Ball.Mass * v.LengthSquared) + (scene.Ball.MomentOfInertia * w.LengthSquared));
 
-    private static void ForEachImpact(Action<Scene, BallEvent> hold, Func<Scene, Scene>? change = null)
+    private static void ForEachImpact(Profile profile, Action<Scene, BallEvent> hold, Func<Scene, Scene>? change = null)
     {
         var random = new Shots(216);
         var log = new StepLog();
         for (int i = 0; i < Impacts; i++)
         {
-            var scene = Scene.Published with
+            var scene = profile.Scene() with
             {
                 Ball = new BallProperties { Mass = random.Uniform(0.05, 3), Radius = random.Uniform(0.02, 0.3), InertiaFactor = random.Uniform(0.05, 1) },
                 Air = new Air { Density = random.Uniform(0, 1.3) },
-                Ground = Ground.Turf with
+                Ground = profile.Ground() with
                 {
                     Height = random.Uniform(-3, 3),
                     NormalRestitution = random.Uniform(0, 1),

@@ -10,12 +10,14 @@ public sealed class RestTests
     public static TheoryData<Integrator> Integrators() => Flight.EveryIntegrator();
 
     [Theory]
-    [MemberData(nameof(Integrators))]
-    public void A_ball_left_alone_on_the_ground_never_moves(Integrator integrator)
+    [ProfileData(Member = nameof(Integrators))]
+    public void A_ball_left_alone_on_the_ground_never_moves(Profile profile, Integrator integrator)
     {
-        foreach (Vector3d wind in new[] { Vector3d.Zero, new Vector3d(30, 3, -50) })
+        // The friction of a roll holds the default ball against a breeze, the thesis' ball feels no wind at rest.
+        Vector3d blows = profile == Profile.Default ? new Vector3d(1, 0.2, -2) : new Vector3d(30, 3, -50);
+        foreach (Vector3d wind in new[] { Vector3d.Zero, blows })
         {
-            var simulator = new Simulator(Scene.Published with { Air = new Air { Wind = wind } }, Flight.With(integrator));
+            var simulator = new Simulator(profile.Scene() with { Air = new Air { Wind = wind } }, Flight.With(integrator));
             BallState state = simulator.Launch(new Vector3d(1.1, 0.11, -3.3), Vector3d.Zero, Vector3d.Zero, s_turned);
             BallState start = state;
             var log = new StepLog();
@@ -31,18 +33,18 @@ public sealed class RestTests
             AssertStill(start, state);
             Assert.Equal(MotionState.Stopped, state.Motion);
             Assert.Equal(1, log.Events.Count);
-            Assert.Equal(1, log.Evaluations);
+            Assert.InRange(log.Evaluations, 0, 1);
             Assert.Equal(300.01, state.Time, 1e-9);
         }
     }
 
     [Theory]
-    [MemberData(nameof(Integrators))]
-    public void A_ball_in_still_air_without_gravity_never_moves(Integrator integrator)
+    [ProfileData(Member = nameof(Integrators))]
+    public void A_ball_in_still_air_without_gravity_never_moves(Profile profile, Integrator integrator)
     {
         foreach (CoefficientForm form in Enum.GetValues<CoefficientForm>())
         {
-            var simulator = new Simulator(Scene.Published with { Gravity = 0, Forces = ForceSet.Published with { Coefficients = form } }, Flight.With(integrator));
+            var simulator = new Simulator(profile.Scene() with { Gravity = 0, Forces = profile.Forces() with { Coefficients = form } }, Flight.With(integrator));
             BallState state = simulator.Launch(new Vector3d(1.1, 5, -3.3), Vector3d.Zero, Vector3d.Zero, s_turned);
             BallState start = state;
             var log = new StepLog();
@@ -57,10 +59,11 @@ public sealed class RestTests
         }
     }
 
-    [Fact]
-    public void A_ball_that_came_to_rest_stays_put_in_wind_until_the_next_kick()
+    [Theory]
+    [ProfileData]
+    public void A_ball_that_came_to_rest_stays_put_in_wind_until_the_next_kick(Profile profile)
     {
-        var simulator = new Simulator(Scene.Published with { Air = new Air { Wind = new Vector3d(-3, 0, 1) } });
+        var simulator = new Simulator(profile.Scene() with { Air = new Air { Wind = new Vector3d(-3, 0, 1) } });
         BallState state = simulator.Launch(new Vector3d(0, 1, 0), new Vector3d(6, 2, 0), new Vector3d(0, 3, 20));
         var log = new StepLog();
         Assert.True(simulator.Run(ref state, 0.01, 60, StopAt.Rest, log));
@@ -81,8 +84,9 @@ public sealed class RestTests
         Assert.True(state.Position.Y > 0.5);
     }
 
-    [Fact]
-    public void Rest_is_declared_where_the_energy_falls_to_the_threshold()
+    [Theory]
+    [ProfileData]
+    public void Rest_is_declared_where_the_energy_falls_to_the_threshold(Profile profile)
     {
         var random = new Shots(33);
         foreach (Integrator integrator in Flight.Integrators)
@@ -90,7 +94,7 @@ public sealed class RestTests
             for (int i = 0; i < 20; i++)
             {
                 double energy = random.Uniform(1e-5, 0.05);
-                var scene = Scene.Published with { Ground = Ground.Turf with { RestEnergy = energy }, Air = new Air { Wind = new Vector3d(1, 0, 0.5) } };
+                var scene = profile.Scene() with { Ground = profile.Ground() with { RestEnergy = energy }, Air = new Air { Wind = new Vector3d(1, 0, 0.5) } };
                 Vector3d velocity = random.Velocity(1, 10, 0, 40);
                 Flight.Play(
                     scene, Flight.With(integrator), 0.005, 100, StopAt.Rest, new Vector3d(0, 0.11, 0), velocity, random.Uniform(0, 40) * random.Direction(), out StepLog log);

@@ -24,21 +24,23 @@ public sealed class RollTests
         Assert.Equal(((Speed * Speed) - (restSpeed * restSpeed)) / (2 * friction), rest.Position.Z, tolerance);
     }
 
-    [Fact]
-    public void A_rolling_ball_spins_as_it_moves()
+    [Theory]
+    [ProfileData]
+    public void A_rolling_ball_spins_as_it_moves(Profile profile)
     {
         BallState state = Flight.Play(
-            Scene.Published, SolverSettings.Default, 0.01, 1, StopAt.Time, s_start, new Vector3d(3, 0, 4), new Vector3d(4 / Flight.Radius, 7, -3 / Flight.Radius), out _);
+            profile.Scene(), SolverSettings.Default, 0.01, 1, StopAt.Time, s_start, new Vector3d(3, 0, 4), new Vector3d(4 / Flight.Radius, 7, -3 / Flight.Radius), out _);
         Assert.Equal(MotionState.Rolling, state.Motion);
         Assert.Equal(0, Slip.Of(state.Velocity, state.Spin, Flight.Radius).Length, 1e-14);
         Assert.Equal(0.75, state.Velocity.X / state.Velocity.Z, 0.05);
     }
 
     /// <summary>Without air and friction a ball turns once every 2π r of way.</summary>
-    [Fact]
-    public void A_rolling_ball_turns_once_in_its_circumference()
+    [Theory]
+    [ProfileData]
+    public void A_rolling_ball_turns_once_in_its_circumference(Profile profile)
     {
-        Scene scene = Scene.Vacuum with { Ground = Ground.Turf with { RollingFriction = 0 } };
+        Scene scene = Scene.Vacuum with { Ground = profile.Ground() with { RollingFriction = 0, RollingFrictionBySpeed = 0 } };
         double time = 10 * 2 * Math.PI * Flight.Radius / 2.5;
         BallState state = Flight.Play(
             scene, SolverSettings.Default, 0.01, time, StopAt.Time, s_start, new Vector3d(2.5, 0, 0), new Vector3d(0, 0, -2.5 / Flight.Radius), out _);
@@ -125,10 +127,11 @@ public sealed class RollTests
         Assert.True(braked.Velocity.X < 15);
     }
 
-    [Fact]
-    public void Friction_never_turns_a_roll_back_whatever_the_step()
+    [Theory]
+    [ProfileData]
+    public void Friction_never_turns_a_roll_back_whatever_the_step(Profile profile)
     {
-        var scene = Scene.Published with { Ground = Ground.Turf with { RollingFriction = 3, SpinDamping = 5, RestEnergy = 1e-12 } };
+        var scene = profile.Scene() with { Ground = profile.Ground() with { RollingFriction = 3, SpinDamping = 5, RestEnergy = 1e-12 } };
         foreach (Integrator integrator in Flight.Integrators)
         {
             foreach (double timeStep in new[] { 0.002, 0.05, 0.7, 5 })

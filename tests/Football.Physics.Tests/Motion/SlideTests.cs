@@ -72,23 +72,25 @@ public sealed class SlideTests
         Assert.Equal(8 / (2.5 * 0.5 * normal), Slide(scene, Integrator.Rk4, 0.01, new Vector3d(8, 0, 0), Vector3d.Zero).Time, 1e-8);
     }
 
-    [Fact]
-    public void A_slide_without_friction_or_air_goes_on_for_ever()
+    [Theory]
+    [ProfileData]
+    public void A_slide_without_friction_or_air_goes_on_for_ever(Profile profile)
     {
-        Scene scene = Scene.Vacuum with { Ground = Ground.Turf with { SlidingFriction = 0 } };
+        Scene scene = Scene.Vacuum with { Ground = profile.Ground() with { SlidingFriction = 0 } };
         BallState end = Flight.Play(scene, SolverSettings.Default, 0.1, 30, StopAt.Time, s_start, new Vector3d(5, 0, 1), Vector3d.Zero, out StepLog log);
         Assert.Equal(MotionState.Sliding, end.Motion);
         Assert.Equal(150, end.Position.X, 1e-9);
         Assert.Equal(0, log.Events.Count);
     }
 
-    [Fact]
-    public void The_slip_never_turns_back_whatever_the_step()
+    [Theory]
+    [ProfileData]
+    public void The_slip_never_turns_back_whatever_the_step(Profile profile)
     {
         var random = new Shots(219);
         foreach (Integrator integrator in Flight.Integrators)
         {
-            var simulator = new Simulator(Scene.Published with { Air = new Air { Wind = new Vector3d(3, 0, -2) } }, Flight.With(integrator));
+            var simulator = new Simulator(profile.Scene() with { Air = new Air { Wind = new Vector3d(3, 0, -2) } }, Flight.With(integrator));
             foreach (double timeStep in new[] { 0.003, 0.02, 0.2, 1.5 })
             {
                 for (int i = 0; i < 20; i++)

@@ -68,22 +68,24 @@ public sealed class SpinDecayTests
         Assert.Equal(Math.Sin(angle / 2), state.Orientation.Y, 1e-8);
     }
 
-    [Fact]
-    public void A_ball_in_flight_without_spin_stays_without()
+    [Theory]
+    [ProfileData]
+    public void A_ball_in_flight_without_spin_stays_without(Profile profile)
     {
         foreach (Integrator integrator in Flight.Integrators)
         {
             BallState state = Flight.Play(
-                Scene.Published with { Air = new Air { Wind = new Vector3d(5, 1, 3) } }, Flight.With(integrator), 0.01, 2, StopAt.Time, s_high, new Vector3d(25, 5, 3), Vector3d.Zero, out _);
+                profile.Scene() with { Air = new Air { Wind = new Vector3d(5, 1, 3) } }, Flight.With(integrator), 0.01, 2, StopAt.Time, s_high, new Vector3d(25, 5, 3), Vector3d.Zero, out _);
             Assert.Equal(Vector3d.Zero, state.Spin);
             Assert.Equal(Quaterniond.Identity, state.Orientation);
         }
     }
 
-    [Fact]
-    public void Drag_never_turns_the_ball_round_whatever_the_step()
+    [Theory]
+    [ProfileData]
+    public void Drag_never_turns_the_ball_round_whatever_the_step(Profile profile)
     {
-        Scene scene = Scene.Published with { Gravity = 0, Air = new Air { Density = 1000 }, Forces = ForceSet.Published with { Magnus = ForceLaw.None } };
+        Scene scene = profile.Scene() with { Gravity = 0, Air = new Air { Density = 1000 }, Forces = profile.Forces() with { Magnus = ForceLaw.None } };
         foreach (CoefficientForm form in Enum.GetValues<CoefficientForm>())
         {
             ForEach(scene with { Forces = scene.Forces with { Coefficients = form } }, (simulator, state, timeStep) =>

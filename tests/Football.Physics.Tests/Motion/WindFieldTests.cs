@@ -12,16 +12,17 @@ public sealed class WindFieldTests
     private static readonly Vector3d s_wind = new(-5, 0.5, 3);
 
     /// <summary>Drag, lift and spin decay all see it, in flight and on the ground, by every law; half of it may be steady.</summary>
-    [Fact]
-    public void A_field_that_is_the_same_everywhere_is_a_steady_wind()
+    [Theory]
+    [ProfileData]
+    public void A_field_that_is_the_same_everywhere_is_a_steady_wind(Profile profile)
     {
         foreach (CoefficientForm form in new[] { CoefficientForm.Regularised, CoefficientForm.Measured })
         {
             foreach (double steady in new[] { 0, 0.5 })
             {
-                var forces = ForceSet.Published with { Coefficients = form };
-                Scene field = Scene.Published with { Forces = forces, Air = new Air { Wind = steady * s_wind, WindField = new UniformWind((1 - steady) * s_wind) } };
-                Scene wind = Scene.Published with { Forces = forces, Air = new Air { Wind = s_wind } };
+                var forces = profile.Forces() with { Coefficients = form };
+                Scene field = profile.Scene() with { Forces = forces, Air = new Air { Wind = steady * s_wind, WindField = new UniformWind((1 - steady) * s_wind) } };
+                Scene wind = profile.Scene() with { Forces = forces, Air = new Air { Wind = s_wind } };
                 foreach (Integrator integrator in Flight.Integrators)
                 {
                     Same(field, wind, integrator, 1e-9);

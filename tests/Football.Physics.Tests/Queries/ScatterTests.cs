@@ -26,6 +26,25 @@ public sealed class ScatterTests
         Assert.Equal(flown.Height, told.Height, 0.004);
     }
 
+    /// <summary>Spin pushes less and less aside the more there is: the mean of the kicks crosses short of the one that is meant.</summary>
+    [Theory]
+    [InlineData(20)]
+    [InlineData(-20)]
+    public void The_mean_of_kicks_whose_side_spin_spreads_lies_on_the_side_where_there_is_less_of_it(double turning)
+    {
+        var scatter = new Scatter(new Scene());
+        var velocity = new Vector3d(0, 4, -24);
+        var spin = new Vector3d(0, turning, 0);
+        var spread = new KickSpread { SpeedPercent = 1, ElevationDegrees = 1, AzimuthDegrees = 0.3, SpinPercent = 30 };
+        var none = new KickSpread { SpeedPercent = 0.01, ElevationDegrees = 0.01, AzimuthDegrees = 0.01, SpinPercent = 0.01 };
+        double meant = scatter.Find(s_from, velocity, spin, none, s_goal).Aside;
+        ScatterResult told = scatter.Find(s_from, velocity, spin, spread, s_goal);
+        ScatterResult flown = scatter.FindByFlights(s_from, velocity, spin, spread, s_goal, null, 100_000);
+        Assert.Equal(ScatterMethod.Derivatives, told.Method);
+        Assert.InRange(Math.Abs(meant) - Math.Abs(flown.Aside), 0.013, 0.019);
+        Assert.Equal(flown.Aside, told.Aside, 2e-3);
+    }
+
     [Fact]
     public void A_large_spread_is_flown()
     {

@@ -14,17 +14,22 @@ public sealed class MeasuredReferenceTests
         ["brazuca", "generic", "jabulani", "tango12", "teamgeist"],
         s_flights.Select(BallOf).Distinct(StringComparer.Ordinal).Order(StringComparer.Ordinal));
 
-    /// <summary>RK4: some nanometres at 10 ms, a micrometre at 40 ms.</summary>
+    /// <summary>
+    /// RK4: some nanometres at 10 ms, a micrometre at 40 ms, and at 2.5 ms what is left of the reference's own digits: fourth order in every case. The worst are the
+    /// longest and fastest: flight-004 and -009, windflight-011, skim-064.
+    /// </summary>
     [Theory]
-    [InlineData(0.01, 4e-9, 4e-9)]
-    [InlineData(0.04, 1e-6, 1e-6)]
+    [InlineData(0.0025, 6e-11, 1.5e-10)]
+    [InlineData(0.01, 3.3e-9, 4e-9)]
+    [InlineData(0.04, 8.5e-7, 1e-6)]
     public void The_ball_comes_down_where_and_when_the_reference_says(double timeStep, double p95, double worst) =>
         Compare(s_flights.Where(line => !Knuckles(line)), 30, timeStep, p95, worst);
 
-    /// <summary>Its force is rougher: it begins and ends within a step as the spin parameter passes its limits.</summary>
+    /// <summary>Its force is rougher, but of fourth order too: knuckle-022 is twice as far off as any other.</summary>
     [Theory]
-    [InlineData(0.01, 1e-6, 1e-6)]
-    [InlineData(0.04, 2e-4, 2e-4)]
+    [InlineData(0.0025, 2.5e-9, 2.5e-9)]
+    [InlineData(0.01, 6e-7, 6e-7)]
+    [InlineData(0.04, 1.5e-4, 1.5e-4)]
     public void A_knuckle_ball_does_so_too(double timeStep, double p95, double worst) =>
         Compare(s_flights.Where(Knuckles), 8, timeStep, p95, worst);
 
@@ -51,7 +56,7 @@ public sealed class MeasuredReferenceTests
 
         Assert.InRange(places.Count, least, 66);
         places.Hold(p95: p95, worst: worst);
-        times.Hold(p95: p95, worst: worst);
+        times.Hold(p95: 0.1 * p95, worst: 0.1 * worst);
     }
 
     /// <summary>Begins in the air, or at once leaves the ground, and comes down.</summary>

@@ -12,6 +12,10 @@ public sealed class EnergyCheckTests
         ["at rest in the air"] = (Scene.Published, new(0, 20, 0), Vector3d.Zero, Vector3d.Zero),
         ["at rest in the wind"] = (Scene.Published with { Air = new Air { Wind = new Vector3d(3, 1, 12) } }, new(0, 20, 0), Vector3d.Zero, Vector3d.Zero),
         ["at rest in vacuum"] = (Scene.Vacuum, new(0, 500, 0), Vector3d.Zero, Vector3d.Zero),
+        ["a shot in the default scene"] = (new Scene(), new(0, 20, 0), new(22, 9, 3), new(5, 60, -20)),
+        ["a bounce in the default scene"] = (new Scene(), new(0, 0.111, 0), new(12, -3, 0), new(5, 60, -20)),
+        ["a slide in the default scene"] = (new Scene(), new(0, 0.11, 0), new(12, 0, 0), Vector3d.Zero),
+        ["a roll in the default scene"] = (new Scene(), new(0, 0.11, 0), new(4, 0, 0), new(0, 0, -4 / 0.11)),
         ["a shot"] = (Scene.Published, new(0, 20, 0), new(22, 9, 3), new(5, 60, -20)),
         ["a shot without drag"] = (Scene.Published with { Forces = ForceSet.Published with { Drag = ForceLaw.None } }, new(0, 20, 0), new(22, 9, 3), new(5, 60, -20)),
         ["a shot with a constant Magnus force alone"] = (

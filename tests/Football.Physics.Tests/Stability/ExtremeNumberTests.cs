@@ -1,3 +1,5 @@
+using Football.Physics.Tests.Support;
+
 namespace Football.Physics.Tests.Stability;
 
 /// <summary>Numbers that are allowed lead to a ball that is somewhere, however large or small they are.</summary>
@@ -34,8 +36,8 @@ public sealed class ExtremeNumberTests
 
     /// <summary>Every number of the scene at one end or the other of its range, or where it usually is.</summary>
     [Theory]
-    [MemberData(nameof(Integrators))]
-    public void Scenes_at_the_ends_of_all_ranges_stay_finite(Integrator integrator)
+    [ProfileData(Member = nameof(Integrators))]
+    public void Scenes_at_the_ends_of_all_ranges_stay_finite(Profile profile, Integrator integrator)
     {
         var random = new Football.Physics.Yardsticks.SeededRandom((int)integrator);
         int refused = 0;
@@ -43,12 +45,12 @@ public sealed class ExtremeNumberTests
         {
             double Any(double low, double usual, double high) => random.Chance(0.4) ? usual : random.Any(low, high);
             ForceLaw Law() => (ForceLaw)random.Below(3);
-            var scene = Scene.Published with
+            var scene = profile.Scene() with
             {
                 Ball = new BallProperties { Mass = random.Any(1e-300, 1e-200, 1e-12, 0.43, 0.43, 1e12, 1e100), Radius = Any(1e-9, 0.11, 1e6), InertiaFactor = Any(1e-12, 0.4, 1) },
                 Air = new Air { Density = Any(0, 1.2, 1e12), KinematicViscosity = Any(1e-15, 1.5e-5, 1e15), Wind = new Vector3d(Any(-500, 0, 500), Any(-500, 0, 500), 0) },
                 Gravity = Any(0, 9.81, 1e9),
-                Forces = ForceSet.Published with
+                Forces = profile.Forces() with
                 {
                     Drag = Law(),
                     Magnus = Law(),
@@ -58,7 +60,7 @@ public sealed class ExtremeNumberTests
                     MagnusCoefficient = Any(-1e15, 0.25, 1e15),
                     SpinDecayCoefficient = Any(0, 1e-4, 1e15),
                 },
-                Ground = Ground.Turf with
+                Ground = profile.Ground() with
                 {
                     NormalRestitution = Any(0, 0.6, 1),
                     SpinRestitution = Any(0, 0.8, 1),
@@ -92,10 +94,11 @@ public sealed class ExtremeNumberTests
     }
 
     /// <summary>One scene of each kind that a ball with a spin of 1e-200 rad/s once left as NaN.</summary>
-    [Fact]
-    public void A_slide_without_friction_and_with_hardly_a_spin_stays_finite()
+    [Theory]
+    [ProfileData]
+    public void A_slide_without_friction_and_with_hardly_a_spin_stays_finite(Profile profile)
     {
-        Scene scene = Scene.Published with { Ground = Ground.Turf with { SlidingFriction = 0 } };
+        Scene scene = profile.Scene() with { Ground = profile.Ground() with { SlidingFriction = 0 } };
         foreach (double spin in (double[])[1e-200, -1e-200])
         {
             var simulator = new Simulator(scene);
@@ -105,10 +108,11 @@ public sealed class ExtremeNumberTests
         }
     }
 
-    [Fact]
-    public void A_spin_that_has_hardly_a_digit_left_ends()
+    [Theory]
+    [ProfileData]
+    public void A_spin_that_has_hardly_a_digit_left_ends(Profile profile)
     {
-        var simulator = new Simulator(Scene.Published);
+        var simulator = new Simulator(profile.Scene());
         foreach (double spin in (double[])[double.Epsilon, 2e-323, 1e-322, 1e-321, 1e-310, 1e-300])
         {
             BallState state = simulator.Launch(new Vector3d(0, 2, 0), new Vector3d(10, 3, 3), Vector3d.Up);
@@ -133,7 +137,8 @@ public sealed class ExtremeNumberTests
     private static Vector3d Axis(int axis) => axis switch { 0 => new Vector3d(1, 0, 0), 1 => Vector3d.Up, _ => new Vector3d(0, 0, 1) };
 
     private static IEnumerable<Scene> Scenes() =>
-        from friction in (double[])[0, 0.5]
-        from forces in (ForceSet[])[ForceSet.Published, ForceSet.Regularised, ForceSet.Constant with { SpinDecayCoefficient = 1e-4 }, ForceSet.None]
-        select Scene.Published with { Forces = forces, Ground = Ground.Turf with { SlidingFriction = friction } };
+        (from friction in (double[])[0, 0.5]
+         from forces in (ForceSet[])[ForceSet.Published, ForceSet.Regularised, ForceSet.Constant with { SpinDecayCoefficient = 1e-4 }, ForceSet.None]
+         select Scene.Published with { Forces = forces, Ground = Ground.Turf with { SlidingFriction = friction } })
+        .Append(new Scene());
 }

@@ -1,3 +1,4 @@
+using Football.Physics.Tests.Support;
 using Football.Physics.Headless.Lab.Stability;
 using Football.Physics.Tests.Headless;
 
@@ -174,16 +175,16 @@ public sealed class FoundByTheLabTests
 
     /// <summary>In still air there was no force to divide the next step by, and the first breath of a stage threw a ball without inertia to infinity.</summary>
     [Theory]
-    [InlineData(ForceLaw.Constant)]
-    [InlineData(ForceLaw.Empirical)]
-    public void A_huge_ball_without_inertia_that_goes_with_the_wind_stays_with_it(ForceLaw drag)
+    [ProfileData(ForceLaw.Constant)]
+    [ProfileData(ForceLaw.Empirical)]
+    public void A_huge_ball_without_inertia_that_goes_with_the_wind_stays_with_it(Profile profile, ForceLaw drag)
     {
-        var scene = Scene.Published with
+        var scene = profile.Scene() with
         {
             Ball = new BallProperties { Mass = 1e-4, Radius = 97, InertiaFactor = 0.01 },
             Air = new Air { Density = 1e6, KinematicViscosity = 7.8, Wind = new Vector3d(-0.1, 0.135, -0.07) },
             Gravity = 0.001,
-            Forces = ForceSet.Published with
+            Forces = profile.Forces() with
             {
                 Buoyancy = false,
                 Drag = drag,
@@ -206,16 +207,17 @@ public sealed class FoundByTheLabTests
         }
     }
 
-    [Fact]
-    public void A_huge_ball_without_inertia_that_has_stopped_on_the_ground_stays_there()
+    [Theory]
+    [ProfileData]
+    public void A_huge_ball_without_inertia_that_has_stopped_on_the_ground_stays_there(Profile profile)
     {
-        var scene = Scene.Published with
+        var scene = profile.Scene() with
         {
             Ball = new BallProperties { Mass = 4e-194, Radius = 77, InertiaFactor = 0.024 },
             Air = new Air { Density = 1e6, KinematicViscosity = 0.026 },
             Gravity = 1000,
-            Forces = ForceSet.Published with { Buoyancy = false, Drag = ForceLaw.None, Magnus = ForceLaw.Constant, SpinDecay = ForceLaw.None },
-            Ground = Ground.Turf with { NormalRestitution = 0, SlidingFriction = 0.012, RollingFriction = 0, SpinDamping = 0, RestEnergy = 1e-9 },
+            Forces = profile.Forces() with { Buoyancy = false, Drag = ForceLaw.None, Magnus = ForceLaw.Constant, SpinDecay = ForceLaw.None },
+            Ground = profile.Ground() with { NormalRestitution = 0, SlidingFriction = 0.012, RollingFriction = 0, SpinDamping = 0, RestEnergy = 1e-9 },
         };
         var log = new StepLog();
         foreach (Integrator integrator in Enum.GetValues<Integrator>())
@@ -235,12 +237,12 @@ public sealed class FoundByTheLabTests
 
     /// <summary>The fused laws took every gravity for the earth's: a stage slower than their tables had another ball's drag.</summary>
     [Theory]
-    [InlineData(Integrator.Rk2)]
-    [InlineData(Integrator.Rk4)]
-    public void Gravity_that_turns_a_ball_round_within_a_step_leaves_its_drag_alone(Integrator integrator)
+    [ProfileData(Integrator.Rk2)]
+    [ProfileData(Integrator.Rk4)]
+    public void Gravity_that_turns_a_ball_round_within_a_step_leaves_its_drag_alone(Profile profile, Integrator integrator)
     {
         const double Step = 0.0028;
-        var simulator = new Simulator(Scene.Published with { Gravity = 1000 }, new SolverSettings { Integrator = integrator });
+        var simulator = new Simulator(profile.Scene() with { Gravity = 1000 }, new SolverSettings { Integrator = integrator });
         BallState once = simulator.Launch(new Vector3d(0, 10, 0), new Vector3d(0, 1.87, 0), new Vector3d(0, 5, 0));
         BallState often = once;
         var log = new StepLog();

@@ -1,3 +1,4 @@
+using Football.Physics.Tests.Support;
 using System.Text.Json;
 using Football.Physics.Headless.Lab.Hostile;
 using Football.Physics.Tests.Headless;
@@ -92,17 +93,17 @@ public sealed class HostileTests
     }
 
     [Theory]
-    [InlineData("finite")]
-    [InlineData("penetration")]
-    [InlineData("energy made, more than 1 %")]
-    [InlineData("spin reversed in flight")]
-    [InlineData("velocity reversed by drag")]
-    [InlineData("clock")]
-    public void A_frame_that_is_forged_is_found(string kind)
+    [ProfileData("finite")]
+    [ProfileData("penetration")]
+    [ProfileData("energy made, more than 1 %")]
+    [ProfileData("spin reversed in flight")]
+    [ProfileData("velocity reversed by drag")]
+    [ProfileData("clock")]
+    public void A_frame_that_is_forged_is_found(Profile profile, string kind)
     {
         HostileScene scene = HostileGenerator.Make(1) with
         {
-            Scene = Scene.Published with { Gravity = 0, Forces = ForceSet.Published with { Buoyancy = false, Magnus = ForceLaw.None } },
+            Scene = profile.Scene() with { Gravity = 0, Forces = profile.Forces() with { Buoyancy = false, Magnus = ForceLaw.None } },
             Settings = SolverSettings.Default,
             Frames = [0.01],
         };

@@ -1,4 +1,5 @@
 using Football.Physics.Headless.Lab.Stability;
+using Football.Physics.Tests.Support;
 using FsCheck;
 using FsCheck.Fluent;
 
@@ -36,8 +37,9 @@ public sealed class StressTests
     }
 
     /// <summary>What a search finds shrinks towards the plainest scene: nearer to the defaults, shorter, slower.</summary>
-    [Fact]
-    public void A_kick_keeps_every_invariant_whatever_its_numbers()
+    [Theory]
+    [ProfileData]
+    public void A_kick_keeps_every_invariant_whatever_its_numbers(Profile profile)
     {
         Gen<Kick> kicks =
             from method in Gen.Elements(Enum.GetValues<Integrator>())
@@ -53,7 +55,7 @@ public sealed class StressTests
             select new Kick(method, ball, step, height, vx, vy, spinUp, spinSide, restitution, friction);
         Prop.ForAll(Arb.From(kicks, Shrink), kick =>
         {
-            StressOutcome outcome = StressRun.Play(kick.Scene());
+            StressOutcome outcome = StressRun.Play(kick.Scene(profile));
             Assert.True(outcome.Failure is null, $"{outcome.Failure} in {kick}");
         }).Check(Config.QuickThrowOnFailure.WithMaxTest(500).WithReplay(7, 13));
     }
@@ -84,14 +86,14 @@ public sealed class StressTests
     private sealed record Kick(
         Integrator Method, BallProperties Ball, double Step, int Height, int Vx, int Vy, int SpinUp, int SpinSide, int Restitution, int Friction)
     {
-        public StressScene Scene() => new()
+        public StressScene Scene(Profile profile) => new()
         {
             Kind = StressKind.AnyShot,
             Integrator = Method,
-            Scene = Physics.Scene.Published with
+            Scene = profile.Scene() with
             {
                 Ball = Ball,
-                Ground = Ground.Turf with { NormalRestitution = 0.01 * Restitution, SlidingFriction = 0.1 * Friction, RollingFriction = 0.01 * Friction },
+                Ground = profile.Ground() with { NormalRestitution = 0.01 * Restitution, SlidingFriction = 0.1 * Friction, RollingFriction = 0.01 * Friction },
             },
             Settings = new SolverSettings { Integrator = Method },
             Position = new Vector3d(0, Ball.Radius + (0.01 * Height), 0),

@@ -28,10 +28,11 @@ public sealed class DeterminismTests
         }
     }
 
-    [Fact]
-    public void Balls_that_share_a_simulator_do_not_disturb_each_other()
+    [Theory]
+    [ProfileData]
+    public void Balls_that_share_a_simulator_do_not_disturb_each_other(Profile profile)
     {
-        var simulator = new Simulator(Scene.Published with { Air = new Air { Wind = new Vector3d(2, 0, 3) } });
+        var simulator = new Simulator(profile.Scene() with { Air = new Air { Wind = new Vector3d(2, 0, 3) } });
         var random = new Shots(41);
         BallState[] together = [.. Enumerable.Range(0, 8).Select(_ =>
             simulator.Launch(new Vector3d(0, 0.3, 0), random.Velocity(5, 25, 5, 40), random.Uniform(0, 50) * random.Direction()))];
@@ -84,12 +85,12 @@ public sealed class DeterminismTests
     }
 
     [Theory]
-    [MemberData(nameof(Integrators))]
-    public void A_life_of_flight_bounces_slide_and_roll_allocates_nothing(Integrator integrator)
+    [ProfileData(Member = nameof(Integrators))]
+    public void A_life_of_flight_bounces_slide_and_roll_allocates_nothing(Profile profile, Integrator integrator)
     {
         foreach (CollisionTiming timing in Enum.GetValues<CollisionTiming>())
         {
-            foreach (Scene scene in new[] { Scene.Published, Scene.Vacuum, Scene.Published with { Forces = ForceSet.Regularised }, Scene.Published with { Forces = ForceSet.Constant }, WithForce(), WithGusts() })
+            foreach (Scene scene in new[] { profile.Scene(), Scene.Vacuum, profile.Scene() with { Forces = ForceSet.Regularised }, profile.Scene() with { Forces = ForceSet.Constant }, WithForce(profile), WithGusts() })
             {
                 var simulator = new Simulator(scene, new SolverSettings { Integrator = integrator, CollisionTiming = timing });
                 var log = new StepLog(256);
@@ -105,10 +106,11 @@ public sealed class DeterminismTests
         Forces = ForceSet.Measured with { KnuckleSeed = 2 },
     };
 
-    [Fact]
-    public void A_run_allocates_nothing()
+    [Theory]
+    [ProfileData]
+    public void A_run_allocates_nothing(Profile profile)
     {
-        var simulator = new Simulator(Scene.Published);
+        var simulator = new Simulator(profile.Scene());
         var log = new StepLog();
         Assert.Equal(0, Allocation.Of(() =>
         {
@@ -141,8 +143,8 @@ public sealed class DeterminismTests
     [Fact]
     public void The_state_holds_no_references() => Assert.False(RuntimeHelpers.IsReferenceOrContainsReferences<BallState>());
 
-    private static Scene WithForce() =>
-        Scene.Published with { Forces = ForceSet.Published with { Custom = [Force.From(ball => new Vector3d(0.01 * ball.Velocity.X, 0, 0.02))] } };
+    private static Scene WithForce(Profile profile) =>
+        profile.Scene() with { Forces = profile.Forces() with { Custom = [Force.From(ball => new Vector3d(0.01 * ball.Velocity.X, 0, 0.02))] } };
 
     private static void Live(Simulator simulator, StepLog log)
     {

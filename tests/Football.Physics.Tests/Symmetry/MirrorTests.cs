@@ -27,8 +27,8 @@ public sealed class MirrorTests
     }
 
     [Theory]
-    [MemberData(nameof(Integrators))]
-    public void The_other_ways_to_find_events_are_symmetric_too(Integrator integrator)
+    [ProfileData(Member = nameof(Integrators))]
+    public void The_other_ways_to_find_events_are_symmetric_too(Profile profile, Integrator integrator)
     {
         var settings = new SolverSettings
         {
@@ -39,16 +39,17 @@ public sealed class MirrorTests
         };
         foreach (Mirror mirror in new[] { Mirror.InX, Mirror.InZ })
         {
-            Compare(mirror, Scene.Published with { Air = new Air { Wind = new Vector3d(3, 1, -4) } }, settings, new Vector3d(1, 0.11, 2), new Vector3d(9, 6, -3), new Vector3d(20, 9, -30), Quaterniond.Identity);
+            Compare(mirror, profile.Scene() with { Air = new Air { Wind = new Vector3d(3, 1, -4) } }, settings, new Vector3d(1, 0.11, 2), new Vector3d(9, 6, -3), new Vector3d(20, 9, -30), Quaterniond.Identity);
         }
     }
 
-    [Fact]
-    public void A_shot_in_the_plane_of_the_mirror_stays_in_it()
+    [Theory]
+    [ProfileData]
+    public void A_shot_in_the_plane_of_the_mirror_stays_in_it(Profile profile)
     {
         foreach (Integrator integrator in Flight.Integrators)
         {
-            var simulator = new Simulator(Scene.Published with { Air = new Air { Wind = new Vector3d(0, 0, 5) } }, Flight.With(integrator));
+            var simulator = new Simulator(profile.Scene() with { Air = new Air { Wind = new Vector3d(0, 0, 5) } }, Flight.With(integrator));
             BallState state = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(0, 8, -20), new Vector3d(-50, 0, 0));
             simulator.Run(ref state, 0.005, 30, StopAt.Rest, new StepLog());
             Assert.Equal(0, state.Position.X);
@@ -57,16 +58,17 @@ public sealed class MirrorTests
     }
 
     /// <summary>A turn about the vertical by a right angle, where both tangential restitutions are the same.</summary>
-    [Fact]
-    public void A_turned_shot_is_the_turn_of_the_shot()
+    [Theory]
+    [ProfileData]
+    public void A_turned_shot_is_the_turn_of_the_shot(Profile profile)
     {
         static Vector3d Turn(Vector3d v) => new(v.Z, v.Y, -v.X);
-        var scene = Scene.Published with { Air = new Air { Wind = new Vector3d(2, 0, -3) } };
+        var scene = profile.Scene() with { Air = new Air { Wind = new Vector3d(2, 0, -3) } };
         var velocity = new Vector3d(14, 7, 3);
         var spin = new Vector3d(5, 30, -20);
         BallState a = Flight.Play(scene, SolverSettings.Default, 0.01, 30, StopAt.Rest, new Vector3d(0, 0.11, 0), velocity, spin, out _);
         BallState b = Flight.Play(
-            Scene.Published with { Air = new Air { Wind = Turn(scene.Air.Wind) } }, SolverSettings.Default, 0.01, 30, StopAt.Rest, new Vector3d(0, 0.11, 0), Turn(velocity), Turn(spin), out _);
+            profile.Scene() with { Air = new Air { Wind = Turn(scene.Air.Wind) } }, SolverSettings.Default, 0.01, 30, StopAt.Rest, new Vector3d(0, 0.11, 0), Turn(velocity), Turn(spin), out _);
         Assert.InRange(Vector3d.Distance(Turn(a.Position), b.Position), 0, 1e-8);
     }
 
@@ -79,7 +81,8 @@ public sealed class MirrorTests
             Ground = Ground.Turf with { TangentialRestitutionX = 0.7, TangentialRestitutionZ = -0.2, RollingFriction = 0.1 },
         };
         yield return Scene.Published with { Air = new Air { Wind = new Vector3d(-3, 0, 1) }, Forces = ForceSet.Regularised };
-        yield return Scene.Measured with { Air = new Air { Wind = new Vector3d(2, 0, -4) } };
+        yield return new Scene();
+        yield return new Scene { Air = new Air { Wind = new Vector3d(2, 0, -4) }, Ground = Ground.WetTurf };
         yield return Scene.Published with { Forces = ForceSet.Constant with { SpinDecayCoefficient = 1e-4 }, Ground = Ground.Court };
     }
 

@@ -10,6 +10,9 @@ public sealed class ThreadTests
 
     private static readonly Dictionary<string, Scene> s_scenes = new()
     {
+        ["default"] = new Scene(),
+        ["default in wind and gusts"] = new Scene { Air = new Air { Wind = new Vector3d(6, 1, -4), WindField = new WindByHeight(3, 2, 1, gusts: new Gusts { Seed = 3 }) } },
+        ["default among things"] = Pitch.Standard.On(),
         ["published"] = Scene.Published,
         ["wind"] = Scene.Published with { Air = new Air { Wind = new Vector3d(6, 1, -4) } },
         ["regularised"] = Scene.Published with { Forces = ForceSet.Regularised },

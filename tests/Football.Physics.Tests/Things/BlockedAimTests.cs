@@ -11,11 +11,12 @@ public sealed class BlockedAimTests
 
     private static readonly AimRequest s_request = new() { From = new Vector3d(0, Flight.Radius, 0), Target = new Vector3d(0, 1, -20), Speed = 20, MaximumElevationDegrees = 80 };
 
-    [Fact]
-    public void A_kick_that_would_hit_a_post_goes_over_it_on_the_other_arc()
+    [Theory]
+    [ProfileData]
+    public void A_kick_that_would_hit_a_post_goes_over_it_on_the_other_arc(Profile profile)
     {
-        AimResult open = new Aimer(Scene.Published).Find(s_request);
-        AimResult found = new Aimer(Scene.Published with { Obstacles = [s_post] }).Find(s_request);
+        AimResult open = new Aimer(profile.Scene()).Find(s_request);
+        AimResult found = new Aimer(profile.Scene() with { Obstacles = [s_post] }).Find(s_request);
         Assert.Equal(AimArc.Low, open.Arc);
         Assert.Equal(AimStatus.Hit, found.Status);
         Assert.Equal(AimArc.High, found.Arc);
@@ -24,22 +25,23 @@ public sealed class BlockedAimTests
     }
 
     [Theory]
-    [InlineData(AimMethod.Direct)]
-    [InlineData(AimMethod.Angle)]
-    [InlineData(AimMethod.Bisection)]
-    public void A_kick_with_no_way_is_blocked_and_says_by_what(AimMethod method)
+    [ProfileData(AimMethod.Direct)]
+    [ProfileData(AimMethod.Angle)]
+    [ProfileData(AimMethod.Bisection)]
+    public void A_kick_with_no_way_is_blocked_and_says_by_what(Profile profile, AimMethod method)
     {
-        AimResult found = new ThesisAimer(Scene.Published with { Obstacles = [s_post, s_roof] }).Find(s_request, method);
+        AimResult found = new ThesisAimer(profile.Scene() with { Obstacles = [s_post, s_roof] }).Find(s_request, method);
         Assert.Equal(AimStatus.Blocked, found.Status);
         Assert.Contains(found.BlockedBy, new[] { "post", "roof" });
         Assert.False(found.HitsTarget);
         Assert.True(found.Miss > 1, $"{found.Miss}");
     }
 
-    [Fact]
-    public void With_spin_to_choose_a_kick_goes_round_what_is_in_its_way()
+    [Theory]
+    [ProfileData]
+    public void With_spin_to_choose_a_kick_goes_round_what_is_in_its_way(Profile profile)
     {
-        Scene scene = Scene.Published with { Obstacles = [s_post, s_roof] };
+        Scene scene = profile.Scene() with { Obstacles = [s_post, s_roof] };
         AimResult found = new Aimer(scene).Find(s_request with { SpinIsFree = true });
         Assert.Equal(AimStatus.Hit, found.Status);
         Assert.InRange(Math.Abs(found.SideSpin), 1, s_request.MaximumSideSpin);
@@ -53,10 +55,11 @@ public sealed class BlockedAimTests
         Assert.InRange((state.Position - s_request.Target).Length, 0, 0.5);
     }
 
-    [Fact]
-    public void A_goal_blocks_no_shot_into_it_and_its_net_one_from_behind()
+    [Theory]
+    [ProfileData]
+    public void A_goal_blocks_no_shot_into_it_and_its_net_one_from_behind(Profile profile)
     {
-        Scene scene = Scene.Published with { Goals = [new Goal { Center = new Vector3d(0, 0, -20), Facing = new Vector3d(0, 0, 1) }] };
+        Scene scene = profile.Scene() with { Goals = [new Goal { Center = new Vector3d(0, 0, -20), Facing = new Vector3d(0, 0, 1) }] };
         var aimer = new Aimer(scene);
         AimRequest shot = s_request with { Target = new Vector3d(1, 1, -20.3) };
         Assert.Equal(AimStatus.Hit, aimer.Find(shot).Status);
@@ -68,14 +71,15 @@ public sealed class BlockedAimTests
         Assert.Equal("back net", behind.BlockedBy);
     }
 
-    [Fact]
-    public void A_body_is_in_the_way_when_it_will_be_there()
+    [Theory]
+    [ProfileData]
+    public void A_body_is_in_the_way_when_it_will_be_there(Profile profile)
     {
         var bodies = new Bodies();
         Body player = bodies.Add("player", new CapsuleShape(Vector3d.Zero, new Vector3d(0, 9, 0), 0.3));
-        var aimer = new Aimer(Scene.Published with { Bodies = bodies });
+        var aimer = new Aimer(profile.Scene() with { Bodies = bodies });
         AimRequest request = s_request with { MaximumElevationDegrees = 30, KickTime = 12 };
-        double time = new Aimer(Scene.Published).Find(request).Time;
+        double time = new Aimer(profile.Scene()).Find(request).Time;
 
         // He runs across, and is half way when the ball is.
         player.MoveTo(new Vector3d(-3, 0, -10), new Vector3d(6 / time, 0, 0), 12);
@@ -84,13 +88,14 @@ public sealed class BlockedAimTests
         Assert.Equal(AimStatus.Hit, aimer.Find(request).Status);
         player.MoveTo(new Vector3d(-3, 0, -10), new Vector3d(6 / time, 0, 0), 12);
         Assert.Equal(AimStatus.Blocked, aimer.FindAtTime(request, time + 0.05).Status);
-        Assert.Equal(AimStatus.Hit, new Aimer(Scene.Published).FindAtTime(request, time + 0.05).Status);
+        Assert.Equal(AimStatus.Hit, new Aimer(profile.Scene()).FindAtTime(request, time + 0.05).Status);
     }
 
-    [Fact]
-    public void A_search_among_things_allocates_nothing()
+    [Theory]
+    [ProfileData]
+    public void A_search_among_things_allocates_nothing(Profile profile)
     {
-        var aimer = new Aimer(Scene.Published with { Obstacles = [s_post, s_roof] });
+        var aimer = new Aimer(profile.Scene() with { Obstacles = [s_post, s_roof] });
         AimRequest request = s_request with { SpinIsFree = true };
         Assert.Equal(0, Allocation.Of(() => aimer.Find(request)));
     }

@@ -9,54 +9,56 @@ public sealed class BodyTests
 
     private static readonly SolverSettings s_rk4 = Flight.With(Integrator.Rk4);
 
-    [Fact]
-    public void A_body_hits_as_an_obstacle_of_the_same_velocity_does()
+    [Theory]
+    [ProfileData]
+    public void A_body_hits_as_an_obstacle_of_the_same_velocity_does(Profile profile)
     {
         var velocity = new Vector3d(0.1, -0.3, 8);
         var spin = new Vector3d(3, -2, 1);
         var from = new Vector3d(-0.05, 0.3, -3);
         var obstacle = new Obstacle { Name = "foot", Shape = new SphereShape(from, 0.15), Surface = Surface.Boot, Velocity = velocity, Spin = spin, Pivot = from };
-        BallState expected = Played(Scene.Published with { Obstacles = [obstacle] }, _ => { }, out string[] events);
+        BallState expected = Played(profile.Scene() with { Obstacles = [obstacle] }, _ => { }, out string[] events);
 
         var bodies = new Bodies();
         Body foot = bodies.Add("foot", new SphereShape(Vector3d.Zero, 0.15), Surface.Boot);
         void Move(double time) => foot.MoveTo(from + (time * velocity), Quaterniond.Identity, velocity, spin, time);
-        BallState actual = Played(Scene.Published with { Bodies = bodies }, Move, out string[] again);
+        BallState actual = Played(profile.Scene() with { Bodies = bodies }, Move, out string[] again);
         Assert.Contains("Impact foot", events);
         Assert.Equal(events, again);
         Assert.Equal(0, (expected.Position - actual.Position).Length, 1e-9);
         Assert.Equal(0, (expected.Spin - actual.Spin).Length, 1e-9);
     }
 
-    [Fact]
-    public void A_body_that_is_turned_is_its_shape_turned()
+    [Theory]
+    [ProfileData]
+    public void A_body_that_is_turned_is_its_shape_turned(Profile profile)
     {
         Quaterniond turn = Quaterniond.FromAxisAngle(new Vector3d(0.6, 0, 0.8), 0.7);
         var at = new Vector3d(0.2, 1, -4);
         var half = new Vector3d(0.5, 0.3, 0.2);
-        Scene fixedScene = Scene.Published with { Obstacles = [new Obstacle { Name = "board", Shape = new BoxShape(at, half, turn), Surface = Surface.Board }] };
+        Scene fixedScene = profile.Scene() with { Obstacles = [new Obstacle { Name = "board", Shape = new BoxShape(at, half, turn), Surface = Surface.Board }] };
         var bodies = new Bodies();
         Body board = bodies.Add("board", new BoxShape(Vector3d.Zero, half), Surface.Board);
         board.MoveTo(at, turn, Vector3d.Zero, Vector3d.Zero, 0);
         BallState expected = Played(fixedScene, _ => { }, out string[] events, new Vector3d(1, 4, -18));
-        BallState actual = Played(Scene.Published with { Bodies = bodies }, _ => { }, out string[] again, new Vector3d(1, 4, -18));
+        BallState actual = Played(profile.Scene() with { Bodies = bodies }, _ => { }, out string[] again, new Vector3d(1, 4, -18));
         Assert.Contains("Impact board", events);
         Assert.Equal(events, again);
         Assert.Equal(0, (expected.Position - actual.Position).Length, 1e-8);
     }
 
     [Theory]
-    [InlineData(0.05, 0.11, 0)]
-    [InlineData(0, 0.2, 0.05)]
-    [InlineData(0, 0.35, 0)]
-    [InlineData(-0.005, 0.4195, 0)]
-    [InlineData(-0.1, 0.6, -0.1)]
-    public void A_body_put_over_the_ball_pushes_it_out_and_gives_it_no_speed(double x, double y, double z)
+    [ProfileData(0.05, 0.11, 0)]
+    [ProfileData(0, 0.2, 0.05)]
+    [ProfileData(0, 0.35, 0)]
+    [ProfileData(-0.005, 0.4195, 0)]
+    [ProfileData(-0.1, 0.6, -0.1)]
+    public void A_body_put_over_the_ball_pushes_it_out_and_gives_it_no_speed(Profile profile, double x, double y, double z)
     {
         var bodies = new Bodies();
         Body boot = bodies.Add("boot", new SphereShape(Vector3d.Zero, 0.2));
         boot.MoveTo(new Vector3d(50, 50, 50), Vector3d.Zero, 0);
-        var simulator = new Simulator(Scene.Published with { Bodies = bodies }, s_rk4);
+        var simulator = new Simulator(profile.Scene() with { Bodies = bodies }, s_rk4);
         BallState state = simulator.Launch(new Vector3d(0, Flight.Radius, 0), Vector3d.Zero, Vector3d.Zero);
         var log = new StepLog();
         simulator.Step(ref state, Tick, log);
@@ -88,13 +90,14 @@ public sealed class BodyTests
         Assert.Equal(MotionState.Airborne, state.Motion);
     }
 
-    [Fact]
-    public void A_ball_lies_on_a_body_until_that_is_taken_away()
+    [Theory]
+    [ProfileData]
+    public void A_ball_lies_on_a_body_until_that_is_taken_away(Profile profile)
     {
         var bodies = new Bodies();
         Body tray = bodies.Add("tray", new BoxShape(Vector3d.Zero, new Vector3d(1, 0.1, 1)), Surface.Wood);
         tray.MoveTo(new Vector3d(0, 2, 0), Vector3d.Zero, 0);
-        var simulator = new Simulator(Scene.Published with { Bodies = bodies }, s_rk4);
+        var simulator = new Simulator(profile.Scene() with { Bodies = bodies }, s_rk4);
         BallState state = simulator.Launch(new Vector3d(0, 2.5, 0), Vector3d.Zero, Vector3d.Zero);
         var log = new StepLog();
         simulator.Run(ref state, Tick, 10, StopAt.Rest, log);
@@ -115,8 +118,9 @@ public sealed class BodyTests
         Assert.Equal(Flight.Radius, state.Position.Y, 1e-9);
     }
 
-    [Fact]
-    public void Whatever_the_game_does_with_bodies_the_ball_is_in_none_of_them_and_its_energy_is_theirs()
+    [Theory]
+    [ProfileData]
+    public void Whatever_the_game_does_with_bodies_the_ball_is_in_none_of_them_and_its_energy_is_theirs(Profile profile)
     {
         for (int seed = 0; seed < 40; seed++)
         {
@@ -129,7 +133,7 @@ public sealed class BodyTests
                 bodies.Add($"body {i}", i % 2 == 0 ? new SphereShape(Vector3d.Zero, Range(0.1, 0.4)) : new CapsuleShape(Vector3d.Zero, Place(), Range(0.05, 0.2)));
             }
 
-            var simulator = new Simulator(Scene.Published with { Bodies = bodies }, s_rk4);
+            var simulator = new Simulator(profile.Scene() with { Bodies = bodies }, s_rk4);
             BallState state = simulator.Launch(new Vector3d(0, 1, 0), Vector3d.Zero, Vector3d.Zero);
             var log = new StepLog();
             double fastest = 0;
@@ -159,12 +163,13 @@ public sealed class BodyTests
         }
     }
 
-    [Fact]
-    public void Moving_bodies_and_stepping_among_them_allocates_nothing()
+    [Theory]
+    [ProfileData]
+    public void Moving_bodies_and_stepping_among_them_allocates_nothing(Profile profile)
     {
         var bodies = new Bodies();
         Body leg = bodies.Add("leg", new CapsuleShape(Vector3d.Zero, new Vector3d(0, 0.8, 0), 0.1));
-        var simulator = new Simulator(Scene.Published with { Bodies = bodies }, s_rk4);
+        var simulator = new Simulator(profile.Scene() with { Bodies = bodies }, s_rk4);
         BallState state = simulator.Launch(new Vector3d(0, 1, 0), new Vector3d(0, 2, -5), Vector3d.Zero);
         var log = new StepLog();
         void Play(int ticks)
@@ -180,14 +185,15 @@ public sealed class BodyTests
         Assert.Equal(0, Allocation.Of(() => Play(200)));
     }
 
-    [Fact]
-    public void What_is_wrong_is_refused_by_name()
+    [Theory]
+    [ProfileData]
+    public void What_is_wrong_is_refused_by_name(Profile profile)
     {
         var bodies = new Bodies();
         Body leg = bodies.Add("leg", new SphereShape(Vector3d.Zero, 0.1));
         Assert.Equal("velocity", Assert.Throws<ArgumentOutOfRangeException>(() => leg.MoveTo(Vector3d.Zero, new Vector3d(2000, 0, 0), 0)).ParamName);
         Assert.Equal("position", Assert.Throws<ArgumentOutOfRangeException>(() => leg.MoveTo(new Vector3d(double.NaN, 0, 0), Vector3d.Zero, 0)).ParamName);
-        _ = new Simulator(Scene.Published with { Bodies = bodies });
+        _ = new Simulator(profile.Scene() with { Bodies = bodies });
         Assert.Contains("before it is built", Assert.Throws<InvalidOperationException>(() => bodies.Add("arm", leg.Shape)).Message);
     }
 

@@ -6,15 +6,15 @@ namespace Football.Physics.Tests.Things;
 public sealed class EdgeTests
 {
     [Theory]
-    [InlineData(Integrator.Rk4, 0.01)]
-    [InlineData(Integrator.Rk2, 0.04)]
-    [InlineData(Integrator.Rk4, 0.2)]
-    public void A_ball_that_goes_over_the_edge_of_a_table_leaves_it_there_in_a_few_pieces(Integrator integrator, double step)
+    [ProfileData(Integrator.Rk4, 0.01)]
+    [ProfileData(Integrator.Rk2, 0.04)]
+    [ProfileData(Integrator.Rk4, 0.2)]
+    public void A_ball_that_goes_over_the_edge_of_a_table_leaves_it_there_in_a_few_pieces(Profile profile, Integrator integrator, double step)
     {
         var table = new Obstacle { Name = "table", Shape = new BoxShape(new Vector3d(0, 1, 0), new Vector3d(1, 0.5, 1)), Surface = Surface.Wood };
         foreach (double speed in new[] { 2.5, 6, 25 })
         {
-            var simulator = new Simulator(Scene.Published with { Obstacles = [table] }, Flight.With(integrator));
+            var simulator = new Simulator(profile.Scene() with { Obstacles = [table] }, Flight.With(integrator));
             BallState state = simulator.Launch(new Vector3d(-0.9, 1.5 + Flight.Radius, 0.1), new Vector3d(speed, 0, 0.2), new Vector3d(5, 20, -3));
             Assert.Equal(MotionState.Sliding, state.Motion);
             var log = new StepLog();
@@ -33,13 +33,13 @@ public sealed class EdgeTests
     }
 
     [Theory]
-    [InlineData(Integrator.Rk4, 0.01)]
-    [InlineData(Integrator.Rk2, 0.04)]
-    [InlineData(Integrator.Rk4, 0.2)]
-    public void A_slow_ball_rolls_round_the_edge_and_leaves_it_further_down(Integrator integrator, double step)
+    [ProfileData(Integrator.Rk4, 0.01)]
+    [ProfileData(Integrator.Rk2, 0.04)]
+    [ProfileData(Integrator.Rk4, 0.2)]
+    public void A_slow_ball_rolls_round_the_edge_and_leaves_it_further_down(Profile profile, Integrator integrator, double step)
     {
         var table = new Obstacle { Name = "table", Shape = new BoxShape(new Vector3d(0, 1, 0), new Vector3d(1, 0.5, 1)), Surface = Surface.Wood };
-        var simulator = new Simulator(Scene.Published with { Obstacles = [table] }, Flight.With(integrator));
+        var simulator = new Simulator(profile.Scene() with { Obstacles = [table] }, Flight.With(integrator));
         BallState state = simulator.Launch(new Vector3d(0.5, 1.5 + Flight.Radius, 0), new Vector3d(1, 0, 0), new Vector3d(0, 0, -1 / Flight.Radius));
         var log = new StepLog();
         simulator.Run(ref state, step, 2, StopAt.Impact, log);

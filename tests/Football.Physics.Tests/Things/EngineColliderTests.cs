@@ -10,22 +10,22 @@ public sealed class EngineColliderTests
     public static TheoryData<string> Shapes => ["sphere", "capsule", "box", "plane", "moving sphere", "round", "flat"];
 
     [Theory]
-    [MemberData(nameof(Shapes))]
-    public void A_ball_bounces_off_an_engine_s_collider_at_the_same_instant_as_off_our_own_shape(string kind)
+    [ProfileData(Member = nameof(Shapes))]
+    public void A_ball_bounces_off_an_engine_s_collider_at_the_same_instant_as_off_our_own_shape(Profile profile, string kind)
     {
         IShape shape = kind switch
         {
-            "capsule" => new CapsuleShape(new Vector3d(0.05, 0, -6), new Vector3d(0.05, 2.5, -6), 0.06),
+            "capsule" => new CapsuleShape(new Vector3d(0.05, 0, -6), new Vector3d(0.05, 2.5, -6), 0.2),
             "box" => new BoxShape(new Vector3d(0, 1, -6), new Vector3d(0.5, 1, 0.2), Quaterniond.FromAxisAngle(Vector3d.Up, 0.3)),
             "plane" or "flat" => new PlaneShape(new Vector3d(0, 0, -6), new Vector3d(0.2, 0.1, 1)),
             _ => new SphereShape(new Vector3d(0.1, 1.2, -6), 0.4),
         };
         Vector3d velocity = kind == "moving sphere" ? new Vector3d(0.3, 0.1, 4) : Vector3d.Zero;
-        Scene own = Scene.Published with { Obstacles = [new Obstacle { Name = "thing", Shape = shape, Velocity = velocity }] };
+        Scene own = profile.Scene() with { Obstacles = [new Obstacle { Name = "thing", Shape = shape, Velocity = velocity }] };
         var engine = new ShapesAsEngine();
         engine.Add("thing", shape, velocity, isKnown: kind is not ("round" or "flat"));
         BallState expected = Played(new Simulator(own, s_rk4), engine, out List<string> events);
-        BallState actual = Played(new Simulator(Scene.Published with { EngineColliders = engine }, s_rk4), engine, out List<string> again);
+        BallState actual = Played(new Simulator(profile.Scene() with { EngineColliders = engine }, s_rk4), engine, out List<string> again);
         Assert.Contains(events, happened => happened.StartsWith("Impact thing", StringComparison.Ordinal));
         Assert.Equal(events, again);
         Assert.Equal(0, (expected.Position - actual.Position).Length, 1e-7);
@@ -65,12 +65,13 @@ public sealed class EngineColliderTests
         Assert.Equal("branch", simulator.NameOf(log.Events[0].Thing));
     }
 
-    [Fact]
-    public void A_ball_lies_on_an_engine_s_collider_until_that_is_gone()
+    [Theory]
+    [ProfileData]
+    public void A_ball_lies_on_an_engine_s_collider_until_that_is_gone(Profile profile)
     {
         var engine = new ShapesAsEngine();
         engine.Add("table", new BoxShape(new Vector3d(0, 1, 0), new Vector3d(1, 0.1, 1)));
-        var simulator = new Simulator(Scene.Published with { EngineColliders = engine }, s_rk4);
+        var simulator = new Simulator(profile.Scene() with { EngineColliders = engine }, s_rk4);
         BallState state = simulator.Launch(new Vector3d(0, 1.5, 0), Vector3d.Zero, Vector3d.Zero);
         var log = new StepLog();
         simulator.Run(ref state, 0.02, 10, StopAt.Rest, log);
@@ -83,14 +84,15 @@ public sealed class EngineColliderTests
         Assert.Equal(MotionState.Airborne, state.Motion);
     }
 
-    [Fact]
-    public void A_step_among_an_engine_s_colliders_allocates_nothing()
+    [Theory]
+    [ProfileData]
+    public void A_step_among_an_engine_s_colliders_allocates_nothing(Profile profile)
     {
         var engine = new ShapesAsEngine();
         engine.Add("wall", new PlaneShape(new Vector3d(0, 0, -4), new Vector3d(0, 0, 1)));
         engine.Add("post", new CapsuleShape(new Vector3d(0.3, 0, -2), new Vector3d(0.3, 2.5, -2), 0.06));
         engine.Add("hill", new SphereShape(new Vector3d(-0.5, -1, -3), 1.4), isKnown: false);
-        var simulator = new Simulator(Scene.Published with { EngineColliders = engine }, s_rk4);
+        var simulator = new Simulator(profile.Scene() with { EngineColliders = engine }, s_rk4);
         var log = new StepLog();
         Assert.Equal(0, Allocation.Of(() =>
         {

@@ -5,12 +5,13 @@ namespace Football.Physics.Tests.Things;
 /// <summary>How nets bulge, for drawing.</summary>
 public sealed class NetBulgeTests
 {
-    private static readonly Scene s_scene = Scene.Published with { Goals = [new Goal { Center = new Vector3d(0, 0, -10), Facing = new Vector3d(0, 0, 1) }] };
+    private static Scene Goal(Profile profile) => profile.Scene() with { Goals = [new Goal { Center = new Vector3d(0, 0, -10), Facing = new Vector3d(0, 0, 1) }] };
 
-    [Fact]
-    public void A_net_bulges_as_deep_as_the_ball_is_in_it_and_comes_back_at_its_own_speed()
+    [Theory]
+    [ProfileData]
+    public void A_net_bulges_as_deep_as_the_ball_is_in_it_and_comes_back_at_its_own_speed(Profile profile)
     {
-        var simulator = new Simulator(s_scene, Flight.With(Integrator.Rk4));
+        var simulator = new Simulator(Goal(profile), Flight.With(Integrator.Rk4));
         BallState state = simulator.Launch(new Vector3d(0, 1, 0), new Vector3d(0, 2, -25), Vector3d.Zero);
         var bulges = new NetBulges(simulator);
         var log = new StepLog();
@@ -38,10 +39,11 @@ public sealed class NetBulgeTests
         Assert.Equal(0, bulges[0].Depth);
     }
 
-    [Fact]
-    public void The_ball_lies_in_the_bulge()
+    [Theory]
+    [ProfileData]
+    public void The_ball_lies_in_the_bulge(Profile profile)
     {
-        var simulator = new Simulator(s_scene, Flight.With(Integrator.Rk4));
+        var simulator = new Simulator(Goal(profile), Flight.With(Integrator.Rk4));
         BallState state = simulator.Launch(new Vector3d(0, 1, 0), new Vector3d(0, 2, -25), Vector3d.Zero);
         var bulges = new NetBulges(simulator);
         var log = new StepLog();
@@ -55,6 +57,7 @@ public sealed class NetBulgeTests
         Assert.Equal(0, bulges[0].Depth);
     }
 
-    [Fact]
-    public void A_scene_without_nets_has_no_bulges() => Assert.Equal(0, new NetBulges(new Simulator(Scene.Published)).Count);
+    [Theory]
+    [ProfileData]
+    public void A_scene_without_nets_has_no_bulges(Profile profile) => Assert.Equal(0, new NetBulges(new Simulator(profile.Scene())).Count);
 }

@@ -7,10 +7,11 @@ public sealed class PredictionAmongThingsTests
 {
     private static readonly SolverSettings s_rk4 = Flight.With(Integrator.Rk4);
 
-    [Fact]
-    public void A_trajectory_tells_a_touchdown_from_a_hit()
+    [Theory]
+    [ProfileData]
+    public void A_trajectory_tells_a_touchdown_from_a_hit(Profile profile)
     {
-        Scene scene = Scene.Published with { Obstacles = [new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(0, 0, -10), new Vector3d(0, 0, 1)) }] };
+        Scene scene = profile.Scene() with { Obstacles = [new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(0, 0, -10), new Vector3d(0, 0, 1)) }] };
         var simulator = new Simulator(scene, s_rk4);
         var path = new Trajectory();
         simulator.LookAhead(simulator.Launch(new Vector3d(0, 1, 0), new Vector3d(0, 3, -20), Vector3d.Zero), new LookAheadRequest(), path);
@@ -23,12 +24,13 @@ public sealed class PredictionAmongThingsTests
         Assert.Equal(touchdown.Time, path.HangTime);
     }
 
-    [Fact]
-    public void A_look_ahead_meets_a_body_on_the_path_that_the_game_gives_and_leaves_it_where_it_is()
+    [Theory]
+    [ProfileData]
+    public void A_look_ahead_meets_a_body_on_the_path_that_the_game_gives_and_leaves_it_where_it_is(Profile profile)
     {
         var bodies = new Bodies();
         Body foot = bodies.Add("foot", new SphereShape(Vector3d.Zero, 0.15), Surface.Boot);
-        var simulator = new Simulator(Scene.Published with { Bodies = bodies }, s_rk4);
+        var simulator = new Simulator(profile.Scene() with { Bodies = bodies }, s_rk4);
 
         // It swings on a circle, which is not how it goes at any one moment.
         void Swing(double time) => foot.MoveTo(
@@ -65,10 +67,11 @@ public sealed class PredictionAmongThingsTests
         Assert.False(path.TryGetHit(0, out BallEvent other) && other.Time == hit.Time);
     }
 
-    [Fact]
-    public void A_batch_among_things_that_stand_still_has_the_rows_of_the_single_ball()
+    [Theory]
+    [ProfileData]
+    public void A_batch_among_things_that_stand_still_has_the_rows_of_the_single_ball(Profile profile)
     {
-        Scene scene = Pitch.Stadium.On(Scene.Published);
+        Scene scene = Pitch.Stadium.On(profile.Scene());
         const int Count = 400;
         var launches = new BatchLaunches(Count);
         var flights = new BatchFlights(Count);

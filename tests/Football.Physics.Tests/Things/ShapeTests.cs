@@ -1,3 +1,5 @@
+using Football.Physics.Tests.Support;
+
 namespace Football.Physics.Tests.Things;
 
 /// <summary>Shapes: the normal is the gradient of the distance, the curvature its Hessian.</summary>
@@ -79,13 +81,14 @@ public sealed class ShapeTests
         Assert.Equal(0.7, field.HeightAt(50, 4), 1e-14);
     }
 
-    [Fact]
-    public void A_thing_of_no_size_is_refused_by_name()
+    [Theory]
+    [ProfileData]
+    public void A_thing_of_no_size_is_refused_by_name(Profile profile)
     {
         Assert.Contains("halfSize[1] is 0", Assert.Throws<ArgumentOutOfRangeException>(() => new BoxShape(Vector3d.Zero, new Vector3d(1, 0, 1))).Message, StringComparison.Ordinal);
         Assert.Contains("normal is (0, 0, 0)", Assert.Throws<ArgumentOutOfRangeException>(() => new PlaneShape(Vector3d.Zero, Vector3d.Zero)).Message, StringComparison.Ordinal);
         Assert.Contains("radius is 0", Assert.Throws<ArgumentOutOfRangeException>(() => new SphereShape(Vector3d.Zero, 0)).Message, StringComparison.Ordinal);
-        var steep = Scene.Published with { Ground = Ground.Turf with { Heights = new HeightField(0, 0, 1, new double[,] { { 0, 0 }, { 3, 3 }, { 0, 0 } }) } };
+        var steep = profile.Scene() with { Ground = profile.Ground() with { Heights = new HeightField(0, 0, 1, new double[,] { { 0, 0 }, { 3, 3 }, { 0, 0 } }) } };
         Assert.Contains("ground.heights", Assert.Throws<ArgumentOutOfRangeException>(() => new Simulator(steep)).Message, StringComparison.Ordinal);
     }
 

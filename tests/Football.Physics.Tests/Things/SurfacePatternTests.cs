@@ -12,17 +12,17 @@ public sealed class SurfacePatternTests
     public static TheoryData<string> Grounds => ["published", "measured", "tilted"];
 
     [Theory]
-    [MemberData(nameof(Grounds))]
-    public void A_ball_rolls_as_on_the_surface_under_it_and_changes_at_the_border(string kind)
+    [ProfileData(Member = nameof(Grounds))]
+    public void A_ball_rolls_as_on_the_surface_under_it_and_changes_at_the_border(Profile profile, string kind)
     {
         Ground ground = kind switch
         {
             "measured" => Ground.DryTurf,
-            "tilted" => Ground.Turf with { Normal = new Vector3d(0.02, 1, 0.01) },
-            _ => Ground.Turf,
+            "tilted" => profile.Ground() with { Normal = new Vector3d(0.02, 1, 0.01) },
+            _ => profile.Ground(),
         };
-        Scene scene = Scene.Published with { Ground = ground with { Pattern = s_half } };
-        Scene wet = Scene.Published with { Ground = OfSurface(ground) };
+        Scene scene = profile.Scene() with { Ground = ground with { Pattern = s_half } };
+        Scene wet = profile.Scene() with { Ground = OfSurface(ground) };
         BallState start = Rolling(new Simulator(scene, Flight.With(Integrator.Rk4)));
         foreach (double step in new[] { 0.004, 0.05 })
         {
@@ -57,11 +57,12 @@ public sealed class SurfacePatternTests
         Assert.Equal(-0.3 * far.VelocityBefore.Y, far.Velocity.Y, 1e-12);
     }
 
-    [Fact]
-    public void No_stripe_is_stepped_over()
+    [Theory]
+    [ProfileData]
+    public void No_stripe_is_stepped_over(Profile profile)
     {
         // Stripes of 10 cm, each other of them rough: in long steps and short ones the ball comes as far.
-        Scene scene = Scene.Published with { Ground = Ground.Turf with { Pattern = new Stripes() } };
+        Scene scene = profile.Scene() with { Ground = profile.Ground() with { Pattern = new Stripes() } };
         BallState start = Rolling(new Simulator(scene, Flight.With(Integrator.Rk4)));
         BallState fine = To(new Simulator(scene, Flight.With(Integrator.Rk4)), start, 0.001, 0.6);
         BallState coarse = To(new Simulator(scene, Flight.With(Integrator.Rk4)), start, 0.6, 0.6);
@@ -82,11 +83,12 @@ public sealed class SurfacePatternTests
         Assert.Equal(0.3, -flights.VelocityAfter[1].Y / flights.Velocity[1].Y, 1e-6);
     }
 
-    [Fact]
-    public void A_wrong_pattern_is_refused_by_name()
+    [Theory]
+    [ProfileData]
+    public void A_wrong_pattern_is_refused_by_name(Profile profile)
     {
         Surface bad = new() { SlidingFriction = -1 };
-        Scene scene = Scene.Published with { Ground = Ground.Turf with { Pattern = new SurfaceRectangles((Vector3d.Zero, new Vector3d(1, 0, 1), bad)) } };
+        Scene scene = profile.Scene() with { Ground = profile.Ground() with { Pattern = new SurfaceRectangles((Vector3d.Zero, new Vector3d(1, 0, 1), bad)) } };
         Assert.Contains("ground.pattern.surfaces[0].slidingFriction is -1", Assert.Throws<ArgumentOutOfRangeException>(scene.Validate).Message, StringComparison.Ordinal);
         Assert.Contains(
             "rectangles[0].max[2] is 0",

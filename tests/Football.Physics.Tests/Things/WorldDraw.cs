@@ -1,17 +1,21 @@
+using Football.Physics.Tests.Support;
+
 namespace Football.Physics.Tests.Things;
 
 /// <summary>Draws worlds: goals, posts, boxes, balls, walls, nets, slopes and bumps around the origin, and a shot among them.</summary>
 internal sealed class WorldDraw
 {
     private readonly Random _random;
+    private readonly Ground _ground;
 
-    public WorldDraw(int seed, bool moves)
+    public WorldDraw(int seed, bool moves, Profile profile)
     {
         _random = new Random(seed);
         int count = 1 + _random.Next(12);
-        Scene = Scene.Published with
+        _ground = profile.Ground();
+        Scene = profile.Scene() with
         {
-            Forces = seed % 4 == 0 ? Scene.Vacuum.Forces : seed % 4 == 1 ? ForceSet.Measured with { KnuckleSeed = seed } : ForceSet.Published,
+            Forces = seed % 4 == 0 ? Scene.Vacuum.Forces : seed % 4 == 1 ? ForceSet.Measured with { KnuckleSeed = seed } : profile.Forces(),
             Ground = DrawGround(),
             Obstacles = [.. Enumerable.Range(0, count).Select(_ => DrawObstacle(moves && _random.Next(3) == 0))],
             Goals = _random.Next(2) == 0 ? [new Goal { Center = new Vector3d(0, 0, -8), Facing = new Vector3d(Range(-0.3, 0.3), 0, 1) }] : [],
@@ -45,7 +49,7 @@ internal sealed class WorldDraw
 
     private Ground DrawGround()
     {
-        Ground flat = Ground.Turf with { ImpactFriction = _random.Next(2) == 0 ? double.PositiveInfinity : Range(0.1, 1.2) };
+        Ground flat = _ground with { ImpactFriction = _random.Next(2) == 0 ? double.PositiveInfinity : Range(0.1, 1.2) };
         switch (_random.Next(3))
         {
             case 0:

@@ -5,57 +5,57 @@ namespace Football.Physics.Tests.Things;
 /// <summary>The order of the integrator survives impacts with round things, both ends of a net, and curved ground.</summary>
 public sealed class WorldOrderTests
 {
-    private static readonly Scene s_post = Scene.Published with
+    private static Scene Post(Profile profile) => profile.Scene() with
     {
         Obstacles = [new Obstacle { Shape = new CapsuleShape(new Vector3d(0, 0, -10), new Vector3d(0, 2.5, -10), 0.06) }],
-        Forces = ForceSet.Regularised,
+        Forces = profile.SmoothForces(),
     };
 
-    private static readonly Scene s_net = Scene.Published with
+    private static Scene Netted(Profile profile) => profile.Scene() with
     {
         Nets = [new Net { Center = new Vector3d(0, 1.25, -10), Normal = new Vector3d(0, 0, 1), Along = new Vector3d(1, 0, 0), HalfLength = 3, HalfWidth = 1.25, Stiffness = 60, Damping = 0.3, TangentialDamping = 5, SpinDamping = 0.002 }],
-        Forces = ForceSet.Regularised,
+        Forces = profile.SmoothForces(),
     };
 
-    private static readonly Scene s_bowl = Scene.Published with
+    private static Scene Bowl(Profile profile) => profile.Scene() with
     {
-        Ground = Ground.Turf with { Heights = new HeightField(-10, -10, 5, new double[,] { { 2, 1.5, 1, 1.5, 2 }, { 1.5, 0.5, 0.3, 0.5, 1.5 }, { 1, 0.3, 0, 0.3, 1 }, { 1.5, 0.5, 0.3, 0.5, 1.5 }, { 2, 1.5, 1, 1.5, 2 } }) },
-        Forces = ForceSet.Regularised,
+        Ground = profile.Ground() with { Heights = new HeightField(-10, -10, 5, new double[,] { { 2, 1.5, 1, 1.5, 2 }, { 1.5, 0.5, 0.3, 0.5, 1.5 }, { 1, 0.3, 0, 0.3, 1 }, { 1.5, 0.5, 0.3, 0.5, 1.5 }, { 2, 1.5, 1, 1.5, 2 } }) },
+        Forces = profile.SmoothForces(),
     };
 
     [Theory]
-    [InlineData(Integrator.Rk2, 1.8, 2.6)]
-    [InlineData(Integrator.Rk4, 3.6, 5.2)]
-    public void Through_a_round_post(Integrator integrator, double low, double high) =>
-        Hold("post", s_post, integrator, 0.9, new Vector3d(-0.05, 0.5, 0), new Vector3d(0.12, 4, -20), low, high);
+    [ProfileData(Integrator.Rk2, 1.8, 2.6)]
+    [ProfileData(Integrator.Rk4, 3.6, 5.2)]
+    public void Through_a_round_post(Profile profile, Integrator integrator, double low, double high) =>
+        Hold("post", Post(profile), integrator, 0.9, new Vector3d(-0.05, 0.5, 0), new Vector3d(0.12, 4, -20), low, high);
 
     [Theory]
-    [InlineData(Integrator.Rk2, 1e-3)]
-    [InlineData(Integrator.Rk4, 1e-6)]
-    public void Through_both_ends_of_a_net_a_step_of_10_ms_is_close(Integrator integrator, double bound)
+    [ProfileData(Integrator.Rk2, 1e-3)]
+    [ProfileData(Integrator.Rk4, 1e-6)]
+    public void Through_both_ends_of_a_net_a_step_of_10_ms_is_close(Profile profile, Integrator integrator, double bound)
     {
         // In a net a step is divided, so that the error hardly depends on its length.
         var position = new Vector3d(0.3, 1, -9.2);
         var velocity = new Vector3d(1, 2, -6);
-        Vector3d exact = End(s_net, Integrator.Rk4, 1.0 / 8192, 1.0, position, velocity);
-        Assert.InRange(Vector3d.Distance(End(s_net, integrator, 0.01, 1.0, position, velocity), exact), 0, bound);
+        Vector3d exact = End(Netted(profile), Integrator.Rk4, 1.0 / 8192, 1.0, position, velocity);
+        Assert.InRange(Vector3d.Distance(End(Netted(profile), integrator, 0.01, 1.0, position, velocity), exact), 0, bound);
     }
 
     [Theory]
-    [InlineData(Integrator.Rk2, 1.8, 2.6)]
-    [InlineData(Integrator.Rk4, 3.6, 5.2)]
-    public void Into_a_net_and_out_of_it_again(Integrator integrator, double low, double high)
+    [ProfileData(Integrator.Rk2, 1.8, 2.6)]
+    [ProfileData(Integrator.Rk4, 3.6, 5.2)]
+    public void Into_a_net_and_out_of_it_again(Profile profile, Integrator integrator, double low, double high)
     {
         // So soft that no step is divided in it.
-        Scene soft = s_net with { Ground = Ground.None, Nets = [s_net.Nets[0] with { Stiffness = 4, Damping = 0.05, TangentialDamping = 0.2, SpinDamping = 2e-4 }] };
+        Scene soft = Netted(profile) with { Ground = Ground.None, Nets = [Netted(profile).Nets[0] with { Stiffness = 4, Damping = 0.05, TangentialDamping = 0.2, SpinDamping = 2e-4 }] };
         Hold("soft net", soft, integrator, 2.5, new Vector3d(0.3, 1.2, -9.2), new Vector3d(0.5, 1, -6), low, high, steps: 640, halvings: 2);
     }
 
     [Theory]
-    [InlineData(Integrator.Rk2, 1.7, 2.8)]
-    [InlineData(Integrator.Rk4, 3.4, 5.5)]
-    public void On_curved_ground(Integrator integrator, double low, double high) =>
-        Hold("bowl", s_bowl, integrator, 0.6, new Vector3d(4, 3, 1), new Vector3d(0, 0, 0), low, high);
+    [ProfileData(Integrator.Rk2, 1.7, 2.8)]
+    [ProfileData(Integrator.Rk4, 3.4, 5.5)]
+    public void On_curved_ground(Profile profile, Integrator integrator, double low, double high) =>
+        Hold("bowl", Bowl(profile), integrator, 0.6, new Vector3d(4, 3, 1), new Vector3d(0, 0, 0), low, high);
 
     private static void Hold(
         string what, Scene scene, Integrator integrator, double duration, Vector3d position, Vector3d velocity, double low, double high, int steps = 32, int halvings = 3)

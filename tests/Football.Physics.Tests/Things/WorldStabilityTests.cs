@@ -5,7 +5,7 @@ namespace Football.Physics.Tests.Things;
 /// <summary>Any world, any step: nothing is passed through, nothing gains energy, every step ends, every state can be gone back to.</summary>
 public sealed class WorldStabilityTests
 {
-    private const int Scenes = 60;
+    private const int Scenes = 40;
 
     public static TheoryData<Integrator, double> Methods() => new()
     {
@@ -13,12 +13,12 @@ public sealed class WorldStabilityTests
     };
 
     [Theory]
-    [MemberData(nameof(Methods))]
-    public void No_ball_overlaps_anything_after_a_step(Integrator integrator, double dt)
+    [ProfileData(Member = nameof(Methods))]
+    public void No_ball_overlaps_anything_after_a_step(Profile profile, Integrator integrator, double dt)
     {
         for (int seed = 0; seed < Scenes; seed++)
         {
-            var draw = new WorldDraw(seed, moves: false);
+            var draw = new WorldDraw(seed, moves: false, profile);
             var simulator = new Simulator(draw.Scene, Flight.With(integrator));
             BallState state = simulator.Launch(draw.FreePlace(), draw.Velocity, draw.Spin);
             World world = new World(draw.Scene);
@@ -38,11 +38,12 @@ public sealed class WorldStabilityTests
         }
     }
 
-    [Fact]
-    public void Nothing_is_called_clear_that_a_step_of_semi_implicit_euler_reaches()
+    [Theory]
+    [ProfileData]
+    public void Nothing_is_called_clear_that_a_step_of_semi_implicit_euler_reaches(Profile profile)
     {
         var table = new Obstacle { Shape = new BoxShape(new Vector3d(0, 0.5, 0), new Vector3d(1, 0.5, 1)) };
-        var simulator = new Simulator(Scene.Published with { Obstacles = [table] }, Flight.With(Integrator.SemiImplicitEuler));
+        var simulator = new Simulator(profile.Scene() with { Obstacles = [table] }, Flight.With(Integrator.SemiImplicitEuler));
         for (int mm = 0; mm < 40; mm++)
         {
             BallState state = simulator.Launch(new Vector3d(0, 1.001 + Flight.Radius + (0.001 * mm), 0), default, default);
@@ -51,12 +52,13 @@ public sealed class WorldStabilityTests
         }
     }
 
-    [Fact]
-    public void Without_wind_and_moving_things_energy_never_grows()
+    [Theory]
+    [ProfileData]
+    public void Without_wind_and_moving_things_energy_never_grows(Profile profile)
     {
         for (int seed = 100; seed < 100 + Scenes; seed++)
         {
-            var draw = new WorldDraw(seed, moves: false);
+            var draw = new WorldDraw(seed, moves: false, profile);
             var simulator = new Simulator(draw.Scene, Flight.With(Integrator.Rk4));
             BallState state = simulator.Launch(draw.FreePlace(), draw.Velocity, draw.Spin);
             double before = Energy(draw.Scene, in state);
@@ -76,12 +78,13 @@ public sealed class WorldStabilityTests
         }
     }
 
-    [Fact]
-    public void Moving_things_are_not_passed_through_either()
+    [Theory]
+    [ProfileData]
+    public void Moving_things_are_not_passed_through_either(Profile profile)
     {
         for (int seed = 200; seed < 200 + Scenes; seed++)
         {
-            var draw = new WorldDraw(seed, moves: true);
+            var draw = new WorldDraw(seed, moves: true, profile);
             var simulator = new Simulator(draw.Scene, Flight.With(Integrator.Rk4));
             BallState state = simulator.Launch(draw.FreePlace(), draw.Velocity, draw.Spin);
             var log = new StepLog();
@@ -95,13 +98,14 @@ public sealed class WorldStabilityTests
         }
     }
 
-    [Fact]
-    public void A_copy_of_the_state_goes_on_to_the_last_bit_also_in_a_net()
+    [Theory]
+    [ProfileData]
+    public void A_copy_of_the_state_goes_on_to_the_last_bit_also_in_a_net(Profile profile)
     {
         int inNets = 0;
         for (int seed = 300; seed < 300 + Scenes; seed++)
         {
-            var draw = new WorldDraw(seed, moves: false);
+            var draw = new WorldDraw(seed, moves: false, profile);
             var simulator = new Simulator(draw.Scene, Flight.With(Integrator.Rk4));
             BallState state = simulator.Launch(draw.FreePlace(), draw.Velocity, draw.Spin);
             var log = new StepLog();
@@ -120,10 +124,11 @@ public sealed class WorldStabilityTests
         Assert.True(inNets > 20, $"{inNets} steps in nets");
     }
 
-    [Fact]
-    public void A_step_among_things_allocates_nothing()
+    [Theory]
+    [ProfileData]
+    public void A_step_among_things_allocates_nothing(Profile profile)
     {
-        var draw = new WorldDraw(5, moves: true);
+        var draw = new WorldDraw(5, moves: true, profile);
         var simulator = new Simulator(draw.Scene);
         var log = new StepLog(1024);
         Vector3d place = draw.FreePlace();
@@ -159,10 +164,11 @@ public sealed class WorldStabilityTests
         return energy;
     }
 
-    [Fact]
-    public void A_ball_that_stands_on_a_slope_and_spins_does_not_creep()
+    [Theory]
+    [ProfileData]
+    public void A_ball_that_stands_on_a_slope_and_spins_does_not_creep(Profile profile)
     {
-        var simulator = new Simulator(Scene.Published with { Ground = Ground.Turf with { Normal = new Vector3d(0.02, 1, 0.01) } });
+        var simulator = new Simulator(profile.Scene() with { Ground = profile.Ground() with { Normal = new Vector3d(0.02, 1, 0.01) } });
         BallState ball = simulator.Launch(new Vector3d(0, 0.12, 0), new Vector3d(0.1, 0, 0), new Vector3d(0, 60, 0));
         simulator.Run(ref ball, 0.01, 2, StopAt.Time, new StepLog());
         Assert.Equal((MotionState.Rolling, Vector3d.Zero), (ball.Motion, ball.Velocity));

@@ -40,6 +40,10 @@ internal struct TableAir<TLaw> : IFlightAir
         get => true;
     }
 
+    public bool HasField => false;
+
+    public bool HasSide => false;
+
     public bool Jumps
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -74,7 +78,7 @@ internal struct TableAir<TLaw> : IFlightAir
 
     /// <summary>Whether the tables hold at a point by itself.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private readonly bool HoldsAt(double speedSquared, double spinSquared)
+    public readonly bool HoldsAt(double speedSquared, double spinSquared)
     {
         const double Largest = TableRange.LargestSpinParameter * TableRange.LargestSpinParameter;
         return speedSquared > _slowestSquared && speedSquared < _fastestSquared && _radiusSquared * spinSquared < Largest * speedSquared;
@@ -116,7 +120,11 @@ internal struct TableAir<TLaw> : IFlightAir
         }
         else
         {
-            ByFunctions(speedSquared, spinRate, acrossSquared, region, out drag, out lift, out decay);
+            // By way of others: what a call is handed the address of lies in memory, and not in a register.
+            ByFunctions(speedSquared, spinRate, acrossSquared, region, out double ofDrag, out double ofLift, out double ofDecay);
+            drag = ofDrag;
+            lift = ofLift;
+            decay = ofDecay;
         }
     }
 
@@ -144,7 +152,7 @@ internal struct TableAir<TLaw> : IFlightAir
 
     /// <summary>The law by its functions themselves, anywhere.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void ByFunctions(
+    public void ByFunctions(
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
         double speed = Math.Sqrt(speedSquared);
@@ -160,4 +168,8 @@ internal struct TableAir<TLaw> : IFlightAir
         drag = moves ? drag : 0;
         lift = moves && spinRate > 0 ? lift : 0;
     }
+
+    public Vector3d WindAt(double time, double x, double y, double z) => Vector3d.Zero;
+
+    public Vector3d Side(in Vector3d u, in Vector3d spin, double distance) => Vector3d.Zero;
 }

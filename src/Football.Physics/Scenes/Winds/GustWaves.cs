@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>Twelve sines a component with a Dryden spectrum: the gusts as a function of the distance along the wind.</summary>
@@ -75,6 +77,7 @@ internal sealed class GustWaves
 
     /// <summary>g₀, g₁, g₂, m/s, as x, y and z: along, across and up, each Σ a sin(k ξ + φ).</summary>
     /// <param name="distance">ξ, m.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3d At(double distance)
     {
         Quad along = default;

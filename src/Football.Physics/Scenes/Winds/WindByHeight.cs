@@ -83,19 +83,21 @@ public sealed class WindByHeight : IWind
     public double Fastest { get; }
 
     /// <inheritdoc/>
+    public Vector3d At(double time, in Vector3d position) => At(time, position.X, position.Y, position.Z);
+
+    /// <summary>The same of a place in registers.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Vector3d At(double time, in Vector3d position)
+    internal Vector3d At(double time, double x, double y, double z)
     {
-        double height = position.Y - GroundHeight;
+        double height = y - GroundHeight;
         height = height > 0 ? height : 0;
         double mean = MeanAt(height);
-        return _gusts is null ? new Vector3d(mean * _alongX, 0, mean * _alongZ) : WithGusts(_gusts, time, in position, height, mean);
+        return _gusts is null ? new Vector3d(mean * _alongX, 0, mean * _alongZ) : WithGusts(_gusts, ((x * _alongX) + (z * _alongZ)) - (Speed * time), height, mean);
     }
 
     // ξ = (distance along the wind) − u_ref t,  W = d (u + f g₀) + d⊥ f g₁ + ŷ f₂ g₂,  f = u(y)/u_ref,  f₂ = f min(1, y/2)
-    private Vector3d WithGusts(GustWaves gusts, double time, in Vector3d position, double height, double mean)
+    private Vector3d WithGusts(GustWaves gusts, double distance, double height, double mean)
     {
-        double distance = ((position.X * _alongX) + (position.Z * _alongZ)) - (Speed * time);
         Vector3d gust = gusts.At(distance);
         double share = mean * _perSpeed;
         double along = mean + (share * gust.X);
