@@ -3,8 +3,9 @@
 
   tests/mutations.py [NAME...]     all of tests/mutations.json, or those named; exit code 1 where one survives
 
-Each is a file, a text that stands in it exactly once, what stands there instead, and the tests concerned. What those do not see all the others are asked for, but for
-those that run the command line or read files of the repository; golden bits (tests/Package.Tests) are not asked. Needs the tests to be built:
+Each is a file, a text that stands in it exactly once (or, where the file has another name, in one other), what stands there instead, and the tests concerned.
+What those do not see all the others are asked for, but for those that run the command line or read files of the repository; golden bits (tests/Package.Tests) are
+not asked. Needs the tests to be built:
 dotnet build -c Release tests/Football.Physics.Tests
 """
 import json
@@ -39,17 +40,26 @@ def named(tests):
     return "|".join("FullyQualifiedName~" + test for test in tests)
 
 
+def place(mutation):
+    """Its file, or the only other that has its text; None where its text does not stand exactly once."""
+    def count(path):
+        return path.read_text().count(mutation["old"])
+
+    path = ROOT / LIBRARY / mutation["file"]
+    if path.exists() and count(path) > 0:
+        return mutation["file"] if count(path) == 1 else None
+    others = [path for path in (ROOT / LIBRARY).rglob("*.cs") if count(path) > 0]
+    return others[0].relative_to(ROOT / LIBRARY) if len(others) == 1 and count(others[0]) == 1 else None
+
+
 def main():
     mutations = json.loads((ROOT / "tests/mutations.json").read_text())
     wanted = [m for m in mutations if not sys.argv[1:] or m["name"] in sys.argv[1:]]
-    lost = [name for name in sys.argv[1:] if name not in [m["name"] for m in mutations]]
-    for m in mutations:
-        path = ROOT / LIBRARY / m["file"]
-        count = path.read_text().count(m["old"]) if path.exists() else -1
-        if count != 1:
-            lost.append(f"{m['name']}: its text stands in {m['file']} {count} times" if count >= 0 else f"{m['name']}: there is no {m['file']}")
-    if lost:
-        sys.exit("tests/mutations.json is not of these sources:\n" + "\n".join(lost))
+    places = {m["name"]: place(m) for m in wanted}
+    lost = [name for name in sys.argv[1:] if name not in places] + [name for name in places if not places[name]]
+    wanted = [m for m in wanted if places[m["name"]]]
+    for name in lost:
+        print(f"LOST      {name}: tests/mutations.json is not of these sources")
 
     survivors = []
     with tempfile.TemporaryDirectory() as work:
@@ -64,7 +74,7 @@ def main():
             sys.exit("without any mistake these fail: " + ", ".join(sorted(set(plain))))
 
         for m in wanted:
-            path = work / LIBRARY / m["file"]
+            path = work / LIBRARY / places[m["name"]]
             text = path.read_text()
             path.write_text(text.replace(m["old"], m["new"]))
             build = run(["dotnet", "build", "-c", "Release", LIBRARY, "-f", "net10.0", "-p:TargetFrameworks=net10.0", "-p:RunAnalyzers=false",
@@ -79,8 +89,8 @@ def main():
             survivors += [] if failed or others else [m["name"]]
             seen = "  " + ", ".join(sorted(set(failed))[:3]) if failed else "  by others: " + ", ".join(sorted(set(others))[:6]) if others else ""
             print(("caught    " if failed or others else "SURVIVED  ") + m["name"] + " " + m["what"] + seen, flush=True)
-    print(f"{len(wanted) - len(survivors)} of {len(wanted)} caught, {len(survivors)} survived")
-    sys.exit(1 if survivors else 0)
+    print(f"{len(wanted) - len(survivors)} of {len(wanted)} caught, {len(survivors)} survived" + (f", {len(lost)} lost" if lost else ""))
+    sys.exit(1 if survivors or lost else 0)
 
 
 main()
