@@ -78,7 +78,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         step.SpinRate = nextW;
         step.Path = new Vector3d(h * (ux + (sixth * sumX)), h * (uy + (sixth * sumY)), h * (uz + (sixth * sumZ)));
         step.Turn = h * (w + (sixth * sumB));
-        step.AirDistance = sixth * (sumS + sumS - startS + s);
+        step.AirDistance = air.HasField ? sixth * (sumS + sumS - startS + s) : 0;
     }
 
     public void Advance<TSystem>(ref TSystem system, double time, in Motion from, double h, out MotionStep step)

@@ -32,7 +32,7 @@ internal readonly struct ExplicitEuler : IIntegrator
         motion.SpinRate = ew;
         step.StartAcceleration = new Vector3d(ax, ay, az);
         step.StartSpinAcceleration = b;
-        step.AirDistance = h * s;
+        step.AirDistance = air.HasField ? h * s : 0;
         step.AirVelocity = new Vector3d(ex, ey, ez);
         step.SpinRate = ew;
         step.Path = new Vector3d(h * ux, h * uy, h * uz);

@@ -53,7 +53,7 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         step.SpinRate = ew;
         step.Path = new Vector3d(h * mx, h * my, h * mz);
         step.Turn = h * mw;
-        step.AirDistance = h * s;
+        step.AirDistance = air.HasField ? h * s : 0;
     }
 
     public void Advance<TSystem>(ref TSystem system, double time, in Motion from, double h, out MotionStep step)
