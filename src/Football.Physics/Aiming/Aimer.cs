@@ -50,6 +50,8 @@ public sealed class Aimer
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public AimResult Find(AimRequest request, bool measure = true)
     {
+        // 1. The search in long steps, and the true miss of what it found. 2. Where that is not what the search said, once more in short steps. 3. What is blocked: the
+        // other arc, and other spins where they are free.
         Begin(request);
         AimSolution solution = Search(request);
         AimResult result = Report(request, in solution, measure);
@@ -80,6 +82,7 @@ public sealed class Aimer
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or a point on the way is given.</exception>
     public AimResult FindSlowest(AimRequest request)
     {
+        // In long steps, in short ones, and where there is none, what the fastest does is the verdict.
         Begin(request);
         RefuseThrough(request);
         if (!Slowest(request, out AimSolution solution))
@@ -237,7 +240,7 @@ public sealed class Aimer
 
     /// <summary>What it is where the measured kick misses: what a method took for a hit is in need of finer steps, or something is in the way.</summary>
     private static AimStatus Missed(in AimSolution solution, in MeasuredMiss measured) =>
-        solution.Status != AimStatus.Hit ? solution.Status : measured.Blocker == MeasuredMiss.NoThing ? AimStatus.NotConverged : AimStatus.Blocked;
+        solution.Status != AimStatus.Hit ? solution.Status : measured.Blocker == KickFlight.NoThing ? AimStatus.NotConverged : AimStatus.Blocked;
 
     /// <summary>A hit that misses the point on the way is one of the target only.</summary>
     private static AimStatus Judge(AimRequest request, AimStatus status, in MeasuredMiss measured, bool passes) =>

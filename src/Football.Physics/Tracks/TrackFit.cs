@@ -2,24 +2,12 @@ namespace Football.Physics;
 
 /// <summary>Finds the launch of a ball, and on request what a scene's numbers really are, from where a camera saw it.</summary>
 /// <remarks>
-/// Least squares by the method of Gauss and Newton, with the derivatives by the launch through bounces and all, damped (Levenberg, Marquardt) where a step would not
-/// help; last with secants as wide as the uncertainty, as paths have kinks where a ball just slips, or just hops once more. The uncertainty is measured by going out
-/// to where the misses grow, so it holds where they do not grow with the square: a spin times a lift may be known well of which neither is. Its memory is its own:
-/// one a thread.
+/// Least squares by the method of Gauss and Newton, damped (Levenberg, Marquardt) where a step would not help, with secants as wide as the uncertainty for derivatives, as
+/// paths have kinks where a ball just slips, or just hops once more. The uncertainty is measured by going out to where the misses grow, so it holds where they do not
+/// grow with the square: a spin times a lift may be known well of which neither is. Its memory is its own: one a thread.
 /// </remarks>
 public sealed class TrackFit
 {
-    private const int MostSteps = 25;
-
-    /// <summary>The search by derivatives ends where a step is shorter than this share of the uncertainty.</summary>
-    private const double Shortest = 0.01;
-
-    /// <summary>That of the launch alone where factors are to be found too: it cannot fit well.</summary>
-    private const double ShortestOfLaunch = 1.0;
-
-    private const double FirstDamping = 1e-3;
-    private const double LargestDamping = 1e9;
-
     /// <summary>The velocity to begin with is that of the points of so many seconds.</summary>
     private const double Beginning = 0.25;
 
@@ -46,92 +34,51 @@ public sealed class TrackFit
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public TrackFitResult Find(TrackPoint[] track, TrackFitRequest? request = null)
     {
+        // 1. A start by the first points. 2. Downhill for the launch, then for the factors too. 3. From other spins where that fits poorly. 4. The uncertainty, measured.
         request ??= new TrackFitRequest();
         Validate(track, request);
         TrackFitRequest launch = request with { Drag = false, Lift = false, Restitution = false, Friction = false };
-        var model = new TrackModel(_scene, request);
         int steps = 0;
         double[] values = Start(track, launch);
-        TrackEquations best = Search(track, launch, request, model, ref values, ref steps);
+        TrackSearch best = Descend(track, launch, request, ref values, ref steps);
 
         // A poor fit may be that of another bounce: from other spins.
         Vector3d across = Vector3d.Cross(Vector3d.Up, new Vector3d(values[3], 0, values[5]));
         across = across.Length > 0 ? across / across.Length : Vector3d.Zero;
-        for (int i = 0; i < OtherStarts && best.ChiSquared > Poor * ((3 * track.Length) - values.Length); i++)
+        int freedom = (3 * track.Length) - best.Model.Count;
+        for (int i = 0; i < OtherStarts && best.ChiSquared(values) > Poor * freedom; i++)
         {
             Vector3d spin = request.Spin + ((i % 2 == 0 ? OtherSpin : -OtherSpin) * (i < 2 ? across : Vector3d.Up));
             double[] other = Start(track, launch);
             (other[6], other[7], other[8]) = (spin.X, spin.Y, spin.Z);
-            TrackEquations found = Search(track, launch, request, model, ref other, ref steps);
+            TrackSearch found = Descend(track, launch, request, ref other, ref steps);
             if (found.Cost < best.Cost)
             {
                 (best, values) = (found, other);
             }
         }
 
-        var refinement = new TrackRefinement(new TrackPaths(track, request, model), model);
-        bool converged = refinement.Run(values, best.Normal);
-        double chiSquared = refinement.Cost - model.KnownCost(values);
-        return new TrackFitResult(
-            model, values, refinement.Covariance, track[0].Time, chiSquared, (3 * track.Length) - model.Count, steps + refinement.Steps, converged);
+        bool converged = best.Measure(values);
+        return new TrackFitResult(best.Model, values, best.Covariance, track[0].Time, best.ChiSquared(values), freedom, steps + best.Steps, converged);
     }
 
     /// <summary>Goes downhill from a launch: with the launch alone, then with the factors too.</summary>
-    private TrackEquations Search(TrackPoint[] track, TrackFitRequest launch, TrackFitRequest request, TrackModel model, ref double[] values, ref int steps)
+    private TrackSearch Descend(TrackPoint[] track, TrackFitRequest launch, TrackFitRequest request, ref double[] values, ref int steps)
     {
-        if (request == launch)
+        var search = new TrackSearch(track, launch, new TrackModel(_scene, launch));
+        search.Descend(values);
+        if (request != launch)
         {
-            return Search(track, launch, Shortest, values, ref steps);
+            steps += search.Steps;
+            search = new TrackSearch(track, request, new TrackModel(_scene, request));
+            double[] all = new double[search.Model.Count];
+            all.AsSpan().Fill(1);
+            Array.Copy(values, all, values.Length);
+            values = all;
+            search.Descend(values);
         }
 
-        Search(track, launch, ShortestOfLaunch, values, ref steps);
-        double[] all = new double[model.Count];
-        all.AsSpan().Fill(1);
-        Array.Copy(values, all, values.Length);
-        values = all;
-        return Search(track, request, Shortest, values, ref steps);
-    }
-
-    /// <summary>Goes downhill from some numbers, to where a step would be shorter than a share of the uncertainty.</summary>
-    private TrackEquations Search(TrackPoint[] track, TrackFitRequest request, double shortest, double[] values, ref int steps)
-    {
-        var model = new TrackModel(_scene, request);
-        var paths = new TrackPaths(track, request, model);
-        var equations = new TrackEquations(track, request, model, paths);
-        equations.Evaluate(values);
-        double[] step = new double[model.Count];
-        double[] tried = new double[model.Count];
-        double[] misses = new double[paths.Rows];
-        double damping = FirstDamping;
-        bool converged = false;
-        for (int i = 0; i < MostSteps && !converged && damping < LargestDamping; i++, steps++)
-        {
-            if (!equations.Solve(damping, step))
-            {
-                damping *= 10;
-                continue;
-            }
-
-            for (int k = 0; k < step.Length; k++)
-            {
-                tried[k] = values[k] + step[k];
-            }
-
-            // Where rounding decides, there is nothing left to gain. Derivatives cost more than a flight, and are taken where it was better.
-            converged = equations.Length(step) < shortest && damping < 1;
-            if (TrackModel.IsLaunch(tried) && paths.Follow(tried, misses) <= equations.Cost)
-            {
-                Array.Copy(tried, values, tried.Length);
-                equations.Evaluate(values);
-                damping = Math.Max(1e-12, 0.1 * damping);
-            }
-            else
-            {
-                damping *= 10;
-            }
-        }
-
-        return equations;
+        return search;
     }
 
     private static void Validate(TrackPoint[] track, TrackFitRequest request)

@@ -42,9 +42,6 @@ internal sealed class TrackModel
         number < FirstKnown ? double.PositiveInfinity : number < Launch ? _request.SpinDeviation : _request.FactorDeviation;
 
     /// <summary>Adds what was known before, where something was: N += 1/σ², g += (likely − value)/σ².</summary>
-    /// <param name="values">The numbers.</param>
-    /// <param name="normal">N, row by row; null for g alone.</param>
-    /// <param name="gradient">g.</param>
     /// <returns>Σ (likely − value)²/σ².</returns>
     public double AddKnown(double[] values, double[]? normal, double[] gradient)
     {
@@ -149,8 +146,6 @@ internal sealed class TrackPaths
     public int Rows => 3 * _track.Length;
 
     /// <summary>Follows a ball.</summary>
-    /// <param name="values">The numbers; a place in the ground is raised out of it.</param>
-    /// <param name="misses">(seen − followed)/noise of each coordinate.</param>
     /// <returns>The cost: the squares of the misses, and those of what was known before.</returns>
     public double Follow(double[] values, double[] misses)
     {

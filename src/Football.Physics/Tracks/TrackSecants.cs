@@ -9,6 +9,12 @@ internal sealed class TrackSecants
     /// <summary>Half the width of a secant, in standard deviations.</summary>
     private const double HalfWidth = 0.5;
 
+    /// <summary>The first secants, m, m/s, rad/s and shares: about as wide as what a camera tells.</summary>
+    private const double FirstPlace = 0.01;
+    private const double FirstVelocity = 0.1;
+    private const double FirstSpin = 2;
+    private const double FirstFactor = 0.02;
+
     /// <summary>The number that the ground bounds: the height.</summary>
     private const int Height = 1;
 
@@ -44,23 +50,18 @@ internal sealed class TrackSecants
         for (int i = 0; i < _count; i++)
         {
             Axes[i] = new double[_count];
+            Axes[i][i] = i < 3 ? FirstPlace : i < TrackModel.FirstKnown ? FirstVelocity : i < TrackModel.Launch ? FirstSpin : FirstFactor;
         }
     }
 
     /// <summary>lⱼ of N⁻¹ = Σ lⱼ lⱼᵀ: number j by its deviation where all behind it are held and all before it follow. The last numbers are the softest, the scene's factors.</summary>
     public double[][] Axes { get; }
 
-    /// <summary>Takes the first N, that of derivatives.</summary>
-    public bool Begin(double[] normal)
-    {
-        Array.Copy(normal, _normal, normal.Length);
-        return FindAxes();
-    }
-
     /// <summary>Evaluates J and N at some numbers, with the axes of the last N; then the axes of this one.</summary>
     /// <returns>False where a number tells of nothing.</returns>
     public bool Evaluate(double[] values)
     {
+        // 1. The start is raised so that no secant begins in the ground. 2. Along each axis both ends are followed. 3. J from the secants, N from J, axes from N.
         double lift = 0;
         _floor = _model.Simulator(values).ContactHeight;
         for (int j = 0; j < _count; j++)

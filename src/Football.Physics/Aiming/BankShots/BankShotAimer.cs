@@ -69,6 +69,7 @@ public sealed class BankShotAimer
             throw Check.Refusal("aim.through", point.ToString(), "none, where something is to be met before");
         }
 
+        // 1. Chains of legs from several guesses, each flown and corrected where it closes. 2. Where none hits, kicks over all directions.
         int[] things = Things(after);
         _flight.Begin(request);
         var frame = new TargetFrame(AimContext.Raised(_simulator, request.From), AimContext.Raised(_simulator, request.Target));
@@ -87,6 +88,7 @@ public sealed class BankShotAimer
     /// <summary>Puts kicks together from where they may touch things.</summary>
     private BankShotStart Chained(AimRequest request, in TargetFrame frame, int[] things, BankShotStart best)
     {
+        // Bounces off the ground belong to the leg that makes them: only other things are places of their own. What moves cannot be put into a chain.
         int contacts = 0;
         foreach (int thing in things)
         {

@@ -73,6 +73,8 @@ internal sealed class BankShotChain
     /// <returns>False where it does not come together.</returns>
     public bool Close(AimRequest request, in TargetFrame frame, BankShotFlight counts)
     {
+        // 1. All legs are flown, and their derivatives measured. 2. Newton's step for the kick and all places; shortened until the widest gap shrinks.
+        // 3. While it shrinks fast the derivatives are updated, else measured again. 4. Below a few millimetres one more step closes it, not flown.
         Array.Clear(Legs.Times, 0, Legs.Count + 1);
         bool isFresh = true;
         if (!Legs.Fly(request, in frame, measures: true, counts))
@@ -207,6 +209,7 @@ internal sealed class BankShotChain
     /// <summary>Takes a share of the step, or what of it is not too large; the step is then that.</summary>
     private bool Take(double most, double speed)
     {
+        // No farther than the kick may turn, a normal bend, and a place move of its leg: beyond that the derivatives tell nothing.
         int unknowns = Legs.Unknowns;
         double share = most / Math.Max(1.0, most * Math.Sqrt((_step[0] * _step[0]) + (_step[1] * _step[1])) / LargestTurn);
         for (int i = 0; i < Legs.Count; i++)
@@ -230,6 +233,7 @@ internal sealed class BankShotChain
 
         for (int leg = 0; leg <= Legs.Count; leg++)
         {
+            // A leg's own delay is made up for at once, and what the step will add to it.
             double late = most * Legs.Late[leg];
             for (int j = 0; j < unknowns; j++)
             {

@@ -6,6 +6,9 @@ internal sealed class BankShotFlight
     /// <summary>Step of a look, s.</summary>
     public const double CoarseStep = 0.04;
 
+    /// <summary>A kick is given up after this, s.</summary>
+    private const double LongestFlight = 8;
+
     private const int MostCorrections = 20;
     private const int MostHalvings = 8;
 
@@ -20,14 +23,14 @@ internal sealed class BankShotFlight
 
     private readonly Simulator _simulator;
     private readonly StepLog _log = new();
-    private readonly BankShotPath _path;
+    private readonly KickFlight _shot;
     private readonly double _upward;
 
     public BankShotFlight(Simulator simulator)
     {
         _simulator = simulator;
         _upward = Weight.UpwardAcceleration(simulator.Scene);
-        _path = new BankShotPath(simulator);
+        _shot = new KickFlight(simulator);
     }
 
     /// <summary>Forward simulations since the search began.</summary>
@@ -54,15 +57,22 @@ internal sealed class BankShotFlight
         kick.Vectors(request.Speed, frame.Forward, out Vector3d velocity, out Vector3d spin);
         BallState state = _simulator.LaunchAt(request.From, velocity, spin, request.KickTime);
         Simulations++;
-        BankShotStart shot = default;
-        shot.Kick = kick;
-        _path.Fly(state, step, things, frame.Target, ref shot);
-        return shot;
+        _shot.Fly(state, step, LongestFlight, frame.Target, Vector3d.Zero, null, things);
+        return new BankShotStart
+        {
+            Kick = kick,
+            Meets = _shot.HasMetAll,
+            Miss = _shot.HasMetAll ? _shot.Miss : double.MaxValue,
+            Time = _shot.Time,
+            Position = _shot.Position,
+            Velocity = _shot.Velocity,
+        };
     }
 
     /// <summary>Newton's method on the part of the miss across the way, by elevation and azimuth.</summary>
     public BankShotStart Improve(AimRequest request, in TargetFrame frame, int[] things, in BankShotStart start)
     {
+        // Through the impacts, whose kinks end a step early: halved until it meets the same things and comes closer.
         BankShotStart at = Fly(request, in frame, things, start.Kick, FineStep);
         var bounds = ElevationBounds.Of(request);
         for (int i = 0; at.Meets && i < Math.Min(MostCorrections, request.MaximumIterations) && at.Miss > Enough * request.Tolerance; i++)
@@ -102,6 +112,7 @@ internal sealed class BankShotFlight
     /// <summary>The turn that takes away the miss across the way: least squares of e + (∂p/∂θ) Δθ over the directions across v.</summary>
     private bool Step(AimRequest request, in TargetFrame frame, in BankShotStart at, out double up, out double aside)
     {
+        // Along the way a miss is a matter of time alone: only what is across counts.
         Vector3d place = At(request, in frame, at.Kick, at.Time);
         Kick raised = at.Kick;
         raised.Elevation += Width;
@@ -136,4 +147,31 @@ internal sealed class BankShotFlight
     }
 
     private static Vector3d Across(in Vector3d v, in Vector3d way) => v - (Vector3d.Dot(in v, in way) * way);
+}
+
+/// <summary>A kick that was flown, and how close it comes after what it is to meet.</summary>
+internal struct BankShotStart
+{
+    public Kick Kick;
+
+    /// <summary>Whether it meets what it is to meet.</summary>
+    public bool Meets;
+
+    /// <summary>Whether it was flown in short steps.</summary>
+    public bool IsFine;
+
+    /// <summary>Closest approach, m.</summary>
+    public double Miss;
+
+    /// <summary>When, s.</summary>
+    public double Time;
+
+    /// <summary>Where, m.</summary>
+    public Vector3d Position;
+
+    /// <summary>How fast, m/s.</summary>
+    public Vector3d Velocity;
+
+    /// <summary>Whether it does what is asked.</summary>
+    public readonly bool IsHit(AimRequest request) => IsFine && Miss <= request.Tolerance;
 }

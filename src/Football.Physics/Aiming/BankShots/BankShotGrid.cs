@@ -46,6 +46,7 @@ internal sealed class BankShotGrid
     /// <returns>The closest of all.</returns>
     private BankShotStart Look(AimRequest request, in TargetFrame frame, int[] things, int closeness)
     {
+        // A grid that a closer look halves; the best of those that meet everything are the starts of Newton's method.
         _count = 0;
         var bounds = ElevationBounds.Of(request);
         BankShotStart best = default;

@@ -49,6 +49,8 @@ internal sealed class BankShotGuess
     /// <returns>False where it is no other than one before.</returns>
     public bool Make(BankShotLegs legs, Collider? ground, AimRequest request, in TargetFrame frame, int index)
     {
+        // 1. Every contact to where its thing is nearest. 2. By turns to where a mirror would show what comes after in what comes before. 3. The kick that is thrown
+        // to the first of them.
         (double share, bool lob, double steeper) = Ways[index];
         bool hops = false;
         Vector3d before = frame.From;
@@ -89,6 +91,7 @@ internal sealed class BankShotGuess
             return isLast ? from : to;
         }
 
+        // Hops are a geometric series; the leg ends in the middle of one.
         double gone = 0;
         double hop = 1;
         for (int i = 0; i < bounces; i++)

@@ -107,6 +107,7 @@ internal sealed class BankShotLegs
     /// <returns>False where a leg leads away from what it is to touch.</returns>
     public bool Fly(AimRequest request, in TargetFrame frame, bool measures, BankShotFlight counts)
     {
+        // Leg by leg: flown to about its end, the gap there taken, its derivatives with it, then the impact at the place that was assumed; the next begins there.
         counts.Simulations += measures ? 1 + Unknowns : 1;
         Kick.Vectors(request.Speed, frame.Forward, out Vector3d v, out Vector3d w);
         if (measures)
@@ -206,6 +207,7 @@ internal sealed class BankShotLegs
     /// <summary>How the gap, the time and the motion at the end of a leg change with what is unknown: by flights a little changed.</summary>
     private bool Measure(int leg, in Vector3d p, in Vector3d v, in Vector3d w, double time, in BallState state)
     {
+        // What comes before moves start, velocity and spin of the leg together: one flight beside it for each number. The leg's own place moves its end alone.
         int known = 2 * (leg + 1);
         Vector3d a = Acceleration(in state);
         double speed = v.Length;
@@ -254,6 +256,7 @@ internal sealed class BankShotLegs
             return false;
         }
 
+        // The law of the impact, and its derivatives by velocity, spin and the turn of the normal.
         ref readonly ContactMaterial material = ref contact.Thing.MaterialAt(in contact.Place);
         Vector3d surface = contact.Thing.SurfaceVelocity(contact.Place - (_ball.Radius * n), 0);
         CoulombImpact.Apply(_ball, in material, in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin);

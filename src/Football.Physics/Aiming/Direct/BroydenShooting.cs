@@ -21,8 +21,6 @@ internal static class BroydenShooting
     private const double MostContraction = 0.2;
 
     /// <summary>Solves a problem.</summary>
-    /// <param name="problem">The problem.</param>
-    /// <param name="solution">The kick, and how it crosses the target's plane.</param>
     /// <returns>False where it does not converge, or leaves the bounds.</returns>
     public static bool Solve(PlaneProblem problem, out PlaneShot solution)
     {

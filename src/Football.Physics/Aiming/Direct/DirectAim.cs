@@ -10,7 +10,7 @@ internal sealed class DirectAim
     private const double StepError = 1e-4;
 
     /// <summary>Share of the target's distance below which a miss is a close one, and the slope above which a target is steep.</summary>
-    private const double CloseMiss = 0.001;
+    private const double CloseMiss = 0.002;
     private const double Steep = 1.2;
 
     /// <summary>Share of its speed within which a slowest roll is known.</summary>
@@ -73,7 +73,8 @@ internal sealed class DirectAim
 
         Approach found = _closest.Find(_problem, arc);
         bool hits = found.Miss <= _problem.Tolerance;
-        if (separates && !hits && IsDoubtful(in frame, found.Miss) && _general.WithSpeed(request, speed, arc, top, side, out hit))
+        if (!hits && IsDoubtful(in frame, found.Miss)
+            && (separates ? _general.WithSpeed(request, speed, arc, top, side, out hit) : _general.From(request, speed, found.Kick, found.Time, out hit)))
         {
             return hit;
         }
@@ -100,9 +101,6 @@ internal sealed class DirectAim
     }
 
     /// <summary>The slowest kick along the ground: one that is a little slower stops short.</summary>
-    /// <param name="request">What it is to do.</param>
-    /// <param name="fastest">The fastest allowed, m/s.</param>
-    /// <param name="solution">The kick.</param>
     public bool SlowestRoll(AimRequest request, double fastest, out AimSolution solution)
     {
         solution = default;

@@ -68,19 +68,6 @@ internal sealed class DirectTwoPointAim
             return solution;
         }
 
-        if (_context.Iterations < _problem.Request.MaximumIterations)
-        {
-            // Fitted air may have led astray what the flights themselves do not.
-            AimSolution plain = Solve(rehearses: false);
-            if (Suffices(in plain))
-            {
-                return plain;
-            }
-
-            bool isBetter = solution.Status != AimStatus.Hit || (plain.Status == AimStatus.Hit && plain.ThroughMiss < solution.ThroughMiss);
-            solution = isBetter ? plain : solution;
-        }
-
         // From elsewhere there may be one that the closed form is too far from.
         return _general.Through(request, in solution.Kick, out AimSolution other) ? other : solution.Status == AimStatus.Hit ? solution : TargetFirst(in solution);
     }
@@ -133,6 +120,9 @@ internal sealed class DirectTwoPointAim
     /// <param name="rehearses">Whether its first corrections are made in fitted air.</param>
     private AimSolution Solve(bool rehearses)
     {
+        // 1. A guess in closed form, corrected in fitted air. 2. One real flight, to both planes. 3. Where it misses by more than the guess did, the Jacobian is made
+        // anew. 4. Newton's steps, spins held at their limits, with Broyden's updates. 5. The last is not flown where it will miss by far less than the tolerance.
+        // 6. Given up where steps do not help, or the kick leaves its bounds.
         bool isRehearsed = Rehearse(rehearses ? MostRehearsals : 0, out double rehearsed, out double contraction);
         var solution = new AimSolution
         {
@@ -241,6 +231,7 @@ internal sealed class DirectTwoPointAim
     /// <returns>False where nothing is learnt: the kick is the guess then.</returns>
     private bool Rehearse(int most, out double first, out double contraction)
     {
+        // Corrections in fitted air cost a quarter of a flight: as many as shrink the miss, until it is below what that air itself is off.
         double drag = TwoPointGuess.Make(_context, _problem, _x, out double throughTime, out double targetTime);
         _problem.Prepare(drag, throughTime, targetTime);
         _step.Reset();

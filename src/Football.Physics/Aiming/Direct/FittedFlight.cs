@@ -96,9 +96,6 @@ internal struct FittedFlight
     public readonly bool Fits(double spinRate) => Math.Abs(spinRate - _spinRate) < CloseSpin * _spinRate;
 
     /// <summary>Begins a flight.</summary>
-    /// <param name="from">Where, m.</param>
-    /// <param name="velocity">With which velocity, m/s.</param>
-    /// <param name="spin">With which spin, rad/s: about as fast as what was fitted.</param>
     public void Begin(in Vector3d from, in Vector3d velocity, in Vector3d spin)
     {
         double spinRate = spin.Length;

@@ -24,6 +24,7 @@ internal struct FlatFire
     /// <summary>Way along the launch direction, its rate, and the two damped displacements, for launch speed x after t.</summary>
     public readonly void Ways(double x, double t, out double along, out double speed, out double fall, out double bend)
     {
+        // τ: the way over the length in which drag takes a factor e; series where it is small, for rounding.
         double tau = Drag * x * t;
         double log;
         double half;
@@ -103,6 +104,8 @@ internal struct FlatFire
     public readonly bool Solve(
         in Vector3d toTarget, in Vector3d wind, in Vector3d launchWind, double v, in Kick spins, ref Vector3d direction, ref double time)
     {
+        // Newton's method for the time: at each, where the launch must point for the way left after gravity, wind and bend; the way made less the way to go is the
+        // excess, and its slope how fast both change. Ends within what the model itself is off.
         double x = (v * direction - launchWind).Length;
         Vector3d air = x > 0 ? (v * direction - launchWind) / x : direction;
         double spinRate = spins.SpinRate;

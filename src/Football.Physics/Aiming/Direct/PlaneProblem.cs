@@ -52,8 +52,6 @@ internal sealed class PlaneProblem
     }
 
     /// <summary>A first kick, from the flight in closed form.</summary>
-    /// <param name="kick">The kick.</param>
-    /// <param name="time">About when it is there, s.</param>
     /// <returns>False where that does not reach the target.</returns>
     public bool Guess(out Kick kick, out double time)
     {
@@ -70,8 +68,6 @@ internal sealed class PlaneProblem
     }
 
     /// <summary>Fits the flight that kicks are rehearsed in.</summary>
-    /// <param name="kick">A kick about as those that will be.</param>
-    /// <param name="time">About when it is there, s.</param>
     public void Fit(in Kick kick, double time)
     {
         kick.Vectors(Speed, in _frame.Forward, out Vector3d velocity, out _);
@@ -79,8 +75,6 @@ internal sealed class PlaneProblem
     }
 
     /// <summary>Flies a kick to the target's plane as it would fly in the fitted air.</summary>
-    /// <param name="kick">The kick.</param>
-    /// <param name="time">About when it is there, s.</param>
     public PlaneShot Rehearse(in Kick kick, double time)
     {
         ref readonly TargetFrame frame = ref _frame;
@@ -122,6 +116,7 @@ internal sealed class PlaneProblem
     /// <summary>Whether a flight to the target leaves the ground and stays above it, so that no impact comes first.</summary>
     public bool StaysClear(in PlaneShot shot)
     {
+        // One that stays on the ground from its start rolls: that is another problem.
         Elementary.SinCos(shot.Kick.Elevation, out double sine, out _);
         if (_context.StaysDown(in _frame.From, Speed * sine))
         {

@@ -105,8 +105,6 @@ internal sealed class TwoPointProblem
     }
 
     /// <summary>Flies a kick to both planes as it would fly in air that is fitted to about its own spin.</summary>
-    /// <param name="x">The unknowns.</param>
-    /// <param name="r">The residuals.</param>
     /// <returns>False where it does not reach both.</returns>
     public bool Rehearse(double[] x, double[] r)
     {
@@ -197,6 +195,7 @@ internal static class TwoPointGuess
     /// <returns>Drag a length, 1/m.</returns>
     public static double Make(AimContext context, TwoPointProblem problem, double[] x, out double throughTime, out double targetTime)
     {
+        // Three rounds: times from the drag, bearings and curvatures from both points, the spin from the curvature; each changes the drag of the next.
         AimRequest request = problem.Request;
         ref readonly TargetFrame frame = ref problem.Frame;
         Vector3d wind = context.Scene.Air.Wind;

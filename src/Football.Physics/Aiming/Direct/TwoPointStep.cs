@@ -38,6 +38,7 @@ internal sealed class TwoPointStep
     /// <returns>False where the system is singular, or the kick would turn too far.</returns>
     public bool Solve(TwoPointProblem problem, TwoPointJacobian jacobian, double[] x, double[] r, out bool sameHeld)
     {
+        // A spin that the step takes beyond its limit is put on it, its equation is dropped, and the rest is solved again: twice at most, once for each spin.
         bool topWasHeld = _held[TwoPointProblem.Top];
         bool sideWasHeld = _held[TwoPointProblem.Side];
         Reset();
@@ -153,6 +154,7 @@ internal sealed class TwoPointJacobian
     /// <param name="after">The residuals after.</param>
     public void Update(double[] dx, double[] before, double[] after)
     {
+        // The least change of the Jacobian that agrees with the last step.
         double squared = (dx[0] * dx[0]) + (dx[1] * dx[1]) + (SpinUnit * ((dx[2] * dx[2]) + (dx[3] * dx[3])));
         if (!(squared > 0))
         {

@@ -37,9 +37,6 @@ internal sealed class ApproachByElevation
     /// <summary>Speed of the kicks, m/s.</summary>
     public double Speed { get; private set; }
 
-    /// <summary>Kicks flown.</summary>
-    public int Shots { get; private set; }
-
     /// <summary>Whether flights turn with their azimuth, so that the azimuth of an elevation is known after one.</summary>
     public bool TurnWithAzimuth => _context.Approaches.TurnWithAzimuth;
 
@@ -56,7 +53,6 @@ internal sealed class ApproachByElevation
         Speed = problem.Speed;
         Tolerance = problem.Tolerance;
         Bounds = problem.Bounds;
-        Shots = 0;
         Best = new Approach { Kick = _kick, Miss = double.PositiveInfinity };
     }
 
@@ -115,6 +111,7 @@ internal sealed class ApproachByElevation
 
     private Approach At(double elevation, double step, bool roughly)
     {
+        // In still air one flight tells the azimuth too; in a wind it is turned until the target lies in the way's own direction.
         _kick.Elevation = elevation;
         Approach approach = Fly(step, roughly);
         if (approach.Miss < NearHit * Tolerance && step > _context.Steps.Hit)
@@ -198,7 +195,6 @@ internal sealed class ApproachByElevation
 
     private Approach Fly(double step, bool roughly)
     {
-        Shots++;
         Approach approach = _context.Approaches.Fly(in _kick, step, roughly);
         if (approach.Miss < Best.Miss)
         {

@@ -6,12 +6,15 @@ namespace Football.Physics;
 /// </summary>
 internal sealed class ClosestKick
 {
+    /// <summary>Elevations that are looked at in a wind.</summary>
+    private const int Looks = 25;
+
     private readonly ApproachByElevation _approaches;
     private readonly RollingKick _roll;
     private readonly HitSearch _hits;
     private readonly CoarseSearch _coarse;
-    private readonly CloseSearch _close;
     private readonly CompassSearch _compass;
+    private readonly Approach[] _looks = new Approach[Looks];
 
     public ClosestKick(AimContext context)
     {
@@ -20,19 +23,14 @@ internal sealed class ClosestKick
         _hits = new HitSearch(_approaches);
         var valley = new ValleySearch(_approaches);
         _coarse = new CoarseSearch(_approaches, _roll, valley, _hits);
-        _close = new CloseSearch(_approaches, valley, _hits);
         _compass = new CompassSearch(_approaches);
     }
 
-    /// <summary>Kicks flown by the last search.</summary>
-    public int Shots => _approaches.Shots;
-
     /// <summary>Searches all elevations within the bounds.</summary>
-    /// <param name="problem">What the kick is to do.</param>
-    /// <param name="arc">Which of two hits is wanted.</param>
     /// <returns>A hit within the problem's tolerance, or the closest kick.</returns>
     public Approach Find(PlaneProblem problem, AimArc arc)
     {
+        // Flights first, then the roll where it may be closer than what flew, then a search beside the closest where a wind couples elevation and azimuth.
         _approaches.Aim(problem);
         _hits.Begin(problem.Request);
         _roll.Begin(problem);
@@ -71,7 +69,23 @@ internal sealed class ClosestKick
             return _approaches.Accept(_approaches.At(bounds.Lowest));
         }
 
-        return _approaches.TurnWithAzimuth && _coarse.Find(in problem.Frame, arc, out bool hit) ? hit : _close.Find(arc);
+        if (_approaches.TurnWithAzimuth)
+        {
+            return _coarse.Find(in problem.Frame, arc);
+        }
+
+        // Where the miss changes sign between two elevations there is a hit: that of the wanted arc first.
+        for (int i = 0; i < Looks && !_approaches.IsSpent; i++)
+        {
+            int look = arc == AimArc.Low ? i : Looks - 1 - i;
+            _looks[i] = _approaches.At(bounds.Lowest + ((bounds.Highest - bounds.Lowest) * look / (Looks - 1)));
+            if (i > 0 && _looks[i].Above != _looks[i - 1].Above && _hits.Between(in _looks[i - 1], in _looks[i]))
+            {
+                return true;
+            }
+        }
+
+        return _approaches.Accept(_approaches.Best);
     }
 }
 
@@ -137,9 +151,6 @@ internal sealed class RollingKick
 /// <summary>Three elevations and parabolas through them: enough where they hit, or miss by far.</summary>
 internal sealed class CoarseSearch
 {
-    /// <summary>Share of the target's distance by which three elevations and a parabola must miss it to need no closer look.</summary>
-    private const double ClearMiss = 0.002;
-
     private readonly ApproachByElevation _approaches;
     private readonly RollingKick _roll;
     private readonly ValleySearch _valley;
@@ -156,23 +167,15 @@ internal sealed class CoarseSearch
     }
 
     /// <summary>Searches.</summary>
-    /// <param name="frame">The frame of the target.</param>
-    /// <param name="arc">Which of two hits is wanted.</param>
-    /// <param name="hit">Whether a hit was found.</param>
-    /// <returns>False where it takes a closer look.</returns>
-    public bool Find(in TargetFrame frame, AimArc arc, out bool hit)
+    /// <returns>Whether a hit was found.</returns>
+    public bool Find(in TargetFrame frame, AimArc arc)
     {
-        hit = false;
+        // 1. Downhill to three elevations about the closest. 2. Where none passes above, to the bottom between them, and to the waves beside it.
+        // 3. Where one does, the hit between it and one that passes below.
         Vector3d way = frame.Target - frame.From;
         double sight = Elementary.Atan2(way.Y, Math.Max(frame.Distance, 1e-9));
         ApproachBracket at = Downhill(sight);
-        if (at.AnyAbove || Bottom(ref at))
-        {
-            hit = _hits.Beside(in at, arc);
-            return hit;
-        }
-
-        return at.LeastMiss > ClearMiss * frame.Distance && at.LeastMiss > 10 * _approaches.Tolerance;
+        return (at.AnyAbove || Bottom(ref at)) && _hits.Beside(in at, arc);
     }
 
     /// <summary>Three elevations, of which the closest is in the middle, or at a bound, or one passes above.</summary>
@@ -190,6 +193,7 @@ internal sealed class CoarseSearch
         Approach c = _approaches.At(Math.Min(highest, middle + 0.25));
         while (!_approaches.IsSpent && !b.Above && (a.Miss < b.Miss || c.Miss < b.Miss))
         {
+            // The closer neighbour becomes the middle; beyond it the next look is wider apart by the golden ratio.
             if (c.Miss < b.Miss)
             {
                 if (c.Above || c.Elevation >= highest)
@@ -228,75 +232,5 @@ internal sealed class CoarseSearch
         }
 
         return above || (_approaches.Best.Elevation != _roll.Elevation && _waves.Find(ref at));
-    }
-}
-
-/// <summary>Many elevations: every change of sign of the miss distance is a hit, and every valley is searched to its bottom.</summary>
-internal sealed class CloseSearch
-{
-    private const int Looks = 25;
-
-    private readonly ApproachByElevation _approaches;
-    private readonly ValleySearch _valley;
-    private readonly HitSearch _hits;
-    private readonly Approach[] _looks = new Approach[Looks];
-
-    public CloseSearch(ApproachByElevation approaches, ValleySearch valley, HitSearch hits)
-    {
-        _approaches = approaches;
-        _valley = valley;
-        _hits = hits;
-    }
-
-    /// <summary>Searches.</summary>
-    /// <param name="arc">Which of two hits is wanted.</param>
-    /// <returns>Whether a hit was found.</returns>
-    public bool Find(AimArc arc)
-    {
-        double lowest = _approaches.Bounds.Lowest;
-        double highest = _approaches.Bounds.Highest;
-        for (int i = 0; i < Looks; i++)
-        {
-            if (_approaches.IsSpent)
-            {
-                return _approaches.Accept(_approaches.Best);
-            }
-
-            _looks[i] = _approaches.At(i == Looks - 1 ? highest : lowest + ((highest - lowest) * i / (Looks - 1)));
-        }
-
-        for (int i = 1; i < Looks; i++)
-        {
-            int at = arc == AimArc.Low ? i : Looks - i;
-            if (_looks[at - 1].Above != _looks[at].Above && _hits.Between(in _looks[at - 1], in _looks[at]))
-            {
-                return true;
-            }
-        }
-
-        for (int i = 0; i < Looks; i++)
-        {
-            double miss = _looks[i].Miss;
-            if (miss <= _looks[Math.Max(0, i - 1)].Miss && miss <= _looks[Math.Min(Looks - 1, i + 1)].Miss && FindInValley(i, arc))
-            {
-                return true;
-            }
-        }
-
-        return _approaches.Accept(_approaches.Best);
-    }
-
-    private bool FindInValley(int look, AimArc arc)
-    {
-        int middle = Math.Min(Math.Max(look, 1), Looks - 2);
-        var at = new ApproachBracket(in _looks[middle - 1], in _looks[middle], in _looks[middle + 1]);
-        if (!_valley.Descend(ref at, enough: double.PositiveInfinity))
-        {
-            return false;
-        }
-
-        return arc == AimArc.Low
-            ? _hits.Between(in at.Low, in at.Middle) || _hits.Between(in at.High, in at.Middle)
-            : _hits.Between(in at.High, in at.Middle) || _hits.Between(in at.Low, in at.Middle);
     }
 }

@@ -22,6 +22,7 @@ internal sealed class ValleySearch
     /// <returns>True where the target lies on the other side of the way of the middle kick than of its neighbours': there are hits between.</returns>
     public bool Descend(ref ApproachBracket at, double enough)
     {
+        // Successive parabolas, until the bottom is known well enough, or lies above what is to be had elsewhere, or the target changes sides.
         bool above = at.Middle.Above;
         for (int i = 0; i < MostShots && !_approaches.IsSpent; i++)
         {
@@ -109,10 +110,10 @@ internal sealed class WaveSearch
     }
 
     /// <summary>Whether a wave beside the closest kick is deeper: looks to both sides of it.</summary>
-    /// <param name="at">Where there are hits, three elevations beside them.</param>
     /// <returns>As <see cref="ValleySearch.Descend"/>.</returns>
     public bool Find(ref ApproachBracket at)
     {
+        // 1. Looks to both sides. 2. Where one is deeper, down into it. 3. Where three in a row promise more than the fourth has, there is a step between: to its edge.
         Approach best = _approaches.Best;
         double miss = best.Miss;
         Approach wave = default;
@@ -223,6 +224,7 @@ internal sealed class CompassSearch
     /// <param name="rolls">Whether that rolls, so that its elevation does not matter.</param>
     public void Find(bool rolls)
     {
+        // Up, down, left, right: the first that is closer is the new middle; where none is, half as far.
         int shots = 0;
         for (double step = FirstStep; step > LastStep && shots < MostShots && !_approaches.IsSpent; step *= 0.5)
         {

@@ -36,6 +36,7 @@ internal sealed class DirectionScan
     /// <param name="time">When they are to come close, s; null for any time.</param>
     public void Fly(int rows, int columns, double speed, double top, double side, double? time = null)
     {
+        // A grid over all directions; of one elevation alone where the bounds allow no more.
         double lowest = _problem.Least[ShootingProblem.Elevation];
         double highest = _problem.Most[ShootingProblem.Elevation];
         _rows = highest > lowest ? rows : 1;
@@ -51,6 +52,7 @@ internal sealed class DirectionScan
             Array.Copy(_one, 0, _x, i * N, N);
         }
 
+        // Starts are the local minima: what lies beside one would lead to the same kick.
         for (int i = 0; i < _rows * _columns; i++)
         {
             if (IsLeast(i))

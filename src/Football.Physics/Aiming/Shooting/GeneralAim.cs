@@ -65,15 +65,11 @@ internal sealed class GeneralAim
     }
 
     /// <summary>The kick of a speed that hits the target.</summary>
-    /// <param name="request">What the kick is to do.</param>
-    /// <param name="speed">Its speed, m/s.</param>
-    /// <param name="arc">Whether the one that is there first is wanted, or the last.</param>
-    /// <param name="top">Its topspin, rad/s.</param>
-    /// <param name="side">Its sidespin, rad/s.</param>
-    /// <param name="solution">The kick.</param>
     /// <returns>Whether there is one, measured.</returns>
     public bool WithSpeed(AimRequest request, double speed, AimArc arc, double top, double side, out AimSolution solution)
     {
+        // 1. From the closed form on the wanted arc, else on the other. 2. Where the air rules, or that led to the other arc, from a scan over all directions: the
+        // earliest of its hits, or the last. It leaves half of the flights to who comes after.
         solution = default;
         if (_context.IsHalfSpent)
         {
@@ -92,10 +88,15 @@ internal sealed class GeneralAim
         return Follow(MostStarts, arc == AimArc.Low ? Wanted.Earliest : Wanted.Latest, leavesHalf: true, ref solution, ref found);
     }
 
-    /// <summary>The kick that is at the target at a time, in flight or along the ground.</summary>
-    /// <param name="request">What it is to do; its speed is the fastest allowed.</param>
-    /// <param name="time">The time, s.</param>
-    /// <param name="solution">The kick; where there is none, what comes close.</param>
+    /// <summary>The kick of a speed that hits the target, from one that is close.</summary>
+    public bool From(AimRequest request, double speed, in Kick kick, double time, out AimSolution solution)
+    {
+        _problem.Begin(request, speed, through: false);
+        Put(in kick, speed, time);
+        return _solver.Hit(_x, out solution);
+    }
+
+    /// <summary>The kick that is at the target at a time, in flight or along the ground, no faster than the request; where there is none, what comes close.</summary>
     /// <returns>Whether there is one, measured.</returns>
     public bool AtTime(AimRequest request, double time, out AimSolution solution)
     {
@@ -132,9 +133,7 @@ internal sealed class GeneralAim
         return false;
     }
 
-    /// <summary>The slowest kick that flies to the target.</summary>
-    /// <param name="request">What it is to do; its speed is the fastest allowed.</param>
-    /// <param name="solution">The kick.</param>
+    /// <summary>The slowest kick that flies to the target, no faster than the request.</summary>
     /// <returns>Whether there is one, measured.</returns>
     public bool Slowest(AimRequest request, out AimSolution solution)
     {
@@ -155,6 +154,7 @@ internal sealed class GeneralAim
 
     private bool FromSlowestModel(AimRequest request, out AimSolution solution)
     {
+        // Within the bounds the time is held, at that of the slowest in closed form; on a bound the elevation is.
         double time = SlowestOfModel(request.TopSpin, request.SideSpin, request.Speed, out _);
         double elevation = ElevationOf(Model(time, request.TopSpin, request.SideSpin));
         double bound = _problem.Clamp(ShootingProblem.Elevation, elevation);
@@ -175,28 +175,17 @@ internal sealed class GeneralAim
     public AimArc ArcOf(AimRequest request, in AimSolution hit)
     {
         Begin(request, rolls: false);
-        _x[ShootingProblem.Elevation] = hit.Kick.Elevation;
-        _x[ShootingProblem.Azimuth] = hit.Kick.Azimuth;
-        _x[ShootingProblem.LogSpeed] = Elementary.Log(hit.Speed);
-        _x[ShootingProblem.Top] = hit.Kick.Top;
-        _x[ShootingProblem.Side] = hit.Kick.Side;
-        _x[ShootingProblem.LogTime] = Elementary.Log(hit.Time);
+        Put(in hit.Kick, hit.Speed, hit.Time);
         return _curve.SlowsWithTime(_x) ? AimArc.Low : AimArc.High;
     }
 
     /// <summary>The kick that passes the point on the way, and hits the target; all but its speed is free.</summary>
-    /// <param name="request">What the kick is to do.</param>
-    /// <param name="near">A kick to begin with.</param>
-    /// <param name="solution">The kick.</param>
     /// <returns>Whether there is one, measured.</returns>
     public bool Through(AimRequest request, in Kick near, out AimSolution solution)
     {
+        // 1. From the kick nearby. 2. From scans with several spins, the closest starts first; one that ends near both points goes on to the target alone.
         _problem.Begin(request, request.Speed, through: true);
-        _x[ShootingProblem.Elevation] = _problem.Clamp(ShootingProblem.Elevation, near.Elevation);
-        _x[ShootingProblem.Azimuth] = near.Azimuth;
-        _x[ShootingProblem.LogSpeed] = Elementary.Log(request.Speed);
-        _x[ShootingProblem.Top] = _problem.Clamp(ShootingProblem.Top, near.Top);
-        _x[ShootingProblem.Side] = _problem.Clamp(ShootingProblem.Side, near.Side);
+        Put(in near, request.Speed, 1);
         _problem.Approach(_x);
         if (_solver.Hit(_x, out solution))
         {
@@ -255,6 +244,17 @@ internal sealed class GeneralAim
         bool hits = _solver.Hit(_x, out solution) && solution.ThroughMiss <= tolerance;
         _problem.AskThrough(true);
         return hits;
+    }
+
+    /// <summary>Makes a kick the unknowns, as far as their bounds allow.</summary>
+    private void Put(in Kick kick, double speed, double time)
+    {
+        _x[ShootingProblem.Elevation] = _problem.Clamp(ShootingProblem.Elevation, kick.Elevation);
+        _x[ShootingProblem.Azimuth] = kick.Azimuth;
+        _x[ShootingProblem.LogSpeed] = Elementary.Log(speed);
+        _x[ShootingProblem.Top] = _problem.IsFree[ShootingProblem.Top] ? _problem.Clamp(ShootingProblem.Top, kick.Top) : kick.Top;
+        _x[ShootingProblem.Side] = _problem.IsFree[ShootingProblem.Side] ? _problem.Clamp(ShootingProblem.Side, kick.Side) : kick.Side;
+        _x[ShootingProblem.LogTime] = Elementary.Log(Math.Max(time, 1e-3));
     }
 
     /// <summary>Asks for a kick whose speed is free.</summary>

@@ -43,6 +43,8 @@ internal sealed class LevenbergMarquardt
     /// <returns>Whether that is a hit.</returns>
     private bool Solve(double[] x, bool isMeasured)
     {
+        // 1. A flight: the residuals. 2. The Jacobian: measured, or while steps help well, by Broyden's update. 3. A step, damped more until it helps.
+        // 4. Given up after slow steps in a row: there is no solution near.
         _problem.Fly(x, Residuals);
         double cost = Squares(Residuals);
         double damping = FirstDamping;
@@ -121,6 +123,7 @@ internal sealed class LevenbergMarquardt
     /// <summary>The step (JᵀJ + λ diag JᵀJ) Δx = −Jᵀr of the unknowns that are free, and not at a bound that it would leave.</summary>
     private bool Step(double[] x, double damping)
     {
+        // What no residual depends on is held too: the azimuth of a kick straight up.
         for (int k = 0; k < N; k++)
         {
             _held[k] = !_problem.IsFree[k] || Product(k, k) == 0;
@@ -134,6 +137,7 @@ internal sealed class LevenbergMarquardt
                 return false;
             }
 
+            // A step that turns too far is shortened as a whole, so that it keeps its direction.
             double largest = LargestChange;
             for (int k = 0; k < N; k++)
             {
@@ -145,6 +149,7 @@ internal sealed class LevenbergMarquardt
             {
                 double wanted = x[k] + (_change[k] * LargestChange / largest);
                 _next[k] = _held[k] ? x[k] : _problem.Clamp(k, wanted);
+                // At a bound that it would leave: held there, and the others are solved for again.
                 bool stuck = !_held[k] && _next[k] == x[k] && wanted != x[k];
                 _held[k] |= stuck;
                 holds |= stuck;

@@ -139,8 +139,6 @@ internal sealed class ShootingProblem
     public static Kick KickOf(double[] x) => new() { Elevation = x[Elevation], Azimuth = x[Azimuth], Top = x[Top], Side = x[Side] };
 
     /// <summary>Flies a kick.</summary>
-    /// <param name="x">The unknowns.</param>
-    /// <param name="r">The residuals.</param>
     public void Fly(double[] x, double[] r)
     {
         BallState state = Launch(x);
@@ -170,11 +168,6 @@ internal sealed class ShootingProblem
     }
 
     /// <summary>The kick that is at the target at a time, in closed form.</summary>
-    /// <param name="time">The time, s.</param>
-    /// <param name="top">Its topspin, rad/s.</param>
-    /// <param name="side">Its sidespin, rad/s.</param>
-    /// <param name="x">Its unknowns.</param>
-    /// <param name="j">How its residuals move with them, but for the times.</param>
     /// <returns>Its velocity without bounds, m/s.</returns>
     public Vector3d Model(double time, double top, double side, double[] x, double[] j)
     {
@@ -229,9 +222,6 @@ internal sealed class ShootingProblem
         x[Elevation] == Least[Elevation] || x[Elevation] == Most[Elevation] || x[LogSpeed] == Least[LogSpeed] || x[LogSpeed] == Most[LogSpeed];
 
     /// <summary>How the residuals move with the free unknowns, around the kick that was flown last.</summary>
-    /// <param name="x">Its unknowns.</param>
-    /// <param name="r">Its residuals.</param>
-    /// <param name="j">A row for each residual.</param>
     public void Measure(double[] x, double[] r, double[] j)
     {
         TimeColumns(x, j);
@@ -278,6 +268,7 @@ internal sealed class ShootingProblem
     /// <returns>The sum of the squares of what it misses by, m².</returns>
     public double Approach(double[] x)
     {
+        // In long steps, as if each were straight, until the ball falls below both ends or the time is over.
         BallState state = Launch(x);
         double floor = Math.Min(_frame.From.Y, _frame.Target.Y) - 1.0;
         double best = double.PositiveInfinity;
@@ -325,8 +316,6 @@ internal sealed class ShootingProblem
     public double Clamp(int unknown, double value) => Math.Min(Math.Max(value, Least[unknown]), Most[unknown]);
 
     /// <summary>The solution that unknowns stand for, with its true misses.</summary>
-    /// <param name="x">The unknowns.</param>
-    /// <param name="solution">The solution.</param>
     /// <returns>Whether it hits, and passes the point on the way.</returns>
     public bool IsMeasuredHit(double[] x, out AimSolution solution)
     {
@@ -337,7 +326,7 @@ internal sealed class ShootingProblem
         solution.ThroughMiss = measured.ThroughDistance ?? double.NaN;
 
         // What is in the way of the kick for a time is to be told.
-        bool isBlocked = !IsFree[LogTime] && measured.Blocker != MeasuredMiss.NoThing;
+        bool isBlocked = !IsFree[LogTime] && measured.Blocker != KickFlight.NoThing;
         return (measured.Distance <= Request.Tolerance || isBlocked) && (!_passesThrough || measured.ThroughDistance <= Request.ThroughTolerance);
     }
 
@@ -353,6 +342,7 @@ internal sealed class ShootingProblem
 
     private BallState Launch(double[] x)
     {
+        // The logarithm of the speed keeps it above zero, and makes a step a share of it.
         KickOf(x).Vectors(Elementary.Exp(x[LogSpeed]), in _frame.Forward, out Vector3d velocity, out Vector3d spin);
         _log.Clear();
         return (_rolls ? _grounded : _open).Launch(_frame.From, velocity, spin);
@@ -360,6 +350,7 @@ internal sealed class ShootingProblem
 
     private void FlyOn(ref BallState state, double time)
     {
+        // A roll in steps as long as its motion allows; a flight in equal ones that end with the time.
         double last = state.Time + time - (1e-9 * time);
         while (_rolls && state.Time < last && state.Motion != MotionState.Stopped && _log.Steps < AimContext.MostPieces)
         {

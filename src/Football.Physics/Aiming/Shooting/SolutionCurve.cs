@@ -33,8 +33,6 @@ internal sealed class SolutionCurve
     }
 
     /// <summary>Follows the curve to slower kicks, until they are slower no more or hit no more.</summary>
-    /// <param name="x">A kick on the curve; on return the slowest.</param>
-    /// <param name="solution">The same.</param>
     public void Descend(double[] x, ref AimSolution solution)
     {
         // Where the Jacobian by updates tells clearly that the slower ones are not allowed, it need not be measured.
@@ -101,7 +99,6 @@ internal sealed class SolutionCurve
     }
 
     /// <summary>Whether the kicks of the curve are the slower, the longer they take.</summary>
-    /// <param name="x">A kick on it.</param>
     public bool SlowsWithTime(double[] x)
     {
         _problem.Fly(x, _solver.Residuals);
@@ -130,6 +127,7 @@ internal sealed class SolutionCurve
             squared += minor * minor;
         }
 
+        // Towards slower kicks, whichever way the minors point.
         double length = Math.Sqrt(squared) * (_tangent[2] > 0 ? -1 : 1);
         for (int k = 0; k < 4; k++)
         {

@@ -1,9 +1,9 @@
 namespace Football.Physics;
 
-/// <summary>The last steps of a fit, and its uncertainty, which is measured: along each axis how far the numbers go, those before it following, before the cost has risen by one.</summary>
-internal sealed class TrackRefinement
+/// <summary>The search of a fit, and its uncertainty, which is measured: along each axis how far the numbers go, those before it following, before the cost has risen by one.</summary>
+internal sealed class TrackSearch
 {
-    private const int MostSteps = 12;
+    private const int MostSteps = 25;
     private const double FirstDamping = 0.1;
     private const double LeastDamping = 1e-2;
 
@@ -37,18 +37,24 @@ internal sealed class TrackRefinement
     private readonly double[] _tried;
     private double[] _misses;
     private double[] _triedMisses;
+    private bool _isFound;
+    private bool _hasAxes;
 
-    public TrackRefinement(TrackPaths paths, TrackModel model)
+    public TrackSearch(TrackPoint[] track, TrackFitRequest request, TrackModel model)
     {
-        _paths = paths;
-        _secants = new TrackSecants(paths, model);
+        Model = model;
+        _paths = new TrackPaths(track, request, model);
+        _secants = new TrackSecants(_paths, model);
         _count = model.Count;
         _step = new double[_count];
         _tried = new double[_count];
-        _misses = new double[paths.Rows];
-        _triedMisses = new double[paths.Rows];
+        _misses = new double[_paths.Rows];
+        _triedMisses = new double[_paths.Rows];
         Covariance = new double[_count * _count];
     }
+
+    /// <summary>The numbers that are sought.</summary>
+    public TrackModel Model { get; }
 
     /// <summary>The cost at the end.</summary>
     public double Cost { get; private set; }
@@ -59,39 +65,43 @@ internal sealed class TrackRefinement
     /// <summary>The mean square of how far the truth may be from the numbers found.</summary>
     public double[] Covariance { get; }
 
-    /// <summary>Goes on from where a search by derivatives has ended.</summary>
-    /// <param name="values">The numbers; then the best ones.</param>
-    /// <param name="normal">N there.</param>
-    /// <returns>Whether no step, and no way along an axis of the uncertainty, leads to a cost that is lower.</returns>
-    public bool Run(double[] values, double[] normal)
-    {
-        Cost = _paths.Follow(values, _misses);
-        if (!_secants.Begin(normal))
-        {
-            Covariance.AsSpan().Fill(double.PositiveInfinity);
-            return false;
-        }
+    /// <summary>χ² of the track alone.</summary>
+    public double ChiSquared(double[] values) => Cost - Model.KnownCost(values);
 
-        for (int i = 0; i < MostSearches; i++)
+    /// <summary>Measures the uncertainty of numbers that were found; where it comes upon a lower cost, the search goes on from there.</summary>
+    /// <returns>Whether no step, and no way along an axis of the uncertainty, leads to a cost that is lower.</returns>
+    public bool Measure(double[] values)
+    {
+        bool converged = _isFound;
+        for (int i = 0; i < MostSearches && _hasAxes; i++)
         {
-            bool converged = Search(values);
-            if (Measure(values))
+            if (MeasureAxes(values))
             {
                 return converged;
             }
+
+            converged = Descend(values);
+        }
+
+        if (!_hasAxes)
+        {
+            Covariance.AsSpan().Fill(double.PositiveInfinity);
         }
 
         return false;
     }
 
     /// <summary>Goes downhill by Gauss and Newton's method with secants.</summary>
-    private bool Search(double[] values)
+    public bool Descend(double[] values)
     {
+        _isFound = false;
         Cost = _paths.Follow(values, _misses);
         double damping = 0;
         for (int i = 0; i < MostSteps; i++)
         {
-            if (!_secants.Evaluate(values))
+            // The secants are as wide as the uncertainty that the last ones told.
+            _hasAxes = _secants.Evaluate(values);
+            if (!_hasAxes)
             {
                 return false;
             }
@@ -105,6 +115,7 @@ internal sealed class TrackRefinement
 
                 if (gain < LeastGain)
                 {
+                    _isFound = true;
                     return true;
                 }
 
@@ -120,8 +131,10 @@ internal sealed class TrackRefinement
 
     /// <summary>Measures the uncertainty.</summary>
     /// <returns>False where a lower cost was found; the numbers are then those.</returns>
-    private bool Measure(double[] values)
+    private bool MeasureAxes(double[] values)
     {
+        // 1. Out along each axis of the uncertainty, the numbers before it following, to where the cost has risen by one. 2. Both ends give deviation and bend.
+        // 3. Pairs of axes, where what they do together may bend: a spin times a lift.
         Array.Clear(Covariance, 0, Covariance.Length);
         double best = Cost;
         double[] bend = new double[_count];
