@@ -37,6 +37,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         _limit = StabilityLimit.Of(scene, in air, _air.WholeUpTo(Limit.Bound), _upward, _integrator.Order);
     }
 
+    [MethodImpl(Hot.Path)]
     public override void Step(ref BallState s, double dt, StepLog log)
     {
         if (s.Motion != MotionState.Airborne)
