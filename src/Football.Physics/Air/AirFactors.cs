@@ -18,9 +18,9 @@ internal struct AirFactors
     /// <summary>1/s; without spin the angular deceleration itself, rad/s².</summary>
     public double Decay;
 
-    /// <summary>By forces that are neither along the motion nor along ω × u, m/s². Zero but for models whose <see cref="IAir.Varies"/> is true.</summary>
+    /// <summary>By forces that are neither along the motion nor along ω × u, m/s². Zero but for models whose <see cref="SceneAir.Varies"/> is true.</summary>
     public Vector3d Acceleration;
 
-    /// <summary>By torques that are not along the spin, rad/s². Zero but for models whose <see cref="IAir.Varies"/> is true.</summary>
+    /// <summary>By torques that are not along the spin, rad/s². Zero but for models whose <see cref="SceneAir.Varies"/> is true.</summary>
     public Vector3d SpinAcceleration;
 }

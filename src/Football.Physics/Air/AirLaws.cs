@@ -15,7 +15,7 @@ internal abstract class AirLaws
     /// <inheritdoc cref="IFlightAir.Jumps"/>
     public bool Jumps { get; protected init; }
 
-    /// <inheritdoc cref="IAir.Bound"/>
+    /// <inheritdoc cref="SceneAir.Bound"/>
     public RateBound Bound { get; protected init; }
 
     /// <summary>The speed, m/s, up to which <see cref="OrdinaryBound"/> holds: twice that of any kick.</summary>
@@ -46,6 +46,20 @@ internal abstract class AirLaws
     /// <inheritdoc cref="IFlightLaws.Factors"/>
     public abstract void Factors(
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay);
+
+    /// <inheritdoc cref="IFlightAir.FactorsPerSpin"/>
+    public virtual bool FactorsPerSpin(
+        double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        bool spins = spinSquared > AirRates.NoSpin;
+        double perSquared = spins ? 1.0 / spinSquared : 0;
+        double rate = spins ? Math.Sqrt(spinSquared) : 0;
+        Factors(speedSquared, rate, perSquared * crossSquared, region, out drag, out lift, out decay);
+        double perRate = spins ? perSquared * rate : 1.0;
+        lift *= perRate;
+        decay *= perRate;
+        return spins;
+    }
 
     /// <summary>A bound that holds with a factor too.</summary>
     protected static RateBound Scaled(in RateBound bound, double factor)

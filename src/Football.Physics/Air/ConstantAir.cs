@@ -50,6 +50,17 @@ internal struct ConstantAir : IFlightAir
         decay = _decay * Math.Abs(spinRate);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly bool FactorsPerSpin(
+        double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        bool spins = spinSquared > AirRates.NoSpin;
+        drag = _drag * Math.Sqrt(speedSquared);
+        lift = _lift;
+        decay = spins ? _decay : 0;
+        return spins;
+    }
+
     public readonly Vector3d WindAt(double time, double x, double y, double z) => Vector3d.Zero;
 
     public readonly Vector3d Side(in Vector3d u, in Vector3d spin, double distance) => Vector3d.Zero;

@@ -60,21 +60,6 @@ internal readonly struct DragJump
         Math.Sqrt((at.Velocity - wind).LengthSquared * rates.Acceleration.LengthSquared)
         + (SpinScale * radius * radius * Math.Sqrt(at.Spin.LengthSquared * rates.SpinAcceleration.LengthSquared)));
 
-    /// <summary>The surfaces' functions on the ground.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static DragJump At(in PlanarMotion at, in Vector3d wind, double radius)
-    {
-        double ux = at.VX - wind.X;
-        double uz = at.VZ - wind.Z;
-        return At((ux * ux) + (wind.Y * wind.Y) + (uz * uz), radius * radius * at.SpinSquared);
-    }
-
-    /// <summary>Their rates there.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static DragJump Rate(in PlanarMotion at, in PlanarRates rates, in Vector3d wind, double radius) => Rate(
-        2.0 * (((at.VX - wind.X) * rates.AX) + ((at.VZ - wind.Z) * rates.AZ)),
-        2.0 * radius * radius * ((at.WX * rates.BX) + (at.WY * rates.BY) + (at.WZ * rates.BZ)));
-
     /// <summary>Whether a step may have crossed a surface: a quick test that errs towards yes.</summary>
     /// <param name="branch">The branch of the step.</param>
     /// <param name="from">At the step's start.</param>

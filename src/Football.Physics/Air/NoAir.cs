@@ -35,6 +35,16 @@ internal struct NoAir : IFlightAir
         decay = 0;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly bool FactorsPerSpin(
+        double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        drag = 0;
+        lift = 0;
+        decay = 0;
+        return spinSquared > AirRates.NoSpin;
+    }
+
     public readonly Vector3d WindAt(double time, double x, double y, double z) => Vector3d.Zero;
 
     public readonly Vector3d Side(in Vector3d u, in Vector3d spin, double distance) => Vector3d.Zero;

@@ -7,7 +7,7 @@ namespace Football.Physics;
 /// the hot step of flight asks.
 /// </summary>
 /// <remarks>A drag law that jumps is not located where the air varies: each evaluation takes the branch that holds there.</remarks>
-internal struct SceneAir : IAir
+internal struct SceneAir : IFlightAir
 {
     private readonly AirLaws _laws;
     private readonly IWind? _wind;
@@ -34,12 +34,16 @@ internal struct SceneAir : IAir
         OrdinaryBound = laws.OrdinaryBound + (_knuckle?.Bound ?? default);
     }
 
+    /// <summary>The laws alone.</summary>
     public readonly AirLaws Laws => _laws;
 
+    /// <summary>Whether drag acts.</summary>
     public readonly bool Drags => _laws.Drags;
 
+    /// <summary>Whether the Magnus force acts.</summary>
     public readonly bool Lifts => _laws.Lifts;
 
+    /// <summary>Whether spin decays.</summary>
     public readonly bool SpinDecays => _laws.SpinDecays;
 
     public readonly bool Acts => _laws.Drags || _laws.Lifts || _laws.SpinDecays || _knuckle is not null;
@@ -50,12 +54,16 @@ internal struct SceneAir : IAir
 
     public readonly bool Jumps => !_hasField && _laws.Jumps;
 
+    /// <summary>Whether the air depends on place or time, or on more than drag, lift and spin decay: then flight asks <see cref="Evaluate"/> alone.</summary>
     public readonly bool Varies => _hasField || _own is not null;
 
+    /// <summary>Whether torques that are not along the spin may act, so that flight has no constant axis.</summary>
     public readonly bool TurnsAxis => _own is not null;
 
+    /// <summary>A speed that the wind by place and time nowhere exceeds, m/s; 0 where it is steady.</summary>
     public readonly double FastestWind => _wind?.Fastest ?? 0;
 
+    /// <summary>How fast the air can change the motion, by the speed relative to the air.</summary>
     public RateBound Bound { get; }
 
     /// <inheritdoc cref="AirLaws.OrdinaryBound"/>
@@ -85,12 +93,21 @@ internal struct SceneAir : IAir
         _laws.Factors(speedSquared, spinRate, acrossSquared, here, out drag, out lift, out decay);
     }
 
+    public readonly bool FactorsPerSpin(
+        double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay) =>
+        _laws.FactorsPerSpin(speedSquared, spinSquared, crossSquared, region, out drag, out lift, out decay);
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly Vector3d WindAt(double time, double x, double y, double z) =>
         _byHeight is not null ? _byHeight.At(time, x, y, z) : _wind is null ? Vector3d.Zero : _wind.At(time, new Vector3d(x, y, z));
 
     public readonly Vector3d Side(in Vector3d u, in Vector3d spin, double distance) => _knuckle!.Acceleration(in u, in spin, distance);
 
+    /// <summary>What the air, and a game's own forces, do at one instant, whatever the motion.</summary>
+    /// <param name="ball">The ball.</param>
+    /// <param name="branch">The branch of the drag law.</param>
+    /// <param name="factors">What the air does.</param>
+    /// <returns>|ω|, rad/s; 0 where it is too small for a reciprocal.</returns>
     public readonly double Evaluate(in ForceInput ball, DragBranch branch, out AirFactors factors)
     {
         Vector3d u = _wind is null ? ball.AirVelocity : ball.AirVelocity - _wind.At(ball.Time, ball.Position);

@@ -37,18 +37,20 @@ internal sealed class TableLaws<TLaw> : AirLaws
     public override void Factors(
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
-        if (_air.HoldsAt(speedSquared, spinRate))
-        {
-            _air.Factors(speedSquared, spinRate, acrossSquared, region, out drag, out lift, out decay);
-        }
-        else
-        {
-            _air.ByFunctions(speedSquared, spinRate, acrossSquared, region, out drag, out lift, out decay);
-        }
-
+        _air.FactorsAnywhere(speedSquared, spinRate, acrossSquared, region, out drag, out lift, out decay);
         drag *= _ofDrag;
         lift *= _ofLift;
         decay *= _ofDecay;
+    }
+
+    public override bool FactorsPerSpin(
+        double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        bool spins = _air.FactorsPerSpin(speedSquared, spinSquared, crossSquared, region, out drag, out lift, out decay);
+        drag *= _ofDrag;
+        lift *= _ofLift;
+        decay *= _ofDecay;
+        return spins;
     }
 
     private static bool Acts(string field, ForceLaw law) => law switch

@@ -10,8 +10,7 @@ internal sealed class BatchWorker
     private readonly BatchSettings _settings;
     private readonly Simulator _simulator;
 
-    /// <summary>The ground as any surface is; null where the impacts are those of the plain pitch.</summary>
-    private readonly ContactMaterial? _ground;
+    private readonly ContactMaterial _ground;
     private readonly LaneFlight? _lanes;
     private readonly LaneDomain _domain;
     private readonly LaneGroup _group = new();
@@ -30,9 +29,8 @@ internal sealed class BatchWorker
         _settings = settings;
         _simulator = new Simulator(scene, new SolverSettings { Integrator = settings.Integrator });
         _upward = Weight.UpwardAcceleration(scene);
-        World? world = _simulator.World;
-        _ground = world is null ? null : new ContactMaterial(scene.Ground);
-        _standsStill = world is { Moves: false } && scene.Obstacles.Count + scene.Nets.Count + scene.Goals.Count > 0;
+        _ground = new ContactMaterial(scene.Ground);
+        _standsStill = !_simulator.World.Moves && scene.Obstacles.Count + scene.Nets.Count + scene.Goals.Count > 0;
         Scene open = _standsStill ? scene with { Obstacles = [], Nets = [], Goals = [] } : scene;
         _domain = new LaneDomain(scene, settings.TimeStep);
         if (settings.Precision == BatchPrecision.Single && LaneFlight.Covers(open))
@@ -161,11 +159,8 @@ internal sealed class BatchWorker
             // Among things, other events may come before, and what is hit may be none of the ground.
             BallEvent impact = LastImpact();
             Write(flights, index, BatchEnd.Impact, impact.Time, impact.Position, impact.VelocityBefore, impact.SpinBefore, apex);
-            if (_ground is not null)
-            {
-                flights.VelocityAfter[index] = impact.Velocity;
-                flights.SpinAfter[index] = impact.Spin;
-            }
+            flights.VelocityAfter[index] = impact.Velocity;
+            flights.SpinAfter[index] = impact.Spin;
         }
         else
         {
@@ -192,14 +187,7 @@ internal sealed class BatchWorker
         Vector3d spinAfter = spin;
         if (end == BatchEnd.Impact)
         {
-            if (_ground is { } ground)
-            {
-                CoulombImpact.Apply(_scene.Ball, in ground, Vector3d.Up, Vector3d.Zero, in velocity, in spin, out after, out spinAfter);
-            }
-            else
-            {
-                ImpactResponse.Apply(_scene.Ball, _scene.Ground, in velocity, in spin, out after, out spinAfter);
-            }
+            CoulombImpact.Apply(_scene.Ball, in _ground, Vector3d.Up, Vector3d.Zero, in velocity, in spin, out after, out spinAfter);
         }
 
         flights.End[index] = end;

@@ -221,12 +221,21 @@ internal readonly struct ContactSearch
                 step = gap < NearHollow * r ? Math.Max(bySpeed, Math.Min(step, ((NearHollow * r) - gap) / speed)) : bySpeed;
             }
 
-            t += Math.Max(step, shortest);
-            if (!(t <= until))
+            if (!Advance(ref t, step, shortest, until))
             {
                 return double.PositiveInfinity;
             }
         }
+    }
+
+    /// <summary>Goes on along the path; a step that had to be made longer ends at its end.</summary>
+    /// <returns>False beyond the end.</returns>
+    private static bool Advance(ref double t, double step, double shortest, double until)
+    {
+        double next = t + Math.Max(step, shortest);
+        next = next > until && t + step <= until && t < until ? until : next;
+        t = next;
+        return next <= until;
     }
 
     /// <summary>When a gap that is linear in the place falls to zero; infinite where it does not, or has already.</summary>
@@ -251,8 +260,7 @@ internal readonly struct ContactSearch
             }
 
             double step = gap > Touching ? Safe(gap, rate, _bend) : Along(rate, _bend);
-            t += Math.Max(step, shortest);
-            if (!(t <= until))
+            if (!Advance(ref t, step, shortest, until))
             {
                 return double.PositiveInfinity;
             }
@@ -284,8 +292,7 @@ internal readonly struct ContactSearch
                 return t;
             }
 
-            t += Math.Max(step, shortest);
-            if (!(t <= until))
+            if (!Advance(ref t, step, shortest, until))
             {
                 return double.PositiveInfinity;
             }

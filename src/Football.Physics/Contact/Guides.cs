@@ -113,7 +113,7 @@ internal struct Guides
         int touched = met;
         for (int round = 0; round < MostRounds && moved; round++)
         {
-            Vector3d surface = carrier is null ? Vector3d.Zero : carrier.Hold(ref s, world.Ball.Radius);
+            Vector3d surface = carrier is null ? Vector3d.Zero : world.Hold(ref s, carrier);
             moved = false;
             for (int i = 0; i < Count; i++)
             {

@@ -1,17 +1,13 @@
 namespace Football.Physics;
 
 /// <summary>What acts on a ball wherever it is: the constants of a scene, shared by all phases of a step.</summary>
-internal sealed class Surroundings<TAir>
-    where TAir : struct, IAir
+internal sealed class Surroundings
 {
     /// <summary>The air. Not readonly: a call through a type parameter would copy it first.</summary>
-    public TAir Air;
+    public SceneAir Air;
 
     /// <summary>Whether the air acts at all.</summary>
     public readonly bool AirActs;
-
-    /// <summary>The ground's forces.</summary>
-    public readonly GroundForces Ground;
 
     /// <summary>Wind, m/s.</summary>
     public readonly Vector3d Wind;
@@ -28,27 +24,18 @@ internal sealed class Surroundings<TAir>
     /// <summary>Its square, m².</summary>
     public readonly double RadiusSquared;
 
-    /// <summary>All that can be met where there is more than a level pitch; else null.</summary>
-    public readonly World? World;
+    /// <summary>All that can be met.</summary>
+    public readonly World World;
 
-    /// <summary>Height of the centre of a ball on the level pitch, m; −∞ where there is none, or where the ground is one of many things.</summary>
-    public readonly double ContactHeight;
-
-    /// <summary>Height of the centre of a ball on level ground, whatever else there is, m; −∞ where there is no level ground.</summary>
-    public readonly double LevelContact;
-
-    public Surroundings(Scene scene, in TAir air)
+    public Surroundings(Scene scene, in SceneAir air)
     {
         Air = air;
         AirActs = Air.Drags || Air.Lifts || Air.SpinDecays || Air.Varies;
-        Ground = GroundForces.Of(scene);
         Wind = scene.Air.Wind;
         AirActsOnGround = scene.Ground.Aerodynamics != GroundAerodynamics.None;
-        World = World.Of(scene);
+        World = new World(scene);
         Upward = Weight.UpwardAcceleration(scene);
         Radius = scene.Ball.Radius;
         RadiusSquared = scene.Ball.Radius * scene.Ball.Radius;
-        ContactHeight = World is null ? scene.Ground.Height + scene.Ball.Radius : double.NegativeInfinity;
-        LevelContact = World?.LevelContact ?? ContactHeight;
     }
 }

@@ -1,8 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>
-/// All that a ball can meet in a scene that has more than a level pitch: colliders (the ground first), nets, goals. Built once; nothing of it changes but where
-/// the game puts its bodies.
+/// All that a ball can meet in a scene: colliders (the ground first), nets, goals. Built once; nothing of it changes but where the game puts its bodies.
 /// </summary>
 internal sealed class World
 {
@@ -10,12 +9,13 @@ internal sealed class World
     /// <summary>Around what moves by itself: the first of <see cref="Moving"/>, for bodies are its last.</summary>
     private readonly MovingSpheres _movers = new();
 
-    private World(Scene scene)
+    public World(Scene scene)
     {
         Ball = scene.Ball;
         MinimumBounceSpeed = scene.Ground.MinimumBounceSpeed;
         RestEnergy = scene.Ground.RestEnergy;
         SharesAir = scene.Ground.Aerodynamics == GroundAerodynamics.Full;
+        AirLoads = SharesAir || Weight.UpwardAcceleration(scene) >= 0;
         AirActs = scene.Ground.Aerodynamics != GroundAerodynamics.None;
         var colliders = new List<Collider>();
         if (!scene.Ground.IsNone)
@@ -44,6 +44,14 @@ internal sealed class World
 
         // Each collider is met as what moves, what has no bounds, or a box of the tree.
         Colliders = colliders.ToArray();
+        foreach (Collider collider in Colliders)
+        {
+            foreach (ContactMaterial material in collider.Materials)
+            {
+                LargestFriction = Math.Max(LargestFriction, material.SlidingFriction);
+            }
+        }
+
         var moving = new List<int>();
         var unbounded = new List<int>();
         var leaves = new List<int>();
@@ -133,6 +141,9 @@ internal sealed class World
     /// <summary>Height of the centre of a ball on level ground, m; −∞ where there is none.</summary>
     public double LevelContact { get; }
 
+    /// <summary>The largest sliding friction of all that it is made of.</summary>
+    public double LargestFriction { get; }
+
     /// <summary>A ball that leaves a contact slower than this stays, m/s.</summary>
     public double MinimumBounceSpeed { get; }
 
@@ -142,22 +153,11 @@ internal sealed class World
     /// <summary>Whether all of the air's force counts for a ball that is carried, and is shared with the spin of one that rolls.</summary>
     public bool SharesAir { get; }
 
+    /// <summary>Whether the air's push counts in the load: where all of it counts, and for a ball that is no heavier than the air, which nothing else could keep on the ground.</summary>
+    public bool AirLoads { get; }
+
     /// <summary>Whether the air pushes a ball that is carried.</summary>
     public bool AirActs { get; }
-
-    /// <summary>The world of a scene; null where the level pitch is all there is.</summary>
-    public static World? Of(Scene scene)
-    {
-        Ground ground = scene.Ground;
-        bool plain = ground.IsLevel
-            && double.IsPositiveInfinity(ground.ImpactFriction)
-            && double.IsPositiveInfinity(ground.RestitutionSpeed)
-            && ground.RollingFrictionBySpeed == 0
-            && ground.DrillingLength == 0
-            && ground.Aerodynamics != GroundAerodynamics.Full
-            && ground.Pattern is null;
-        return plain && HasNothing(scene) ? null : new World(scene);
-    }
 
     // What a bare pitch does not need stands by itself: its first use costs a game nothing.
     private static void AddThings(Scene scene, List<Collider> colliders)
@@ -290,6 +290,19 @@ internal sealed class World
     {
         long index = s.Carrier - FirstCollider;
         return Colliders[(ulong)index < (ulong)Colliders.Length ? index : 0];
+    }
+
+    /// <summary>Puts a ball onto a collider that it touches: what the integrator left of that is within its own error. Heights on level ground are exact.</summary>
+    /// <returns>The normal there.</returns>
+    public Vector3d Hold(ref BallState s, Collider collider)
+    {
+        Vector3d n = collider.Hold(ref s, Ball.Radius);
+        if (IsLevel && collider == Ground)
+        {
+            s.Position = new Vector3d(s.Position.X, LevelContact, s.Position.Z);
+        }
+
+        return n;
     }
 
     /// <summary>½ m |v−V|² + ½ I ω², J.</summary>

@@ -1,28 +1,22 @@
 namespace Football.Physics;
 
 /// <summary>The surfaces in the space of motions at which something happens.</summary>
-internal sealed class EventSurface<TAir>
-    where TAir : struct, IAir
+internal sealed class EventSurface
 {
-    private readonly Surroundings<TAir> _around;
+    private readonly Surroundings _around;
 
-    public EventSurface(Surroundings<TAir> around) => _around = around;
+    public EventSurface(Surroundings around) => _around = around;
 
     /// <summary>Contact with a thing: g is the distance.</summary>
     public EventGradient Contact(int thing, in BallState s)
     {
-        if (_around.World is not { } world)
-        {
-            return new EventGradient(Vector3d.Up, Vector3d.Zero, Vector3d.Zero, s.Velocity.Y);
-        }
-
-        Collider hit = world.Colliders[thing - world.FirstCollider];
+        Collider hit = _around.World.Colliders[thing - _around.World.FirstCollider];
         Vector3d normal = hit.At(s.Position, s.Time).Normal;
         return new EventGradient(in normal, Vector3d.Zero, Vector3d.Zero, Vector3d.Dot(s.Velocity - hit.Velocity, in normal));
     }
 
     /// <summary>The jump of the drag law: g is |u|² − v_c², or 400 (r|ω|)² − |u|².</summary>
-    public EventGradient DragJump(LocalFlight<TAir> local, DragBranch next, double time, in Motion at)
+    public EventGradient DragJump(LocalFlight local, DragBranch next, double time, in Motion at)
     {
         DragJump here = Physics.DragJump.At(in at, in _around.Wind, _around.Radius);
         local.Rates(time, in at, out MotionRates rates);

@@ -35,9 +35,8 @@ internal struct FlightGenerator
     /// <param name="first">A direction across the axis.</param>
     /// <param name="second">The other.</param>
     /// <param name="g">The result.</param>
-    public static void At<TAir>(
-        ref TAir air, DragBranch branch, bool needsAcross, in Vector3d u, double spin, in Vector3d n, in Vector3d first, in Vector3d second, out FlightGenerator g)
-        where TAir : struct, IAir
+    public static void At(
+        ref SceneAir air, DragBranch branch, bool needsAcross, in Vector3d u, double spin, in Vector3d n, in Vector3d first, in Vector3d second, out FlightGenerator g)
     {
         double squared = u.LengthSquared;
         double along = Vector3d.Dot(in n, in u);
@@ -98,8 +97,7 @@ internal struct FlightGenerator
 
     /// <summary>Drag, lift and decay as one vector.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Factors<TAir>(ref TAir air, DragBranch branch, double squared, double spin, double across, out Vector3d factors)
-        where TAir : struct, IAir
+    private static void Factors(ref SceneAir air, DragBranch branch, double squared, double spin, double across, out Vector3d factors)
     {
         double drag = 0;
         double lift = 0;

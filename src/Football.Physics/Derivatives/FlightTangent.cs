@@ -4,8 +4,7 @@ namespace Football.Physics;
 /// The variational equation along plain flight: the axis of the spin is constant, so velocity and size of the spin are all that changes. Several pieces are taken
 /// at once by classical Runge–Kutta, which asks the laws at their start, middle and end only.
 /// </summary>
-internal sealed class FlightTangent<TAir>
-    where TAir : struct, IAir
+internal sealed class FlightTangent
 {
     /// <summary>Pieces taken at once at most.</summary>
     private const int MostPieces = 8;
@@ -40,7 +39,7 @@ internal sealed class FlightTangent<TAir>
     /// <summary>Only where the spin parameter is larger may the lift end: by the published laws at 1.886.</summary>
     private const double FastSpin = 1.5;
 
-    private readonly Surroundings<TAir> _around;
+    private readonly Surroundings _around;
     private readonly bool _needsAcross;
     private readonly Vector3d[] _velocities = new Vector3d[MostPieces + 1];
     private readonly double[] _spins = new double[MostPieces + 1];
@@ -59,7 +58,7 @@ internal sealed class FlightTangent<TAir>
     private FlightRow _y;
     private FlightRow _z;
 
-    public FlightTangent(Surroundings<TAir> around)
+    public FlightTangent(Surroundings around)
     {
         _around = around;
         _needsAcross = NeedsAcross();

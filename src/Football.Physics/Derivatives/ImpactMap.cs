@@ -1,8 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>What an impact makes of the motion, and how that changes with the motion before it: by the simulation's own impact, and difference quotients of it.</summary>
-internal sealed class ImpactMap<TAir>
-    where TAir : struct, IAir
+internal sealed class ImpactMap
 {
     private const double TimeWidth = 1e-6;
 
@@ -10,16 +9,14 @@ internal sealed class ImpactMap<TAir>
     private const int MostTries = 4;
     private const double Narrower = 0.1;
 
-    private readonly World? _world;
-    private readonly ContactPhase<TAir> _contact;
-    private readonly WorldContact<TAir>? _worldContact;
+    private readonly World _world;
+    private readonly WorldContact _contact;
     private readonly StepLog _log = new();
 
-    public ImpactMap(Scene scene, Surroundings<TAir> around)
+    public ImpactMap(Scene scene, Surroundings around)
     {
         _world = around.World;
-        _contact = new ContactPhase<TAir>(scene, around);
-        _worldContact = _world is null ? null : new WorldContact<TAir>(around, scene.Ground.IsLevel);
+        _contact = new WorldContact(around, scene.Ground.IsLevel);
     }
 
     /// <summary>How the motion changes with time itself, were the impact later: where what is hit moves.</summary>
@@ -39,7 +36,7 @@ internal sealed class ImpactMap<TAir>
             Difference(in s, in at, i, thing, map);
         }
 
-        if (_world is { Moves: true })
+        if (_world.Moves)
         {
             Motion later = Hit(in s, in at, TimeWidth, thing, out _);
             Motion sooner = Hit(in s, in at, -TimeWidth, thing, out _);
@@ -84,15 +81,7 @@ internal sealed class ImpactMap<TAir>
     private int Hit(ref BallState s, int thing)
     {
         var run = new StepRun(1, s.Time, _log);
-        if (_worldContact is null)
-        {
-            _contact.Impact(ref s, ref run);
-        }
-        else
-        {
-            _worldContact.Impact(ref s, thing - _world!.FirstCollider, ref run);
-        }
-
+        _contact.Impact(ref s, thing - _world.FirstCollider, ref run);
         int impacts = (int)_log.Events.Impacts;
         _log.Clear();
         return impacts;

@@ -1,13 +1,12 @@
 namespace Football.Physics;
 
 /// <summary>What moves the ball along a piece of flight: the same system that a step integrates, on the same branch of the drag law.</summary>
-internal sealed class LocalFlight<TAir>
-    where TAir : struct, IAir
+internal sealed class LocalFlight
 {
-    private readonly Surroundings<TAir> _around;
-    private FlightSystem<TAir> _flight;
+    private readonly Surroundings _around;
+    private FlightSystem _flight;
 
-    public LocalFlight(Surroundings<TAir> around) => _around = around;
+    public LocalFlight(Surroundings around) => _around = around;
 
     /// <summary>The branch of the drag law.</summary>
     public DragBranch Branch => _flight.Branch;
@@ -19,13 +18,13 @@ internal sealed class LocalFlight<TAir>
     public void Take(in BallState s)
     {
         Motion at = MotionVector.Of(in s);
-        _flight = new FlightSystem<TAir>
+        _flight = new FlightSystem
         {
             Around = _around,
             Branch = s.Branch != DragBranch.Unknown || !_around.Air.Jumps ? s.Branch : DragJump.At(in at, in _around.Wind, _around.Radius).Branch,
         };
         IsPlain = s.Motion == MotionState.Airborne && s.Nets == 0 && !_around.Air.Varies && Branch < DragBranch.AlongCriticalSpeed
-            && (_around.World is not { } world || Guides.Of(world, s.Position, s.Velocity, s.Time, -1).Count == 0);
+            && Guides.Of(_around.World, s.Position, s.Velocity, s.Time, -1).Count == 0;
     }
 
     /// <summary>v̇ and ω̇.</summary>

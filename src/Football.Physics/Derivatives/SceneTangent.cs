@@ -5,17 +5,16 @@ namespace Football.Physics;
 /// launch by δt = −∇g·δy/ġ, J ← R' (J + ẏ₋ ⊗ δt) − ẏ₊ ⊗ δt (saltation), R being what the event does to the motion. A step in which the ball does anything
 /// else is left to <see cref="StepDifferences"/>.
 /// </summary>
-internal sealed class SceneTangent<TAir> : TangentObserver
-    where TAir : struct, IAir
+internal sealed class SceneTangent : TangentObserver
 {
-    private readonly Surroundings<TAir> _around;
-    private readonly ImpactMap<TAir> _impacts;
-    private readonly EventSurface<TAir> _surface;
-    private readonly FlightTangent<TAir> _flight;
+    private readonly Surroundings _around;
+    private readonly ImpactMap _impacts;
+    private readonly EventSurface _surface;
+    private readonly FlightTangent _flight;
     private readonly double _inertiaFactor;
     private readonly double[] _map = new double[MotionVector.Size * MotionVector.Size];
-    private LocalFlight<TAir> _now;
-    private LocalFlight<TAir> _next;
+    private LocalFlight _now;
+    private LocalFlight _next;
     private BallState _last;
     private StepLog? _log;
     private int _event;
@@ -35,14 +34,14 @@ internal sealed class SceneTangent<TAir> : TangentObserver
     /// <summary>Whether the step is more than plain flight and impacts.</summary>
     private bool _isLeft;
 
-    public SceneTangent(Scene scene, in TAir air)
+    public SceneTangent(Scene scene, in SceneAir air)
     {
-        _around = new Surroundings<TAir>(scene, in air);
-        _impacts = new ImpactMap<TAir>(scene, _around);
-        _surface = new EventSurface<TAir>(_around);
-        _flight = new FlightTangent<TAir>(_around);
-        _now = new LocalFlight<TAir>(_around);
-        _next = new LocalFlight<TAir>(_around);
+        _around = new Surroundings(scene, in air);
+        _impacts = new ImpactMap(scene, _around);
+        _surface = new EventSurface(_around);
+        _flight = new FlightTangent(_around);
+        _now = new LocalFlight(_around);
+        _next = new LocalFlight(_around);
         _inertiaFactor = scene.Ball.InertiaFactor;
     }
 
@@ -57,7 +56,7 @@ internal sealed class SceneTangent<TAir> : TangentObserver
         if (from.Motion is MotionState.Sliding or MotionState.Rolling)
         {
             // Placed on the ground: neither off it nor into it.
-            Vector3d normal = _around.World is { } world ? world.CarrierOf(in from).At(from.Position, from.Time).Normal : Vector3d.Up;
+            Vector3d normal = _around.World.CarrierOf(in from).At(from.Position, from.Time).Normal;
             Tangent.Project(0, in normal);
             Tangent.Project(MotionVector.Velocity, in normal);
             if (from.Motion == MotionState.Rolling)
@@ -264,7 +263,7 @@ internal sealed class SceneTangent<TAir> : TangentObserver
 
         int impacts = _impacts.Impact(ref at, thing, _map);
         Tangent.Map(_map);
-        if (_around.World is { Moves: true })
+        if (_around.World.Moves)
         {
             Tangent.Add(_impacts.TimeRate, EventTimes);
         }

@@ -162,8 +162,8 @@ internal sealed class StepDifferences
             }
         }
 
-        return _simulator.World is { } world
-            && Guides.Of(world, start.Position, start.Velocity, start.Time, flies ? -1 : (int)start.Carrier - world.FirstCollider).Count > 0;
+        World world = _simulator.World;
+        return Guides.Of(world, start.Position, start.Velocity, start.Time, flies ? -1 : (int)start.Carrier - world.FirstCollider).Count > 0;
     }
 
     /// <summary>(y(h) − y(−h))/2h at the end of the step, of the way instead of the place.</summary>
@@ -249,13 +249,7 @@ internal sealed class StepDifferences
     /// <summary>The velocity over what carries the ball, and its normal.</summary>
     private Vector3d OnSurface(in BallState s, out Vector3d normal)
     {
-        if (_simulator.World is not { } world)
-        {
-            normal = Vector3d.Up;
-            return s.Velocity;
-        }
-
-        Collider carrier = world.CarrierOf(in s);
+        Collider carrier = _simulator.World.CarrierOf(in s);
         normal = carrier.At(s.Position, s.Time).Normal;
         return s.Velocity - carrier.Velocity;
     }

@@ -14,7 +14,7 @@ internal abstract class TangentObserver : PieceObserver
     public override bool WantsEndAcceleration => false;
 
     /// <summary>Makes one for a scene.</summary>
-    public static TangentObserver Of(Scene scene) => new SceneTangent<SceneAir>(scene, SceneAir.Of(scene));
+    public static TangentObserver Of(Scene scene) => new SceneTangent(scene, SceneAir.Of(scene));
 
     public override bool Add(in PathPiece piece) => false;
 

@@ -7,7 +7,7 @@ namespace Football.Physics;
 /// <remarks>For one ball. The simulation knows nothing of it: it may be asked or not, after every step or now and then.</remarks>
 public sealed class NetBulges
 {
-    private readonly World? _world;
+    private readonly World _world;
     private readonly NetBulge[] _bulges;
     private double _time = double.NaN;
 
@@ -18,7 +18,7 @@ public sealed class NetBulges
     {
         Check.Given(nameof(simulator), simulator);
         _world = simulator.World;
-        _bulges = new NetBulge[_world?.Nets.Length ?? 0];
+        _bulges = new NetBulge[_world.Nets.Length];
     }
 
     /// <summary>How many nets there are: those of the scene, then those of each goal: back, roof, left, right.</summary>
@@ -30,7 +30,7 @@ public sealed class NetBulges
 
     /// <summary>The name of a net, as events have it.</summary>
     /// <param name="net">0 … <see cref="Count"/> − 1.</param>
-    public string NameOf(int net) => _world!.Nets[net].Name;
+    public string NameOf(int net) => _world.Nets[net].Name;
 
     /// <summary>Follows the ball. Allocates nothing.</summary>
     /// <param name="state">The ball now. Where its time has gone back, nets that it is not in hang still.</param>
@@ -40,7 +40,7 @@ public sealed class NetBulges
         _time = state.Time;
         for (int i = 0; i < _bulges.Length; i++)
         {
-            NetSheet net = _world!.Nets[i];
+            NetSheet net = _world.Nets[i];
             NetBulge before = _bulges[i];
 
             // F = 0 where δ̇ < −1/b: the sheet comes back more slowly than the ball.

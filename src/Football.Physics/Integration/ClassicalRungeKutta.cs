@@ -106,35 +106,4 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         step.Rotation = RotationVector.Of(in from.Spin, 0.5 * (second.Spin + third.Spin), in step.End.Spin, h);
         step.StartRates = k1;
     }
-
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    public void Advance<TSystem>(ref TSystem system, double time, in PlanarMotion from, double h, out PlanarStep step)
-        where TSystem : struct, IPlanarSystem
-    {
-        double half = 0.5 * h;
-        double sixth = h / 6.0;
-        from.CopyTo(out PlanarMotion start);
-        system.Rates(time, in start, out PlanarRates k1);
-        k1.CopyTo(out step.StartRates);
-        PlanarMotion second = start.After(half, start.VX, start.VZ, in k1);
-        system.Rates(time + half, in second, out PlanarRates k2);
-        PlanarMotion third = start.After(half, second.VX, second.VZ, in k2);
-        system.Rates(time + half, in third, out PlanarRates k3);
-        PlanarMotion fourth = start.After(h, third.VX, third.VZ, in k3);
-        system.Rates(time + h, in fourth, out PlanarRates k4);
-        PlanarMotion end;
-        end.X = start.X + (sixth * (start.VX + (2.0 * (second.VX + third.VX)) + fourth.VX));
-        end.Z = start.Z + (sixth * (start.VZ + (2.0 * (second.VZ + third.VZ)) + fourth.VZ));
-        end.VX = start.VX + (sixth * (k1.AX + (2.0 * (k2.AX + k3.AX)) + k4.AX));
-        end.VZ = start.VZ + (sixth * (k1.AZ + (2.0 * (k2.AZ + k3.AZ)) + k4.AZ));
-        end.WX = start.WX + (sixth * (k1.BX + (2.0 * (k2.BX + k3.BX)) + k4.BX));
-        end.WY = start.WY + (sixth * (k1.BY + (2.0 * (k2.BY + k3.BY)) + k4.BY));
-        end.WZ = start.WZ + (sixth * (k1.BZ + (2.0 * (k2.BZ + k3.BZ)) + k4.BZ));
-        end.CopyTo(out step.End);
-        var middle = new Vector3d(0.5 * (second.WX + third.WX), 0.5 * (second.WY + third.WY), 0.5 * (second.WZ + third.WZ));
-        step.Rotation = RotationVector.Of(start.Spin, in middle, end.Spin, h);
-    }
-
-    /// <remarks>The height is not a polynomial in τ: the root of its Hermite interpolant, which a re-step then corrects.</remarks>
-    public double ContactTime(in HeightArc arc) => arc.HermiteRoot();
 }

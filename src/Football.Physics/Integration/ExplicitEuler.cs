@@ -46,19 +46,4 @@ internal readonly struct ExplicitEuler : IIntegrator
         step.End = from.After(h, in from.Velocity, in step.StartRates);
         step.Rotation = h * from.Spin;
     }
-
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    public void Advance<TSystem>(ref TSystem system, double time, in PlanarMotion from, double h, out PlanarStep step)
-        where TSystem : struct, IPlanarSystem
-    {
-        from.CopyTo(out PlanarMotion start);
-        system.Rates(time, in start, out PlanarRates k1);
-        k1.CopyTo(out step.StartRates);
-        PlanarMotion end = start.After(h, start.VX, start.VZ, in k1);
-        end.CopyTo(out step.End);
-        step.Rotation = new Vector3d(h * start.WX, h * start.WY, h * start.WZ);
-    }
-
-    /// <remarks>The re-integrated height y + v τ is linear in τ.</remarks>
-    public double ContactTime(in HeightArc arc) => arc.StartVelocity < 0 ? Math.Min(arc.Start / -arc.StartVelocity, arc.Length) : arc.Length;
 }

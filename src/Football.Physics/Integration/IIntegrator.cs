@@ -35,18 +35,4 @@ internal interface IIntegrator
     /// <param name="step">Where it ends.</param>
     void Advance<TSystem>(ref TSystem system, double time, in Motion from, double h, out MotionStep step)
         where TSystem : struct, IMotionSystem;
-
-    /// <summary>A step on the flat ground.</summary>
-    /// <param name="system">Gives the rates.</param>
-    /// <param name="time">Time at the start, s.</param>
-    /// <param name="from">Where the step starts.</param>
-    /// <param name="h">Its length, s.</param>
-    /// <param name="step">Where it ends.</param>
-    void Advance<TSystem>(ref TSystem system, double time, in PlanarMotion from, double h, out PlanarStep step)
-        where TSystem : struct, IPlanarSystem;
-
-    /// <summary>When, inside a step that ends below contact, the re-integrated height reaches it.</summary>
-    /// <param name="arc">Height above contact over the step.</param>
-    /// <returns>Length of the part of the step up to contact, s: exact where the height is a polynomial in it, else a close estimate.</returns>
-    double ContactTime(in HeightArc arc);
 }

@@ -66,22 +66,4 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         step.End = from.After(h, in middle.Velocity, in k2);
         step.Rotation = h * middle.Spin;
     }
-
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    public void Advance<TSystem>(ref TSystem system, double time, in PlanarMotion from, double h, out PlanarStep step)
-        where TSystem : struct, IPlanarSystem
-    {
-        double half = 0.5 * h;
-        from.CopyTo(out PlanarMotion start);
-        system.Rates(time, in start, out PlanarRates k1);
-        k1.CopyTo(out step.StartRates);
-        PlanarMotion middle = start.After(half, start.VX, start.VZ, in k1);
-        system.Rates(time + half, in middle, out PlanarRates k2);
-        PlanarMotion end = start.After(h, middle.VX, middle.VZ, in k2);
-        end.CopyTo(out step.End);
-        step.Rotation = new Vector3d(h * middle.WX, h * middle.WY, h * middle.WZ);
-    }
-
-    /// <remarks>The re-integrated height y + v τ + a τ²/2 is quadratic in τ.</remarks>
-    public double ContactTime(in HeightArc arc) => arc.QuadraticRoot(0.5 * arc.StartAcceleration);
 }

@@ -47,19 +47,4 @@ internal readonly struct SemiImplicitEuler : IIntegrator
         step.End = from.After(h, in velocity, in step.StartRates);
         step.Rotation = h * step.End.Spin;
     }
-
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    public void Advance<TSystem>(ref TSystem system, double time, in PlanarMotion from, double h, out PlanarStep step)
-        where TSystem : struct, IPlanarSystem
-    {
-        from.CopyTo(out PlanarMotion start);
-        system.Rates(time, in start, out PlanarRates k1);
-        k1.CopyTo(out step.StartRates);
-        PlanarMotion end = start.After(h, start.VX + (h * k1.AX), start.VZ + (h * k1.AZ), in k1);
-        end.CopyTo(out step.End);
-        step.Rotation = new Vector3d(h * end.WX, h * end.WY, h * end.WZ);
-    }
-
-    /// <remarks>The re-integrated height y + v τ + a τ² is quadratic in τ.</remarks>
-    public double ContactTime(in HeightArc arc) => arc.QuadraticRoot(arc.StartAcceleration);
 }

@@ -110,8 +110,11 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
         double s;
         if (z <= 0.25)
         {
-            c = 1.0 + (z * (C1 + (z * (C2 + (z * (C3 + (z * (C4 + (z * (C5 + (z * (C6 + (z * C7)))))))))))));
-            s = 1.0 + (z * (S1 + (z * (S2 + (z * (S3 + (z * (S4 + (z * (S5 + (z * (S6 + (z * S7)))))))))))));
+            // By pairs: half as long a chain as Horner's.
+            double z2 = z * z;
+            double z4 = z2 * z2;
+            c = (1.0 + (z * C1)) + (z2 * (C2 + (z * C3))) + (z4 * ((C4 + (z * C5)) + (z2 * (C6 + (z * C7)))));
+            s = (1.0 + (z * S1)) + (z2 * (S2 + (z * S3))) + (z4 * ((S4 + (z * S5)) + (z2 * (S6 + (z * S7)))));
         }
         else
         {

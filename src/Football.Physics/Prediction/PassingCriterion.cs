@@ -45,7 +45,7 @@ internal sealed class PassingCriterion
         _untilImpact = request.StopAt == StopAt.Impact;
 
         // Things throw a ball back, and what a game's own forces and winds that change may do is not known.
-        _mayReturn = simulator.HasThings || scene.Forces.Custom.Count > 0 || SceneAir.HasFieldIn(scene);
+        _mayReturn = !simulator.World.IsLevelGroundAlone || scene.Ground.Pattern is not null || scene.Forces.Custom.Count > 0 || SceneAir.HasFieldIn(scene);
     }
 
     /// <summary>Whether the ball comes no closer after a piece.</summary>

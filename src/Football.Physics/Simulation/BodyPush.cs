@@ -4,8 +4,7 @@ namespace Football.Physics;
 /// What the game has done to a ball by moving its bodies between two steps: one that was put over the ball pushes it out, one that was taken away from
 /// under it lets it go. Its velocity stays: what a body gives to the ball it gives by hitting it.
 /// </summary>
-internal sealed class BodyPush<TAir>
-    where TAir : struct, IAir
+internal sealed class BodyPush
 {
     /// <summary>How often the ball is pushed, from one body onto the next, at most: between two that close in on it there is no place.</summary>
     private const int MostPushes = 64;
@@ -14,9 +13,9 @@ internal sealed class BodyPush<TAir>
     private const int MostSteps = 20;
 
     private readonly World _world;
-    private readonly WorldContact<TAir> _contact;
+    private readonly WorldContact _contact;
 
-    public BodyPush(World world, WorldContact<TAir> contact)
+    public BodyPush(World world, WorldContact contact)
     {
         _world = world;
         _contact = contact;

@@ -1,22 +1,19 @@
-using System.Runtime.CompilerServices;
-
 namespace Football.Physics;
 
 /// <summary>
 /// Watches the surfaces at which the published drag law jumps. A piece of motion is locked to one branch of the law; where it crosses a
 /// surface it ends there, and the branch that leads away from the surface holds from then on (Filippov).
 /// </summary>
-internal sealed class DragJumpGuard<TAir>
-    where TAir : struct, IAir
+internal sealed class DragJumpGuard
 {
     /// <summary>A rate across a surface is not known to more than this share of the products that it is summed of.</summary>
     private const double Rounding = 1e-14;
 
-    private readonly FlightSystem<TAir> _flight;
+    private readonly FlightSystem _flight;
 
-    public DragJumpGuard(Surroundings<TAir> around, bool locates)
+    public DragJumpGuard(Surroundings around, bool locates)
     {
-        _flight = new FlightSystem<TAir> { Around = around };
+        _flight = new FlightSystem { Around = around };
         Acts = around.Air.Jumps && locates;
     }
 
@@ -68,7 +65,7 @@ internal sealed class DragJumpGuard<TAir>
 
     /// <summary>Ends a piece of flight along a surface where one branch alone leads off it, or where the other surface is met.</summary>
     public DragBranch EndAlongSurface<TIntegrator>(
-        ref MotionSweep<FlightSystem<TAir>, TIntegrator> sweep, double time, in Motion from, ref StepRun run)
+        ref MotionSweep<FlightSystem, TIntegrator> sweep, double time, in Motion from, ref StepRun run)
         where TIntegrator : struct, IIntegrator
     {
         double h = sweep.Length;
@@ -138,31 +135,7 @@ internal sealed class DragJumpGuard<TAir>
         branch = end.Branch;
     }
 
-    /// <summary>Whether a step on the ground may have crossed the jump: a quick test that errs towards yes.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool MayCrossOnGround(DragBranch branch, in PlanarMotion from, in PlanarStep taken, double h)
-    {
-        if (!Acts)
-        {
-            return false;
-        }
-
-        Surroundings<TAir> around = _flight.Around;
-        DragJump start = DragJump.At(in from, in around.Wind, around.Radius);
-        DragJump startRate = DragJump.Rate(in from, in taken.StartRates, in around.Wind, around.Radius);
-        DragJump end = DragJump.At(in taken.End, in around.Wind, around.Radius);
-        return DragJump.MayCross(branch, in start, in startRate, in end, h);
-    }
-
-    /// <summary>The branch that a piece on the ground is locked to: the last one, unless that is not known or leads along a surface.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public DragBranch OnGround(DragBranch last, in PlanarMotion from)
-    {
-        bool known = Acts && (last is DragBranch.NoSpin or DragBranch.Spinning);
-        return known || !_flight.Around.Air.Jumps ? last : DragJump.At(in from, in _flight.Around.Wind, _flight.Around.Radius).Branch;
-    }
-
-    /// <summary>The same on any surface.</summary>
+    /// <summary>The branch that a piece on a surface is locked to: the last one, unless that is not known or leads along a surface of the jump.</summary>
     public DragBranch OnSurface(DragBranch last, in Motion from)
     {
         bool known = Acts && (last is DragBranch.NoSpin or DragBranch.Spinning);
@@ -176,8 +149,8 @@ internal sealed class DragJumpGuard<TAir>
     /// <param name="run">The step.</param>
     private DragBranch Resolve(double time, in Motion at, in BallState s, ref StepRun run)
     {
-        FlightSystem<TAir> system = _flight;
-        system.Nets = system.Around.World is null ? 0 : s.Nets;
+        FlightSystem system = _flight;
+        system.Nets = s.Nets;
         system.NetSides = s.NetSides;
         DragJump here = system.JumpAt(in at);
         DragBranch along = here.NearerToSpeed ? DragBranch.AlongCriticalSpeed : DragBranch.AlongCriticalSpin;

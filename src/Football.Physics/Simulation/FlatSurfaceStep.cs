@@ -2,37 +2,47 @@ using System.Runtime.CompilerServices;
 
 namespace Football.Physics;
 
+/// <summary>Whole steps on flat ground, whatever the laws of the air.</summary>
+internal abstract class FlatSurfaceStep
+{
+    /// <summary>A whole step, done if nothing happens in it.</summary>
+    /// <returns>False where something may happen; then nothing is done.</returns>
+    public abstract bool TryWhole(ref BallState s, double dt, StepLog log);
+}
+
 /// <summary>
 /// Whole steps of sliding and rolling on flat ground with nothing else near: nearly every step that a ball takes on the ground. The motion has two components
 /// along the plane and three of spin, in the plane's own axes; the load needs no curvature, and nothing is searched for.
 /// <see cref="TryWhole"/> proposes the step, takes it, asks whether anything may have happened in it, and moves the ball. Where something may, nothing is done
-/// and <see cref="CarriedPhase{TAir, TIntegrator}"/> takes the step in pieces, by the same equations on any surface.
+/// and <see cref="SurfacePhase{TIntegrator}"/> takes the step in pieces, by the same equations on any surface.
 /// </summary>
 /// <remarks>
 /// With a_b gravity and buoyancy, a_air the air's push, T its torque per moment of inertia and N the load per mass:
 /// sliding a = a_b + a_air − μ_s N ŝ, ω̇ = (μ_s N/(α r)) n × ŝ + T; rolling a = (a_b + a_air + α r T × n)/(1 + α) − (c₀ + c₁|v|) N v̂ where the air is shared
 /// with the spin, else a_b/(1 + α) + a_air − …; about the normal −(c_ω/I) ω_n − sign(ω_n) b μ_s N m/I.
 /// </remarks>
-internal sealed class FlatSurfaceStep
+/// <typeparam name="TAir">The laws of the air; where it varies, <see cref="SceneAir"/>.</typeparam>
+internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
+    where TAir : struct, IFlightAir
 {
-    /// <summary>The axis of the spin turns so little in a step that h² |ω(h) × ω(0)| is below this: what Magnus' series leaves out is some thousandths of that (WorldReferenceTests).</summary>
-    private const double LargestCommutator = 0.1;
+    /// <summary>Where the axis of the spin turns so little in a step that h² |ω(h) × ω(0)| is below this, two terms of Magnus' series do: they leave out some thousandths of it (WholeRun).</summary>
+    private const double LittleTurn = 1e-3;
 
     /// <summary>A rolling ball that needs more than this share of the friction that it has, or a load that has less than this of the weight left, is looked at closely.</summary>
     private const double Ample = 0.9;
     private const double Slight = 0.05;
 
-    private readonly Surroundings<SceneAir> _around;
+    private readonly Surroundings _around;
     private readonly World _world;
-    private readonly AirLaws _laws;
+    private TAir _air;
     private readonly ClearFlight? _clear;
     private readonly StabilityLimit _limit;
     private readonly Material[] _materials;
     private readonly bool _acts;
+    private readonly bool _isLevel;
     private readonly bool _slides;
     private readonly bool _locatesJump;
     private readonly bool _semiImplicit;
-    private readonly bool _varies;
     private readonly int _order;
     private readonly double[] _offsets;
     private readonly double[] _weights;
@@ -49,11 +59,13 @@ internal sealed class FlatSurfaceStep
     private readonly double _perRadius;
     private readonly double _radiusSquared;
     private readonly double _airInLoad;
-    private readonly double _airAlong;
-    private readonly double _bodyInRoll;
+    private readonly double _airInSlide;
+    private readonly double _bodyXInRoll;
+    private readonly double _bodyZInRoll;
     private readonly double _airInRoll;
     private readonly double _decayInRoll;
-    private readonly double _bodyInTraction;
+    private readonly double _bodyXInTraction;
+    private readonly double _bodyZInTraction;
     private readonly double _airInTraction;
     private readonly double _halfMass;
     private readonly double _halfInertia;
@@ -64,18 +76,18 @@ internal sealed class FlatSurfaceStep
     /// <param name="scene">The scene.</param>
     /// <param name="settings">The method.</param>
     /// <param name="around">What acts on the ball.</param>
+    /// <param name="air">The laws of the air.</param>
     /// <param name="limit">How long a step may be.</param>
     /// <param name="clear">Finds out whether anything is near; null where there is nothing but the ground.</param>
     /// <param name="locatesJump">Whether steps end at the drag law's jump.</param>
-    public FlatSurfaceStep(Scene scene, SolverSettings settings, Surroundings<SceneAir> around, in StabilityLimit limit, ClearFlight? clear, bool locatesJump)
+    public FlatSurfaceStep(Scene scene, SolverSettings settings, Surroundings around, in TAir air, in StabilityLimit limit, ClearFlight? clear, bool locatesJump)
     {
         _around = around;
         _world = around.World!;
-        _laws = around.Air.Laws;
+        _air = air;
         _clear = clear;
         _limit = limit;
         _locatesJump = locatesJump;
-        _varies = around.Air.Varies;
         _acts = !scene.Ground.IsNone && scene.Ground.Heights is null && scene.Forces.Custom.Count == 0;
         _slides = settings.RollingTransition == RollingTransition.Exact;
         (_offsets, _weights, _order) = settings.Integrator switch
@@ -88,6 +100,7 @@ internal sealed class FlatSurfaceStep
         _semiImplicit = settings.Integrator == Integrator.SemiImplicitEuler;
 
         // The plane's axes: on a level pitch those of the world.
+        _isLevel = scene.Ground.IsLevel;
         _normal = scene.Ground.Normal.Normalized();
         Vector3d along = Math.Abs(_normal.X) < 0.9 ? new Vector3d(1, 0, 0) : new Vector3d(0, 1, 0);
         _axisX = (along - (Vector3d.Dot(in along, in _normal) * _normal)).Normalized();
@@ -111,12 +124,14 @@ internal sealed class FlatSurfaceStep
         _restEnergy = scene.Ground.RestEnergy;
         _fastestWind = around.Air.FastestWind;
         bool shares = _world.SharesAir;
-        _airAlong = _world.AirActs ? 1 : 0;
-        _airInLoad = shares ? 1 : 0;
-        _bodyInRoll = 1.0 / (1.0 + alpha);
-        _airInRoll = shares ? 1.0 / (1.0 + alpha) : 1;
+        _airInLoad = _world.AirLoads ? 1 : 0;
+        _airInSlide = _world.AirActs ? 1 : 0;
+        _bodyXInRoll = _bodyX / (1.0 + alpha);
+        _bodyZInRoll = _bodyZ / (1.0 + alpha);
+        _airInRoll = shares ? 1.0 / (1.0 + alpha) : _airInSlide;
         _decayInRoll = shares ? alpha / (1.0 + alpha) : 0;
-        _bodyInTraction = alpha / (1.0 + alpha);
+        _bodyXInTraction = alpha * _bodyXInRoll;
+        _bodyZInTraction = alpha * _bodyZInRoll;
         _airInTraction = _decayInRoll;
         ContactMaterial[] materials = _acts ? _world.Ground!.Materials : [];
         _materials = new Material[materials.Length];
@@ -126,9 +141,7 @@ internal sealed class FlatSurfaceStep
         }
     }
 
-    /// <summary>A whole step, done if nothing happens in it.</summary>
-    /// <returns>False where something may happen; then nothing is done.</returns>
-    public bool TryWhole(ref BallState s, double dt, StepLog log)
+    public override bool TryWhole(ref BallState s, double dt, StepLog log)
     {
         bool rolls = s.Motion == MotionState.Rolling;
         if (!_acts || s.Carrier != 0 || s.Nets != 0 || !(rolls || _slides))
@@ -136,33 +149,39 @@ internal sealed class FlatSurfaceStep
             return false;
         }
 
-        // The motion in the plane's axes. What a roll leaves of the spin is that about the normal.
-        Vector3d velocity = s.Velocity;
-        Vector3d spin = s.SpinAxis;
-        PlaneMotion at;
-        at.VX = Vector3d.Dot(in velocity, in _axisX);
-        at.VZ = Vector3d.Dot(in velocity, in _axisZ);
-        at.WX = Vector3d.Dot(in spin, in _axisX);
-        at.WY = Vector3d.Dot(in spin, in _normal);
-        at.WZ = Vector3d.Dot(in spin, in _axisZ);
-        PlaneMotion start = at;
+        // The motion in the plane's axes, number by number: what was written so in the step before is not read back as a whole without a wait.
+        // What a roll leaves of the spin is that about the normal.
+        ref FlightMotion motion = ref s.Flight;
+        PlaneMotion start;
+        if (_isLevel)
+        {
+            start.VX = motion.Velocity.X;
+            start.VZ = motion.Velocity.Z;
+            start.WX = motion.Axis.X;
+            start.WY = motion.Axis.Y;
+            start.WZ = motion.Axis.Z;
+        }
+        else
+        {
+            start = InPlane(in motion);
+        }
 
         // Propose: the whole step, if there is a direction of the roll or the slip, and the air is not too strong.
-        double x = rolls ? at.VX : at.VX + (_radius * at.WZ);
-        double z = rolls ? at.VZ : at.VZ - (_radius * at.WX);
+        double x = rolls ? start.VX : start.VX + (_radius * start.WZ);
+        double z = rolls ? start.VZ : start.VZ - (_radius * start.WX);
         double size = Math.Sqrt((x * x) + (z * z));
         double perSize = 1.0 / size;
-        double airX = at.VX - _windX;
-        double airZ = at.VZ - _windZ;
-        double spinSquared = (at.WX * at.WX) + (at.WY * at.WY) + (at.WZ * at.WZ);
+        double airX = start.VX - _windX;
+        double airZ = start.VZ - _windZ;
+        double spinSquared = (start.WX * start.WX) + (start.WY * start.WY) + (start.WZ * start.WZ);
         double airSpeedSquared = (airX * airX) + (_windUp * _windUp) + (airZ * airZ);
         int patch = _materials.Length > 1 ? _world.Ground!.PatchAt(s.Position) : -1;
         StepOn on;
         on.Material = _materials[patch + 1];
         double airSpeed = Math.Abs(airX) + Math.Abs(_windUp) + Math.Abs(airZ) + _fastestWind;
-        double spinAtMost = Math.Abs(at.WX) + Math.Abs(at.WY) + Math.Abs(at.WZ);
+        double spinAtMost = Math.Abs(start.WX) + Math.Abs(start.WY) + Math.Abs(start.WZ);
         if (!(size >= Slip.Rolling) || !(dt * (_limit.RateAtMost(airSpeed, spinAtMost) + on.Material.Damping) <= StabilityLimit.LargestChange)
-            || (rolls && Energy(in at) <= _restEnergy * 1.001)
+            || (rolls && Energy(in start) <= _restEnergy * 1.001)
             || (_materials.Length > 1 && !(_world.Ground!.LeastWidth >= 2.0 * dt * size))
             || (_clear is not null && !_clear.HoldsOnSurface(ref s, dt, Math.Sqrt(airSpeedSquared) + _fastestWind, Math.Sqrt(spinSquared))))
         {
@@ -172,50 +191,75 @@ internal sealed class FlatSurfaceStep
         on.Rolls = rolls;
         on.X = x * perSize;
         on.Z = z * perSize;
-        on.SpinSign = at.WY > Slip.Rolling ? 1.0 : at.WY < -Slip.Rolling ? -1.0 : 0.0;
+        on.SpinSign = start.WY > Slip.Rolling ? 1.0 : start.WY < -Slip.Rolling ? -1.0 : 0.0;
         on.Time = s.Time;
         on.From = s.Position;
         bool known = _locatesJump && s.Branch is DragBranch.NoSpin or DragBranch.Spinning;
         on.Branch = !_around.Air.Jumps || known ? s.Branch : DragJump.At(airSpeedSquared, _radiusSquared * spinSquared).Branch;
 
         // The first stage tells whether the direction turns too much on the way, by size at the end: then the step is taken in pieces.
-        RatesOf(in on, in at, 0, 0, 0, out PlaneRates rates);
-        PlaneRates first = rates;
-        double rateX = rolls ? rates.AX : rates.AX + (_radius * rates.BZ);
-        double rateZ = rolls ? rates.AZ : rates.AZ - (_radius * rates.BX);
+        RatesOf(in on, start.VX, start.VZ, start.WX, start.WY, start.WZ, 0, 0, 0, out PlaneRates first);
+        double rateX = rolls ? first.AX : first.AX + (_radius * first.BZ);
+        double rateZ = rolls ? first.AZ : first.AZ - (_radius * first.BX);
         double across = Math.Abs((rateX * on.Z) - (rateZ * on.X));
-        if (!TurnLimit.Allows(size, dt * ((rateX * on.X) + (rateZ * on.Z)), dt * across))
+        double turning = Ample * on.Material.SlidingTorque * first.Load;
+        if (!TurnLimit.Allows(size, dt * ((rateX * on.X) + (rateZ * on.Z)), dt * across) || !(first.BrakingSquared <= turning * turning))
         {
             return false;
         }
 
         // Take it: the stages of the method, each from the start and the rates of the one before.
         double weight = _weights[0];
-        double sumVX = weight * at.VX;
-        double sumVZ = weight * at.VZ;
-        double sumWX = weight * at.WX;
-        double sumWY = weight * at.WY;
-        double sumWZ = weight * at.WZ;
-        PlaneRates sum = rates.Scaled(weight);
+        double sumVX = weight * start.VX;
+        double sumVZ = weight * start.VZ;
+        double sumWX = weight * start.WX;
+        double sumWY = weight * start.WY;
+        double sumWZ = weight * start.WZ;
+        double sumAX = weight * first.AX;
+        double sumAZ = weight * first.AZ;
+        double sumBX = weight * first.BX;
+        double sumBY = weight * first.BY;
+        double sumBZ = weight * first.BZ;
+        PlaneRates stageRates;
+        ref PlaneRates rates = ref first;
+        PlaneMotion at;
+        at.VX = start.VX;
+        at.VZ = start.VZ;
+        at.WX = start.WX;
+        at.WY = start.WY;
+        at.WZ = start.WZ;
         for (int stage = 1; stage < _weights.Length; stage++)
         {
             double h = _offsets[stage] * dt;
             double wayX = h * at.VX;
             double wayZ = h * at.VZ;
-            start.After(h, in rates, out at);
-            Slave(rolls, ref at);
-            RatesOf(in on, in at, h, wayX, wayZ, out rates);
+            at.VX = start.VX + (h * rates.AX);
+            at.VZ = start.VZ + (h * rates.AZ);
+            at.WX = rolls ? at.VZ * _perRadius : start.WX + (h * rates.BX);
+            at.WY = start.WY + (h * rates.BY);
+            at.WZ = rolls ? -at.VX * _perRadius : start.WZ + (h * rates.BZ);
+            RatesOf(in on, at.VX, at.VZ, at.WX, at.WY, at.WZ, h, wayX, wayZ, out stageRates);
+            rates = ref stageRates;
             weight = _weights[stage];
             sumVX += weight * at.VX;
             sumVZ += weight * at.VZ;
             sumWX += weight * at.WX;
             sumWY += weight * at.WY;
             sumWZ += weight * at.WZ;
-            sum.Add(weight, in rates);
+            sumAX += weight * rates.AX;
+            sumAZ += weight * rates.AZ;
+            sumBX += weight * rates.BX;
+            sumBY += weight * rates.BY;
+            sumBZ += weight * rates.BZ;
         }
 
-        start.After(dt, in sum, out PlaneMotion end);
-        Slave(rolls, ref end);
+        // A roll has the spin of its speed: ω_t = n × v / r.
+        PlaneMotion end;
+        end.VX = start.VX + (dt * sumAX);
+        end.VZ = start.VZ + (dt * sumAZ);
+        end.WX = rolls ? end.VZ * _perRadius : start.WX + (dt * sumBX);
+        end.WY = start.WY + (dt * sumBY);
+        end.WZ = rolls ? -end.VX * _perRadius : start.WZ + (dt * sumBZ);
 
         // Guards: the slip ends, the roll ends or needs more than friction gives, the load ends, the spin about the normal ends, another surface begins, the drag law jumps.
         // The load and the traction at the end are what the stages lead to.
@@ -225,7 +269,7 @@ internal sealed class FlatSurfaceStep
         double friction = Ample * on.Material.Sliding * endLoad;
         if (!((endX * on.X) + (endZ * on.Z) > 0) || !(first.Load > Slight * _weight) || !(endLoad > Slight * _weight)
             || (rolls && (Energy(in end) <= _restEnergy * 1.001 || !(Math.Max(first.TractionSquared, rates.TractionSquared) <= friction * friction)))
-            || on.SpinSign * end.WY < 0
+            || start.WY * end.WY < 0
             || (_locatesJump && MayCrossJump(in on, in start, in first, in end, dt)))
         {
             return false;
@@ -239,20 +283,17 @@ internal sealed class FlatSurfaceStep
             return false;
         }
 
-        // The axis turns as well: ∫ω dt + h²/12 ω(h) × ω(0), Magnus' series to the fourth order.
-        Vector3d commutator = dt * dt * Vector3d.Cross(new Vector3d(end.WX, end.WY, end.WZ), new Vector3d(start.WX, start.WY, start.WZ));
-        if (!(commutator.LengthSquared <= LargestCommutator * LargestCommutator))
-        {
-            return false;
-        }
-
         // Nothing happened: move the ball.
         log.Evaluations += _weights.Length;
         log.Steps++;
-        Vector3d turn = InWorld(
-            (dt * (_semiImplicit ? end.WX : sumWX)) + ((1.0 / 12.0) * commutator.X),
-            (dt * (_semiImplicit ? end.WY : sumWY)) + ((1.0 / 12.0) * commutator.Y),
-            (dt * (_semiImplicit ? end.WZ : sumWZ)) + ((1.0 / 12.0) * commutator.Z));
+
+        // The axis turns as well: ∫ω dt + h²/12 ω(h) × ω(0), Magnus' series to the fourth order; where it turns much, to the sixth.
+        var mean = new Vector3d(_semiImplicit ? end.WX : sumWX, _semiImplicit ? end.WY : sumWY, _semiImplicit ? end.WZ : sumWZ);
+        Vector3d commutator = dt * dt * Vector3d.Cross(end.Spin, start.Spin);
+        Vector3d turned = commutator.LengthSquared <= LittleTurn * LittleTurn || _order < 4
+            ? (dt * mean) + ((1.0 / 12.0) * commutator)
+            : RotationVector.Of(start.Spin, 0.25 * ((6.0 * mean) - start.Spin - at.Spin), end.Spin, dt);
+        Vector3d turn = InWorld(turned.X, turned.Y, turned.Z);
         if (log.Observer is not null)
         {
             MoveAndShow(log, ref s, in on, in position, in turn, in first, in end, dt, alongX, alongZ);
@@ -268,8 +309,8 @@ internal sealed class FlatSurfaceStep
     {
         s.BaseOrientation = s.BaseOrientation.Turned(in turn);
         s.Position = position;
-        s.Velocity = InWorld(end.VX, 0, end.VZ);
-        s.SpinAxis = InWorld(end.WX, end.WY, end.WZ);
+        s.Flight.Velocity = InWorld(end.VX, 0, end.VZ);
+        s.Flight.Axis = InWorld(end.WX, end.WY, end.WZ);
         s.Branch = on.Branch;
         s.Time += dt;
     }
@@ -293,7 +334,7 @@ internal sealed class FlatSurfaceStep
         PlaneRates last = default;
         if (log.Observer!.WantsEndAcceleration)
         {
-            RatesOf(in on, in end, dt, alongX, alongZ, out last);
+            RatesOf(in on, end.VX, end.VZ, end.WX, end.WY, end.WZ, dt, alongX, alongZ, out last);
             log.Evaluations++;
         }
 
@@ -301,162 +342,127 @@ internal sealed class FlatSurfaceStep
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private Vector3d InWorld(double x, double y, double z) => (x * _axisX) + (y * _normal) + (z * _axisZ);
+    private Vector3d InWorld(double x, double y, double z) => _isLevel ? new Vector3d(x, y, z) : (x * _axisX) + (y * _normal) + (z * _axisZ);
+
+    private PlaneMotion InPlane(in FlightMotion motion)
+    {
+        PlaneMotion at;
+        at.VX = Vector3d.Dot(in motion.Velocity, in _axisX);
+        at.VZ = Vector3d.Dot(in motion.Velocity, in _axisZ);
+        at.WX = Vector3d.Dot(in motion.Axis, in _axisX);
+        at.WY = Vector3d.Dot(in motion.Axis, in _normal);
+        at.WZ = Vector3d.Dot(in motion.Axis, in _axisZ);
+        return at;
+    }
 
     /// <summary>½ m v² + ½ I ω², J.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private double Energy(in PlaneMotion at) => (_halfMass * ((at.VX * at.VX) + (at.VZ * at.VZ))) + (_halfInertia * ((at.WX * at.WX) + (at.WY * at.WY) + (at.WZ * at.WZ)));
 
-    /// <summary>The spin of a ball that rolls: ω_t = n × v / r.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Slave(bool rolls, ref PlaneMotion at)
-    {
-        if (rolls)
-        {
-            at.WX = at.VZ * _perRadius;
-            at.WZ = -at.VX * _perRadius;
-        }
-    }
-
     /// <summary>The rates of change at one instant: the laws of the air at a point, and what follows from them.</summary>
+    /// <remarks>
+    /// What the laws give is waited for, so all that can be is summed before: a = A + lift B − drag C − decay D, with the air's share in the load, and so in
+    /// friction, in B and C.
+    /// </remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void RatesOf(in StepOn on, in PlaneMotion at, double after, double wayX, double wayZ, out PlaneRates rates)
+    private void RatesOf(
+        in StepOn on, double vx, double vz, double wx, double wy, double wz, double after, double wayX, double wayZ, out PlaneRates rates)
     {
-        if (_varies)
+        // The flow, and ω × u.
+        double ux = vx - _windX;
+        double uy = -_windUp;
+        double uz = vz - _windZ;
+        DragBranch branch = on.Branch;
+        if (_air.HasField)
         {
-            RatesInVaryingAir(in on, in at, after, wayX, wayZ, out rates);
-            return;
+            // A force of a game's own is not here, and the knuckle force acts in flight alone: what varies is the wind.
+            Vector3d wind = WindAt(in on, after, wayX, wayZ);
+            ux -= wind.X;
+            uy -= wind.Y;
+            uz -= wind.Z;
+            branch = BranchAt((ux * ux) + (uy * uy) + (uz * uz), (wx * wx) + (wy * wy) + (wz * wz), branch);
         }
 
-        double ux = at.VX - _windX;
-        double uy = -_windUp;
-        double uz = at.VZ - _windZ;
+        double speedSquared = (ux * ux) + (uy * uy) + (uz * uz);
+        double spinSquared = (wx * wx) + (wy * wy) + (wz * wz);
+        double crossX = (wy * uz) - (wz * uy);
+        double crossUp = (wz * ux) - (wx * uz);
+        double crossZ = (wx * uy) - (wy * ux);
+        bool spins = _air.FactorsPerSpin(
+            speedSquared,
+            spinSquared,
+            (crossX * crossX) + (crossUp * crossUp) + (crossZ * crossZ),
+            branch,
+            out double drag,
+            out double lift,
+            out double decay);
 
-        // |ω̂ × u|² = |ω × u|²/|ω|², whose division does not wait for the root.
-        double spinSquared = (at.WX * at.WX) + (at.WY * at.WY) + (at.WZ * at.WZ);
-        bool spins = spinSquared > AirRates.NoSpin;
-        double perSquared = spins ? 1.0 / spinSquared : 0;
-        double rate = spins ? Math.Sqrt(spinSquared) : 0;
-        double crossX = (at.WY * uz) - (at.WZ * uy);
-        double crossUp = (at.WZ * ux) - (at.WX * uz);
-        double crossZ = (at.WX * uy) - (at.WY * ux);
-        double acrossSquared = perSquared * ((crossX * crossX) + (crossUp * crossUp) + (crossZ * crossZ));
-        _laws.Factors((ux * ux) + (uy * uy) + (uz * uz), rate, acrossSquared, on.Branch, out double drag, out double lift, out double decay);
-        double perRate = spins ? perSquared * rate : 1.0;
-        FlowPast flow;
-        flow.X = ux;
-        flow.Up = uy;
-        flow.Z = uz;
-        flow.Drag = drag;
-        flow.Lift = lift * perRate;
-        flow.Decay = decay * perRate;
-        flow.Spins = spins;
-        RatesUnder(in on, in at, in flow, 0, 0, 0, 0, 0, 0, out rates);
-    }
-
-    /// <summary>The same in wind by place and time.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private void RatesInVaryingAir(in StepOn on, in PlaneMotion at, double after, double wayX, double wayZ, out PlaneRates rates)
-    {
-        Vector3d velocity = InWorld(at.VX, 0, at.VZ);
-        Vector3d spin = InWorld(at.WX, at.WY, at.WZ);
-        Vector3d position = on.From + InWorld(wayX, 0, wayZ);
-        Vector3d u = velocity - _around.Wind;
-        var ball = new ForceInput(on.Time + after, in position, in velocity, in u, in spin, on.Rolls ? MotionState.Rolling : MotionState.Sliding);
-        double rate = _around.Air.Evaluate(in ball, on.Branch, out AirFactors air);
-        FlowPast flow;
-        flow.X = Vector3d.Dot(in air.AirVelocity, in _axisX);
-        flow.Up = Vector3d.Dot(in air.AirVelocity, in _normal);
-        flow.Z = Vector3d.Dot(in air.AirVelocity, in _axisZ);
-        flow.Drag = air.Drag;
-        flow.Lift = air.Lift;
-        flow.Decay = air.Decay;
-        flow.Spins = rate > 0;
-        Vector3d a = air.Acceleration;
-        Vector3d t = air.SpinAcceleration;
-        RatesUnder(
-            in on,
-            in at,
-            in flow,
-            Vector3d.Dot(in a, in _axisX),
-            Vector3d.Dot(in a, in _normal),
-            Vector3d.Dot(in a, in _axisZ),
-            Vector3d.Dot(in t, in _axisX),
-            Vector3d.Dot(in t, in _normal),
-            Vector3d.Dot(in t, in _axisZ),
-            out rates);
-    }
-
-    /// <summary>The rates of change in a flow, and under pushes and torques that are not along it.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void RatesUnder(
-        in StepOn on,
-        in PlaneMotion at,
-        in FlowPast flow,
-        double pushX,
-        double pushUp,
-        double pushZ,
-        double torqueX,
-        double torqueUp,
-        double torqueZ,
-        out PlaneRates rates)
-    {
-        double ux = flow.X;
-        double uy = flow.Up;
-        double uz = flow.Z;
-        double drag = flow.Drag;
-        double lift = flow.Lift;
-        double decay = flow.Decay;
-
-        // a = L (ω × u) − D u
-        double airX = (_airAlong * ((lift * ((at.WY * uz) - (at.WZ * uy))) - (drag * ux))) + pushX;
-        double airUp = (_airAlong * ((lift * ((at.WZ * ux) - (at.WX * uz))) - (drag * uy))) + pushUp;
-        double airZ = (_airAlong * ((lift * ((at.WX * uy) - (at.WY * ux))) - (drag * uz))) + pushZ;
-        double load = _weight - (_airInLoad * airUp);
-        rates.Load = load;
+        // a_air = L (ω × u) − D u;  N/m = −a_b·n − a_air·n where the air loads
         ref readonly Material material = ref on.Material;
-        rates.BY = torqueUp - ((material.Damping + (flow.Spins ? decay : 0)) * at.WY) - (on.SpinSign * material.Drilling * load);
+        double upByLift = _airInLoad * crossUp;
+        double upByDrag = _airInLoad * uy;
+        double load = _weight - ((lift * upByLift) - (drag * upByDrag));
+        double slowing = spins ? decay : 0;
+        rates.Load = load;
+        rates.BY = -(((material.Damping + slowing) * wy) + (on.SpinSign * material.Drilling * load));
         if (on.Rolls)
         {
-            double speed = Math.Sqrt((at.VX * at.VX) + (at.VZ * at.VZ));
-            bool goesOn = (at.VX * on.X) + (at.VZ * on.Z) > 0;
+            double speed = Math.Sqrt((vx * vx) + (vz * vz));
+            bool goesOn = (vx * on.X) + (vz * on.Z) > 0;
             double perSpeed = 1.0 / speed;
-            double dx = goesOn ? at.VX * perSpeed : on.X;
-            double dz = goesOn ? at.VZ * perSpeed : on.Z;
+            double friction = material.Rolling + (material.RollingBySpeed * speed);
+            double fx = friction * (goesOn ? vx * perSpeed : on.X);
+            double fz = friction * (goesOn ? vz * perSpeed : on.Z);
 
             // The air's torque turns the ball by itself: r T × n, with T = −decay ω that of −decay v.
-            double turnedX = (decay * at.VX) + (_radius * torqueZ);
-            double turnedZ = (decay * at.VZ) - (_radius * torqueX);
-            double friction = (material.Rolling + (material.RollingBySpeed * speed)) * load;
-            rates.AX = (_bodyInRoll * _bodyX) + (_airInRoll * airX) - (_decayInRoll * turnedX) - (friction * dx);
-            rates.AZ = (_bodyInRoll * _bodyZ) + (_airInRoll * airZ) - (_decayInRoll * turnedZ) - (friction * dz);
-            rates.BX = rates.AZ * _perRadius;
-            rates.BZ = -rates.AX * _perRadius;
-            double tractionX = (_bodyInTraction * _bodyX) + (_airInTraction * (airX + turnedX));
-            double tractionZ = (_bodyInTraction * _bodyZ) + (_airInTraction * (airZ + turnedZ));
+            double ax = (_bodyXInRoll - (_weight * fx)) + (lift * ((_airInRoll * crossX) + (upByLift * fx)))
+                - ((drag * ((_airInRoll * ux) + (upByDrag * fx))) + (decay * (_decayInRoll * vx)));
+            double az = (_bodyZInRoll - (_weight * fz)) + (lift * ((_airInRoll * crossZ) + (upByLift * fz)))
+                - ((drag * ((_airInRoll * uz) + (upByDrag * fz))) + (decay * (_decayInRoll * vz)));
+            rates.AX = ax;
+            rates.AZ = az;
+            rates.BX = az * _perRadius;
+            rates.BZ = -ax * _perRadius;
+            double tractionX = _bodyXInTraction + (_airInTraction * ((lift * crossX) - (drag * ux) + (decay * vx)));
+            double tractionZ = _bodyZInTraction + (_airInTraction * ((lift * crossZ) - (drag * uz) + (decay * vz)));
             rates.TractionSquared = (tractionX * tractionX) + (tractionZ * tractionZ);
+            rates.BrakingSquared = 0;
         }
         else
         {
-            double sx = at.VX + (_radius * at.WZ);
-            double sz = at.VZ - (_radius * at.WX);
+            double sx = vx + (_radius * wz);
+            double sz = vz - (_radius * wx);
             double size = Math.Sqrt((sx * sx) + (sz * sz));
             bool slips = (sx * on.X) + (sz * on.Z) > 0;
             double perSize = 1.0 / size;
             sx = slips ? perSize * sx : on.X;
             sz = slips ? perSize * sz : on.Z;
-            double friction = material.Sliding * load;
+            double fx = material.Sliding * sx;
+            double fz = material.Sliding * sz;
+            rates.AX = (_bodyX - (_weight * fx)) + ((lift * ((_airInSlide * crossX) + (upByLift * fx))) - (drag * ((_airInSlide * ux) + (upByDrag * fx))));
+            rates.AZ = (_bodyZ - (_weight * fz)) + ((lift * ((_airInSlide * crossZ) + (upByLift * fz))) - (drag * ((_airInSlide * uz) + (upByDrag * fz))));
 
             // n × ŝ; a ball without spin is held by the air as it begins to turn, and no more than that.
             double turning = material.SlidingTorque * load;
-            turning = flow.Spins ? turning : Math.Max(0, turning - decay);
-            decay = flow.Spins ? decay : 0;
-            rates.AX = _bodyX + airX - (friction * sx);
-            rates.AZ = _bodyZ + airZ - (friction * sz);
-            rates.BX = torqueX - (decay * at.WX) + (turning * sz);
-            rates.BZ = torqueZ - (decay * at.WZ) - (turning * sx);
+            turning = spins ? turning : Math.Max(0, turning - decay);
+            rates.BX = (turning * sz) - (slowing * wx);
+            rates.BZ = -((turning * sx) + (slowing * wz));
             rates.TractionSquared = 0;
+            rates.BrakingSquared = spins ? decay * decay * spinSquared : decay * decay;
         }
+    }
+
+    /// <summary>The branch of a drag law that jumps, where the wind varies.</summary>
+    private DragBranch BranchAt(double speedSquared, double spinSquared, DragBranch branch) =>
+        _around.Air.Laws.Jumps ? DragJump.At(speedSquared, _radiusSquared * spinSquared).Branch : branch;
+
+    /// <summary>The wind by place and time, in the plane's axes.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private Vector3d WindAt(in StepOn on, double after, double wayX, double wayZ)
+    {
+        Vector3d at = on.From + InWorld(wayX, 0, wayZ);
+        Vector3d wind = _air.WindAt(on.Time + after, at.X, at.Y, at.Z);
+        return new Vector3d(Vector3d.Dot(in wind, in _axisX), Vector3d.Dot(in wind, in _normal), Vector3d.Dot(in wind, in _axisZ));
     }
 
     /// <summary>Whether the step may have crossed the drag law's jump: errs towards yes.</summary>
@@ -518,18 +524,6 @@ internal sealed class FlatSurfaceStep
         public bool Rolls;
     }
 
-    /// <summary>The flow past the ball, and the factors of a = L (ω × u) − D u, ω̇ = −decay ω; without spin that is the angular deceleration itself.</summary>
-    private struct FlowPast
-    {
-        public double X;
-        public double Up;
-        public double Z;
-        public double Drag;
-        public double Lift;
-        public double Decay;
-        public bool Spins;
-    }
-
     /// <summary>Velocity along the plane and spin, in the plane's axes: x and z along it, y its normal.</summary>
     private struct PlaneMotion
     {
@@ -539,18 +533,10 @@ internal sealed class FlatSurfaceStep
         public double WY;
         public double WZ;
 
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public readonly void After(double h, in PlaneRates rates, out PlaneMotion after)
-        {
-            after.VX = VX + (h * rates.AX);
-            after.VZ = VZ + (h * rates.AZ);
-            after.WX = WX + (h * rates.BX);
-            after.WY = WY + (h * rates.BY);
-            after.WZ = WZ + (h * rates.BZ);
-        }
+        public readonly Vector3d Spin => new(WX, WY, WZ);
     }
 
-    /// <summary>Their rates of change, the load per mass, and the square of what a roll asks of friction, per mass.</summary>
+    /// <summary>Their rates of change, the load per mass, the square of what a roll asks of friction, per mass, and the square of how much the air slows the spin of a slide.</summary>
     private struct PlaneRates
     {
         public double AX;
@@ -560,27 +546,6 @@ internal sealed class FlatSurfaceStep
         public double BZ;
         public double Load;
         public double TractionSquared;
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public readonly PlaneRates Scaled(double weight)
-        {
-            PlaneRates scaled = default;
-            scaled.AX = weight * AX;
-            scaled.AZ = weight * AZ;
-            scaled.BX = weight * BX;
-            scaled.BY = weight * BY;
-            scaled.BZ = weight * BZ;
-            return scaled;
-        }
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public void Add(double weight, in PlaneRates rates)
-        {
-            AX += weight * rates.AX;
-            AZ += weight * rates.AZ;
-            BX += weight * rates.BX;
-            BY += weight * rates.BY;
-            BZ += weight * rates.BZ;
-        }
+        public double BrakingSquared;
     }
 }

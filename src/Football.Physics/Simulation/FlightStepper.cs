@@ -29,13 +29,15 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         _integrator = default;
         _wind = Around.Wind;
         _upward = Around.Upward;
-        _contactHeight = Around.LevelContact;
+        _contactHeight = Around.World.LevelContact;
         _radiusSquared = Around.RadiusSquared;
         _locatesJump = LocatesJump;
+        TakeWholeSteps(scene, settings, in laws);
         _fastestWind = Around.Air.FastestWind;
         _limit = StabilityLimit.Of(scene, in air, _air.WholeUpTo(Limit.Bound), _upward, _integrator.Order);
     }
 
+    [MethodImpl(Hot.Path)]
     public override void Step(ref BallState s, double dt, StepLog log)
     {
         if (s.Motion != MotionState.Airborne)

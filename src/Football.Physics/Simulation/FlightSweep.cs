@@ -1,11 +1,10 @@
 namespace Football.Physics;
 
 /// <summary>A step in flight along a constant axis of the spin, to be taken with several lengths.</summary>
-internal struct FlightSweep<TAir, TIntegrator> : IFlightSweep
-    where TAir : struct, IAir
+internal struct FlightSweep<TIntegrator> : IFlightSweep
     where TIntegrator : struct, IIntegrator
 {
-    private readonly Surroundings<TAir> _around;
+    private readonly Surroundings _around;
     private readonly IFlight _flight;
     private readonly BallState _from;
     private readonly Vector3d _fromAirVelocity;
@@ -13,7 +12,7 @@ internal struct FlightSweep<TAir, TIntegrator> : IFlightSweep
     private TIntegrator _integrator;
 
     /// <summary>A step from a state of the ball.</summary>
-    public FlightSweep(Surroundings<TAir> around, IFlight flight, in BallState from)
+    public FlightSweep(Surroundings around, IFlight flight, in BallState from)
     {
         _around = around;
         _flight = flight;

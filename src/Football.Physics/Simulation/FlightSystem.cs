@@ -1,10 +1,9 @@
 namespace Football.Physics;
 
 /// <summary>A ball in flight with its full spin vector: for the game's own forces, and for the sliding modes of the drag law's jump.</summary>
-internal struct FlightSystem<TAir> : IMotionSystem
-    where TAir : struct, IAir
+internal struct FlightSystem : IMotionSystem
 {
-    public Surroundings<TAir> Around;
+    public Surroundings Around;
     public DragBranch Branch;
 
     /// <summary>The nets that the ball is in, and on which side of each.</summary>
@@ -46,7 +45,7 @@ internal struct FlightSystem<TAir> : IMotionSystem
     /// <summary>The rates on one branch of the drag law.</summary>
     public readonly MotionRates On(DragBranch branch, double time, in Motion at)
     {
-        Surroundings<TAir> around = Around;
+        Surroundings around = Around;
         Vector3d u = at.Velocity - around.Wind;
         var ball = new ForceInput(time, in at.Position, in at.Velocity, in u, in at.Spin, MotionState.Airborne, at.AirDistance);
         around.Air.Evaluate(in ball, branch, out AirFactors air);

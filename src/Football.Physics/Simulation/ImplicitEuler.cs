@@ -8,8 +8,7 @@ namespace Football.Physics;
 /// u₁ = u₀ + h (a − D u₁ + L ω̂ × u₁) with D and L at the end, u₁ in closed form for given D and L, and |u₁| by the Illinois method. Then
 /// ω₁ = ω₀ − h decay(|u₁|, ω₁), or 0. With p₁ = p₀ + h u₁ the energy changes by −½ m |u₁ − u₀|² − m h D |u₁|².
 /// </remarks>
-internal struct ImplicitEuler<TAir>
-    where TAir : struct, IAir
+internal struct ImplicitEuler
 {
     /// <summary>Factors beyond this are as good as infinite, 1/s; their products stay finite.</summary>
     private const double Infinite = 1e300;
@@ -23,7 +22,7 @@ internal struct ImplicitEuler<TAir>
     private const double LogarithmOfNothing = -700;
     private const int Halvings = 64;
 
-    public TAir Air;
+    public SceneAir Air;
     public double RadiusSquared;
     public int Evaluations;
 
@@ -111,7 +110,7 @@ internal struct ImplicitEuler<TAir>
     /// <summary>Logarithm of the speed that drag and lift lead to, over the one at which they are taken.</summary>
     private struct Excess : IFunction
     {
-        public ImplicitEuler<TAir> Relaxation;
+        public ImplicitEuler Relaxation;
         public Vector3d Along;
         public Vector3d Across;
         public Vector3d Axis;
@@ -133,7 +132,7 @@ internal struct ImplicitEuler<TAir>
     /// <summary>The spin at which the decay is taken is no less than the one that it leaves.</summary>
     private struct TooMuchSpin : ICondition
     {
-        public ImplicitEuler<TAir> Relaxation;
+        public ImplicitEuler Relaxation;
         public double From;
         public double Speed;
         public double Length;

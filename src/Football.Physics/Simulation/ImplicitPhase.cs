@@ -4,8 +4,7 @@ namespace Football.Physics;
 /// Pieces by implicit Euler, for air that is far stronger than the ball's inertia: stable at any length, they end in the balance of forces
 /// that the motion relaxes to. A step that explicit methods would have to divide too often is taken in a few of these.
 /// </summary>
-internal sealed class ImplicitPhase<TAir>
-    where TAir : struct, IAir
+internal sealed class ImplicitPhase
 {
     /// <summary>Pieces of a step that is taken by implicit Euler.</summary>
     private const int MostPieces = 16;
@@ -13,18 +12,13 @@ internal sealed class ImplicitPhase<TAir>
     /// <summary>Pieces tried at most to find the instant of a contact; every third halves.</summary>
     private const int MostTries = 120;
 
-    /// <summary>Pieces taken at most to find the one that ends at the level ground.</summary>
-    private const int MostContactSteps = 60;
+    private readonly Surroundings _around;
+    private readonly WorldGuard _guard;
 
-    private readonly Surroundings<TAir> _around;
-    private readonly ContactPhase<TAir> _contact;
-    private readonly WorldGuard<TAir>? _world;
-
-    public ImplicitPhase(Surroundings<TAir> around, ContactPhase<TAir> contact, WorldGuard<TAir>? world)
+    public ImplicitPhase(Surroundings around, WorldGuard guard)
     {
-        _world = world;
         _around = around;
-        _contact = contact;
+        _guard = guard;
     }
 
     /// <summary>All that is left of a step, in one piece.</summary>
@@ -41,59 +35,15 @@ internal sealed class ImplicitPhase<TAir>
         }
     }
 
-    /// <summary>A piece of flight.</summary>
+    /// <summary>A piece of flight: along its straight line, up to the first thing that is met.</summary>
     public void Fly(ref BallState s, ref StepRun run)
     {
         double h = run.Left / Math.Max(1, MostPieces - run.Implicit);
         run.Implicit++;
         var from = new Motion(s.Position, s.Velocity, s.Spin);
         MotionRates push = Push(in s, in from.Velocity, in from.Spin, ref run, out Vector3d wind);
-        var step = new ImplicitStep<TAir>(_around, in from, in push, in wind);
+        var step = new ImplicitStep(_around, in from, in push, in wind);
         Motion end = step.To(h);
-        bool below = end.Position.Y < _around.ContactHeight;
-
-        // A hop that begins and ends within the piece has no height: the air presses the ball down.
-        bool pressed = below && s.Position.Y <= _around.ContactHeight;
-        if (below && !pressed)
-        {
-            h = TimeOfContact(ref step, h, ref end);
-        }
-
-        if (pressed)
-        {
-            step = step.AlongGround();
-            end = step.To(h);
-        }
-
-        if (_world is not null)
-        {
-            FlyInWorld(ref s, ref run, ref step, end, h);
-            return;
-        }
-
-        end = step.Spun(in end, h);
-        BallState before = s;
-        double y = below ? _around.ContactHeight : end.Position.Y;
-        double vy = pressed ? 0 : below ? Math.Min(end.Velocity.Y, 0) : end.Velocity.Y;
-        s.Position = new Vector3d(end.Position.X, y, end.Position.Z);
-        s.Velocity = new Vector3d(end.Velocity.X, vy, end.Velocity.Z);
-        s.Angle += 0.5 * h * (s.SpinRate + end.Spin.Length);
-        s.SetFlightSpin(end.Spin);
-        s.AirDistance += h * step.AirSpeed;
-        s.Branch = DragBranch.Unknown;
-        run.Advance(ref s, h);
-        run.Log.Relaxed++;
-        run.Log.Evaluations += step.Evaluations;
-        Show(in before, in s, h, ref run);
-        if (below && !run.Log.Halted && !(pressed && _around.Upward > 0))
-        {
-            _contact.Impact(ref s, ref run);
-        }
-    }
-
-    /// <summary>The same where things can be met: along the straight line of the piece, up to the first of them.</summary>
-    private void FlyInWorld(ref BallState s, ref StepRun run, ref ImplicitStep<TAir> step, Motion end, double h)
-    {
         double at = FirstMet(in s, in step.From, in end, h, out Gap met);
         bool meets = at <= h;
 
@@ -142,7 +92,7 @@ internal sealed class ImplicitPhase<TAir>
         Show(in before, in s, h, ref run);
         if (meets && !run.Log.Halted)
         {
-            _world!.Meet(ref s, in met, ref run);
+            _guard.Meet(ref s, in met, ref run);
         }
     }
 
@@ -158,54 +108,80 @@ internal sealed class ImplicitPhase<TAir>
     private double FirstMet(in BallState s, in Motion from, in Motion end, double h, out Gap met)
     {
         var path = PathCubic.Line(from.Position, end.Velocity, h);
-        return new ContactSearch(_around.World!, in path, s.Time).First(in s, -1, out met);
+        return new ContactSearch(_around.World, in path, s.Time).First(in s, -1, out met);
     }
 
-    /// <summary>A carried ball of the world: it goes with the air along the surface, and what carries it keeps it.</summary>
-    private void SlowInWorld(ref BallState s, ref StepRun run)
+    /// <summary>A piece of a slide or a roll: friction first, to the end of the slip or the roll at most, then the air; along its straight line, up to the first thing that is met.</summary>
+    public void Slow(ref BallState s, ref StepRun run)
     {
-        World world = _around.World!;
+        World world = _around.World;
         double h = run.Left / Math.Max(1, MostPieces - run.Implicit);
         run.Implicit++;
         Collider carrier = world.CarrierOf(in s);
         Vector3d n = carrier.At(s.Position, s.Time).Normal;
+        ref readonly ContactMaterial material = ref carrier.MaterialAt(s.Position);
+        double load = Math.Max(0, -_around.Upward * n.Y);
+        bool slides = s.Motion == MotionState.Sliding;
         MotionRates push = Push(in s, s.Velocity, s.Spin, ref run, out Vector3d wind);
-        var euler = new ImplicitEuler<TAir> { Air = _around.Air, RadiusSquared = _around.RadiusSquared };
-        double rate = s.Spin.Length;
-        Vector3d axis = rate > 0 ? s.Spin / rate : Vector3d.Up;
-        Vector3d u = s.Velocity - wind;
-        if (_around.AirActsOnGround)
+        Vector3d v = s.Velocity - carrier.Velocity;
+        Vector3d w = s.Spin + (h * push.SpinAcceleration);
+
+        bool slipEnds = false;
+        if (slides)
         {
-            u = euler.Velocity(in u, push.Acceleration, in axis, rate, h);
+            // |s| falls by (1 + 1/α) μ_s N/m a second; its direction stays.
+            double alpha = world.Ball.InertiaFactor;
+            double friction = material.SlidingFriction * load;
+            Vector3d slip = Slip.Of(in v, in w, in n, _around.Radius);
+            double size = slip.Length;
+            double fall = (1.0 + (1.0 / alpha)) * friction;
+            double slowing = Math.Min(h, fall > 0 ? size / fall : h);
+            slipEnds = !(size > fall * h);
+            Vector3d direction = size > 0 ? slip / size : Vector3d.Zero;
+            v -= slowing * friction * direction;
+            w += slowing * friction / (alpha * _around.Radius) * Vector3d.Cross(in n, in direction);
+        }
+        else
+        {
+            double speed = v.Length;
+            double friction = h * material.RollingFriction * load;
+            v = speed > friction ? v * (1.0 - (friction / speed)) : Vector3d.Zero;
         }
 
-        Vector3d relative = u + wind - carrier.Velocity;
-        relative -= Vector3d.Dot(in relative, in n) * n;
-        ref readonly ContactMaterial material = ref carrier.MaterialAt(s.Position);
-        double friction = h * (s.Motion == MotionState.Sliding ? material.SlidingFriction : material.RollingFriction)
-            * Math.Max(0, -_around.Upward * n.Y);
-        double speed = relative.Length;
-        relative = speed > friction ? relative * (1.0 - (friction / speed)) : Vector3d.Zero;
+        double about = Vector3d.Dot(in w, in n);
+        w -= (about - (about / (1.0 + (h * material.SpinDamping / world.Ball.MomentOfInertia)))) * n;
+        var euler = new ImplicitEuler { Air = _around.Air, RadiusSquared = _around.RadiusSquared };
+        double rate = w.Length;
+        Vector3d axis = rate > 0 ? w / rate : Vector3d.Up;
+        Vector3d pushed = push.Acceleration + (_around.Upward * (Vector3d.Up - (n.Y * n)));
+        Vector3d u = v + carrier.Velocity - wind;
+        u = _around.AirActsOnGround ? euler.Velocity(in u, in pushed, in axis, rate, h) : u + (h * pushed);
+        w = euler.Spin(rate, u.Length, h) * axis;
+        Vector3d relative = SurfaceSystem.Tangential(u + wind - carrier.Velocity, in n);
         Vector3d velocity = relative + carrier.Velocity;
         var path = PathCubic.Line(s.Position, in velocity, h);
         double at = new ContactSearch(world, in path, s.Time).First(in s, (int)s.Carrier - world.FirstCollider, out Gap met);
         bool meets = at <= h;
         h = meets ? at : h;
         BallState before = s;
-        double about = Vector3d.Dot(euler.Spin(rate, u.Length, h) * axis, in n) / (1.0 + (h * material.SpinDamping / world.Ball.MomentOfInertia));
+        Vector3d turn = 0.5 * h * (s.Spin + w);
+        s.BaseOrientation = s.BaseOrientation.Turned(in turn);
         s.Position = path.At(h);
         s.Velocity = velocity;
-        s.SetGroundSpin(Slip.RollingSpin(in relative, about, in n, _around.Radius));
+        s.SpinAxis = slides && !slipEnds ? w : Slip.RollingSpin(in relative, Vector3d.Dot(in w, in n), in n, _around.Radius);
         s.Branch = DragBranch.Unknown;
         run.Advance(ref s, h);
-        ShapePoint there = carrier.At(s.Position, s.Time);
-        s.Position += (_around.Radius - there.Distance) * there.Normal;
+        world.Hold(ref s, carrier);
         run.Log.Relaxed++;
         run.Log.Evaluations += euler.Evaluations;
         Show(in before, in s, h, ref run);
         if (meets && !run.Log.Halted)
         {
-            _world!.Meet(ref s, in met, ref run);
+            _guard.Meet(ref s, in met, ref run);
+        }
+        else if (slipEnds && !run.Log.Halted)
+        {
+            _guard.EndSlip(ref s, ref run);
         }
     }
 
@@ -223,83 +199,6 @@ internal sealed class ImplicitPhase<TAir>
         _around.Air.Evaluate(in ball, s.Branch, out AirFactors air);
         wind = velocity - air.AirVelocity;
         return new MotionRates(in air.Acceleration, in air.SpinAcceleration, air.AirSpeed);
-    }
-
-    /// <summary>Shortens a piece to the instant of contact.</summary>
-    private double TimeOfContact(ref ImplicitStep<TAir> step, double h, ref Motion end)
-    {
-        var depth = new ImplicitDepth<TAir>(in step, in end, h, _around.ContactHeight);
-        Roots.Illinois(ref depth, 0, depth.Of(in step.From), h, depth.Of(in end), 0, MostContactSteps);
-        step = depth.Step;
-        end = depth.End;
-        return depth.Length;
-    }
-
-    /// <summary>A piece on the ground: friction and damping first, to their end at most, then the air.</summary>
-    public void Slow(ref BallState s, ref StepRun run)
-    {
-        if (_world is not null)
-        {
-            SlowInWorld(ref s, ref run);
-            return;
-        }
-
-        double h = run.Left / Math.Max(1, MostPieces - run.Implicit);
-        run.Implicit++;
-        bool slides = s.Motion == MotionState.Sliding;
-        Vector3d v = s.Velocity;
-        Vector3d w = s.Spin;
-        GroundForces ground = _around.Ground;
-        MotionRates push = Push(in s, in v, in w, ref run, out Vector3d wind);
-        v += h * push.Acceleration.Horizontal;
-        w += h * push.SpinAcceleration;
-
-        bool slipEnds = false;
-        if (slides)
-        {
-            // |s| falls by (1 + 1/α) μ_s N/m a second; its direction stays.
-            Vector3d slip = Slip.Of(in v, in w, _around.Radius);
-            double size = slip.Length;
-            double fall = ground.Sliding + (_around.Radius * ground.SlidingTorque);
-            double slowing = Math.Min(h, fall > 0 ? size / fall : h);
-            slipEnds = !(size > fall * h);
-            Vector3d direction = size > 0 ? slip / size : Vector3d.Zero;
-            v -= slowing * ground.Sliding * direction;
-            w += slowing * ground.SlidingTorque * new Vector3d(direction.Z, 0, -direction.X);
-        }
-        else
-        {
-            double speed = v.Length;
-            v = speed > ground.Rolling * h ? v * (1.0 - (ground.Rolling * h / speed)) : Vector3d.Zero;
-        }
-
-        w = new Vector3d(w.X, w.Y / (1.0 + (h * ground.SpinDamping)), w.Z);
-        var euler = new ImplicitEuler<TAir> { Air = _around.Air, RadiusSquared = _around.RadiusSquared };
-        double rate = w.Length;
-        Vector3d axis = rate > 0 ? w / rate : Vector3d.Up;
-        Vector3d u = v - wind;
-        if (_around.AirActsOnGround)
-        {
-            u = euler.Velocity(in u, Vector3d.Zero, in axis, rate, h);
-        }
-
-        w = euler.Spin(rate, u.Length, h) * axis;
-        v = (u + wind).Horizontal;
-        BallState before = s;
-        Vector3d turn = 0.5 * h * (s.Spin + w);
-        s.BaseOrientation = (Quaterniond.FromRotationVector(in turn) * s.BaseOrientation).Normalized();
-        s.Position = new Vector3d(s.Position.X + (h * v.X), _around.ContactHeight, s.Position.Z + (h * v.Z));
-        s.Velocity = v;
-        s.SpinAxis = slides ? w : Slip.RollingSpin(in v, w.Y, _around.Radius);
-        s.Branch = DragBranch.Unknown;
-        run.Advance(ref s, h);
-        run.Log.Relaxed++;
-        run.Log.Evaluations += euler.Evaluations;
-        Show(in before, in s, h, ref run);
-        if (slipEnds && !run.Log.Halted)
-        {
-            _contact.StartRolling(ref s, ref run);
-        }
     }
 
     /// <summary>Shows a piece as the straight line that it is.</summary>

@@ -1,8 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>A step of implicit Euler in flight, which can be taken again with another length.</summary>
-internal struct ImplicitStep<TAir>
-    where TAir : struct, IAir
+internal struct ImplicitStep
 {
     /// <summary>The ball at the start.</summary>
     public readonly Motion From;
@@ -10,18 +9,18 @@ internal struct ImplicitStep<TAir>
     private readonly MotionRates _push;
     private readonly Vector3d _wind;
     private readonly double _upward;
-    private ImplicitEuler<TAir> _euler;
+    private ImplicitEuler _euler;
 
     /// <param name="around">What acts on the ball.</param>
     /// <param name="from">The ball at the start.</param>
     /// <param name="push">What is taken as constant: own forces and side forces, and the rate of the spin.</param>
     /// <param name="wind">Velocity of the air, m/s.</param>
-    public ImplicitStep(Surroundings<TAir> around, in Motion from, in MotionRates push, in Vector3d wind)
-        : this(in from, in push, in wind, around.Upward, new ImplicitEuler<TAir> { Air = around.Air, RadiusSquared = around.RadiusSquared })
+    public ImplicitStep(Surroundings around, in Motion from, in MotionRates push, in Vector3d wind)
+        : this(in from, in push, in wind, around.Upward, new ImplicitEuler { Air = around.Air, RadiusSquared = around.RadiusSquared })
     {
     }
 
-    private ImplicitStep(in Motion from, in MotionRates push, in Vector3d wind, double upward, ImplicitEuler<TAir> euler)
+    private ImplicitStep(in Motion from, in MotionRates push, in Vector3d wind, double upward, ImplicitEuler euler)
     {
         From = from;
         _push = push;
@@ -37,11 +36,11 @@ internal struct ImplicitStep<TAir>
     public readonly int Evaluations => _euler.Evaluations;
 
     /// <summary>The same where the ground takes up all that is vertical: lift must not turn a fall that does not happen into a speed along the ground.</summary>
-    public readonly ImplicitStep<TAir> AlongGround()
+    public readonly ImplicitStep AlongGround()
     {
         var from = new Motion(From.Position, new Vector3d(From.Velocity.X, 0, From.Velocity.Z), From.Spin);
         var acceleration = new Vector3d(_push.Acceleration.X, 0, _push.Acceleration.Z);
-        return new ImplicitStep<TAir>(in from, new MotionRates(in acceleration, in _push.SpinAcceleration, AirSpeed), in _wind, 0, _euler);
+        return new ImplicitStep(in from, new MotionRates(in acceleration, in _push.SpinAcceleration, AirSpeed), in _wind, 0, _euler);
     }
 
     /// <summary>Velocity, and position with the new velocity; the spin is what <see cref="Spun"/> makes of it.</summary>

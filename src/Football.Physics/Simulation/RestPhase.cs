@@ -1,13 +1,12 @@
 namespace Football.Physics;
 
 /// <summary>A ball at rest among things that move: it waits until one of them hits it.</summary>
-internal sealed class RestPhase<TAir>
-    where TAir : struct, IAir
+internal sealed class RestPhase
 {
     private readonly World _world;
-    private readonly WorldGuard<TAir> _guard;
+    private readonly WorldGuard _guard;
 
-    public RestPhase(World world, WorldGuard<TAir> guard)
+    public RestPhase(World world, WorldGuard guard)
     {
         _world = world;
         _guard = guard;

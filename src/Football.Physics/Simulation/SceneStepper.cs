@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using TAir = Football.Physics.SceneAir;
 
 namespace Football.Physics;
 
@@ -7,13 +6,12 @@ namespace Football.Physics;
 /// A step of the ball in one scene with one method, as a loop over pieces, each by the phase that the ball is in. The whole step of flight in which
 /// nothing happens, which most steps are, is <see cref="FlightStepper{TAir, TIntegrator}"/>'s.
 /// <list type="number">
-/// <item><see cref="FlightPhase{TAir, TIntegrator}"/>: to the drag law's jump, the end of the spin, the ground;</item>
-/// <item><see cref="SlidePhase{TAir, TIntegrator}"/>: to the jump, the end of the slip;</item>
-/// <item><see cref="RollPhase{TAir, TIntegrator}"/>: to the jump, to rest;</item>
-/// <item><see cref="ContactPhase{TAir}"/>: an impact, and what becomes of the ball after it;</item>
-/// <item><see cref="CarriedPhase{TAir, TIntegrator}"/>: the slide, the roll on any other surface than the thesis' level pitch;</item>
-/// <item><see cref="RestPhase{TAir}"/>: at rest among things, to the first that hits;</item>
-/// <item><see cref="ImplicitPhase{TAir}"/>: where the air is too strong for explicit pieces.</item>
+/// <item><see cref="FlightPhase{TIntegrator}"/>: to the drag law's jump, the end of the spin, what is met;</item>
+/// <item><see cref="FlatSurfaceStep{TAir}"/>: a whole step of a slide, a roll on flat ground in which nothing happens;</item>
+/// <item><see cref="SurfacePhase{TIntegrator}"/>: a slide, a roll on any surface, to the jump, the end of the slip, rest, what is met;</item>
+/// <item><see cref="WorldContact"/>: an impact, and what becomes of the ball after it;</item>
+/// <item><see cref="RestPhase"/>: at rest among what moves, to the first that hits;</item>
+/// <item><see cref="ImplicitPhase"/>: where the air is too strong for explicit pieces.</item>
 /// </list>
 /// </summary>
 /// <typeparam name="TIntegrator">The one-step method.</typeparam>
@@ -28,59 +26,52 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
     private readonly Vector3d _wind;
     private readonly double _upward;
-    private readonly bool _staysDown;
-    private TAir _air;
+    private SceneAir _air;
     private TIntegrator _integrator;
-    private readonly FlightPhase<TAir, TIntegrator> _flight;
-    private readonly SlidePhase<TAir, TIntegrator> _slide;
-    private readonly RollPhase<TAir, TIntegrator> _roll;
-    private readonly ImplicitPhase<TAir> _implicit;
+    private readonly FlightPhase<TIntegrator> _flight;
+    private readonly ImplicitPhase _implicit;
     private readonly ClearFlight? _clear;
     private readonly ulong _clearKey;
-    private readonly CarriedPhase<TAir, TIntegrator>? _carried;
-    private readonly FlatSurfaceStep? _flat;
-    private readonly RestPhase<TAir>? _rest;
-    private readonly WorldContact<TAir>? _worldContact;
-    private readonly BodyPush<TAir>? _bodies;
+    private readonly SurfacePhase<TIntegrator> _carried;
+    private readonly StabilityLimit _pulled;
+    private FlatSurfaceStep? _flat;
+    private readonly RestPhase _rest;
+    private readonly WorldContact _contact;
+    private readonly BodyPush? _bodies;
 
-    public SceneStepper(Scene scene, SolverSettings settings, in TAir air)
+    public SceneStepper(Scene scene, SolverSettings settings, in SceneAir air)
     {
-        var around = new Surroundings<TAir>(scene, in air);
+        var around = new Surroundings(scene, in air);
         Around = around;
         _air = around.Air;
         _integrator = default;
         _wind = around.Wind;
         _upward = around.Upward;
-        _staysDown = _upward <= 0 && around.World is null;
         Limit = StabilityLimit.Of(scene, in _air, 0, _upward, _integrator.Order);
-        var jump = new DragJumpGuard<TAir>(around, settings.LocateJump && _integrator.Order > 1);
+        var jump = new DragJumpGuard(around, settings.LocateJump && _integrator.Order > 1);
         LocatesJump = jump.Acts;
-        var contact = new ContactPhase<TAir>(scene, around);
-        World? world = around.World;
-        _clear = world is null or { IsLevelGroundAlone: true } ? null : new ClearFlight(world, Limit, StabilityLimit.WithFall(_air.OrdinaryBound, _upward), in _wind, _upward, _integrator.ShareInPath);
+        World world = around.World;
+        _clear = world.IsLevelGroundAlone ? null : new ClearFlight(world, Limit, StabilityLimit.WithFall(_air.OrdinaryBound, _upward), in _wind, _upward, _integrator.ShareInPath);
 
         // Where there are bodies, no answer is good for longer than a step.
         _clearKey = _clear is { LooksForBodies: false } ? _clear.Key : 0;
-        _worldContact = world is null ? null : new WorldContact<TAir>(around, scene.Ground.IsLevel);
-        _bodies = world is { Bodies: not null } or { Engine: not null } ? new BodyPush<TAir>(world, _worldContact!) : null;
-        WorldGuard<TAir>? guard = world is null ? null : new WorldGuard<TAir>(world, _worldContact!);
-        _implicit = new ImplicitPhase<TAir>(around, contact, guard);
-        _carried = guard is null ? null : new CarriedPhase<TAir, TIntegrator>(scene, settings, around, Limit, jump, guard, _worldContact!, _implicit);
-        _flat = world is null ? null : new FlatSurfaceStep(scene, settings, around, Limit, world.IsBare ? null : _clear, LocatesJump);
-        _rest = guard is null ? null : new RestPhase<TAir>(world!, guard);
-        _flight = new FlightPhase<TAir, TIntegrator>(settings, around, this, Limit, jump, contact, _implicit, guard);
+        _contact = new WorldContact(around, scene.Ground.IsLevel);
+        _bodies = world is { Bodies: not null } or { Engine: not null } ? new BodyPush(world, _contact) : null;
+        var guard = new WorldGuard(world, _contact, settings);
+        _implicit = new ImplicitPhase(around, guard);
 
         // Friction may speed a ball up faster than gravity does.
-        StabilityLimit pushed = StabilityLimit.Of(scene, in _air, 0, Math.Max(Math.Abs(_upward), around.Ground.Sliding), _integrator.Order);
-        var ground = new GroundLimit<TAir>(around, in pushed);
-        _slide = new SlidePhase<TAir, TIntegrator>(settings, around, in ground, jump, contact, _implicit);
-        _roll = new RollPhase<TAir, TIntegrator>(scene, around, in ground, jump, contact, _implicit);
+        double pull = Math.Abs(_upward) * Math.Max(1.0, world.LargestFriction);
+        _pulled = StabilityLimit.Of(scene, in _air, 0, pull, _integrator.Order);
+        _carried = new SurfacePhase<TIntegrator>(scene, settings, around, _pulled, jump, guard, _contact, _implicit);
+        _rest = new RestPhase(world, guard);
+        _flight = new FlightPhase<TIntegrator>(around, this, Limit, jump, _implicit, guard);
     }
 
-    public override World? World => Around.World;
+    public override World World => Around.World;
 
     /// <summary>What acts on a ball wherever it is.</summary>
-    protected Surroundings<TAir> Around { get; }
+    protected Surroundings Around { get; }
 
     /// <summary>How long a piece may be.</summary>
     protected StabilityLimit Limit { get; }
@@ -90,29 +81,25 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
     public override void Step(ref BallState s, double dt, StepLog log)
     {
-        if (s.Motion is MotionState.Rolling or MotionState.Sliding && _flat is not null && _flat.TryWhole(ref s, dt, log))
-        {
-            return;
-        }
-
-        // A ball lighter than the air may leave the ground, and air that varies may do anything.
-        bool done = _staysDown && !_air.Varies
-            && ((s.Motion == MotionState.Rolling && _roll.TryWhole(ref s, dt, log))
-                || (s.Motion == MotionState.Sliding && _slide.TryWhole(ref s, dt, log)));
-        if (!done)
+        if (!(s.Motion is MotionState.Rolling or MotionState.Sliding && _flat is not null && _flat.TryWhole(ref s, dt, log)))
         {
             TakePieces(ref s, dt, log);
         }
     }
+
+    /// <summary>Compiles the whole steps on flat ground for an air.</summary>
+    protected void TakeWholeSteps<TAir>(Scene scene, SolverSettings settings, in TAir air)
+        where TAir : struct, IFlightAir =>
+        _flat = new FlatSurfaceStep<TAir>(scene, settings, Around, in air, in _pulled, World.IsBare ? null : _clear, LocatesJump);
 
     public virtual void Fly(in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step) =>
         _integrator.Fly(ref _air, in start, ref motion, in wind, branch, upward, h, out step);
 
     public override void Settle(ref BallState s)
     {
-        World!.Engine?.Forget();
-        _worldContact!.Raise(ref s);
-        _worldContact.Settle(ref s);
+        World.Engine?.Forget();
+        _contact.Raise(ref s);
+        _contact.Settle(ref s);
     }
 
     public override bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate) =>
@@ -203,9 +190,9 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     private void TakePieces(ref BallState s, ref StepRun run)
     {
         s.ClearUntil = 0;
-        _worldContact?.Raise(ref s);
+        _contact.Raise(ref s);
         _bodies?.Apply(ref s, ref run);
-        while (run.Left > 0 && !run.IsWedged && (s.Motion != MotionState.Stopped || _rest is not null))
+        while (run.Left > 0 && !run.IsWedged && (s.Motion != MotionState.Stopped || World.Moves))
         {
             if (!run.Begin() || run.Standing > MostStanding)
             {
@@ -220,16 +207,10 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
                     _flight.Take(ref s, ref run);
                     break;
                 case MotionState.Stopped:
-                    _rest!.Take(ref s, ref run);
-                    break;
-                case MotionState.Sliding or MotionState.Rolling when _carried is not null:
-                    _carried.Take(ref s, ref run);
-                    break;
-                case MotionState.Sliding:
-                    _slide.Take(ref s, ref run);
+                    _rest.Take(ref s, ref run);
                     break;
                 default:
-                    _roll.Take(ref s, ref run);
+                    _carried.Take(ref s, ref run);
                     break;
             }
 

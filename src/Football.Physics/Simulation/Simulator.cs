@@ -8,8 +8,7 @@ public sealed class Simulator
 
     private readonly Stepper _stepper;
     private readonly double _contact;
-    private readonly bool _lighterThanAir;
-    private readonly World? _world;
+    private readonly World _world;
     private readonly bool _hasOwnForces;
 
     /// <summary>Checks a scene and compiles it.</summary>
@@ -31,7 +30,6 @@ public sealed class Simulator
         _contact = Scene.Ground.Height + Scene.Ball.Radius;
         _world = _stepper.World;
         _hasOwnForces = Scene.Forces.Custom.Count > 0;
-        _lighterThanAir = Weight.UpwardAcceleration(Scene) > 0;
     }
 
     /// <summary>The scene.</summary>
@@ -81,29 +79,14 @@ public sealed class Simulator
         state.BaseOrientation = orientation.Normalized();
         state.SetFlightSpin(spin);
         state.Motion = MotionState.Airborne;
-        if (_world is not null)
-        {
-            _stepper.Settle(ref state);
-            state.GoalsEntered = _world.GoalsEnteredAt(state.Position);
-        }
-        else if (position.Y <= _contact)
-        {
-            state.Position = new Vector3d(position.X, _contact, position.Z);
-            double threshold = Scene.Ground.MinimumBounceSpeed;
-            if (velocity.Y < threshold && velocity.Y > -threshold && !_lighterThanAir)
-            {
-                state.Velocity = velocity.Horizontal;
-                state.SetGroundSpin(spin);
-                state.Motion = Slip.Of(state.Velocity, spin, Scene.Ball.Radius).Length < Slip.Rolling ? MotionState.Rolling : MotionState.Sliding;
-            }
-        }
-
+        _stepper.Settle(ref state);
+        state.GoalsEntered = _world.GoalsEnteredAt(state.Position);
         return state;
     }
 
     /// <summary>The name of what an event tells of: an obstacle's, a net's, "ground", "left post", "goal" …; null for none.</summary>
     /// <param name="thing"><see cref="BallEvent.Thing"/>.</param>
-    public string? NameOf(int thing) => thing < 0 ? null : _world is null ? "ground" : _world.NameOf(thing);
+    public string? NameOf(int thing) => thing < 0 ? null : _world.NameOf(thing);
 
     /// <summary>Kicks a ball where it is: new velocity and spin, same place, time and orientation.</summary>
     /// <param name="state">The ball; unchanged when an exception is thrown.</param>
@@ -139,7 +122,7 @@ public sealed class Simulator
             RefuseStep(dt, log);
         }
 
-        if (state.Motion == MotionState.Stopped && _world is not { Moves: true })
+        if (state.Motion == MotionState.Stopped && !_world.Moves)
         {
             state.Time += dt;
             return;
@@ -192,11 +175,8 @@ public sealed class Simulator
         return Run(ref state, timeStep, duration, stopAt, log, null);
     }
 
-    /// <summary>All that can be met where there is more than a level pitch; else null.</summary>
-    internal World? World => _world;
-
-    /// <summary>Whether there is more to meet than a level pitch.</summary>
-    internal bool HasThings => _world is not null;
+    /// <summary>All that can be met.</summary>
+    internal World World => _world;
 
     /// <inheritdoc cref="Stepper.FliesClear"/>
     internal bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate) =>

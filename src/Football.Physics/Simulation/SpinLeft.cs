@@ -1,8 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>The spin that is left at the end of a flight along a constant axis.</summary>
-internal readonly struct SpinLeft<TAir, TIntegrator> : IEventFunction<FlightSweep<TAir, TIntegrator>>
-    where TAir : struct, IAir
+internal readonly struct SpinLeft<TIntegrator> : IEventFunction<FlightSweep<TIntegrator>>
     where TIntegrator : struct, IIntegrator
 {
     /// <summary>A spin of less than this, rad/s, is none.</summary>
@@ -13,7 +12,7 @@ internal readonly struct SpinLeft<TAir, TIntegrator> : IEventFunction<FlightSwee
     /// <param name="start">The spin at the start, rad/s.</param>
     public SpinLeft(double start) => _start = start;
 
-    public bool Evaluate(ref FlightSweep<TAir, TIntegrator> sweep, double tau, out double value, out double correction)
+    public bool Evaluate(ref FlightSweep<TIntegrator> sweep, double tau, out double value, out double correction)
     {
         value = sweep.Taken.SpinRate;
 

@@ -60,8 +60,7 @@ internal readonly struct StabilityLimit
     /// <param name="wholeUpTo">Up to which length, s, no step that the fast form of the laws covers must be divided; 0 where that is not known.</param>
     /// <param name="upward">Upward acceleration, m/s².</param>
     /// <param name="order">Order of the method.</param>
-    public static StabilityLimit Of<TAir>(Scene scene, in TAir air, double wholeUpTo, double upward, int order)
-        where TAir : struct, IAir
+    public static StabilityLimit Of(Scene scene, in SceneAir air, double wholeUpTo, double upward, int order)
     {
         RateBound ofAir = air.Bound;
         RateBound bound = WithFall(in ofAir, upward);
@@ -99,8 +98,7 @@ internal readonly struct StabilityLimit
 
     /// <summary>The longest of equal parts of a step for which no force overshoots, or 0 where they would be too many.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public double PartOf<TAir>(ref TAir air, double left, double speed, double spinRate, DragBranch branch, double damping = 0)
-        where TAir : struct, IAir
+    public double PartOf(ref SceneAir air, double left, double speed, double spinRate, DragBranch branch, double damping = 0)
     {
         speed = Math.Max(speed, SlowestAir);
         double pieces = left * (RateAtMost(speed, spinRate) + damping);
@@ -127,8 +125,7 @@ internal readonly struct StabilityLimit
     /// Whether a part of a divided step would make a velocity longer. The Magnus force turns it by Ω h, and does no work; explicit Euler makes
     /// it longer by (Ω h)²/2, RK2 by (Ω h)⁴/8, of which drag takes D h away again.
     /// </summary>
-    private bool SpiralsIn<TAir>(ref TAir air, double h, double speed, double spinRate, DragBranch branch)
-        where TAir : struct, IAir
+    private bool SpiralsIn(ref SceneAir air, double h, double speed, double spinRate, DragBranch branch)
     {
         if (_order >= 4 || !air.Lifts || !(spinRate > 0) || branch >= DragBranch.AlongCriticalSpeed)
         {

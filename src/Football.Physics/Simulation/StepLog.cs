@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace Football.Physics;
 
 /// <summary>What a step or a run reports beside the state: events in order, and counts. One a ball (or a thread); reused.</summary>
@@ -56,24 +54,6 @@ public sealed class StepLog
             before.Motion,
             PathPiece.DegreeOf(order, observer.WantsEndAcceleration));
         Halted |= observer.Add(in before, in after, in piece);
-    }
-
-    /// <summary>Moves the ball to the end of a whole step on the ground, and shows the piece to the observer.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    internal void MoveAndShow<TSystem>(ref BallState s, ref TSystem system, in PlanarStep taken, double h, int order)
-        where TSystem : struct, IPlanarSystem
-    {
-        BallState before = s;
-        system.Move(ref s, in taken);
-        s.Time += h;
-        PlanarRates end = default;
-        if (Observer!.WantsEndAcceleration)
-        {
-            system.Rates(s.Time, in taken.End, out end);
-            Evaluations++;
-        }
-
-        Show(in before, in s, taken.StartRates.Acceleration, end.Acceleration, order);
     }
 
     /// <summary>What it holds now, to come back to.</summary>

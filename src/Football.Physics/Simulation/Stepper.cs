@@ -7,7 +7,7 @@ namespace Football.Physics;
 internal abstract class Stepper
 {
     /// <summary>All that can be met where there is more than a level pitch; else null.</summary>
-    public abstract World? World { get; }
+    public abstract World World { get; }
 
     /// <summary>Advances a state by dt, events and all.</summary>
     public abstract void Step(ref BallState state, double dt, StepLog log);

@@ -1,8 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>What touching a thing of the world does to the ball: an impact, and whether it then flies, is guided, or is carried, sliding or rolling.</summary>
-internal sealed class WorldContact<TAir>
-    where TAir : struct, IAir
+internal sealed class WorldContact
 {
     /// <summary>More impacts than this at one instant, and the ball is wedged: it goes along with what pushes it.</summary>
     private const int MostAtOnce = 64;
@@ -13,11 +12,11 @@ internal sealed class WorldContact<TAir>
     /// <summary>Less than this is no overlap to be raised from, m.</summary>
     private const double Overlap = 5e-10;
 
-    private readonly Surroundings<TAir> _around;
+    private readonly Surroundings _around;
     private readonly World _world;
     private readonly bool _levelGround;
 
-    public WorldContact(Surroundings<TAir> around, bool levelGround)
+    public WorldContact(Surroundings around, bool levelGround)
     {
         _levelGround = levelGround;
         _around = around;
@@ -63,13 +62,30 @@ internal sealed class WorldContact<TAir>
         }
 
         // Where a step has had its impacts, or is spent, the ball stays on what it hits even if the air would lift it.
-        if (!bounces && (!may || Load(in s, in velocity, in spin, hit, in at) > CarriedForces.Least))
+        if (!bounces && (!may || Load(in s, in velocity, in spin, hit, in at) > SurfaceForces.Least))
         {
             Stay(ref s, thing, in velocity, in spin, ref run);
             return;
         }
 
         Fly(ref s, in velocity, in spin);
+    }
+
+    /// <summary>The ground takes a ball that touches it, does not come closer and is pressed on it: no impact.</summary>
+    public void TakeUp(ref BallState s, int collider, ref StepRun run)
+    {
+        Vector3d spin = s.Spin;
+        _world.Hold(ref s, _world.Colliders[collider]);
+        Stay(ref s, collider + _world.FirstCollider, s.Velocity, in spin, ref run);
+    }
+
+    /// <summary>The slip is over: the ball rolls, where friction can hold it.</summary>
+    public void EndSlip(ref BallState s, ref StepRun run)
+    {
+        if (Grips(in s, _world.CarrierOf(in s), ref run))
+        {
+            StartRolling(ref s, ref run);
+        }
     }
 
     /// <summary>The slip is over, or was never there: the spin becomes that of pure rolling.</summary>
@@ -113,6 +129,13 @@ internal sealed class WorldContact<TAir>
     /// <summary>A ball inside the ground, where a state says so, is raised to it.</summary>
     public void Raise(ref BallState s)
     {
+        if (_world.IsLevel)
+        {
+            // To the last bit: heights of a ball on level ground are compared with that.
+            s.Position = new Vector3d(s.Position.X, Math.Max(s.Position.Y, _world.LevelContact), s.Position.Z);
+            return;
+        }
+
         for (int i = 0; i < MostRaises && _world.Ground is { } ground; i++)
         {
             ShapePoint at = ground.At(s.Position);
@@ -131,7 +154,7 @@ internal sealed class WorldContact<TAir>
     {
         Collider on = _world.Colliders[collider];
         ShapePoint at = on.At(s.Position, s.Time);
-        return Load(in s, s.Velocity, s.Spin, on, in at) > CarriedForces.Least;
+        return Load(in s, s.Velocity, s.Spin, on, in at) > SurfaceForces.Least;
     }
 
     /// <summary>A ball that is placed: carried, where it touches something slowly enough and is pressed on it; else in the air.</summary>
@@ -149,7 +172,7 @@ internal sealed class WorldContact<TAir>
             TakesUp(in s, first, out Vector3d velocity);
             Collider collider = _world.Colliders[first];
             Vector3d spin = s.Spin;
-            Vector3d n = collider.At(s.Position, s.Time).Normal;
+            Vector3d n = _world.Hold(ref s, collider);
             s.Velocity = velocity;
             s.Carrier = first + _world.FirstCollider;
             bool rolls = Slip.Of(velocity - collider.Velocity, in spin, in n, _world.Ball.Radius).Length < Slip.Rolling;
@@ -172,7 +195,7 @@ internal sealed class WorldContact<TAir>
         // On a level pitch that is so up to the speed of the slowest bounce; on anything else what comes closer hits.
         double slowest = _levelGround && collider == _world.Ground ? -_world.MinimumBounceSpeed : -double.Epsilon;
         return at.Distance - _world.Ball.Radius <= ContactSearch.Touching && off < _world.MinimumBounceSpeed && off > slowest
-            && Load(in s, in velocity, s.Spin, collider, in at) > CarriedForces.Least;
+            && Load(in s, in velocity, s.Spin, collider, in at) > SurfaceForces.Least;
     }
 
     /// <summary>A carried ball was hit by something else: it keeps its carrier unless the impulse lifts it.</summary>
@@ -231,8 +254,8 @@ internal sealed class WorldContact<TAir>
     /// <summary>Whether friction can hold a ball without slip.</summary>
     private bool Grips(in BallState s, Collider carrier, ref StepRun run)
     {
-        CarriedSystem<TAir> system = System(in s, carrier);
-        CarriedForces on = system.ForcesOn(s.Time, new Motion(s.Position, s.Velocity, s.Spin));
+        SurfaceSystem system = System(in s, carrier);
+        SurfaceForces on = system.ForcesOn(s.Time, new Motion(s.Position, s.Velocity, s.Spin));
         run.Log.Evaluations++;
         return system.Grips(in on);
     }
@@ -241,7 +264,7 @@ internal sealed class WorldContact<TAir>
     private double Load(in BallState s, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
     {
         var motion = new Motion(s.Position, in velocity, in spin);
-        if (_world.SharesAir)
+        if (_world.AirLoads)
         {
             return System(in s, collider).ForcesOn(s.Time, in motion).FreeLoad;
         }
@@ -250,7 +273,7 @@ internal sealed class WorldContact<TAir>
         return (-_around.Upward * at.Normal.Y) - Vector3d.Dot(in along, at.Curvature * along);
     }
 
-    private CarriedSystem<TAir> System(in BallState s, Collider carrier) => new()
+    private SurfaceSystem System(in BallState s, Collider carrier) => new()
     {
         Around = _around,
         World = _world,

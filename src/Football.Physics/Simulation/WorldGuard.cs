@@ -1,8 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>Ends a piece of motion at the first thing of the world that it meets, and does what that calls for.</summary>
-internal sealed class WorldGuard<TAir>
-    where TAir : struct, IAir
+internal sealed class WorldGuard
 {
     /// <summary>Below this, m, a gap needs no correction.</summary>
     private const double Closed = 1e-14;
@@ -14,20 +13,25 @@ internal sealed class WorldGuard<TAir>
     private const int MostSearches = 8;
 
     private readonly World _world;
-    private readonly WorldContact<TAir> _contact;
+    private readonly WorldContact _contact;
+    private readonly bool _bisects;
+    private readonly double _tolerance;
 
-    public WorldGuard(World world, WorldContact<TAir> contact)
+    public WorldGuard(World world, WorldContact contact, SolverSettings settings)
     {
         _world = world;
+        _bisects = settings.CollisionTiming == CollisionTiming.Bisection;
+        _tolerance = settings.CollisionTolerance;
         _contact = contact;
     }
 
-    /// <summary>An impact with what the ball touches and comes closer to where it is, if anything.</summary>
-    /// <returns>True when there was one.</returns>
+    /// <summary>An impact with what the ball touches and comes closer to where it is, if anything; the ground takes a ball that it presses even where nothing comes closer.</summary>
+    /// <returns>True when there was one, or the ground has taken the ball.</returns>
     public bool HitsAtOnce(ref BallState s, ref StepRun run)
     {
         long carrier = s.Motion == MotionState.Airborne ? -1 : s.Carrier - _world.FirstCollider;
         int first = int.MaxValue;
+        bool takesUp = false;
         var near = NearThings.At(_world, s.Position, s.Time);
         while (near.NextCollider(out int i))
         {
@@ -38,11 +42,12 @@ internal sealed class WorldGuard<TAir>
 
             Gap.OfContact(_world, i).Evaluate(s.Position, s.Velocity, s.Time, out double gap, out double rate);
 
-            // The ground takes a ball that it presses at any speed, even where nothing comes closer.
             bool isGround = carrier < 0 && _world.Colliders[i] == _world.Ground;
-            bool hits = gap <= ContactSearch.Touching
-                && (rate < -ContactSearch.Approaching || (rate <= ContactSearch.Leaving && isGround && _contact.IsPressed(in s, i)));
-            first = hits ? i : first;
+            bool touches = gap <= ContactSearch.Touching;
+            bool hits = touches && rate < -ContactSearch.Approaching;
+            bool presses = touches && !hits && rate <= ContactSearch.Leaving && isGround && _contact.IsPressed(in s, i);
+            takesUp = presses || (takesUp && !hits);
+            first = hits || presses ? i : first;
         }
 
         if (first == int.MaxValue)
@@ -50,7 +55,15 @@ internal sealed class WorldGuard<TAir>
             return false;
         }
 
-        _contact.Impact(ref s, first, ref run);
+        if (takesUp)
+        {
+            _contact.TakeUp(ref s, first, ref run);
+        }
+        else
+        {
+            _contact.Impact(ref s, first, ref run);
+        }
+
         return true;
     }
 
@@ -70,7 +83,7 @@ internal sealed class WorldGuard<TAir>
             var path = PathCubic.Of(ref sweep, s.Position, s.Velocity, order);
             var search = new ContactSearch(_world, in path, s.Time);
             double at = search.First(in s, carrier, out Gap found);
-            if (!(at <= path.Length) || (met.What != Happening.None && at >= path.Length * (1.0 - 1e-9)))
+            if (!(at <= path.Length) || (met.What != Happening.None && (at >= path.Length * (1.0 - 1e-9) || IsAgain(ref sweep, in met, in found, s.Time, path.Length - at))))
             {
                 break;
             }
@@ -78,6 +91,13 @@ internal sealed class WorldGuard<TAir>
             if (at == 0)
             {
                 sweep.Step(0);
+                met = found;
+                break;
+            }
+
+            if (_bisects && IsLevelGround(in found) && sweep.Position.Y < _world.LevelContact)
+            {
+                Bisection.End(ref sweep, _tolerance, _world.LevelContact);
                 met = found;
                 break;
             }
@@ -100,12 +120,22 @@ internal sealed class WorldGuard<TAir>
         return met.What != Happening.None;
     }
 
+    /// <inheritdoc cref="WorldContact.EndSlip"/>
+    public void EndSlip(ref BallState s, ref StepRun run) => _contact.EndSlip(ref s, ref run);
+
     /// <summary>What meeting a thing calls for, where the ball is.</summary>
     public void Meet(ref BallState s, in Gap met, ref StepRun run)
     {
         switch (met.What)
         {
             case Happening.Contact:
+                if (s.Motion == MotionState.Airborne && IsLevelGround(in met))
+                {
+                    // Height and climb are known here: what was left of them is rounding, or the tolerance of a bisection.
+                    s.Position = new Vector3d(s.Position.X, _world.LevelContact, s.Position.Z);
+                    s.Velocity = new Vector3d(s.Velocity.X, Math.Min(s.Velocity.Y, 0), s.Velocity.Z);
+                }
+
                 _contact.Impact(ref s, met.Index, ref run);
                 break;
             case Happening.NetMet:
@@ -130,8 +160,23 @@ internal sealed class WorldGuard<TAir>
         }
     }
 
+    private bool IsLevelGround(in Gap met) => met.What == Happening.Contact && _world.IsLevel && _world.Colliders[met.Index] == _world.Ground;
+
     private static void Report(in BallState s, BallEventKind kind, int thing, in Vector3d normal, ref StepRun run) =>
         run.Log.Events.Add(new BallEvent(kind, thing, in normal, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
+
+    /// <summary>Whether what is found is what the piece ends at already, which touches by so much before.</summary>
+    private static bool IsAgain<TSweep>(ref TSweep sweep, in Gap met, in Gap found, double time, double before)
+        where TSweep : struct, ISweep
+    {
+        if (found.What != met.What || found.Index != met.Index)
+        {
+            return false;
+        }
+
+        met.Evaluate(sweep.Position, sweep.Velocity, time + sweep.Length, out _, out double rate);
+        return before * -rate <= 4.0 * ContactSearch.Touching;
+    }
 
     /// <summary>From the cubic path to the step itself: Newton on the gap, inside its bracket.</summary>
     /// <returns>False where the gap does not close after all.</returns>
@@ -175,7 +220,10 @@ internal sealed class WorldGuard<TAir>
             bool isClose = tau + correction >= 0 && EventLocator.IsLinear(ref sweep, correction);
             if (isClose)
             {
+                // Twice: the first correction leaves what the gap bends in it.
                 sweep.Nudge(correction);
+                _gap.Evaluate(sweep.Position, sweep.Velocity, _start + sweep.Length, out double left, out rate);
+                sweep.Nudge(rate < 0 ? Math.Max(-left / rate, -sweep.Length) : 0);
             }
 
             return isClose;

@@ -217,17 +217,8 @@ public sealed class BallBatchTests
 
     private static void ImpactIsApplied(Scene scene, BatchFlights flights, int i)
     {
-        Vector3d velocity;
-        Vector3d spin;
-        if (World.Of(scene) is null)
-        {
-            ImpactResponse.Apply(scene.Ball, scene.Ground, flights.Velocity[i], flights.Spin[i], out velocity, out spin);
-        }
-        else
-        {
-            CoulombImpact.Apply(
-                scene.Ball, new ContactMaterial(scene.Ground), Vector3d.Up, Vector3d.Zero, flights.Velocity[i], flights.Spin[i], out velocity, out spin);
-        }
+        CoulombImpact.Apply(
+            scene.Ball, new ContactMaterial(scene.Ground), Vector3d.Up, Vector3d.Zero, flights.Velocity[i], flights.Spin[i], out Vector3d velocity, out Vector3d spin);
 
         Assert.Equal(velocity, flights.VelocityAfter[i]);
         Assert.Equal(spin, flights.SpinAfter[i]);

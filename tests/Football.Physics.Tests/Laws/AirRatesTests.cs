@@ -8,7 +8,7 @@ public sealed class AirRatesTests
     private static MotionRates InFlight(ForceSet forces, in Vector3d u, in Vector3d w)
     {
         Scene scene = s_scene with { Forces = forces };
-        var flight = new FlightSystem<SceneAir> { Around = new Surroundings<SceneAir>(scene, SceneAir.Of(scene)), Branch = DragBranch.Spinning };
+        var flight = new FlightSystem { Around = new Surroundings(scene, SceneAir.Of(scene)), Branch = DragBranch.Spinning };
         flight.Rates(0, new Football.Physics.Motion(Vector3d.Zero, in u, in w), out MotionRates rates);
         return new MotionRates(rates.Acceleration - new Vector3d(0, flight.Around.Upward, 0), in rates.SpinAcceleration);
     }
@@ -43,15 +43,6 @@ public sealed class AirRatesTests
         double Lift(Vector3d w) => InFlight(ForceSet.Published with { Drag = ForceLaw.None, SpinDecay = ForceLaw.None }, in u, in w).Acceleration.Length;
         Assert.Equal(0, Lift(new Vector3d(0, 0, 30)));
         Assert.Equal(0.5, Lift(new Vector3d(0, 15, -15 * Math.Sqrt(3))) / Lift(new Vector3d(0, 30, 0)), 1e-12);
-    }
-
-    [Fact]
-    public void Decay_at_zero_spin_acts_against_the_spin_that_is_about_to_start()
-    {
-        Scene scene = s_scene with { Forces = ForceSet.Published with { Drag = ForceLaw.None, Magnus = ForceLaw.None } };
-        var sliding = new SlidingSystem<SceneAir> { Around = new Surroundings<SceneAir>(scene, SceneAir.Of(scene)), Branch = DragBranch.NoSpin };
-        sliding.Pushed(0, new PlanarMotion { VX = 8 }, 0, -1, out PlanarRates rates);
-        Assert.Equal(PlainLaws.DecayTorque(s_scene, 8, 0) / s_scene.Ball.MomentOfInertia, rates.BZ, 1e-9);
     }
 
     [Fact]

@@ -129,7 +129,7 @@ public sealed class TableLawTests
     {
         var air = new TableAir<RegularisedLaw>(LawGrid.Scene);
         Assert.False(air.Covers(speed * speed, spin, 0.01));
-        Assert.False(air.HoldsAt(speed * speed, spin));
+        Assert.False(air.HoldsAt(speed * speed, spin * spin));
     }
 
     /// <summary>Its axis means nothing: to the bit, not to an error.</summary>
@@ -262,7 +262,7 @@ public sealed class TableLawTests
                     double square = speed * speed;
                     double spin = spinParameter * speed / s_radius;
                     double across = square * sine * sine;
-                    Assert.True(air.HoldsAt(square, spin));
+                    Assert.True(air.HoldsAt(square, spin * spin));
                     air.Factors(square, spin, across, region, out double drag, out double lift, out double decay);
                     air.ByFunctions(square, spin, across, region, out double expectedDrag, out double expectedLift, out double expectedDecay);
                     string name = $"{speed} m/s, {spin} rad/s (S {spinParameter}), sine {sine}";

@@ -88,7 +88,7 @@ public sealed class EventTests
         {
             BallState state = Flight.Play(
                 scene, Flight.With(integrator), 0.2, 1, StopAt.Impact, new Vector3d(0, 0.111, 0), new Vector3d(0, -0.3, 0), Vector3d.Zero, out StepLog log);
-            Assert.Equal("Impact Roll", Flight.Kinds(log)[..Math.Min(11, Flight.Kinds(log).Length)].TrimEnd());
+            Assert.Equal("Impact", Flight.Kinds(log));
             Assert.Equal(0.0034, state.Time, 2e-4);
         }
     }
@@ -143,9 +143,11 @@ public sealed class EventTests
                 }
 
                 BallEvent impact = log.Events[0];
-                Assert.Equal(0.11, impact.Position.Y, 1e-11);
-                Assert.False(Hits(simulator, start, impact.Time - start.Time - tolerance), $"{timeStep} s, shot {i}");
-                Assert.True(Hits(simulator, start, impact.Time - start.Time + tolerance), $"{timeStep} s, shot {i}");
+                Assert.Equal(0.11, impact.Position.Y);
+                // A step of first order that is a little longer is another step; less than a nanometre below contact the ball still only touches.
+                double other = integrator is Integrator.Euler or Integrator.SemiImplicitEuler ? 1e-8 : 0;
+                Assert.False(Hits(simulator, start, impact.Time - start.Time - tolerance - other), $"{timeStep} s, shot {i}");
+                Assert.True(Hits(simulator, start, impact.Time - start.Time + 1e-9 + other + (1e-9 / -impact.VelocityBefore.Y)), $"{timeStep} s, shot {i}");
             }
         }
     }

@@ -109,8 +109,8 @@ public sealed class FoundByTheLabTests
         {
             Ball = new BallProperties { Mass = 1100, Radius = 0.24, InertiaFactor = 0.004 },
             Air = new Air { Density = 1e6, KinematicViscosity = 40 },
-            Gravity = 0,
-            Forces = ForceSet.Regularised,
+            Gravity = 1e-6,
+            Forces = ForceSet.Regularised with { Buoyancy = false },
             Ground = Ground.Turf with { NormalRestitution = 0, RollingFriction = 0 },
         };
         var log = new StepLog();

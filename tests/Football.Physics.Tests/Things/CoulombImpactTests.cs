@@ -14,10 +14,28 @@ public sealed class CoulombImpactTests
             Ground ground = Ground.Turf with { TangentialRestitutionX = random.NextDouble(), TangentialRestitutionZ = -random.NextDouble() };
             (Vector3d v, Vector3d w) = Draw(random);
             v = new Vector3d(v.X, -Math.Abs(v.Y), v.Z);
-            ImpactResponse.Apply(s_ball, ground, in v, in w, out Vector3d velocity, out Vector3d spin);
+            (Vector3d velocity, Vector3d spin) = ThesisImpact(ground, in v, in w);
             CoulombImpact.Apply(s_ball, new ContactMaterial(ground), Vector3d.Up, default, in v, in w, out Vector3d sameVelocity, out Vector3d sameSpin);
             Assert.True(Vector3d.Distance(velocity, sameVelocity) < 1e-13 * 50 && Vector3d.Distance(spin, sameSpin) < 1e-12 * 100);
         }
+    }
+
+    /// <summary>Four coefficients of restitution on level ground (thesis 2.16 to 2.18).</summary>
+    private static (Vector3d Velocity, Vector3d Spin) ThesisImpact(Ground ground, in Vector3d v, in Vector3d w)
+    {
+        double a = s_ball.InertiaFactor;
+        double r = s_ball.Radius;
+        double ex = ground.TangentialRestitutionX;
+        double ez = ground.TangentialRestitutionZ;
+        var velocity = new Vector3d(
+            (((1 - (a * ex)) * v.X) - (a * (1 + ex) * r * w.Z)) / (1 + a),
+            -ground.NormalRestitution * v.Y,
+            (((1 - (a * ez)) * v.Z) + (a * (1 + ez) * r * w.X)) / (1 + a));
+        var spin = new Vector3d(
+            (((a - ez) * w.X) + ((1 + ez) * v.Z / r)) / (1 + a),
+            ground.SpinRestitution * w.Y,
+            (((a - ex) * w.Z) - ((1 + ex) * v.X / r)) / (1 + a));
+        return (velocity, spin);
     }
 
     [Fact]

@@ -122,10 +122,10 @@ public sealed class EngineColliderTests
     }
 
     [Fact]
-    public void A_scene_without_an_engine_is_no_world()
+    public void An_engine_is_more_than_the_ground_alone()
     {
-        Assert.False(new Simulator(Scene.Published).HasThings);
-        Assert.True(new Simulator(Scene.Published with { EngineColliders = new ShapesAsEngine() }).HasThings);
+        Assert.True(new Simulator(Scene.Published).World.IsLevelGroundAlone);
+        Assert.False(new Simulator(Scene.Published with { EngineColliders = new ShapesAsEngine() }).World.IsLevelGroundAlone);
     }
 
     [Fact]

@@ -21,7 +21,7 @@ public sealed class WorldStabilityTests
             var draw = new WorldDraw(seed, moves: false, profile);
             var simulator = new Simulator(draw.Scene, Flight.With(integrator));
             BallState state = simulator.Launch(draw.FreePlace(), draw.Velocity, draw.Spin);
-            World world = World.Of(draw.Scene)!;
+            World world = new World(draw.Scene);
             var log = new StepLog();
             for (double t = 0; t < 4; t += dt)
             {
@@ -150,7 +150,7 @@ public sealed class WorldStabilityTests
     /// <summary>What a net gives back at most of what it holds, ½ k δ².</summary>
     private static double NetEnergy(Scene scene, in BallState state)
     {
-        World world = World.Of(scene)!;
+        World world = new World(scene);
         double energy = 0;
         for (int i = 0; i < world.Nets.Length; i++)
         {

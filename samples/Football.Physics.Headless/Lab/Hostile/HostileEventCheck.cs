@@ -114,9 +114,16 @@ internal static class HostileEventCheck
         }
     }
 
-    /// <summary>The law of impact once more, from its equations.</summary>
+    /// <summary>The law of impact once more, from its equations; what comes no closer gets no impulse.</summary>
     private static void Law(Scene scene, Vector3d v, Vector3d w, out Vector3d velocity, out Vector3d spin)
     {
+        if (!(v.Y < 0))
+        {
+            velocity = v;
+            spin = w;
+            return;
+        }
+
         double a = scene.Ball.InertiaFactor;
         double r = scene.Ball.Radius;
         double ex = scene.Ground.TangentialRestitutionX;

@@ -24,7 +24,7 @@ internal sealed class PlayRows : LaunchRows
         : base(plan, capacity)
     {
         _scenes = new CompiledScenes<CompiledScene>(plan, Draws, scene => new CompiledScene(scene));
-        _things = World.Of(plan.Scene.Scene)?.Names ?? ["ground"];
+        _things = new World(plan.Scene.Scene).Names;
         foreach (string name in plan.Row.Hits.Where(name => !_things.Contains(name)))
         {
             throw new RefusedException("row.hits", Quote.Short(name), string.Join(" | ", _things));

@@ -38,12 +38,10 @@ public sealed class BankShotAimer
     {
         _simulator = new Simulator(scene);
         Scene made = _simulator.Scene;
-        World? world = _simulator.World;
-        _ground = world is not null ? world.Ground
-            : made.Ground.IsNone ? null
-            : new Collider(made.Ground, new PlaneShape(new Vector3d(0, made.Ground.Height, 0), made.Ground.Normal));
-        _colliders = world?.Colliders ?? (_ground is null ? [] : [_ground]);
-        _first = world?.FirstCollider ?? 0;
+        World world = _simulator.World;
+        _ground = world.Ground;
+        _colliders = world.Colliders;
+        _first = world.FirstCollider;
         _flight = new BankShotFlight(_simulator);
         _chain = new BankShotChain(made);
         _guess = new BankShotGuess(made);

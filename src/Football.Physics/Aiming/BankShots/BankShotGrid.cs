@@ -13,12 +13,12 @@ internal sealed class BankShotGrid
     private const int Starts = 8;
 
     private readonly BankShotFlight _flight;
-    private readonly World? _world;
+    private readonly World _world;
     private readonly double _radius;
     private readonly BankShotStart[] _starts = new BankShotStart[Starts];
     private int _count;
 
-    public BankShotGrid(BankShotFlight flight, World? world, double radius)
+    public BankShotGrid(BankShotFlight flight, World world, double radius)
     {
         _flight = flight;
         _world = world;
@@ -81,7 +81,7 @@ internal sealed class BankShotGrid
     private void Azimuths(in TargetFrame frame, int[] things, out double from, out double to)
     {
         int thing = Array.Find(things, item => item != 0);
-        if (thing == 0 || _world is null)
+        if (thing == 0)
         {
             // Over the ground alone: to the target, and beside it for a ball that bends.
             from = -0.5;

@@ -32,19 +32,13 @@ internal struct FieldAir<TLaw> : IFlightAir
     public void Factors(
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
-        if (_table.HoldsAt(speedSquared, spinRate))
-        {
-            _table.Factors(speedSquared, spinRate, acrossSquared, region, out drag, out lift, out decay);
-        }
-        else
-        {
-            // By way of others: what a call is handed the address of lies in memory, and not in a register.
-            _table.ByFunctions(speedSquared, spinRate, acrossSquared, region, out double ofDrag, out double ofLift, out double ofDecay);
-            drag = ofDrag;
-            lift = ofLift;
-            decay = ofDecay;
-        }
+        _table.FactorsAnywhere(speedSquared, spinRate, acrossSquared, region, out drag, out lift, out decay);
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool FactorsPerSpin(
+        double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay) =>
+        _table.FactorsPerSpin(speedSquared, spinSquared, crossSquared, region, out drag, out lift, out decay);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly Vector3d WindAt(double time, double x, double y, double z) => _scene.WindAt(time, x, y, z);

@@ -78,10 +78,10 @@ internal struct TableAir<TLaw> : IFlightAir
 
     /// <summary>Whether the tables hold at a point by itself.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool HoldsAt(double speedSquared, double spinRate)
+    public readonly bool HoldsAt(double speedSquared, double spinSquared)
     {
         const double Largest = TableRange.LargestSpinParameter * TableRange.LargestSpinParameter;
-        return speedSquared > _slowestSquared && speedSquared < _fastestSquared && _radiusSquared * spinRate * spinRate < Largest * speedSquared;
+        return speedSquared > _slowestSquared && speedSquared < _fastestSquared && _radiusSquared * spinSquared < Largest * speedSquared;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -107,6 +107,47 @@ internal struct TableAir<TLaw> : IFlightAir
         _speeds.Evaluate(speedSquared * (_law.SpeedScale * _law.SpeedScale), out LawFactors bySpeed);
         _spins.Evaluate(ofSpin, out LawFactors bySpin);
         _law.Combine(region, in bySpeed, in bySpin, Math.Sqrt(speedSquared), spinRate, out drag, out lift, out decay);
+    }
+
+    /// <summary>The factors at any point: by tables where they hold, else by the functions themselves.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void FactorsAnywhere(
+        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        if (HoldsAt(speedSquared, spinRate * spinRate))
+        {
+            Factors(speedSquared, spinRate, acrossSquared, region, out drag, out lift, out decay);
+        }
+        else
+        {
+            // By way of others: what a call is handed the address of lies in memory, and not in a register.
+            ByFunctions(speedSquared, spinRate, acrossSquared, region, out double ofDrag, out double ofLift, out double ofDecay);
+            drag = ofDrag;
+            lift = ofLift;
+            decay = ofDecay;
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool FactorsPerSpin(
+        double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        bool spins = spinSquared > AirRates.NoSpin;
+        if (_law.NeedsSpinAcross && spins && HoldsAt(speedSquared, spinSquared))
+        {
+            // Where lift and decay are proportional to the spin, and S² = r²|ω × u|²/|u|⁴, it is neither divided by nor its root taken.
+            Factors(speedSquared, 1.0, crossSquared, region, out drag, out lift, out decay);
+            return true;
+        }
+
+        // |ω̂ × u|² = |ω × u|²/|ω|², whose division does not wait for the root.
+        double perSquared = spins ? 1.0 / spinSquared : 0;
+        double rate = spins ? Math.Sqrt(spinSquared) : 0;
+        FactorsAnywhere(speedSquared, rate, perSquared * crossSquared, region, out drag, out lift, out decay);
+        double perRate = spins ? perSquared * rate : 1.0;
+        lift *= perRate;
+        decay *= perRate;
+        return spins;
     }
 
     /// <summary>The law by its functions themselves, anywhere.</summary>

@@ -11,7 +11,7 @@ namespace Football.Physics;
 /// </remarks>
 internal interface ITableLaw
 {
-    /// <summary>Whether S is that of the spin across the motion. A constant of the type.</summary>
+    /// <summary>Whether S is that of the spin across the motion, and lift and decay are proportional to the spin for one S. A constant of the type.</summary>
     bool NeedsSpinAcross { get; }
 
     /// <summary>Whether the law has regions, so that a step is locked to one and ends where it does. A constant of the type.</summary>

@@ -6,10 +6,9 @@ namespace Football.Physics;
 /// sliding v̇_t = a_t − μ_s (N/m) ŝ, ω̇ = (μ_s N r/I) n × ŝ + torques; rolling v̇_t = (a_b,t + α r ω_n n × ṅ)/(1+α) + a_air,t/κ − (μ_r + c₁|v|)(N/m) v̂,
 /// ω_t = n × (v−V)/r. The normal part of v̇ keeps the ball on the surface.
 /// </summary>
-internal struct CarriedSystem<TAir> : IMotionSystem
-    where TAir : struct, IAir
+internal struct SurfaceSystem : IMotionSystem
 {
-    public Surroundings<TAir> Around;
+    public Surroundings Around;
     public World World;
     public Collider Carrier;
 
@@ -34,28 +33,61 @@ internal struct CarriedSystem<TAir> : IMotionSystem
     /// <summary>Which way it spins about the normal: drilling friction keeps to it.</summary>
     public double SpinSign;
 
-    public readonly void Rates(double time, in Motion at, out MotionRates rates)
+    /// <summary>The spin at the piece's start, rad/s.</summary>
+    public Vector3d StartSpin;
+
+    /// <summary>What the air takes of the spin while the ball slides, where that is more than friction can add, rad/s²; else 0. Then the spin can only get slower.</summary>
+    private double _ending;
+
+    public void Rates(double time, in Motion at, out MotionRates rates)
     {
-        CarriedForces on = ForcesOn(time, in at);
+        if (HasEnded(in at.Spin))
+        {
+            // Past zero the decay goes on as before, so that the piece's end shows it, but there is no spin to lift the ball.
+            var still = new Motion(in at.Position, in at.Velocity, Vector3d.Zero);
+            SurfaceForces held = ForcesOn(time, in still);
+            rates = new MotionRates(Sliding(time, in still, in held).Acceleration, (-_ending / StartSpin.Length) * StartSpin);
+            return;
+        }
+
+        SurfaceForces on = ForcesOn(time, in at);
         rates = RatesUnder(in on, time, in at);
     }
 
     /// <summary>The rates of change where the forces are known.</summary>
-    public readonly MotionRates RatesUnder(in CarriedForces on, double time, in Motion at) =>
-        Rolls ? Rolling(time, in at, in on) : Sliding(time, in at, in on);
+    public MotionRates RatesUnder(in SurfaceForces on, double time, in Motion at)
+    {
+        if (Rolls)
+        {
+            return Rolling(time, in at, in on);
+        }
+
+        _ending = on.Braking > Turning(in on) && !Around.Air.Varies ? on.Braking : 0;
+        return Sliding(time, in at, in on);
+    }
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
     {
         s.BaseOrientation = s.BaseOrientation.Turned(in step.Rotation);
         s.Position = step.End.Position;
         s.Velocity = step.End.Velocity;
-        s.SpinAxis = step.End.Spin;
+
+        // One that is faster at the end has ended on the way, where a stage found it next to zero and pointing anywhere.
+        Vector3d spin = step.End.Spin;
+        bool ended = HasEnded(in spin) || (_ending > 0 && spin.LengthSquared > StartSpin.LengthSquared);
+        s.SpinAxis = ended ? Vector3d.Zero : spin;
     }
 
+    /// <summary>Whether the air has stopped the spin.</summary>
+    private readonly bool HasEnded(in Vector3d spin) => _ending > 0 && Vector3d.Dot(in spin, in StartSpin) < 0;
+
+    /// <summary>How fast friction turns a ball that slides, rad/s².</summary>
+    private readonly double Turning(in SurfaceForces on) => SlidingFriction(in on) / (World.Ball.InertiaFactor * World.Ball.Radius);
+
     /// <summary>Everything but friction.</summary>
-    public readonly CarriedForces ForcesOn(double time, in Motion at)
+    public readonly SurfaceForces ForcesOn(double time, in Motion at)
     {
-        CarriedForces on;
+        SurfaceForces on;
         ShapePoint point = Carrier.At(in at.Position, time);
         on.Normal = point.Normal;
         Vector3d n = on.Normal;
@@ -69,16 +101,13 @@ internal struct CarriedSystem<TAir> : IMotionSystem
         var ball = new ForceInput(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding);
         double rate = Around.Air.Evaluate(in ball, Branch, out AirFactors air);
         u = air.AirVelocity;
-        Vector3d push = air.Acceleration;
-        if (World.AirActs)
-        {
-            push += (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u);
-        }
-
-        load -= World.SharesAir ? Vector3d.Dot(in push, in n) : 0;
+        Vector3d flow = (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u);
+        Vector3d push = World.AirActs ? air.Acceleration + flow : air.Acceleration;
+        load -= World.AirLoads ? Vector3d.Dot(air.Acceleration + flow, in n) : 0;
         on.Air = Tangential(in push, in n);
         on.Torque = (-air.Decay * at.Spin) + air.SpinAcceleration;
-        on.Holding = rate > 0 ? 0 : air.Decay;
+        on.Spins = rate > 0;
+        on.Braking = on.Spins ? air.Decay * rate : air.Decay;
         if (Nets != 0)
         {
             MotionRates nets = World.PushOfNets(Nets, NetSides, in at);
@@ -95,7 +124,7 @@ internal struct CarriedSystem<TAir> : IMotionSystem
     /// What friction must give so that the ball does not slip, per mass: α/(1+α) of what pushes it along the surface, less what the torque of the air
     /// turns by itself where that is shared.
     /// </summary>
-    public readonly Vector3d Traction(in CarriedForces on)
+    public readonly Vector3d Traction(in SurfaceForces on)
     {
         double alpha = World.Ball.InertiaFactor;
         Vector3d pushed = World.SharesAir ? on.Body + on.Air : on.Body;
@@ -104,7 +133,7 @@ internal struct CarriedSystem<TAir> : IMotionSystem
     }
 
     /// <summary>What pushes a ball that rolls along the surface, friction apart, m/s².</summary>
-    public readonly Vector3d Drive(in CarriedForces on)
+    public readonly Vector3d Drive(in SurfaceForces on)
     {
         double alpha = World.Ball.InertiaFactor;
         Vector3d shared = World.SharesAir ? on.Body + on.Air + (alpha * World.Ball.Radius * Vector3d.Cross(in on.Torque, in on.Normal)) : on.Body;
@@ -112,31 +141,38 @@ internal struct CarriedSystem<TAir> : IMotionSystem
         return World.SharesAir ? drive : drive + on.Air;
     }
 
+    /// <summary>Whether rolling friction holds a ball that has come to a halt. Where the air is not shared with the spin, a ball at rest stays whatever the wind.</summary>
+    public readonly bool Rests(in SurfaceForces on)
+    {
+        Vector3d drive = World.SharesAir ? Drive(in on) : on.Body / (1.0 + World.Ball.InertiaFactor);
+        return drive.Length <= RollingFriction(in on, 0);
+    }
+
     /// <summary>The slip velocity relative to the carrier, m/s.</summary>
     public readonly Vector3d SlipOf(in Motion at, in Vector3d normal) =>
         Slip.Of(at.Velocity - Carrier.Velocity, in at.Spin, in normal, World.Ball.Radius);
 
     /// <summary>Whether friction can hold the ball without slip.</summary>
-    public readonly bool Grips(in CarriedForces on) => Traction(in on).Length + CarriedForces.Least <= SlidingFriction(in on);
+    public readonly bool Grips(in SurfaceForces on) => Traction(in on).Length + SurfaceForces.Least <= SlidingFriction(in on);
 
     /// <summary>μ_s N/m, m/s².</summary>
-    public readonly double SlidingFriction(in CarriedForces on) => Material.SlidingFriction * on.Load;
+    public readonly double SlidingFriction(in SurfaceForces on) => Material.SlidingFriction * on.Load;
 
     /// <summary>(c₀ + c₁ |v|) N/m, m/s².</summary>
-    public readonly double RollingFriction(in CarriedForces on, double speed) =>
+    public readonly double RollingFriction(in SurfaceForces on, double speed) =>
         (Material.RollingFriction + (Material.RollingFrictionBySpeed * speed)) * on.Load;
 
     /// <summary>What changes the slip, friction apart, m/s²: the push along the surface, and r n × the torques.</summary>
-    public readonly Vector3d SlipPush(in CarriedForces on) => on.Body + on.Air + (World.Ball.Radius * Vector3d.Cross(in on.Normal, in on.Torque));
+    public readonly Vector3d SlipPush(in SurfaceForces on) => on.Body + on.Air + (World.Ball.Radius * Vector3d.Cross(in on.Normal, in on.Torque));
 
     /// <summary>The rate of the spin about the normal while the ball slides, rad/s².</summary>
-    public readonly double AboutRate(in CarriedForces on, in Motion at) =>
+    public readonly double AboutRate(in SurfaceForces on, in Motion at) =>
         AboutNormal(Vector3d.Dot(in at.Spin, in on.Normal), in on) + Vector3d.Dot(in on.Torque, in on.Normal);
 
     /// <summary>The part of a vector along the surface.</summary>
     public static Vector3d Tangential(in Vector3d vector, in Vector3d normal) => vector - (Vector3d.Dot(in vector, in normal) * normal);
 
-    private readonly MotionRates Sliding(double time, in Motion at, in CarriedForces on)
+    private readonly MotionRates Sliding(double time, in Motion at, in SurfaceForces on)
     {
         Vector3d n = on.Normal;
         Vector3d slip = SlipOf(in at, in n);
@@ -145,7 +181,7 @@ internal struct CarriedSystem<TAir> : IMotionSystem
         double friction = SlidingFriction(in on);
 
         // A ball without spin is held by the air as friction begins to turn it, and no more than that.
-        double turning = Math.Max(0, (friction / (World.Ball.InertiaFactor * World.Ball.Radius)) - on.Holding);
+        double turning = Math.Max(0, Turning(in on) - (on.Spins ? 0 : on.Braking));
         Vector3d along = Guided(time, in at, on.Body + on.Air - (friction * s), in on);
         Vector3d acceleration = along - (on.Centripetal * n);
         Vector3d spin = on.Torque
@@ -154,7 +190,7 @@ internal struct CarriedSystem<TAir> : IMotionSystem
         return new MotionRates(in acceleration, in spin);
     }
 
-    private readonly MotionRates Rolling(double time, in Motion at, in CarriedForces on)
+    private readonly MotionRates Rolling(double time, in Motion at, in SurfaceForces on)
     {
         Vector3d n = on.Normal;
         double r = World.Ball.Radius;
@@ -182,12 +218,12 @@ internal struct CarriedSystem<TAir> : IMotionSystem
         return new MotionRates(along - (on.Centripetal * n), in spin);
     }
 
-    private readonly Vector3d Guided(double time, in Motion at, in Vector3d along, in CarriedForces on) => Guides.Count == 0
+    private readonly Vector3d Guided(double time, in Motion at, in Vector3d along, in SurfaceForces on) => Guides.Count == 0
         ? along
         : Guides.FreeAlong(World, in at.Position, in at.Velocity, time, in along, in on.Normal, on.Centripetal);
 
     /// <summary>What the surface does to the spin about the normal, rad/s²: −(c_ω/I) ω_n − sign(ω_n) b μ_s N/I.</summary>
-    private readonly double AboutNormal(double about, in CarriedForces on)
+    private readonly double AboutNormal(double about, in SurfaceForces on)
     {
         double inertia = World.Ball.MomentOfInertia;
         double drilling = SpinSign * Material.DrillingLength * Material.SlidingFriction * on.Load * World.Ball.Mass / inertia;

@@ -1,7 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>What may end a piece of a slide or a roll: a number that falls to zero there.</summary>
-internal enum CarriedLimit
+internal enum SurfaceLimit
 {
     /// <summary>The load: the ball leaves the surface.</summary>
     Load,

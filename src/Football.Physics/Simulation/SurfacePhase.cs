@@ -4,8 +4,7 @@ namespace Football.Physics;
 /// Sliding and rolling on any surface of the world, piece by piece: up to the drag law's jump, the first thing that is met, the end of the slip or of
 /// the grip, the place where the load ends, or rest.
 /// </summary>
-internal sealed class CarriedPhase<TAir, TIntegrator>
-    where TAir : struct, IAir
+internal sealed class SurfacePhase<TIntegrator>
     where TIntegrator : struct, IIntegrator
 {
     /// <summary>On a curved surface, whose push changes with the place, it is no longer than this, s.</summary>
@@ -27,22 +26,22 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
     /// <summary>The normal turns by no more than this in a piece, rad.</summary>
     private const double LargestTurn = 0.05;
 
-    private readonly Surroundings<TAir> _around;
+    private readonly Surroundings _around;
     private readonly World _world;
     private readonly StabilityLimit _limit;
-    private readonly DragJumpGuard<TAir> _jump;
-    private readonly WorldGuard<TAir> _guard;
-    private readonly WorldContact<TAir> _contact;
+    private readonly DragJumpGuard _jump;
+    private readonly WorldGuard _guard;
+    private readonly WorldContact _contact;
     private readonly NetGuard _nets;
-    private readonly ImplicitPhase<TAir> _implicit;
+    private readonly ImplicitPhase _implicit;
     private readonly TIntegrator _integrator;
     private readonly double _alpha;
     private readonly double _inertia;
     private readonly bool _endsSlipExactly;
     private readonly bool _isFlat;
 
-    public CarriedPhase(
-        Scene scene, SolverSettings settings, Surroundings<TAir> around, in StabilityLimit limit, DragJumpGuard<TAir> jump, WorldGuard<TAir> guard, WorldContact<TAir> contact, ImplicitPhase<TAir> implicitPhase)
+    public SurfacePhase(
+        Scene scene, SolverSettings settings, Surroundings around, in StabilityLimit limit, DragJumpGuard jump, WorldGuard guard, WorldContact contact, ImplicitPhase implicitPhase)
     {
         _around = around;
         _isFlat = scene.Ground.Heights is null;
@@ -70,10 +69,10 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         // What acts here, and what becomes of the ball at once: it leaves, rests, grips, or slips.
         bool rolls = s.Motion == MotionState.Rolling;
         var from = new Motion(s.Position, s.Velocity, s.Spin);
-        CarriedSystem<TAir> system = System(in s, in from, rolls);
-        CarriedForces on = system.ForcesOn(s.Time, in from);
+        SurfaceSystem system = System(in s, in from, rolls);
+        SurfaceForces on = system.ForcesOn(s.Time, in from);
         run.Log.Evaluations++;
-        if (on.FreeLoad <= CarriedForces.Least)
+        if (on.FreeLoad <= SurfaceForces.Least)
         {
             _contact.Leave(ref s, s.Velocity, s.Spin, ref run);
             return;
@@ -100,7 +99,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         {
             Vector3d drive = system.Drive(in on);
             bool held = drive.Length <= system.RollingFriction(in on, 0);
-            if (held && _world.Energy(in from, system.Carrier) <= _world.RestEnergy * (1.0 + 1e-12))
+            if (system.Rests(in on) && _world.Energy(in from, system.Carrier) <= _world.RestEnergy * (1.0 + 1e-12))
             {
                 _contact.Rest(ref s, ref run);
                 return;
@@ -144,7 +143,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         }
 
         TakePiece(ref s, ref run, ref system, in from, h);
-        if (!_endsSlipExactly && s.Motion == MotionState.Sliding && !rolls && !run.Log.Halted)
+        if (!_endsSlipExactly && sliding > 0 && s.Motion == MotionState.Sliding && !rolls && !run.Log.Halted)
         {
             EndSlipByHeuristic(ref s, ref run, size);
         }
@@ -176,19 +175,19 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         double after = Slip.Of(s.Velocity - carrier.Velocity, s.Spin, carrier.At(s.Position, s.Time).Normal, _around.Radius).Length;
         if (after > before || after < HeuristicSlip)
         {
-            _contact.StartRolling(ref s, ref run);
+            _contact.EndSlip(ref s, ref run);
         }
     }
 
     /// <summary>Takes a piece, ends it at the first thing that happens in it, and moves the ball.</summary>
-    private void TakePiece(ref BallState s, ref StepRun run, ref CarriedSystem<TAir> system, in Motion from, double h)
+    private void TakePiece(ref BallState s, ref StepRun run, ref SurfaceSystem system, in Motion from, double h)
     {
-        var sweep = new MotionSweep<CarriedSystem<TAir>, TIntegrator>(in system, s.Time, in from, _around.Wind, _around.Radius);
+        var sweep = new MotionSweep<SurfaceSystem, TIntegrator>(in system, s.Time, in from, _around.Wind, _around.Radius);
         sweep.Step(h);
         SurfacePath.Shorten(ref sweep, in s, _world, system.Carrier, in system.Guides, _integrator.Order);
         _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
         double crossing = sweep.Length;
-        bool overEdge = CarriedMargin<TAir, TIntegrator>.EndPiece(ref sweep, in s, system.Rolls);
+        bool overEdge = SurfaceMargin<TIntegrator>.EndPiece(ref sweep, in s, system.Rolls);
         SurfaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
         _nets.EndWhereSlack(ref sweep, in s);
         bool meets = _guard.EndAtFirst(ref sweep, in s, _integrator.Order, out Gap met);
@@ -221,7 +220,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
     /// </summary>
     /// <returns>False where it is not near, or friction cannot hold the ball then.</returns>
     private bool EndSlip(
-        ref BallState s, ref StepRun run, ref CarriedSystem<TAir> system, in Motion from, in CarriedForces on, in Vector3d slip, double longest)
+        ref BallState s, ref StepRun run, ref SurfaceSystem system, in Motion from, in SurfaceForces on, in Vector3d slip, double longest)
     {
         // With the push and the friction at the start.
         double perLoad = (1.0 + (1.0 / _alpha)) * system.Material.SlidingFriction;
@@ -240,7 +239,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         Motion end = SlipEnd(in system, in from, in decay, system.SlidingFriction(in on), in start, in start, about + (decay.Time * turning), in on.Normal);
 
         // And with the means: the end is known to what they leave out.
-        CarriedForces there = system.ForcesOn(s.Time + decay.Time, in end);
+        SurfaceForces there = system.ForcesOn(s.Time + decay.Time, in end);
         run.Log.Evaluations++;
         Vector3d endPush = system.SlipPush(in there);
         double endFriction = perLoad * there.Load;
@@ -260,7 +259,8 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
 
         Vector3d last = there.Body + there.Air - (there.Centripetal * there.Normal);
         double sliding = 0.5 * system.Material.SlidingFriction * (on.Load + there.Load);
-        about += 0.5 * t * (turning + system.AboutRate(in there, in end));
+        double lastTurning = system.AboutRate(in there, in end);
+        about += 0.5 * t * (turning + lastTurning);
         end = SlipEnd(in system, in from, in decay, sliding, in start, in last, about, in on.Normal);
         if (system.SpinSign * about < 0 || system.Carrier.PatchAt(s.Position) != system.Carrier.PatchAt(in end.Position))
         {
@@ -273,8 +273,14 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
             return false;
         }
 
+        // ∫ω, and Magnus' term for its turning axis, t²/12 ω(t) × ω(0).
+        Vector3d torque = SurfaceSystem.Tangential(on.Torque, on.Normal) + (turning * on.Normal);
+        Vector3d lastTorque = SurfaceSystem.Tangential(there.Torque, on.Normal) + (lastTurning * on.Normal);
+        Vector3d turn = (t * from.Spin) + ((t * t / 6.0) * ((2.0 * torque) + lastTorque))
+            + ((sliding / (_alpha * _around.Radius)) * Vector3d.Cross(on.Normal, decay.Twice))
+            + ((t * t / 12.0) * Vector3d.Cross(end.Spin, from.Spin));
         BallState before = s;
-        s.BaseOrientation = s.BaseOrientation.Turned((0.5 * t) * (from.Spin + end.Spin));
+        s.BaseOrientation = s.BaseOrientation.Turned(in turn);
         s.Position = end.Position;
         s.Velocity = end.Velocity;
         s.SpinAxis = end.Spin;
@@ -299,7 +305,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
     /// The motion where a slip ends: v = v₀ + ∫a − μ_s N/m ∫ŝ, p = p₀ + v₀ t + ∫∫a − μ_s N/m ∫∫ŝ with a linear in time, and the spin of a roll.
     /// </summary>
     private Motion SlipEnd(
-        in CarriedSystem<TAir> system, in Motion from, in SlipDecay decay, double sliding, in Vector3d first, in Vector3d last, double about, in Vector3d normal)
+        in SurfaceSystem system, in Motion from, in SlipDecay decay, double sliding, in Vector3d first, in Vector3d last, double about, in Vector3d normal)
     {
         double t = decay.Time;
         Vector3d velocity = from.Velocity + ((0.5 * t) * (first + last)) - (sliding * decay.Direction);
@@ -309,11 +315,11 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
     }
 
     /// <summary>ṡ = v̇_t + r n × ω̇.</summary>
-    private Vector3d SlipRate(in CarriedForces on, in MotionRates rates) =>
-        CarriedSystem<TAir>.Tangential(in rates.Acceleration, on.Normal) + (_around.Radius * Vector3d.Cross(on.Normal, in rates.SpinAcceleration));
+    private Vector3d SlipRate(in SurfaceForces on, in MotionRates rates) =>
+        SurfaceSystem.Tangential(in rates.Acceleration, on.Normal) + (_around.Radius * Vector3d.Cross(on.Normal, in rates.SpinAcceleration));
 
     /// <summary>The longest piece that stability, nets and the turning of the normal allow, s; 0 where it would be too short.</summary>
-    private double LongestPiece(in BallState s, in Motion from, in CarriedForces on, ref StepRun run)
+    private double LongestPiece(in BallState s, in Motion from, in SurfaceForces on, ref StepRun run)
     {
         double asked = run.Next;
         Collider carrier = _world.CarrierOf(in s);
@@ -328,10 +334,10 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
     }
 
     /// <summary>Puts the ball onto all that it touches: what the integrator left of it is within its own error.</summary>
-    private void Hold(ref BallState s, in CarriedSystem<TAir> system, int met)
+    private void Hold(ref BallState s, in SurfaceSystem system, int met)
     {
         Vector3d from = s.Position;
-        Vector3d n = system.Carrier.Hold(ref s, _world.Ball.Radius);
+        Vector3d n = _world.Hold(ref s, system.Carrier);
         if (met < 0 && Vector3d.Distance(s.Position, from) > ContactSearch.Touching)
         {
             // Back on the surface it may be in what it was just leaving.
@@ -341,7 +347,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
         if (system.Guides.Count > 0 || met >= 0)
         {
             var end = new Motion(s.Position, s.Velocity, s.Spin);
-            CarriedSystem<TAir> bare = system;
+            SurfaceSystem bare = system;
             bare.Guides = default;
             bare.Rates(s.Time, in end, out MotionRates pressed);
             system.Rates(s.Time, in end, out MotionRates free);
@@ -354,16 +360,16 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
 
         // Friction, damping and the air's decay end the spin about the normal, and reverse nothing.
         bool brakesAlone = system.Material.DrillingLength > 0 || (!_around.Air.Varies && _isFlat && system.Carrier == _world.Ground);
-        double kept = system.SpinSign * about < 0 && brakesAlone ? 0 : about;
+        double kept = Vector3d.Dot(in system.StartSpin, in n) * about < 0 && brakesAlone ? 0 : about;
         s.SpinAxis = system.Rolls ? Slip.RollingSpin(s.Velocity - system.Carrier.Velocity, kept, in n, _around.Radius)
             : kept == about ? spin : spin - (about * n);
     }
 
-    private CarriedSystem<TAir> System(in BallState s, in Motion from, bool rolls)
+    private SurfaceSystem System(in BallState s, in Motion from, bool rolls)
     {
         Collider carrier = _world.CarrierOf(in s);
         double about = Vector3d.Dot(from.Spin, carrier.At(s.Position, s.Time).Normal);
-        return new CarriedSystem<TAir>
+        return new SurfaceSystem
         {
             Around = _around,
             World = _world,
@@ -374,6 +380,7 @@ internal sealed class CarriedPhase<TAir, TIntegrator>
             NetSides = s.NetSides,
             Guides = Guides.Of(_world, s.Position, s.Velocity, s.Time, (int)s.Carrier - _world.FirstCollider),
             Rolls = rolls,
+            StartSpin = from.Spin,
             SpinSign = about > Slip.Rolling ? 1.0 : about < -Slip.Rolling ? -1.0 : 0.0,
         };
     }

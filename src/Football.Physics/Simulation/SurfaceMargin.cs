@@ -4,8 +4,7 @@ namespace Football.Physics;
 /// What ends a piece of a slide or a roll: the load or the grip ends, a rolling ball comes to rest, or the spin about the normal reaches zero under
 /// drilling friction. Each is a number along the piece that is positive until then.
 /// </summary>
-internal struct CarriedMargin<TAir, TIntegrator> : IFunction
-    where TAir : struct, IAir
+internal struct SurfaceMargin<TIntegrator> : IFunction
     where TIntegrator : struct, IIntegrator
 {
     /// <summary>A limit that is still this share of what it was where it ends has jumped, as the load does at an edge: the piece ends so much beyond.</summary>
@@ -14,11 +13,11 @@ internal struct CarriedMargin<TAir, TIntegrator> : IFunction
     /// <summary>That share of the piece.</summary>
     private const double Beyond = 1e-7;
 
-    public MotionSweep<CarriedSystem<TAir>, TIntegrator> Sweep;
-    private readonly CarriedLimit _what;
+    public MotionSweep<SurfaceSystem, TIntegrator> Sweep;
+    private readonly SurfaceLimit _what;
     private readonly double _time;
 
-    public CarriedMargin(CarriedLimit what, in MotionSweep<CarriedSystem<TAir>, TIntegrator> sweep, double time)
+    public SurfaceMargin(SurfaceLimit what, in MotionSweep<SurfaceSystem, TIntegrator> sweep, double time)
     {
         _what = what;
         _time = time;
@@ -34,8 +33,8 @@ internal struct CarriedMargin<TAir, TIntegrator> : IFunction
 
     public double Of(in Motion at, double after)
     {
-        CarriedForces on = default;
-        if (_what != CarriedLimit.Spin)
+        SurfaceForces on = default;
+        if (_what != SurfaceLimit.Spin)
         {
             on = Sweep.System.ForcesOn(_time + after, in at);
             Sweep.Evaluations++;
@@ -45,23 +44,25 @@ internal struct CarriedMargin<TAir, TIntegrator> : IFunction
     }
 
     /// <summary>The number where the forces are known; those of the spin are not asked for.</summary>
-    private double Of(in CarriedForces on, in Motion at, double after)
+    private double Of(in SurfaceForces on, in Motion at, double after)
     {
-        ref CarriedSystem<TAir> system = ref Sweep.System;
+        ref SurfaceSystem system = ref Sweep.System;
         switch (_what)
         {
-            case CarriedLimit.Spin:
+            case SurfaceLimit.Spin:
                 // Without drilling friction nothing happens at zero.
                 return system.Material.DrillingLength > 0 && system.SpinSign != 0
                     ? system.SpinSign * Vector3d.Dot(in at.Spin, system.Carrier.At(in at.Position, _time + after).Normal)
                     : 0;
-            case CarriedLimit.Load:
+            case SurfaceLimit.Load:
                 return on.FreeLoad;
-            case CarriedLimit.Grip:
+            case SurfaceLimit.Grip:
                 return system.SlidingFriction(in on) - system.Traction(in on).Length;
             default:
-                bool held = system.Drive(in on).Length <= system.RollingFriction(in on, 0);
-                return held ? system.World.Energy(in at, system.Carrier) - system.World.RestEnergy : 1;
+                bool held = system.Rests(in on);
+
+                // The root of the energy falls all but linearly.
+                return held ? Math.Sqrt(system.World.Energy(in at, system.Carrier)) - Math.Sqrt(system.World.RestEnergy) : 1;
         }
     }
 
@@ -70,21 +71,21 @@ internal struct CarriedMargin<TAir, TIntegrator> : IFunction
     /// friction: each is a number that is positive until then.
     /// </summary>
     /// <returns>Whether it ends beyond a jump of one of them, as at an edge.</returns>
-    public static bool EndPiece(ref MotionSweep<CarriedSystem<TAir>, TIntegrator> sweep, in BallState s, bool rolls)
+    public static bool EndPiece(ref MotionSweep<SurfaceSystem, TIntegrator> sweep, in BallState s, bool rolls)
     {
         // The same length beyond the edge for all: one of them after the other would come back before it.
         double beyond = Beyond * sweep.Length;
         bool jumps = false;
-        CarriedForces atEnd = sweep.System.ForcesOn(s.Time + sweep.Length, in sweep.Taken.End);
+        SurfaceForces atEnd = sweep.System.ForcesOn(s.Time + sweep.Length, in sweep.Taken.End);
         sweep.Evaluations++;
-        for (var what = CarriedLimit.Load; what <= CarriedLimit.Spin; what++)
+        for (var what = SurfaceLimit.Load; what <= SurfaceLimit.Spin; what++)
         {
-            if (!rolls && what is CarriedLimit.Grip or CarriedLimit.Rest)
+            if (!rolls && what is SurfaceLimit.Grip or SurfaceLimit.Rest)
             {
                 continue;
             }
 
-            var margin = new CarriedMargin<TAir, TIntegrator>(what, in sweep, s.Time);
+            var margin = new SurfaceMargin<TIntegrator>(what, in sweep, s.Time);
             double end = margin.Of(in atEnd, in sweep.Taken.End, sweep.Length);
             if (end >= 0)
             {

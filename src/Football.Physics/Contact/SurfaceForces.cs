@@ -1,7 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>What acts on a ball that a surface carries, but for friction; per mass, or per moment of inertia.</summary>
-internal struct CarriedForces
+internal struct SurfaceForces
 {
     /// <summary>A load, or a friction to spare, of less than this, m/s², is none.</summary>
     public const double Least = 1e-9;
@@ -27,8 +27,11 @@ internal struct CarriedForces
     /// <summary>Torques of the air, of nets and of the game's own, rad/s².</summary>
     public Vector3d Torque;
 
-    /// <summary>By how much the air holds a ball without spin that friction begins to turn, rad/s²; 0 where the ball spins.</summary>
-    public double Holding;
+    /// <summary>By how much the air slows the spin, rad/s²; of a ball without spin, by how much it holds one that begins to turn.</summary>
+    public double Braking;
+
+    /// <summary>Whether the ball has a spin, as the air sees it.</summary>
+    public bool Spins;
 
     /// <summary>N/m, not negative, m/s².</summary>
     public double Load;
