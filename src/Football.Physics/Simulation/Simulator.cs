@@ -122,12 +122,6 @@ public sealed class Simulator
             RefuseStep(dt, log);
         }
 
-        if (state.Motion == MotionState.Stopped && !_world.Moves)
-        {
-            state.Time += dt;
-            return;
-        }
-
         log!.Halted = false;
         log.StopAt = StopAt.Time;
         Take(ref state, dt, log);
@@ -136,6 +130,12 @@ public sealed class Simulator
     /// <summary>Takes a step. A force of the game's own may refuse it, and the ball is where it was then.</summary>
     private void Take(ref BallState state, double dt, StepLog log)
     {
+        if (state.Motion == MotionState.Stopped && !_world.Moves)
+        {
+            state.Time += dt;
+            return;
+        }
+
         if (!_hasOwnForces)
         {
             _stepper.Step(ref state, dt, log);
@@ -232,7 +232,7 @@ public sealed class Simulator
     }
 
     /// <summary>Advances a ball by one step that its log may end early.</summary>
-    internal void Advance(ref BallState state, double dt, StepLog log) => _stepper.Step(ref state, dt, log);
+    internal void Advance(ref BallState state, double dt, StepLog log) => Take(ref state, dt, log);
 
     /// <summary>Sees the state after every step of a run.</summary>
     internal delegate void StepCallback(in BallState state);
