@@ -237,7 +237,7 @@ internal sealed class KickFlight : PieceObserver
             return false;
         }
 
-        World world = _simulator.World!;
+        World world = _simulator.World;
         double gap = HasMetAll ? (state.Position - _target).Length - Miss
             : world.Colliders[_things[_met] - world.FirstCollider].At(state.Position, state.Time).Distance - world.Ball.Radius;
         return gap > 2.0 * speed * (_last - state.Time);

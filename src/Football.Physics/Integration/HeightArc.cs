@@ -34,14 +34,6 @@ internal readonly struct HeightArc
         Length = length;
     }
 
-    /// <summary>The first positive root of start + v τ + a τ², or the whole length where there is none.</summary>
-    /// <param name="a">Coefficient of τ².</param>
-    public double QuadraticRoot(double a)
-    {
-        double tau = Roots.FallingQuadratic(Start, StartVelocity, a);
-        return tau > 0 && tau < Length ? tau : Length;
-    }
-
     /// <summary>The first time at which the cubic Hermite interpolant comes down to zero, or the whole length where it does not.</summary>
     public double HermiteRoot()
     {
@@ -49,16 +41,6 @@ internal readonly struct HeightArc
         double high = End < 0 ? 1.0 : curve.Lowest;
         var height = new HeightOverArc(in curve);
         return Roots.Newton(ref height, 0, high, high, Close) * Length;
-    }
-
-    /// <summary>Whether a ball that falls at the start and rises at the end goes below contact in between.</summary>
-    public bool Dips
-    {
-        get
-        {
-            CubicHermite curve = Curve;
-            return curve.At(curve.Lowest) < 0;
-        }
     }
 
     private CubicHermite Curve => new(Start, StartVelocity * Length, End, EndVelocity * Length);

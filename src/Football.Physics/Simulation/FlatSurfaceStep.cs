@@ -83,7 +83,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     public FlatSurfaceStep(Scene scene, SolverSettings settings, Surroundings around, in TAir air, in StabilityLimit limit, ClearFlight? clear, bool locatesJump)
     {
         _around = around;
-        _world = around.World!;
+        _world = around.World;
         _air = air;
         _clear = clear;
         _limit = limit;

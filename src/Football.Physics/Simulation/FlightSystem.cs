@@ -60,7 +60,7 @@ internal struct FlightSystem : IMotionSystem
 
         if (Nets != 0)
         {
-            MotionRates nets = around.World!.PushOfNets(Nets, NetSides, in at);
+            MotionRates nets = around.World.PushOfNets(Nets, NetSides, in at);
             acceleration += nets.Acceleration;
             spinAcceleration += nets.SpinAcceleration;
         }
@@ -70,7 +70,7 @@ internal struct FlightSystem : IMotionSystem
 
     private readonly MotionRates Guided(double time, in Motion at, in MotionRates rates) => Guides.Count == 0
         ? rates
-        : new MotionRates(Guides.Free(Around.World!, in at.Position, in at.Velocity, time, in rates.Acceleration), in rates.SpinAcceleration, rates.AirSpeed);
+        : new MotionRates(Guides.Free(Around.World, in at.Position, in at.Velocity, time, in rates.Acceleration), in rates.SpinAcceleration, rates.AirSpeed);
 
     /// <summary>The share of the branch with spin for which the surface that <see cref="Branch"/> names is not left: outside 0 … 1 it is.</summary>
     public readonly double SpinningShare(double time, in Motion at, out MotionRates spinning, out MotionRates noSpin)

@@ -46,7 +46,7 @@ internal sealed class SurfacePhase<TIntegrator>
         _around = around;
         _isFlat = scene.Ground.Heights is null;
         _endsSlipExactly = settings.RollingTransition == RollingTransition.Exact;
-        _world = around.World!;
+        _world = around.World;
         _limit = limit;
         _jump = jump;
         _guard = guard;

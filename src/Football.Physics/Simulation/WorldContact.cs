@@ -20,7 +20,7 @@ internal sealed class WorldContact
     {
         _levelGround = levelGround;
         _around = around;
-        _world = around.World!;
+        _world = around.World;
     }
 
     /// <summary>An impact with a collider that the ball touches, and what becomes of the ball.</summary>
