@@ -91,13 +91,13 @@ internal static class StabilityLab
         var report = new LabReport { Name = "stability", Seed = seed, Failed = matrix.Cells.Any(cell => cell.Failed > 0) };
         var table = new LabTable(
             string.Create(CultureInfo.InvariantCulture, $"{scenes} scenes: does every invariant hold?"),
-            ["scenes", .. StressGenerator.Integrators.Select(method => method.ToString()), "a cell", "steps a frame", "relaxed", "impacts"]);
+            ["scenes", .. StressGenerator.Integrators.Select(method => method.ToString()), "a cell", "steps a frame", "stalled", "impacts"]);
         foreach (StressKind kind in StressGenerator.Kinds)
         {
             StressCell[] row = [.. StressGenerator.Integrators.Select(method => matrix[kind, method])];
             table.Add(
                 [kind.ToString(), .. row.Select(cell => cell.Verdict), row.Sum(cell => cell.Scenes) / row.Length,
-                    (double)row.Sum(cell => cell.Steps) / Math.Max(1, row.Sum(cell => cell.Frames)), row.Sum(cell => cell.Relaxed), row.Sum(cell => cell.Impacts)]);
+                    (double)row.Sum(cell => cell.Steps) / Math.Max(1, row.Sum(cell => cell.Frames)), row.Sum(cell => cell.Stalled), row.Sum(cell => cell.Impacts)]);
         }
 
         report.Tables.Add(table);

@@ -3,10 +3,10 @@ namespace Football.Physics;
 /// <summary>The air that the ball moves through.</summary>
 public sealed record Air
 {
-    /// <summary>Density ρ, kg/m³. 0 … 1e12; default 1.2.</summary>
+    /// <summary>Density ρ, kg/m³. 0 … 100; default 1.2.</summary>
     public double Density { get; init; } = 1.2;
 
-    /// <summary>Kinematic viscosity ν, m²/s. 1e-15 … 1e15; default 1.5e-5.</summary>
+    /// <summary>Kinematic viscosity ν, m²/s. 1e-7 … 0.1; default 1.5e-5.</summary>
     public double KinematicViscosity { get; init; } = 1.5e-5;
 
     /// <summary>Steady wind, m/s. Speed at most 1000; default none.</summary>
@@ -20,8 +20,8 @@ public sealed record Air
 
     internal void Validate()
     {
-        Check.NotNegative("air.density", Density);
-        Check.Positive("air.kinematicViscosity", KinematicViscosity);
+        Check.Within("air.density", Density, 0, 100);
+        Check.Within("air.kinematicViscosity", KinematicViscosity, 1e-7, 0.1);
         Check.Size("air.wind", Wind, Limits.Speed, "m/s");
         if (WindField is not null)
         {

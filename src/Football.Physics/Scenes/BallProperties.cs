@@ -4,13 +4,13 @@ namespace Football.Physics;
 /// <remarks>Numbers are tagged: law (the Laws of the Game, or exact mechanics), measured, derived, guess (no measurement found).</remarks>
 public sealed record BallProperties
 {
-    /// <summary>Mass, kg. 1e-300 … 1e100; default 0.43 (law: 0.41 … 0.45).</summary>
+    /// <summary>Mass, kg. 0.001 … 100, and no less than a twentieth of that of the air it displaces; default 0.43 (law: 0.41 … 0.45).</summary>
     public double Mass { get; init; } = 0.43;
 
-    /// <summary>Radius, m. 1e-9 … 1e6; default 0.11 (law: 68 … 70 cm around).</summary>
+    /// <summary>Radius, m. 0.02 … 5; default 0.11 (law: 68 … 70 cm around).</summary>
     public double Radius { get; init; } = 0.11;
 
-    /// <summary>Inertia factor α in I = α m r². 1e-12 … 1; default 2/3, a thin shell (derived; layered balls ±0.03, guess).</summary>
+    /// <summary>Inertia factor α in I = α m r². 0.1 … 1; default 2/3, a thin shell (derived; layered balls ±0.03, guess).</summary>
     public double InertiaFactor { get; init; } = 2.0 / 3.0;
 
     /// <summary>Drag coefficient without spin, for <see cref="CoefficientForm.Measured"/> alone. Default <see cref="DragCurve.Generic"/>.</summary>
@@ -18,7 +18,7 @@ public sealed record BallProperties
 
     /// <summary>
     /// K, standard deviation of the knuckle force across the motion at 30 m/s without spin, N; see <see cref="ForceSet.KnuckleSeed"/>.
-    /// Not negative; default 1.5 (guess, within what Hong and Asai 2014 measured on other balls, 0.6 … 3.1).
+    /// 0 … 100; default 1.5 (guess, within what Hong and Asai 2014 measured on other balls, 0.6 … 3.1).
     /// </summary>
     public double KnuckleForce { get; init; } = 1.5;
 
@@ -52,12 +52,15 @@ public sealed record BallProperties
     /// <summary>Moment of inertia I = α m r², kg m².</summary>
     public double MomentOfInertia => InertiaFactor * Mass * Radius * Radius;
 
+    /// <summary>The most that may damp a spin of this ball, N m s: so that none ends within 10 µs.</summary>
+    internal double MostDamping => Math.Min(1.0, 1e5 * MomentOfInertia);
+
     internal void Validate()
     {
-        Check.Positive("ball.mass", Mass);
-        Check.Within("ball.radius", Radius, 0, Limits.Length, exclusiveLow: true);
-        Check.Within("ball.inertiaFactor", InertiaFactor, 0, 1, exclusiveLow: true);
-        Check.NotNegative("ball.knuckleForce", KnuckleForce);
+        Check.Within("ball.mass", Mass, 0.001, 100);
+        Check.Within("ball.radius", Radius, 0.02, 5);
+        Check.Within("ball.inertiaFactor", InertiaFactor, 0.1, 1);
+        Check.Within("ball.knuckleForce", KnuckleForce, 0, 100);
         DragCurve.Validate();
     }
 }

@@ -98,13 +98,13 @@ public sealed class Bodies : IReadOnlyList<Body>
         }
     }
 
-    internal void Validate(double radius)
+    internal void Validate(BallProperties ball)
     {
         for (int i = 0; i < Count; i++)
         {
             string field = Check.Item("bodies", i);
-            Check.Within(field + ".shape.hollowCurvature", _bodies[i].Shape.HollowCurvature, 0, 0.5 / radius);
-            _bodies[i].Surface.Validate(field + ".surface");
+            Check.Within(field + ".shape.hollowCurvature", _bodies[i].Shape.HollowCurvature, 0, 0.5 / ball.Radius);
+            _bodies[i].Surface.Validate(field + ".surface", ball.MostDamping);
         }
     }
 

@@ -18,13 +18,13 @@ public sealed record ForceSet
     /// <summary>What the empirical laws follow. Default <see cref="CoefficientForm.Measured"/>.</summary>
     public CoefficientForm Coefficients { get; init; } = CoefficientForm.Measured;
 
-    /// <summary>C_D of the constant drag law. 0 … 1e15; default 0.25.</summary>
+    /// <summary>C_D of the constant drag law. 0 … 10; default 0.25.</summary>
     public double DragCoefficient { get; init; } = 0.25;
 
-    /// <summary>C_M of the constant Magnus law. Within ±1e15; default 0.25.</summary>
+    /// <summary>C_M of the constant Magnus law. Within ±10; default 0.25.</summary>
     public double MagnusCoefficient { get; init; } = 0.25;
 
-    /// <summary>k of the constant spin decay T = −k ω, N m s. 0 … 1e15; default 0.</summary>
+    /// <summary>k of the constant spin decay T = −k ω, N m s. 0 … 1, at most 1e5 1/s times the moment of inertia; default 0.</summary>
     public double SpinDecayCoefficient { get; init; }
 
     /// <summary>
@@ -57,9 +57,9 @@ public sealed record ForceSet
         Check.Defined("forces.magnus", Magnus, (int)Magnus, 3);
         Check.Defined("forces.spinDecay", SpinDecay, (int)SpinDecay, 3);
         Check.Defined("forces.coefficients", Coefficients, (int)Coefficients, 3);
-        Check.NotNegative("forces.dragCoefficient", DragCoefficient);
-        Check.Finite("forces.magnusCoefficient", MagnusCoefficient);
-        Check.NotNegative("forces.spinDecayCoefficient", SpinDecayCoefficient);
+        Check.Within("forces.dragCoefficient", DragCoefficient, 0, 10);
+        Check.Within("forces.magnusCoefficient", MagnusCoefficient, -10, 10);
+        Check.Within("forces.spinDecayCoefficient", SpinDecayCoefficient, 0, 1);
         Check.Given("forces.custom", Custom);
         foreach (IForce force in Custom)
         {

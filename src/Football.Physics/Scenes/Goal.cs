@@ -91,7 +91,7 @@ public sealed record Goal
         yield return Side("right net", middle + (side * Right), in back, top);
     }
 
-    internal void Validate(string field)
+    internal void Validate(string field, double mostDamping = 1)
     {
         Check.Place(field + ".center", Center);
         Check.Direction(field + ".facing", Facing);
@@ -105,7 +105,7 @@ public sealed record Goal
         Check.Within(field + ".postRadius", PostRadius, 0, Limits.Length, exclusiveLow: true);
         Check.Within(field + ".depth[0]", DepthAtBar, 0, Limits.Length, exclusiveLow: true);
         Check.Within(field + ".depth[1]", DepthOnGround, 0, Limits.Length, exclusiveLow: true);
-        Surface?.Validate(field + ".surface");
+        Surface?.Validate(field + ".surface", mostDamping);
     }
 
     private Net Side(string name, in Vector3d middle, in Vector3d back, double top) => new()

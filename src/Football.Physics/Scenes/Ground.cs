@@ -25,25 +25,25 @@ public sealed record Ground
     /// <summary>Coefficient of friction of an impact: the tangential impulse is at most so many times the normal one. Not negative; infinite for no limit; default 1.2 (at least 0.91 derived, the value guess).</summary>
     public double ImpactFriction { get; init; } = 1.2;
 
-    /// <summary>Coefficient of sliding friction μ_s. 0 … 1e9; default 0.5 (guess).</summary>
+    /// <summary>Coefficient of sliding friction μ_s. 0 … 10; default 0.5 (guess).</summary>
     public double SlidingFriction { get; init; } = 0.5;
 
-    /// <summary>Coefficient of rolling friction μ_r, or c₀. 0 … 1e9; default 0.07 (measured, given c₁).</summary>
+    /// <summary>Coefficient of rolling friction μ_r, or c₀. 0 … 10; default 0.07 (measured, given c₁).</summary>
     public double RollingFriction { get; init; } = 0.07;
 
-    /// <summary>What rolling friction gains by speed, c₁, s/m. Not negative; default 0.006 (guess).</summary>
+    /// <summary>What rolling friction gains by speed, c₁, s/m. 0 … 1; default 0.006 (guess).</summary>
     public double RollingFrictionBySpeed { get; init; } = 0.006;
 
-    /// <summary>Damping c_ω of the spin about the vertical on the ground, N m s. 0 … 1e12; default 0: it is drilling friction that takes of it.</summary>
+    /// <summary>Damping c_ω of the spin about the vertical on the ground, N m s. 0 … 1, at most 1e5 1/s times the moment of inertia; default 0: it is drilling friction that takes of it.</summary>
     public double SpinDamping { get; init; }
 
-    /// <summary>Lever b of the drilling friction about the normal, which takes b μ_s of the normal force as torque, m. Not negative; default 0.02 (guess).</summary>
+    /// <summary>Lever b of the drilling friction about the normal, which takes b μ_s of the normal force as torque, m. 0 … 1; default 0.02 (guess).</summary>
     public double DrillingLength { get; init; } = 0.02;
 
-    /// <summary>A ball that leaves an impact slower than this, upwards, stays down, m/s. 0.001 … 1e12; default 0.2, a hop of 2 mm (guess).</summary>
+    /// <summary>A ball that leaves an impact slower than this, upwards, stays down, m/s. 0.001 … 10; default 0.2, a hop of 2 mm (guess).</summary>
     public double MinimumBounceSpeed { get; init; } = 0.2;
 
-    /// <summary>A rolling ball with less kinetic energy than this is at rest, J. Above 0; default 1e-4.</summary>
+    /// <summary>A rolling ball with less kinetic energy than this is at rest, J. 1e-12 … 100; default 1e-4.</summary>
     public double RestEnergy { get; init; } = 1e-4;
 
     /// <summary>Height of the ground over the origin, m. Within ±1e6; default 0.</summary>

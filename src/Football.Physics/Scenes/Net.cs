@@ -25,16 +25,16 @@ public sealed record Net
     /// <summary>Half its size along normal × along, m; above 0.</summary>
     public required double HalfWidth { get; init; }
 
-    /// <summary>Stiffness k, N/m. Not negative; default 400.</summary>
+    /// <summary>Stiffness k, N/m. 0 … 1e5; default 400.</summary>
     public double Stiffness { get; init; } = 400;
 
-    /// <summary>Damping b: the ball leaves the net at 1/b at most, s/m. Not negative; default 1.5.</summary>
+    /// <summary>Damping b: the ball leaves the net at 1/b at most, s/m. 0 … 100; default 1.5.</summary>
     public double Damping { get; init; } = 1.5;
 
-    /// <summary>Damping along the sheet k_t, N s/m². Not negative; default 60.</summary>
+    /// <summary>Damping along the sheet k_t, N s/m². 0 … 1e4; default 60.</summary>
     public double TangentialDamping { get; init; } = 60;
 
-    /// <summary>Damping of the spin k_ω, N s. Not negative; default 0.02.</summary>
+    /// <summary>Damping of the spin k_ω, N s. 0 … 10; default 0.02.</summary>
     public double SpinDamping { get; init; } = 0.02;
 
     internal void Validate(string field)
@@ -50,9 +50,9 @@ public sealed record Net
 
         Check.Within(field + ".halfSize[0]", HalfLength, 0, Limits.Length, exclusiveLow: true);
         Check.Within(field + ".halfSize[1]", HalfWidth, 0, Limits.Length, exclusiveLow: true);
-        Check.NotNegative(field + ".stiffness", Stiffness);
-        Check.NotNegative(field + ".damping", Damping);
-        Check.NotNegative(field + ".tangentialDamping", TangentialDamping);
-        Check.NotNegative(field + ".spinDamping", SpinDamping);
+        Check.Within(field + ".stiffness", Stiffness, 0, 1e5);
+        Check.Within(field + ".damping", Damping, 0, 100);
+        Check.Within(field + ".tangentialDamping", TangentialDamping, 0, 1e4);
+        Check.Within(field + ".spinDamping", SpinDamping, 0, 10);
     }
 }

@@ -21,13 +21,13 @@ public sealed record Obstacle
     /// <summary>What it turns about, at time 0, m; components within ±1e6. Moves with it. Default the origin.</summary>
     public Vector3d Pivot { get; init; }
 
-    internal void Validate(string field, double radius)
+    internal void Validate(string field, BallProperties ball)
     {
         _ = Name ?? throw Check.Refusal(field + ".name", "null", "a name");
         _ = Shape ?? throw Check.Refusal(field + ".shape", "null", "a shape");
         _ = Surface ?? throw Check.Refusal(field + ".surface", "null", "a surface");
-        Check.Within(field + ".shape.hollowCurvature", Shape.HollowCurvature, 0, 0.5 / radius);
-        Surface.Validate(field + ".surface");
+        Check.Within(field + ".shape.hollowCurvature", Shape.HollowCurvature, 0, 0.5 / ball.Radius);
+        Surface.Validate(field + ".surface", ball.MostDamping);
         Check.Size(field + ".velocity", Velocity, Limits.Speed, "m/s");
         Check.Size(field + ".spin", Spin, Limits.Spin, "rad/s");
         Check.Place(field + ".pivot", Pivot);

@@ -19,7 +19,7 @@ public sealed record Scene
     /// <summary>The air. Default still air at sea level.</summary>
     public Air Air { get; init; } = new();
 
-    /// <summary>Gravitational acceleration g, m/s². Not negative, at most 1e9; default 9.81.</summary>
+    /// <summary>Gravitational acceleration g, m/s². 0 … 1000; default 9.81.</summary>
     public double Gravity { get; init; } = 9.81;
 
     /// <summary>Which forces act, and by which law. Default all of them, by the measured laws.</summary>
@@ -76,11 +76,19 @@ public sealed record Scene
         Check.Given("goals", Goals);
         Ball.Validate();
         Air.Validate();
-        Check.NotNegative("gravity", Gravity);
+        Check.Within("gravity", Gravity, 0, 1000);
         Forces.Validate();
+        ValidateLightness();
         ValidateGround();
         ValidateThings();
-        SceneRange.Validate(this);
+    }
+
+    /// <summary>What a ball's lightness allows: it holds some of the air that it displaces, and nothing ends its spin at once.</summary>
+    private void ValidateLightness()
+    {
+        double displaced = 4.0 / 3.0 * Math.PI * Ball.Radius * Ball.Radius * Ball.Radius * Air.Density;
+        Check.AtLeast("ball.mass (with this air, of which it displaces twenty times as much at most)", Ball.Mass, 0.05 * displaced);
+        Check.Within("forces.spinDecayCoefficient", Forces.SpinDecayCoefficient, 0, Ball.MostDamping);
     }
 
     private void ValidateGround()
@@ -89,15 +97,15 @@ public sealed record Scene
         Check.Within("ground.tangentialRestitution[0]", Ground.TangentialRestitutionX, -1, 1);
         Check.Within("ground.tangentialRestitution[1]", Ground.TangentialRestitutionZ, -1, 1);
         Check.Within("ground.spinRestitution", Ground.SpinRestitution, 0, 1);
-        Check.NotNegative("ground.slidingFriction", Ground.SlidingFriction);
-        Check.NotNegative("ground.rollingFriction", Ground.RollingFriction);
-        Check.NotNegative("ground.spinDamping", Ground.SpinDamping);
-        Check.AtLeast("ground.minimumBounceSpeed", Ground.MinimumBounceSpeed, 0.001);
-        Check.Positive("ground.restEnergy", Ground.RestEnergy);
+        Check.Within("ground.slidingFriction", Ground.SlidingFriction, 0, 10);
+        Check.Within("ground.rollingFriction", Ground.RollingFriction, 0, 10);
+        Check.Within("ground.spinDamping", Ground.SpinDamping, 0, Ball.MostDamping);
+        Check.Within("ground.minimumBounceSpeed", Ground.MinimumBounceSpeed, 0.001, 10);
+        Check.Within("ground.restEnergy", Ground.RestEnergy, 1e-12, 100);
         Check.Within("ground.restitutionSpeed", Ground.RestitutionSpeed, 0, double.PositiveInfinity, exclusiveLow: true);
         Check.Within("ground.impactFriction", Ground.ImpactFriction, 0, double.PositiveInfinity);
-        Check.NotNegative("ground.rollingFrictionBySpeed", Ground.RollingFrictionBySpeed);
-        Check.NotNegative("ground.drillingLength", Ground.DrillingLength);
+        Check.Within("ground.rollingFrictionBySpeed", Ground.RollingFrictionBySpeed, 0, 1);
+        Check.Within("ground.drillingLength", Ground.DrillingLength, 0, 1);
         if (!Ground.IsNone)
         {
             Check.Within("ground.height", Ground.Height, -Limits.Length, Limits.Length);
@@ -127,7 +135,7 @@ public sealed record Scene
             Check.Within("ground.pattern.leastWidth", pattern.LeastWidth, 0, double.PositiveInfinity, exclusiveLow: true);
             for (int i = 0; i < pattern.Surfaces.Count; i++)
             {
-                pattern.Surfaces[i].Validate(Check.Item("ground.pattern.surfaces", i));
+                pattern.Surfaces[i].Validate(Check.Item("ground.pattern.surfaces", i), Ball.MostDamping);
             }
         }
 
@@ -146,10 +154,10 @@ public sealed record Scene
     {
         for (int i = 0; i < Obstacles.Count; i++)
         {
-            Obstacles[i].Validate(Check.Item("obstacles", i), Ball.Radius);
+            Obstacles[i].Validate(Check.Item("obstacles", i), Ball);
         }
 
-        Bodies?.Validate(Ball.Radius);
+        Bodies?.Validate(Ball);
         int nets = Nets.Count;
         for (int i = 0; i < Nets.Count; i++)
         {
@@ -158,7 +166,7 @@ public sealed record Scene
 
         for (int i = 0; i < Goals.Count; i++)
         {
-            Goals[i].Validate(Check.Item("goals", i));
+            Goals[i].Validate(Check.Item("goals", i), Ball.MostDamping);
             nets += Goals[i].NetCount;
         }
 

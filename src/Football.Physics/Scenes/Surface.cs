@@ -21,19 +21,19 @@ public sealed record Surface
     /// <summary>Coefficient of friction of an impact μ: the tangential impulse is at most μ times the normal one. Not negative; infinite is no limit; default 0.3.</summary>
     public double ImpactFriction { get; init; } = 0.3;
 
-    /// <summary>Coefficient of sliding friction μ_s. Not negative; default 0.3.</summary>
+    /// <summary>Coefficient of sliding friction μ_s. 0 … 10; default 0.3.</summary>
     public double SlidingFriction { get; init; } = 0.3;
 
-    /// <summary>Coefficient of rolling friction μ_r. Not negative; default 0.05.</summary>
+    /// <summary>Coefficient of rolling friction μ_r. 0 … 10; default 0.05.</summary>
     public double RollingFriction { get; init; } = 0.05;
 
-    /// <summary>What rolling friction gains by speed, c₁, s/m. Not negative; default 0.</summary>
+    /// <summary>What rolling friction gains by speed, c₁, s/m. 0 … 1; default 0.</summary>
     public double RollingFrictionBySpeed { get; init; }
 
-    /// <summary>Damping c_ω of the spin about the normal of a ball that is carried, N m s. Not negative; default 0.002.</summary>
+    /// <summary>Damping c_ω of the spin about the normal of a ball that is carried, N m s. 0 … 1, at most 1e5 1/s times the moment of inertia; default 0.002.</summary>
     public double SpinDamping { get; init; } = 0.002;
 
-    /// <summary>Lever b of the drilling friction about the normal, which takes b μ_s of the normal force as torque, m. Not negative; default 0.</summary>
+    /// <summary>Lever b of the drilling friction about the normal, which takes b μ_s of the normal force as torque, m. 0 … 1; default 0.</summary>
     public double DrillingLength { get; init; }
 
     /// <summary>The frame of a goal.</summary>
@@ -97,18 +97,19 @@ public sealed record Surface
 
     /// <summary>Checks every number.</summary>
     /// <param name="field">What the surface belongs to.</param>
+    /// <param name="mostDamping">The most that may damp a spin of the ball, N m s.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range.</exception>
-    internal void Validate(string field)
+    internal void Validate(string field, double mostDamping = 1)
     {
         Check.Within(field + ".normalRestitution", NormalRestitution, 0, 1);
         Check.Within(field + ".restitutionSpeed", RestitutionSpeed, 0, double.PositiveInfinity, exclusiveLow: true);
         Check.Within(field + ".tangentialRestitution", TangentialRestitution, -1, 1);
         Check.Within(field + ".spinRestitution", SpinRestitution, 0, 1);
         Check.Within(field + ".impactFriction", ImpactFriction, 0, double.PositiveInfinity);
-        Check.NotNegative(field + ".slidingFriction", SlidingFriction);
-        Check.NotNegative(field + ".rollingFriction", RollingFriction);
-        Check.NotNegative(field + ".rollingFrictionBySpeed", RollingFrictionBySpeed);
-        Check.NotNegative(field + ".spinDamping", SpinDamping);
-        Check.NotNegative(field + ".drillingLength", DrillingLength);
+        Check.Within(field + ".slidingFriction", SlidingFriction, 0, 10);
+        Check.Within(field + ".rollingFriction", RollingFriction, 0, 10);
+        Check.Within(field + ".rollingFrictionBySpeed", RollingFrictionBySpeed, 0, 1);
+        Check.Within(field + ".spinDamping", SpinDamping, 0, mostDamping);
+        Check.Within(field + ".drillingLength", DrillingLength, 0, 1);
     }
 }

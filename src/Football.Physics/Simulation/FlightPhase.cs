@@ -9,9 +9,9 @@ internal sealed class FlightPhase<TIntegrator>
 {
     private readonly Surroundings _around;
     private readonly IFlight _flight;
+    private readonly ClassicalFlight _classical;
     private readonly StabilityLimit _limit;
     private readonly DragJumpGuard _jump;
-    private readonly ImplicitPhase _implicit;
     private readonly FlightSystem _system;
     private readonly TIntegrator _integrator;
     private readonly World _world;
@@ -24,7 +24,6 @@ internal sealed class FlightPhase<TIntegrator>
         IFlight flight,
         in StabilityLimit limit,
         DragJumpGuard jump,
-        ImplicitPhase implicitPhase,
         WorldGuard guard)
     {
         _world = around.World;
@@ -32,9 +31,9 @@ internal sealed class FlightPhase<TIntegrator>
         _nets = new NetGuard(_world);
         _around = around;
         _flight = flight;
+        _classical = new ClassicalFlight(around);
         _limit = limit;
         _jump = jump;
-        _implicit = implicitPhase;
         _system = new FlightSystem { Around = around };
         _integrator = default;
         _fastestWind = around.Air.FastestWind;
@@ -57,23 +56,24 @@ internal sealed class FlightPhase<TIntegrator>
 
         bool hasAxis = !_around.Air.TurnsAxis && s.Branch < DragBranch.AlongCriticalSpeed && s.Nets == 0 && guides.Count == 0;
         double asked = run.Next;
-        double h = Longest(in s, in u, asked, hasAxis && !_around.Air.Varies);
-        if (h <= 0)
-        {
-            _implicit.Fly(ref s, ref run);
-            return;
-        }
-
+        double h = Longest(in s, in u, asked, hasAxis && !_around.Air.Varies, ref run.Spirals);
         run.Keep(h, asked);
-        if (hasAxis)
+        switch (hasAxis, run.Spirals)
         {
-            var sweep = new FlightSweep<TIntegrator>(_around, _flight, in s);
-            sweep.Step(h);
-            Finish(ref s, ref run, ref sweep);
-        }
-        else
-        {
-            TakeWithoutAxis(ref s, ref run, h, in guides);
+            case (true, false):
+                TakeWithAxis<TIntegrator>(ref s, ref run, h, _flight);
+                break;
+            case (false, false):
+                TakeWithoutAxis<TIntegrator>(ref s, ref run, h, in guides);
+                break;
+
+            // RK4 makes no velocity longer that turns by up to 2.8 rad.
+            case (true, true):
+                TakeWithAxis<ClassicalRungeKutta>(ref s, ref run, h, _classical);
+                break;
+            default:
+                TakeWithoutAxis<ClassicalRungeKutta>(ref s, ref run, h, in guides);
+                break;
         }
     }
 
@@ -91,8 +91,17 @@ internal sealed class FlightPhase<TIntegrator>
         Finish(ref s, ref run, ref sweep);
     }
 
+    private void TakeWithAxis<TMethod>(ref BallState s, ref StepRun run, double h, IFlight flight)
+        where TMethod : struct, IIntegrator
+    {
+        var sweep = new FlightSweep<TMethod>(_around, flight, in s);
+        sweep.Step(h);
+        Finish(ref s, ref run, ref sweep);
+    }
+
     /// <summary>Ends a piece along a constant axis at the first thing that happens in it, and moves the ball there.</summary>
-    private void Finish(ref BallState s, ref StepRun run, ref FlightSweep<TIntegrator> sweep)
+    private void Finish<TMethod>(ref BallState s, ref StepRun run, ref FlightSweep<TMethod> sweep)
+        where TMethod : struct, IIntegrator
     {
         DragBranch next = s.Branch;
         bool goes = !_jump.Acts || _jump.EndAtCrossing(ref sweep, in s, ref run, out next);
@@ -102,23 +111,25 @@ internal sealed class FlightPhase<TIntegrator>
             next = s.Branch;
         }
 
-        Finish(ref s, ref run, ref sweep, next, goes, default);
+        Finish(ref s, ref run, ref sweep, default(TMethod).Order, next, goes, default);
     }
 
     /// <summary>A piece with the whole spin vector: with forces of the game's own, along the drag law's jump, in a net, or along what guides the ball.</summary>
-    private void TakeWithoutAxis(ref BallState s, ref StepRun run, double h, in Guides guides)
+    private void TakeWithoutAxis<TMethod>(ref BallState s, ref StepRun run, double h, in Guides guides)
+        where TMethod : struct, IIntegrator
     {
+        int order = default(TMethod).Order;
         var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
         FlightSystem system = _system;
         system.Branch = s.Branch;
         system.Nets = s.Nets;
         system.NetSides = s.NetSides;
         system.Guides = guides;
-        var sweep = new MotionSweep<FlightSystem, TIntegrator>(in system, s.Time, in from, _around.Wind, _around.Radius);
+        var sweep = new MotionSweep<FlightSystem, TMethod>(in system, s.Time, in from, _around.Wind, _around.Radius);
         sweep.Step(h);
         if (guides.Count > 0)
         {
-            SurfacePath.Shorten(ref sweep, in s, _world, null, in guides, _integrator.Order);
+            SurfacePath.Shorten(ref sweep, in s, _world, null, in guides, order);
         }
 
         DragBranch next = s.Branch;
@@ -143,7 +154,7 @@ internal sealed class FlightPhase<TIntegrator>
             next = sweep.Length < length ? s.Branch : next;
         }
 
-        Finish(ref s, ref run, ref sweep, next, goes, in guides);
+        Finish(ref s, ref run, ref sweep, order, next, goes, in guides);
     }
 
     /// <summary>Puts a ball onto what it slides along: what the integrator left of it is within its own error.</summary>
@@ -160,7 +171,7 @@ internal sealed class FlightPhase<TIntegrator>
     }
 
     /// <summary>Ends a piece at the first thing that it meets, and moves the ball to its end.</summary>
-    private void Finish<TSweep>(ref BallState s, ref StepRun run, ref TSweep sweep, DragBranch next, bool goes, in Guides guides)
+    private void Finish<TSweep>(ref BallState s, ref StepRun run, ref TSweep sweep, int order, DragBranch next, bool goes, in Guides guides)
         where TSweep : struct, IFlightSweep
     {
         if (!goes)
@@ -172,7 +183,7 @@ internal sealed class FlightPhase<TIntegrator>
         }
 
         double length = sweep.Length;
-        bool meets = _guard.EndAtFirst(ref sweep, in s, _integrator.Order, out Gap met);
+        bool meets = _guard.EndAtFirst(ref sweep, in s, order, out Gap met);
         if (!meets)
         {
             // What was halved for forces that turn the ball round stays so short in this step.
@@ -189,7 +200,7 @@ internal sealed class FlightPhase<TIntegrator>
             Hold(ref s, in guides, meets && met.What == Happening.Contact ? met.Index : -1);
         }
 
-        run.Show(in before, in s, ref sweep, _integrator.Order);
+        run.Show(in before, in s, ref sweep, order);
         if (meets && !run.Log.Halted)
         {
             _guard.Meet(ref s, in met, ref run);
@@ -197,15 +208,16 @@ internal sealed class FlightPhase<TIntegrator>
     }
 
     /// <summary>Ends a piece where its spin reaches zero: decay never reverses a spin.</summary>
-    private static void EndSpin(ref FlightSweep<TIntegrator> sweep, double spinRate)
+    private static void EndSpin<TMethod>(ref FlightSweep<TMethod> sweep, double spinRate)
+        where TMethod : struct, IIntegrator
     {
         double tau = sweep.Length * spinRate / (spinRate - sweep.Taken.SpinRate);
-        EventLocator.Locate(ref sweep, new SpinLeft<TIntegrator>(spinRate), tau);
+        EventLocator.Locate(ref sweep, new SpinLeft<TMethod>(spinRate), tau);
         sweep.EndSpin();
     }
 
-    /// <summary>The longest piece that stability allows, s; 0 where it would be too short.</summary>
-    private double Longest(in BallState s, in Vector3d u, double asked, bool isPlain)
+    /// <summary>The longest piece that stability allows, s.</summary>
+    private double Longest(in BallState s, in Vector3d u, double asked, bool isPlain, ref bool spirals)
     {
         double h = asked;
         double speedSquared = u.LengthSquared;
@@ -215,15 +227,15 @@ internal sealed class FlightPhase<TIntegrator>
             double most = Math.Sqrt(speedSquared) + _fastestWind;
             h = asked * _limit.RateAtMost(most, spin) <= StabilityLimit.LargestChange
                 ? asked
-                : _limit.PartOf(ref _around.Air, asked, _fastestWind > 0 ? AirSpeed(in s, in u) : most, spin, s.Branch);
-            h = h > 0 ? _nets.LongestPiece(in s, h) : h;
+                : _limit.PartOf(ref _around.Air, asked, _fastestWind > 0 ? AirSpeed(in s, in u) : most, spin, s.Branch, ref spirals);
+            h = _nets.LongestPiece(in s, h);
         }
         else if (_around.AirActs && !_limit.AllowsWhole(h, speedSquared, s.SpinRate, false))
         {
-            h = _limit.PartOf(ref _around.Air, asked, Math.Sqrt(speedSquared), s.SpinRate, s.Branch);
+            h = _limit.PartOf(ref _around.Air, asked, Math.Sqrt(speedSquared), s.SpinRate, s.Branch, ref spirals);
         }
 
-        return h > 0 && _integrator.GainsByHops ? _limit.WithinHop(h, s.Position.Y - _world.LevelContact, s.Velocity.Y) : h;
+        return _integrator.GainsByHops ? _limit.WithinHop(h, s.Position.Y - _world.LevelContact, s.Velocity.Y) : h;
     }
 
     /// <summary>The speed relative to the air in wind by place and time, m/s.</summary>

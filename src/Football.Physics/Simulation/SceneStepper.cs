@@ -10,29 +10,21 @@ namespace Football.Physics;
 /// <item><see cref="FlatSurfaceStep{TAir}"/>: a whole step of a slide, a roll on flat ground in which nothing happens;</item>
 /// <item><see cref="SurfacePhase{TIntegrator}"/>: a slide, a roll on any surface, to the jump, the end of the slip, rest, what is met;</item>
 /// <item><see cref="WorldContact"/>: an impact, and what becomes of the ball after it;</item>
-/// <item><see cref="RestPhase"/>: at rest among what moves, to the first that hits;</item>
-/// <item><see cref="ImplicitPhase"/>: where the air is too strong for explicit pieces.</item>
+/// <item><see cref="RestPhase"/>: at rest among what moves, to the first that hits.</item>
 /// </list>
 /// </summary>
 /// <typeparam name="TIntegrator">The one-step method.</typeparam>
 internal class SceneStepper<TIntegrator> : Stepper, IFlight
     where TIntegrator : struct, IIntegrator
 {
-    /// <summary>After so many pieces the length of the parts is chosen anew: what asked for short ones may be over.</summary>
-    private const int PiecesOfOneLength = 1024;
-
-    /// <summary>After so many pieces in a row in which the clock stands still, the rest of the step is taken by implicit Euler.</summary>
-    private const int MostStanding = 256;
-
     private readonly Vector3d _wind;
     private readonly double _upward;
     private SceneAir _air;
     private TIntegrator _integrator;
     private readonly FlightPhase<TIntegrator> _flight;
-    private readonly ImplicitPhase _implicit;
     private readonly ClearFlight? _clear;
     private readonly ulong _clearKey;
-    private readonly SurfacePhase<TIntegrator> _carried;
+    private readonly SurfacePhase<TIntegrator> _surface;
     private readonly StabilityLimit _pulled;
     private FlatSurfaceStep? _flat;
     private readonly RestPhase _rest;
@@ -58,14 +50,13 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         _contact = new WorldContact(around, scene.Ground.IsLevel);
         _bodies = world is { Bodies: not null } or { Engine: not null } ? new BodyPush(world, _contact) : null;
         var guard = new WorldGuard(world, _contact, settings);
-        _implicit = new ImplicitPhase(around, guard);
 
         // Friction may speed a ball up faster than gravity does.
         double pull = Math.Abs(_upward) * Math.Max(1.0, world.LargestFriction);
         _pulled = StabilityLimit.Of(scene, in _air, 0, pull, _integrator.Order);
-        _carried = new SurfacePhase<TIntegrator>(scene, settings, around, _pulled, jump, guard, _contact, _implicit);
+        _surface = new SurfacePhase<TIntegrator>(scene, settings, around, _pulled, jump, guard, _contact);
         _rest = new RestPhase(world, guard);
-        _flight = new FlightPhase<TIntegrator>(around, this, Limit, jump, _implicit, guard);
+        _flight = new FlightPhase<TIntegrator>(around, this, Limit, jump, guard);
     }
 
     public override World World => Around.World;
@@ -192,15 +183,15 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         s.ClearUntil = 0;
         _contact.Raise(ref s);
         _bodies?.Apply(ref s, ref run);
-        while (run.Left > 0 && !run.IsWedged && (s.Motion != MotionState.Stopped || World.Moves))
+        while (run.Left > 0 && (s.Motion != MotionState.Stopped || World.Moves))
         {
-            if (!run.Begin() || run.Standing > MostStanding)
+            if (!run.Begin())
             {
-                _implicit.TakeRest(ref s, ref run);
-                continue;
+                // So that every step ends: the ball stays where it is for the rest of it.
+                run.Log.Stalled++;
+                break;
             }
 
-            run.Part = run.Pieces % PiecesOfOneLength == 0 ? 0 : run.Part;
             switch (s.Motion)
             {
                 case MotionState.Airborne:
@@ -210,7 +201,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
                     _rest.Take(ref s, ref run);
                     break;
                 default:
-                    _carried.Take(ref s, ref run);
+                    _surface.Take(ref s, ref run);
                     break;
             }
 

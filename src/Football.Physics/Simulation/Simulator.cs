@@ -104,10 +104,9 @@ public sealed class Simulator
     /// <summary>Advances a ball. Events and counts are added to the log; nothing is allocated.</summary>
     /// <remarks>
     /// A step in which drag would overshoot, |u| dt ½ρC_D A/m ≥ 1 (for explicit Euler; 20 ms for a beach ball at 200 m/s), is divided into
-    /// parts as equal as the changing motion allows, counted in <see cref="StepLog.Steps"/>. Where that would take more than 1024 parts (a ball
-    /// without inertia to speak of), and for Euler and RK2 where a Magnus force without drag would have to be divided, the step is taken in at
-    /// most 16 parts by implicit Euler instead, which relaxes to the balance of forces at any length; those parts are counted in
-    /// <see cref="StepLog.Relaxed"/>. Nothing is ever clamped. A ball that leaves an impact to be back within a microsecond stays down.
+    /// parts as equal as the changing motion allows, counted in <see cref="StepLog.Steps"/>; where Euler or RK2 would make a velocity longer
+    /// that the Magnus force turns, those parts are taken by RK4. A step that has had 8 192 parts ends where the ball is, and is counted in
+    /// <see cref="StepLog.Stalled"/>. Nothing is ever clamped. A ball that leaves an impact to be back within a microsecond stays down.
     /// </remarks>
     /// <param name="state">The ball.</param>
     /// <param name="dt">Time to advance by, s: 0 … 1e12. All of it is one step of the integrator, split only at events.</param>

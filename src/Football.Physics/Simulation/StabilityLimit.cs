@@ -17,9 +17,6 @@ internal readonly struct StabilityLimit
     /// <summary>Below this many pieces the simple bound is good enough.</summary>
     private const double FewPieces = 16;
 
-    /// <summary>A step that would have to be divided into more pieces than this is taken by implicit Euler instead.</summary>
-    private const double MostPieces = 1024;
-
     /// <summary>In slower air spin decays as in this, m/s.</summary>
     private const double SlowestAir = 3.2e-9;
 
@@ -96,9 +93,16 @@ internal readonly struct StabilityLimit
     /// <param name="spinRate">|ω|, rad/s.</param>
     public double RateAtMost(double speed, double spinRate) => _bound.At(speed, spinRate);
 
-    /// <summary>The longest of equal parts of a step for which no force overshoots, or 0 where they would be too many.</summary>
+    /// <summary>The longest of equal parts of a step for which no force overshoots.</summary>
+    /// <param name="air">The air.</param>
+    /// <param name="left">Length of the step, s.</param>
+    /// <param name="speed">|u|, m/s.</param>
+    /// <param name="spinRate">|ω|, rad/s.</param>
+    /// <param name="branch">Branch of the drag law.</param>
+    /// <param name="spirals">Set where the method would make a velocity longer in such parts, which the Magnus force only turns.</param>
+    /// <param name="damping">Rate at which a surface damps the spin, 1/s.</param>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public double PartOf(ref SceneAir air, double left, double speed, double spinRate, DragBranch branch, double damping = 0)
+    public double PartOf(ref SceneAir air, double left, double speed, double spinRate, DragBranch branch, ref bool spirals, double damping = 0)
     {
         speed = Math.Max(speed, SlowestAir);
         double pieces = left * (RateAtMost(speed, spinRate) + damping);
@@ -118,7 +122,8 @@ internal readonly struct StabilityLimit
         }
 
         double part = left / Math.Ceiling(pieces / LargestChange);
-        return pieces <= MostPieces && !_spirals && !SpiralsIn(ref air, part, speed, spinRate, branch) ? part : 0;
+        spirals = _spirals || SpiralsIn(ref air, part, speed, spinRate, branch);
+        return part;
     }
 
     /// <summary>

@@ -19,10 +19,10 @@ public sealed class StepLog
     public long Evaluations { get; internal set; }
 
     /// <summary>
-    /// Those of the <see cref="Steps"/> that relaxed to the balance of forces, because the air is so much stronger than the ball's
-    /// inertia that a step would have to be divided into thousands of parts, or because a step has come to its last piece. 0 for anything like a football.
+    /// Calls whose step had all the pieces (8 192) or evaluations (32 768) that one may have, before its end: the ball stayed where it was for the rest.
+    /// 0 for anything like a football; where a ball is pressed from all sides time may not go on otherwise.
     /// </summary>
-    public long Relaxed { get; internal set; }
+    public long Stalled { get; internal set; }
 
     /// <summary>Whether the step ended early at the event asked for.</summary>
     internal bool Halted { get; set; }
@@ -57,7 +57,7 @@ public sealed class StepLog
     }
 
     /// <summary>What it holds now, to come back to.</summary>
-    internal StepLogMark Mark() => new(Events.Count, Events.Missed, Events.Impacts, Steps, Evaluations, Relaxed);
+    internal StepLogMark Mark() => new(Events.Count, Events.Missed, Events.Impacts, Steps, Evaluations, Stalled);
 
     /// <summary>Forgets what came after a mark.</summary>
     internal void TakeBack(in StepLogMark mark)
@@ -65,7 +65,7 @@ public sealed class StepLog
         Events.TakeBack(mark.Events, mark.Missed, mark.Impacts);
         Steps = mark.Steps;
         Evaluations = mark.Evaluations;
-        Relaxed = mark.Relaxed;
+        Stalled = mark.Stalled;
         Halted = false;
     }
 
@@ -75,7 +75,7 @@ public sealed class StepLog
         Events.Clear();
         Steps = 0;
         Evaluations = 0;
-        Relaxed = 0;
+        Stalled = 0;
         Halted = false;
     }
 }

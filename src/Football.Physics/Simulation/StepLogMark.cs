@@ -6,5 +6,5 @@ namespace Football.Physics;
 /// <param name="Impacts">Impacts among both.</param>
 /// <param name="Steps">Pieces.</param>
 /// <param name="Evaluations">Right-hand sides.</param>
-/// <param name="Relaxed">Pieces that relaxed.</param>
-internal readonly record struct StepLogMark(int Events, long Missed, long Impacts, long Steps, long Evaluations, long Relaxed);
+/// <param name="Stalled">Steps that came to their last piece.</param>
+internal readonly record struct StepLogMark(int Events, long Missed, long Impacts, long Steps, long Evaluations, long Stalled);

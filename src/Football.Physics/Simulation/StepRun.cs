@@ -6,20 +6,17 @@ internal ref struct StepRun
     /// <summary>Splits at the drag law's jump that one step may have; a chattering step goes on without more.</summary>
     public const int MaximumSplits = 16;
 
-    /// <summary>Impacts that one step may have. After them, and where the step is spent, the ball stays on what it hits.</summary>
+    /// <summary>Impacts that one step may have. After them the ball stays on what it hits.</summary>
     public const int MostImpacts = 256;
 
     /// <summary>Pieces of a step, whatever asks for them.</summary>
-    private const int MostPieces = 1 << 11;
+    private const int MostPieces = 1 << 13;
 
     /// <summary>Evaluations of the forces in a step, whatever asks for them.</summary>
-    private const long MostEvaluations = 1 << 13;
+    private const long MostEvaluations = 1 << 15;
 
-    /// <summary>After so many pieces what has decayed to nothing is set to zero.</summary>
-    private const int PiecesToVanish = 16;
-
-    /// <summary>Implicit pieces after those: a ball that is then still hit again and again at one instant is wedged, between things that press it.</summary>
-    private const int MostPiecesOfWedged = 256;
+    /// <summary>After so many pieces the length of the parts is chosen anew: what asked for short ones may be over.</summary>
+    private const int PiecesOfOneLength = 64;
 
     /// <summary>Time left, s.</summary>
     public double Left;
@@ -36,26 +33,22 @@ internal ref struct StepRun
     /// <summary>Where the step had to be divided: the length of its parts, s; else 0.</summary>
     public double Part;
 
+    /// <summary>Whether the method would make a velocity longer in such parts, which the Magnus force only turns.</summary>
+    public bool Spirals;
+
     /// <summary>Pieces so far.</summary>
     public int Pieces;
 
     /// <summary>Impacts so far.</summary>
     public int AllImpacts;
 
-    /// <summary>Pieces so far that were taken by implicit Euler.</summary>
-    public int Implicit;
-
     /// <summary>Impacts since time last went on.</summary>
     public int Impacts;
-
-    /// <summary>Pieces in a row in which the clock stood still.</summary>
-    public int Standing;
 
     /// <summary>Where events and counts go.</summary>
     public StepLog Log;
 
     private long _lastEvaluation;
-    private int _piecesOfWedged;
 
     /// <summary>A step.</summary>
     /// <param name="dt">Its length, s.</param>
@@ -70,22 +63,20 @@ internal ref struct StepRun
         _lastEvaluation = log.Evaluations + MostEvaluations;
     }
 
-    /// <summary>Whether it has had all pieces, or all evaluations, that a step may have: the rest is taken by implicit Euler, so that every step ends.</summary>
-    public readonly bool IsSpent => Pieces > MostPieces || Log.Evaluations > _lastEvaluation;
-
     /// <summary>The length of the next part: what is left, or an equal share of it where the step had to be divided, s.</summary>
     public readonly double Next => Part > 0 && Left > Part ? Left / Math.Ceiling((Left / Part) - 1e-9) : Left;
 
-    /// <summary>Whether time cannot go on for the ball, whatever it does.</summary>
-    public readonly bool IsWedged => _piecesOfWedged > MostPiecesOfWedged;
-
     /// <summary>Counts a piece before it is taken.</summary>
-    /// <returns>Whether it may be taken by the method.</returns>
+    /// <returns>False where the step has had all pieces, or all evaluations, that a step may have.</returns>
     public bool Begin()
     {
         Pieces++;
-        _piecesOfWedged += IsSpent ? 1 : 0;
-        return !IsSpent;
+        if (Pieces % PiecesOfOneLength == 0)
+        {
+            Divide();
+        }
+
+        return Pieces <= MostPieces && Log.Evaluations <= _lastEvaluation;
     }
 
     /// <summary>Keeps the length of a part that is shorter than what was asked for, s.</summary>
@@ -95,25 +86,17 @@ internal ref struct StepRun
     /// <returns>Whether the ball may bounce.</returns>
     public bool Hit()
     {
-        Part = 0;
-        return AllImpacts++ < MostImpacts && !IsSpent;
+        Divide();
+        return AllImpacts++ < MostImpacts;
     }
 
     /// <summary>Counts a piece as done: the clock goes on, and the time left gets less.</summary>
     public void Advance(ref BallState s, double h)
     {
-        double time = Math.Min(s.Time + h, End);
-        Standing = time > s.Time ? 0 : Standing + 1;
-        s.Time = time;
+        s.Time = Math.Min(s.Time + h, End);
         Left -= h;
         Impacts = h > 0 ? 0 : Impacts;
         Log.Steps++;
-        if (Pieces % PiecesToVanish == 0)
-        {
-            s.Velocity = Vanishing.OrZero(s.Velocity);
-            s.SpinAxis = Vanishing.OrZero(s.SpinAxis);
-            s.SpinRate = Vanishing.OrZero(s.SpinRate);
-        }
     }
 
     /// <summary>Shows a piece to the observer, if there is one; only then is the acceleration at its end worth an evaluation.</summary>
@@ -138,5 +121,12 @@ internal ref struct StepRun
 
             Log.Show(in before, in after, sweep.StartAcceleration, in end, order);
         }
+    }
+
+    /// <summary>Forgets the parts: what is left is divided anew.</summary>
+    private void Divide()
+    {
+        Part = 0;
+        Spirals = false;
     }
 }

@@ -33,7 +33,6 @@ internal sealed class SurfacePhase<TIntegrator>
     private readonly WorldGuard _guard;
     private readonly WorldContact _contact;
     private readonly NetGuard _nets;
-    private readonly ImplicitPhase _implicit;
     private readonly TIntegrator _integrator;
     private readonly double _alpha;
     private readonly double _inertia;
@@ -41,7 +40,7 @@ internal sealed class SurfacePhase<TIntegrator>
     private readonly bool _isFlat;
 
     public SurfacePhase(
-        Scene scene, SolverSettings settings, Surroundings around, in StabilityLimit limit, DragJumpGuard jump, WorldGuard guard, WorldContact contact, ImplicitPhase implicitPhase)
+        Scene scene, SolverSettings settings, Surroundings around, in StabilityLimit limit, DragJumpGuard jump, WorldGuard guard, WorldContact contact)
     {
         _around = around;
         _isFlat = scene.Ground.Heights is null;
@@ -52,7 +51,6 @@ internal sealed class SurfacePhase<TIntegrator>
         _guard = guard;
         _contact = contact;
         _nets = new NetGuard(_world);
-        _implicit = implicitPhase;
         _integrator = default;
         _alpha = _world.Ball.InertiaFactor;
         _inertia = _world.Ball.MomentOfInertia;
@@ -123,12 +121,6 @@ internal sealed class SurfacePhase<TIntegrator>
         double length = moving.Length;
         system.Direction = length > 0 ? moving / length : Vector3d.Zero;
         double h = LongestPiece(in s, in from, in on, ref run);
-        if (h <= 0)
-        {
-            _implicit.TakeRest(ref s, ref run);
-            return;
-        }
-
         if (size >= Slip.Rolling)
         {
             MotionRates rates = system.RatesUnder(in on, s.Time, in from);
@@ -142,7 +134,16 @@ internal sealed class SurfacePhase<TIntegrator>
             h = most > 0 && (rolls || _endsSlipExactly) ? Shorten(h, system.Direction, size, in rate, s.Nets == 0 && on.Turning == Vector3d.Zero) : h;
         }
 
-        TakePiece(ref s, ref run, ref system, in from, h);
+        if (run.Spirals)
+        {
+            // RK4 makes no velocity longer that turns by up to 2.8 rad.
+            TakePiece<ClassicalRungeKutta>(ref s, ref run, ref system, in from, h);
+        }
+        else
+        {
+            TakePiece<TIntegrator>(ref s, ref run, ref system, in from, h);
+        }
+
         if (!_endsSlipExactly && sliding > 0 && s.Motion == MotionState.Sliding && !rolls && !run.Log.Halted)
         {
             EndSlipByHeuristic(ref s, ref run, size);
@@ -180,17 +181,19 @@ internal sealed class SurfacePhase<TIntegrator>
     }
 
     /// <summary>Takes a piece, ends it at the first thing that happens in it, and moves the ball.</summary>
-    private void TakePiece(ref BallState s, ref StepRun run, ref SurfaceSystem system, in Motion from, double h)
+    private void TakePiece<TMethod>(ref BallState s, ref StepRun run, ref SurfaceSystem system, in Motion from, double h)
+        where TMethod : struct, IIntegrator
     {
-        var sweep = new MotionSweep<SurfaceSystem, TIntegrator>(in system, s.Time, in from, _around.Wind, _around.Radius);
+        int order = default(TMethod).Order;
+        var sweep = new MotionSweep<SurfaceSystem, TMethod>(in system, s.Time, in from, _around.Wind, _around.Radius);
         sweep.Step(h);
-        SurfacePath.Shorten(ref sweep, in s, _world, system.Carrier, in system.Guides, _integrator.Order);
+        SurfacePath.Shorten(ref sweep, in s, _world, system.Carrier, in system.Guides, order);
         _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
         double crossing = sweep.Length;
-        bool overEdge = SurfaceMargin<TIntegrator>.EndPiece(ref sweep, in s, system.Rolls);
+        bool overEdge = SurfaceMargin<TMethod>.EndPiece(ref sweep, in s, system.Rolls);
         SurfaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
         _nets.EndWhereSlack(ref sweep, in s);
-        bool meets = _guard.EndAtFirst(ref sweep, in s, _integrator.Order, out Gap met);
+        bool meets = _guard.EndAtFirst(ref sweep, in s, order, out Gap met);
         s.Branch = sweep.Length < crossing ? system.Branch : s.Branch;
         run.Log.Evaluations += sweep.Evaluations;
         BallState before = s;
@@ -202,11 +205,11 @@ internal sealed class SurfacePhase<TIntegrator>
         {
             // What acts beyond the edge is no end of this path.
             Vector3d end = Extrapolate.Rate(before.Velocity, s.Velocity, sweep.StartAcceleration, sweep.Length);
-            run.Log.Show(in before, in s, sweep.StartAcceleration, in end, _integrator.Order);
+            run.Log.Show(in before, in s, sweep.StartAcceleration, in end, order);
         }
         else
         {
-            run.Show(in before, in s, ref sweep, _integrator.Order);
+            run.Show(in before, in s, ref sweep, order);
         }
 
         if (meets && !run.Log.Halted)
@@ -318,13 +321,13 @@ internal sealed class SurfacePhase<TIntegrator>
     private Vector3d SlipRate(in SurfaceForces on, in MotionRates rates) =>
         SurfaceSystem.Tangential(in rates.Acceleration, on.Normal) + (_around.Radius * Vector3d.Cross(on.Normal, in rates.SpinAcceleration));
 
-    /// <summary>The longest piece that stability, nets and the turning of the normal allow, s; 0 where it would be too short.</summary>
+    /// <summary>The longest piece that stability, nets and the turning of the normal allow, s.</summary>
     private double LongestPiece(in BallState s, in Motion from, in SurfaceForces on, ref StepRun run)
     {
         double asked = run.Next;
         Collider carrier = _world.CarrierOf(in s);
         double damping = carrier.MaterialAt(s.Position).SpinDamping / _inertia;
-        double h = _limit.PartOf(ref _around.Air, asked, (from.Velocity - _around.Wind).Length, from.Spin.Length, s.Branch, damping);
+        double h = _limit.PartOf(ref _around.Air, asked, (from.Velocity - _around.Wind).Length, from.Spin.Length, s.Branch, ref run.Spirals, damping);
         double turning = on.Turning.Length;
         h = turning * h > LargestTurn ? LargestTurn / turning : h;
         h = Math.Min(h, _nets.LongestPiece(in s, h));

@@ -16,8 +16,13 @@ internal static class HostileGenerator
         BallProperties ball = Ball(random);
         double gravity = random.Any(9.81, 9.81, 0, 1e-6, 300, random.Log(1e-6, 300), 1.62);
         Air air = AnyAir(random);
-        Ground ground = AnyGround(random);
-        ForceSet forces = Forces(random, kind, ground.Height);
+
+        // It holds some of the air that it displaces.
+        double volume = 4.0 / 3.0 * Math.PI * Math.Pow(ball.Radius, 3);
+        ball = ball with { Mass = Math.Min(100, Math.Max(ball.Mass, 0.06 * volume * air.Density)) };
+        air = air with { Density = Math.Min(air.Density, 10 * ball.Mass / volume) };
+        Ground ground = AnyGround(random, ball);
+        ForceSet forces = Forces(random, kind, ball, ground.Height);
         Kick(random, kind, ball, air, ground, gravity, out double up, out Vector3d velocity, out Vector3d spin);
         Vector3d position = Place(random, kind, ground.Height + ball.Radius, ground.Height, up);
         SolverSettings settings = Settings(random);
@@ -40,15 +45,15 @@ internal static class HostileGenerator
             return BallProperties.Football;
         }
 
-        double mass = random.Any(random.Log(1e-3, 1e3), random.Log(0.01, 10), 1e-3, 1e3);
-        double radius = random.Any(random.Log(1e-3, 1e3), random.Log(0.02, 1), 1e-3, 1e3);
-        return new BallProperties { Mass = mass, Radius = radius, InertiaFactor = random.Any(1.0, 0.4, 2.0 / 3, 1e-6, random.Log(1e-3, 1)) };
+        double mass = random.Any(random.Log(1e-3, 100), random.Log(0.01, 10), 1e-3, 100);
+        double radius = random.Any(random.Log(0.02, 5), random.Log(0.02, 1), 0.02, 5);
+        return new BallProperties { Mass = mass, Radius = radius, InertiaFactor = random.Any(1.0, 0.4, 2.0 / 3, 0.1, random.Log(0.1, 1)) };
     }
 
     private static Air AnyAir(HostileRandom random)
     {
         double density = random.Any(1.2, 1.2, 0.0, random.Log(1e-3, 30), 0.9);
-        double viscosity = random.Any(1.5e-5, 1.5e-5, random.Log(1e-8, 1e2));
+        double viscosity = random.Any(1.5e-5, 1.5e-5, random.Log(1e-7, 0.1));
         Vector3d wind = Vector3d.Zero;
         if (random.Chance(0.35))
         {
@@ -59,7 +64,7 @@ internal static class HostileGenerator
         return new Air { Density = density, KinematicViscosity = viscosity, Wind = wind };
     }
 
-    private static Ground AnyGround(HostileRandom random)
+    private static Ground AnyGround(HostileRandom random, BallProperties ball)
     {
         double height = random.Any(0, 0, Farthest, -Farthest, random.Uniform(-Farthest, Farthest), random.Uniform(-5, 5));
         return Ground.Turf with
@@ -69,16 +74,16 @@ internal static class HostileGenerator
             TangentialRestitutionX = random.Any(0.0, 1.0, -1.0, 0.5, random.Uniform(-1, 1)),
             TangentialRestitutionZ = random.Any(0.0, 1.0, -1.0, 0.5, random.Uniform(-1, 1)),
             SpinRestitution = random.Any(0.0, 1.0, 0.8),
-            SlidingFriction = random.Any(0.0, 100.0, 0.5, random.Log(1e-6, 100)),
-            RollingFriction = random.Any(0.0, 100.0, 0.05, random.Log(1e-6, 100)),
-            SpinDamping = random.Any(0.0, 0.002, 100.0, random.Log(1e-9, 1e3)),
-            MinimumBounceSpeed = random.Any(0.001, 0.2, 10.0, random.Log(0.001, 100)),
-            RestEnergy = random.Any(1e-4, 1e-12, 1e-300, random.Log(1e-12, 1e3)),
+            SlidingFriction = random.Any(0.0, 10.0, 0.5, random.Log(1e-6, 10)),
+            RollingFriction = random.Any(0.0, 10.0, 0.05, random.Log(1e-6, 10)),
+            SpinDamping = Math.Min(ball.MomentOfInertia * 1e5, random.Any(0.0, 0.002, 1.0, random.Log(1e-9, 1))),
+            MinimumBounceSpeed = random.Any(0.001, 0.2, 10.0, random.Log(0.001, 10)),
+            RestEnergy = random.Any(1e-4, 1e-12, 100, random.Log(1e-12, 100)),
             Aerodynamics = random.Any(GroundAerodynamics.Horizontal, GroundAerodynamics.None),
         };
     }
 
-    private static ForceSet Forces(HostileRandom random, int kind, double groundHeight)
+    private static ForceSet Forces(HostileRandom random, int kind, BallProperties ball, double groundHeight)
     {
         var forces = ForceSet.Published with
         {
@@ -92,9 +97,9 @@ internal static class HostileGenerator
                 Drag = (ForceLaw)random.Below(3),
                 Magnus = (ForceLaw)random.Below(3),
                 SpinDecay = (ForceLaw)random.Below(3),
-                DragCoefficient = random.Any(0.0, 0.25, random.Log(1e-6, 1e6), 1e12),
-                MagnusCoefficient = random.Any(0.25, -0.25, 0.0, random.Uniform(-5, 5), random.Log(1, 1e6), -1e9),
-                SpinDecayCoefficient = random.Any(0.0, 1e-4, random.Log(1e-9, 1e6)),
+                DragCoefficient = random.Any(0.0, 0.25, random.Log(1e-6, 10), 10),
+                MagnusCoefficient = random.Any(0.25, -0.25, 0.0, random.Uniform(-5, 5), random.Log(1, 10), -10),
+                SpinDecayCoefficient = Math.Min(1e5 * ball.MomentOfInertia, random.Any(0.0, 1e-4, random.Log(1e-9, 1))),
             };
         }
 

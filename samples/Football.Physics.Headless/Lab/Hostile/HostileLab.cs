@@ -40,7 +40,7 @@ internal static class HostileLab
         Add(refusals, run.Findings.Refusals);
         report.Tables.Add(findings);
         report.Tables.Add(refusals);
-        report.Notes.Add(string.Create(CultureInfo.InvariantCulture, $"{run.Frames} frames, {run.Events} events, {run.Rests} rests, {run.Relaxed} frames relaxed."));
+        report.Notes.Add(string.Create(CultureInfo.InvariantCulture, $"{run.Frames} frames, {run.Events} events, {run.Rests} rests, {run.Stalled} frames stalled."));
         report.Notes.Add(string.Create(CultureInfo.InvariantCulture, $"Slowest frame: {run.Slowest.Milliseconds:0.0} ms in scene {run.Slowest.Scene}. One scene again: football lab stability --hostile --scene I"));
         return report;
     }
@@ -77,7 +77,7 @@ internal static class HostileLab
 
     private static LabTable Frames(HostileScene scene)
     {
-        var table = new LabTable("frames", "length, s", "time, s", "motion", "height, m", "velocity, m/s", "spin, rad/s", "energy, J", "pieces", "relaxed", "events");
+        var table = new LabTable("frames", "length, s", "time, s", "motion", "height, m", "velocity, m/s", "spin, rad/s", "energy, J", "pieces", "stalled", "events");
         var simulator = new Simulator(scene.Scene, scene.Settings);
         BallState state = simulator.Launch(scene.Position, scene.Velocity, scene.Spin);
         var log = new StepLog();
@@ -87,7 +87,7 @@ internal static class HostileLab
             simulator.Step(ref state, length, log);
             table.Add(
                 length, state.Time, state.Motion, state.Position.Y - simulator.ContactHeight, state.Velocity, state.Spin,
-                scene.Energy(in state, simulator.ContactHeight), log.Steps, log.Relaxed, log.Events.Count);
+                scene.Energy(in state, simulator.ContactHeight), log.Steps, log.Stalled, log.Events.Count);
         }
 
         return table;

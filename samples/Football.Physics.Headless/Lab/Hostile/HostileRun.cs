@@ -19,8 +19,8 @@ internal sealed class HostileRun
 
     public long Events { get; private set; }
 
-    /// <summary>Frames in which something relaxed.</summary>
-    public long Relaxed { get; private set; }
+    /// <summary>Frames that came to their last piece.</summary>
+    public long Stalled { get; private set; }
 
     public long Rests { get; private set; }
 
@@ -152,7 +152,7 @@ internal sealed class HostileRun
         {
             Frames++;
             Events += frame.Log.Events.Count;
-            Relaxed += frame.Log.Relaxed > 0 ? 1 : 0;
+            Stalled += frame.Log.Stalled > 0 ? 1 : 0;
             Rests += rests;
         }
     }

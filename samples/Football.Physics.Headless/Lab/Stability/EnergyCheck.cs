@@ -7,9 +7,8 @@ internal sealed class EnergyCheck : PieceObserver
     /// <summary>Rounding of a sum, as a share.</summary>
     private const double Rounding = 2.3e-16;
 
-    /// <summary>How close to contact height contact is found, m, and in a piece that relaxes.</summary>
+    /// <summary>How close to contact height contact is found, m.</summary>
     private const double Touching = 1e-14;
-    private const double TouchingRelaxed = 1e-12;
 
     /// <summary>How closely the time of contact is bracketed, as a share of the step.</summary>
     private const double Bracket = 1e-15;
@@ -26,6 +25,7 @@ internal sealed class EnergyCheck : PieceObserver
     private readonly double _upward;
     private readonly Simulator _simulator;
     private readonly MethodError _method;
+    private readonly MethodError _parts;
     private readonly StepLog _log = new();
     private readonly double _mass;
     private readonly double _inertiaFactor;
@@ -35,7 +35,7 @@ internal sealed class EnergyCheck : PieceObserver
     private double _slowSurface;
     private double _fastSurface;
     private int _seen;
-    private long _relaxed;
+    private double _dt;
     private double _made;
     private double _corrected;
 
@@ -51,6 +51,7 @@ internal sealed class EnergyCheck : PieceObserver
         _upward = upward;
         _simulator = simulator;
         _method = new MethodError(settings.Integrator, scene);
+        _parts = new MethodError(Integrator.Rk4, scene);
         _mass = scene.Ball.Mass;
         _inertiaFactor = scene.Ball.InertiaFactor;
         _radius = scene.Ball.Radius;
@@ -74,7 +75,7 @@ internal sealed class EnergyCheck : PieceObserver
     {
         // Air that presses a ball against the ground does work on it, as one sees it who goes with the wind.
         bool flies = before.Motion == MotionState.Airborne && after.Motion == MotionState.Airborne && events.Length == 0
-            && !(_windy && after.Position.Y <= _simulator.ContactHeight + TouchingRelaxed);
+            && !(_windy && after.Position.Y <= _simulator.ContactHeight + Touching);
         if (!flies && (_windy || (_settings.RollingTransition == RollingTransition.Heuristic && (before.Motion == MotionState.Sliding || Slides(events)))))
         {
             return null;
@@ -101,22 +102,13 @@ internal sealed class EnergyCheck : PieceObserver
             _slowSurface = _fastSurface = _radius * events[^1].Spin.Length;
         }
 
-        if (_log.Relaxed > _relaxed)
-        {
-            // Implicit Euler: ΔE = −½ m |u₁ − u₀|² − m h D |u₁|².
-            _relaxed = _log.Relaxed;
-            _slowSurface = 0;
-            _made += _weight * TouchingRelaxed;
-            return false;
-        }
-
         // The length is what the clock says, which is rounded at both ends.
         double length = piece.Length + (2 * Rounding * piece.EndTime);
         if (piece.Motion == MotionState.Airborne)
         {
             double speed = (piece.StartVelocity - Wind).Length;
             double g = Math.Abs(_upward);
-            _made += _mass * _method.Of(length, g, speed, _slowSurface, _fastSurface, 0);
+            _made += _mass * Method(length, g, speed, 0);
             _corrected += _mass * _method.OfCorrection(LinearCorrection, length, g, speed, _slowSurface, _fastSurface);
         }
         else
@@ -129,7 +121,7 @@ internal sealed class EnergyCheck : PieceObserver
             _fastSurface = rolls ? Math.Max(_fastSurface, speed) : _fastSurface + faster;
             if (_scene.Ground.Aerodynamics == GroundAerodynamics.Horizontal)
             {
-                _made += (rolls ? 1 + _inertiaFactor : 1) * _mass * _method.Of(length, 0, speed, _slowSurface, _fastSurface, _damping);
+                _made += (rolls ? 1 + _inertiaFactor : 1) * _mass * Method(length, 0, speed, _damping);
             }
         }
 
@@ -138,11 +130,18 @@ internal sealed class EnergyCheck : PieceObserver
         return false;
     }
 
+    /// <summary>What a piece may make, J/kg: a part of a divided step may have been taken by RK4.</summary>
+    private double Method(double length, double g, double speed, double damping)
+    {
+        double made = _method.Of(length, g, speed, _slowSurface, _fastSurface, damping);
+        return length < 0.75 * _dt ? Math.Max(made, _parts.Of(length, g, speed, _slowSurface, _fastSurface, damping)) : made;
+    }
+
     private void Again(in BallState before, double dt)
     {
+        _dt = dt;
         BallState state = before;
         _seen = 0;
-        _relaxed = 0;
         _made = 0;
         _corrected = 0;
         _slowSurface = _fastSurface = _radius * before.Spin.Length;

@@ -14,7 +14,7 @@ internal sealed class StressCell
 
     public long Frames { get; private set; }
 
-    public long Relaxed { get; private set; }
+    public long Stalled { get; private set; }
 
     public long Impacts { get; private set; }
 
@@ -31,7 +31,7 @@ internal sealed class StressCell
         Scenes++;
         Steps += outcome.Steps;
         Frames += outcome.Frames;
-        Relaxed += outcome.Relaxed;
+        Stalled += outcome.Stalled;
         Impacts += outcome.Impacts;
         EnergyShare = Math.Max(EnergyShare, outcome.EnergyShare);
         if (outcome.Failure is not null)

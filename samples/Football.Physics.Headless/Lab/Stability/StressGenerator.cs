@@ -25,10 +25,17 @@ internal static class StressGenerator
         random.Next();
         BallProperties ball = Ball(random, kind);
         Air air = AnyAir(random, kind);
+        if (kind == StressKind.Absurd)
+        {
+            ball = ball with { Mass = Math.Min(100, Math.Max(ball.Mass, 0.06 * Displaced(ball, air))) };
+            air = air with { Density = Math.Min(air.Density, 10 * ball.Mass / (4.0 / 3.0 * Math.PI * Math.Pow(ball.Radius, 3))) };
+        }
+
         Ground ground = AnyGround(random, kind);
+        ground = ground with { SpinDamping = Math.Min(ground.SpinDamping, Math.Min(1, 1e5 * ball.MomentOfInertia)) };
         double gravity = kind switch
         {
-            StressKind.Absurd => random.Any(0, 1e-9, 1e-3, 9.81, 1e3, 1e6),
+            StressKind.Absurd => random.Any(0, 1e-9, 1e-3, 9.81, 100, 1000),
             StressKind.ComesToRest => random.Log(1, 30),
             _ => random.Chance(0.1) ? 0 : random.Log(1, 30),
         };
@@ -36,14 +43,7 @@ internal static class StressGenerator
         if (kind == StressKind.ComesToRest && forces.Buoyancy)
         {
             // Heavier than the air.
-            double displaced = 4.0 / 3.0 * Math.PI * Math.Pow(ball.Radius, 3) * air.Density;
-            forces = forces with { Buoyancy = displaced < 0.5 * ball.Mass };
-        }
-
-        if (ball.Mass < 1e-30 && (forces.Drag == ForceLaw.None || (forces.Drag == ForceLaw.Constant && forces.DragCoefficient == 0)))
-        {
-            // With buoyancy and nothing to hold it a ball without mass is soon faster than a number can say.
-            forces = forces with { Buoyancy = false };
+            forces = forces with { Buoyancy = Displaced(ball, air) < 0.5 * ball.Mass };
         }
 
         if (kind == StressKind.ComesToRest && forces.Magnus == ForceLaw.Constant)
@@ -103,15 +103,18 @@ internal static class StressGenerator
             + (decades * inertia / ground.SpinDamping);
     }
 
+    /// <summary>The mass of the air that a ball displaces, kg.</summary>
+    private static double Displaced(BallProperties ball, Air air) => 4.0 / 3.0 * Math.PI * Math.Pow(ball.Radius, 3) * air.Density;
+
     private static BallProperties Ball(LabRandom random, StressKind kind)
     {
         if (kind == StressKind.Absurd)
         {
             return new BallProperties
             {
-                Mass = random.Chance(0.3) ? random.Log(1e-280, 1e-9) : random.Log(1e-9, 1e9),
-                Radius = random.Chance(0.3) ? random.Log(1e-9, 1e-3) : random.Log(1e-3, 1e3),
-                InertiaFactor = random.Log(1e-3, 1),
+                Mass = random.Chance(0.3) ? random.Log(0.001, 0.01) : random.Log(0.01, 100),
+                Radius = random.Chance(0.3) ? random.Log(0.02, 0.05) : random.Log(0.05, 5),
+                InertiaFactor = random.Log(0.1, 1),
             };
         }
 
@@ -131,7 +134,7 @@ internal static class StressGenerator
             _ => random.Chance(0.7) ? Vector3d.Zero : random.Log(0.01, 30) * random.Direction(),
         };
         return kind == StressKind.Absurd
-            ? new Air { Density = random.Any(0, 1e-6, 1.2, 1e3, 1e6), KinematicViscosity = random.Log(1e-9, 1e3), Wind = wind }
+            ? new Air { Density = random.Any(0, 1e-6, 1.2, 10, 100), KinematicViscosity = random.Log(1e-7, 0.1), Wind = wind }
             : new Air { Density = random.Uniform(0.9, 1.3), KinematicViscosity = random.Uniform(1.3e-5, 1.9e-5), Wind = wind };
     }
 

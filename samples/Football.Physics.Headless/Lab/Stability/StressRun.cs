@@ -19,7 +19,7 @@ internal sealed class StressRun
     private BallState _state;
     private long _steps;
     private long _frames;
-    private long _relaxed;
+    private long _stalled;
     private long _impacts;
     private double _energyShare;
     private double _deepest = Deepest;
@@ -47,7 +47,7 @@ internal sealed class StressRun
             failure = new StressFailure("exception", $"{e.GetType().Name}: {e.Message}");
         }
 
-        return new StressOutcome(failure, run?._steps ?? 0, run?._frames ?? 0, run?._relaxed ?? 0, run?._impacts ?? 0, run?._energyShare ?? 0);
+        return new StressOutcome(failure, run?._steps ?? 0, run?._frames ?? 0, run?._stalled ?? 0, run?._impacts ?? 0, run?._energyShare ?? 0);
     }
 
     private StressFailure? Check()
@@ -96,7 +96,7 @@ internal sealed class StressRun
     {
         _frames++;
         _steps += _log.Steps;
-        _relaxed += _log.Relaxed;
+        _stalled += _log.Stalled;
         foreach (ref readonly BallEvent item in _log.Events)
         {
             _impacts += item.Kind == BallEventKind.Impact ? 1 : 0;
@@ -137,8 +137,7 @@ internal sealed class StressRun
             others += item.Kind == BallEventKind.Impact ? 0 : 1;
             if (item.Kind == BallEventKind.Impact)
             {
-                // Pieces that are taken implicitly end any hop.
-                if (!(item.Time >= notBefore) && _log.Relaxed == 0)
+                if (!(item.Time >= notBefore))
                 {
                     return Fail("hop", $"impact at {item.Time} after a rise at {rise} m/s, not possible before {notBefore}");
                 }
