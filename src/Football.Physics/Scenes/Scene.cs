@@ -87,7 +87,11 @@ public sealed record Scene
     private void ValidateLightness()
     {
         double displaced = 4.0 / 3.0 * Math.PI * Ball.Radius * Ball.Radius * Ball.Radius * Air.Density;
-        Check.AtLeast("ball.mass (with this air, of which it displaces twenty times as much at most)", Ball.Mass, 0.05 * displaced);
+        if (!(Ball.Mass >= 0.05 * displaced))
+        {
+            throw Check.Refusal("ball.mass", FormattableString.Invariant($"{Ball.Mass:R}"), FormattableString.Invariant($"at least a twentieth of the {displaced:R} kg of air that it displaces"));
+        }
+
         Check.Within("forces.spinDecayCoefficient", Forces.SpinDecayCoefficient, 0, Ball.MostDamping);
     }
 

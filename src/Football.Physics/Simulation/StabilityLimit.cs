@@ -61,7 +61,7 @@ internal readonly struct StabilityLimit
     {
         RateBound ofAir = air.Bound;
         RateBound bound = WithFall(in ofAir, upward);
-        double restitution = Math.Min(scene.Ground.NormalRestitution, MostElastic);
+        double restitution = -upward > SurfaceForces.Least ? Math.Min(scene.Ground.NormalRestitution, MostElastic) : 0;
         bool spirals = order < 4 && air.Lifts && !(air.Drags && ofAir.PerSpeed > 0);
         return new StabilityLimit(in bound, upward, wholeUpTo, 3.0 * restitution / (1.0 - restitution), spirals, order);
     }

@@ -230,7 +230,7 @@ internal sealed class SurfacePhase<TIntegrator>
         Vector3d push = system.SlipPush(in on);
         double friction = perLoad * on.Load;
         double most = s.Nets == 0 && on.Turning == Vector3d.Zero ? longest : Math.Min(longest, CurvedSlideEnd);
-        if (!(slip.Length < friction * most) || !(push.LengthSquared < 0.25 * friction * friction))
+        if (!(slip.Length < friction * most) || !(push.LengthSquared < 0.9999 * friction * friction))
         {
             return false;
         }

@@ -56,7 +56,7 @@ public sealed class AimRefusalTests
     [InlineData("aim.maxIterations=2.5", "aim.maxIterations is 2.5; allowed: a whole number")]
     [InlineData("launch={}", "launch is unknown")]
     [InlineData("aim.sped=5", "aim.sped is unknown")]
-    [InlineData("gravity=-1", "gravity is -1; allowed: a finite number, 0 or more.")]
+    [InlineData("gravity=-1", "gravity is -1; allowed: 0 … 1000.")]
     public void What_is_wrong_is_named_with_what_is_allowed(string set, string message)
     {
         FootballCommand refused = FootballCommand.Run(Least, "aim", "-", "--set", set);

@@ -85,7 +85,7 @@ public sealed class KickTests
     [InlineData(2, "--speed is NaN; allowed: 0 … 1000 m/s.", "--speed", "NaN")]
     [InlineData(2, "--elevation is 91; allowed: -90 … 90 degrees.", "--elevation", "91")]
     [InlineData(1, "air.wind[1] is \"x\"; allowed: a finite number", "--set", "air.wind=[1,\"x\",0]")]
-    [InlineData(1, "ball.mass is 0; allowed: a finite number above 0.", "--set", "ball.mass=0")]
+    [InlineData(1, "ball.mass is 0; allowed: 0.001 … 100.", "--set", "ball.mass=0")]
     [InlineData(1, "--svg is \"\", which cannot be written; allowed: a file that can be written.", "--svg", "")]
     public void What_is_wrong_is_refused(int exitCode, string message, params string[] args)
     {

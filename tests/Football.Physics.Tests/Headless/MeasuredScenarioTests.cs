@@ -32,7 +32,7 @@ public sealed class MeasuredScenarioTests
     [Theory]
     [InlineData("\"profile\":\"thesis\"", "profile is \"thesis\"; allowed: published | measured")]
     [InlineData("\"ball\":{\"type\":\"beach\"}", "ball.type is \"beach\"; allowed: generic | tango12 | teamgeist | jabulani | brazuca")]
-    [InlineData("\"ball\":{\"knuckleForce\":-1}", "ball.knuckleForce is -1; allowed: a finite number, 0 or more")]
+    [InlineData("\"ball\":{\"knuckleForce\":-1}", "ball.knuckleForce is -1; allowed: 0 … 100")]
     [InlineData("\"air\":{\"weather\":{\"temperature\":99}}", "air.weather.temperature is 99; allowed: -60 … 60")]
     [InlineData("\"air\":{\"weather\":{\"humidity\":\"wet\"}}", "air.weather.humidity is \"wet\"; allowed: 0 … 1")]
     [InlineData("\"air\":{\"weather\":{\"altitude\":20000}}", "air.weather.altitude is 20000; allowed: -500 … 11000")]

@@ -130,7 +130,7 @@ public sealed class AnySceneTests
             ForceSet forces = profile == Profile.Published ? mixed : ForceSet.Measured with { Buoyancy = mixed.Buoyancy, KnuckleSeed = random.Uniform(0, 1) < 0.3 ? seed : null };
             var scene = profile.Scene() with
             {
-                Ball = new BallProperties { Mass = mass, Radius = radius, InertiaFactor = random.Uniform(0.05, 1) },
+                Ball = new BallProperties { Mass = mass, Radius = radius, InertiaFactor = random.Uniform(0.1, 1) },
                 Air = new Air { Density = density, KinematicViscosity = Log(1e-6, 1e-3), Wind = Perhaps(Log(0.1, 60)) * random.Direction() },
                 Gravity = Perhaps(Log(0.5, 40)),
                 Forces = forces,

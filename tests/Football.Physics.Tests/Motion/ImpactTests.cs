@@ -117,7 +117,7 @@ public sealed class ImpactTests
         {
             var scene = profile.Scene() with
             {
-                Ball = new BallProperties { Mass = random.Uniform(0.05, 3), Radius = random.Uniform(0.02, 0.3), InertiaFactor = random.Uniform(0.05, 1) },
+                Ball = new BallProperties { Mass = random.Uniform(0.05, 3), Radius = random.Uniform(0.02, 0.3), InertiaFactor = random.Uniform(0.1, 1) },
                 Air = new Air { Density = random.Uniform(0, 1.3) },
                 Ground = profile.Ground() with
                 {

@@ -85,7 +85,7 @@ public sealed class SpinDecayTests
     [ProfileData]
     public void Drag_never_turns_the_ball_round_whatever_the_step(Profile profile)
     {
-        Scene scene = profile.Scene() with { Gravity = 0, Air = new Air { Density = 1000 }, Forces = profile.Forces() with { Magnus = ForceLaw.None } };
+        Scene scene = profile.Scene() with { Gravity = 0, Air = new Air { Density = 100 }, Forces = profile.Forces() with { Magnus = ForceLaw.None } };
         foreach (CoefficientForm form in Enum.GetValues<CoefficientForm>())
         {
             ForEach(scene with { Forces = scene.Forces with { Coefficients = form } }, (simulator, state, timeStep) =>

@@ -24,14 +24,14 @@ public sealed class ThrowingForceTests
             BallState state = simulator.Launch(new Vector3d(0, 0.5, 0), s_velocity, s_spin);
             force.Begin(after);
             BallState before = state;
-            (int Events, long Steps, long Evaluations, long Relaxed) counts = default;
+            (int Events, long Steps, long Evaluations, long Stalled) counts = default;
             log.Clear();
             try
             {
                 for (int i = 0; i < 150; i++)
                 {
                     before = state;
-                    counts = (log.Events.Count, log.Steps, log.Evaluations, log.Relaxed);
+                    counts = (log.Events.Count, log.Steps, log.Evaluations, log.Stalled);
                     simulator.Step(ref state, 0.03, log);
                 }
             }
@@ -39,7 +39,7 @@ public sealed class ThrowingForceTests
             {
                 failed++;
                 Assert.True(Snapshot.Same(before, state));
-                Assert.Equal(counts, (log.Events.Count, log.Steps, log.Evaluations, log.Relaxed));
+                Assert.Equal(counts, (log.Events.Count, log.Steps, log.Evaluations, log.Stalled));
             }
         }
 

