@@ -103,7 +103,7 @@ internal struct SurfaceSystem : IMotionSystem
         u = air.AirVelocity;
         Vector3d flow = (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u);
         Vector3d push = World.AirActs ? air.Acceleration + flow : air.Acceleration;
-        load -= World.AirLoads ? Vector3d.Dot(air.Acceleration + flow, in n) : 0;
+        load -= World.AirLoads ? Vector3d.Dot(in push, in n) : 0;
         on.Air = Tangential(in push, in n);
         on.Torque = (-air.Decay * at.Spin) + air.SpinAcceleration;
         on.Spins = rate > 0;

@@ -153,7 +153,10 @@ internal sealed class World
     /// <summary>Whether all of the air's force counts for a ball that is carried, and is shared with the spin of one that rolls.</summary>
     public bool SharesAir { get; }
 
-    /// <summary>Whether the air's push counts in the load: where all of it counts, and for a ball that is no heavier than the air, which nothing else could keep on the ground.</summary>
+    /// <summary>
+    /// Whether what the air and the game's own forces do along the surface counts across it too, in the load: where all of the air counts, and for a ball that
+    /// is no heavier than the air, which nothing else could keep on the ground.
+    /// </summary>
     public bool AirLoads { get; }
 
     /// <summary>Whether the air pushes a ball that is carried.</summary>

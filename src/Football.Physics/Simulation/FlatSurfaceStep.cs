@@ -124,7 +124,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         _restEnergy = scene.Ground.RestEnergy;
         _fastestWind = around.Air.FastestWind;
         bool shares = _world.SharesAir;
-        _airInLoad = _world.AirLoads ? 1 : 0;
+        _airInLoad = _world.AirLoads && _world.AirActs ? 1 : 0;
         _airInSlide = _world.AirActs ? 1 : 0;
         _bodyXInRoll = _bodyX / (1.0 + alpha);
         _bodyZInRoll = _bodyZ / (1.0 + alpha);

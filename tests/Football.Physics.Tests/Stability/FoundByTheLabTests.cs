@@ -241,6 +241,26 @@ public sealed class FoundByTheLabTests
     private static double Energy(Scene scene, in BallState s) =>
         0.5 * ((scene.Ball.Mass * s.Velocity.LengthSquared) + (scene.Ball.MomentOfInertia * s.Spin.LengthSquared));
 
+    /// <summary>Without weight it was pressed on the ground by an air that did not act there: sliding it was not slowed and left, flying it was slowed and taken up, in turn.</summary>
+    [Theory]
+    [ProfileData]
+    public void A_ball_without_weight_on_ground_without_aerodynamics_is_not_taken_up_and_let_go_in_turn(Profile profile)
+    {
+        var scene = profile.Scene() with
+        {
+            Ball = new BallProperties { Mass = 0.1, Radius = 0.2 },
+            Air = new Air { Wind = new Vector3d(0, 0.02, 0.05) },
+            Gravity = 0,
+            Ground = profile.Ground() with { NormalRestitution = 0, SlidingFriction = 1, Aerodynamics = GroundAerodynamics.None },
+        };
+        foreach (Integrator integrator in Flight.Integrators)
+        {
+            Flight.Play(
+                scene, Flight.With(integrator), 0.5, 60, StopAt.Time, new Vector3d(0, 1, 0), new Vector3d(9, 2, 23), new Vector3d(390, -8, 190), out StepLog log);
+            Assert.Matches("^Impact( Impact)*$", Flight.Kinds(log));
+        }
+    }
+
     /// <summary>A stage found the spin next to zero and pointing anywhere, and the air, which only ends a spin, made it five times as fast.</summary>
     [Theory]
     [InlineData(369441)]

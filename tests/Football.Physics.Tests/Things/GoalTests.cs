@@ -41,6 +41,15 @@ public sealed class GoalTests
     public void Past_it_and_over_it_is_no_goal(double x, double y, double vx, double vy, double vz) =>
         Assert.Empty(Goals(new Vector3d(x, y, -19), new Vector3d(vx, vy, vz)));
 
+    /// <summary>Over the bar, against what the side net has behind the back net, and back against that from behind.</summary>
+    [Fact]
+    public void A_ball_that_lies_against_the_back_net_from_behind_is_not_in()
+    {
+        var count = new GoalCount();
+        Assert.True(count.Add(new SeededRandom(SeededRandom.Mix(77, 5390))));
+        Assert.Equal((0, 0), (count.LieIn, count.Told));
+    }
+
     [Fact]
     public void A_ball_that_was_not_wholly_over_and_comes_back_is_none()
     {

@@ -28,11 +28,12 @@ internal sealed class GoalWatch(Goal goal, double radius)
         return ((from.X * _out.X) + (from.Z * _out.Z), (from.Z * _out.X) - (from.X * _out.Z), from.Y);
     }
 
-    /// <summary>Whether a ball that lies there lies in the goal, whose nets may be stretched by a ball.</summary>
+    /// <summary>Whether a ball that lies there lies in the goal: before the back net, which slants; behind it a ball may lie against it.</summary>
     public bool LiesIn(Vector3d place)
     {
         (double before, double aside, double height) = Seen(place);
-        return before <= -goal.PostRadius - radius && before >= -goal.DepthOnGround - radius
+        double depth = goal.DepthOnGround - ((goal.DepthOnGround - goal.DepthAtBar) * height / (goal.Height + goal.PostRadius));
+        return before <= -goal.PostRadius - radius && before >= -depth
             && Math.Abs(aside) <= (0.5 * goal.Width) + goal.PostRadius && height <= 0.5 * goal.Height;
     }
 
