@@ -2,13 +2,7 @@
 # Programs of one ball as NativeAOT publishes them: their size, and how long it takes. A table in Markdown.
 #   benchmarks/aot.sh
 # Needs a C compiler.
-set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 MSBUILDTERMINALLOGGER=off MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=false
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-rid=$(dotnet --info | awk '$1 == "RID:" { print $2; exit }')
-case $rid in *-arm64) rid=linux-arm64 ;; *) rid=linux-x64 ;; esac
+. "$(dirname "${BASH_SOURCE[0]}")/publish.sh"
 
 publish() {
   local start end

@@ -3,7 +3,7 @@
 #
 #   tests/stryker.sh ROOM [FILE...]      ROOM: Contact, Air, Simulation or another folder of src/Football.Physics; FILE: files of it alone (CoulombImpact.cs)
 #
-# It takes from minutes (Contact: a file) to hours (Simulation: all), and is no part of CI. The report is in artifacts/stryker/ROOM.
+# It takes six minutes to build and some seconds a mutant, which for a whole room is hours, and is no part of CI. The report is in artifacts/stryker/ROOM.
 # FILTER chooses other tests (as dotnet test --filter does).
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)

@@ -144,19 +144,6 @@ internal sealed class Collider
     /// <summary>A box around it at a time.</summary>
     public Bounds3d BoundsAt(double time) => _placement is null ? _bounds.Moved(_motion.GoneBy(time)) : _placement.BoundsAt(time);
 
-    /// <summary>Puts a ball that it carries onto it: what the integrator left of that is within its own error.</summary>
-    /// <param name="s">The ball.</param>
-    /// <param name="radius">The ball's radius, m.</param>
-    /// <returns>The normal there.</returns>
-    public Vector3d Hold(ref BallState s, double radius)
-    {
-        ShapePoint at = At(s.Position, s.Time);
-        Vector3d n = at.Normal;
-        s.Position += (radius - at.Distance) * n;
-        s.Velocity -= Vector3d.Dot(s.Velocity - Velocity, in n) * n;
-        return n;
-    }
-
     /// <summary>The surface's velocity at a point of contact, V + Ω × (c − o), m/s.</summary>
     public Vector3d SurfaceVelocity(in Vector3d contact, double time) => Motion.SurfaceVelocity(in contact, time);
 }

@@ -299,7 +299,10 @@ internal sealed class World
     /// <returns>The normal there.</returns>
     public Vector3d Hold(ref BallState s, Collider collider)
     {
-        Vector3d n = collider.Hold(ref s, Ball.Radius);
+        ShapePoint at = collider.At(s.Position, s.Time);
+        Vector3d n = at.Normal;
+        s.Position += (Ball.Radius - at.Distance) * n;
+        s.Velocity -= Vector3d.Dot(s.Velocity - collider.Velocity, in n) * n;
         if (IsLevel && collider == Ground)
         {
             s.Position = new Vector3d(s.Position.X, LevelContact, s.Position.Z);

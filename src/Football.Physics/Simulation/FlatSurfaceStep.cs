@@ -21,7 +21,7 @@ internal abstract class FlatSurfaceStep
 /// sliding a = a_b + a_air − μ_s N ŝ, ω̇ = (μ_s N/(α r)) n × ŝ + T; rolling a = (a_b + a_air + α r T × n)/(1 + α) − (c₀ + c₁|v|) N v̂ where the air is shared
 /// with the spin, else a_b/(1 + α) + a_air − …; about the normal −(c_ω/I) ω_n − sign(ω_n) b μ_s N m/I.
 /// </remarks>
-/// <typeparam name="TAir">The laws of the air; where it varies, <see cref="SceneAir"/>.</typeparam>
+/// <typeparam name="TAir">The laws of the air; where they vary, <see cref="FieldAir{TLaw}"/> or <see cref="SceneAir"/>, which has any mixture of laws too.</typeparam>
 internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     where TAir : struct, IFlightAir
 {

@@ -26,7 +26,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     private readonly ulong _clearKey;
     private readonly SurfacePhase<TIntegrator> _surface;
     private readonly StabilityLimit _pulled;
-    private FlatSurfaceStep? _flat;
+    private FlatSurfaceStep? _flat; // null where forces turn the axis of the spin: nothing is compiled for those
     private readonly RestPhase _rest;
     private readonly WorldContact _contact;
     private readonly BodyPush? _bodies;

@@ -27,11 +27,18 @@ internal sealed class WorldContact
     public void Impact(ref BallState s, int collider, ref StepRun run)
     {
         Collider hit = _world.Colliders[collider];
+        bool carried = s.Motion != MotionState.Airborne;
+        if (!carried && _levelGround && hit == _world.Ground)
+        {
+            // Height and climb are known here: what was left of them is rounding, what counts as touching, or the tolerance of a bisection.
+            s.Position = new Vector3d(s.Position.X, _world.LevelContact, s.Position.Z);
+            s.Velocity = new Vector3d(s.Velocity.X, Math.Min(s.Velocity.Y, 0), s.Velocity.Z);
+        }
+
         ShapePoint at = hit.At(s.Position, s.Time);
         Vector3d n = at.Normal;
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
-        bool carried = s.Motion != MotionState.Airborne;
         int thing = collider + _world.FirstCollider;
         bool wedged = run.Impacts++ >= MostAtOnce;
         Vector3d surface = hit.SurfaceVelocity(s.Position - (_world.Ball.Radius * n), s.Time);
@@ -72,12 +79,7 @@ internal sealed class WorldContact
     }
 
     /// <summary>The ground takes a ball that touches it, does not come closer and is pressed on it: no impact.</summary>
-    public void TakeUp(ref BallState s, int collider, ref StepRun run)
-    {
-        Vector3d spin = s.Spin;
-        _world.Hold(ref s, _world.Colliders[collider]);
-        Stay(ref s, collider + _world.FirstCollider, s.Velocity, in spin, ref run);
-    }
+    public void TakeUp(ref BallState s, int collider, ref StepRun run) => Stay(ref s, collider + _world.FirstCollider, s.Velocity, s.Spin, ref run);
 
     /// <summary>The slip is over: the ball rolls, where friction can hold it.</summary>
     public void EndSlip(ref BallState s, ref StepRun run)
@@ -232,7 +234,7 @@ internal sealed class WorldContact
         Stay(ref s, (int)s.Carrier, in kept, in spin, ref run);
     }
 
-    /// <summary>The ball stays on a thing: it slides, or rolls.</summary>
+    /// <summary>The ball stays on a thing, and is put onto it: it slides, or rolls.</summary>
     private void Stay(ref BallState s, int thing, in Vector3d velocity, in Vector3d spin, ref StepRun run)
     {
         s.Velocity = velocity;
@@ -240,8 +242,8 @@ internal sealed class WorldContact
         s.Carrier = thing;
         s.Motion = MotionState.Sliding;
         Collider carrier = _world.CarrierOf(in s);
-        Vector3d n = carrier.At(s.Position, s.Time).Normal;
-        if (Slip.Of(velocity - carrier.Velocity, in spin, in n, _world.Ball.Radius).Length < Slip.Rolling && Grips(in s, carrier, ref run))
+        Vector3d n = _world.Hold(ref s, carrier);
+        if (Slip.Of(s.Velocity - carrier.Velocity, in spin, in n, _world.Ball.Radius).Length < Slip.Rolling && Grips(in s, carrier, ref run))
         {
             StartRolling(ref s, ref run);
         }

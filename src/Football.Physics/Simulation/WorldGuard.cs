@@ -129,13 +129,6 @@ internal sealed class WorldGuard
         switch (met.What)
         {
             case Happening.Contact:
-                if (s.Motion == MotionState.Airborne && IsLevelGround(in met))
-                {
-                    // Height and climb are known here: what was left of them is rounding, or the tolerance of a bisection.
-                    s.Position = new Vector3d(s.Position.X, _world.LevelContact, s.Position.Z);
-                    s.Velocity = new Vector3d(s.Velocity.X, Math.Min(s.Velocity.Y, 0), s.Velocity.Z);
-                }
-
                 _contact.Impact(ref s, met.Index, ref run);
                 break;
             case Happening.NetMet:

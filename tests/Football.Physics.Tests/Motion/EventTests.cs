@@ -144,6 +144,7 @@ public sealed class EventTests
 
                 BallEvent impact = log.Events[0];
                 Assert.Equal(0.11, impact.Position.Y);
+
                 // A step of first order that is a little longer is another step; less than a nanometre below contact the ball still only touches.
                 double other = integrator is Integrator.Euler or Integrator.SemiImplicitEuler ? 1e-8 : 0;
                 Assert.False(Hits(simulator, start, impact.Time - start.Time - tolerance - other), $"{timeStep} s, shot {i}");

@@ -106,6 +106,26 @@ public sealed class ImpactTests
         }
     }
 
+    /// <summary>What touches may be a tenth of a nanometre off; what stays is put onto what it stays on, at once.</summary>
+    [Theory]
+    [ProfileData(0.0, 0.0)]
+    [ProfileData(0.2, 0.0)]
+    [ProfileData(0.1, 0.3)]
+    public void A_ball_that_stays_is_at_contact_to_the_last_bits(Profile profile, double alongX, double alongZ)
+    {
+        var normal = new Vector3d(alongX, 1, alongZ).Normalized();
+        var simulator = new Simulator(profile.Scene() with { Ground = profile.Ground() with { Normal = normal, NormalRestitution = 0 } });
+        double radius = simulator.Scene.Ball.Radius;
+        var log = new StepLog();
+        BallState state = simulator.Launch((radius + 5e-11) * normal, new Vector3d(3, -1, 0), Vector3d.Zero);
+        simulator.Run(ref state, 0.01, 1, StopAt.Impact, log);
+        Assert.Equal(BallEventKind.Impact, log.Events[0].Kind);
+        Assert.NotEqual(MotionState.Airborne, state.Motion);
+        Assert.Equal(radius, Vector3d.Dot(state.Position, in normal), 1e-16);
+        Assert.Equal(0, Vector3d.Dot(state.Velocity, in normal), 1e-15);
+        Assert.Equal(0, state.Time);
+    }
+
     private static double Energy(Scene scene, Vector3d v, Vector3d w) =>
         0.5 * ((scene.Ball.Mass * v.LengthSquared) + (scene.Ball.MomentOfInertia * w.LengthSquared));
 

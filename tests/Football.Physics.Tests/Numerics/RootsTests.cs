@@ -98,24 +98,6 @@ public sealed class RootsTests
         Assert.Equal(0.125, high - low);
     }
 
-    [Theory]
-    [InlineData(2, 3, -4)]
-    [InlineData(2, -3, -4)]
-    [InlineData(2, -3, 1)]
-    [InlineData(1e-12, -5, -5)]
-    [InlineData(1e-12, 5, -5)]
-    [InlineData(4, -2, 0)]
-    public void A_quadratic_is_zero_where_it_falls(double a, double b, double c)
-    {
-        double x = Roots.FallingQuadratic(a, b, c);
-        double size = Math.Abs(a) + Math.Abs(b * x) + Math.Abs(c * x * x);
-        Assert.Equal(0, (a + (x * (b + (x * c)))) / size, 1e-15);
-        Assert.True(b + (2 * c * x) < 0);
-    }
-
-    [Fact]
-    public void A_quadratic_without_a_root_has_none() => Assert.True(double.IsNaN(Roots.FallingQuadratic(1, 1, 1)));
-
     private struct Cubic : IDifferentiableFunction
     {
         public double Root;

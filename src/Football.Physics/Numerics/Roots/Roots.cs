@@ -146,21 +146,4 @@ internal static class Roots
 
         return false;
     }
-
-    /// <summary>The root of a + b x + c x² at which it falls, without cancellation; not a number where there is none.</summary>
-    /// <param name="a">Constant coefficient.</param>
-    /// <param name="b">Coefficient of x.</param>
-    /// <param name="c">Coefficient of x².</param>
-    public static double FallingQuadratic(double a, double b, double c)
-    {
-        double discriminant = (b * b) - (4.0 * c * a);
-        if (discriminant < 0)
-        {
-            return double.NaN;
-        }
-
-        // x = −(b + √D)/(2 c) = 2 a/(√D − b): whichever adds.
-        double root = Math.Sqrt(discriminant);
-        return b > 0 ? (b + root) / (-2.0 * c) : (2.0 * a) / (root - b);
-    }
 }
