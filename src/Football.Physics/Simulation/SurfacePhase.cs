@@ -10,11 +10,21 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>On a curved surface, whose push changes with the place, it is no longer than this, s.</summary>
     private const double CurvedSlideEnd = 1.25e-5;
 
-    /// <summary>The last of a slide is done in closed form where the push on the slip changes so little that the end is known to this, s.</summary>
+    /// <summary>
+    /// The last of a slide is done in closed form where the push on the slip changes so little that the end is known to this, s, in a step of 10 ms; longer
+    /// steps ask as much less as the method itself does, its order as the power.
+    /// </summary>
     private const double SlideEnd = 1e-10;
+
+    /// <summary>The same for a method whose order is less than four, s.</summary>
+    private const double CoarseSlideEnd = 1e-7;
+
+    /// <summary>The step that those are of, s.</summary>
+    private const double UsualStep = 0.01;
 
     /// <summary>A piece takes at least this share of a slip or a roll, and at most that.</summary>
     private const double LeastShare = 0.125;
+    private const double LeastShareOfLong = 0.4;
     private const double LargestShare = 0.75;
 
     /// <summary>So much of the square of the rate across the direction is usual: with less of it pieces are longer.</summary>
@@ -131,7 +141,7 @@ internal sealed class SurfacePhase<TIntegrator>
                 return;
             }
 
-            h = most > 0 && (rolls || _endsSlipExactly) ? Shorten(h, system.Direction, size, in rate, s.Nets == 0 && on.Turning == Vector3d.Zero) : h;
+            h = most > 0 && (rolls || _endsSlipExactly) ? Shorten(h, run.Length, system.Direction, size, in rate, s.Nets == 0 && on.Turning == Vector3d.Zero) : h;
         }
 
         if (run.Spirals)
@@ -155,18 +165,30 @@ internal sealed class SurfacePhase<TIntegrator>
     /// the direction turns, as the fourth root.
     /// </summary>
     /// <param name="h">Length of the piece, s.</param>
+    /// <param name="step">Length of the whole step, s: a long one takes larger shares.</param>
     /// <param name="direction">The direction.</param>
     /// <param name="size">Size of the slip or the roll, m/s.</param>
     /// <param name="rate">Its rate of change, m/s².</param>
     /// <param name="isFlat">Whether the surface is flat: on a curved one the rate itself changes on the way.</param>
-    private static double Shorten(double h, in Vector3d direction, double size, in Vector3d rate, bool isFlat)
+    private static double Shorten(double h, double step, in Vector3d direction, double size, in Vector3d rate, bool isFlat)
     {
         double along = Vector3d.Dot(in rate, in direction);
         double acrossSquared = Math.Max(0, rate.LengthSquared - (along * along));
         double closing = Math.Sqrt(acrossSquared + (along < 0 ? along * along : 0));
         double straight = isFlat && acrossSquared < closing * closing * OftenTurns ? Math.Sqrt(Math.Sqrt(OftenTurns * closing * closing / Math.Max(acrossSquared, 1e-300))) : 1.0;
-        double share = Math.Min(LargestShare, LeastShare * straight);
+        double least = Math.Min(LeastShareOfLong, LeastShare * Math.Sqrt(Coarseness(step)));
+        double share = Math.Min(LargestShare, least * straight);
         return closing * h > share * size ? share * size / closing : h;
+    }
+
+    /// <summary>How many times longer than usual a step is; 1 for shorter ones.</summary>
+    private static double Coarseness(double step) => Math.Max(1.0, step / UsualStep);
+
+    /// <summary>How closely the end of a slide is known in a step of some length, s.</summary>
+    private double SlideEndIn(double step)
+    {
+        double squared = Coarseness(step) * Coarseness(step);
+        return Math.Min(1e-3 * step, _integrator.Order >= 4 ? SlideEnd * squared * Coarseness(step) : CoarseSlideEnd * squared);
     }
 
     /// <summary>The thesis' end of a slide (2.27, 2.28): the slip grew, or is small.</summary>
@@ -248,7 +270,7 @@ internal sealed class SurfacePhase<TIntegrator>
         double endFriction = perLoad * there.Load;
         double change = (endPush - push).Length * (endPush.Length + push.Length);
         double loadChange = endFriction - friction;
-        if (!(decay.Time * (change + (loadChange * loadChange)) <= SlideEnd * friction * friction))
+        if (!(decay.Time * (change + (loadChange * loadChange)) <= SlideEndIn(run.Length) * friction * friction))
         {
             return false;
         }
