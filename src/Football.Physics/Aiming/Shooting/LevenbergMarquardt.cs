@@ -25,6 +25,7 @@ internal sealed class LevenbergMarquardt
     private readonly ShootingProblem _problem;
     private readonly double[] _system = new double[N * (N + 1)];
     private readonly double[] _change = new double[N];
+    private readonly double[] _weight = new double[N];
     private readonly double[] _next = new double[N];
     private readonly double[] _nextResiduals = new double[ShootingProblem.MostEquations];
     private readonly bool[] _held = new bool[N];
@@ -164,30 +165,20 @@ internal sealed class LevenbergMarquardt
         return true;
     }
 
-    /// <summary>Broyden's update, in units of the unknowns in which each counts by what it does: J += (Δr − J Δx) (D Δx)ᵀ / (Δxᵀ D Δx), D = diag JᵀJ.</summary>
+    /// <summary>Broyden's update, in units of the unknowns in which each counts by what it does: W = diag JᵀJ.</summary>
     private void Update(double[] x)
     {
         double squared = 0;
         for (int k = 0; k < N; k++)
         {
-            double moved = _next[k] - x[k];
-            _change[k] = moved == 0 ? 0 : moved * Product(k, k);
-            squared += moved * _change[k];
+            _change[k] = _next[k] - x[k];
+            _weight[k] = _change[k] == 0 ? 0 : Product(k, k);
+            squared += _change[k] * _weight[k] * _change[k];
         }
 
-        for (int i = 0; i < _problem.Equations && squared > 0; i++)
+        for (int i = 0; i < _problem.Equations; i++)
         {
-            double error = _nextResiduals[i] - Residuals[i];
-            for (int k = 0; k < N; k++)
-            {
-                double moved = _next[k] - x[k];
-                error -= moved == 0 ? 0 : Jacobian[(i * N) + k] * moved;
-            }
-
-            for (int k = 0; k < N; k++)
-            {
-                Jacobian[(i * N) + k] += error * _change[k] / squared;
-            }
+            Broyden.Update(Jacobian, i * N, N, _change, _weight, squared, _nextResiduals[i] - Residuals[i]);
         }
 
         _problem.TimeColumns(_next, Jacobian);
