@@ -135,21 +135,6 @@ internal sealed class BankShotChain
         return false;
     }
 
-    /// <summary>The turn that takes away a miss of the whole kick at the target, by the derivatives of the last flight.</summary>
-    /// <param name="miss">The miss, m.</param>
-    /// <param name="up">By elevation, rad.</param>
-    /// <param name="aside">By azimuth, rad.</param>
-    public bool Correct(in Vector3d miss, out double up, out double aside)
-    {
-        int last = 2 * Legs.Count;
-        Array.Clear(Legs.Gaps, 0, last);
-        Legs.Miss(in miss, out Legs.Gaps[last], out Legs.Gaps[last + 1]);
-        bool solved = Solve();
-        up = _step[0];
-        aside = _step[1];
-        return solved && !double.IsNaN(up + aside) && Math.Abs(up) + Math.Abs(aside) < LargestTurn;
-    }
-
     /// <summary>Broyden's update of the derivatives by what the last step did, of each row by what it depends on.</summary>
     private void Update()
     {

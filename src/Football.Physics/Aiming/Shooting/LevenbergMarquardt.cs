@@ -38,6 +38,9 @@ internal sealed class LevenbergMarquardt
     /// <summary>How they move with the unknowns, a row for each.</summary>
     public double[] Jacobian { get; } = new double[ShootingProblem.MostEquations * N];
 
+    /// <summary>Whether what a search leads to is measured.</summary>
+    public bool Measures { get; set; } = true;
+
     /// <summary>Solves from a start.</summary>
     /// <param name="x">The unknowns: the start, and then the best that was found.</param>
     /// <param name="isMeasured">Whether the Jacobian of the start is known.</param>
@@ -89,8 +92,9 @@ internal sealed class LevenbergMarquardt
     /// <returns>Whether that truly hits.</returns>
     public bool Hit(double[] x, out AimSolution solution, bool isMeasured = false)
     {
-        solution = default;
-        return Solve(x, isMeasured) && _problem.IsMeasuredHit(x, out solution);
+        bool hits = Solve(x, isMeasured);
+        solution = _problem.Solution(x);
+        return hits && (!Measures || _problem.IsMeasuredHit(x, out solution));
     }
 
     /// <summary>Takes a step that leaves less of the squares, damped as much as that needs.</summary>
