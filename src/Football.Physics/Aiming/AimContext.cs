@@ -41,7 +41,7 @@ internal sealed class AimContext
         var withoutGround = new Simulator(WithoutGround(open), SolverSettings.Default);
         Planes = new PlaneShooter(this, withoutGround);
         Shooting = new ShootingProblem(this, withoutGround, _simulator);
-        Approaches = new ApproachShooter(this, _simulator);
+        Approaches = new KickFlight(_simulator);
         Miss = new MissMeter(this, real);
     }
 
@@ -60,7 +60,7 @@ internal sealed class AimContext
     public PlaneShooter Planes { get; }
 
     /// <summary>Flights with ground, to their closest approach.</summary>
-    public ApproachShooter Approaches { get; }
+    public KickFlight Approaches { get; }
 
     /// <summary>Flights to given times, any of whose numbers may be unknown.</summary>
     public ShootingProblem Shooting { get; }
@@ -163,30 +163,26 @@ internal readonly struct AimSteps
     /// <summary>Miss distance from which on the rough step will do, m.</summary>
     private const double RoughMiss = 5e-4;
 
-    private AimSteps(double search, double hit, double roughHit, double rehearsedHit, double? roll, bool areShort)
+    private AimSteps(double search, double hit, double roughHit, double rehearsedHit, bool areShort)
     {
         Search = search;
         Hit = hit;
         RoughHit = roughHit;
         RehearsedHit = rehearsedHit;
-        Roll = roll;
         AreShort = areShort;
     }
 
     /// <summary>With RK4: a search within 1e-4 m, a hit with the drag law's jump located within 1e-5 m, a rough one within 1e-4 m, a rehearsed one within 5e-4 m.</summary>
-    public static AimSteps Long => new(search: 0.25, hit: 0.1, roughHit: 0.2, rehearsedHit: 0.3, roll: 2.0, areShort: false);
+    public static AimSteps Long => new(search: 0.25, hit: 0.1, roughHit: 0.2, rehearsedHit: 0.3, areShort: false);
 
     /// <summary>For a kick that grazes the drag law's jump, so that longer steps were wrong about it.</summary>
-    public static AimSteps Short => new(search: 0.02, hit: 0.02, roughHit: 0.02, rehearsedHit: 0.02, roll: null, areShort: true);
+    public static AimSteps Short => new(search: 0.02, hit: 0.02, roughHit: 0.02, rehearsedHit: 0.02, areShort: true);
 
     /// <summary>Of flights that only look where a kick goes.</summary>
     public double Search { get; }
 
     /// <summary>Of flights from which a hit is said.</summary>
     public double Hit { get; }
-
-    /// <summary>Of a roll of which only the direction counts; null where none may be as rough as that.</summary>
-    public double? Roll { get; }
 
     /// <summary>Whether they are the short ones: longer steps were wrong then.</summary>
     public bool AreShort { get; }

@@ -183,7 +183,7 @@ public sealed class Aimer
 
         // A kick that passes the target at another time is no hit.
         solution.Vectors(out Vector3d velocity, out Vector3d spin);
-        MeasuredMiss measured = _context.Miss.MeasureAt(request, in velocity, in spin, time);
+        MeasuredMiss measured = _context.Miss.Measure(request, in velocity, in spin, time);
         bool there = measured.Distance <= request.Tolerance && time - measured.Time <= LargestDelay;
         AimStatus status = there ? AimStatus.Hit : Missed(in solution, in measured);
         return Result(request, status, in solution, in velocity, in spin, in measured);

@@ -6,10 +6,10 @@ internal sealed class MissMeter
     private readonly AimContext _context;
     private readonly Simulator _simulator;
     private readonly KickFlight _shot;
-    private readonly StepLog _log = new();
     private AimRequest? _measured;
     private Vector3d _measuredVelocity;
     private Vector3d _measuredSpin;
+    private double? _measuredTime;
     private MeasuredMiss _miss;
 
     /// <param name="context">What the searches share.</param>
@@ -28,41 +28,34 @@ internal sealed class MissMeter
     public void Forget() => _measured = null;
 
     /// <summary>Flies a kick and measures; what was measured last is not flown again.</summary>
-    public MeasuredMiss Measure(AimRequest request, in Vector3d velocity, in Vector3d spin)
+    /// <param name="request">What the kick is to do.</param>
+    /// <param name="velocity">Its velocity, m/s.</param>
+    /// <param name="spin">Its spin, rad/s.</param>
+    /// <param name="time">When to measure, or at the first impact if that is before, s after the kick; null for the closest approach.</param>
+    public MeasuredMiss Measure(AimRequest request, in Vector3d velocity, in Vector3d spin, double? time = null)
     {
-        if (!ReferenceEquals(request, _measured) || velocity != _measuredVelocity || spin != _measuredSpin)
+        if (ReferenceEquals(request, _measured) && velocity == _measuredVelocity && spin == _measuredSpin && time == _measuredTime)
         {
-            // On the clock of the scene the target has been on its way since time 0.
-            Vector3d target = AimContext.Raised(_simulator, request.Target) - (request.KickTime * request.TargetVelocity);
-            Vector3d? through = request.Through is { } way ? AimContext.Raised(_simulator, way) : null;
-            BallState state = _simulator.LaunchAt(request.From, velocity, spin, request.KickTime);
-            _shot.Fly(state, Step(in velocity, in spin), AimContext.LongestFlight, in target, request.TargetVelocity, through, []);
-            _miss = new MeasuredMiss(_shot.Miss, _shot.ThroughMiss, _shot.Time, _shot.Position, _shot.Blocker);
-            (_measured, _measuredVelocity, _measuredSpin) = (request, velocity, spin);
+            return _miss;
         }
 
-        return _miss;
-    }
-
-    /// <summary>Flies a kick until a time or its first impact, and measures how far from the target it is then.</summary>
-    public MeasuredMiss MeasureAt(AimRequest request, in Vector3d velocity, in Vector3d spin, double time)
-    {
+        (_measured, _measuredVelocity, _measuredSpin, _measuredTime) = (request, velocity, spin, time);
         BallState state = _simulator.LaunchAt(request.From, velocity, spin, request.KickTime);
-        _log.Clear();
-        _simulator.Run(ref state, Step(in velocity, in spin), time, StopAt.Impact, _log, null);
-        int blocker = KickFlight.NoThing;
-        for (int i = 0; i < _log.Events.Count && blocker == KickFlight.NoThing; i++)
+        double step = MeasuringStep.Of(_simulator, _context.Upward, velocity.Length, spin.Length);
+
+        // On the clock of the scene the target has been on its way since time 0.
+        Vector3d target = AimContext.Raised(_simulator, request.Target) - (request.KickTime * request.TargetVelocity);
+        if (time is { } end)
         {
-            BallEvent e = _log.Events[i];
-            blocker = e.Thing > 0 && e.Kind is BallEventKind.Impact or BallEventKind.Net ? e.Thing : KickFlight.NoThing;
+            int blocker = _shot.FlyTo(ref state, step, end);
+            Vector3d there = target + (state.Time * request.TargetVelocity);
+            return _miss = new MeasuredMiss(Vector3d.Distance(state.Position, in there), null, state.Time - request.KickTime, state.Position, blocker);
         }
 
-        double after = state.Time - request.KickTime;
-        Vector3d target = AimContext.Raised(_simulator, request.Target) + (after * request.TargetVelocity);
-        return new MeasuredMiss(Vector3d.Distance(state.Position, in target), null, after, state.Position, blocker);
+        Vector3d? through = request.Through is { } way ? AimContext.Raised(_simulator, way) : null;
+        _shot.Fly(state, step, AimContext.LongestFlight, in target, request.TargetVelocity, through, []);
+        return _miss = new MeasuredMiss(_shot.Miss, _shot.ThroughMiss, _shot.Time, _shot.Position, _shot.Blocker);
     }
-
-    private double Step(in Vector3d velocity, in Vector3d spin) => MeasuringStep.Of(_simulator, _context.Upward, velocity.Length, spin.Length);
 }
 
 /// <summary>The measured closest approach of a kick before its first impact.</summary>

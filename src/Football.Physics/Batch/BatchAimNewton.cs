@@ -1,7 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>
-/// Newton's method on the crossing of the target's plane, as <see cref="BroydenShooting"/>, for kicks of a batch: one iteration, read off a flight
+/// Newton's method on the crossing of the target's plane, as <see cref="PlaneNewton"/>, for kicks of a batch: one iteration, read off a flight
 /// in the lanes.
 /// </summary>
 internal sealed class BatchAimNewton

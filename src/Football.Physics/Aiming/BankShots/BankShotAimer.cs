@@ -8,9 +8,6 @@ namespace Football.Physics;
 /// </remarks>
 public sealed class BankShotAimer
 {
-    /// <summary>Flights of a kick that was put together, each corrected by the last one's miss.</summary>
-    private const int MostCorrections = 4;
-
     /// <summary>A kick that misses by more than this does not go the way of its chain, m: something is in between.</summary>
     private const double Strange = 0.2;
 
@@ -154,25 +151,8 @@ public sealed class BankShotAimer
         Kick kick = _chain.Legs.Kick;
         kick.Elevation = bounds.Clamp(kick.Elevation);
         BankShotStart best = _flight.Fly(request, in frame, things, in kick, _flight.FineStep);
-        bool better = best.Meets && best.Miss < Strange;
-        for (int i = 0; i < MostCorrections && better && best.Miss > BankShotFlight.Enough * request.Tolerance; i++)
-        {
-            if (!_chain.Correct(best.Position - frame.Target, out double up, out double aside))
-            {
-                break;
-            }
-
-            _flight.Iterations++;
-            kick = best.Kick;
-            kick.Elevation = bounds.Clamp(kick.Elevation + up);
-            kick.Azimuth += aside;
-            BankShotStart next = _flight.Fly(request, in frame, things, in kick, _flight.FineStep);
-            better = next.Meets && next.Miss < best.Miss;
-            best = better ? next : best;
-        }
-
         best.IsFine = best.Meets;
-        return best.Meets && best.Miss < Strange && !best.IsHit(request) ? _flight.Improve(request, in frame, things, in best) : best;
+        return best.Meets && best.Miss < Strange && best.Miss > BankShotFlight.Enough * request.Tolerance ? _flight.Improve(request, in frame, things, in best) : best;
     }
 
     private int[] Things(string[] names)

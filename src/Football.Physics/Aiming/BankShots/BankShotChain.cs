@@ -40,6 +40,7 @@ internal sealed class BankShotChain
     private double[] _savedGaps = [];
     private double[] _system = [];
     private double[] _step = [];
+    private double[] _weight = [];
 
     public BankShotChain(Scene scene)
     {
@@ -63,6 +64,7 @@ internal sealed class BankShotChain
             _savedGaps = new double[unknowns];
             _system = new double[unknowns * (unknowns + 1)];
             _step = new double[unknowns];
+            _weight = new double[unknowns];
         }
     }
 
@@ -133,43 +135,22 @@ internal sealed class BankShotChain
         return false;
     }
 
-    /// <summary>The turn that takes away a miss of the whole kick at the target, by the derivatives of the last flight.</summary>
-    /// <param name="miss">The miss, m.</param>
-    /// <param name="up">By elevation, rad.</param>
-    /// <param name="aside">By azimuth, rad.</param>
-    public bool Correct(in Vector3d miss, out double up, out double aside)
-    {
-        int last = 2 * Legs.Count;
-        Array.Clear(Legs.Gaps, 0, last);
-        Legs.Miss(in miss, out Legs.Gaps[last], out Legs.Gaps[last + 1]);
-        bool solved = Solve();
-        up = _step[0];
-        aside = _step[1];
-        return solved && !double.IsNaN(up + aside) && Math.Abs(up) + Math.Abs(aside) < LargestTurn;
-    }
-
-    /// <summary>Broyden's update of the derivatives by what the last step did, row by row: J ← J + (Δg − J s) sᵀ/sᵀs, of s what the row depends on.</summary>
+    /// <summary>Broyden's update of the derivatives by what the last step did, of each row by what it depends on.</summary>
     private void Update()
     {
         int n = Legs.Unknowns;
         for (int row = 0; row < n; row++)
         {
             int last = Math.Min(n, (row & ~1) + 4);
-            double off = Legs.Gaps[row] - _savedGaps[row];
-            double square = 0;
+            double squared = 0;
             for (int j = 0; j < last; j++)
             {
-                off -= Legs.Rows[(row * n) + j] * _step[j];
-                square += Weight(j) * _step[j] * _step[j];
+                _weight[j] = j < 2 ? MetresPerRadian * MetresPerRadian : 1.0;
+                squared += _weight[j] * _step[j] * _step[j];
             }
 
-            for (int j = 0; j < last && square > 0; j++)
-            {
-                Legs.Rows[(row * n) + j] += off * Weight(j) * _step[j] / square;
-            }
+            Broyden.Update(Legs.Rows, row * n, last, _step, _weight, squared, Legs.Gaps[row] - _savedGaps[row]);
         }
-
-        static double Weight(int unknown) => unknown < 2 ? MetresPerRadian * MetresPerRadian : 1.0;
     }
 
     /// <summary>Newton's step.</summary>

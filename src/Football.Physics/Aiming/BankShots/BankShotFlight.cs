@@ -73,7 +73,7 @@ internal sealed class BankShotFlight
     public BankShotStart Improve(AimRequest request, in TargetFrame frame, int[] things, in BankShotStart start)
     {
         // Through the impacts, whose kinks end a step early: halved until it meets the same things and comes closer.
-        BankShotStart at = Fly(request, in frame, things, start.Kick, FineStep);
+        BankShotStart at = start.IsFine ? start : Fly(request, in frame, things, start.Kick, FineStep);
         var bounds = ElevationBounds.Of(request);
         for (int i = 0; at.Meets && i < Math.Min(MostCorrections, request.MaximumIterations) && at.Miss > Enough * request.Tolerance; i++)
         {
@@ -113,13 +113,12 @@ internal sealed class BankShotFlight
     private bool Step(AimRequest request, in TargetFrame frame, in BankShotStart at, out double up, out double aside)
     {
         // Along the way a miss is a matter of time alone: only what is across counts.
-        Vector3d place = At(request, in frame, at.Kick, at.Time);
         Kick raised = at.Kick;
         raised.Elevation += Width;
         Kick turned = at.Kick;
         turned.Azimuth += Width;
-        Vector3d byElevation = 1.0 / Width * (At(request, in frame, in raised, at.Time) - place);
-        Vector3d byAzimuth = 1.0 / Width * (At(request, in frame, in turned, at.Time) - place);
+        Vector3d byElevation = 1.0 / Width * (At(request, in frame, in raised, at.Time) - at.Position);
+        Vector3d byAzimuth = 1.0 / Width * (At(request, in frame, in turned, at.Time) - at.Position);
         Vector3d way = at.Velocity.LengthSquared > 0 ? at.Velocity / at.Velocity.Length : Vector3d.Zero;
         Vector3d e = Across(at.Position - frame.Target, in way);
         byElevation = Across(in byElevation, in way);

@@ -96,13 +96,6 @@ internal sealed class BankShotLegs
         _spin = new Vector3d[Unknowns];
     }
 
-    /// <summary>The two numbers of a miss at the target, across the way of the last leg.</summary>
-    public void Miss(in Vector3d miss, out double level, out double steep)
-    {
-        level = Vector3d.Dot(in miss, in _level);
-        steep = Vector3d.Dot(in miss, in _steep);
-    }
-
     /// <summary>Flies all legs; then the gaps are known, and where that is measured, how they change with every unknown.</summary>
     /// <returns>False where a leg leads away from what it is to touch.</returns>
     public bool Fly(AimRequest request, in TargetFrame frame, bool measures, BankShotFlight counts)

@@ -17,6 +17,7 @@ internal sealed class DirectAim
     private const double RollWidth = 1e-4;
 
     private readonly PlaneProblem _problem;
+    private readonly PlaneNewton _newton;
     private readonly AimContext _context;
     private readonly ClosestKick _closest;
     private readonly GeneralAim _general;
@@ -26,6 +27,7 @@ internal sealed class DirectAim
         _context = context;
         _general = general;
         _problem = new PlaneProblem(context);
+        _newton = new PlaneNewton(_problem);
         _closest = new ClosestKick(context);
     }
 
@@ -41,7 +43,7 @@ internal sealed class DirectAim
         // (football lab answers --only known --count 300, and --only verdicts)
         _problem.Set(request, speed, top, side);
         ref readonly TargetFrame frame = ref _problem.Frame;
-        bool separates = _context.Approaches.Separates(request);
+        bool separates = _context.Approaches.Turns(request.TargetVelocity);
         if (arc == AimArc.Low && Newton(out AimSolution solution))
         {
             if (!separates || !IsBent(in frame))
@@ -143,7 +145,7 @@ internal sealed class DirectAim
     private bool Newton(out AimSolution solution)
     {
         solution = default;
-        if (!(_problem.Frame.Distance >= 1e-6) || !BroydenShooting.Solve(_problem, out PlaneShot shot) || !_problem.StaysClear(in shot))
+        if (!(_problem.Frame.Distance >= 1e-6) || !_newton.Solve() || !_problem.StaysClear(_newton.X, _newton.R))
         {
             return false;
         }
@@ -151,12 +153,12 @@ internal sealed class DirectAim
         solution = new AimSolution
         {
             Status = AimStatus.Hit,
-            Kick = shot.Kick,
+            Kick = _problem.KickOf(_newton.X),
             Forward = _problem.Frame.Forward,
             Speed = _problem.Speed,
-            Miss = shot.Miss,
+            Miss = _newton.Miss,
             Arc = AimArc.Low,
-            Time = shot.Time,
+            Time = _newton.Time,
         };
         return true;
     }

@@ -93,7 +93,7 @@ internal struct FittedFlight
     }
 
     /// <summary>Whether a flight with a spin, rad/s, is close enough to what was fitted.</summary>
-    public readonly bool Fits(double spinRate) => Math.Abs(spinRate - _spinRate) < CloseSpin * _spinRate;
+    public readonly bool Fits(double spinRate) => Math.Abs(Math.Max(LeastSpin, spinRate) - _spinRate) < CloseSpin * _spinRate;
 
     /// <summary>Begins a flight.</summary>
     public void Begin(in Vector3d from, in Vector3d velocity, in Vector3d spin)

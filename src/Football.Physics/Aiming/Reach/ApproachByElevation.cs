@@ -38,7 +38,7 @@ internal sealed class ApproachByElevation
     public double Speed { get; private set; }
 
     /// <summary>Whether flights turn with their azimuth, so that the azimuth of an elevation is known after one.</summary>
-    public bool TurnWithAzimuth => _context.Approaches.TurnWithAzimuth;
+    public bool TurnWithAzimuth => _context.Approaches.Turns(in _targetVelocity);
 
     /// <summary>Whether nothing more can be searched.</summary>
     public bool IsSpent => _context.IsSpent;
@@ -48,7 +48,6 @@ internal sealed class ApproachByElevation
     {
         _frame = problem.Frame;
         _targetVelocity = problem.Request.TargetVelocity;
-        _context.Approaches.Aim(in _frame, in _targetVelocity, problem.Speed);
         _kick = problem.Spins;
         Speed = problem.Speed;
         Tolerance = problem.Tolerance;
@@ -69,7 +68,7 @@ internal sealed class ApproachByElevation
     }
 
     /// <summary>Flies an elevation, beginning with the azimuth of the last one.</summary>
-    public Approach At(double elevation) => At(elevation, _context.Steps.Search, roughly: false);
+    public Approach At(double elevation) => At(elevation, _context.Steps.Search);
 
     /// <summary>Flies an elevation, beginning with the azimuth of another.</summary>
     public Approach At(double elevation, in Approach near)
@@ -82,7 +81,7 @@ internal sealed class ApproachByElevation
     public Approach HitAt(double elevation, in Approach near)
     {
         _kick.Azimuth = near.Kick.Azimuth;
-        return At(elevation, _context.Steps.Hit, roughly: false);
+        return At(elevation, _context.Steps.Hit);
     }
 
     /// <summary>Flies a kick as it is.</summary>
@@ -90,35 +89,26 @@ internal sealed class ApproachByElevation
     {
         _kick.Elevation = kick.Elevation;
         _kick.Azimuth = kick.Azimuth;
-        return Fly(_context.Steps.Search, roughly: false);
+        return Fly(_context.Steps.Search);
     }
 
     /// <summary>Rolls along the ground, straight at the target at first.</summary>
     public Approach Roll(double elevation)
     {
         _kick.Azimuth = 0;
-        return At(elevation, _context.Steps.Search, roughly: false);
+        return At(elevation);
     }
 
-    /// <summary>The same where only the direction of the roll counts.</summary>
-    /// <param name="elevation">The elevation.</param>
-    /// <param name="step">Step of the roll, s.</param>
-    public Approach RollRoughly(double elevation, double step)
-    {
-        _kick.Azimuth = 0;
-        return At(elevation, step, roughly: true);
-    }
-
-    private Approach At(double elevation, double step, bool roughly)
+    private Approach At(double elevation, double step)
     {
         // In still air one flight tells the azimuth too; in a wind it is turned until the target lies in the way's own direction.
         _kick.Elevation = elevation;
-        Approach approach = Fly(step, roughly);
+        Approach approach = Fly(step);
         if (approach.Miss < NearHit * Tolerance && step > _context.Steps.Hit)
         {
             // A hit is not said from long steps.
             step = _context.Steps.Hit;
-            approach = Fly(step, roughly);
+            approach = Fly(step);
         }
 
         if (TurnWithAzimuth)
@@ -132,7 +122,7 @@ internal sealed class ApproachByElevation
         {
             // Kicked the wrong way, it was never closer than at the start, which says nothing of where to turn.
             _kick.Azimuth = 0;
-            Approach straight = Turned(Fly(step, roughly), step);
+            Approach straight = Turned(Fly(step), step);
             approach = straight.Miss < approach.Miss ? straight : approach;
         }
 
@@ -157,7 +147,7 @@ internal sealed class ApproachByElevation
             }
 
             _kick.Azimuth = approach.Kick.Azimuth + turn;
-            Approach next = Fly(step, roughly: false);
+            Approach next = Fly(step);
             Centre(at, next.Gap + toTarget, next.Kick.Azimuth - approach.Kick.Azimuth, ref c);
             approach = next;
         }
@@ -193,9 +183,10 @@ internal sealed class ApproachByElevation
         return f == 0 && l == 0 ? 0 : Elementary.Atan2(l, f);
     }
 
-    private Approach Fly(double step, bool roughly)
+    private Approach Fly(double step)
     {
-        Approach approach = _context.Approaches.Fly(in _kick, step, roughly);
+        Approach approach = _context.Approaches.Look(in _frame, in _targetVelocity, in _kick, Speed, step);
+        _context.CountSimulation(_context.Approaches.Pieces);
         if (approach.Miss < Best.Miss)
         {
             Best = approach;

@@ -74,9 +74,6 @@ internal sealed class ClosestKick
 /// <summary>The kick along the ground: whatever its elevation, it comes no closer than the target is above it. It is flown once.</summary>
 internal sealed class RollingKick
 {
-    /// <summary>So far below the target, m, the direction of a roll need not be known to the centimetre.</summary>
-    private const double WellBelow = 0.25;
-
     private readonly AimContext _context;
     private readonly ApproachByElevation _approaches;
 
@@ -114,18 +111,7 @@ internal sealed class RollingKick
     /// <summary>Flies it.</summary>
     public Approach Fly()
     {
-        double bound = LowerBound;
         LowerBound = double.PositiveInfinity;
-        if (_approaches.TurnWithAzimuth && bound > WellBelow && _context.Steps.Roll is { } step)
-        {
-            // Well below a target only the direction counts, and even that little; where the ball stops short, the rest does too.
-            Approach rough = _approaches.RollRoughly(Elevation, step);
-            if (rough.Miss <= bound + (0.1 * ValleySearch.Closeness))
-            {
-                return rough;
-            }
-        }
-
         return _approaches.Roll(Elevation);
     }
 }

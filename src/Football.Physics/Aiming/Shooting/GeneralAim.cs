@@ -138,16 +138,13 @@ internal sealed class GeneralAim
     public bool Slowest(AimRequest request, out AimSolution solution)
     {
         // 1. From the slowest in closed form, or the one on the bound of the elevations beyond which that lies. 2. Along the curve of the kicks that hit to
-        // where the speed is least. 3. A scan where there may be others.
+        // where the speed is least. The last alone is measured, all of them where that is no hit. 3. A scan where there may be others.
         Begin(request, rolls: false);
+        _solver.Measures = false;
         bool found = FromSlowestModel(request, out solution);
-        Vector3d velocity = Vector3d.Zero;
-        if (found)
-        {
-            _curve.Descend(_x, ref solution);
-            solution.Vectors(out velocity, out _);
-        }
-
+        _solver.Measures = true;
+        found = found && (_problem.IsMeasuredHit(_x, out solution) || FromSlowestModel(request, out solution));
+        solution.Vectors(out Vector3d velocity, out _);
         bool isOnlyOne = found && !_problem.IsRuledByAir && _context.Scene.Air.Wind.Horizontal.Length < Drift * velocity.Horizontal.Length;
         return isOnlyOne || FromScans(request, null, Wanted.Slowest, ref solution, found);
     }
@@ -168,6 +165,11 @@ internal sealed class GeneralAim
         _problem.IsFree[held] = false;
         bool found = _solver.Hit(_x, out solution, isMeasured: true);
         _problem.IsFree[held] = true;
+        if (found)
+        {
+            _curve.Descend(_x, ref solution);
+        }
+
         return found;
     }
 

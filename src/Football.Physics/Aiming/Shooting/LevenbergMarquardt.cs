@@ -25,6 +25,7 @@ internal sealed class LevenbergMarquardt
     private readonly ShootingProblem _problem;
     private readonly double[] _system = new double[N * (N + 1)];
     private readonly double[] _change = new double[N];
+    private readonly double[] _weight = new double[N];
     private readonly double[] _next = new double[N];
     private readonly double[] _nextResiduals = new double[ShootingProblem.MostEquations];
     private readonly bool[] _held = new bool[N];
@@ -36,6 +37,9 @@ internal sealed class LevenbergMarquardt
 
     /// <summary>How they move with the unknowns, a row for each.</summary>
     public double[] Jacobian { get; } = new double[ShootingProblem.MostEquations * N];
+
+    /// <summary>Whether what a search leads to is measured.</summary>
+    public bool Measures { get; set; } = true;
 
     /// <summary>Solves from a start.</summary>
     /// <param name="x">The unknowns: the start, and then the best that was found.</param>
@@ -88,8 +92,9 @@ internal sealed class LevenbergMarquardt
     /// <returns>Whether that truly hits.</returns>
     public bool Hit(double[] x, out AimSolution solution, bool isMeasured = false)
     {
-        solution = default;
-        return Solve(x, isMeasured) && _problem.IsMeasuredHit(x, out solution);
+        bool hits = Solve(x, isMeasured);
+        solution = _problem.Solution(x);
+        return hits && (!Measures || _problem.IsMeasuredHit(x, out solution));
     }
 
     /// <summary>Takes a step that leaves less of the squares, damped as much as that needs.</summary>
@@ -164,30 +169,20 @@ internal sealed class LevenbergMarquardt
         return true;
     }
 
-    /// <summary>Broyden's update, in units of the unknowns in which each counts by what it does: J += (Δr − J Δx) (D Δx)ᵀ / (Δxᵀ D Δx), D = diag JᵀJ.</summary>
+    /// <summary>Broyden's update, in units of the unknowns in which each counts by what it does: W = diag JᵀJ.</summary>
     private void Update(double[] x)
     {
         double squared = 0;
         for (int k = 0; k < N; k++)
         {
-            double moved = _next[k] - x[k];
-            _change[k] = moved == 0 ? 0 : moved * Product(k, k);
-            squared += moved * _change[k];
+            _change[k] = _next[k] - x[k];
+            _weight[k] = _change[k] == 0 ? 0 : Product(k, k);
+            squared += _change[k] * _weight[k] * _change[k];
         }
 
-        for (int i = 0; i < _problem.Equations && squared > 0; i++)
+        for (int i = 0; i < _problem.Equations; i++)
         {
-            double error = _nextResiduals[i] - Residuals[i];
-            for (int k = 0; k < N; k++)
-            {
-                double moved = _next[k] - x[k];
-                error -= moved == 0 ? 0 : Jacobian[(i * N) + k] * moved;
-            }
-
-            for (int k = 0; k < N; k++)
-            {
-                Jacobian[(i * N) + k] += error * _change[k] / squared;
-            }
+            Broyden.Update(Jacobian, i * N, N, _change, _weight, squared, _nextResiduals[i] - Residuals[i]);
         }
 
         _problem.TimeColumns(_next, Jacobian);

@@ -25,8 +25,8 @@ internal sealed class ShootingProblem
     private const double ScanStep = 0.1;
 
     /// <summary>Step of a roll, s, and of one that is fast enough to meet the drag law's jump, and that speed, m/s.</summary>
-    private const double RollStep = 0.5;
-    private const double FastRollStep = 0.1;
+    private const double RollStep = 0.1;
+    private const double FastRollStep = 0.02;
     private const double FastRoll = 11;
 
     /// <summary>Changes of the unknowns by which the Jacobian is measured.</summary>
@@ -130,7 +130,7 @@ internal sealed class ShootingProblem
     public bool IsHit(double[] r)
     {
         double tolerance = AimContext.Sharp(Request.Tolerance);
-        double through = AimContext.Sharp(Request.ThroughTolerance, TwoPointProblem.FineThrough);
+        double through = AimContext.Sharp(Request.ThroughTolerance, PlaneProblem.FineThrough);
         return (r[0] * r[0]) + (r[1] * r[1]) + (r[2] * r[2]) <= tolerance * tolerance
             && (!_passesThrough || (r[3] * r[3]) + (r[4] * r[4]) + (r[5] * r[5]) <= through * through);
     }
@@ -321,7 +321,7 @@ internal sealed class ShootingProblem
     {
         solution = Solution(x);
         solution.Vectors(out Vector3d velocity, out Vector3d spin);
-        MeasuredMiss measured = IsFree[LogTime] ? _context.Miss.Measure(Request, in velocity, in spin) : _context.Miss.MeasureAt(Request, in velocity, in spin, solution.Time);
+        MeasuredMiss measured = _context.Miss.Measure(Request, in velocity, in spin, IsFree[LogTime] ? null : solution.Time);
         solution.Miss = measured.Distance;
         solution.ThroughMiss = measured.ThroughDistance ?? double.NaN;
 

@@ -1,0 +1,285 @@
+namespace Football.Physics;
+
+/// <summary>
+/// One Newton step of a <see cref="PlaneProblem"/>, and how its residuals move with its unknowns. Through a point by the active-set method: a spin that would pass its limit is
+/// held there, and the equation at the point on the way that it serves is dropped: the point is then missed, in that direction, by as little as the limit allows.
+/// </summary>
+internal sealed class PlaneStep
+{
+    private const int N = PlaneProblem.Most;
+
+    /// <summary>Largest corrections of elevation and azimuth, rad: what asks for more is far from the model. Through a point both may be as large.</summary>
+    private const double LargestElevation = 0.35;
+    private const double LargestAzimuth = 0.5;
+    private const double LargestTurn = 1.0;
+
+    /// <summary>Change of a spin, rad/s, by which its effect is found: what a rehearsal is off by the guess of its time must not count.</summary>
+    private const double SpinChange = 0.5;
+
+    /// <summary>Square of the angle, rad, that counts as much as 1 rad/s of spin.</summary>
+    private const double SpinUnit = 1e-4;
+
+    private readonly double[] _weight = [1, 1, SpinUnit, SpinUnit];
+    private readonly double[] _j = new double[N * N];
+    private readonly double[] _changed = new double[N];
+    private readonly double[] _system = new double[N * (N + 1)];
+    private readonly double[] _limit = new double[N];
+    private readonly bool[] _held = new bool[N];
+
+    /// <summary>To a target alone.</summary>
+    private CrossingJacobian _angles;
+
+    /// <summary>The changes of the unknowns.</summary>
+    public double[] Change { get; } = new double[N];
+
+    /// <summary>Forgets which spins were held.</summary>
+    public void Reset()
+    {
+        Array.Clear(_held, 0, N);
+        Array.Clear(Change, 0, N);
+    }
+
+    /// <summary>The miss at the point on the way, m, but for the directions of spins that are held at their limit.</summary>
+    public double ThroughAsked(double[] r)
+    {
+        double left = _held[PlaneProblem.Side] ? 0 : r[PlaneProblem.ThroughLeft];
+        double up = _held[PlaneProblem.Top] ? 0 : r[PlaneProblem.ThroughUp];
+        return Math.Sqrt((left * left) + (up * up));
+    }
+
+    /// <summary>Makes the Jacobian: the angles' columns read off the last kick, the spins' by differences in the air that kicks are rehearsed in.</summary>
+    /// <param name="problem">The problem.</param>
+    /// <param name="x">The unknowns of the last kick.</param>
+    /// <param name="r">Its residuals.</param>
+    /// <returns>False where a kick with a little more spin does not reach both planes.</returns>
+    public bool Measure(PlaneProblem problem, double[] x, double[] r)
+    {
+        _angles = problem.JacobianAtTarget(x);
+        if (!problem.HasThrough)
+        {
+            return true;
+        }
+
+        Set(PlaneProblem.ThroughLeft, PlaneProblem.ThroughUp, problem.JacobianAtThrough(x));
+        Set(PlaneProblem.TargetLeft, PlaneProblem.TargetUp, in _angles);
+        for (int k = PlaneProblem.Top; k <= PlaneProblem.Side; k++)
+        {
+            double kept = x[k];
+            x[k] = kept + SpinChange;
+            bool reaches = problem.Rehearse(x, _changed);
+            x[k] = kept;
+            if (!reaches)
+            {
+                return false;
+            }
+
+            for (int i = 0; i < N; i++)
+            {
+                _j[(i * N) + k] = (_changed[i] - r[i]) / SpinChange;
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>Broyden's update, in units in which a radian and 100 rad/s of spin count alike.</summary>
+    /// <param name="problem">The problem.</param>
+    /// <param name="before">The residuals before the last step.</param>
+    /// <param name="after">The residuals after.</param>
+    public void Update(PlaneProblem problem, double[] before, double[] after)
+    {
+        double[] dx = Change;
+        if (!problem.HasThrough)
+        {
+            double up = after[PlaneProblem.TargetUp] - before[PlaneProblem.TargetUp];
+            _angles.Update(dx[PlaneProblem.Elevation], dx[PlaneProblem.Azimuth], up, after[PlaneProblem.TargetLeft] - before[PlaneProblem.TargetLeft]);
+            return;
+        }
+
+        double squared = (dx[0] * dx[0]) + (dx[1] * dx[1]) + (SpinUnit * ((dx[2] * dx[2]) + (dx[3] * dx[3])));
+        for (int i = 0; i < N; i++)
+        {
+            Broyden.Update(_j, i * N, N, dx, _weight, squared, after[i] - before[i]);
+        }
+    }
+
+    /// <summary>Solves for the changes.</summary>
+    /// <param name="problem">The problem.</param>
+    /// <param name="x">The unknowns.</param>
+    /// <param name="r">The residuals.</param>
+    /// <param name="sameHeld">Whether the same spins are held as in the step before.</param>
+    /// <returns>False where the system is singular, or the kick would turn too far, or leave its bounds.</returns>
+    public bool Solve(PlaneProblem problem, double[] x, double[] r, out bool sameHeld)
+    {
+        sameHeld = true;
+        if (!problem.HasThrough)
+        {
+            bool solved = _angles.Solve(r[PlaneProblem.TargetUp], r[PlaneProblem.TargetLeft], out double up, out double aside);
+            Change[PlaneProblem.Elevation] = up;
+            Change[PlaneProblem.Azimuth] = aside;
+            return solved && Math.Abs(up) < LargestElevation && Math.Abs(aside) < LargestAzimuth && problem.Bounds.Contain(x[PlaneProblem.Elevation] + up);
+        }
+
+        // A spin that the step takes beyond its limit is put on it, its equation is dropped, and the rest is solved again: twice at most, once for each spin.
+        bool topWasHeld = _held[PlaneProblem.Top];
+        bool sideWasHeld = _held[PlaneProblem.Side];
+        Array.Clear(_held, 0, N);
+        bool holds = true;
+        for (int attempt = 0; attempt < 3 && holds; attempt++)
+        {
+            Assemble(x, r);
+            if (!Linear.Solve(_system, Change, N))
+            {
+                return false;
+            }
+
+            holds = Hold(problem, PlaneProblem.Top, x) | Hold(problem, PlaneProblem.Side, x);
+        }
+
+        sameHeld = topWasHeld == _held[PlaneProblem.Top] && sideWasHeld == _held[PlaneProblem.Side];
+        double elevation = x[PlaneProblem.Elevation];
+        Change[PlaneProblem.Elevation] =
+            Math.Min(Math.Max(Change[PlaneProblem.Elevation], problem.Bounds.Lowest - elevation), problem.Bounds.Highest - elevation);
+        return Math.Max(Math.Abs(Change[PlaneProblem.Elevation]), Math.Abs(Change[PlaneProblem.Azimuth])) < LargestTurn;
+    }
+
+    /// <summary>The system J Δx = −r; the row of a dropped equation holds its spin at the limit instead.</summary>
+    private void Assemble(double[] x, double[] r)
+    {
+        for (int i = 0; i < N; i++)
+        {
+            // Left at the point on the way is the side spin's equation, up the top spin's.
+            int spin = i == PlaneProblem.ThroughLeft ? PlaneProblem.Side : PlaneProblem.Top;
+            bool dropped = i is PlaneProblem.ThroughLeft or PlaneProblem.ThroughUp && _held[spin];
+            int row = i * (N + 1);
+            for (int k = 0; k < N; k++)
+            {
+                _system[row + k] = !dropped ? _j[(i * N) + k] : k == spin ? 1 : 0;
+            }
+
+            _system[row + N] = dropped ? _limit[spin] - x[spin] : -r[i];
+        }
+    }
+
+    /// <summary>Holds a spin at its limit where it would pass it.</summary>
+    /// <returns>Whether it is held from now on, so that the system must be solved again.</returns>
+    private bool Hold(PlaneProblem problem, int spin, double[] x)
+    {
+        double limit = spin == PlaneProblem.Top ? problem.Request.MaximumTopSpin : problem.Request.MaximumSideSpin;
+        double wanted = x[spin] + Change[spin];
+        double allowed = Math.Min(Math.Max(wanted, -limit), limit);
+        if (_held[spin] || allowed == wanted)
+        {
+            return false;
+        }
+
+        _held[spin] = true;
+        _limit[spin] = allowed;
+        return true;
+    }
+
+    private void Set(int left, int up, in CrossingJacobian angles)
+    {
+        _j[(left * N) + PlaneProblem.Elevation] = angles.LeftByElevation;
+        _j[(left * N) + PlaneProblem.Azimuth] = angles.LeftByAzimuth;
+        _j[(up * N) + PlaneProblem.Elevation] = angles.UpByElevation;
+        _j[(up * N) + PlaneProblem.Azimuth] = angles.UpByAzimuth;
+    }
+}
+
+/// <summary>How the crossing of the target's plane (up, left) moves with elevation and azimuth, m/rad.</summary>
+internal struct CrossingJacobian
+{
+    private double _upByElevation;
+    private double _upByAzimuth;
+    private double _leftByElevation;
+    private double _leftByAzimuth;
+
+    public CrossingJacobian(double upByElevation, double upByAzimuth, double leftByElevation, double leftByAzimuth)
+    {
+        _upByElevation = upByElevation;
+        _upByAzimuth = upByAzimuth;
+        _leftByElevation = leftByElevation;
+        _leftByAzimuth = leftByAzimuth;
+    }
+
+    /// <summary>How the height of the crossing moves with the elevation, m/rad.</summary>
+    public readonly double UpByElevation => _upByElevation;
+
+    /// <summary>How it moves with the azimuth.</summary>
+    public readonly double UpByAzimuth => _upByAzimuth;
+
+    /// <summary>How the distance to the left moves with the elevation.</summary>
+    public readonly double LeftByElevation => _leftByElevation;
+
+    /// <summary>How it moves with the azimuth.</summary>
+    public readonly double LeftByAzimuth => _leftByAzimuth;
+
+    /// <summary>
+    /// Read off one flight: drag and Magnus force turn with the kick, so the whole way turns with it, but for the displacements by
+    /// gravity and wind; then back along the velocity to the plane.
+    /// </summary>
+    /// <param name="kick">The kick.</param>
+    /// <param name="crossing">Where it crossed the plane.</param>
+    /// <param name="frame">The frame of the target.</param>
+    /// <param name="wind">Wind, m/s.</param>
+    /// <param name="upward">Upward acceleration by gravity and buoyancy, m/s².</param>
+    public static CrossingJacobian Of(in Kick kick, in PlaneCrossing crossing, in TargetFrame frame, in Vector3d wind, double upward)
+    {
+        Vector3d p = crossing.Position - frame.From;
+        Vector3d d = kick.Direction(in frame.Forward);
+
+        // Damped by drag: the mean speed over the launch speed is about the damping of both displacements.
+        double t = crossing.Time;
+        double damping = 0.9;
+        Vector3d byGravity = new(0, 0.5 * damping * upward * t * t, 0);
+        Vector3d turning = p - byGravity - (0.3 * t * wind);
+        Vector3d byElevation = Vector3d.Cross(new Vector3d(-d.Z, 0, d.X), in turning); // axis d × ŷ raises the kick
+        Vector3d byAzimuth = Vector3d.Cross(Vector3d.Up, in turning);
+        Elementary.SinCos(kick.Elevation, out double sine, out double cosine);
+        if (kick.Side != 0 && cosine > 0.1)
+        {
+            // The axis of the side spin stays upright: its bend is that of the horizontal velocity alone, which a raised kick has less of.
+            Vector3d across = new(d.Z, 0, -d.X); // ŷ × d
+            byElevation -= sine / cosine * Vector3d.Dot(in turning, in across) * across;
+        }
+
+        double speed = Vector3d.Dot(crossing.Velocity, in frame.Forward);
+        Vector3d slope = speed > 1e-3 ? crossing.Velocity / speed : frame.Forward;
+        byElevation -= Vector3d.Dot(in byElevation, in frame.Forward) * slope;
+        byAzimuth -= Vector3d.Dot(in byAzimuth, in frame.Forward) * slope;
+        return new CrossingJacobian(
+            byElevation.Y, byAzimuth.Y, Vector3d.Dot(in byElevation, in frame.Left), Vector3d.Dot(in byAzimuth, in frame.Left));
+    }
+
+    /// <summary>The changes of elevation and azimuth that bring a crossing to the target.</summary>
+    /// <param name="up">How high above the target it is, m.</param>
+    /// <param name="left">How far to its left, m.</param>
+    /// <param name="elevation">Change of the elevation, rad.</param>
+    /// <param name="azimuth">Change of the azimuth, rad.</param>
+    /// <returns>False where the Jacobian is singular.</returns>
+    public readonly bool Solve(double up, double left, out double elevation, out double azimuth)
+    {
+        double determinant = (_upByElevation * _leftByAzimuth) - (_upByAzimuth * _leftByElevation);
+        elevation = ((_upByAzimuth * left) - (_leftByAzimuth * up)) / determinant;
+        azimuth = ((_leftByElevation * up) - (_upByElevation * left)) / determinant;
+        return double.IsFinite(elevation) && double.IsFinite(azimuth);
+    }
+
+    /// <summary>Broyden's update after a change of the angles moved the crossing: J += (Δr − J Δx) Δxᵀ / |Δx|².</summary>
+    public void Update(double elevation, double azimuth, double up, double left)
+    {
+        double squared = (elevation * elevation) + (azimuth * azimuth);
+        if (!(squared > 0))
+        {
+            return;
+        }
+
+        double moreUp = (up - (_upByElevation * elevation) - (_upByAzimuth * azimuth)) / squared;
+        double moreLeft = (left - (_leftByElevation * elevation) - (_leftByAzimuth * azimuth)) / squared;
+        _upByElevation += moreUp * elevation;
+        _upByAzimuth += moreUp * azimuth;
+        _leftByElevation += moreLeft * elevation;
+        _leftByAzimuth += moreLeft * azimuth;
+    }
+}
