@@ -1,5 +1,21 @@
 namespace Football.Physics;
 
+/// <summary>A sweep that also follows the surfaces at which the drag law jumps.</summary>
+internal interface IFlowSweep : ISweep
+{
+    /// <summary>The surfaces' functions at the start.</summary>
+    DragJump StartJump { get; }
+
+    /// <summary>Their rates at the start.</summary>
+    DragJump StartJumpRate { get; }
+
+    /// <summary>The surfaces' functions at the end.</summary>
+    DragJump EndJump { get; }
+
+    /// <summary>Their rates at the end; one evaluation.</summary>
+    DragJump EndJumpRate();
+}
+
 /// <summary>The flow past the ball at one instant: what the aerodynamic laws may depend on, computed once an evaluation.</summary>
 internal struct AirFlow
 {

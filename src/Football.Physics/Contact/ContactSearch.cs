@@ -51,7 +51,7 @@ internal readonly struct ContactSearch
     /// <param name="carrier">The collider that carries it; −1 where none does.</param>
     /// <param name="first">What it meets.</param>
     /// <returns>When, s from the start of the path; infinite where it meets nothing.</returns>
-    public double First(in BallState s, int carrier, out Gap first)
+    public double First(in BallState s, int carrier, out Separation first)
     {
         first = default;
         double best = double.PositiveInfinity;
@@ -64,10 +64,10 @@ internal readonly struct ContactSearch
         {
             double until = Math.Min(best, _path.Length);
             double at = double.PositiveInfinity;
-            Gap gap = default;
+            Separation gap = default;
             if (thing < nets)
             {
-                gap = Gap.OfContact(_world, thing);
+                gap = Separation.OfContact(_world, thing);
                 at = thing == carrier ? at : FirstContact(_world.Colliders[thing], until);
             }
             else if (thing < goals)
@@ -78,7 +78,7 @@ internal readonly struct ContactSearch
             }
             else if (((s.GoalsEntered | s.GoalsPassed) >> (thing - goals) & 1) == 0)
             {
-                gap = Gap.OfGoal(_world, Happening.MouthEntered, thing - goals);
+                gap = Separation.OfGoal(_world, SeparationKind.MouthEntered, thing - goals);
                 at = EntersMouth(in gap, until);
             }
 
@@ -96,7 +96,7 @@ internal readonly struct ContactSearch
         {
             if ((s.Nets >> net & 1) != 0)
             {
-                Gap gap = Gap.OfLeavingNet(_world, net, World.SideOf(s.NetSides, net));
+                Separation gap = Separation.OfLeavingNet(_world, net, World.SideOf(s.NetSides, net));
                 double at = Fall(in gap, Math.Min(best, _path.Length));
                 if (at < best || (at == best && nets + net < bestThing))
                 {
@@ -112,8 +112,8 @@ internal readonly struct ContactSearch
         {
             if ((s.GoalsEntered >> goal & 1) != 0)
             {
-                Take(Gap.OfGoal(_world, Happening.GoalLine, goal), ref best, ref first);
-                Take(Gap.OfGoal(_world, Happening.MouthLeft, goal), ref best, ref first);
+                Take(Separation.OfGoal(_world, SeparationKind.GoalLine, goal), ref best, ref first);
+                Take(Separation.OfGoal(_world, SeparationKind.MouthLeft, goal), ref best, ref first);
             }
         }
 
@@ -121,7 +121,7 @@ internal readonly struct ContactSearch
     }
 
     /// <summary>Takes what happens at a plane of a goal, where it comes before all else.</summary>
-    private void Take(in Gap plane, ref double best, ref Gap first)
+    private void Take(in Separation plane, ref double best, ref Separation first)
     {
         double at = PassesPlane(in plane, Math.Min(best, _path.Length));
         if (at < best)
@@ -132,7 +132,7 @@ internal readonly struct ContactSearch
     }
 
     /// <summary>When the ball comes through the opening of a mouth; infinite where it does not.</summary>
-    private double EntersMouth(in Gap mouth, double until)
+    private double EntersMouth(in Separation mouth, double until)
     {
         double shortest = ShortestOf(in _path);
         double t = 0;
@@ -158,7 +158,7 @@ internal readonly struct ContactSearch
     }
 
     /// <summary>When a ball in the mouth of a goal passes one of its planes, or is found to have done so; infinite where it does not.</summary>
-    private double PassesPlane(in Gap plane, double until)
+    private double PassesPlane(in Separation plane, double until)
     {
         double shortest = ShortestOf(in _path);
         double t = 0;
@@ -239,7 +239,7 @@ internal readonly struct ContactSearch
     }
 
     /// <summary>When a gap that is linear in the place falls to zero; infinite where it does not, or has already.</summary>
-    private double Fall(in Gap sought, double until)
+    private double Fall(in Separation sought, double until)
     {
         double shortest = ShortestOf(in _path);
         double t = 0;
@@ -248,7 +248,7 @@ internal readonly struct ContactSearch
             sought.Evaluate(_path.At(t), _path.VelocityAt(t), _time + t, out double gap, out double rate);
             if (gap <= Touching)
             {
-                if (rate < -Approaching && (t > 0 || gap > 0 || sought.What == Happening.NetLeft))
+                if (rate < -Approaching && (t > 0 || gap > 0 || sought.What == SeparationKind.NetLeft))
                 {
                     return t;
                 }
@@ -268,14 +268,14 @@ internal readonly struct ContactSearch
     }
 
     /// <summary>When the ball meets a net: it is in the slab of its radius about the sheet, and inside the rectangle.</summary>
-    private double MeetsNet(int index, double until, out Gap gap)
+    private double MeetsNet(int index, double until, out Separation gap)
     {
         NetSheet net = _world.Nets[index];
         double shortest = ShortestOf(in _path);
         double t = 0;
         gap = default;
         double side = net.PlaceInFrame(_path.At(0)).Z < 0 ? -1.0 : 1.0;
-        gap = Gap.OfMeetingNet(_world, index, 2, side, side);
+        gap = Separation.OfMeetingNet(_world, index, 2, side, side);
         while (true)
         {
             Vector3d place = net.PlaceInFrame(_path.At(t));
@@ -300,7 +300,7 @@ internal readonly struct ContactSearch
     }
 
     /// <summary>How long one condition of a net cannot hold yet: the longest such time is safe for all.</summary>
-    private void Consider(int axis, double place, double speed, double half, double side, int index, ref double step, ref Gap gap)
+    private void Consider(int axis, double place, double speed, double half, double side, int index, ref double step, ref Separation gap)
     {
         double sign = place < 0 ? -1.0 : 1.0;
         double value = (sign * place) - half;
@@ -316,7 +316,7 @@ internal readonly struct ContactSearch
         if (safe > step)
         {
             step = safe;
-            gap = Gap.OfMeetingNet(_world, index, axis, sign, side);
+            gap = Separation.OfMeetingNet(_world, index, axis, sign, side);
         }
     }
 

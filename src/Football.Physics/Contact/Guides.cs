@@ -39,7 +39,7 @@ internal struct Guides
                 continue;
             }
 
-            Gap.OfContact(world, i).Evaluate(in position, in velocity, time, out double gap, out double rate);
+            Separation.OfContact(world, i).Evaluate(in position, in velocity, time, out double gap, out double rate);
             if (gap <= ContactSearch.Touching && rate >= -ContactSearch.Approaching && rate <= ContactSearch.Leaving)
             {
                 guides.Add(guides.WithoutLike(world, i, in position, time));

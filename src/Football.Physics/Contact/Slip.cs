@@ -30,3 +30,45 @@ internal static class Slip
     public static Vector3d RollingSpin(in Vector3d velocity, double aboutNormal, in Vector3d normal, double radius) =>
         (Vector3d.Cross(in normal, in velocity) / radius) + (aboutNormal * normal);
 }
+
+/// <summary>
+/// The end of a slide in closed form. With a constant push c on the slip, ṡ = −k ŝ + c has the integrals
+/// k|s| + c·s, which falls at the rate k² − |c|², and ∫ŝ dt = (s₀ − s + c t)/k, whatever way the slip's direction turns.
+/// </summary>
+internal readonly struct SlipDecay
+{
+    /// <summary>When the slip ends, s.</summary>
+    public readonly double Time;
+
+    /// <summary>∫ŝ dt up to then, s.</summary>
+    public readonly Vector3d Direction;
+
+    /// <summary>∫∫ŝ dt² up to then, s².</summary>
+    public readonly Vector3d Twice;
+
+    /// <param name="slip">s₀, m/s.</param>
+    /// <param name="push">c, m/s²; smaller than k.</param>
+    /// <param name="k">What friction takes from the slip, (1 + 1/α) μ_s N/m, m/s².</param>
+    public SlipDecay(in Vector3d slip, in Vector3d push, double k)
+    {
+        double size = slip.Length;
+        double c = push.Length;
+        double left = (k * k) - (c * c);
+        Time = ((k * size) + Vector3d.Dot(in slip, in push)) / left;
+        Direction = (slip + (Time * push)) / k;
+
+        // ∫s dt: c·s from d|s|²/dt = 2(−k|s| + c·s), the part across from d(|s| s⊥)/dt and d(s∥ s⊥)/dt.
+        Vector3d area = 0.5 * Time * slip;
+        if (c > 1e-3 * k)
+        {
+            Vector3d along = push / c;
+            double alongSlip = Vector3d.Dot(in slip, in along);
+            double alongArea = 0.5 * ((0.5 * left * Time * Time) - (0.5 * size * size)) / c;
+            Vector3d across = slip - (alongSlip * along);
+            area = (alongArea * along) + (((2.0 * k * size) + (c * alongSlip)) / ((4.0 * k * k) - (c * c)) * across);
+        }
+
+        // ∫∫ŝ = (s₀ t − ∫s + c t²/2)/k
+        Twice = ((Time * slip) - area + ((0.5 * Time * Time) * push)) / k;
+    }
+}

@@ -12,9 +12,6 @@ internal sealed class Surroundings
     /// <summary>Wind, m/s.</summary>
     public readonly Vector3d Wind;
 
-    /// <summary>Whether the air pushes a ball on the ground.</summary>
-    public readonly bool AirActsOnGround;
-
     /// <summary>Upward acceleration by gravity and buoyancy, m/s².</summary>
     public readonly double Upward;
 
@@ -32,7 +29,6 @@ internal sealed class Surroundings
         Air = air;
         AirActs = Air.Drags || Air.Lifts || Air.SpinDecays || Air.Varies;
         Wind = scene.Air.Wind;
-        AirActsOnGround = scene.Ground.Aerodynamics != GroundAerodynamics.None;
         World = new World(scene);
         Upward = Weight.UpwardAcceleration(scene);
         Radius = scene.Ball.Radius;

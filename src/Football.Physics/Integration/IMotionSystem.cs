@@ -12,3 +12,16 @@ internal interface IMotionSystem
     /// <param name="step">The step.</param>
     void Move(ref BallState s, in Motion from, in MotionStep step);
 }
+
+/// <summary>Where a general step ends, and the rates at its start.</summary>
+internal struct MotionStep
+{
+    /// <summary>The motion at the end.</summary>
+    public Motion End;
+
+    /// <summary>Rotation vector of the step, rad.</summary>
+    public Vector3d Rotation;
+
+    /// <summary>Rates at the start.</summary>
+    public MotionRates StartRates;
+}

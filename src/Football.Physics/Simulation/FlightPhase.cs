@@ -183,7 +183,7 @@ internal sealed class FlightPhase<TIntegrator>
         }
 
         double length = sweep.Length;
-        bool meets = _guard.EndAtFirst(ref sweep, in s, order, out Gap met);
+        bool meets = _guard.EndAtFirst(ref sweep, in s, order, out Separation met);
         if (!meets)
         {
             // What was halved for forces that turn the ball round stays so short in this step.
@@ -197,7 +197,7 @@ internal sealed class FlightPhase<TIntegrator>
         run.Advance(ref s, sweep.Length);
         if (guides.Count > 0)
         {
-            Hold(ref s, in guides, meets && met.What == Happening.Contact ? met.Index : -1);
+            Hold(ref s, in guides, meets && met.What == SeparationKind.Contact ? met.Index : -1);
         }
 
         run.Show(in before, in s, ref sweep, order);
@@ -243,5 +243,27 @@ internal sealed class FlightPhase<TIntegrator>
     {
         _around.Air.Evaluate(new ForceInput(s.Time, s.Position, s.Velocity, in u, s.Spin, s.Motion, s.AirDistance), s.Branch, out AirFactors air);
         return air.AirVelocity.Length;
+    }
+}
+
+/// <summary>The spin that is left at the end of a flight along a constant axis.</summary>
+internal readonly struct SpinLeft<TIntegrator> : IEventFunction<FlightSweep<TIntegrator>>
+    where TIntegrator : struct, IIntegrator
+{
+    /// <summary>A spin of less than this, rad/s, is none.</summary>
+    private const double Vanishing = 1e-300;
+
+    private readonly double _start;
+
+    /// <param name="start">The spin at the start, rad/s.</param>
+    public SpinLeft(double start) => _start = start;
+
+    public bool Evaluate(ref FlightSweep<TIntegrator> sweep, double tau, out double value, out double correction)
+    {
+        value = sweep.Taken.SpinRate;
+
+        // The secant from the step's start: its spin falls about linearly.
+        correction = value * tau / (_start - value);
+        return Math.Abs(value) <= (1e-14 * _start) + Vanishing || !(tau > 0);
     }
 }

@@ -113,3 +113,10 @@ internal struct FlightSweep<TIntegrator> : IFlightSweep
     private readonly DragJump JumpRate(in Vector3d airVelocity, double spinRate, in Vector3d acceleration, double spinAcceleration) =>
         DragJump.Rate(2.0 * Vector3d.Dot(in airVelocity, in acceleration), 2.0 * _around.RadiusSquared * spinRate * spinAcceleration);
 }
+
+/// <summary>A sweep of flight: along a constant axis of the spin, or of the whole motion.</summary>
+internal interface IFlightSweep : IFlowSweep
+{
+    /// <summary>Place, velocity and spin at the end.</summary>
+    Motion EndMotion { get; }
+}

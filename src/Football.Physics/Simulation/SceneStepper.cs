@@ -47,7 +47,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
         // Where there are bodies, no answer is good for longer than a step.
         _clearKey = _clear is { LooksForBodies: false } ? _clear.Key : 0;
-        _contact = new WorldContact(around, scene.Ground.IsLevel);
+        _contact = new WorldContact(around);
         _bodies = world is { Bodies: not null } or { Engine: not null } ? new BodyPush(world, _contact) : null;
         var guard = new WorldGuard(world, _contact, settings);
 

@@ -48,3 +48,23 @@ public sealed record SolverSettings
         Check.Defined("solver.rollingTransition", RollingTransition, (int)RollingTransition, 2);
     }
 }
+
+/// <summary>How the instant of an impact is found inside a step.</summary>
+public enum CollisionTiming
+{
+    /// <summary>The root of the step itself: closed form or one Newton correction.</summary>
+    Exact = 0,
+
+    /// <summary>The thesis' recursive search with re-integration (2.4.4), down to <see cref="SolverSettings.CollisionTolerance"/>.</summary>
+    Bisection = 1,
+}
+
+/// <summary>How the end of a slide is found.</summary>
+public enum RollingTransition
+{
+    /// <summary>Where the slip reaches zero, inside the step.</summary>
+    Exact = 0,
+
+    /// <summary>The thesis' heuristic (2.27, 2.28): at the end of the step in which the slip grew, or fell below 1 mm/s.</summary>
+    Heuristic = 1,
+}

@@ -215,14 +215,14 @@ internal sealed class SurfacePhase<TIntegrator>
         bool overEdge = SurfaceMargin<TMethod>.EndPiece(ref sweep, in s, system.Rolls);
         SurfaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
         _nets.EndWhereSlack(ref sweep, in s);
-        bool meets = _guard.EndAtFirst(ref sweep, in s, order, out Gap met);
+        bool meets = _guard.EndAtFirst(ref sweep, in s, order, out Separation met);
         s.Branch = sweep.Length < crossing ? system.Branch : s.Branch;
         run.Log.Evaluations += sweep.Evaluations;
         BallState before = s;
         before.Branch = system.Branch;
         sweep.MoveTo(ref s);
         run.Advance(ref s, sweep.Length);
-        Hold(ref s, in system, meets && met.What == Happening.Contact ? met.Index : -1);
+        Hold(ref s, in system, meets && met.What == SeparationKind.Contact ? met.Index : -1);
         if (overEdge && run.Log.Observer is not null)
         {
             // What acts beyond the edge is no end of this path.

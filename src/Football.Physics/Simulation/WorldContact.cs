@@ -14,11 +14,9 @@ internal sealed class WorldContact
 
     private readonly Surroundings _around;
     private readonly World _world;
-    private readonly bool _levelGround;
 
-    public WorldContact(Surroundings around, bool levelGround)
+    public WorldContact(Surroundings around)
     {
-        _levelGround = levelGround;
         _around = around;
         _world = around.World;
     }
@@ -28,7 +26,7 @@ internal sealed class WorldContact
     {
         Collider hit = _world.Colliders[collider];
         bool carried = s.Motion != MotionState.Airborne;
-        if (!carried && _levelGround && hit == _world.Ground)
+        if (!carried && _world.IsLevel && hit == _world.Ground)
         {
             // Height and climb are known here: what was left of them is rounding, what counts as touching, or the tolerance of a bisection.
             s.Position = new Vector3d(s.Position.X, _world.LevelContact, s.Position.Z);
@@ -195,7 +193,7 @@ internal sealed class WorldContact
         velocity = s.Velocity - (off * at.Normal);
 
         // On a level pitch that is so up to the speed of the slowest bounce; on anything else what comes closer hits.
-        double slowest = _levelGround && collider == _world.Ground ? -_world.MinimumBounceSpeed : -double.Epsilon;
+        double slowest = _world.IsLevel && collider == _world.Ground ? -_world.MinimumBounceSpeed : -double.Epsilon;
         return at.Distance - _world.Ball.Radius <= ContactSearch.Touching && off < _world.MinimumBounceSpeed && off > slowest
             && Load(in s, in velocity, s.Spin, collider, in at) > SurfaceForces.Least;
     }

@@ -40,7 +40,7 @@ internal sealed class WorldGuard
                 continue;
             }
 
-            Gap.OfContact(_world, i).Evaluate(s.Position, s.Velocity, s.Time, out double gap, out double rate);
+            Separation.OfContact(_world, i).Evaluate(s.Position, s.Velocity, s.Time, out double gap, out double rate);
 
             bool isGround = carrier < 0 && _world.Colliders[i] == _world.Ground;
             bool touches = gap <= ContactSearch.Touching;
@@ -73,7 +73,7 @@ internal sealed class WorldGuard
     /// <param name="order">Order of the method.</param>
     /// <param name="met">What it meets.</param>
     /// <returns>True when it meets anything.</returns>
-    public bool EndAtFirst<TSweep>(ref TSweep sweep, in BallState s, int order, out Gap met)
+    public bool EndAtFirst<TSweep>(ref TSweep sweep, in BallState s, int order, out Separation met)
         where TSweep : struct, ISweep
     {
         int carrier = s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - _world.FirstCollider;
@@ -82,8 +82,8 @@ internal sealed class WorldGuard
         {
             var path = PathCubic.Of(ref sweep, s.Position, s.Velocity, order);
             var search = new ContactSearch(_world, in path, s.Time);
-            double at = search.First(in s, carrier, out Gap found);
-            if (!(at <= path.Length) || (met.What != Happening.None && (at >= path.Length * (1.0 - 1e-9) || IsAgain(ref sweep, in met, in found, s.Time, path.Length - at))))
+            double at = search.First(in s, carrier, out Separation found);
+            if (!(at <= path.Length) || (met.What != SeparationKind.None && (at >= path.Length * (1.0 - 1e-9) || IsAgain(ref sweep, in met, in found, s.Time, path.Length - at))))
             {
                 break;
             }
@@ -117,35 +117,32 @@ internal sealed class WorldGuard
             }
         }
 
-        return met.What != Happening.None;
+        return met.What != SeparationKind.None;
     }
 
-    /// <inheritdoc cref="WorldContact.EndSlip"/>
-    public void EndSlip(ref BallState s, ref StepRun run) => _contact.EndSlip(ref s, ref run);
-
     /// <summary>What meeting a thing calls for, where the ball is.</summary>
-    public void Meet(ref BallState s, in Gap met, ref StepRun run)
+    public void Meet(ref BallState s, in Separation met, ref StepRun run)
     {
         switch (met.What)
         {
-            case Happening.Contact:
+            case SeparationKind.Contact:
                 _contact.Impact(ref s, met.Index, ref run);
                 break;
-            case Happening.NetMet:
+            case SeparationKind.NetMet:
                 s.Nets |= 1UL << met.Index;
                 s.NetSides = met.Side > 0 ? s.NetSides | (1UL << met.Index) : s.NetSides & ~(1UL << met.Index);
                 Report(in s, BallEventKind.Net, _world.ThingOfNet(met.Index), met.Side * _world.Nets[met.Index].Normal, ref run);
                 break;
-            case Happening.NetLeft:
+            case SeparationKind.NetLeft:
                 s.Nets &= ~(1UL << met.Index);
                 break;
-            case Happening.MouthEntered:
+            case SeparationKind.MouthEntered:
                 s.GoalsEntered |= 1UL << met.Index;
                 break;
-            case Happening.MouthLeft:
+            case SeparationKind.MouthLeft:
                 s.GoalsEntered &= ~(1UL << met.Index);
                 break;
-            case Happening.GoalLine:
+            case SeparationKind.GoalLine:
                 s.GoalsEntered &= ~(1UL << met.Index);
                 s.GoalsPassed |= 1UL << met.Index;
                 Report(in s, BallEventKind.Goal, _world.ThingOfGoal(met.Index), _world.Goals[met.Index].Out, ref run);
@@ -153,13 +150,13 @@ internal sealed class WorldGuard
         }
     }
 
-    private bool IsLevelGround(in Gap met) => met.What == Happening.Contact && _world.IsLevel && _world.Colliders[met.Index] == _world.Ground;
+    private bool IsLevelGround(in Separation met) => met.What == SeparationKind.Contact && _world.IsLevel && _world.Colliders[met.Index] == _world.Ground;
 
     private static void Report(in BallState s, BallEventKind kind, int thing, in Vector3d normal, ref StepRun run) =>
         run.Log.Events.Add(new BallEvent(kind, thing, in normal, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
 
     /// <summary>Whether what is found is what the piece ends at already, which touches by so much before.</summary>
-    private static bool IsAgain<TSweep>(ref TSweep sweep, in Gap met, in Gap found, double time, double before)
+    private static bool IsAgain<TSweep>(ref TSweep sweep, in Separation met, in Separation found, double time, double before)
         where TSweep : struct, ISweep
     {
         if (found.What != met.What || found.Index != met.Index)
@@ -173,7 +170,7 @@ internal sealed class WorldGuard
 
     /// <summary>From the cubic path to the step itself: Newton on the gap, inside its bracket.</summary>
     /// <returns>False where the gap does not close after all.</returns>
-    private static bool Locate<TSweep>(ref TSweep sweep, in Gap sought, double time, double tau)
+    private static bool Locate<TSweep>(ref TSweep sweep, in Separation sought, double time, double tau)
         where TSweep : struct, ISweep
     {
         sought.Evaluate(sweep.Position, sweep.Velocity, time + sweep.Length, out double atEnd, out _);
@@ -192,10 +189,10 @@ internal sealed class WorldGuard
     private readonly struct Closing<TSweep> : IEventFunction<TSweep>
         where TSweep : struct, ISweep
     {
-        private readonly Gap _gap;
+        private readonly Separation _gap;
         private readonly double _start;
 
-        public Closing(in Gap gap, double start)
+        public Closing(in Separation gap, double start)
         {
             _gap = gap;
             _start = start;

@@ -16,3 +16,12 @@ internal interface IAirLaw
     /// <summary>An upper bound for the factor, relative to the motion it changes, as a + b: a per m/s of speed, b per rad/s of spin, c at rest (all 1/s).</summary>
     RateBound Bound { get; }
 }
+
+/// <summary>The values of up to four functions of one number; the law says what each of them is.</summary>
+internal struct LawFactors
+{
+    public double First;
+    public double Second;
+    public double Third;
+    public double Fourth;
+}

@@ -112,3 +112,35 @@ internal struct MeasuredLaw : ITableLaw
         Combine(DragBranch.Unknown, in bySpeed, in bySpin, flow.Speed, flow.SpinRate, out drag, out lift, out decay);
     }
 }
+
+/// <summary>Drag of the measured laws alone, F_D = −½ ρ A C_D |u| u by <see cref="ReynoldsDrag"/> and <see cref="SpinDrag"/>.</summary>
+internal struct MeasuredDrag : IAirLaw
+{
+    private MeasuredLaw _law;
+
+    public readonly RateBound Bound => _law.DragBound(2.0 * Limits.Speed);
+
+    public void Prepare(Scene scene) => _law.Prepare(scene);
+
+    public readonly double Factor(in AirFlow flow)
+    {
+        _law.At(in flow, out double drag, out _, out _);
+        return drag;
+    }
+}
+
+/// <summary>Lift of the measured laws alone, by <see cref="SaturatingLift"/>.</summary>
+internal struct MeasuredMagnus : IAirLaw
+{
+    private MeasuredLaw _law;
+
+    public readonly RateBound Bound => _law.LiftBound;
+
+    public void Prepare(Scene scene) => _law.Prepare(scene);
+
+    public readonly double Factor(in AirFlow flow)
+    {
+        _law.At(in flow, out _, out double lift, out _);
+        return lift;
+    }
+}

@@ -27,3 +27,27 @@ public readonly struct InterceptWindow
     /// <summary>The ball's velocity when it begins, m/s: how fast it comes, and which way.</summary>
     public Vector3d Velocity { get; }
 }
+
+/// <summary>A part of the ball's way that one runner owns: of those who can meet the ball there, he could be there first.</summary>
+public readonly struct InterceptShare
+{
+    internal InterceptShare(int runner, double from, double to, double lead)
+    {
+        Runner = runner;
+        From = from;
+        To = to;
+        Lead = lead;
+    }
+
+    /// <summary>Which of the runners, from 0.</summary>
+    public int Runner { get; }
+
+    /// <summary>When it begins, s since the launch.</summary>
+    public double From { get; }
+
+    /// <summary>When it ends, s since the launch.</summary>
+    public double To { get; }
+
+    /// <summary>By how much he could be where the ball is when it begins before the second of them, s; infinite where no one else can.</summary>
+    public double Lead { get; }
+}

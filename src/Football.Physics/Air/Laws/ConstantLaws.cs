@@ -1,0 +1,50 @@
+namespace Football.Physics;
+
+/// <summary>Drag with a constant coefficient, F_D = −½ ρ C_D A |u| u.</summary>
+internal struct ConstantDrag : IAirLaw
+{
+    private double _k; // ½ ρ C_D A / m, 1/m
+
+    public readonly RateBound Bound => new(_k, 0, 0);
+
+    public void Prepare(Scene scene)
+    {
+        _k = AirScale.DynamicArea(scene) * scene.Forces.DragCoefficient;
+    }
+
+    // D = ½ ρ C_D A |u| / m
+    public readonly double Factor(in AirFlow flow) => _k * flow.Speed;
+}
+
+/// <summary>Magnus force with a constant coefficient, F_M = C_M π ρ r³ (ω × u).</summary>
+internal struct ConstantMagnus : IAirLaw
+{
+    private double _k; // C_M π ρ r³ / m
+
+    public readonly RateBound Bound => new(0, Math.Abs(_k), 0);
+
+    public void Prepare(Scene scene)
+    {
+        double r = scene.Ball.Radius;
+        _k = scene.Forces.MagnusCoefficient * Math.PI * scene.Air.Density * r * r * r / scene.Ball.Mass;
+    }
+
+    // L = C_M π ρ r³ |ω| / m
+    public readonly double Factor(in AirFlow flow) => _k * flow.SpinRate;
+}
+
+/// <summary>Spin decay with a constant coefficient, T_D = −k ω.</summary>
+internal struct ConstantSpinDecay : IAirLaw
+{
+    private double _k; // k / I, 1/s
+
+    public readonly RateBound Bound => new(0, 0, _k);
+
+    public void Prepare(Scene scene)
+    {
+        _k = scene.Forces.SpinDecayCoefficient / scene.Ball.MomentOfInertia;
+    }
+
+    // ω̇ = −k ω / I
+    public readonly double Factor(in AirFlow flow) => _k * flow.SpinRate;
+}
