@@ -40,6 +40,7 @@ internal static class StressGenerator
             _ => random.Chance(0.1) ? 0 : random.Log(1, 30),
         };
         ForceSet forces = Forces(random, kind);
+        forces = forces with { SpinDecayCoefficient = Math.Min(forces.SpinDecayCoefficient, Math.Min(1, 1e5 * ball.MomentOfInertia)) };
         if (kind == StressKind.ComesToRest && forces.Buoyancy)
         {
             // Heavier than the air.
