@@ -59,7 +59,6 @@ public sealed record ForceSet
         Check.Defined("forces.coefficients", Coefficients, (int)Coefficients, 3);
         Check.Within("forces.dragCoefficient", DragCoefficient, 0, 10);
         Check.Within("forces.magnusCoefficient", MagnusCoefficient, -10, 10);
-        Check.Within("forces.spinDecayCoefficient", SpinDecayCoefficient, 0, 1);
         Check.Given("forces.custom", Custom);
         foreach (IForce force in Custom)
         {

@@ -86,7 +86,7 @@ public sealed record Scene
     /// <summary>What a ball's lightness allows: it holds some of the air that it displaces, and nothing ends its spin at once.</summary>
     private void ValidateLightness()
     {
-        double displaced = 4.0 / 3.0 * Math.PI * Ball.Radius * Ball.Radius * Ball.Radius * Air.Density;
+        double displaced = Buoyancy.DisplacedMass(Ball, Air);
         if (!(Ball.Mass >= 0.05 * displaced))
         {
             throw Check.Refusal("ball.mass", FormattableString.Invariant($"{Ball.Mass:R}"), FormattableString.Invariant($"at least a twentieth of the {displaced:R} kg of air that it displaces"));

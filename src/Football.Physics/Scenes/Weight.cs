@@ -18,13 +18,9 @@ internal static class Gravity
 internal static class Buoyancy
 {
     /// <summary>Upward acceleration, m/s².</summary>
-    public static double Acceleration(Scene scene)
-    {
-        double r = scene.Ball.Radius;
+    public static double Acceleration(Scene scene) =>
+        scene.Forces.Buoyancy ? DisplacedMass(scene.Ball, scene.Air) * scene.Gravity / scene.Ball.Mass : 0;
 
-        // F_B / m = 4/3 π r³ ρ g / m
-        return scene.Forces.Buoyancy
-            ? 4.0 / 3.0 * Math.PI * r * r * r * scene.Air.Density * scene.Gravity / scene.Ball.Mass
-            : 0;
-    }
+    /// <summary>Mass of the air that a ball displaces, 4/3 π r³ ρ, kg.</summary>
+    public static double DisplacedMass(BallProperties ball, Air air) => 4.0 / 3.0 * Math.PI * ball.Radius * ball.Radius * ball.Radius * air.Density;
 }

@@ -58,22 +58,14 @@ internal sealed class FlightPhase<TIntegrator>
         double asked = run.Next;
         double h = Longest(in s, in u, asked, hasAxis && !_around.Air.Varies, ref run.Spirals);
         run.Keep(h, asked);
-        switch (hasAxis, run.Spirals)
+        if (run.Spirals)
         {
-            case (true, false):
-                TakeWithAxis<TIntegrator>(ref s, ref run, h, _flight);
-                break;
-            case (false, false):
-                TakeWithoutAxis<TIntegrator>(ref s, ref run, h, in guides);
-                break;
-
             // RK4 makes no velocity longer that turns by up to 2.8 rad.
-            case (true, true):
-                TakeWithAxis<ClassicalRungeKutta>(ref s, ref run, h, _classical);
-                break;
-            default:
-                TakeWithoutAxis<ClassicalRungeKutta>(ref s, ref run, h, in guides);
-                break;
+            Take<ClassicalRungeKutta>(ref s, ref run, h, hasAxis ? _classical : null, in guides);
+        }
+        else
+        {
+            Take<TIntegrator>(ref s, ref run, h, hasAxis ? _flight : null, in guides);
         }
     }
 
@@ -91,9 +83,16 @@ internal sealed class FlightPhase<TIntegrator>
         Finish(ref s, ref run, ref sweep);
     }
 
-    private void TakeWithAxis<TMethod>(ref BallState s, ref StepRun run, double h, IFlight flight)
+    /// <summary>A piece by a method: along a constant axis of the spin where there is a flight along one, else with the whole spin vector.</summary>
+    private void Take<TMethod>(ref BallState s, ref StepRun run, double h, IFlight? flight, in Guides guides)
         where TMethod : struct, IIntegrator
     {
+        if (flight is null)
+        {
+            TakeWithoutAxis<TMethod>(ref s, ref run, h, in guides);
+            return;
+        }
+
         var sweep = new FlightSweep<TMethod>(_around, flight, in s);
         sweep.Step(h);
         Finish(ref s, ref run, ref sweep);

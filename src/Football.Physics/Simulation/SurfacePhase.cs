@@ -22,7 +22,13 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>The step that those are of, s.</summary>
     private const double UsualStep = 0.02;
 
-    /// <summary>A piece takes at least this share of a slip or a roll, and at most that.</summary>
+    /// <summary>But that is never more than this share of the step.</summary>
+    private const double LargestSlideEnd = 1e-3;
+
+    /// <summary>A push on the slip, of which the square is less than this share of friction's, leaves it an end; one that all but outweighs friction leaves none that is sure.</summary>
+    private const double LargestPush = 0.9999;
+
+    /// <summary>A piece takes this share of a slip or a roll that turns; in long steps up to the second, where the direction hardly turns up to the third.</summary>
     private const double LeastShare = 0.125;
     private const double LeastShareOfLong = 0.4;
     private const double LargestShare = 0.75;
@@ -188,7 +194,7 @@ internal sealed class SurfacePhase<TIntegrator>
     private double SlideEndIn(double step)
     {
         double squared = Coarseness(step) * Coarseness(step);
-        return Math.Min(1e-3 * step, _integrator.Order >= 4 ? SlideEnd * squared * squared : CoarseSlideEnd * squared);
+        return Math.Min(LargestSlideEnd * step, _integrator.Order >= 4 ? SlideEnd * squared * squared : CoarseSlideEnd * squared);
     }
 
     /// <summary>The thesis' end of a slide (2.27, 2.28): the slip grew, or is small.</summary>
@@ -252,7 +258,7 @@ internal sealed class SurfacePhase<TIntegrator>
         Vector3d push = system.SlipPush(in on);
         double friction = perLoad * on.Load;
         double most = s.Nets == 0 && on.Turning == Vector3d.Zero ? longest : Math.Min(longest, CurvedSlideEnd);
-        if (!(slip.Length < friction * most) || !(push.LengthSquared < 0.9999 * friction * friction))
+        if (!(slip.Length < friction * most) || !(push.LengthSquared < LargestPush * friction * friction))
         {
             return false;
         }

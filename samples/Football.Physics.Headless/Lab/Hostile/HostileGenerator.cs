@@ -18,7 +18,7 @@ internal static class HostileGenerator
         Air air = AnyAir(random);
 
         // It holds some of the air that it displaces.
-        double volume = 4.0 / 3.0 * Math.PI * Math.Pow(ball.Radius, 3);
+        double volume = Buoyancy.DisplacedMass(ball, new Air { Density = 1 });
         ball = ball with { Mass = Math.Min(100, Math.Max(ball.Mass, 0.06 * volume * air.Density)) };
         air = air with { Density = Math.Min(air.Density, 10 * ball.Mass / volume) };
         Ground ground = AnyGround(random, ball);
@@ -76,7 +76,7 @@ internal static class HostileGenerator
             SpinRestitution = random.Any(0.0, 1.0, 0.8),
             SlidingFriction = random.Any(0.0, 10.0, 0.5, random.Log(1e-6, 10)),
             RollingFriction = random.Any(0.0, 10.0, 0.05, random.Log(1e-6, 10)),
-            SpinDamping = Math.Min(ball.MomentOfInertia * 1e5, random.Any(0.0, 0.002, 1.0, random.Log(1e-9, 1))),
+            SpinDamping = Math.Min(ball.MostDamping, random.Any(0.0, 0.002, 1.0, random.Log(1e-9, 1))),
             MinimumBounceSpeed = random.Any(0.001, 0.2, 10.0, random.Log(0.001, 10)),
             RestEnergy = random.Any(1e-4, 1e-12, 100, random.Log(1e-12, 100)),
             Aerodynamics = random.Any(GroundAerodynamics.Horizontal, GroundAerodynamics.None),
@@ -99,7 +99,7 @@ internal static class HostileGenerator
                 SpinDecay = (ForceLaw)random.Below(3),
                 DragCoefficient = random.Any(0.0, 0.25, random.Log(1e-6, 10), 10),
                 MagnusCoefficient = random.Any(0.25, -0.25, 0.0, random.Uniform(-5, 5), random.Log(1, 10), -10),
-                SpinDecayCoefficient = Math.Min(1e5 * ball.MomentOfInertia, random.Any(0.0, 1e-4, random.Log(1e-9, 1))),
+                SpinDecayCoefficient = Math.Min(ball.MostDamping, random.Any(0.0, 1e-4, random.Log(1e-9, 1))),
             };
         }
 

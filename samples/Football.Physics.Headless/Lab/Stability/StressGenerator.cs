@@ -27,12 +27,12 @@ internal static class StressGenerator
         Air air = AnyAir(random, kind);
         if (kind == StressKind.Absurd)
         {
-            ball = ball with { Mass = Math.Min(100, Math.Max(ball.Mass, 0.06 * Displaced(ball, air))) };
-            air = air with { Density = Math.Min(air.Density, 10 * ball.Mass / (4.0 / 3.0 * Math.PI * Math.Pow(ball.Radius, 3))) };
+            ball = ball with { Mass = Math.Min(100, Math.Max(ball.Mass, 0.06 * Buoyancy.DisplacedMass(ball, air))) };
+            air = air with { Density = Math.Min(air.Density, 10 * ball.Mass / Buoyancy.DisplacedMass(ball, new Air { Density = 1 })) };
         }
 
         Ground ground = AnyGround(random, kind);
-        ground = ground with { SpinDamping = Math.Min(ground.SpinDamping, Math.Min(1, 1e5 * ball.MomentOfInertia)) };
+        ground = ground with { SpinDamping = Math.Min(ground.SpinDamping, ball.MostDamping) };
         double gravity = kind switch
         {
             StressKind.Absurd => random.Any(0, 1e-9, 1e-3, 9.81, 100, 1000),
@@ -40,11 +40,11 @@ internal static class StressGenerator
             _ => random.Chance(0.1) ? 0 : random.Log(1, 30),
         };
         ForceSet forces = Forces(random, kind);
-        forces = forces with { SpinDecayCoefficient = Math.Min(forces.SpinDecayCoefficient, Math.Min(1, 1e5 * ball.MomentOfInertia)) };
+        forces = forces with { SpinDecayCoefficient = Math.Min(forces.SpinDecayCoefficient, ball.MostDamping) };
         if (kind == StressKind.ComesToRest && forces.Buoyancy)
         {
             // Heavier than the air.
-            forces = forces with { Buoyancy = Displaced(ball, air) < 0.5 * ball.Mass };
+            forces = forces with { Buoyancy = Buoyancy.DisplacedMass(ball, air) < 0.5 * ball.Mass };
         }
 
         if (kind == StressKind.ComesToRest && forces.Magnus == ForceLaw.Constant)
@@ -103,9 +103,6 @@ internal static class StressGenerator
         return floats + (slower * 2 * v / (g * (1 - ground.NormalRestitution))) + (v / (ground.SlidingFriction * g)) + (v / (ground.RollingFriction * g))
             + (decades * inertia / ground.SpinDamping);
     }
-
-    /// <summary>The mass of the air that a ball displaces, kg.</summary>
-    private static double Displaced(BallProperties ball, Air air) => 4.0 / 3.0 * Math.PI * Math.Pow(ball.Radius, 3) * air.Density;
 
     private static BallProperties Ball(LabRandom random, StressKind kind)
     {
