@@ -51,26 +51,62 @@ internal readonly struct ContactSearch
     /// <param name="carrier">The collider that carries it; −1 where none does.</param>
     /// <param name="first">What it meets.</param>
     /// <returns>When, s from the start of the path; infinite where it meets nothing.</returns>
-    public double First(in BallState s, int carrier, out Separation first)
+    public double First(in BallState s, int carrier, out Separation first) => First(in s, carrier, default, out first);
+
+    /// <summary>The first thing that the ball meets on the path.</summary>
+    /// <param name="s">The ball at the start of the path.</param>
+    /// <param name="carrier">The collider that carries it; −1 where none does.</param>
+    /// <param name="held">Contacts that it keeps, which are not met.</param>
+    /// <param name="first">What it meets.</param>
+    /// <returns>When, s from the start of the path; infinite where it meets nothing.</returns>
+    public double First(in BallState s, int carrier, ReadOnlySpan<Contact> held, out Separation first)
     {
         first = default;
         double best = double.PositiveInfinity;
-        int bestThing = -1;
-        int nets = _world.Colliders.Length;
-        int goals = nets + _world.Nets.Length;
         _world.Engine?.LookAlong(in _path, _time);
         var near = new NearThings(_world, _bounds.Grown(_world.Ball.Radius), _time, _path.Length);
-        while (near.Next(out int thing))
+        while (near.NextCollider(out int thing))
+        {
+            double at = thing == carrier || ContactSet.Has(held, thing) ? double.PositiveInfinity : FirstContact(_world.Colliders[thing], Math.Min(best, _path.Length));
+
+            // Of what is met at one instant the first of the scene comes first, however the walk goes.
+            if (at < best || (at == best && thing < first.Index))
+            {
+                best = at;
+                first = Separation.OfContact(_world, thing);
+            }
+        }
+
+        return FirstPassage(in s, best, ref first);
+    }
+
+    /// <summary>The first net or goal that the ball meets, comes through or leaves on the path; what it touches is not asked for.</summary>
+    /// <param name="s">The ball at the start of the path.</param>
+    /// <param name="first">What it meets.</param>
+    /// <returns>When, s from the start of the path; infinite where it meets nothing.</returns>
+    public double FirstPassage(in BallState s, out Separation first)
+    {
+        first = default;
+        return FirstPassage(in s, double.PositiveInfinity, ref first);
+    }
+
+    private double FirstPassage(in BallState s, double best, ref Separation first)
+    {
+        if (_world.Nets.Length + _world.Goals.Length == 0)
+        {
+            return best;
+        }
+
+        int bestThing = first.What == SeparationKind.None ? -1 : first.Index;
+        int nets = _world.Colliders.Length;
+        int goals = nets + _world.Nets.Length;
+        var near = new NearThings(_world, _bounds.Grown(_world.Ball.Radius), _time, _path.Length);
+        while (near.NextPassage(out int thing))
         {
             double until = Math.Min(best, _path.Length);
             double at = double.PositiveInfinity;
             Separation gap = default;
-            if (thing < nets)
-            {
-                gap = Separation.OfContact(_world, thing);
-                at = thing == carrier ? at : FirstContact(_world.Colliders[thing], until);
-            }
-            else if (thing < goals)
+            if (thing < goals)
             {
                 int net = thing - nets;
                 bool inside = (s.Nets >> net & 1) != 0;
@@ -206,12 +242,6 @@ internal readonly struct ContactSearch
             if (gap <= Touching && rate < -Approaching)
             {
                 return t;
-            }
-
-            if (t == 0 && gap <= Touching && rate <= Leaving)
-            {
-                // It slides along: what keeps it there is no impact.
-                return double.PositiveInfinity;
             }
 
             double step = gap > Touching ? Safe(gap, rate, bend) : Along(rate, bend);

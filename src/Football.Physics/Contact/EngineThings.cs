@@ -44,6 +44,9 @@ internal sealed class EngineThings
     /// <summary>Places for colliders, filled as they are found.</summary>
     public IReadOnlyList<Collider> Colliders => _colliders;
 
+    /// <summary>The fastest that they say they are, m/s.</summary>
+    public double GreatestSpeed => _engine.GreatestSpeed;
+
     /// <summary>How many the last cast has found.</summary>
     public int Count { get; private set; }
 
@@ -67,12 +70,12 @@ internal sealed class EngineThings
         Look(in from, in to, _ballRadius + path.Deviation, time, path.Length);
     }
 
-    /// <summary>Finds what is near a place, where the last cast has not been there.</summary>
-    public void LookAt(in Vector3d position, double time)
+    /// <summary>Finds what is near a place, by a distance, m, where the last cast has not been there.</summary>
+    public void LookAt(in Vector3d position, double time, double distance)
     {
-        if (!_isKnown || !(DistanceFromLast(in position) + _ballRadius + (0.5 * Beside) <= _around))
+        if (!_isKnown || !(DistanceFromLast(in position) + _ballRadius + Math.Max(0.5 * Beside, distance) <= _around))
         {
-            Look(in position, in position, _ballRadius, time, 0);
+            Look(in position, in position, _ballRadius + distance, time, 0);
         }
     }
 

@@ -30,10 +30,13 @@ internal struct NearThings
     }
 
     /// <summary>What touches a ball, or nearly, at a place.</summary>
-    public static NearThings At(World world, in Vector3d position, double time)
+    public static NearThings At(World world, in Vector3d position, double time) => Within(world, in position, time, ContactSearch.Touching);
+
+    /// <summary>What may be closer to a ball at a place than a distance, m.</summary>
+    public static NearThings Within(World world, in Vector3d position, double time, double distance)
     {
-        world.Engine?.LookAt(in position, time);
-        return new NearThings(world, new Bounds3d(in position, in position).Grown(world.Ball.Radius + (2.0 * ContactSearch.Touching)), time, 0);
+        world.Engine?.LookAt(in position, time, distance);
+        return new NearThings(world, new Bounds3d(in position, in position).Grown(world.Ball.Radius + (2.0 * distance)), time, 0);
     }
 
     /// <summary>The collider that a ball overlaps most, but for what carries it; −1 where it overlaps nothing.</summary>
@@ -74,6 +77,25 @@ internal struct NearThings
             }
         }
 
+        return false;
+    }
+
+    /// <summary>Goes on to the next net or goal.</summary>
+    /// <param name="thing">Its number.</param>
+    /// <returns>False at the end.</returns>
+    public bool NextPassage(out int thing)
+    {
+        // They stand still, and have bounds.
+        while (_world.Tree.Next(in _box, ref _node, out int leaf))
+        {
+            thing = _world.Leaves[leaf];
+            if (thing >= _world.Colliders.Length)
+            {
+                return true;
+            }
+        }
+
+        thing = -1;
         return false;
     }
 

@@ -18,9 +18,6 @@ internal struct SurfaceSystem : IMotionSystem
     public ulong Nets;
     public ulong NetSides;
 
-    /// <summary>What else it slides or rolls along.</summary>
-    public Guides Guides;
-
     /// <summary>Whether it rolls; else it slides.</summary>
     public bool Rolls;
 
@@ -115,7 +112,8 @@ internal struct SurfaceSystem : IMotionSystem
             on.Torque += nets.SpinAcceleration;
         }
 
-        on.FreeLoad = load;
+        // Where less of the air counts on a surface than in flight, what would press the ball onto it in flight keeps it there too, without friction.
+        on.FreeLoad = World.SharesAir ? load : Math.Max(load, -Vector3d.Dot(body + air.Acceleration + flow, in n) - on.Centripetal);
         on.Load = Math.Max(0, load);
         return on;
     }
@@ -182,8 +180,7 @@ internal struct SurfaceSystem : IMotionSystem
 
         // A ball without spin is held by the air as friction begins to turn it, and no more than that.
         double turning = Math.Max(0, Turning(in on) - (on.Spins ? 0 : on.Braking));
-        Vector3d along = Guided(time, in at, on.Body + on.Air - (friction * s), in on);
-        Vector3d acceleration = along - (on.Centripetal * n);
+        Vector3d acceleration = on.Body + on.Air - (friction * s) - (on.Centripetal * n);
         Vector3d spin = on.Torque
             + (turning * Vector3d.Cross(in n, in s))
             + (AboutNormal(Vector3d.Dot(in at.Spin, in n), in on) * n);
@@ -211,16 +208,11 @@ internal struct SurfaceSystem : IMotionSystem
         Vector3d along = Drive(in on)
             + (alpha * r * about / (1.0 + alpha) * Vector3d.Cross(in n, in on.Turning))
             - (RollingFriction(in on, speed) * direction);
-        along = Guided(time, in at, in along, in on);
 
         // ω = n × (v−V)/r + ω_n n, and so ω̇
         Vector3d spin = ((Vector3d.Cross(in on.Turning, in on.Velocity) + Vector3d.Cross(in n, in along)) / r) + (aboutRate * n) + (about * on.Turning);
         return new MotionRates(along - (on.Centripetal * n), in spin);
     }
-
-    private readonly Vector3d Guided(double time, in Motion at, in Vector3d along, in SurfaceForces on) => Guides.Count == 0
-        ? along
-        : Guides.FreeAlong(World, in at.Position, in at.Velocity, time, in along, in on.Normal, on.Centripetal);
 
     /// <summary>What the surface does to the spin about the normal, rad/s²: −(c_ω/I) ω_n − sign(ω_n) b μ_s N/I.</summary>
     private readonly double AboutNormal(double about, in SurfaceForces on)

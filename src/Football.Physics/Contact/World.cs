@@ -123,6 +123,21 @@ internal sealed class World
     /// <summary>Whether anything moves.</summary>
     public bool Moves => Moving.Length > 0 || Engine is not null;
 
+    /// <summary>The fastest of all that moves, m/s.</summary>
+    public double FastestMover
+    {
+        get
+        {
+            double fastest = Engine?.GreatestSpeed ?? 0;
+            foreach (int mover in Moving)
+            {
+                fastest = Math.Max(fastest, Colliders[mover].Velocity.Length);
+            }
+
+            return fastest;
+        }
+    }
+
     /// <summary>What the game moves; null where that is nothing.</summary>
     public Bodies? Bodies { get; }
 

@@ -24,7 +24,7 @@ internal sealed class LocalFlight
             Branch = s.Branch != DragBranch.Unknown || !_around.Air.Jumps ? s.Branch : DragJump.At(in at, in _around.Wind, _around.Radius).Branch,
         };
         IsPlain = s.Motion == MotionState.Airborne && s.Nets == 0 && !_around.Air.Varies && Branch < DragBranch.AlongCriticalSpeed
-            && Guides.Of(_around.World, s.Position, s.Velocity, s.Time, -1).Count == 0;
+            && !ContactSet.TouchesMore(_around.World, in s, -1);
     }
 
     /// <summary>v̇ and ω̇.</summary>

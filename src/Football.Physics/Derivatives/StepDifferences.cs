@@ -163,7 +163,7 @@ internal sealed class StepDifferences
         }
 
         World world = _simulator.World;
-        return Guides.Of(world, start.Position, start.Velocity, start.Time, flies ? -1 : (int)start.Carrier - world.FirstCollider).Count > 0;
+        return ContactSet.TouchesMore(world, in start, flies ? -1 : (int)start.Carrier - world.FirstCollider);
     }
 
     /// <summary>(y(h) − y(−h))/2h at the end of the step, of the way instead of the place.</summary>

@@ -24,7 +24,7 @@ internal static class StateCheck
     public static void Validate(in BallState state)
     {
         Check.Within("state.time", state.Time, 0, LatestTime);
-        Check.Defined("state.motion", state.Motion, (int)state.Motion, 4);
+        Check.Defined("state.motion", state.Motion, (int)state.Motion, 5);
         Check.Defined("state.branch", state.Branch, (int)state.Branch, 5);
         double size = Math.Max(Math.Max(Math.Abs(state.Position.X), Math.Abs(state.Position.Y)), Math.Abs(state.Position.Z));
         Check.Within("state.position", state.Position.IsFinite ? size : double.NaN, 0, Farthest);
@@ -53,5 +53,7 @@ internal static class StateCheck
 
         Check.Within("state.carrier", state.Carrier, 0, int.MaxValue);
         Check.Within("state.clearUntil", state.ClearUntil, 0, double.PositiveInfinity);
+        Check.Within("state.squeezeSpeed", state.SqueezeSpeed, 0, FastestSpeed);
+        Check.Within("state.squeezeUntil", state.SqueezeUntil, 0, LatestTime);
     }
 }

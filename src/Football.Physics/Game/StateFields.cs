@@ -17,7 +17,7 @@ internal interface IFieldVisitor
 internal static class StateFields
 {
     /// <summary>How many scalars there are; a test compares it with the struct itself.</summary>
-    public const int Count = 26;
+    public const int Count = 28;
 
     /// <summary>Visits every scalar, in a fixed order.</summary>
     public static void Visit<TVisitor>(ref BallState state, ref TVisitor visitor)
@@ -44,14 +44,12 @@ internal static class StateFields
         visitor.Bits(ref state.Nets);
         visitor.Bits(ref state.NetSides);
         visitor.Bits(ref state.GoalsPassed);
-        ulong clearUntil = (ulong)BitConverter.DoubleToInt64Bits(state.ClearUntil);
-        visitor.Bits(ref clearUntil);
-        state.ClearUntil = BitConverter.Int64BitsToDouble((long)clearUntil);
+        Bits(ref state.ClearUntil, ref visitor);
         visitor.Bits(ref state.ClearIn);
-        ulong airDistance = (ulong)BitConverter.DoubleToInt64Bits(state.AirDistance);
-        visitor.Bits(ref airDistance);
-        state.AirDistance = BitConverter.Int64BitsToDouble((long)airDistance);
+        Bits(ref state.AirDistance, ref visitor);
         visitor.Bits(ref state.GoalsEntered);
+        Bits(ref state.SqueezeSpeed, ref visitor);
+        Bits(ref state.SqueezeUntil, ref visitor);
     }
 
     /// <summary>Takes the bits of a state out.</summary>
@@ -73,6 +71,15 @@ internal static class StateFields
             var writer = new Writer { Next = first };
             Visit(ref state, ref writer);
         }
+    }
+
+    /// <summary>A number that is 0 for a ball on a level pitch with nothing else.</summary>
+    private static void Bits<TVisitor>(ref double value, ref TVisitor visitor)
+        where TVisitor : struct, IFieldVisitor
+    {
+        ulong bits = (ulong)BitConverter.DoubleToInt64Bits(value);
+        visitor.Bits(ref bits);
+        value = BitConverter.Int64BitsToDouble((long)bits);
     }
 
     private static Vector3d Vector<TVisitor>(Vector3d value, ref TVisitor visitor)

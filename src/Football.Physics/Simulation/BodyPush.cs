@@ -7,7 +7,7 @@ namespace Football.Physics;
 internal sealed class BodyPush
 {
     /// <summary>How often the ball is pushed, from one body onto the next, at most: between two that close in on it there is no place.</summary>
-    private const int MostPushes = 64;
+    private const int MostPushes = 16;
 
     /// <summary>Steps of Newton's method at most.</summary>
     private const int MostSteps = 20;
@@ -25,6 +25,11 @@ internal sealed class BodyPush
     public void Apply(ref BallState s, ref StepRun run)
     {
         _world.Engine?.Forget();
+        if (s.Motion == MotionState.Squeezed)
+        {
+            return;
+        }
+
         LetGo(ref s, ref run);
         int deepest = NearThings.Deepest(_world, in s, out bool overlapsBody);
 
@@ -34,6 +39,15 @@ internal sealed class BodyPush
         {
             PushOut(ref s, _world.Colliders[deepest]);
             deepest = NearThings.Deepest(_world, in s, out _);
+        }
+
+        if (overlapsBody && deepest >= 0)
+        {
+            // There is no place for it: never in what stands still.
+            Span<Contact> room = stackalloc Contact[ContactSet.Most];
+            Span<Contact> set = room.Slice(0, ContactSet.Near(_world, in s, ContactSearch.Touching, room));
+            s.Position = ContactSet.KeepOut(_world, ref s, set) ? s.Position : from;
+            _contact.BeginSqueeze(ref s, deepest, ref run);
         }
 
         if (overlapsBody)
@@ -70,7 +84,7 @@ internal sealed class BodyPush
         Collider carrier = _world.CarrierOf(in s);
         if (_world.Engine is { } engine && engine.Has((int)s.Carrier - _world.FirstCollider))
         {
-            engine.LookAt(s.Position, s.Time);
+            engine.LookAt(s.Position, s.Time, ContactSearch.Touching);
             if (!engine.Finds((int)s.Carrier - _world.FirstCollider))
             {
                 _contact.Leave(ref s, s.Velocity, s.Spin, ref run);

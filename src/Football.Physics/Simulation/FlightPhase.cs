@@ -47,25 +47,24 @@ internal sealed class FlightPhase<TIntegrator>
             return;
         }
 
-        Guides guides = Guides.Of(_world, s.Position, s.Velocity, s.Time, -1);
         Vector3d u = s.Velocity - _around.Wind;
         if (_around.Air.Jumps && (s.Branch == DragBranch.Unknown || !_jump.Acts))
         {
             s.Branch = DragJump.At(u.LengthSquared, _around.RadiusSquared * s.SpinRate * s.SpinRate).Branch;
         }
 
-        bool hasAxis = !_around.Air.TurnsAxis && s.Branch < DragBranch.AlongCriticalSpeed && s.Nets == 0 && guides.Count == 0;
+        bool hasAxis = !_around.Air.TurnsAxis && s.Branch < DragBranch.AlongCriticalSpeed && s.Nets == 0;
         double asked = run.Next;
         double h = Longest(in s, in u, asked, hasAxis && !_around.Air.Varies, ref run.Spirals);
         run.Keep(h, asked);
         if (run.Spirals)
         {
             // RK4 makes no velocity longer that turns by up to 2.8 rad.
-            Take<ClassicalRungeKutta>(ref s, ref run, h, hasAxis ? _classical : null, in guides);
+            Take<ClassicalRungeKutta>(ref s, ref run, h, hasAxis ? _classical : null);
         }
         else
         {
-            Take<TIntegrator>(ref s, ref run, h, hasAxis ? _flight : null, in guides);
+            Take<TIntegrator>(ref s, ref run, h, hasAxis ? _flight : null);
         }
     }
 
@@ -84,12 +83,12 @@ internal sealed class FlightPhase<TIntegrator>
     }
 
     /// <summary>A piece by a method: along a constant axis of the spin where there is a flight along one, else with the whole spin vector.</summary>
-    private void Take<TMethod>(ref BallState s, ref StepRun run, double h, IFlight? flight, in Guides guides)
+    private void Take<TMethod>(ref BallState s, ref StepRun run, double h, IFlight? flight)
         where TMethod : struct, IIntegrator
     {
         if (flight is null)
         {
-            TakeWithoutAxis<TMethod>(ref s, ref run, h, in guides);
+            TakeWithoutAxis<TMethod>(ref s, ref run, h);
             return;
         }
 
@@ -110,11 +109,11 @@ internal sealed class FlightPhase<TIntegrator>
             next = s.Branch;
         }
 
-        Finish(ref s, ref run, ref sweep, default(TMethod).Order, next, goes, default);
+        Finish(ref s, ref run, ref sweep, default(TMethod).Order, next, goes);
     }
 
-    /// <summary>A piece with the whole spin vector: with forces of the game's own, along the drag law's jump, in a net, or along what guides the ball.</summary>
-    private void TakeWithoutAxis<TMethod>(ref BallState s, ref StepRun run, double h, in Guides guides)
+    /// <summary>A piece with the whole spin vector: with forces of the game's own, along the drag law's jump or in a net.</summary>
+    private void TakeWithoutAxis<TMethod>(ref BallState s, ref StepRun run, double h)
         where TMethod : struct, IIntegrator
     {
         int order = default(TMethod).Order;
@@ -123,14 +122,8 @@ internal sealed class FlightPhase<TIntegrator>
         system.Branch = s.Branch;
         system.Nets = s.Nets;
         system.NetSides = s.NetSides;
-        system.Guides = guides;
         var sweep = new MotionSweep<FlightSystem, TMethod>(in system, s.Time, in from, _around.Wind, _around.Radius);
         sweep.Step(h);
-        if (guides.Count > 0)
-        {
-            SurfacePath.Shorten(ref sweep, in s, _world, null, in guides, order);
-        }
-
         DragBranch next = s.Branch;
         bool goes = true;
         if (_jump.Acts)
@@ -153,24 +146,11 @@ internal sealed class FlightPhase<TIntegrator>
             next = sweep.Length < length ? s.Branch : next;
         }
 
-        Finish(ref s, ref run, ref sweep, order, next, goes, in guides);
-    }
-
-    /// <summary>Puts a ball onto what it slides along: what the integrator left of it is within its own error.</summary>
-    private void Hold(ref BallState s, in Guides guides, int met)
-    {
-        FlightSystem system = _system;
-        system.Branch = s.Branch;
-        system.Nets = s.Nets;
-        system.NetSides = s.NetSides;
-        var end = new Motion(s.Position, s.Velocity, s.Spin);
-        system.Rates(s.Time, in end, out MotionRates pressed);
-        Vector3d free = guides.Free(_world, s.Position, s.Velocity, s.Time, in pressed.Acceleration);
-        guides.Hold(_world, ref s, in pressed.Acceleration, in free, null, met);
+        Finish(ref s, ref run, ref sweep, order, next, goes);
     }
 
     /// <summary>Ends a piece at the first thing that it meets, and moves the ball to its end.</summary>
-    private void Finish<TSweep>(ref BallState s, ref StepRun run, ref TSweep sweep, int order, DragBranch next, bool goes, in Guides guides)
+    private void Finish<TSweep>(ref BallState s, ref StepRun run, ref TSweep sweep, int order, DragBranch next, bool goes)
         where TSweep : struct, IFlightSweep
     {
         if (!goes)
@@ -194,11 +174,6 @@ internal sealed class FlightPhase<TIntegrator>
         sweep.MoveTo(ref s);
         s.Branch = sweep.Length < length ? before.Branch : next;
         run.Advance(ref s, sweep.Length);
-        if (guides.Count > 0)
-        {
-            Hold(ref s, in guides, meets && met.What == SeparationKind.Contact ? met.Index : -1);
-        }
-
         run.Show(in before, in s, ref sweep, order);
         if (meets && !run.Log.Halted)
         {

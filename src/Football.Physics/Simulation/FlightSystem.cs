@@ -10,23 +10,20 @@ internal struct FlightSystem : IMotionSystem
     public ulong Nets;
     public ulong NetSides;
 
-    /// <summary>What it slides along.</summary>
-    public Guides Guides;
-
     public readonly void Rates(double time, in Motion at, out MotionRates rates)
     {
         if (Branch is not (DragBranch.AlongCriticalSpeed or DragBranch.AlongCriticalSpin))
         {
-            rates = Guided(time, in at, On(Branch, time, in at));
+            rates = On(Branch, time, in at);
             return;
         }
 
         // Filippov: on the surface the motion is the mean of both branches that stays on it.
         double share = SpinningShare(time, in at, out MotionRates spinning, out MotionRates noSpin);
         share = share < 0 ? 0 : share > 1 ? 1 : share;
-        rates = Guided(time, in at, new MotionRates(
+        rates = new MotionRates(
             noSpin.Acceleration + (share * (spinning.Acceleration - noSpin.Acceleration)),
-            noSpin.SpinAcceleration + (share * (spinning.SpinAcceleration - noSpin.SpinAcceleration))));
+            noSpin.SpinAcceleration + (share * (spinning.SpinAcceleration - noSpin.SpinAcceleration)));
     }
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
@@ -67,10 +64,6 @@ internal struct FlightSystem : IMotionSystem
 
         return new MotionRates(in acceleration, in spinAcceleration, air.AirSpeed);
     }
-
-    private readonly MotionRates Guided(double time, in Motion at, in MotionRates rates) => Guides.Count == 0
-        ? rates
-        : new MotionRates(Guides.Free(Around.World, in at.Position, in at.Velocity, time, in rates.Acceleration), in rates.SpinAcceleration, rates.AirSpeed);
 
     /// <summary>The share of the branch with spin for which the surface that <see cref="Branch"/> names is not left: outside 0 … 1 it is.</summary>
     public readonly double SpinningShare(double time, in Motion at, out MotionRates spinning, out MotionRates noSpin)

@@ -24,6 +24,12 @@ public sealed class StepLog
     /// </summary>
     public long Stalled { get; internal set; }
 
+    /// <summary>
+    /// Impacts that were not told one by one: where things that move press the ball, those of one instant after the tenth, of one step after the twelfth,
+    /// are taken together. While the ball is <see cref="MotionState.Squeezed"/> there are none.
+    /// </summary>
+    public long Untold { get; internal set; }
+
     /// <summary>Whether the step ended early at the event asked for.</summary>
     internal bool Halted { get; set; }
 
@@ -57,7 +63,7 @@ public sealed class StepLog
     }
 
     /// <summary>What it holds now, to come back to.</summary>
-    internal StepLogMark Mark() => new(Events.Count, Events.Missed, Events.Impacts, Steps, Evaluations, Stalled);
+    internal StepLogMark Mark() => new(Events.Count, Events.Missed, Events.Impacts, Steps, Evaluations, Stalled, Untold);
 
     /// <summary>Forgets what came after a mark.</summary>
     internal void TakeBack(in StepLogMark mark)
@@ -66,6 +72,7 @@ public sealed class StepLog
         Steps = mark.Steps;
         Evaluations = mark.Evaluations;
         Stalled = mark.Stalled;
+        Untold = mark.Untold;
         Halted = false;
     }
 
@@ -76,6 +83,7 @@ public sealed class StepLog
         Steps = 0;
         Evaluations = 0;
         Stalled = 0;
+        Untold = 0;
         Halted = false;
     }
 }
@@ -87,4 +95,5 @@ public sealed class StepLog
 /// <param name="Steps">Pieces.</param>
 /// <param name="Evaluations">Right-hand sides.</param>
 /// <param name="Stalled">Steps that came to their last piece.</param>
-internal readonly record struct StepLogMark(int Events, long Missed, long Impacts, long Steps, long Evaluations, long Stalled);
+/// <param name="Untold">Impacts that were not told one by one.</param>
+internal readonly record struct StepLogMark(int Events, long Missed, long Impacts, long Steps, long Evaluations, long Stalled, long Untold);

@@ -15,6 +15,15 @@ internal ref struct StepRun
     /// <summary>Evaluations of the forces in a step, whatever asks for them.</summary>
     private const long MostEvaluations = 1 << 15;
 
+    /// <summary>Hits by what moves, each so soon after the one before, s, ...</summary>
+    private const double CrowdedFor = 0.01;
+
+    /// <summary>... but not at one instant, s, ...</summary>
+    private const double AtOnce = 1e-9;
+
+    /// <summary>... of which more than this make a crowd: the ball is squeezed.</summary>
+    private const int MostHits = 4;
+
     /// <summary>After so many pieces the length of the parts is chosen anew: what asked for short ones may be over.</summary>
     private const int PiecesOfOneLength = 64;
 
@@ -49,6 +58,8 @@ internal ref struct StepRun
     public StepLog Log;
 
     private long _lastEvaluation;
+    private double _lastHit;
+    private int _hits;
 
     /// <summary>A step.</summary>
     /// <param name="dt">Its length, s.</param>
@@ -61,6 +72,7 @@ internal ref struct StepRun
         End = time + dt;
         Log = log;
         _lastEvaluation = log.Evaluations + MostEvaluations;
+        _lastHit = double.NegativeInfinity;
     }
 
     /// <summary>The length of the next part: what is left, or an equal share of it where the step had to be divided, s.</summary>
@@ -88,6 +100,16 @@ internal ref struct StepRun
     {
         Divide();
         return AllImpacts++ < MostImpacts;
+    }
+
+    /// <summary>Counts a hit by something that moves; those of one instant once.</summary>
+    /// <returns>Whether so many came so soon one after the other that the ball has no room.</returns>
+    public bool IsCrowdedAt(double time)
+    {
+        double since = time - _lastHit;
+        _hits = since > CrowdedFor ? 1 : since > AtOnce ? _hits + 1 : _hits;
+        _lastHit = time;
+        return _hits > MostHits;
     }
 
     /// <summary>Counts a piece as done: the clock goes on, and the time left gets less.</summary>

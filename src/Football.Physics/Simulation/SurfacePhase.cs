@@ -39,6 +39,10 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>A slip smaller than this, m/s, is none to the thesis' heuristic (2.28).</summary>
     private const double HeuristicSlip = 1e-3;
 
+    /// <summary>Onto what it meets a ball is put so often at most, and until it is no farther off than this, m.</summary>
+    private const int MostPuts = 16;
+    private const double Closed = 1e-12;
+
     /// <summary>The normal turns by no more than this in a piece, rad.</summary>
     private const double LargestTurn = 0.05;
 
@@ -48,6 +52,7 @@ internal sealed class SurfacePhase<TIntegrator>
     private readonly DragJumpGuard _jump;
     private readonly WorldGuard _guard;
     private readonly WorldContact _contact;
+    private readonly ContactSetPhase _set;
     private readonly NetGuard _nets;
     private readonly TIntegrator _integrator;
     private readonly double _alpha;
@@ -56,7 +61,8 @@ internal sealed class SurfacePhase<TIntegrator>
     private readonly bool _isFlat;
 
     public SurfacePhase(
-        Scene scene, SolverSettings settings, Surroundings around, in StabilityLimit limit, DragJumpGuard jump, WorldGuard guard, WorldContact contact)
+        Scene scene, SolverSettings settings, Surroundings around, in StabilityLimit limit, DragJumpGuard jump, WorldGuard guard, WorldContact contact,
+        ContactSetPhase set)
     {
         _around = around;
         _isFlat = scene.Ground.Heights is null;
@@ -66,6 +72,7 @@ internal sealed class SurfacePhase<TIntegrator>
         _jump = jump;
         _guard = guard;
         _contact = contact;
+        _set = set;
         _nets = new NetGuard(_world);
         _integrator = default;
         _alpha = _world.Ball.InertiaFactor;
@@ -75,7 +82,7 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>The next piece of a slide or a roll.</summary>
     public void Take(ref BallState s, ref StepRun run)
     {
-        if (_guard.HitsAtOnce(ref s, ref run))
+        if (_guard.HitsAtOnce(ref s, ref run) || _set.Take(ref s, ref run))
         {
             return;
         }
@@ -142,7 +149,7 @@ internal sealed class SurfacePhase<TIntegrator>
             MotionRates rates = system.RatesUnder(in on, s.Time, in from);
             double most = rolls ? system.RollingFriction(in on, size) : sliding;
             Vector3d rate = rolls ? rates.Acceleration + (on.Centripetal * on.Normal) : SlipRate(in on, in rates);
-            if (!rolls && _endsSlipExactly && sliding > 0 && system.Guides.Count == 0 && EndSlip(ref s, ref run, ref system, in from, in on, in moving, h))
+            if (!rolls && _endsSlipExactly && sliding > 0 && EndSlip(ref s, ref run, ref system, in from, in on, in moving, h))
             {
                 return;
             }
@@ -215,7 +222,7 @@ internal sealed class SurfacePhase<TIntegrator>
         int order = default(TMethod).Order;
         var sweep = new MotionSweep<SurfaceSystem, TMethod>(in system, s.Time, in from, _around.Wind, _around.Radius);
         sweep.Step(h);
-        SurfacePath.Shorten(ref sweep, in s, _world, system.Carrier, in system.Guides, order);
+        SurfacePath.Shorten(ref sweep, in s, system.Carrier, _around.Radius, order);
         _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
         double crossing = sweep.Length;
         bool overEdge = SurfaceMargin<TMethod>.EndPiece(ref sweep, in s, system.Rolls);
@@ -375,15 +382,9 @@ internal sealed class SurfacePhase<TIntegrator>
             met = NearThings.Deepest(_world, in s, out _);
         }
 
-        if (system.Guides.Count > 0 || met >= 0)
+        if (met >= 0)
         {
-            var end = new Motion(s.Position, s.Velocity, s.Spin);
-            SurfaceSystem bare = system;
-            bare.Guides = default;
-            bare.Rates(s.Time, in end, out MotionRates pressed);
-            system.Rates(s.Time, in end, out MotionRates free);
-            system.Guides.Hold(_world, ref s, in pressed.Acceleration, in free.Acceleration, system.Carrier, met);
-            n = system.Carrier.At(s.Position, s.Time).Normal;
+            n = PutOnto(ref s, system.Carrier, met);
         }
 
         Vector3d spin = s.SpinAxis;
@@ -394,6 +395,29 @@ internal sealed class SurfacePhase<TIntegrator>
         double kept = Vector3d.Dot(in system.StartSpin, in n) * about < 0 && brakesAlone ? 0 : about;
         s.SpinAxis = system.Rolls ? Slip.RollingSpin(s.Velocity - system.Carrier.Velocity, kept, in n, _around.Radius)
             : kept == about ? spin : spin - (about * n);
+    }
+
+    /// <summary>Puts the ball onto something else that it touches too, along what carries it: back and forth, where those are curved.</summary>
+    /// <returns>The carrier's normal there.</returns>
+    private Vector3d PutOnto(ref BallState s, Collider carrier, int collider)
+    {
+        Vector3d n = carrier.At(s.Position, s.Time).Normal;
+        for (int i = 0; i < MostPuts; i++)
+        {
+            ShapePoint at = _world.Colliders[collider].At(s.Position, s.Time);
+            Vector3d along = SurfaceSystem.Tangential(at.Normal, in n);
+            double gap = at.Distance - _around.Radius;
+            double share = along.LengthSquared;
+            if (!(Math.Abs(gap) > Closed) || !(share > 1e-12))
+            {
+                break;
+            }
+
+            s.Position -= gap / share * along;
+            n = _world.Hold(ref s, carrier);
+        }
+
+        return n;
     }
 
     private SurfaceSystem System(in BallState s, in Motion from, bool rolls)
@@ -409,7 +433,6 @@ internal sealed class SurfacePhase<TIntegrator>
             Branch = _jump.OnSurface(s.Branch, in from),
             Nets = s.Nets,
             NetSides = s.NetSides,
-            Guides = Guides.Of(_world, s.Position, s.Velocity, s.Time, (int)s.Carrier - _world.FirstCollider),
             Rolls = rolls,
             StartSpin = from.Spin,
             SpinSign = about > Slip.Rolling ? 1.0 : about < -Slip.Rolling ? -1.0 : 0.0,

@@ -3,8 +3,14 @@ namespace Football.Physics;
 /// <summary>What touching a thing of the world does to the ball: an impact, and whether it then flies, is guided, or is carried, sliding or rolling.</summary>
 internal sealed class WorldContact
 {
-    /// <summary>More impacts than this at one instant, and the ball is wedged: it goes along with what pushes it.</summary>
-    private const int MostAtOnce = 64;
+    /// <summary>More impacts than this at one instant, and the rest of it is without restitution, at all contacts together: two contacts, and eight.</summary>
+    private const int MostAtOnce = 10;
+
+    /// <summary>The same for a whole step, where something that moves has touched the ball lately.</summary>
+    private const int MostInCrowd = 12;
+
+    /// <summary>What moved and touched the ball counts so long, s, for how fast the next may make it.</summary>
+    private const double Lately = 0.1;
 
     /// <summary>A ball is raised out of the ground in so many steps: more than one where that is curved.</summary>
     private const int MostRaises = 4;
@@ -24,6 +30,13 @@ internal sealed class WorldContact
     /// <summary>An impact with a collider that the ball touches, and what becomes of the ball.</summary>
     public void Impact(ref BallState s, int collider, ref StepRun run)
     {
+        bool isCrowded = run.AllImpacts >= MostInCrowd && s.Time < s.SqueezeUntil;
+        if (run.Impacts++ >= MostAtOnce || isCrowded)
+        {
+            ImpactAtOnce(ref s, collider, ref run);
+            return;
+        }
+
         Collider hit = _world.Colliders[collider];
         bool carried = s.Motion != MotionState.Airborne;
         if (!carried && _world.IsLevel && hit == _world.Ground)
@@ -38,22 +51,27 @@ internal sealed class WorldContact
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
         int thing = collider + _world.FirstCollider;
-        bool wedged = run.Impacts++ >= MostAtOnce;
         Vector3d surface = hit.SurfaceVelocity(s.Position - (_world.Ball.Radius * n), s.Time);
         CoulombImpact.Apply(_world.Ball, in hit.MaterialAt(s.Position), in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin);
-        if (wedged)
+        if (hit.Moves)
         {
-            velocity = v - (Vector3d.Dot(v - hit.Velocity, in n) * n);
-            spin = w;
-        }
-        else
-        {
-            run.Log.Events.Add(new BallEvent(BallEventKind.Impact, thing, in n, s.Time, s.Position, in v, in w, in velocity, in spin));
-            run.Log.Halted |= run.Log.StopAt == StopAt.Impact;
+            double restitution = hit.MaterialAt(s.Position).RestitutionAt(Vector3d.Dot(surface - v, in n));
+            bool again = Touches(ref s, (1.0 + restitution) * surface.Length);
+            velocity = again ? NoFaster(in velocity, in n, s.SqueezeSpeed) : velocity;
         }
 
+        run.Log.Events.Add(new BallEvent(BallEventKind.Impact, thing, in n, s.Time, s.Position, in v, in w, in velocity, in spin));
+        run.Log.Halted |= run.Log.StopAt == StopAt.Impact;
         s.Branch = DragBranch.Unknown;
         bool may = run.Hit();
+        if (hit.Moves && run.IsCrowdedAt(s.Time))
+        {
+            s.Velocity = velocity;
+            s.SetGroundSpin(in spin);
+            BeginSqueeze(ref s, collider, ref run);
+            return;
+        }
+
         double off = Vector3d.Dot(velocity - hit.Velocity, in n);
 
         // What would be back within a microsecond stays down: so an impact takes time, however strong the ball is pressed.
@@ -76,7 +94,113 @@ internal sealed class WorldContact
         Fly(ref s, in velocity, in spin);
     }
 
-    /// <summary>The ground takes a ball that touches it, does not come closer and is pressed on it: no impact.</summary>
+    /// <summary>All that the ball touches at once, without restitution: what stands still is then not come closer to; what moves may squeeze it.</summary>
+    private void ImpactAtOnce(ref BallState s, int collider, ref StepRun run)
+    {
+        run.Log.Untold++;
+        Span<Contact> room = stackalloc Contact[ContactSet.Most];
+        Span<Contact> set = room.Slice(0, ContactSet.Near(_world, in s, ContactSearch.Touching, room));
+        Vector3d v = s.Velocity;
+        Vector3d w = s.Spin;
+        bool solved = ContactSolver.Solve(set, _world.Ball, 0, ref v, ref w) && !Closes(set, in v) && run.Impacts <= 2 * MostAtOnce;
+        if (!solved || IsTooFast(ref s, set, in v))
+        {
+            BeginSqueeze(ref s, collider, ref run);
+            return;
+        }
+
+        s.Velocity = v;
+        s.SetGroundSpin(in w);
+        int bearer = ContactSet.Heaviest(set);
+        if (bearer >= 0 && IsPressed(in s, set[bearer].Collider))
+        {
+            Stay(ref s, set[bearer].Collider + _world.FirstCollider, in v, in w, ref run);
+        }
+        else
+        {
+            Fly(ref s, in v, in w);
+        }
+    }
+
+    private static bool Closes(ReadOnlySpan<Contact> set, in Vector3d v)
+    {
+        foreach (ref readonly Contact contact in set)
+        {
+            if (Vector3d.Dot(v - contact.Velocity, in contact.Normal) < -ContactSearch.Approaching)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>What moves leaves the ball no room.</summary>
+    public void BeginSqueeze(ref BallState s, int collider, ref StepRun run)
+    {
+        Vector3d spin = s.Spin;
+        Vector3d normal = _world.Colliders[collider].At(s.Position, s.Time).Normal;
+        s.Carrier = collider + _world.FirstCollider;
+        s.SetGroundSpin(in spin);
+        s.Motion = MotionState.Squeezed;
+        s.Branch = DragBranch.Unknown;
+        run.Log.Events.Add(new BallEvent(BallEventKind.Squeezed, (int)s.Carrier, in normal, s.Time, s.Position, s.Velocity, in spin, s.Velocity, in spin));
+    }
+
+    /// <summary>The ball has room again.</summary>
+    public void EndSqueeze(ref BallState s, ref StepRun run)
+    {
+        run.Log.Events.Add(new BallEvent(BallEventKind.Squeezed, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
+        Fly(ref s, s.Velocity, s.Spin);
+    }
+
+    /// <summary>Whether things that move would make the ball faster by their contacts than the fastest of them, times 1 + e, or than it came.</summary>
+    /// <param name="s">The ball.</param>
+    /// <param name="set">The contacts, with what they gave.</param>
+    /// <param name="velocity">What became of its velocity, m/s.</param>
+    public bool IsTooFast(ref BallState s, ReadOnlySpan<Contact> set, in Vector3d velocity)
+    {
+        double fastest = -1.0;
+        foreach (ref readonly Contact contact in set)
+        {
+            double speed = contact.Velocity.Length;
+            fastest = contact.Moves && contact.Load > 0 ? Math.Max(fastest, (1.0 + contact.Material.RestitutionAt(speed)) * speed) : fastest;
+        }
+
+        if (fastest < 0)
+        {
+            return false;
+        }
+
+        Touches(ref s, fastest);
+        return velocity.Length > s.SqueezeSpeed;
+    }
+
+    /// <summary>Something that moves touches the ball, and may make it so fast, m/s.</summary>
+    /// <returns>Whether something did so lately.</returns>
+    private static bool Touches(ref BallState s, double fastest)
+    {
+        bool again = s.Time < s.SqueezeUntil;
+        s.SqueezeSpeed = Math.Max(again ? s.SqueezeSpeed : s.Velocity.Length, fastest);
+        s.SqueezeUntil = s.Time + Lately;
+        return again;
+    }
+
+    /// <summary>A velocity off a surface, no faster than allowed: what goes along the surface is given up first.</summary>
+    private static Vector3d NoFaster(in Vector3d velocity, in Vector3d n, double fastest)
+    {
+        if (velocity.Length <= fastest)
+        {
+            return velocity;
+        }
+
+        double off = Vector3d.Dot(in velocity, in n);
+        double left = (fastest * fastest) - (off * off);
+        Vector3d along = velocity - (off * n);
+        return left > 0 ? (off * n) + (Math.Sqrt(left) / along.Length * along) : fastest / Math.Abs(off) * (off * n);
+    }
+
+    /// <summary>A thing takes a ball that touches it, does not come closer and is pressed on it: no impact.</summary>
     public void TakeUp(ref BallState s, int collider, ref StepRun run) => Stay(ref s, collider + _world.FirstCollider, s.Velocity, s.Spin, ref run);
 
     /// <summary>The slip is over: the ball rolls, where friction can hold it.</summary>
@@ -235,6 +359,8 @@ internal sealed class WorldContact
     /// <summary>The ball stays on a thing, and is put onto it: it slides, or rolls.</summary>
     private void Stay(ref BallState s, int thing, in Vector3d velocity, in Vector3d spin, ref StepRun run)
     {
+        // What slid there at this instant already, before it was hit again, slides on.
+        bool slidOn = run.Impacts > 1 && s.Motion == MotionState.Sliding && s.Carrier == thing;
         s.Velocity = velocity;
         s.SetGroundSpin(in spin);
         s.Carrier = thing;
@@ -245,7 +371,7 @@ internal sealed class WorldContact
         {
             StartRolling(ref s, ref run);
         }
-        else
+        else if (!slidOn)
         {
             StartSliding(ref s, ref run);
         }
@@ -263,14 +389,10 @@ internal sealed class WorldContact
     /// <summary>N/m, m/s², were the ball to follow the surface.</summary>
     private double Load(in BallState s, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
     {
-        var motion = new Motion(s.Position, in velocity, in spin);
-        if (_world.AirLoads)
-        {
-            return System(in s, collider).ForcesOn(s.Time, in motion).FreeLoad;
-        }
-
+        // Where the air does not count, a load by weight alone says enough.
         Vector3d along = velocity - collider.Velocity;
-        return (-_around.Upward * at.Normal.Y) - Vector3d.Dot(in along, at.Curvature * along);
+        double byWeight = _world.AirLoads ? 0 : (-_around.Upward * at.Normal.Y) - Vector3d.Dot(in along, at.Curvature * along);
+        return byWeight > SurfaceForces.Least ? byWeight : System(in s, collider).ForcesOn(s.Time, new Motion(s.Position, in velocity, in spin)).FreeLoad;
     }
 
     private SurfaceSystem System(in BallState s, Collider carrier) => new()

@@ -25,7 +25,7 @@ internal sealed class WorldGuard
         _contact = contact;
     }
 
-    /// <summary>An impact with what the ball touches and comes closer to where it is, if anything; the ground takes a ball that it presses even where nothing comes closer.</summary>
+    /// <summary>An impact with what the ball touches and comes closer to where it is, if anything; what a ball in the air is pressed on takes it even where nothing comes closer.</summary>
     /// <returns>True when there was one, or the ground has taken the ball.</returns>
     public bool HitsAtOnce(ref BallState s, ref StepRun run)
     {
@@ -42,10 +42,9 @@ internal sealed class WorldGuard
 
             Separation.OfContact(_world, i).Evaluate(s.Position, s.Velocity, s.Time, out double gap, out double rate);
 
-            bool isGround = carrier < 0 && _world.Colliders[i] == _world.Ground;
             bool touches = gap <= ContactSearch.Touching;
             bool hits = touches && rate < -ContactSearch.Approaching;
-            bool presses = touches && !hits && rate <= ContactSearch.Leaving && isGround && _contact.IsPressed(in s, i);
+            bool presses = touches && !hits && rate <= ContactSearch.Leaving && carrier < 0 && _contact.IsPressed(in s, i);
             takesUp = presses || (takesUp && !hits);
             first = hits || presses ? i : first;
         }

@@ -86,6 +86,15 @@ public struct BallState : IFormattable
     /// <summary>Distance flown through the air since the kick, m, where a knuckle force depends on it; else 0.</summary>
     internal double AirDistance;
 
+    /// <summary>
+    /// Until <see cref="SqueezeUntil"/> things that move may make the ball no faster than this, m/s: the fastest that has touched it, times 1 + e, or as fast as
+    /// it came.
+    /// </summary>
+    internal double SqueezeSpeed;
+
+    /// <summary>So long, s, what touched the ball lately, and moved, counts for what touches it next; 0 where nothing did.</summary>
+    internal double SqueezeUntil;
+
     /// <inheritdoc/>
     public override readonly string ToString() => ToString(null, CultureInfo.InvariantCulture);
 

@@ -14,4 +14,7 @@ public enum MotionState
 
     /// <summary>At rest until the next kick; costs nothing.</summary>
     Stopped = 3,
+
+    /// <summary>Between things of which some move, and which leave it no room: it is not bounced, and not faster than they are.</summary>
+    Squeezed = 4,
 }

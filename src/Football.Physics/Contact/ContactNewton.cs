@@ -1,0 +1,231 @@
+namespace Football.Physics;
+
+/// <summary>
+/// A step of the semi-smooth Newton method on the impulses of a contact set: with what bears, grips and slips taken as it is, the impulses are the solution of
+/// one linear system. Where they are not determined, as the forces of a ball that grips both sides of a gutter along the line between them, it is the change
+/// with the least squares.
+/// </summary>
+internal static class ContactNewton
+{
+    /// <summary>Added to the diagonal: what makes a system without a unique solution one with the least squares.</summary>
+    private const double Least = 1e-11;
+
+    /// <summary>Improves impulses, velocity and spin.</summary>
+    /// <param name="set">The contacts.</param>
+    /// <param name="ball">The ball.</param>
+    /// <param name="duration">The time, s.</param>
+    /// <param name="resistance">What resists the rolling on one of them.</param>
+    /// <param name="v">Velocity, m/s.</param>
+    /// <param name="w">Spin, rad/s.</param>
+    public static void Step(Span<Contact> set, BallProperties ball, double duration, ref TurningResistance resistance, ref Vector3d v, ref Vector3d w)
+    {
+        double r = ball.Radius;
+        double perTurn = 1.0 / (ball.InertiaFactor * r);
+        double grip = ball.InertiaFactor / (1.0 + ball.InertiaFactor);
+        int contacts = set.Length;
+        int bearer = resistance.Bearer;
+        int size = (3 * contacts) + (bearer < 0 ? 0 : 2);
+        Span<Row> rows = stackalloc Row[size];
+        Span<double> system = stackalloc double[size * (size + 1)];
+
+        // What each unknown asks for at the impulses as they are: the residual, and how it depends on changes of v and ω.
+        for (int i = 0; i < contacts; i++)
+        {
+            ref readonly Contact contact = ref set[i];
+            Vector3d n = contact.Normal;
+            Vector3d t1 = Tangent(in n);
+            Vector3d t2 = Vector3d.Cross(in n, in t1);
+            double closing = ContactSolver.Closing(in contact, duration, in v);
+            bool bears = contact.Load - closing > 0;
+            rows[3 * i] = new Row { AlongV = n, PushV = n, Residual = bears ? closing : contact.Load, IsFree = bears, LoadRow = -1 };
+
+            // s = u_t + r n × ω, a push F turns by −n × F/(α r).
+            Vector3d relative = v - contact.Velocity;
+            Couple(
+                rows.Slice((3 * i) + 1, 2), t1, t2, -r * t2, r * t1, -perTurn * t2, perTurn * t1,
+                new Slipping(Vector3d.Dot(in relative, in t1) - (r * Vector3d.Dot(in w, in t2)), Vector3d.Dot(in relative, in t2) + (r * Vector3d.Dot(in w, in t1))),
+                new Slipping(Vector3d.Dot(in contact.Friction, in t1), Vector3d.Dot(in contact.Friction, in t2)),
+                grip, bears ? contact.Material.SlidingFriction : 0, contact.Load, 3 * i);
+        }
+
+        if (bearer >= 0)
+        {
+            // r ω_t, which a push turns by itself.
+            ref readonly Contact contact = ref set[bearer];
+            Vector3d t1 = Tangent(in contact.Normal);
+            Vector3d t2 = Vector3d.Cross(in contact.Normal, in t1);
+            double share = contact.Load > 0 ? r * TurningResistance.MostRolling(in contact, ball, in v) / contact.Load : 0;
+            Couple(
+                rows.Slice(3 * contacts, 2), Vector3d.Zero, Vector3d.Zero, r * t1, r * t2, t1 / r, t2 / r,
+                new Slipping(r * Vector3d.Dot(in w, in t1), r * Vector3d.Dot(in w, in t2)),
+                new Slipping(r * Vector3d.Dot(in resistance.Rolling, in t1), r * Vector3d.Dot(in resistance.Rolling, in t2)),
+                1.0, share, contact.Load, 3 * bearer);
+        }
+
+        Fill(system, rows, size);
+        if (!Eliminate(system, size))
+        {
+            return;
+        }
+
+        // The impulses change, and with them what they do.
+        for (int i = 0; i < size; i++)
+        {
+            double change = system[(i * (size + 1)) + size];
+            bool isLoad = i < 3 * contacts && i % 3 == 0;
+            change = isLoad ? Math.Max(change, -set[i / 3].Load) : change;
+            v += change * rows[i].PushV;
+            w += change * rows[i].PushW;
+            if (isLoad)
+            {
+                set[i / 3].Load += change;
+            }
+            else if (i < 3 * contacts)
+            {
+                set[i / 3].Friction += change * rows[i].PushV;
+            }
+            else
+            {
+                resistance.Rolling += change * rows[i].PushW;
+            }
+        }
+    }
+
+    /// <summary>A pair of unknowns that are bounded together: they end a slip, or are at their bound μ N against it.</summary>
+    private static void Couple(
+        Span<Row> rows, in Vector3d pushV1, in Vector3d pushV2, in Vector3d alongW1, in Vector3d alongW2,
+        in Vector3d pushW1, in Vector3d pushW2, in Slipping slip, in Slipping push, double grip, double friction, double load, int loadRow)
+    {
+        double first = push.First - (grip * slip.First);
+        double second = push.Second - (grip * slip.Second);
+        double size = Math.Sqrt((first * first) + (second * second));
+        double most = friction * load;
+        bool grips = size <= most && most > 0;
+        double x = size > 0 ? first / size : 0;
+        double y = size > 0 ? second / size : 0;
+        double turns = grips || !(size > 0) ? 0 : most / size;
+        rows[0] = new Row
+        {
+            AlongV = pushV1, AlongW = alongW1, PushV = pushV1, PushW = pushW1, Residual = grips ? slip.First : push.First - (most * x), IsFree = grips,
+            LoadRow = grips ? -1 : loadRow, PerLoad = -friction * x, Turns = turns, Across = -y, Other = 1, Grip = grip,
+        };
+        rows[1] = new Row
+        {
+            AlongV = pushV2, AlongW = alongW2, PushV = pushV2, PushW = pushW2, Residual = grips ? slip.Second : push.Second - (most * y), IsFree = grips,
+            LoadRow = grips ? -1 : loadRow, PerLoad = -friction * y, Turns = turns, Across = x, Other = -1, Grip = grip,
+        };
+    }
+
+    /// <summary>The system: a row an unknown, how its residual depends on every unknown, and the residual itself with the other sign.</summary>
+    private static void Fill(Span<double> system, ReadOnlySpan<Row> rows, int size)
+    {
+        for (int i = 0; i < size; i++)
+        {
+            ref readonly Row row = ref rows[i];
+            for (int j = 0; j < size; j++)
+            {
+                ref readonly Row by = ref rows[j];
+                double value = row.IsFree ? Vector3d.Dot(in row.AlongV, in by.PushV) + Vector3d.Dot(in row.AlongW, in by.PushW) : i == j ? 1.0 : 0;
+                if (!row.IsFree && row.LoadRow >= 0)
+                {
+                    // −μ dN T/|T| − (μ N/|T|)(1 − T Tᵀ/|T|²)(dF − g ds): of the change of T only what is across it counts.
+                    ref readonly Row other = ref rows[i + row.Other];
+                    double changeOwn = (i == j ? 1.0 : 0) - (row.Grip * (Vector3d.Dot(in row.AlongV, in by.PushV) + Vector3d.Dot(in row.AlongW, in by.PushW)));
+                    double changeOther = (i + row.Other == j ? 1.0 : 0) - (row.Grip * (Vector3d.Dot(in other.AlongV, in by.PushV) + Vector3d.Dot(in other.AlongW, in by.PushW)));
+                    value += (j == row.LoadRow ? row.PerLoad : 0) - (row.Turns * row.Across * ((row.Across * changeOwn) + (other.Across * changeOther)));
+                }
+
+                system[(i * (size + 1)) + j] = value + (i == j ? Least : 0);
+            }
+
+            system[(i * (size + 1)) + size] = -row.Residual;
+        }
+    }
+
+    /// <summary>Gauss–Jordan elimination with pivots from the column; the solution replaces the right-hand side.</summary>
+    /// <returns>False where there is none.</returns>
+    private static bool Eliminate(Span<double> system, int size)
+    {
+        int width = size + 1;
+        for (int column = 0; column < size; column++)
+        {
+            int pivot = column;
+            for (int i = column + 1; i < size; i++)
+            {
+                pivot = Math.Abs(system[(i * width) + column]) > Math.Abs(system[(pivot * width) + column]) ? i : pivot;
+            }
+
+            double largest = system[(pivot * width) + column];
+            if (!(Math.Abs(largest) > 1e-14))
+            {
+                return false;
+            }
+
+            for (int j = column; j <= size; j++)
+            {
+                double value = system[(pivot * width) + j] / largest;
+                system[(pivot * width) + j] = system[(column * width) + j];
+                system[(column * width) + j] = value;
+            }
+
+            for (int i = 0; i < size; i++)
+            {
+                double factor = system[(i * width) + column];
+                for (int j = column; i != column && factor != 0 && j <= size; j++)
+                {
+                    system[(i * width) + j] -= factor * system[(column * width) + j];
+                }
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>A direction across a normal.</summary>
+    private static Vector3d Tangent(in Vector3d n)
+    {
+        Vector3d across = Math.Abs(n.X) < 0.6 ? new Vector3d(1, 0, 0) : Vector3d.Up;
+        return (across - (Vector3d.Dot(in across, in n) * n)).Normalized();
+    }
+
+    /// <summary>A pair of components along a surface.</summary>
+    private readonly struct Slipping
+    {
+        public readonly double First;
+        public readonly double Second;
+
+        public Slipping(double first, double second)
+        {
+            First = first;
+            Second = second;
+        }
+    }
+
+    /// <summary>An unknown: what it does to the ball, and what its row of the system says.</summary>
+    private struct Row
+    {
+        /// <summary>How what it asks for changes with v and with ω.</summary>
+        public Vector3d AlongV;
+        public Vector3d AlongW;
+
+        /// <summary>What it does to v and to ω.</summary>
+        public Vector3d PushV;
+        public Vector3d PushW;
+
+        /// <summary>What is asked for to be zero.</summary>
+        public double Residual;
+
+        /// <summary>Whether the motion is asked for; else the unknown itself.</summary>
+        public bool IsFree;
+
+        /// <summary>The load that bounds it, by how much, and the row of the other of its pair.</summary>
+        public int LoadRow;
+        public double PerLoad;
+        public int Other;
+
+        /// <summary>μ N/|T|, the component across T, and what T takes of the slip.</summary>
+        public double Turns;
+        public double Across;
+        public double Grip;
+    }
+}

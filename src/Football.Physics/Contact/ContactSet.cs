@@ -1,0 +1,278 @@
+namespace Football.Physics;
+
+/// <summary>
+/// All contacts of a ball at one instant: the ground and a board, two boards, a player and a post. Sorted by their normals, so that the order in which things
+/// stand in the scene, or the ball came to them, decides nothing; of flat ones side by side, as boards are, one stands for all.
+/// </summary>
+internal static class ContactSet
+{
+    /// <summary>More contacts at one instant are not looked at: the farthest are left out.</summary>
+    public const int Most = 8;
+
+    /// <summary>Normals are one where the cosine of the angle between them is closer to 1 than this.</summary>
+    private const double InLine = 1e-14;
+
+    /// <summary>Normals that differ by less than this come in the order of the scene.</summary>
+    private const double SameNormal = 1e-9;
+
+    /// <summary>Onto what it touches a ball is put so often at most.</summary>
+    private const int MostRounds = 64;
+
+    /// <summary>Below this, m, there is no gap.</summary>
+    private const double Closed = 1e-12;
+
+    /// <summary>The contacts that a ball touches without coming closer or leaving.</summary>
+    /// <returns>How many there are.</returns>
+    public static int Touching(World world, in BallState s, Span<Contact> set) => Find(world, in s, ContactSearch.Touching, staysThere: true, set);
+
+    /// <summary>The contacts that a ball may come to: all that is closer than a distance, m, or overlaps it.</summary>
+    /// <returns>How many there are.</returns>
+    public static int Near(World world, in BallState s, double reach, Span<Contact> set) => Find(world, in s, reach, staysThere: false, set);
+
+    /// <summary>Whether a ball touches anything, but for what carries it, without coming closer or leaving.</summary>
+    public static bool TouchesMore(World world, in BallState s, int carrier)
+    {
+        Span<Contact> set = stackalloc Contact[Most];
+        int count = Touching(world, in s, set);
+        return count > 1 || (count == 1 && set[0].Collider != carrier);
+    }
+
+    /// <summary>Hands the impulses of one part of a step on to the next, in which they are about the same.</summary>
+    public static void Continue(Span<Contact> set, ReadOnlySpan<Contact> last)
+    {
+        foreach (ref Contact contact in set)
+        {
+            foreach (ref readonly Contact before in last)
+            {
+                if (before.Collider == contact.Collider)
+                {
+                    contact.Load = before.Load;
+                    contact.Friction = before.Friction;
+                }
+            }
+        }
+    }
+
+    /// <summary>Whether a collider is among them.</summary>
+    public static bool Has(ReadOnlySpan<Contact> set, int collider)
+    {
+        foreach (ref readonly Contact contact in set)
+        {
+            if (contact.Collider == collider)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>Takes the impulses back.</summary>
+    public static void Forget(Span<Contact> set)
+    {
+        foreach (ref Contact contact in set)
+        {
+            contact.Load = 0;
+            contact.Friction = default;
+        }
+    }
+
+    /// <summary>Which of the contacts bears most; −1 where none bears anything.</summary>
+    public static int Heaviest(ReadOnlySpan<Contact> set)
+    {
+        int heaviest = -1;
+        for (int i = 0; i < set.Length; i++)
+        {
+            // Of two that bear the same, to rounding, it is the first.
+            heaviest = set[i].Load > (heaviest < 0 ? 0 : set[heaviest].Load * (1.0 + 1e-9)) ? i : heaviest;
+        }
+
+        return heaviest;
+    }
+
+    /// <summary>
+    /// Puts a ball onto the contacts that bear it, and out of all others: first what moves, then what stands still, into which it never is put.
+    /// </summary>
+    public static void Hold(World world, ref BallState s, ReadOnlySpan<Contact> set)
+    {
+        bool moved = true;
+        for (int round = 0; round < MostRounds && moved; round++)
+        {
+            moved = false;
+            for (int pass = 0; pass < 2; pass++)
+            {
+                foreach (ref readonly Contact contact in set)
+                {
+                    if (contact.Moves == (pass == 0))
+                    {
+                        moved |= Put(world, ref s, in contact);
+                    }
+                }
+            }
+        }
+    }
+
+    /// <summary>Puts a ball out of what stands still alone.</summary>
+    /// <returns>Whether there is such a place near.</returns>
+    public static bool KeepOut(World world, ref BallState s, ReadOnlySpan<Contact> set)
+    {
+        bool inside = true;
+        for (int round = 0; round < MostRounds && inside; round++)
+        {
+            inside = false;
+            foreach (ref readonly Contact contact in set)
+            {
+                ShapePoint at = world.Colliders[contact.Collider].At(s.Position, s.Time);
+                double gap = at.Distance - world.Ball.Radius;
+                if (!contact.Moves && gap < -Closed)
+                {
+                    s.Position -= gap * at.Normal;
+                    KeepLevel(world, ref s, world.Colliders[contact.Collider], bears: false);
+                    inside = true;
+                }
+            }
+        }
+
+        return !inside;
+    }
+
+    /// <summary>Heights of a ball on level ground are exact.</summary>
+    private static void KeepLevel(World world, ref BallState s, Collider collider, bool bears)
+    {
+        if (world.IsLevel && collider == world.Ground)
+        {
+            s.Position = new Vector3d(s.Position.X, bears ? world.LevelContact : Math.Max(s.Position.Y, world.LevelContact), s.Position.Z);
+        }
+    }
+
+    private static bool Put(World world, ref BallState s, in Contact contact)
+    {
+        Collider collider = world.Colliders[contact.Collider];
+        ShapePoint at = collider.At(s.Position, s.Time);
+        double gap = at.Distance - world.Ball.Radius;
+        double off = Vector3d.Dot(s.Velocity - collider.Velocity, at.Normal);
+        bool bears = contact.Load > 0;
+        s.Velocity -= (bears ? off : Math.Min(0, off)) * at.Normal;
+        gap = bears ? gap : Math.Min(0, gap);
+        s.Position -= gap * at.Normal;
+        KeepLevel(world, ref s, collider, bears);
+        return Math.Abs(gap) > Closed;
+    }
+
+    private static int Find(World world, in BallState s, double reach, bool staysThere, Span<Contact> set)
+    {
+        int count = 0;
+        var near = NearThings.Within(world, s.Position, s.Time, reach);
+        while (near.NextCollider(out int i))
+        {
+            Collider collider = world.Colliders[i];
+            ShapePoint at = collider.At(s.Position, s.Time);
+            double gap = at.Distance - world.Ball.Radius;
+            double rate = Vector3d.Dot(s.Velocity - collider.Velocity, at.Normal);
+            if (gap > reach || (staysThere && !(rate >= -ContactSearch.Approaching && rate <= ContactSearch.Leaving)))
+            {
+                continue;
+            }
+
+            var contact = new Contact(i, collider, in at, gap, s.Position);
+            int place = PlaceOf(in contact, set, count);
+            if (place == count)
+            {
+                count++;
+            }
+
+            if (place >= 0)
+            {
+                set[place] = contact;
+            }
+        }
+
+        Sort(set.Slice(0, count));
+        return count;
+    }
+
+    /// <summary>Where a contact goes: beside the others, in the place of one that it stands for, or nowhere (−1).</summary>
+    private static int PlaceOf(in Contact contact, Span<Contact> set, int count)
+    {
+        int farthest = 0;
+        for (int i = 0; i < count; i++)
+        {
+            if (contact.IsFlat && set[i].IsFlat && contact.Moves == set[i].Moves && Vector3d.Dot(in contact.Normal, in set[i].Normal) > 1.0 - InLine)
+            {
+                return contact.Gap < set[i].Gap - Closed || (contact.Gap <= set[i].Gap + Closed && contact.Collider < set[i].Collider) ? i : -1;
+            }
+
+            farthest = set[i].Gap > set[farthest].Gap ? i : farthest;
+        }
+
+        return count < set.Length ? count : contact.Gap < set[farthest].Gap ? farthest : -1;
+    }
+
+    private static void Sort(Span<Contact> set)
+    {
+        for (int i = 1; i < set.Length; i++)
+        {
+            Contact contact = set[i];
+            int place = i;
+            for (; place > 0 && ComesBefore(in contact, in set[place - 1]); place--)
+            {
+                set[place] = set[place - 1];
+            }
+
+            set[place] = contact;
+        }
+    }
+
+    private static bool ComesBefore(in Contact one, in Contact other)
+    {
+        Vector3d apart = one.Normal - other.Normal;
+        return Math.Abs(apart.Y) > SameNormal ? apart.Y > 0
+            : Math.Abs(apart.X) > SameNormal ? apart.X > 0
+            : Math.Abs(apart.Z) > SameNormal ? apart.Z > 0
+            : one.Collider < other.Collider;
+    }
+}
+
+/// <summary>One of several contacts of a ball: where it is, what it is made of, and what it gave the ball in the last step.</summary>
+internal struct Contact
+{
+    /// <summary>Index of the collider.</summary>
+    public readonly int Collider;
+
+    /// <summary>Whether the collider moves: then the ball may overlap it where it cannot get out of its way.</summary>
+    public readonly bool Moves;
+
+    /// <summary>Whether it is flat there.</summary>
+    public readonly bool IsFlat;
+
+    /// <summary>n, towards the ball.</summary>
+    public readonly Vector3d Normal;
+
+    /// <summary>V, m/s.</summary>
+    public readonly Vector3d Velocity;
+
+    /// <summary>Distance from the ball, m; negative where it overlaps.</summary>
+    public readonly double Gap;
+
+    /// <summary>What it is made of.</summary>
+    public readonly ContactMaterial Material;
+
+    /// <summary>J_n/m, m/s.</summary>
+    public double Load;
+
+    /// <summary>J_t/m, m/s.</summary>
+    public Vector3d Friction;
+
+    public Contact(int index, Collider collider, in ShapePoint at, double gap, in Vector3d position)
+    {
+        Collider = index;
+        Moves = collider.Moves;
+        IsFlat = at.IsFlat;
+        Normal = at.Normal;
+        Velocity = collider.Velocity;
+        Gap = gap;
+        Material = collider.MaterialAt(in position);
+        Load = 0;
+        Friction = default;
+    }
+}

@@ -1,0 +1,230 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>
+/// The impulses of a contact set over a short time, Coulomb's law at all of them at once: J_n ≥ 0, no contact closes, |J_t| ≤ μ J_n against the slip that is
+/// left. Rounds of projected Gauss–Seidel find which contacts bear, grip and slip; <see cref="ContactNewton"/> then knows the impulses, and another round
+/// says whether they are right. On a sphere a normal impulse turns nothing and a tangential one meets the mass m α/(1 + α) whatever its direction, so in a
+/// round each contact is solved in closed form.
+/// </summary>
+internal static class ContactSolver
+{
+    /// <summary>Rounds after which what still changes has no answer, as between two things that close in on the ball.</summary>
+    private const int MostRounds = 48;
+
+    /// <summary>Rounds where there may be none.</summary>
+    private const int RoundsInVain = 16;
+
+    /// <summary>Where impulses change by less than this share of themselves and the speeds, they are found.</summary>
+    private const double Settled = 1e-13;
+
+    /// <summary>Where they still change by no more than this after the last round, they are known well enough.</summary>
+    private const double Known = 1e-9;
+
+    /// <summary>So often, in rounds, what bears, grips and slips is taken for known.</summary>
+    private const int RoundsBetween = 4;
+
+    /// <summary>Velocity and spin after the time, m/s and rad/s, where without contacts they would be what is handed over.</summary>
+    /// <param name="set">The contacts; they take the impulses, and have those of the time before, or none, to begin with.</param>
+    /// <param name="ball">The ball.</param>
+    /// <param name="duration">The time, s: so far from closing is a contact with a gap.</param>
+    /// <param name="v">Velocity, m/s.</param>
+    /// <param name="w">Spin, rad/s.</param>
+    /// <returns>Whether an answer was found.</returns>
+    public static bool Solve(Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w)
+    {
+        Begin(set, ball, ref v, ref w);
+        Span<Contact> kept = stackalloc Contact[set.Length];
+        var resistance = new TurningResistance { Bearer = -1 };
+        var before = new Guess { Change = double.PositiveInfinity };
+        double change = double.PositiveInfinity;
+        for (int round = 0; round < MostRounds; round++)
+        {
+            change = Round(set, ball, duration, ref resistance, ref v, ref w);
+            if (change <= Settled)
+            {
+                return true;
+            }
+
+            if (change > before.Change)
+            {
+                // It was wrong about what bears, grips and slips: back, and on by rounds alone.
+                kept.CopyTo(set);
+                v = before.Velocity;
+                w = before.Spin;
+                resistance = before.Resistance;
+                before.Change = double.PositiveInfinity;
+                continue;
+            }
+
+            before.Change = double.PositiveInfinity;
+            if (set.Length > 1 && round % RoundsBetween == RoundsBetween - 1 && round < MostRounds - 1)
+            {
+                set.CopyTo(kept);
+                before = new Guess { Velocity = v, Spin = w, Resistance = resistance, Change = change };
+                ContactNewton.Step(set, ball, duration, ref resistance, ref v, ref w);
+            }
+        }
+
+        return change <= Known;
+    }
+
+    /// <summary>The same where there may be no answer: a few rounds, after which nothing is sure.</summary>
+    public static void Try(Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w)
+    {
+        Begin(set, ball, ref v, ref w);
+        var resistance = new TurningResistance { Bearer = -1 };
+        for (int round = 0; round < RoundsInVain; round++)
+        {
+            if (Round(set, ball, duration, ref resistance, ref v, ref w) <= Settled)
+            {
+                return;
+            }
+        }
+    }
+
+    /// <summary>The impulses that the contacts have already.</summary>
+    private static void Begin(ReadOnlySpan<Contact> set, BallProperties ball, ref Vector3d v, ref Vector3d w)
+    {
+        foreach (ref readonly Contact contact in set)
+        {
+            v += (contact.Load * contact.Normal) + contact.Friction;
+            w -= 1.0 / (ball.InertiaFactor * ball.Radius) * Vector3d.Cross(in contact.Normal, in contact.Friction);
+        }
+    }
+
+    /// <summary>One contact after the other.</summary>
+    /// <returns>By how much the impulses changed, as a share of themselves and the speeds.</returns>
+    private static double Round(
+        Span<Contact> set, BallProperties ball, double duration, ref TurningResistance resistance, ref Vector3d v, ref Vector3d w)
+    {
+        double scale = v.Length + (ball.Radius * w.Length);
+        double change = 0;
+        foreach (ref Contact contact in set)
+        {
+            change = Math.Max(change, Press(ref contact, ball, duration, ref v, ref w));
+            scale += contact.Load;
+        }
+
+        change = Math.Max(change, ball.Radius * resistance.Act(set, ball, duration, in v, ref w));
+        return change > 0 ? change / scale : 0;
+    }
+
+    /// <summary>How fast a contact closes, less what its gap leaves it, m/s.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Closing(in Contact contact, double duration, in Vector3d v)
+    {
+        double gap = duration > 0 ? Math.Max(0, contact.Gap) / duration : contact.Gap > ContactSearch.Touching ? double.MaxValue : 0;
+        return Vector3d.Dot(v - contact.Velocity, in contact.Normal) + gap;
+    }
+
+    /// <summary>One contact by itself.</summary>
+    /// <returns>By how much its impulses changed, m/s.</returns>
+    private static double Press(ref Contact contact, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w)
+    {
+        double alpha = ball.InertiaFactor;
+        double r = ball.Radius;
+        Vector3d n = contact.Normal;
+
+        // J_n: the ball goes away at least as fast as its gap allows.
+        double load = Math.Max(0, contact.Load - Closing(in contact, duration, in v));
+        double pushed = load - contact.Load;
+        v += pushed * n;
+        contact.Load = load;
+
+        // J_t: what ends the slip s = u_t + r n × ω, as far as friction goes.
+        Vector3d relative = v - contact.Velocity;
+        Vector3d slip = relative - (Vector3d.Dot(in relative, in n) * n) + (r * Vector3d.Cross(in n, in w));
+        Vector3d friction = contact.Friction - (alpha / (1.0 + alpha) * slip);
+        double size = friction.Length;
+        double most = contact.Material.SlidingFriction * load;
+        friction = size > most ? most / size * friction : friction;
+        Vector3d rubbed = friction - contact.Friction;
+        v += rubbed;
+        w -= 1.0 / (alpha * r) * Vector3d.Cross(in n, in rubbed);
+        contact.Friction = friction;
+        return Math.Max(Math.Abs(pushed), rubbed.Length);
+    }
+}
+
+/// <summary>What was known before impulses were guessed.</summary>
+internal struct Guess
+{
+    /// <summary>Velocity, m/s.</summary>
+    public Vector3d Velocity;
+
+    /// <summary>Spin, rad/s.</summary>
+    public Vector3d Spin;
+
+    /// <summary>What resists the turning.</summary>
+    public TurningResistance Resistance;
+
+    /// <summary>By how much the impulses changed last.</summary>
+    public double Change;
+}
+
+/// <summary>What resists the turning of a ball on the contact that bears most.</summary>
+internal struct TurningResistance
+{
+    /// <summary>Which contact that is; −1 where none bears anything.</summary>
+    public int Bearer;
+
+    /// <summary>What it took about the normal, rad/s.</summary>
+    public double Drilling;
+
+    /// <summary>What it took of the rolling, rad/s.</summary>
+    public Vector3d Rolling;
+
+    /// <summary>
+    /// About the normal b μ_s J_n/I and the damping c_ω h/I; of a ball that rolls (1 + α)(c₀ + c₁ |v|) r J_n/I, which slows its rolling by (c₀ + c₁ |v|) J_n/m.
+    /// </summary>
+    /// <returns>By how much it changed, rad/s.</returns>
+    public double Act(ReadOnlySpan<Contact> set, BallProperties ball, double duration, in Vector3d v, ref Vector3d w)
+    {
+        int heaviest = ContactSet.Heaviest(set);
+        if (heaviest != Bearer)
+        {
+            w -= Rolling + (Bearer < 0 ? Vector3d.Zero : Drilling * set[Bearer].Normal);
+            Rolling = default;
+            Drilling = 0;
+            Bearer = heaviest;
+        }
+
+        if (heaviest < 0)
+        {
+            return 0;
+        }
+
+        ref readonly Contact contact = ref set[heaviest];
+        ref readonly ContactMaterial material = ref contact.Material;
+        double alpha = ball.InertiaFactor;
+        double r = ball.Radius;
+        Vector3d n = contact.Normal;
+        double about = Vector3d.Dot(in w, in n);
+        double damped = (about - Drilling) / (1.0 + (duration * material.SpinDamping / ball.MomentOfInertia));
+        double most = material.DrillingLength * material.SlidingFriction * contact.Load / (alpha * r * r);
+        double kept = damped > 0 ? Math.Max(0, damped - most) : Math.Min(0, damped + most);
+        double drilled = kept - about;
+        Drilling += drilled;
+        w += drilled * n;
+
+        double resistance = MostRolling(in contact, ball, in v);
+        Vector3d turning = w - (Vector3d.Dot(in w, in n) * n) - Rolling;
+        double size = turning.Length;
+        Vector3d resisted = size > resistance ? -(resistance / size) * turning : -turning;
+        Vector3d more = resisted - Rolling;
+        w += more;
+        Rolling = resisted;
+        return Math.Max(Math.Abs(drilled), more.Length);
+    }
+
+    /// <summary>How much it may take of the rolling, rad/s: nothing where the contact slips.</summary>
+    public static double MostRolling(in Contact contact, BallProperties ball, in Vector3d v)
+    {
+        ref readonly ContactMaterial material = ref contact.Material;
+        bool grips = contact.Friction.Length < material.SlidingFriction * contact.Load;
+        double share = material.RollingFriction + (material.RollingFrictionBySpeed * (v - contact.Velocity).Length);
+        return grips ? (1.0 + ball.InertiaFactor) * share * contact.Load / (ball.InertiaFactor * ball.Radius) : 0;
+    }
+}

@@ -1,0 +1,362 @@
+namespace Football.Physics;
+
+/// <summary>
+/// A ball that several contacts carry, guide or press at once, in short parts of a step: forces at both ends, impulses by <see cref="ContactSolver"/>, the
+/// place by the mean velocity. Exact where the forces are constant and every contact keeps gripping, or slipping one way; where one of them begins to
+/// grip, as good as the part is short.
+/// </summary>
+internal sealed class ContactSetPhase
+{
+    /// <summary>Length of a part, s: a slip that ends within one moves the ball by less than 1e-6 m from where it would be.</summary>
+    private const double Part = 0.5e-3;
+
+    /// <summary>Parts of a step at most: in long ones they are longer.</summary>
+    private const int MostParts = 64;
+
+    /// <summary>Rounds of the solver where the ball may have no room.</summary>
+    private const int SqueezedRounds = 20;
+
+    /// <summary>Out of what squeezes it a ball is put by no more than this, m/s.</summary>
+    private const double OutOfTheWay = 5.0;
+
+    /// <summary>A ball that is so slow, m/s and rad/s times its radius, stands still.</summary>
+    private const double Still = 1e-12;
+
+    private readonly Surroundings _around;
+    private readonly World _world;
+    private readonly WorldGuard _guard;
+    private readonly WorldContact _contact;
+    private readonly NetGuard _nets;
+
+    public ContactSetPhase(Surroundings around, WorldGuard guard, WorldContact contact)
+    {
+        _around = around;
+        _world = around.World;
+        _guard = guard;
+        _contact = contact;
+        _nets = new NetGuard(_world);
+    }
+
+    /// <summary>Takes what is left of a step, or up to what ends it, where several contacts bear the ball; hands it to the one that does where that is another.</summary>
+    /// <returns>False where the ball's carrier alone bears it, or nothing does.</returns>
+    public bool Take(ref BallState s, ref StepRun run)
+    {
+        Span<Contact> room = stackalloc Contact[ContactSet.Most];
+        Span<Contact> last = stackalloc Contact[ContactSet.Most];
+        int before = 0;
+        double part = run.Left / Math.Min(MostParts, Math.Ceiling(run.Left / Part));
+        bool taken = false;
+        while (run.Left > 0 && !run.Log.Halted)
+        {
+            // What touches the ball, and what of that would bear it.
+            Span<Contact> set = room.Slice(0, ContactSet.Touching(_world, in s, room));
+            if (set.Length < 2)
+            {
+                return taken;
+            }
+
+            ContactSet.Continue(set, last.Slice(0, before));
+            double h = Math.Min(run.Left, _nets.LongestPiece(in s, part));
+            var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
+            MotionRates start = Free(in s, s.Time, in from);
+            Vector3d v = from.Velocity + (h * start.Acceleration);
+            Vector3d w = from.Spin + (h * start.SpinAcceleration);
+            bool solved = ContactSolver.Solve(set, _world.Ball, h, ref v, ref w);
+            run.Log.Evaluations++;
+            if (Bearers(set, h, out int bearer) < 2)
+            {
+                return taken | (bearer >= 0 && HandOver(ref s, set[bearer].Collider, ref run));
+            }
+
+            if (!solved || _contact.IsTooFast(ref s, set, in v))
+            {
+                _contact.BeginSqueeze(ref s, set[bearer].Collider, ref run);
+                return true;
+            }
+
+            taken = true;
+            if (Rests(ref s, set, in start, ref run))
+            {
+                return true;
+            }
+
+            bool stays = v.Length + (_around.Radius * w.Length) <= Still && from.Velocity.Length + (_around.Radius * from.Spin.Length) <= Still;
+            if (stays)
+            {
+                // Nothing changes until something comes.
+                h = run.Left;
+            }
+            else
+            {
+                // Once more, with the mean of the forces.
+                var end = new Motion(from.Position + ((0.5 * h) * (from.Velocity + v)), in v, in w, s.AirDistance);
+                MotionRates there = Free(in s, s.Time + h, in end);
+                v = from.Velocity + ((0.5 * h) * (start.Acceleration + there.Acceleration));
+                w = from.Spin + ((0.5 * h) * (start.SpinAcceleration + there.SpinAcceleration));
+                ContactSolver.Solve(set, _world.Ball, h, ref v, ref w);
+                run.Log.Evaluations++;
+            }
+
+            // Along the way, to its end or to what is met on it.
+            Vector3d mean = 0.5 * (from.Velocity + v);
+            var path = PathCubic.Line(s.Position, in mean, h);
+            double at = new ContactSearch(_world, in path, s.Time).First(in s, -1, set, out Separation met);
+            bool meets = at <= h;
+            double length = meets ? at : h;
+            double share = length / h;
+            BallState at0 = s;
+            v = from.Velocity + (share * (v - from.Velocity));
+            w = from.Spin + (share * (w - from.Spin));
+            Move(ref s, length, 0.5 * (from.Velocity + v), in v, in w, in start, ref run);
+            ContactSet.Hold(_world, ref s, set);
+            Show(in at0, in s, ref run);
+            Name(ref s, set, ref run);
+            set.CopyTo(last);
+            before = set.Length;
+            if (meets && !run.Log.Halted)
+            {
+                _guard.Meet(ref s, in met, ref run);
+                return true;
+            }
+
+            if (_guard.HitsAtOnce(ref s, ref run))
+            {
+                return true;
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>
+    /// Takes what is left of a step for a ball that is squeezed: what stands still is never entered, what moves pushes the ball as far as it can go at the speed
+    /// that it may have, and nothing bounces. When nothing that moves presses it against anything any more, it is free.
+    /// </summary>
+    public void TakeSqueezed(ref BallState s, ref StepRun run)
+    {
+        Span<Contact> room = stackalloc Contact[ContactSet.Most];
+        double part = run.Left / Math.Min(MostParts, Math.Ceiling(run.Left / (2.0 * Part)));
+        bool isFree = false;
+        while (run.Left > 0 && !run.Log.Halted)
+        {
+            double h = Math.Min(run.Left, _nets.LongestPiece(in s, part));
+            h = Math.Max(h, Math.Min(run.Left, part / 16.0));
+            var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
+            MotionRates free = Free(in s, s.Time, in from);
+            Vector3d v = from.Velocity + (h * free.Acceleration);
+            Vector3d w = from.Spin + (h * free.SpinAcceleration);
+            run.Log.Evaluations++;
+            double fastest = Math.Max(v.Length, s.SqueezeSpeed);
+            Span<Contact> set = room.Slice(0, ContactSet.Near(_world, in s, ContactSearch.Touching + (h * (fastest + _world.FastestMover)), room));
+            ContactSolver.Try(set, _world.Ball, h, ref v, ref w);
+
+            // Out of the way of what moves whatever friction does, as fast as it may be; and never into what stands still.
+            KeepOff(set, h, movers: true, ref v);
+            _contact.IsTooFast(ref s, set, in v);
+            fastest = Math.Max(fastest, s.SqueezeSpeed);
+            double speed = v.Length;
+            v = speed > fastest ? fastest / speed * v : v;
+            KeepOff(set, h, movers: false, ref v);
+            isFree = IsFree(set);
+
+            // Nets and goals are met as ever.
+            var path = PathCubic.Line(s.Position, in v, h);
+            bool passes = new ContactSearch(_world, in path, s.Time).FirstPassage(in s, out Separation passed) is var at && at <= h;
+            BallState before = s;
+            Move(ref s, passes ? at : h, in v, in v, in w, in free, ref run);
+            PushOut(ref s, set, OutOfTheWay * h, before.Position);
+            Show(in before, in s, ref run);
+            if (passes && !run.Log.Halted)
+            {
+                _guard.Meet(ref s, in passed, ref run);
+            }
+        }
+
+        if (isFree && !run.Log.Halted)
+        {
+            _contact.EndSqueeze(ref s, ref run);
+        }
+    }
+
+    /// <summary>What acts on the ball but for its contacts.</summary>
+    private MotionRates Free(in BallState s, double time, in Motion at)
+    {
+        var system = new FlightSystem
+        {
+            Around = _around,
+            Nets = s.Nets,
+            NetSides = s.NetSides,
+        };
+        DragBranch branch = _around.Air.Jumps ? DragJump.At(in at, in _around.Wind, _around.Radius).Branch : DragBranch.Unknown;
+        MotionRates rates = system.On(branch, time, in at);
+        if (_world.SharesAir)
+        {
+            return rates;
+        }
+
+        // Of the air no more counts than on one surface: nothing, or what it does along the carrier.
+        Collider carrier = _world.CarrierOf(in s);
+        var surface = new SurfaceSystem { Around = _around, World = _world, Carrier = carrier, Material = carrier.MaterialAt(in at.Position), Branch = branch, Nets = s.Nets, NetSides = s.NetSides };
+        SurfaceForces on = surface.ForcesOn(time, in at);
+        return new MotionRates(on.Body + on.Air - ((on.FreeLoad + on.Centripetal) * on.Normal), in on.Torque, rates.AirSpeed);
+    }
+
+    /// <summary>How many contacts bear the ball, and which of them most, or alone.</summary>
+    private static int Bearers(ReadOnlySpan<Contact> set, double h, out int bearer)
+    {
+        int count = 0;
+        bearer = ContactSet.Heaviest(set);
+        foreach (ref readonly Contact contact in set)
+        {
+            count += contact.Load > SurfaceForces.Least * h ? 1 : 0;
+        }
+
+        return count;
+    }
+
+    /// <summary>Another contact than the one that carried the ball bears it alone: that carries it now.</summary>
+    private bool HandOver(ref BallState s, int collider, ref StepRun run)
+    {
+        if (collider + _world.FirstCollider == s.Carrier)
+        {
+            return false;
+        }
+
+        _contact.TakeUp(ref s, collider, ref run);
+        return true;
+    }
+
+    /// <summary>A ball with no more energy than one at rest rests, where all that touches it stands still and holds it.</summary>
+    private bool Rests(ref BallState s, scoped Span<Contact> set, in MotionRates free, ref StepRun run)
+    {
+        foreach (ref readonly Contact contact in set)
+        {
+            if (contact.Moves || contact.Velocity != Vector3d.Zero)
+            {
+                return false;
+            }
+        }
+
+        if (!(_world.Energy(new Motion(s.Position, s.Velocity, s.Spin), _world.CarrierOf(in s)) <= _world.RestEnergy * (1.0 + 1e-12)))
+        {
+            return false;
+        }
+
+        Span<Contact> held = stackalloc Contact[ContactSet.Most];
+        set.CopyTo(held);
+        ContactSet.Forget(held.Slice(0, set.Length));
+        Vector3d v = Part * free.Acceleration;
+        Vector3d w = Part * free.SpinAcceleration;
+        double most = 1e-9 * Part * (free.Acceleration.Length + (_around.Radius * free.SpinAcceleration.Length));
+        ContactSolver.Solve(held.Slice(0, set.Length), _world.Ball, Part, ref v, ref w);
+        bool rests = v.Length + (_around.Radius * w.Length) <= most + Still;
+        if (rests)
+        {
+            _contact.Rest(ref s, ref run);
+        }
+
+        return rests;
+    }
+
+    /// <summary>Moves the ball, and the clock.</summary>
+    private static void Move(ref BallState s, double h, in Vector3d mean, in Vector3d v, in Vector3d w, in MotionRates free, ref StepRun run)
+    {
+        s.BaseOrientation = s.BaseOrientation.Turned((0.5 * h) * (s.Spin + w));
+        s.Position += h * mean;
+        s.Velocity = v;
+        s.SpinAxis = w;
+        s.AirDistance += h * free.AirSpeed;
+        run.Advance(ref s, h);
+    }
+
+    /// <summary>Shows a piece to the observer, if there is one.</summary>
+    private static void Show(in BallState before, in BallState after, ref StepRun run)
+    {
+        if (run.Log.Observer is not null)
+        {
+            double h = after.Time - before.Time;
+            Vector3d acceleration = h > 0 ? (after.Velocity - before.Velocity) / h : Vector3d.Zero;
+            run.Log.Show(in before, in after, in acceleration, in acceleration, 2);
+        }
+    }
+
+    /// <summary>The contact that bears most names the carrier, as long as the one before bears nothing; whether that slips says whether the ball slides or rolls.</summary>
+    private void Name(ref BallState s, scoped ReadOnlySpan<Contact> set, ref StepRun run)
+    {
+        int carrier = (int)s.Carrier - _world.FirstCollider;
+        int named = -1;
+        for (int i = 0; i < set.Length; i++)
+        {
+            named = set[i].Collider == carrier && set[i].Load > 0 ? i : named;
+        }
+
+        named = named < 0 ? ContactSet.Heaviest(set) : named;
+        if (named < 0)
+        {
+            return;
+        }
+
+        ref readonly Contact contact = ref set[named];
+        s.Carrier = contact.Collider + _world.FirstCollider;
+        bool grips = contact.Friction.Length < contact.Material.SlidingFriction * contact.Load;
+        if (grips && s.Motion != MotionState.Rolling)
+        {
+            _contact.StartRolling(ref s, ref run);
+        }
+        else if (!grips && s.Motion == MotionState.Rolling)
+        {
+            _contact.StartSliding(ref s, ref run);
+        }
+    }
+
+    /// <summary>Takes from a velocity what goes into things that stand still, and into what moves.</summary>
+    private static void KeepOff(ReadOnlySpan<Contact> set, double h, bool movers, ref Vector3d v)
+    {
+        bool closes = true;
+        for (int round = 0; round < SqueezedRounds && closes; round++)
+        {
+            closes = false;
+            foreach (ref readonly Contact contact in set)
+            {
+                double closing = Vector3d.Dot(v - contact.Velocity, in contact.Normal) + (Math.Max(0, contact.Gap) / h);
+                if ((movers || !contact.Moves) && closing < 0)
+                {
+                    v -= closing * contact.Normal;
+                    closes = true;
+                }
+            }
+        }
+    }
+
+    /// <summary>Whether nothing that moves presses the ball against anything.</summary>
+    private static bool IsFree(ReadOnlySpan<Contact> set)
+    {
+        bool pushed = false;
+        int pressing = 0;
+        foreach (ref readonly Contact contact in set)
+        {
+            bool presses = contact.Load > 0 || contact.Gap < -ContactSearch.Touching;
+            pressing += presses ? 1 : 0;
+            pushed |= presses && contact.Moves;
+        }
+
+        return !pushed || pressing < 2;
+    }
+
+    /// <summary>Puts a squeezed ball out of what moves, by no more than a distance, and then out of what stands still: where there is no such place, back.</summary>
+    private void PushOut(ref BallState s, ReadOnlySpan<Contact> set, double most, in Vector3d back)
+    {
+        foreach (ref readonly Contact contact in set)
+        {
+            ShapePoint at = _world.Colliders[contact.Collider].At(s.Position, s.Time);
+            double gap = at.Distance - _around.Radius;
+            s.Position += contact.Moves && gap < 0 ? Math.Min(most, -gap) * at.Normal : Vector3d.Zero;
+        }
+
+        if (!ContactSet.KeepOut(_world, ref s, set))
+        {
+            s.Position = back;
+            s.Velocity = Vector3d.Zero;
+        }
+    }
+}
