@@ -21,13 +21,73 @@ internal static class ContactSet
     /// <summary>Below this, m, there is no gap.</summary>
     private const double Closed = 1e-12;
 
-    /// <summary>The contacts that a ball touches without coming closer or leaving.</summary>
+    /// <summary>What moves, and has touched the ball lately, is a contact up to this gap, m: it will touch it again, so gently that no impact need be told.</summary>
+    private const double Lingering = 2e-4;
+
+    /// <summary>
+    /// The contacts that a ball touches without coming closer or leaving; and what moves and has touched it lately, is next to it, and slower than what bounces.
+    /// </summary>
     /// <returns>How many there are.</returns>
-    public static int Touching(World world, in BallState s, Span<Contact> set) => Find(world, in s, ContactSearch.Touching, staysThere: true, set);
+    public static int Touching(World world, in BallState s, Span<Contact> set)
+    {
+        bool lingers = s.Time < s.SqueezeUntil;
+        int count = Near(world, in s, lingers ? Lingering : ContactSearch.Touching, set);
+        int kept = 0;
+        for (int i = 0; i < count; i++)
+        {
+            double rate = Vector3d.Dot(s.Velocity - set[i].Velocity, in set[i].Normal);
+            bool stays = set[i].Gap <= ContactSearch.Touching && rate >= -ContactSearch.Approaching && rate <= ContactSearch.Leaving;
+            if (stays || (lingers && set[i].Moves && Math.Abs(rate) < world.MinimumBounceSpeed))
+            {
+                set[kept++] = set[i];
+            }
+        }
+
+        return kept;
+    }
 
     /// <summary>The contacts that a ball may come to: all that is closer than a distance, m, or overlaps it.</summary>
     /// <returns>How many there are.</returns>
-    public static int Near(World world, in BallState s, double reach, Span<Contact> set) => Find(world, in s, reach, staysThere: false, set);
+    public static int Near(World world, in BallState s, double reach, Span<Contact> set)
+    {
+        int count = 0;
+        var near = NearThings.Within(world, s.Position, s.Time, reach);
+        while (near.NextCollider(out int i))
+        {
+            Collider collider = world.Colliders[i];
+            ShapePoint at = collider.At(s.Position, s.Time);
+            double gap = at.Distance - world.Ball.Radius;
+            if (gap > reach)
+            {
+                continue;
+            }
+
+            var contact = new Contact(i, collider, in at, gap, world.Ball.Radius, in s);
+            int place = PlaceOf(in contact, set, count);
+            if (place >= 0)
+            {
+                set[place] = contact;
+                count = Math.Max(count, place + 1);
+            }
+        }
+
+        Sort(set.Slice(0, count));
+        return count;
+    }
+
+    /// <summary>Whether something that moves is among them.</summary>
+    public static bool HasMover(ReadOnlySpan<Contact> set)
+    {
+        foreach (ref readonly Contact contact in set)
+        {
+            if (contact.Moves)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
 
     /// <summary>Whether a ball touches anything, but for what carries it, without coming closer or leaving.</summary>
     public static bool TouchesMore(World world, in BallState s, int carrier)
@@ -159,38 +219,6 @@ internal static class ContactSet
         return Math.Abs(gap) > Closed;
     }
 
-    private static int Find(World world, in BallState s, double reach, bool staysThere, Span<Contact> set)
-    {
-        int count = 0;
-        var near = NearThings.Within(world, s.Position, s.Time, reach);
-        while (near.NextCollider(out int i))
-        {
-            Collider collider = world.Colliders[i];
-            ShapePoint at = collider.At(s.Position, s.Time);
-            double gap = at.Distance - world.Ball.Radius;
-            double rate = Vector3d.Dot(s.Velocity - collider.Velocity, at.Normal);
-            if (gap > reach || (staysThere && !(rate >= -ContactSearch.Approaching && rate <= ContactSearch.Leaving)))
-            {
-                continue;
-            }
-
-            var contact = new Contact(i, collider, in at, gap, s.Position);
-            int place = PlaceOf(in contact, set, count);
-            if (place == count)
-            {
-                count++;
-            }
-
-            if (place >= 0)
-            {
-                set[place] = contact;
-            }
-        }
-
-        Sort(set.Slice(0, count));
-        return count;
-    }
-
     /// <summary>Where a contact goes: beside the others, in the place of one that it stands for, or nowhere (−1).</summary>
     private static int PlaceOf(in Contact contact, Span<Contact> set, int count)
     {
@@ -236,6 +264,9 @@ internal static class ContactSet
 /// <summary>One of several contacts of a ball: where it is, what it is made of, and what it gave the ball in the last step.</summary>
 internal struct Contact
 {
+    /// <summary>A slip of less than this, m/s, is what impulses leave that are known well enough.</summary>
+    private const double RollingSlip = 1e-6;
+
     /// <summary>Index of the collider.</summary>
     public readonly int Collider;
 
@@ -257,13 +288,16 @@ internal struct Contact
     /// <summary>What it is made of.</summary>
     public readonly ContactMaterial Material;
 
+    /// <summary>Whether the ball rolls on it: it does not slip there.</summary>
+    public readonly bool Rolls;
+
     /// <summary>J_n/m, m/s.</summary>
     public double Load;
 
     /// <summary>J_t/m, m/s.</summary>
     public Vector3d Friction;
 
-    public Contact(int index, Collider collider, in ShapePoint at, double gap, in Vector3d position)
+    public Contact(int index, Collider collider, in ShapePoint at, double gap, double radius, in BallState s)
     {
         Collider = index;
         Moves = collider.Moves;
@@ -271,7 +305,8 @@ internal struct Contact
         Normal = at.Normal;
         Velocity = collider.Velocity;
         Gap = gap;
-        Material = collider.MaterialAt(in position);
+        Material = collider.MaterialAt(s.Position);
+        Rolls = Slip.Of(s.Velocity - Velocity, s.Spin, in Normal, radius).Length < RollingSlip;
         Load = 0;
         Friction = default;
     }

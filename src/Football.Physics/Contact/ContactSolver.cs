@@ -219,12 +219,11 @@ internal struct TurningResistance
         return Math.Max(Math.Abs(drilled), more.Length);
     }
 
-    /// <summary>How much it may take of the rolling, rad/s: nothing where the contact slips.</summary>
+    /// <summary>How much it may take of the rolling, rad/s: nothing where the contact slipped before.</summary>
     public static double MostRolling(in Contact contact, BallProperties ball, in Vector3d v)
     {
         ref readonly ContactMaterial material = ref contact.Material;
-        bool grips = contact.Friction.Length < material.SlidingFriction * contact.Load;
         double share = material.RollingFriction + (material.RollingFrictionBySpeed * (v - contact.Velocity).Length);
-        return grips ? (1.0 + ball.InertiaFactor) * share * contact.Load / (ball.InertiaFactor * ball.Radius) : 0;
+        return contact.Rolls ? (1.0 + ball.InertiaFactor) * share * contact.Load / (ball.InertiaFactor * ball.Radius) : 0;
     }
 }

@@ -16,6 +16,9 @@ internal sealed class ContactSetPhase
     /// <summary>Rounds of the solver where the ball may have no room.</summary>
     private const int SqueezedRounds = 20;
 
+    /// <summary>A ball that rolls is told to slide from this slip on, m/s: less may be over in the next part.</summary>
+    private const double Slips = 1e-3;
+
     /// <summary>Out of what squeezes it a ball is put by no more than this, m/s.</summary>
     private const double OutOfTheWay = 5.0;
 
@@ -56,14 +59,14 @@ internal sealed class ContactSetPhase
             }
 
             ContactSet.Continue(set, last.Slice(0, before));
-            double h = Math.Min(run.Left, _nets.LongestPiece(in s, part));
+            double h = run.Left / Math.Max(1.0, Math.Round(run.Left / part));
             var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
-            MotionRates start = Free(in s, s.Time, in from);
+            MotionRates start = Free(in s, s.Time, in from, h);
             Vector3d v = from.Velocity + (h * start.Acceleration);
             Vector3d w = from.Spin + (h * start.SpinAcceleration);
             bool solved = ContactSolver.Solve(set, _world.Ball, h, ref v, ref w);
             run.Log.Evaluations++;
-            if (Bearers(set, h, out int bearer) < 2)
+            if (Bearers(set, h, out int bearer) < 2 && (bearer < 0 || !ContactSet.HasMover(set)))
             {
                 return taken | (bearer >= 0 && HandOver(ref s, set[bearer].Collider, ref run));
             }
@@ -90,7 +93,7 @@ internal sealed class ContactSetPhase
             {
                 // Once more, with the mean of the forces.
                 var end = new Motion(from.Position + ((0.5 * h) * (from.Velocity + v)), in v, in w, s.AirDistance);
-                MotionRates there = Free(in s, s.Time + h, in end);
+                MotionRates there = Free(in s, s.Time + h, in end, h);
                 v = from.Velocity + ((0.5 * h) * (start.Acceleration + there.Acceleration));
                 w = from.Spin + ((0.5 * h) * (start.SpinAcceleration + there.SpinAcceleration));
                 ContactSolver.Solve(set, _world.Ball, h, ref v, ref w);
@@ -109,7 +112,7 @@ internal sealed class ContactSetPhase
             w = from.Spin + (share * (w - from.Spin));
             Move(ref s, length, 0.5 * (from.Velocity + v), in v, in w, in start, ref run);
             ContactSet.Hold(_world, ref s, set);
-            Show(in at0, in s, ref run);
+            Show(in at0, in s, at0.Velocity, s.Velocity, ref run);
             Name(ref s, set, ref run);
             set.CopyTo(last);
             before = set.Length;
@@ -139,10 +142,9 @@ internal sealed class ContactSetPhase
         bool isFree = false;
         while (run.Left > 0 && !run.Log.Halted)
         {
-            double h = Math.Min(run.Left, _nets.LongestPiece(in s, part));
-            h = Math.Max(h, Math.Min(run.Left, part / 16.0));
+            double h = run.Left / Math.Max(1.0, Math.Round(run.Left / part));
             var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
-            MotionRates free = Free(in s, s.Time, in from);
+            MotionRates free = Free(in s, s.Time, in from, h);
             Vector3d v = from.Velocity + (h * free.Acceleration);
             Vector3d w = from.Spin + (h * free.SpinAcceleration);
             run.Log.Evaluations++;
@@ -157,7 +159,6 @@ internal sealed class ContactSetPhase
             double speed = v.Length;
             v = speed > fastest ? fastest / speed * v : v;
             KeepOff(set, h, movers: false, ref v);
-            isFree = IsFree(set);
 
             // Nets and goals are met as ever.
             var path = PathCubic.Line(s.Position, in v, h);
@@ -165,7 +166,9 @@ internal sealed class ContactSetPhase
             BallState before = s;
             Move(ref s, passes ? at : h, in v, in v, in w, in free, ref run);
             PushOut(ref s, set, OutOfTheWay * h, before.Position);
-            Show(in before, in s, ref run);
+            isFree = IsFree(in s, set);
+            Vector3d way = (s.Position - before.Position) / (s.Time - before.Time);
+            Show(in before, in s, in way, in way, ref run);
             if (passes && !run.Log.Halted)
             {
                 _guard.Meet(ref s, in passed, ref run);
@@ -178,27 +181,34 @@ internal sealed class ContactSetPhase
         }
     }
 
-    /// <summary>What acts on the ball but for its contacts.</summary>
-    private MotionRates Free(in BallState s, double time, in Motion at)
+    /// <summary>
+    /// What acts on the ball but for its contacts, for a part of a step. What nets do is shared out so that a part which is long for them overshoots nothing.
+    /// </summary>
+    private MotionRates Free(in BallState s, double time, in Motion at, double h)
     {
-        var system = new FlightSystem
-        {
-            Around = _around,
-            Nets = s.Nets,
-            NetSides = s.NetSides,
-        };
         DragBranch branch = _around.Air.Jumps ? DragJump.At(in at, in _around.Wind, _around.Radius).Branch : DragBranch.Unknown;
-        MotionRates rates = system.On(branch, time, in at);
-        if (_world.SharesAir)
+        MotionRates rates = new FlightSystem { Around = _around }.On(branch, time, in at);
+        Vector3d acceleration = rates.Acceleration;
+        Vector3d spinAcceleration = rates.SpinAcceleration;
+        if (!_world.SharesAir)
         {
-            return rates;
+            // Of the air no more counts than on one surface: nothing, or what it does along the carrier.
+            Collider carrier = _world.CarrierOf(in s);
+            var surface = new SurfaceSystem { Around = _around, World = _world, Carrier = carrier, Material = carrier.MaterialAt(in at.Position), Branch = branch };
+            SurfaceForces on = surface.ForcesOn(time, in at);
+            acceleration = on.Body + on.Air - ((on.FreeLoad + on.Centripetal) * on.Normal);
+            spinAcceleration = on.Torque;
         }
 
-        // Of the air no more counts than on one surface: nothing, or what it does along the carrier.
-        Collider carrier = _world.CarrierOf(in s);
-        var surface = new SurfaceSystem { Around = _around, World = _world, Carrier = carrier, Material = carrier.MaterialAt(in at.Position), Branch = branch, Nets = s.Nets, NetSides = s.NetSides };
-        SurfaceForces on = surface.ForcesOn(time, in at);
-        return new MotionRates(on.Body + on.Air - ((on.FreeLoad + on.Centripetal) * on.Normal), in on.Torque, rates.AirSpeed);
+        if (s.Nets != 0)
+        {
+            MotionRates nets = _world.PushOfNets(s.Nets, s.NetSides, in at);
+            double share = 1.0 / (1.0 + (h * _nets.FastestRate(in s, in at.Position)));
+            acceleration += share * nets.Acceleration;
+            spinAcceleration += share * nets.SpinAcceleration;
+        }
+
+        return new MotionRates(in acceleration, in spinAcceleration, rates.AirSpeed);
     }
 
     /// <summary>How many contacts bear the ball, and which of them most, or alone.</summary>
@@ -267,17 +277,24 @@ internal sealed class ContactSetPhase
         s.SpinAxis = w;
         s.AirDistance += h * free.AirSpeed;
         run.Advance(ref s, h);
+        s.Time = run.Left > 0 ? s.Time : run.End;
     }
 
-    /// <summary>Shows a piece to the observer, if there is one.</summary>
-    private static void Show(in BallState before, in BallState after, ref StepRun run)
+    /// <summary>Shows a piece to the observer, if there is one: from place to place with the velocities at its ends, or straight on.</summary>
+    private static void Show(in BallState before, in BallState after, in Vector3d v, in Vector3d w, ref StepRun run)
     {
-        if (run.Log.Observer is not null)
+        double h = after.Time - before.Time;
+        if (run.Log.Observer is null || !(h > 0))
         {
-            double h = after.Time - before.Time;
-            Vector3d acceleration = h > 0 ? (after.Velocity - before.Velocity) / h : Vector3d.Zero;
-            run.Log.Show(in before, in after, in acceleration, in acceleration, 2);
+            return;
         }
+
+        BallState start = before;
+        BallState end = after;
+        start.Velocity = v;
+        end.Velocity = w;
+        Vector3d acceleration = (w - v) / h;
+        run.Log.Show(in start, in end, in acceleration, in acceleration, 2);
     }
 
     /// <summary>The contact that bears most names the carrier, as long as the one before bears nothing; whether that slips says whether the ball slides or rolls.</summary>
@@ -298,12 +315,13 @@ internal sealed class ContactSetPhase
 
         ref readonly Contact contact = ref set[named];
         s.Carrier = contact.Collider + _world.FirstCollider;
-        bool grips = contact.Friction.Length < contact.Material.SlidingFriction * contact.Load;
-        if (grips && s.Motion != MotionState.Rolling)
+        Collider collider = _world.Colliders[contact.Collider];
+        double slip = Slip.Of(s.Velocity - collider.Velocity, s.Spin, in contact.Normal, _around.Radius).Length;
+        if (slip < Slip.Rolling && s.Motion != MotionState.Rolling)
         {
             _contact.StartRolling(ref s, ref run);
         }
-        else if (!grips && s.Motion == MotionState.Rolling)
+        else if (slip > Slips && s.Motion == MotionState.Rolling)
         {
             _contact.StartSliding(ref s, ref run);
         }
@@ -328,19 +346,20 @@ internal sealed class ContactSetPhase
         }
     }
 
-    /// <summary>Whether nothing that moves presses the ball against anything.</summary>
-    private static bool IsFree(ReadOnlySpan<Contact> set)
+    /// <summary>Whether nothing that moves presses the ball against anything, or overlaps it.</summary>
+    private bool IsFree(in BallState s, ReadOnlySpan<Contact> set)
     {
         bool pushed = false;
+        bool overlaps = false;
         int pressing = 0;
         foreach (ref readonly Contact contact in set)
         {
-            bool presses = contact.Load > 0 || contact.Gap < -ContactSearch.Touching;
-            pressing += presses ? 1 : 0;
-            pushed |= presses && contact.Moves;
+            pressing += contact.Load > 0 ? 1 : 0;
+            pushed |= contact.Load > 0 && contact.Moves;
+            overlaps |= contact.Moves && _world.Colliders[contact.Collider].At(s.Position, s.Time).Distance < _around.Radius - ContactSearch.Touching;
         }
 
-        return !pushed || pressing < 2;
+        return !overlaps && (!pushed || pressing < 2);
     }
 
     /// <summary>Puts a squeezed ball out of what moves, by no more than a distance, and then out of what stands still: where there is no such place, back.</summary>

@@ -29,6 +29,21 @@ internal sealed class NetGuard
         return longest;
     }
 
+    /// <summary>How fast the nets that the ball is in change its motion at a place, 1/s.</summary>
+    public double FastestRate(in BallState s, in Vector3d position)
+    {
+        double rate = 0;
+        for (int i = 0; i < _world.Nets.Length; i++)
+        {
+            if ((s.Nets >> i & 1) != 0)
+            {
+                rate += _world.Nets[i].RateAt(Math.Max(0, _world.Nets[i].Depth(in position, World.SideOf(s.NetSides, i))));
+            }
+        }
+
+        return rate;
+    }
+
     /// <summary>Ends a piece where the tension 1 + b δ̇ of a net changes its sign.</summary>
     public void EndWhereSlack<TSweep>(ref TSweep sweep, in BallState s)
         where TSweep : struct, ISweep

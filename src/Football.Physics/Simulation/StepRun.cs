@@ -54,6 +54,9 @@ internal ref struct StepRun
     /// <summary>Impacts since time last went on.</summary>
     public int Impacts;
 
+    /// <summary>Impacts that were taken together, and not told one by one.</summary>
+    public int Untold;
+
     /// <summary>Where events and counts go.</summary>
     public StepLog Log;
 

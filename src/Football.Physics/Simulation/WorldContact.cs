@@ -9,6 +9,9 @@ internal sealed class WorldContact
     /// <summary>The same for a whole step, where something that moves has touched the ball lately.</summary>
     private const int MostInCrowd = 12;
 
+    /// <summary>More than this in a step that were taken together, and the ball has no room.</summary>
+    private const int MostUntold = 3;
+
     /// <summary>What moved and touched the ball counts so long, s, for how fast the next may make it.</summary>
     private const double Lately = 0.1;
 
@@ -102,7 +105,7 @@ internal sealed class WorldContact
         Span<Contact> set = room.Slice(0, ContactSet.Near(_world, in s, ContactSearch.Touching, room));
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
-        bool solved = ContactSolver.Solve(set, _world.Ball, 0, ref v, ref w) && !Closes(set, in v) && run.Impacts <= 2 * MostAtOnce;
+        bool solved = ContactSolver.Solve(set, _world.Ball, 0, ref v, ref w) && !Closes(set, in v) && run.Untold++ < MostUntold;
         if (!solved || IsTooFast(ref s, set, in v))
         {
             BeginSqueeze(ref s, collider, ref run);
