@@ -1,8 +1,8 @@
 namespace Football.Physics;
 
 /// <summary>
-/// All contacts of a ball at one instant: the ground and a board, two boards, a player and a post. Sorted by their normals, so that the order in which things
-/// stand in the scene, or the ball came to them, decides nothing; of flat ones side by side, as boards are, one stands for all.
+/// All contacts of a ball at one instant: the ground and a board, two boards, a player and a post. The order in which the ball came to them decides nothing;
+/// of flat ones side by side, as boards are, one stands for all.
 /// </summary>
 internal static class ContactSet
 {
@@ -11,9 +11,6 @@ internal static class ContactSet
 
     /// <summary>Normals are one where the cosine of the angle between them is closer to 1 than this.</summary>
     private const double InLine = 1e-14;
-
-    /// <summary>Normals that differ by less than this come in the order of the scene.</summary>
-    private const double SameNormal = 1e-9;
 
     /// <summary>Onto what it touches a ball is put so often at most.</summary>
     private const int MostRounds = 64;
@@ -236,28 +233,20 @@ internal static class ContactSet
         return count < set.Length ? count : contact.Gap < set[farthest].Gap ? farthest : -1;
     }
 
+    /// <summary>Into the order of the scene: the walk over what is near has none.</summary>
     private static void Sort(Span<Contact> set)
     {
         for (int i = 1; i < set.Length; i++)
         {
             Contact contact = set[i];
             int place = i;
-            for (; place > 0 && ComesBefore(in contact, in set[place - 1]); place--)
+            for (; place > 0 && contact.Collider < set[place - 1].Collider; place--)
             {
                 set[place] = set[place - 1];
             }
 
             set[place] = contact;
         }
-    }
-
-    private static bool ComesBefore(in Contact one, in Contact other)
-    {
-        Vector3d apart = one.Normal - other.Normal;
-        return Math.Abs(apart.Y) > SameNormal ? apart.Y > 0
-            : Math.Abs(apart.X) > SameNormal ? apart.X > 0
-            : Math.Abs(apart.Z) > SameNormal ? apart.Z > 0
-            : one.Collider < other.Collider;
     }
 }
 

@@ -294,7 +294,7 @@ internal sealed class ContactSetPhase
         start.Velocity = v;
         end.Velocity = w;
         Vector3d acceleration = (w - v) / h;
-        run.Log.Show(in start, in end, in acceleration, in acceleration, 2);
+        run.Log.Show(in start, in end, in acceleration, in acceleration, 4);
     }
 
     /// <summary>The contact that bears most names the carrier, as long as the one before bears nothing; whether that slips says whether the ball slides or rolls.</summary>

@@ -25,7 +25,7 @@ public sealed class StepLog
     public long Stalled { get; internal set; }
 
     /// <summary>
-    /// Impacts that were not told one by one: where things that move press the ball, those of one instant after the tenth, of one step after the twelfth,
+    /// Impacts that were not told one by one: where things that move press the ball, those of one instant after the tenth, of one step after its fourteenth event,
     /// are taken together. While the ball is <see cref="MotionState.Squeezed"/> there are none.
     /// </summary>
     public long Untold { get; internal set; }

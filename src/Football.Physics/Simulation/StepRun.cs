@@ -54,6 +54,9 @@ internal ref struct StepRun
     /// <summary>Impacts since time last went on.</summary>
     public int Impacts;
 
+    /// <summary>Events that the log had before the step.</summary>
+    public int FirstEvent;
+
     /// <summary>Impacts that were taken together, and not told one by one.</summary>
     public int Untold;
 
@@ -76,6 +79,7 @@ internal ref struct StepRun
         Log = log;
         _lastEvaluation = log.Evaluations + MostEvaluations;
         _lastHit = double.NegativeInfinity;
+        FirstEvent = log.Events.Count;
     }
 
     /// <summary>The length of the next part: what is left, or an equal share of it where the step had to be divided, s.</summary>

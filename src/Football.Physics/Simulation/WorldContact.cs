@@ -6,8 +6,8 @@ internal sealed class WorldContact
     /// <summary>More impacts than this at one instant, and the rest of it is without restitution, at all contacts together: two contacts, and eight.</summary>
     private const int MostAtOnce = 10;
 
-    /// <summary>The same for a whole step, where something that moves has touched the ball lately.</summary>
-    private const int MostInCrowd = 12;
+    /// <summary>The same after so many events of a step, where something that moves has touched the ball lately.</summary>
+    private const int MostInCrowd = 14;
 
     /// <summary>More than this in a step that were taken together, and the ball has no room.</summary>
     private const int MostUntold = 3;
@@ -33,7 +33,7 @@ internal sealed class WorldContact
     /// <summary>An impact with a collider that the ball touches, and what becomes of the ball.</summary>
     public void Impact(ref BallState s, int collider, ref StepRun run)
     {
-        bool isCrowded = run.AllImpacts >= MostInCrowd && s.Time < s.SqueezeUntil;
+        bool isCrowded = run.Log.Events.Count - run.FirstEvent >= MostInCrowd && s.Time < s.SqueezeUntil;
         if (run.Impacts++ >= MostAtOnce || isCrowded)
         {
             ImpactAtOnce(ref s, collider, ref run);

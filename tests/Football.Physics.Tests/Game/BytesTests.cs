@@ -69,7 +69,7 @@ public sealed class BytesTests
     }
 
     [Theory]
-    [InlineData(7, 4, "state.motion is ")]
+    [InlineData(7, 5, "state.motion is ")]
     [InlineData(7, 1, "state.spinRate is ")]
     [InlineData(17, 5, "state.branch is ")]
     public void A_member_that_an_enumeration_does_not_have_is_refused_by_name(int word, ulong value, string says) =>

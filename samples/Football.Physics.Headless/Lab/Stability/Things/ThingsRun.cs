@@ -120,21 +120,21 @@ internal sealed class ThingsRun
 
     private StressFailure? Overlaps()
     {
-        // Between things of which one moves there may be no place for the ball.
+        // Between things of which one moves there may be no place for the ball: what stands still is not entered even then.
         int near = 0;
-        bool moves = false;
-        double deepest = 0;
+        double inMovers = 0;
+        double inOthers = 0;
         var things = new NearThings(_world, new Bounds3d(_state.Position, _state.Position).Grown(_world.Ball.Radius + Beside), _state.Time, 0);
         while (things.NextCollider(out int i))
         {
             Collider collider = _world.Colliders[i];
             double gap = collider.At(_state.Position, _state.Time).Distance - _world.Ball.Radius;
             near += gap < Beside ? 1 : 0;
-            moves |= gap < Beside && collider.Moves;
-            deepest = Math.Max(deepest, -gap);
+            inMovers = collider.Moves ? Math.Max(inMovers, -gap) : inMovers;
+            inOthers = collider.Moves ? inOthers : Math.Max(inOthers, -gap);
         }
 
-        return deepest > Overlap && !(moves && near > 1) ? Fail("overlap", $"{deepest} m after a frame, {_state.Motion}")
+        return inOthers > Overlap || (inMovers > Overlap && near < 2) ? Fail("overlap", $"{Math.Max(inOthers, inMovers)} m after a frame, {_state.Motion}")
             : _samples.Deepest > Through ? Fail("passed through", $"{_samples.Deepest} m deep on the way")
             : null;
     }
