@@ -113,6 +113,7 @@ internal static class ShotDrawing
                 MotionState.Sliding => (Palette.Orange, "slides"),
                 MotionState.Rolling => (Palette.Green, "rolls"),
                 MotionState.Stopped => (Palette.Green, "rests"),
+                MotionState.Squeezed => (Palette.Red, "is squeezed"),
                 _ => throw new ArgumentOutOfRangeException(nameof(flight), motion, null),
             };
             chart.Items.Add(new PolylineItem([.. points.Select(project)]) { Width = 2, Colour = colour, Label = legend ? does : null });

@@ -86,7 +86,7 @@ internal static class CostLab
     /// <summary>The states before so many steps of each motion in which nothing happens, from kick to rest and kicked again.</summary>
     private static Dictionary<MotionState, BallState[]> Collect(Simulator simulator, long seed, int frames)
     {
-        var found = Enum.GetValues<MotionState>().ToDictionary(motion => motion, _ => new List<BallState>(frames));
+        var found = Enum.GetValues<MotionState>().Where(motion => motion != MotionState.Squeezed).ToDictionary(motion => motion, _ => new List<BallState>(frames));
         var random = new SeededRandom(SeededRandom.Mix(seed, 343));
         var log = new StepLog();
         while (found.Values.Any(list => list.Count < frames))

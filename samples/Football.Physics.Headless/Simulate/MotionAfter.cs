@@ -10,6 +10,7 @@ internal static class MotionAfter
         BallEventKind.Slide => MotionState.Sliding,
         BallEventKind.Roll => MotionState.Rolling,
         BallEventKind.Rest => MotionState.Stopped,
+        BallEventKind.Squeezed => before == MotionState.Squeezed ? MotionState.Airborne : MotionState.Squeezed,
         BallEventKind.Net or BallEventKind.Goal => before,
         _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, null),
     };

@@ -133,6 +133,7 @@ internal static class ResultWriter
             BallEventKind.Net => "net",
             BallEventKind.Goal => "goal",
             BallEventKind.Leave => "leave",
+            BallEventKind.Squeezed => "squeezed",
             _ => "rest",
         });
         json.WriteNumber("time", item.Time);

@@ -120,7 +120,14 @@ public sealed class Trajectory
     {
         RefuseNaN(time);
         int i = Find(time);
-        return i < 0 ? _final.Position : _pieces[i].PositionAt(Clamp(time, in _pieces[i]));
+        if (i < 0)
+        {
+            return _final.Position;
+        }
+
+        // Where two pieces meet it is where the earlier one ends: a body that was put over the ball moves it between two steps.
+        bool isBetween = i > 0 && time == _pieces[i].Time && _pieces[i - 1].EndTime == time;
+        return isBetween ? _pieces[i - 1].EndPosition : _pieces[i].PositionAt(Clamp(time, in _pieces[i]));
     }
 
     /// <summary>The velocity at a time, m/s; after the end that of the end.</summary>

@@ -9,6 +9,9 @@ internal sealed class BodyPush
     /// <summary>How often the ball is pushed, from one body onto the next, at most: between two that close in on it there is no place.</summary>
     private const int MostPushes = 16;
 
+    /// <summary>A push takes no time; to be looked along, it takes this, s.</summary>
+    private const double AtOnce = 1e-6;
+
     /// <summary>Steps of Newton's method at most.</summary>
     private const int MostSteps = 20;
 
@@ -35,19 +38,18 @@ internal sealed class BodyPush
 
         // What overlaps a thing that stands still alone is not the game's doing: that is an impact.
         Vector3d from = s.Position;
+        int pressing = Math.Max(deepest, 0);
         for (int i = 0; overlapsBody && i < MostPushes && deepest >= 0; i++)
         {
             PushOut(ref s, _world.Colliders[deepest]);
             deepest = NearThings.Deepest(_world, in s, out _);
         }
 
-        if (overlapsBody && deepest >= 0)
+        if (overlapsBody && (deepest >= 0 || IsBarred(in s, in from)))
         {
-            // There is no place for it: never in what stands still.
-            Span<Contact> room = stackalloc Contact[ContactSet.Most];
-            Span<Contact> set = room.Slice(0, ContactSet.Near(_world, in s, ContactSearch.Touching, room));
-            s.Position = ContactSet.KeepOut(_world, ref s, set) ? s.Position : from;
-            _contact.BeginSqueeze(ref s, deepest, ref run);
+            // There is no place for it, or no way there.
+            s.Position = from;
+            _contact.BeginSqueeze(ref s, pressing, ref run);
         }
 
         if (overlapsBody)
@@ -71,6 +73,16 @@ internal sealed class BodyPush
             s.Position -= gap * Way(in s, at.Normal);
             StayOnCarrier(ref s);
         }
+    }
+
+    /// <summary>Whether something stands in the way of a push, as a thin board does.</summary>
+    private bool IsBarred(in BallState s, in Vector3d from)
+    {
+        BallState pushed = s;
+        pushed.Position = from;
+        var path = PathCubic.Line(in from, (s.Position - from) / AtOnce, AtOnce);
+        return new ContactSearch(_world, in path, s.Time).First(in pushed, s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - _world.FirstCollider, out Separation met) <= AtOnce
+            && met.What == SeparationKind.Contact && !_world.Colliders[met.Index].Moves;
     }
 
     /// <summary>A body that carried the ball and is no longer where it was expected carries it no more.</summary>

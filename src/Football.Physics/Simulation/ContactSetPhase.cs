@@ -148,7 +148,10 @@ internal sealed class ContactSetPhase
             Vector3d v = from.Velocity + (h * free.Acceleration);
             Vector3d w = from.Spin + (h * free.SpinAcceleration);
             run.Log.Evaluations++;
-            double fastest = Math.Max(v.Length, s.SqueezeSpeed);
+
+            // As fast as it is, or as what presses it: how it came is over.
+            s.SqueezeSpeed = v.Length;
+            double fastest = v.Length;
             Span<Contact> set = room.Slice(0, ContactSet.Near(_world, in s, ContactSearch.Touching + (h * (fastest + _world.FastestMover)), room));
             ContactSolver.Try(set, _world.Ball, h, ref v, ref w);
 

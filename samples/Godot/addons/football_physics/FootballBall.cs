@@ -44,6 +44,10 @@ public partial class FootballBall : Node3D
     [Signal]
     public delegate void GoalEventHandler(Vector3 position, Vector3 velocity, double time);
 
+    /// <summary>Things that move leave the ball no room, or it has room again: the ball's motion says which.</summary>
+    [Signal]
+    public delegate void SqueezedEventHandler(Vector3 position, Vector3 velocity, double time);
+
     /// <summary>Ball, air, ground and method; none: a football over turf in still air. A new one counts from the next _Ready.</summary>
     [Export]
     public FootballPreset? Preset { get; set; }
@@ -179,6 +183,9 @@ public partial class FootballBall : Node3D
                 break;
             case BallEventKind.Leave:
                 EmitSignal(SignalName.Leave, position, velocity, happened.Time);
+                break;
+            case BallEventKind.Squeezed:
+                EmitSignal(SignalName.Squeezed, position, velocity, happened.Time);
                 break;
             case BallEventKind.Net:
                 EmitSignal(SignalName.Net, position, velocity, happened.Time);

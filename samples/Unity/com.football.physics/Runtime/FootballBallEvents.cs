@@ -28,6 +28,9 @@ namespace Football.Physics.Unity
         [Tooltip("The whole ball is over the line of a goal.")]
         public FootballUnityEvent goal = new FootballUnityEvent();
 
+        [Tooltip("Things that move leave the ball no room, or it has room again: the ball's motion says which.")]
+        public FootballUnityEvent squeezed = new FootballUnityEvent();
+
         internal void Invoke(FootballEvent happened)
         {
             FootballUnityEvent listeners = happened.Kind switch
@@ -39,6 +42,7 @@ namespace Football.Physics.Unity
                 BallEventKind.Leave => leave,
                 BallEventKind.Net => net,
                 BallEventKind.Goal => goal,
+                BallEventKind.Squeezed => squeezed,
                 _ => throw new ArgumentOutOfRangeException(nameof(happened)),
             };
             listeners.Invoke(happened);

@@ -14,5 +14,6 @@ public partial class FootballBall
         public static readonly StringName Leave = new(nameof(Leave));
         public static readonly StringName Net = new(nameof(Net));
         public static readonly StringName Goal = new(nameof(Goal));
+        public static readonly StringName Squeezed = new(nameof(Squeezed));
     }
 }

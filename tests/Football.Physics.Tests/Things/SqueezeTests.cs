@@ -1,0 +1,164 @@
+using Football.Physics.Tests.Support;
+
+namespace Football.Physics.Tests.Things;
+
+/// <summary>A ball that things which move leave no room: against boards, between players, under a player.</summary>
+public sealed class SqueezeTests
+{
+    private const double Radius = 0.11;
+    private const double Frame = 1.0 / 60;
+
+    /// <summary>In a step no more is told.</summary>
+    private const int MostEvents = 24;
+
+    private static readonly IShape s_player = new CapsuleShape(new Vector3d(0, 0.25, 0), new Vector3d(0, 1.55, 0), 0.25);
+
+    /// <summary>A player pressed a ball through the boards of a corner: 254 of 400 ended behind one.</summary>
+    [Theory]
+    [ProfileData]
+    public void A_player_presses_no_ball_into_boards(Profile profile)
+    {
+        var random = new Shots(51);
+        Obstacle[] boards =
+        [
+            new() { Name = "end", Shape = new BoxShape(new Vector3d(0, 0.5, -5.05), new Vector3d(50, 0.5, 0.05)), Surface = Surface.Board },
+            new() { Name = "side", Shape = new BoxShape(new Vector3d(-5.05, 0.5, 0), new Vector3d(0.05, 0.5, 50)), Surface = Surface.Board },
+        ];
+        int squeezed = 0;
+        for (int i = 0; i < 30; i++)
+        {
+            var bodies = new Bodies();
+            Body player = bodies.Add("player", s_player);
+            var ball = new Ball(profile.Scene() with { Bodies = bodies, Obstacles = boards });
+            var from = new Vector3d(-4.8899 + random.Uniform(0, 0.3), Radius, -4.8899 + random.Uniform(0, 0.3));
+            ball.Place(from);
+            Vector3d velocity = random.Uniform(0.3, 5) * new Vector3d(-random.Uniform(0.2, 1), 0, -random.Uniform(0.2, 1)).Normalized();
+            Vector3d place = new Vector3d(from.X, 0, from.Z) - (0.8 * velocity.Normalized());
+            for (int frame = 0; frame < 150; frame++)
+            {
+                player.MoveTo(place, velocity, ball.Time);
+                ball.Step(Frame);
+                place += Frame * velocity;
+                squeezed += ball.Motion == MotionState.Squeezed ? 1 : 0;
+                Vector3d at = ball.State.Position;
+                Assert.True(at.Y >= Radius - 1e-9 && at.X >= -5 + Radius - 1e-9 && at.Z >= -5 + Radius - 1e-9, $"press {i}, frame {frame}: {at}");
+                Assert.InRange(ball.Events.Count, 0, MostEvents);
+            }
+        }
+
+        Assert.True(squeezed > 50, $"{squeezed} frames");
+    }
+
+    /// <summary>Two players of 2.7 and 2.9 m/s shot the ball away at 42 m/s: it is no faster than the faster of them, times 1 + e, or than it came.</summary>
+    [Theory]
+    [ProfileData]
+    public void Two_players_do_not_shoot_it_away(Profile profile)
+    {
+        var random = new Shots(52);
+        int squeezes = 0;
+        for (int i = 0; i < 60; i++)
+        {
+            var bodies = new Bodies();
+            Body one = bodies.Add("one", s_player);
+            Body other = bodies.Add("other", s_player);
+            var ball = new Ball(profile.Scene() with { Bodies = bodies });
+            double height = i % 2 == 0 ? Radius : random.Uniform(Radius, 1.2);
+            ball.Place(new Vector3d(0, height, 0));
+            double first = random.Uniform(0.2, 8);
+            double second = i % 3 == 0 ? 0 : random.Uniform(0.2, 8);
+            var from = new Vector3d(-random.Uniform(0.4, 1.5), 0, random.Uniform(-0.15, 0.15));
+            var towards = new Vector3d(random.Uniform(0.4, 1.5), 0, random.Uniform(-0.15, 0.15));
+
+            // e at 6 m/s is 0.5; at these speeds it may be a little more. What it falls is its own.
+            double e = Surface.Boot.NormalRestitution * 1.2;
+            double most = Math.Sqrt(Math.Pow((1 + e) * Math.Max(first, second), 2) + (2 * 9.81 * 1.2)) + 0.1;
+            bool isIn = false;
+            for (int frame = 0; frame < 150; frame++)
+            {
+                one.MoveTo(from + (frame * Frame * first * new Vector3d(1, 0, 0)), new Vector3d(first, 0, 0), ball.Time);
+                other.MoveTo(towards - (frame * Frame * second * new Vector3d(1, 0, 0)), new Vector3d(-second, 0, 0), ball.Time);
+                ball.Step(Frame);
+                Assert.True(ball.State.Velocity.Length <= most, $"pinch {i}, frame {frame}: {ball.State.Velocity.Length} m/s from {first} and {second}");
+                Assert.InRange(ball.Events.Count, 0, MostEvents);
+                foreach (ref readonly BallEvent item in ball.Events)
+                {
+                    if (item.Kind == BallEventKind.Squeezed)
+                    {
+                        // It begins with a thing, and ends without one.
+                        Assert.Equal(isIn, item.Thing < 0);
+                        isIn = !isIn;
+                        squeezes++;
+                    }
+                }
+
+                Assert.Equal(isIn, ball.Motion == MotionState.Squeezed);
+            }
+
+            Assert.False(isIn && second > 1 && first > 1, "the players have passed");
+        }
+
+        Assert.True(squeezes > 10, $"{squeezes} squeezes");
+    }
+
+    /// <summary>A player who runs onto a ball from above drives it along the ground, in front of him.</summary>
+    [Theory]
+    [ProfileData]
+    public void One_player_drives_it_before_him(Profile profile)
+    {
+        for (double speed = 1; speed < 8; speed += 0.7)
+        {
+            var bodies = new Bodies();
+            Body player = bodies.Add("player", s_player);
+            var ball = new Ball(profile.Scene() with { Bodies = bodies });
+            ball.Place(new Vector3d(0, Radius, 0.03));
+            for (int frame = 0; frame < 120; frame++)
+            {
+                var place = new Vector3d(-0.8 + (frame * Frame * speed), 0, 0);
+                player.MoveTo(place, new Vector3d(speed, 0, 0), ball.Time);
+                ball.Step(Frame);
+                Assert.InRange(ball.Events.Count, 0, MostEvents);
+                double gap = s_player.At(ball.State.Position - place - (Frame * speed * new Vector3d(1, 0, 0))).Distance - Radius;
+                Assert.True(gap > -1e-6, $"{speed} m/s, frame {frame}: {gap} m in the player");
+            }
+        }
+    }
+
+    /// <summary>While it is squeezed a look-ahead goes where the steps go, to the bit, a snapshot brings it back, and a step allocates nothing.</summary>
+    [Fact]
+    public void It_is_looked_ahead_restored_and_stepped_without_memory_while_it_lasts()
+    {
+        var bodies = new Bodies();
+        Body one = bodies.Add("one", s_player);
+        Body other = bodies.Add("other", s_player);
+        var simulator = new Simulator(new Scene { Bodies = bodies });
+        BallState state = simulator.Launch(new Vector3d(0, Radius, 0.02), Vector3d.Zero, Vector3d.Zero);
+        var log = new StepLog();
+        var path = new Trajectory();
+        byte[] bytes = new byte[Snapshot.Size];
+        int squeezed = 0;
+        for (int frame = 0; frame < 120; frame++)
+        {
+            double x = Math.Max(0.3, 0.9 - (frame * Frame * 1.5));
+            one.MoveTo(new Vector3d(-x, 0, 0), new Vector3d(x > 0.3 ? 1.5 : 0, 0, 0), state.Time);
+            other.MoveTo(new Vector3d(x, 0, 0), new Vector3d(x > 0.3 ? -1.5 : 0, 0, 0), state.Time);
+            simulator.LookAhead(in state, new LookAheadRequest { TimeStep = Frame, Duration = 1.5 * Frame, StopAt = StopAt.Time }, path);
+            Snapshot.Write(in state, bytes);
+            BallState again = Snapshot.Read(bytes);
+            log.Clear();
+            long allocated = GC.GetAllocatedBytesForCurrentThread();
+            simulator.Step(ref state, Frame, log);
+            Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - allocated);
+            Assert.True(path.IsComplete);
+            Assert.Equal(state.Position, path.PositionAt(state.Time));
+            log.Clear();
+            simulator.Step(ref again, Frame, log);
+            Assert.True(Snapshot.Same(in again, in state));
+            squeezed += state.Motion == MotionState.Squeezed ? 1 : 0;
+        }
+
+        Assert.True(squeezed > 30, $"{squeezed} frames");
+
+        // Shut in by two who stand, it lies still.
+        Assert.InRange(state.Velocity.Length, 0, 1e-6);
+    }
+}
