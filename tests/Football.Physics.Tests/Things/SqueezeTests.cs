@@ -131,7 +131,7 @@ public sealed class SqueezeTests
         Body one = bodies.Add("one", s_player);
         Body other = bodies.Add("other", s_player);
         var simulator = new Simulator(new Scene { Bodies = bodies });
-        BallState state = simulator.Launch(new Vector3d(0, Radius, 0.02), Vector3d.Zero, Vector3d.Zero);
+        BallState state = simulator.Launch(new Vector3d(0, Radius, 0), Vector3d.Zero, Vector3d.Zero);
         var log = new StepLog();
         var path = new Trajectory();
         byte[] bytes = new byte[Snapshot.Size];
