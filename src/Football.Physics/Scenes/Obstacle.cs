@@ -9,7 +9,7 @@ public sealed record Obstacle
     /// <summary>Its shape, where it is at time 0.</summary>
     public required IShape Shape { get; init; }
 
-    /// <summary>What it is made of. Default that of a goal's frame.</summary>
+    /// <summary>What it is made of. Default <see cref="Surface.GoalFrame"/>.</summary>
     public Surface Surface { get; init; } = Surface.GoalFrame with { };
 
     /// <summary>Velocity, m/s; at most 1000. Default 0.</summary>

@@ -50,7 +50,7 @@ public sealed record Scene
     public static Scene Default => Measured;
 
     /// <summary>The same by the laws and numbers of the thesis, as published.</summary>
-    public static Scene Published => s_published ??= new() { Forces = ForceSet.Published, Ground = Ground.Turf };
+    public static Scene Published => s_published ??= new() { Forces = ForceSet.Published, Ground = Ground.PublishedTurf };
 
     /// <summary>The published scene without air: no buoyancy, drag, Magnus force or spin decay.</summary>
     public static Scene Vacuum => s_vacuum ??= Published with { Forces = ForceSet.None };
