@@ -8,6 +8,7 @@ public sealed class BatchKicks
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="capacity"/> is negative.</exception>
     public BatchKicks(int capacity)
     {
+        Check.AtLeast(nameof(capacity), capacity, 0);
         Status = new AimStatus[capacity];
         Velocity = new VectorArrays(capacity);
         Spin = new VectorArrays(capacity);

@@ -113,7 +113,9 @@ public sealed class Ball
     /// <summary>Advances by a frame's time; <see cref="Events"/> then holds what happened in it. Allocates nothing.</summary>
     /// <param name="dt">Frame time, s: 0 … 1e12.</param>
     /// <remarks>What a force of the game's own throws comes through; the ball is then as it was before the step, without events.</remarks>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is out of range; nothing has changed.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// <paramref name="dt"/> is out of range, or a body was moved since the last step for a time more than 0.25 s from the ball's; the ball is as it was.
+    /// </exception>
     /// <exception cref="InvalidOperationException">A force of the game's own is not finite; the message names it, and nothing has changed.</exception>
     public void Step(double dt)
     {

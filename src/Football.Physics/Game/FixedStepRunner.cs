@@ -229,13 +229,13 @@ public sealed class FixedStepRunner
 
     /// <summary>Goes to a tick with a state: rolls back, joins a match under way, or puts the ball somewhere.</summary>
     /// <remarks>Nothing else changes: <see cref="Kicks"/> stay, those for this tick included, so that what follows is played again; to put the ball elsewhere, <see cref="Place"/> it. The time kept for the next frame stays too. Drawing starts anew from the state.</remarks>
-    /// <param name="tick">The tick; 0 or more.</param>
+    /// <param name="tick">The tick; 0 … 1e15.</param>
     /// <param name="state">The state at its start: a copy of <see cref="State"/>, or one from <see cref="Simulator.Launch(Vector3d, Vector3d, Vector3d)"/>.</param>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="tick"/> is negative, or the state's clock stands so high that a step would not move it; nothing has changed.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="tick"/> is out of range, or the state's clock stands so high that a step would not move it; nothing has changed.</exception>
     /// <exception cref="ArgumentException"><paramref name="state"/> was never launched; nothing has changed.</exception>
     public void Restore(long tick, in BallState state)
     {
-        Check.NotNegative(nameof(tick), tick);
+        Check.Within(nameof(tick), tick, 0, Limits.Tick);
         Check.Advances(nameof(TimeStep), TimeStep, state.Time);
         _ball.State = state;
         Tick = tick;

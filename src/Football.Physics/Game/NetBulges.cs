@@ -26,11 +26,24 @@ public sealed class NetBulges
 
     /// <summary>The bulge of a net.</summary>
     /// <param name="net">0 … <see cref="Count"/> − 1.</param>
-    public NetBulge this[int net] => _bulges[net];
+    /// <exception cref="ArgumentOutOfRangeException">There is no such net.</exception>
+    public NetBulge this[int net]
+    {
+        get
+        {
+            Check.Index(nameof(net), net, Count);
+            return _bulges[net];
+        }
+    }
 
     /// <summary>The name of a net, as events have it.</summary>
     /// <param name="net">0 … <see cref="Count"/> − 1.</param>
-    public string NameOf(int net) => _world.Nets[net].Name;
+    /// <exception cref="ArgumentOutOfRangeException">There is no such net.</exception>
+    public string NameOf(int net)
+    {
+        Check.Index(nameof(net), net, Count);
+        return _world.Nets[net].Name;
+    }
 
     /// <summary>Follows the ball. Allocates nothing.</summary>
     /// <param name="state">The ball now. Where its time has gone back, nets that it is not in hang still.</param>

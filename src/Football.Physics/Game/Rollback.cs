@@ -123,6 +123,8 @@ public sealed class Rollback
             return null;
         }
 
+        // The bodies were moved for the present, not for the ticks that are played again.
+        Runner.Simulator.World.Bodies?.ForgetTimes();
         _replays = true;
         try
         {

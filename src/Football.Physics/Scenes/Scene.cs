@@ -139,6 +139,7 @@ public sealed record Scene
             Check.Within("ground.pattern.leastWidth", pattern.LeastWidth, 0, double.PositiveInfinity, exclusiveLow: true);
             for (int i = 0; i < pattern.Surfaces.Count; i++)
             {
+                Check.GivenItem("ground.pattern.surfaces", i, pattern.Surfaces[i], "a surface");
                 pattern.Surfaces[i].Validate(Check.Item("ground.pattern.surfaces", i), Ball.MostDamping);
             }
         }
@@ -158,6 +159,7 @@ public sealed record Scene
     {
         for (int i = 0; i < Obstacles.Count; i++)
         {
+            Check.GivenItem("obstacles", i, Obstacles[i], "an obstacle");
             Obstacles[i].Validate(Check.Item("obstacles", i), Ball);
         }
 
@@ -165,11 +167,13 @@ public sealed record Scene
         int nets = Nets.Count;
         for (int i = 0; i < Nets.Count; i++)
         {
+            Check.GivenItem("nets", i, Nets[i], "a net");
             Nets[i].Validate(Check.Item("nets", i));
         }
 
         for (int i = 0; i < Goals.Count; i++)
         {
+            Check.GivenItem("goals", i, Goals[i], "a goal");
             Goals[i].Validate(Check.Item("goals", i), Ball.MostDamping);
             nets += Goals[i].NetCount;
         }
