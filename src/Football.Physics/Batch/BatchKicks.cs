@@ -19,7 +19,7 @@ public sealed class BatchKicks
     /// <summary>How many there is room for.</summary>
     public int Capacity => Time.Length;
 
-    /// <summary>What became of the searches.</summary>
+    /// <summary>The outcomes of the searches.</summary>
     public AimStatus[] Status { get; }
 
     /// <summary>Velocities of the kicks, m/s.</summary>

@@ -57,7 +57,7 @@ public sealed class Ball
         set => _state = BallState.Launched(in value);
     }
 
-    /// <summary>What happened in the last step, in order.</summary>
+    /// <summary>The events of the last step, in order of time.</summary>
     public EventBuffer Events => _log.Events;
 
     /// <summary>Time since the ball was placed, s.</summary>
@@ -75,7 +75,7 @@ public sealed class Ball
     /// <summary>Orientation.</summary>
     public Quaternion Orientation => _state.Orientation.ToQuaternion();
 
-    /// <summary>What the ball is doing.</summary>
+    /// <summary>The motion of the ball: in the air, sliding, rolling or at rest.</summary>
     public MotionState Motion => _state.Motion;
 
     /// <summary>Puts the ball down without motion, at time 0. Above the ground it will fall.</summary>

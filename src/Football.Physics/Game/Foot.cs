@@ -31,7 +31,7 @@ public sealed record Foot
     /// <summary>How fast the foot can be, m/s: the limit of the leg. At least 0.01; default infinite, no limit. <see cref="Strike"/> does not ask for it.</summary>
     public double FastestSpeed { get; init; } = double.PositiveInfinity;
 
-    /// <summary>What a strike does to a ball.</summary>
+    /// <summary>Computes what a strike does to a ball: its velocity and spin after it, and the foot's.</summary>
     /// <param name="ball">The ball.</param>
     /// <param name="velocity">Its velocity v before, m/s.</param>
     /// <param name="spin">Its spin ω before, rad/s.</param>

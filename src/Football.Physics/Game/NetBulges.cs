@@ -1,8 +1,8 @@
 namespace Football.Physics;
 
 /// <summary>
-/// How the nets of a scene bulge, for drawing: as deep as the ball is in them; and where it leaves faster, or has left, as fast as a net comes back by
-/// itself, at 1/b of <see cref="Net.Damping"/>.
+/// The bulges of a scene's nets, for drawing. A bulge is as deep as the ball is in the net; once the ball leaves faster than the net, or has left it, the
+/// net flattens at its own rate of return, that of <see cref="Net.Damping"/>.
 /// </summary>
 /// <remarks>For one ball. The simulation knows nothing of it: it may be asked or not, after every step or now and then.</remarks>
 public sealed class NetBulges

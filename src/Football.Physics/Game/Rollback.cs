@@ -33,7 +33,7 @@ public sealed class Rollback
     /// <summary>The oldest tick that it can go back to.</summary>
     public long OldestTick { get; private set; }
 
-    /// <summary>What happened in the steps that the last correction played again, in order.</summary>
+    /// <summary>The events of the steps that the last correction played again, in order of time.</summary>
     public EventBuffer Events { get; } = new();
 
     /// <summary>The state at the start of a tick.</summary>

@@ -31,7 +31,7 @@ public sealed class Body
     /// <summary>Its shape, in its own frame: the body's position is the shape's origin, and what it turns about.</summary>
     public IShape Shape { get; }
 
-    /// <summary>What it is made of.</summary>
+    /// <summary>The material of its surface.</summary>
     public Surface Surface { get; }
 
     /// <summary>Where it is at <see cref="Time"/>, m. Default the origin.</summary>

@@ -25,10 +25,10 @@ public sealed record Goal
     /// <summary>How far behind the line it ends on the ground, m; above 0. Default 2.</summary>
     public double DepthOnGround { get; init; } = 2.0;
 
-    /// <summary>Whether it has nets. Default true.</summary>
+    /// <summary>True for a goal with nets. Default true.</summary>
     public bool HasNet { get; init; } = true;
 
-    /// <summary>What posts and bar are made of. Default null: <see cref="Surface.GoalFrame"/> where the scene's laws are measured, else <see cref="Surface.PublishedGoalFrame"/>.</summary>
+    /// <summary>The material of posts and bar. Default null: <see cref="Surface.GoalFrame"/> where the scene's laws are measured, else <see cref="Surface.PublishedGoalFrame"/>.</summary>
     public Surface? Surface { get; init; }
 
     /// <summary>The line's direction towards the right post, seen by who stands in the goal and looks at the pitch; of length 1.</summary>

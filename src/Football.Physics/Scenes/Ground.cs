@@ -31,7 +31,7 @@ public sealed record Ground
     /// <summary>Coefficient of rolling friction μ_r, or c₀. 0 … 10; default 0.07 (measured, given c₁).</summary>
     public double RollingFriction { get; init; } = 0.07;
 
-    /// <summary>What rolling friction gains by speed, c₁, s/m. 0 … 1; default 0.006 (guess).</summary>
+    /// <summary>Growth of rolling friction with speed, c₁, s/m. 0 … 1; default 0.006 (guess).</summary>
     public double RollingFrictionBySpeed { get; init; } = 0.006;
 
     /// <summary>Damping c_ω of the spin about the vertical on the ground, N m s. 0 … 1, at most 1e5 1/s times the moment of inertia; default 0: it is drilling friction that takes of it.</summary>
@@ -58,7 +58,7 @@ public sealed record Ground
     /// <summary>Parts of it that are made of something else. Default null: it is the same everywhere.</summary>
     public ISurfacePattern? Pattern { get; init; }
 
-    /// <summary>What is left of drag and Magnus force on the ground. Default <see cref="GroundAerodynamics.Full"/>.</summary>
+    /// <summary>The part of drag and Magnus force that acts on the ground. Default <see cref="GroundAerodynamics.Full"/>.</summary>
     public GroundAerodynamics Aerodynamics { get; init; } = GroundAerodynamics.Full;
 
     /// <summary>Whether it is a level plane.</summary>

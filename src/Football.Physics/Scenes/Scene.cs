@@ -49,7 +49,7 @@ public sealed record Scene
     /// <summary>The scene of whatever is given none: <see cref="Measured"/>.</summary>
     public static Scene Default => Measured;
 
-    /// <summary>The same by the laws and numbers of the thesis, as published.</summary>
+    /// <summary>A football over turf in still air at sea level, by the laws and numbers of the thesis that the library began with, as published.</summary>
     public static Scene Published => s_published ??= new() { Forces = ForceSet.Published, Ground = Ground.PublishedTurf };
 
     /// <summary>The published scene without air: no buoyancy, drag, Magnus force or spin decay.</summary>

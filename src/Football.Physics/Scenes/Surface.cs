@@ -74,7 +74,7 @@ public sealed record Surface
     /// <summary>A keeper's glove: soft, and it grips. Evidence: guess.</summary>
     public static Surface Glove { get; } = PublishedGoalFrame with { NormalRestitution = 0.25, TangentialRestitution = 0, ImpactFriction = 1, SlidingFriction = 0.9, RollingFriction = 0.1 };
 
-    /// <summary>What a pitch is made of, for a thing of the same: a bank of turf, a ramp.</summary>
+    /// <summary>Makes the material of a pitch, for a thing of the same: a bank of turf, a ramp.</summary>
     /// <param name="ground">The pitch; of its two tangential restitutions that along x counts.</param>
     /// <exception cref="ArgumentNullException"><paramref name="ground"/> is null.</exception>
     public static Surface Of(Ground ground)
