@@ -5,7 +5,7 @@ using Football.Physics;
 var scene = new Scene
 {
     Air = new Air { Wind = new Vector3d(2, 0, 0) },
-    Ground = Ground.WateredTurf,
+    Ground = Ground.WetTurf,
 };
 var ball = new Ball(scene);
 

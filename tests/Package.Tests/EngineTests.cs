@@ -175,15 +175,15 @@ public sealed class EngineTests
     {
         foreach (UnityPreset.BallChoice ball in Enum.GetValues<UnityPreset.BallChoice>())
         {
-            var preset = new UnityPreset { ball = ball, ground = UnityPreset.GroundChoice.Sand, wind = new UnityVector(1, 0, 2), groundHeight = 3 };
+            var preset = new UnityPreset { ball = ball, ground = UnityPreset.GroundChoice.LongGrass, wind = new UnityVector(1, 0, 2), groundHeight = 3 };
             var resource = new GodotPreset
             {
                 Ball = Enum.Parse<GodotPreset.BallChoice>(ball.ToString()),
-                Surface = GodotPreset.GroundChoice.Sand,
+                Surface = GodotPreset.GroundChoice.LongGrass,
                 Wind = new GodotVector(1, 0, -2),
                 GroundHeight = 3,
             };
-            Assert.Equal(resource.Compile().Scene with { Forces = Scene.Published.Forces }, preset.Compile().Scene with { Forces = Scene.Published.Forces });
+            Assert.Equal(resource.Compile().Scene, preset.Compile().Scene);
             Assert.Equal(3 + preset.Compile().Scene.Ball.Radius, preset.Compile().ContactHeight);
         }
 

@@ -54,7 +54,7 @@ internal static class Workloads
     {
         Simulator simulator = Compile(scene, integrator);
         BallState[] states = Shots.Launch(simulator, ShotSets.AboutToBounce);
-        var log = new StepLog(2 * states.Length);
+        var log = new StepLog(2 * states.Length, Math.Max(32, 2 * states.Length));
         return OfParts(part => Batches.OneStepEach(simulator, states.AsSpan(part, Part), H, log), Part);
     }
 

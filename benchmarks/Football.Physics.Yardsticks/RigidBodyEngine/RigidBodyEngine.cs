@@ -19,10 +19,10 @@ public sealed class RigidBodyEngine
     public double AngularDamping { get; init; } = 0.05;
 
     /// <summary>Restitution.</summary>
-    public double Restitution { get; init; } = Ground.Turf.NormalRestitution;
+    public double Restitution { get; init; } = Ground.PublishedTurf.NormalRestitution;
 
     /// <summary>Coulomb friction.</summary>
-    public double Friction { get; init; } = Ground.Turf.SlidingFriction;
+    public double Friction { get; init; } = Ground.PublishedTurf.SlidingFriction;
 
     /// <summary>Below this speed of approach, m/s, a contact does not bounce.</summary>
     public double RestitutionThreshold { get; init; } = 0.5;

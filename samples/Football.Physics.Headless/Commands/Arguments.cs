@@ -46,6 +46,17 @@ internal static class Arguments
             [.. result.Tokens.Select((token, i) => FieldOverride.Parse(token.Value) ?? Refuse<FieldOverride>(result, "--set", $"path=value, like {example}", i)!)],
     };
 
+    /// <summary>--profile NAME, short for --set profile=NAME.</summary>
+    public static Option<FieldOverride[]> Profile() => new("--profile")
+    {
+        HelpName = "NAME",
+        Description = "measured, the default, or published: the laws and numbers of the thesis that the library began with. Short for --set profile=NAME.",
+        DefaultValueFactory = _ => [],
+        CustomParser = result => result.Tokens[0].Value is "measured" or "published"
+            ? [FieldOverride.Parse("profile=" + result.Tokens[0].Value)!]
+            : Refuse<FieldOverride[]>(result, "--profile", "measured | published") ?? [],
+    };
+
     /// <summary>--range path=range, any number of times.</summary>
     public static Option<FieldOverride[]> Range(string example) => new("--range")
     {

@@ -21,6 +21,7 @@ internal sealed class BatchRunner<T>(Func<InputFields, T> work, Func<string?, T,
 
     private readonly Option<bool> _json = new("--json") { Description = "Writes JSON in a terminal too." };
     private readonly Option<long> _jobs = Arguments.Jobs("Threads for a batch; default: one a processor.");
+    private readonly Option<FieldOverride[]> _profile = Arguments.Profile();
     private readonly Option<FieldOverride[]> _set = Arguments.Set("solver.timeStep=0.04");
 
     /// <summary>Makes it what a command does.</summary>
@@ -30,6 +31,7 @@ internal sealed class BatchRunner<T>(Func<InputFields, T> work, Func<string?, T,
         command.Add(_batch);
         command.Add(_json);
         command.Add(_jobs);
+        command.Add(_profile);
         command.Add(_set);
         command.SetAction(parsed => Run(parsed, terminal));
         return command;
@@ -37,7 +39,7 @@ internal sealed class BatchRunner<T>(Func<InputFields, T> work, Func<string?, T,
 
     private int Run(ParseResult parsed, Terminal terminal)
     {
-        FieldOverride[] overrides = parsed.GetRequiredValue(_set);
+        FieldOverride[] overrides = [.. parsed.GetRequiredValue(_profile), .. parsed.GetRequiredValue(_set)];
         using Stream input = Arguments.OpenInput(parsed.GetRequiredValue(_file), terminal);
         var reader = new LineReader(input);
         return parsed.GetValue(_batch)

@@ -7,7 +7,7 @@ namespace Football.Physics.Headless.Commands;
 internal static class FitCommand
 {
     private const string Example =
-        """{"profile": "measured", "track": [{"time": 0, "position": [0, 0.11, 0]}, {"time": 0.2, "position": [0.6, 1.31, -4.2]}, {"time": 0.4, "position": [1.2, 2.12, -8.1]}, {"time": 0.6, "position": [1.8, 2.57, -11.8]}]}""";
+        """{"track": [{"time": 0, "position": [0, 0.11, 0]}, {"time": 0.2, "position": [0.6, 1.31, -4.2]}, {"time": 0.4, "position": [1.2, 2.12, -8.1]}, {"time": 0.6, "position": [1.8, 2.57, -11.8]}]}""";
 
     public static Command Create(Terminal terminal) =>
         new BatchRunner<TrackFitResult>(Find, FitWriter.Result, FitTable.Print)

@@ -36,6 +36,7 @@ internal static class GalleryCommand
         string full = Create(folder);
         IReadOnlyList<GalleryShot> shots = GalleryShots.All;
         string[] names = [.. shots.Select(shot => shot.Id + ".svg"), ContactSheet.Moving, "index.html"];
+        terminal.Person.WriteLine($"Plays {shots.Count} shots from the foot to rest, and draws them into {folder}.");
         OutputFile[] files = [.. names.Select(name => OutputFile.Open("--out", Path.Combine(full, name))!)];
         ShownShot[] shown = Progress.Show(terminal, "shots", progress => shots.Select((shot, i) =>
         {
@@ -52,6 +53,7 @@ internal static class GalleryCommand
         }
 
         terminal.PersonConsole.Write(ShotReport.Figures([.. shown.Select(made => ((string?)made.Shot.Name, made.Figures))]));
+        terminal.Person.WriteLine($"To watch: {files[^2].Path}");
         terminal.Person.WriteLine($"Drawings: {files[^1].Path}");
         if (terminal.OutputRedirected)
         {

@@ -18,6 +18,7 @@ internal static class KickCommand
         Option<double> azimuth = Arguments.Number("--azimuth", "To the left of the view", KickNumbers.Azimuths, 0);
         Option<double> top = Arguments.Number("--top-spin", "Forwards; negative is backspin", KickNumbers.Spins, 0);
         Option<double> side = Arguments.Number("--side-spin", "Counter-clockwise seen from above: bends to the left", KickNumbers.Spins, 0);
+        Option<FieldOverride[]> profile = Arguments.Profile();
         Option<FieldOverride[]> set = Arguments.Set("air.wind=[3,0,0]");
         var json = new Option<bool>("--json") { Description = "Writes JSON in a terminal too." };
         var svg = new Option<string?>("--svg") { HelpName = "FILE", Description = "Draws it from the side and from above." };
@@ -28,14 +29,14 @@ internal static class KickCommand
             "football kick --speed 30 --elevation 35 --set 'air.wind=[5,0,0]' --set ground.rollingFriction=0.1 --svg kick.svg",
             "football kick --speed 12 --elevation 0 --set stop.time=1 --json")
         {
-            speed, elevation, azimuth, top, side, set, json, svg,
+            speed, elevation, azimuth, top, side, profile, set, json, svg,
         };
         command.SetAction(parsed =>
         {
             double Of(Option<double> option) => parsed.GetValue(option);
             using var file = OutputFile.Open("--svg", parsed.GetValue(svg));
             var kick = new KickNumbers(Of(speed), Of(elevation), Of(azimuth), Of(top), Of(side));
-            return Run(kick, parsed.GetRequiredValue(set), parsed.GetValue(json), file, terminal);
+            return Run(kick, [.. parsed.GetRequiredValue(profile), .. parsed.GetRequiredValue(set)], parsed.GetValue(json), file, terminal);
         });
         return command;
     }

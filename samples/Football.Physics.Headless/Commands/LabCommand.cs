@@ -14,7 +14,7 @@ internal static class LabCommand
 {
     public static Command Create(Terminal terminal) => new ExampleCommand(
         "lab",
-        "Experiments, the thesis' own and more: accuracy, run time against error, stability under stress, aiming.",
+        "Experiments: accuracy, run time against error, stability under stress, aiming. \"The thesis\" is the one that the library began with, whose laws are the published profile (docs/profiles.md); its tables and tests are named by their numbers.",
         "football lab",
         "football lab vacuum --seed 7 --csv vacuum.csv --plot vacuum.svg")
     {

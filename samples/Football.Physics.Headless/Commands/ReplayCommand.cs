@@ -23,6 +23,7 @@ internal static class ReplayCommand
         };
         var gltf = new Option<string?>("--gltf") { HelpName = "FILE", Description = "Writes the same as glTF 2.0 with animation too." };
         var svg = new Option<string?>("--svg") { HelpName = "FILE", Description = "Writes a drawing that moves by itself too, for pages that run no program." };
+        Option<FieldOverride[]> profile = Arguments.Profile();
         Option<FieldOverride[]> set = Arguments.Set("stop.at=rest");
         var command = new ExampleCommand(
             "replay",
@@ -30,14 +31,14 @@ internal static class ReplayCommand
             $"echo '{Kick}' | football replay - -o kick.html --set stop.at=rest",
             $"echo '{Kick}' | football replay - -o kick.html --gltf kick.gltf --svg kick.svg --set stop.at=time --set stop.time=3")
         {
-            files, page, gltf, svg, set,
+            files, page, gltf, svg, profile, set,
         };
         command.SetAction(parsed =>
         {
             using OutputFile written = OutputFile.Open("--output", parsed.GetRequiredValue(page))!;
             using var scene = OutputFile.Open("--gltf", parsed.GetValue(gltf));
             using var drawing = OutputFile.Open("--svg", parsed.GetValue(svg));
-            FieldOverride[] overrides = [.. parsed.GetRequiredValue(set), FieldOverride.Parse("samples=true")!];
+            FieldOverride[] overrides = [.. parsed.GetRequiredValue(profile), .. parsed.GetRequiredValue(set), FieldOverride.Parse("samples=true")!];
             List<(string Name, Scenario Scenario, Outcome Outcome)> played = Play(parsed.GetRequiredValue(files), overrides, terminal);
             var picture = ReplayPicture.Of("replay", played.Count == 1 ? played[0].Name : "Replay", played);
             written.Write(ReplayPage.Html(picture.Name, [picture]));

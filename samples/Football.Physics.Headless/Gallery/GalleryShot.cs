@@ -34,7 +34,7 @@ internal sealed record GalleryShot
     public IReadOnlyList<string> SceneFields { get; init; } = [];
 
     /// <summary>The command that kicks so.</summary>
-    public string Command => string.Join(" --set ", [KickNumbers.Of(Scenario).Command, "profile=measured", .. SceneFields]);
+    public string Command => string.Join(" --set ", [KickNumbers.Of(Scenario).Command, .. SceneFields]);
 
     /// <summary>The same with something changed, drawn beside it; null for none.</summary>
     public Scenario? Comparison { get; init; }

@@ -85,10 +85,10 @@ internal static class GalleryShots
         Id = "driven-pass",
         Name = "Driven pass",
         About = "Low and fast with backspin, which holds it up; it skips on wet turf.",
-        Scenario = Kick(26, left: 0, up: 8, top: -35, side: 0) with { Scene = Scene.Measured with { Ground = Ground.WateredTurf } },
-        Comparison = Kick(26, left: 0, up: 8, top: -35, side: 0) with { Scene = Scene.Published with { Ground = Ground.WetTurf } },
+        Scenario = Kick(26, left: 0, up: 8, top: -35, side: 0) with { Scene = Scene.Measured with { Ground = Ground.WetTurf } },
+        Comparison = Kick(26, left: 0, up: 8, top: -35, side: 0) with { Scene = Scene.Published with { Ground = Ground.PublishedWetTurf } },
         ComparisonName = "by the published laws",
-        SceneCode = "Scene.Measured with { Ground = Ground.WateredTurf }",
+        SceneCode = "Scene.Measured with { Ground = Ground.WetTurf }",
         SceneFields = ["ground.surface=wetTurf"],
     };
 
@@ -170,16 +170,13 @@ internal static class GalleryShots
     private static GalleryShot Beach() => new()
     {
         Id = "beach-ball",
-        SceneCode = "new Scene { Ball = BallProperties.BeachBall, Ground = Ground.Sand }",
-        SceneFields =
-        [
-            "launch.position=[0,1,0]", "ball.mass=0.1", "ball.radius=0.2", "ground.normalRestitution=0.15", "ground.tangentialRestitution=0", "ground.slidingFriction=0.7", "ground.rollingFriction=0.3",
-        ],
+        SceneCode = "new Scene { Ball = BallProperties.BeachBall, Ground = Ground.PublishedSand }",
+        SceneFields = ["launch.position=[0,1,0]", "ball.type=beachBall", "ground.surface=publishedSand"],
         Name = "Beach ball",
         About = "Large and light: the air stops it within metres, the sidespin throws it aside, and it stays where it lands on sand.",
         Scenario = Shot(new Vector3d(0, 1, 0), ViewFrame.Direction(16, 0, 30), KickSpin.Vector(ViewFrame.Direction(1, 0, 0), 0, 25)) with
         {
-            Scene = Scene.Measured with { Ball = BallProperties.BeachBall, Ground = Ground.Sand },
+            Scene = Scene.Measured with { Ball = BallProperties.BeachBall, Ground = Ground.PublishedSand },
         },
     };
 

@@ -37,7 +37,7 @@ internal static class QueryShots
     /// <summary>A shot in off the post that was aimed there.</summary>
     public static GalleryShot OffThePost()
     {
-        Scene scene = Scene.Measured with { Goals = [Furniture.Goal(Post) with { Surface = Surface.MeasuredFrame }] };
+        Scene scene = Scene.Measured with { Goals = [Furniture.Goal(Post)] };
         var target = new Vector3d(2.2, 0.9, -Post - 0.6);
         var request = new AimRequest { From = s_from, Target = target, Speed = 24, MaximumElevationDegrees = 30, Tolerance = 0.001 };
         AimResult found = new BankShotAimer(scene).Find(request, "left post");

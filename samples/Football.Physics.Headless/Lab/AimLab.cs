@@ -21,7 +21,7 @@ internal static class AimLab
         var profiles = new Option<bool>("--profiles") { Description = "Asks the same in both profiles, in weather, wind by height and gusts, and nothing else." };
         return LabOptions.CreateDrawn(
             "aim",
-            "The predictors: 4.1.3, 4.2.3, 4.3.2, and 10 000 random requests against a dense scan. The CSV has every kick.",
+            "Aims of the thesis' tests 4.1.3, 4.2.3 and 4.3.2, and 10 000 random requests against a dense scan. The CSV has every kick.",
             ["football lab aim --quick --csv kicks.csv", "football lab aim --profiles --quick"],
             terminal,
             (parsed, seed, progress) => parsed.GetValue(profiles)

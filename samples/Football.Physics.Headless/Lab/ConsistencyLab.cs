@@ -18,7 +18,7 @@ internal static class ConsistencyLab
 
     public static Command Create(Terminal terminal) => LabOptions.CreateDrawn(
         "consistency",
-        "Test 3.4.2: 250 shots with all forces, each with three steps: how far apart they land.",
+        "How far apart 250 shots with all forces land, each with three steps (the thesis' Test 3.4.2).",
         ["football lab consistency --seed 3 --json consistency.json"],
         terminal,
         (_, seed, progress) => Run(seed, progress));

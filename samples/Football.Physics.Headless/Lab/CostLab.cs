@@ -23,7 +23,7 @@ internal static class CostLab
         Option<bool> quick = LabOptions.Quick();
         return LabOptions.CreateDrawn(
             "cost",
-            "Test 3.4.3: the time of a 10 ms step by method and motion, over 20 000 frames each from kick to rest.",
+            "The time of a 10 ms step by method and motion, over 20 000 frames each from kick to rest (the thesis' Test 3.4.3).",
             ["football lab cost --quick"],
             terminal,
             (parsed, seed, progress) => Run(seed, parsed.GetValue(quick) ? Frames / 100 : Frames, parsed.GetValue(quick) ? 1 : WarmUp, progress),

@@ -29,16 +29,16 @@ internal static class RigsLab
     [
         Measured("dryTurf", Ground.DryTurf, Natural),
         Measured("artificialTurf", Ground.ArtificialTurf, QualityPro),
-        Measured("wetTurf", Ground.WateredTurf, Wet),
+        Measured("wetTurf", Ground.WetTurf, Wet),
         Measured("hardGround", Ground.HardGround, null),
         Measured("longGrass", Ground.LongGrass, null),
         Measured("indoor", Ground.Indoor, null),
         Measured("concrete", Ground.Concrete, Concrete),
         Measured("snow", Ground.Snow, null),
-        Published("turf", Ground.Turf, Natural),
-        Published("wet turf", Ground.WetTurf, Wet),
-        Published("court", Ground.Court, null),
-        Published("sand", Ground.Sand, null),
+        Published("publishedTurf", Ground.PublishedTurf, Natural),
+        Published("publishedWetTurf", Ground.PublishedWetTurf, Wet),
+        Published("publishedCourt", Ground.PublishedCourt, null),
+        Published("publishedSand", Ground.PublishedSand, null),
     ];
 
     public static Command Create(Terminal terminal) => LabOptions.Create(

@@ -24,11 +24,11 @@ internal static class StabilityLab
         var scene = new Option<long?>("--scene") { HelpName = "I", Description = "Plays one scene by its number, and shows it as a scenario." };
         var hostile = new Option<bool>("--hostile") { Description = "Plays scenes from far outside football, drawn and checked in another way." };
         var things = new Option<bool>("--things") { Description = "Plays scenes with obstacles, bodies, nets and slopes, with checks of their own." };
-        Option<Profile> profile = new("--profile") { HelpName = "published|measured", Description = "Whose laws and ground; hostile scenes have their own.", DefaultValueFactory = _ => Profile.Published };
+        Option<Profile> profile = new("--profile") { HelpName = "measured|published", Description = "Laws and ground; hostile scenes have their own.", DefaultValueFactory = _ => Profile.Measured };
         return LabOptions.CreateDrawn(
             "stability",
             "Random and adversarial scenes with every method: what must always hold, with a verdict a cell.",
-            ["football lab stability --scenes 100", "football lab stability --scene 7", "football lab stability --profile measured --scenes 60", "football lab stability --hostile --scenes 100", "football lab stability --things --scenes 100"],
+            ["football lab stability --scenes 100", "football lab stability --scene 7", "football lab stability --profile published --scenes 60", "football lab stability --hostile --scenes 100", "football lab stability --things --scenes 100"],
             terminal,
             (parsed, seed, progress) =>
             {

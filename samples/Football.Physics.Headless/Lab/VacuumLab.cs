@@ -22,7 +22,7 @@ internal static class VacuumLab
 
     public static Command Create(Terminal terminal) => LabOptions.CreateDrawn(
         "vacuum",
-        "Table 3.1: where 50 shots in vacuum land, against the closed form.",
+        "Where 50 shots in vacuum land, against the closed form (the thesis' Table 3.1).",
         ["football lab vacuum", "football lab vacuum --seed 7 --csv vacuum.csv --plot vacuum.svg"],
         terminal,
         (_, seed, progress) => Run(seed, progress));

@@ -1,6 +1,6 @@
 namespace Football.Physics.Headless.Simulate;
 
-/// <summary>The balls that the measured profile knows.</summary>
+/// <summary>Balls by name: the presets of <see cref="BallProperties"/>, whose Football is the generic one.</summary>
 internal enum BallType
 {
     Generic,
@@ -8,4 +8,8 @@ internal enum BallType
     Teamgeist,
     Jabulani,
     Brazuca,
+    YouthFootball,
+    Futsal,
+    BeachBall,
+    MedicineBall,
 }

@@ -1,11 +1,11 @@
 namespace Football.Physics.Headless.Simulate;
 
-/// <summary>Whose laws and numbers a scenario has where it does not say otherwise.</summary>
+/// <summary>The laws and numbers of a scenario where it does not say otherwise.</summary>
 internal enum Profile
 {
-    /// <summary>The thesis'.</summary>
-    Published,
-
-    /// <summary>Those of wind tunnels, filmed flights and test rigs.</summary>
+    /// <summary>Those of wind tunnels, filmed flights and test rigs: what the library has by default.</summary>
     Measured,
+
+    /// <summary>Those of the thesis that the library began with, as published.</summary>
+    Published,
 }

@@ -14,7 +14,7 @@ internal sealed record Scenario
     /// <summary>Steps that a run may keep samples of; more would fill the memory.</summary>
     private const double MostSamples = 1e6;
 
-    public Scene Scene { get; init; } = Scene.Published;
+    public Scene Scene { get; init; } = Scene.Default;
 
     public SolverSettings Settings { get; init; } = SolverSettings.Default;
 

@@ -11,18 +11,18 @@ internal static class SceneInput
         // In the order in which a refusal names them.
         InputObject ball = root.Object("ball");
         InputObject air = root.Object("air");
-        double gravity = root.Number("gravity", Physics.Scene.Published.Gravity);
+        double gravity = root.Number("gravity", Physics.Scene.Default.Gravity);
         InputObject forces = root.Object("forces");
         InputObject ground = root.Object("ground");
-        Profile profile = root.Choice("profile", Profile.Published);
+        Profile profile = root.Choice("profile", Profile.Measured);
         Scene scene = profile == Profile.Measured ? Physics.Scene.Measured : Physics.Scene.Published;
-        Surface frame = profile == Profile.Measured ? Physics.Surface.MeasuredFrame : Physics.Surface.GoalFrame;
+        Surface frame = profile == Profile.Measured ? Physics.Surface.GoalFrame : Physics.Surface.PublishedGoalFrame;
         return new Scene
         {
             Ball = Ball(ball, profile),
             Gravity = gravity,
             Forces = Forces(forces, scene.Forces),
-            Ground = Ground(ground, Surface(ground, profile, scene.Ground)),
+            Ground = Ground(ground, Surface(ground, profile)),
             Air = AirInput.Air(air, scene.Air, ground.Number("height", scene.Ground.Height)),
             Obstacles = WorldInput.Obstacles(root, frame),
             Nets = WorldInput.Nets(root),
@@ -61,6 +61,10 @@ internal static class SceneInput
             BallType.Teamgeist => BallProperties.Teamgeist,
             BallType.Jabulani => BallProperties.Jabulani,
             BallType.Brazuca => BallProperties.Brazuca,
+            BallType.YouthFootball => BallProperties.YouthFootball,
+            BallType.Futsal => BallProperties.Futsal,
+            BallType.BeachBall => BallProperties.BeachBall,
+            BallType.MedicineBall => BallProperties.MedicineBall,
             _ => BallProperties.Football,
         };
         return defaults with
@@ -85,17 +89,21 @@ internal static class SceneInput
         KnuckleSeed = forces.OptionalWhole("knuckleSeed"),
     };
 
-    /// <summary>What the numbers of the ground are by default; in the measured profile those of a surface.</summary>
-    private static Ground Surface(InputObject ground, Profile profile, Ground fallback) =>
-        profile != Profile.Measured ? fallback : ground.Choice("surface", SurfaceType.DryTurf) switch
+    /// <summary>The preset whose numbers the ground has by default.</summary>
+    private static Ground Surface(InputObject ground, Profile profile) =>
+        ground.Choice("surface", profile == Profile.Measured ? SurfaceType.DryTurf : SurfaceType.PublishedTurf) switch
         {
             SurfaceType.ArtificialTurf => Physics.Ground.ArtificialTurf,
-            SurfaceType.WetTurf => Physics.Ground.WateredTurf,
+            SurfaceType.WetTurf => Physics.Ground.WetTurf,
             SurfaceType.HardGround => Physics.Ground.HardGround,
             SurfaceType.LongGrass => Physics.Ground.LongGrass,
             SurfaceType.Indoor => Physics.Ground.Indoor,
             SurfaceType.Concrete => Physics.Ground.Concrete,
             SurfaceType.Snow => Physics.Ground.Snow,
+            SurfaceType.PublishedTurf => Physics.Ground.PublishedTurf,
+            SurfaceType.PublishedWetTurf => Physics.Ground.PublishedWetTurf,
+            SurfaceType.PublishedCourt => Physics.Ground.PublishedCourt,
+            SurfaceType.PublishedSand => Physics.Ground.PublishedSand,
             _ => Physics.Ground.DryTurf,
         };
 

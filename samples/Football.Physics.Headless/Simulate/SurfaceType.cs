@@ -1,6 +1,6 @@
 namespace Football.Physics.Headless.Simulate;
 
-/// <summary>The surfaces of the measured profile.</summary>
+/// <summary>Grounds by name: the presets of <see cref="Ground"/>, by the names that they have there.</summary>
 internal enum SurfaceType
 {
     DryTurf,
@@ -11,4 +11,8 @@ internal enum SurfaceType
     Indoor,
     Concrete,
     Snow,
+    PublishedTurf,
+    PublishedWetTurf,
+    PublishedCourt,
+    PublishedSand,
 }

@@ -31,6 +31,7 @@ internal static class SweepCommand
         Option<long> count = Arguments.Whole("--count", "Rows of the whole sweep.", 1, MostRows, 1000);
         Option<long> seed = Arguments.Whole("--seed", "What the rows are drawn from, with the field and the row's index.", 0, long.MaxValue, 1);
         Option<long> jobs = Arguments.Jobs("Threads; default: one a processor. The rows do not depend on it.");
+        Option<FieldOverride[]> profile = Arguments.Profile();
         Option<FieldOverride[]> set = Arguments.Set("launch.speed=[20,25]");
         Option<FieldOverride[]> range = Arguments.Range("air.wind[0]=[-5,5]");
         var output = new Option<string?>("--out")
@@ -59,7 +60,7 @@ internal static class SweepCommand
             """echo '{"launch": {"speed": [20, 25], "elevation": 12}}' | football sweep - --count 5 --format csv""",
             "football sweep --count 1000 --format npy --out rows && ls rows")
         {
-            file, count, seed, shard, jobs, set, range, output, format, SweepMerge.Create(terminal),
+            file, count, seed, shard, jobs, profile, set, range, output, format, SweepMerge.Create(terminal),
         };
         command.Validators.Add(result =>
         {
@@ -70,7 +71,7 @@ internal static class SweepCommand
         });
         command.SetAction(parsed =>
         {
-            SweepPlan plan = Read(parsed.GetValue(file), [.. parsed.GetRequiredValue(set), .. parsed.GetRequiredValue(range)], parsed.GetValue(seed), terminal);
+            SweepPlan plan = Read(parsed.GetValue(file), [.. parsed.GetRequiredValue(profile), .. parsed.GetRequiredValue(set), .. parsed.GetRequiredValue(range)], parsed.GetValue(seed), terminal);
             var run = new SweepRun(plan, parsed.GetRequiredValue(format), (int)parsed.GetValue(jobs));
             (int index, int of) = parsed.GetValue(shard);
             return parsed.GetValue(output) is { } folder

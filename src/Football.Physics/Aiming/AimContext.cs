@@ -154,7 +154,7 @@ internal sealed class AimContext
     public static Scene WithoutThings(Scene scene) => scene with { Obstacles = [], Nets = [], Goals = [], Bodies = null, EngineColliders = null };
 
     /// <summary>The scene with a plain ground out of reach.</summary>
-    public static Scene WithoutGround(Scene scene) => scene with { Ground = Ground.Turf with { Height = -0.5 * Limits.Length } };
+    public static Scene WithoutGround(Scene scene) => scene with { Ground = Ground.PublishedTurf with { Height = -0.5 * Limits.Length } };
 }
 
 /// <summary>How long the steps are in which an aim flies its kicks, s: each as long as its question allows.</summary>

@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>What a kick is asked to do. Points are for the ball's centre.</summary>
+/// <summary>A request for a kick: from where, at which target, how fast, within which bounds. Points are for the ball's centre.</summary>
 public sealed record AimRequest
 {
     /// <summary>Where the ball is, m; components within ±1e6. Below contact height it is raised to it. Default the origin.</summary>

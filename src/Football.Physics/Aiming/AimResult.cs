@@ -23,10 +23,10 @@ public readonly struct AimResult : IFormattable
         BlockedBy = blockedBy;
     }
 
-    /// <summary>What became of the search.</summary>
+    /// <summary>The outcome of the search.</summary>
     public AimStatus Status { get; init; }
 
-    /// <summary>Whether the kick passes the target within the tolerance, whatever becomes of a point on the way.</summary>
+    /// <summary>True where the kick passes the target within the tolerance, whatever becomes of a point on the way.</summary>
     public bool HitsTarget => Status is AimStatus.Hit or AimStatus.TargetOnly;
 
     /// <summary>Velocity of the kick, m/s.</summary>
@@ -77,7 +77,7 @@ public readonly struct AimResult : IFormattable
     /// <summary>Of the two kicks of this speed that reach a target, which one a hit is: the other than was asked for where only that lies within the bounds.</summary>
     public AimArc Arc { get; init; }
 
-    /// <summary>Whether the kick stays on the ground from its start: it slides or rolls to the target.</summary>
+    /// <summary>True where the kick stays on the ground from its start: it slides or rolls to the target.</summary>
     public bool Rolls { get; init; }
 
     /// <summary>Iterations of the method.</summary>
@@ -109,7 +109,7 @@ public readonly struct AimResult : IFormattable
     }
 }
 
-/// <summary>What became of a search for a kick.</summary>
+/// <summary>The outcome of a search for a kick.</summary>
 public enum AimStatus
 {
     /// <summary>The kick passes the target within the tolerance, and the point on the way, where there is one, within its own.</summary>

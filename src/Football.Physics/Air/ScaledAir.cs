@@ -7,7 +7,7 @@ public sealed class ScaledAir : IForce
     private readonly double _mass;
     private readonly double _radius;
 
-    /// <summary>What is to be added to a scene's forces so that they are scaled.</summary>
+    /// <summary>Makes the force that, added to a scene's, scales its drag and lift.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="drag">Factor of the drag; not negative.</param>
     /// <param name="lift">Factor of the Magnus force.</param>

@@ -10,6 +10,7 @@ public sealed class BatchAims
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="capacity"/> is negative.</exception>
     public BatchAims(int capacity)
     {
+        Check.AtLeast(nameof(capacity), capacity, 0);
         From = new VectorArrays(capacity);
         Target = new VectorArrays(capacity);
         Speed = new double[capacity];

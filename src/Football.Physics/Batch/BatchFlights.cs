@@ -8,6 +8,7 @@ public sealed class BatchFlights
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="capacity"/> is negative.</exception>
     public BatchFlights(int capacity)
     {
+        Check.AtLeast(nameof(capacity), capacity, 0);
         Position = new VectorArrays(capacity);
         Velocity = new VectorArrays(capacity);
         Spin = new VectorArrays(capacity);

@@ -8,6 +8,7 @@ public sealed class BatchKicks
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="capacity"/> is negative.</exception>
     public BatchKicks(int capacity)
     {
+        Check.AtLeast(nameof(capacity), capacity, 0);
         Status = new AimStatus[capacity];
         Velocity = new VectorArrays(capacity);
         Spin = new VectorArrays(capacity);
@@ -18,7 +19,7 @@ public sealed class BatchKicks
     /// <summary>How many there is room for.</summary>
     public int Capacity => Time.Length;
 
-    /// <summary>What became of the searches.</summary>
+    /// <summary>The outcomes of the searches.</summary>
     public AimStatus[] Status { get; }
 
     /// <summary>Velocities of the kicks, m/s.</summary>

@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>What became of many balls that were played to a plane, to rest or to a time, as arrays of numbers.</summary>
+/// <summary>The outcome of many balls that were played to a plane, to rest or to a time, as arrays of numbers.</summary>
 public sealed class BatchPlays
 {
     /// <summary>Makes room for balls.</summary>
@@ -37,13 +37,13 @@ public sealed class BatchPlays
     /// <summary>Time between two of them, s.</summary>
     public double Interval { get; }
 
-    /// <summary>Whether the ball crossed the plane; what follows is then as it was there.</summary>
+    /// <summary>True where the ball crossed the plane; what follows is then as it was there.</summary>
     public bool[] Crossed { get; }
 
-    /// <summary>Whether the ball came to rest.</summary>
+    /// <summary>True where the ball came to rest.</summary>
     public bool[] Rests { get; }
 
-    /// <summary>Whether the whole ball was in a goal of the scene.</summary>
+    /// <summary>True where the whole ball was in a goal of the scene.</summary>
     public bool[] Scored { get; }
 
     /// <summary>How often it hit something.</summary>

@@ -261,7 +261,16 @@ internal sealed class World
 
     /// <summary>The name of a thing.</summary>
     /// <param name="thing">Its index among the things of the scene.</param>
-    public string NameOf(int thing) => Engine is not null && Engine.Has(thing - FirstCollider) ? Colliders[thing - FirstCollider].Name : _names[thing];
+    public string NameOf(int thing)
+    {
+        if (Engine is not null && Engine.Has(thing - FirstCollider))
+        {
+            return Colliders[thing - FirstCollider].Name;
+        }
+
+        Check.Index(nameof(thing), thing, _names.Length);
+        return _names[thing];
+    }
 
     /// <summary>Index among the things of the scene of a net.</summary>
     public int ThingOfNet(int net) => FirstCollider + Colliders.Length + net;

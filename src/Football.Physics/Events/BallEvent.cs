@@ -33,7 +33,7 @@ public readonly struct BallEvent : IFormattable
         Spin = spin;
     }
 
-    /// <summary>What happened.</summary>
+    /// <summary>The kind of the event.</summary>
     public BallEventKind Kind => (BallEventKind)_kind;
 
     /// <summary>
@@ -102,10 +102,10 @@ public readonly struct BallEvent : IFormattable
         return 0.5 * ((ball.Mass * linear) + (ball.MomentOfInertia * angular));
     }
 
-    /// <summary>What happened, when and where.</summary>
+    /// <summary>The event as text: kind, time and place.</summary>
     public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
 
-    /// <summary>What happened, when and where, its numbers with a format each, such as "F2".</summary>
+    /// <summary>The event as text: kind, time and place, its numbers with a format each, such as "F2".</summary>
     /// <param name="format">A format of numbers; null or empty for three decimals at most, "R" for all digits.</param>
     /// <param name="formatProvider">The culture; default the invariant one.</param>
     public string ToString(string? format, IFormatProvider? formatProvider = null)

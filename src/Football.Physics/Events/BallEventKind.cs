@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>What happened to the ball. At one instant an impact comes first, then what follows from it.</summary>
+/// <summary>The kind of an event of the ball. At one instant an impact comes first, then what follows from it.</summary>
 public enum BallEventKind
 {
     /// <summary>The ball hit the ground, or another thing.</summary>

@@ -4,13 +4,13 @@ namespace Football.Physics;
 
 /// <summary>Events in the order in which they happened. Written by a step, read after it.</summary>
 /// <remarks>
-/// It grows up to <see cref="Most"/> events and the memory stays. Where there are more, the first and the last are kept, in order, and
+/// It grows up to <see cref="Most"/> events, 80 kB by default, and the memory stays: also where a game forgets to clear it. Where there are more, the first and the last are kept, in order, and
 /// those between are counted in <see cref="Missed"/>: no scene can make it larger.
 /// </remarks>
 public sealed class EventBuffer
 {
     /// <summary>How many events it keeps unless told otherwise.</summary>
-    public const int DefaultMost = 16_384;
+    public const int DefaultMost = 1_024;
 
     /// <summary>How many of the kept events are the last ones, where some are missed.</summary>
     public const int Last = 16;

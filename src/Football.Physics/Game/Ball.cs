@@ -57,7 +57,7 @@ public sealed class Ball
         set => _state = BallState.Launched(in value);
     }
 
-    /// <summary>What happened in the last step, in order.</summary>
+    /// <summary>The events of the last step, in order of time.</summary>
     public EventBuffer Events => _log.Events;
 
     /// <summary>Time since the ball was placed, s.</summary>
@@ -75,7 +75,7 @@ public sealed class Ball
     /// <summary>Orientation.</summary>
     public Quaternion Orientation => _state.Orientation.ToQuaternion();
 
-    /// <summary>What the ball is doing.</summary>
+    /// <summary>The motion of the ball: in the air, sliding, rolling or at rest.</summary>
     public MotionState Motion => _state.Motion;
 
     /// <summary>Puts the ball down without motion, at time 0. Above the ground it will fall.</summary>
@@ -113,7 +113,9 @@ public sealed class Ball
     /// <summary>Advances by a frame's time; <see cref="Events"/> then holds what happened in it. Allocates nothing.</summary>
     /// <param name="dt">Frame time, s: 0 … 1e12.</param>
     /// <remarks>What a force of the game's own throws comes through; the ball is then as it was before the step, without events.</remarks>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is out of range; nothing has changed.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// <paramref name="dt"/> is out of range, or a body was moved since the last step for a time more than 0.25 s from the ball's; the ball is as it was.
+    /// </exception>
     /// <exception cref="InvalidOperationException">A force of the game's own is not finite; the message names it, and nothing has changed.</exception>
     public void Step(double dt)
     {

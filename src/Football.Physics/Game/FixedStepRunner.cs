@@ -78,7 +78,7 @@ public sealed class FixedStepRunner
     /// <summary>Angular velocity at the start of this tick, rad/s, world frame.</summary>
     public Vector3d Spin => _ball.State.Spin;
 
-    /// <summary>What the ball is doing.</summary>
+    /// <summary>The motion of the ball: in the air, sliding, rolling or at rest.</summary>
     public MotionState Motion => _ball.Motion;
 
     /// <summary>Time since the ball was placed, s.</summary>
@@ -87,7 +87,7 @@ public sealed class FixedStepRunner
     /// <summary>The kicks by tick, those to come included. What is added for an earlier tick counts when the game rolls back that far.</summary>
     public KickLog Kicks { get; } = new();
 
-    /// <summary>What happened in all steps of the last <see cref="Advance"/>, or in the last <see cref="Step"/>, in order.</summary>
+    /// <summary>The events of all steps of the last <see cref="Advance"/>, or in the last <see cref="Step"/>, in order.</summary>
     public EventBuffer Events { get; } = new();
 
     /// <summary>Time by which the last frame was cut short, s; 0 but after a hitch.</summary>
@@ -120,7 +120,7 @@ public sealed class FixedStepRunner
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
     public void QueueKick(Vector3d velocity, Vector3d spin) => Kicks.Add(new KickInput(Tick, velocity, spin));
 
-    /// <summary>The same: speed, direction, and spin relative to the direction.</summary>
+    /// <summary>Has the ball kicked when this tick's step begins: speed, direction, and spin relative to the direction.</summary>
     /// <param name="speed">Speed, m/s; 0 … 1000.</param>
     /// <param name="direction">Direction of the kick; any length but zero.</param>
     /// <param name="topSpin">Spin about the horizontal axis across the kick, rad/s: positive dips, negative (backspin) lifts.</param>
@@ -229,13 +229,13 @@ public sealed class FixedStepRunner
 
     /// <summary>Goes to a tick with a state: rolls back, joins a match under way, or puts the ball somewhere.</summary>
     /// <remarks>Nothing else changes: <see cref="Kicks"/> stay, those for this tick included, so that what follows is played again; to put the ball elsewhere, <see cref="Place"/> it. The time kept for the next frame stays too. Drawing starts anew from the state.</remarks>
-    /// <param name="tick">The tick; 0 or more.</param>
+    /// <param name="tick">The tick; 0 … 1e15.</param>
     /// <param name="state">The state at its start: a copy of <see cref="State"/>, or one from <see cref="Simulator.Launch(Vector3d, Vector3d, Vector3d)"/>.</param>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="tick"/> is negative, or the state's clock stands so high that a step would not move it; nothing has changed.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="tick"/> is out of range, or the state's clock stands so high that a step would not move it; nothing has changed.</exception>
     /// <exception cref="ArgumentException"><paramref name="state"/> was never launched; nothing has changed.</exception>
     public void Restore(long tick, in BallState state)
     {
-        Check.NotNegative(nameof(tick), tick);
+        Check.Within(nameof(tick), tick, 0, Limits.Tick);
         Check.Advances(nameof(TimeStep), TimeStep, state.Time);
         _ball.State = state;
         Tick = tick;

@@ -31,13 +31,14 @@ public sealed record Foot
     /// <summary>How fast the foot can be, m/s: the limit of the leg. At least 0.01; default infinite, no limit. <see cref="Strike"/> does not ask for it.</summary>
     public double FastestSpeed { get; init; } = double.PositiveInfinity;
 
-    /// <summary>What a strike does to a ball.</summary>
+    /// <summary>Computes what a strike does to a ball: its velocity and spin after it, and the foot's.</summary>
     /// <param name="ball">The ball.</param>
     /// <param name="velocity">Its velocity v before, m/s.</param>
     /// <param name="spin">Its spin ω before, rad/s.</param>
     /// <param name="footVelocity">Velocity U of the foot, m/s.</param>
     /// <param name="normal">Direction n from the point of contact to the ball's centre; not zero, need not be a unit vector.</param>
     /// <returns>The strike; where the foot does not move towards the ball, nothing happens.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="ball"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public FootStrike Strike(BallProperties ball, Vector3d velocity, Vector3d spin, Vector3d footVelocity, Vector3d normal)
     {
@@ -78,6 +79,7 @@ public sealed record Foot
     /// <param name="spin">Its spin ω before, rad/s.</param>
     /// <param name="wantedVelocity">Its velocity v' after, m/s; not the one before.</param>
     /// <param name="wantedSpin">Its spin ω' after, rad/s.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="ball"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public FootStrike StrikeFor(BallProperties ball, Vector3d velocity, Vector3d spin, Vector3d wantedVelocity, Vector3d wantedSpin)
     {
@@ -165,6 +167,7 @@ public sealed record Foot
 
     private void Validate(BallProperties ball, in Vector3d velocity, in Vector3d spin)
     {
+        Check.Given(nameof(ball), ball);
         ball.Validate();
         Check.Positive("foot.mass", Mass);
         Check.Within("foot.restitution", Restitution, 0, 1);

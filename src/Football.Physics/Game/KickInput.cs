@@ -6,14 +6,14 @@ namespace Football.Physics;
 public readonly struct KickInput : IFormattable
 {
     /// <summary>Makes a kick.</summary>
-    /// <param name="tick">The tick whose step begins with the kick; 0 or more.</param>
+    /// <param name="tick">The tick whose step begins with the kick; 0 … 1e15.</param>
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
     /// <param name="spin">Spin, rad/s, world frame; at most 10 000.</param>
     /// <param name="player">Who kicks, 0 or more; default 0. Of two kicks at one tick the higher number is applied last, and so wins on every machine.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public KickInput(long tick, Vector3d velocity, Vector3d spin, int player = 0)
     {
-        Check.NotNegative("kick.tick", tick);
+        Check.Within("kick.tick", tick, 0, Limits.Tick);
         Check.NotNegative("kick.player", player);
         Check.Size("kick.velocity", velocity, Limits.Speed, "m/s");
         Check.Size("kick.spin", spin, Limits.Spin, "rad/s");

@@ -1,8 +1,8 @@
 namespace Football.Physics;
 
 /// <summary>
-/// How the nets of a scene bulge, for drawing: as deep as the ball is in them; and where it leaves faster, or has left, as fast as a net comes back by
-/// itself, at 1/b of <see cref="Net.Damping"/>.
+/// The bulges of a scene's nets, for drawing. A bulge is as deep as the ball is in the net; once the ball leaves faster than the net, or has left it, the
+/// net flattens at its own rate of return, that of <see cref="Net.Damping"/>.
 /// </summary>
 /// <remarks>For one ball. The simulation knows nothing of it: it may be asked or not, after every step or now and then.</remarks>
 public sealed class NetBulges
@@ -26,11 +26,24 @@ public sealed class NetBulges
 
     /// <summary>The bulge of a net.</summary>
     /// <param name="net">0 … <see cref="Count"/> − 1.</param>
-    public NetBulge this[int net] => _bulges[net];
+    /// <exception cref="ArgumentOutOfRangeException">There is no such net.</exception>
+    public NetBulge this[int net]
+    {
+        get
+        {
+            Check.Index(nameof(net), net, Count);
+            return _bulges[net];
+        }
+    }
 
     /// <summary>The name of a net, as events have it.</summary>
     /// <param name="net">0 … <see cref="Count"/> − 1.</param>
-    public string NameOf(int net) => _world.Nets[net].Name;
+    /// <exception cref="ArgumentOutOfRangeException">There is no such net.</exception>
+    public string NameOf(int net)
+    {
+        Check.Index(nameof(net), net, Count);
+        return _world.Nets[net].Name;
+    }
 
     /// <summary>Follows the ball. Allocates nothing.</summary>
     /// <param name="state">The ball now. Where its time has gone back, nets that it is not in hang still.</param>

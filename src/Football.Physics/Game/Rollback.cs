@@ -33,7 +33,7 @@ public sealed class Rollback
     /// <summary>The oldest tick that it can go back to.</summary>
     public long OldestTick { get; private set; }
 
-    /// <summary>What happened in the steps that the last correction played again, in order.</summary>
+    /// <summary>The events of the steps that the last correction played again, in order of time.</summary>
     public EventBuffer Events { get; } = new();
 
     /// <summary>The state at the start of a tick.</summary>
@@ -123,6 +123,8 @@ public sealed class Rollback
             return null;
         }
 
+        // The bodies were moved for the present, not for the ticks that are played again.
+        Runner.Simulator.World.Bodies?.ForgetTimes();
         _replays = true;
         try
         {

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace Football.Physics;
 
-/// <summary>What rollback and lockstep need of a <see cref="BallState"/>: sameness to the bit, a hash, and bytes to send.</summary>
+/// <summary>Operations that rollback and lockstep need of a <see cref="BallState"/>: sameness to the bit, a hash, and bytes to send.</summary>
 /// <remarks>The snapshot itself is a copy of the struct. Hash and bytes are the same on every runtime, byte order included.</remarks>
 public static class Snapshot
 {

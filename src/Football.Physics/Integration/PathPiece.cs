@@ -76,7 +76,7 @@ public readonly struct PathPiece
     /// <summary>Acceleration at the end, m/s².</summary>
     public Vector3d EndAcceleration { get; }
 
-    /// <summary>What the ball is doing.</summary>
+    /// <summary>The motion of the ball: in the air, sliding, rolling or at rest.</summary>
     public MotionState Motion { get; }
 
     /// <summary>The greatest height of the centre over the piece, m.</summary>

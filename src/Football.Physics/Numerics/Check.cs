@@ -13,6 +13,39 @@ internal static class Check
         }
     }
 
+    /// <summary>Refuses null among the items of a list.</summary>
+    /// <param name="list">Name of the list.</param>
+    /// <param name="index">Place of the item in it.</param>
+    /// <param name="item">The item.</param>
+    /// <param name="what">The kind of item that it must be, with its article.</param>
+    public static void GivenItem(string list, int index, object? item, string what)
+    {
+        if (item is null)
+        {
+            throw new ArgumentNullException(Item(list, index), $"{Item(list, index)} is null; allowed: {what}.");
+        }
+    }
+
+    /// <summary>Refuses an index that nothing has.</summary>
+    /// <param name="field">Its name.</param>
+    /// <param name="index">The index.</param>
+    /// <param name="count">How many there are.</param>
+    public static void Index(string field, int index, int count)
+    {
+        if ((uint)index >= (uint)count)
+        {
+            throw Refusal(field, index.ToString(CultureInfo.InvariantCulture), count == 0 ? "none: there is nothing to choose from" : FormattableString.Invariant($"0 … {count - 1}"));
+        }
+    }
+
+    public static void Within(string field, long value, long low, long high)
+    {
+        if (!(value >= low && value <= high))
+        {
+            throw Refusal(field, value.ToString(CultureInfo.InvariantCulture), FormattableString.Invariant($"{low} … {high}"));
+        }
+    }
+
     public static void Positive(string field, double value)
     {
         if (!(value > 0 && double.IsFinite(value)))

@@ -14,4 +14,7 @@ public static class Limits
 
     /// <summary>Longest step, frame, run or look-ahead, s.</summary>
     public const double Time = 1e12;
+
+    /// <summary>Last tick: that of 30 years in steps of a microsecond.</summary>
+    internal const long Tick = 1_000_000_000_000_000;
 }

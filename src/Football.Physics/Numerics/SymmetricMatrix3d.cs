@@ -59,7 +59,7 @@ public readonly struct SymmetricMatrix3d
     public static SymmetricMatrix3d Square(in Vector3d v) =>
         new(v.X * v.X, v.X * v.Y, v.X * v.Z, v.Y * v.Y, v.Y * v.Z, v.Z * v.Z);
 
-    /// <summary>The same in other axes.</summary>
+    /// <summary>Returns the matrix of the bilinear form in other axes.</summary>
     /// <param name="x">The first of them, in these; of length 1.</param>
     /// <param name="y">The second.</param>
     /// <param name="z">The third.</param>

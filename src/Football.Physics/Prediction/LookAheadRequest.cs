@@ -40,6 +40,7 @@ public sealed record LookAheadRequest
         Check.Within("lookAhead.timeStep", TimeStep, 0, Limits.Time, exclusiveLow: true);
         Check.AtLeast("lookAhead.timeStep", TimeStep, Duration * 1e-12);
         Check.Defined("lookAhead.stopAt", StopAt, (int)StopAt, 3);
+        UntilPlane?.Validate("lookAhead.untilPlane");
         if (UntilPassing is { } point)
         {
             Check.Place("lookAhead.untilPassing", point);

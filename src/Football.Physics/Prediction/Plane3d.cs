@@ -4,6 +4,7 @@ using System.Text.Json.Serialization;
 namespace Football.Physics;
 
 /// <summary>A plane through a point, such as a goal line's vertical plane.</summary>
+/// <remarks>Its default value has no normal, and is no plane: whatever is given one refuses it.</remarks>
 public readonly struct Plane3d : IFormattable
 {
     /// <summary>Makes a plane.</summary>
@@ -23,6 +24,15 @@ public readonly struct Plane3d : IFormattable
 
     /// <summary>Its unit normal.</summary>
     public Vector3d Normal { get; }
+
+    /// <summary>Refuses a plane that was never made.</summary>
+    internal void Validate(string field)
+    {
+        if (Normal == Vector3d.Zero)
+        {
+            throw Check.Refusal(field + ".normal", Normal.ToString(), "a plane made from a point and a normal, not default(Plane3d)");
+        }
+    }
 
     /// <inheritdoc/>
     public override string ToString() => ToString(null, CultureInfo.InvariantCulture);

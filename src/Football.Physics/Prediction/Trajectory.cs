@@ -144,8 +144,10 @@ public sealed class Trajectory
     /// <param name="plane">The plane.</param>
     /// <param name="crossing">Where and when.</param>
     /// <returns>False where the ball does not cross it.</returns>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="plane"/> was never made: its normal is zero.</exception>
     public bool TryGetCrossing(in Plane3d plane, out PathPoint crossing)
     {
+        plane.Validate(nameof(plane));
         for (int i = 0; i < Count; i++)
         {
             ref readonly PathPiece piece = ref _pieces[i];

@@ -35,7 +35,7 @@ public static class TrajectoryQueries
     /// <param name="crossing">Where and when.</param>
     /// <returns>False where there are not so many.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="path"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="index"/> is negative, or <paramref name="direction"/> none of the enumeration.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="plane"/> was never made, <paramref name="index"/> is negative, or <paramref name="direction"/> none of the enumeration.</exception>
     public static bool TryGetCrossing(this Trajectory path, in Plane3d plane, int index, CrossingDirection direction, out PathPoint crossing)
     {
         if (path is null)
@@ -43,6 +43,7 @@ public static class TrajectoryQueries
             throw new ArgumentNullException(nameof(path));
         }
 
+        plane.Validate(nameof(plane));
         Check.AtLeast(nameof(index), index, 0);
         Check.Defined(nameof(direction), direction, (int)direction, 3);
         for (int i = 0; i < path.Count; i++)

@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>What the ball is made of.</summary>
+/// <summary>The properties of a ball: mass, radius, inertia, drag curve, knuckle force.</summary>
 /// <remarks>Numbers are tagged: law (the Laws of the Game, or exact mechanics), measured, derived, guess (no measurement found).</remarks>
 public sealed record BallProperties
 {

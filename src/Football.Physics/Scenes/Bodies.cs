@@ -1,4 +1,5 @@
 using System.Collections;
+using System.Globalization;
 
 namespace Football.Physics;
 
@@ -19,6 +20,10 @@ public sealed class Bodies : IReadOnlyList<Body>
     private double _tick = double.NaN;
     private double _before;
     private double _inTick;
+    private double _earliest = double.PositiveInfinity;
+    private double _latest = double.NegativeInfinity;
+    private long _steps;
+    private bool _lookAhead;
 
     /// <summary>How many there are.</summary>
     public int Count => _bodies.Count;
@@ -79,13 +84,64 @@ public sealed class Bodies : IReadOnlyList<Body>
     /// <summary>A body was added, or moved: what a quick look needs is kept in one place.</summary>
     internal void Update(Body body) => _movers.Set(body.Index, body.BoundsAt(0), body.Velocity);
 
-    /// <summary>Remembers where all are.</summary>
+    /// <summary>Refuses a step at a time for which the game did not move its bodies: they would not be where it says.</summary>
+    /// <param name="time">The ball's time before the step, s.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A body was moved since the last step for a time more than <see cref="Foresight"/> from it.</exception>
+    internal void CheckTimes(double time)
+    {
+        // Positions of a quarter of a second ago are what a network has; a body that was not moved since the last step goes on as it went.
+        if (_earliest < time - Foresight || _latest > time + Foresight)
+        {
+            RefuseTime(time);
+        }
+
+        ForgetTimes();
+    }
+
+    /// <summary>The steps that follow are of another time than the game's moves, as those of a rollback are.</summary>
+    internal void ForgetTimes()
+    {
+        _earliest = double.PositiveInfinity;
+        _latest = double.NegativeInfinity;
+        _steps++;
+    }
+
+    /// <summary>A body was moved: for a step to come, or within a look-ahead, after which it is put back.</summary>
+    internal void Told(Body body, double time)
+    {
+        if (_lookAhead)
+        {
+            return;
+        }
+
+        _earliest = Math.Min(_earliest, time);
+        _latest = Math.Max(_latest, time);
+        body.ToldAt = _steps;
+    }
+
+    private void RefuseTime(double now)
+    {
+        for (int i = 0; i < Count; i++)
+        {
+            if (_bodies[i].ToldAt == _steps && !(Math.Abs(_bodies[i].Time - now) <= Foresight))
+            {
+                throw Check.Refusal(
+                    Check.Item("bodies", i) + ".time",
+                    _bodies[i].Time.ToString("R", CultureInfo.InvariantCulture),
+                    FormattableString.Invariant($"the ball's time before the step, {now:R} s, to within {Foresight:R} s"));
+            }
+        }
+    }
+
+    /// <summary>Remembers where all are, for a look-ahead that moves them.</summary>
     internal void Keep()
     {
         for (int i = 0; i < _kept.Length; i++)
         {
             _kept[i] = _bodies[i].Placement.Motion;
         }
+
+        _lookAhead = true;
     }
 
     /// <summary>Puts all back to where they were when that was remembered.</summary>
@@ -96,6 +152,8 @@ public sealed class Bodies : IReadOnlyList<Body>
             ref readonly RigidMotion was = ref _kept[i];
             _bodies[i].MoveTo(was.Origin, was.Orientation, was.Velocity, was.Spin, was.Time);
         }
+
+        _lookAhead = false;
     }
 
     internal void Validate(BallProperties ball)

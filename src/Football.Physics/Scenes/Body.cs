@@ -31,7 +31,7 @@ public sealed class Body
     /// <summary>Its shape, in its own frame: the body's position is the shape's origin, and what it turns about.</summary>
     public IShape Shape { get; }
 
-    /// <summary>What it is made of.</summary>
+    /// <summary>The material of its surface.</summary>
     public Surface Surface { get; }
 
     /// <summary>Where it is at <see cref="Time"/>, m. Default the origin.</summary>
@@ -63,7 +63,7 @@ public sealed class Body
     /// <param name="orientation">How it is turned, body to world; normalised.</param>
     /// <param name="velocity">Velocity, m/s; at most 1000.</param>
     /// <param name="spin">Spin of its surface, rad/s; at most 10 000. Within a step it moves the surface, not the shape.</param>
-    /// <param name="time">When it is there: the ball's <see cref="Ball.Time"/> before the step, s; within ±1e12.</param>
+    /// <param name="time">When it is there: the ball's <see cref="Ball.Time"/> before the step, s; within ±1e12. The next step refuses one more than 0.25 s from that.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
     public void MoveTo(Vector3d position, Quaterniond orientation, Vector3d velocity, Vector3d spin, double time)
     {
@@ -93,7 +93,11 @@ public sealed class Body
         motion.Time = time;
         _all.Moved(jump, time, again);
         _all.Update(this);
+        _all.Told(this, time);
     }
+
+    /// <summary>The count of checked steps when it was last moved.</summary>
+    internal long ToldAt { get; set; } = -1;
 
     /// <summary>A box around it at a time.</summary>
     internal Bounds3d BoundsAt(double time) => Placement.BoundsAt(time);

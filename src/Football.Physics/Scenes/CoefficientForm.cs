@@ -6,7 +6,7 @@ public enum CoefficientForm
     /// <summary>The thesis' fits as published: drag jumps at the critical speed and at spin parameter 0.05; the jump is located inside the step.</summary>
     Published = 0,
 
-    /// <summary>The same with the two jumps smoothed; landing points move by about 1 cm.</summary>
+    /// <summary>The published coefficients with their two jumps smoothed; landing points move by about 1 cm.</summary>
     Regularised = 1,
 
     /// <summary>

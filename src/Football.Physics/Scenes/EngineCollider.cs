@@ -41,7 +41,7 @@ public sealed class EngineCollider
     /// <summary>Its name.</summary>
     public string Name { get; }
 
-    /// <summary>What it is made of.</summary>
+    /// <summary>The material of its surface.</summary>
     public Surface Surface { get; }
 
     internal IShape Shape { get; }

@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>What a sphere cast has found.</summary>
+/// <summary>The hits that a sphere cast has found.</summary>
 public sealed class EngineHits
 {
     private EngineCollider[] _found = new EngineCollider[16];

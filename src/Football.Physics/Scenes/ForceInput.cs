@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>What a force may depend on: the ball at one instant.</summary>
+/// <summary>The input of a force: the ball at one instant.</summary>
 public readonly struct ForceInput
 {
     internal ForceInput(
@@ -36,7 +36,7 @@ public readonly struct ForceInput
     /// <summary>Angular velocity, rad/s.</summary>
     public Vector3d Spin { get; }
 
-    /// <summary>What the ball is doing.</summary>
+    /// <summary>The motion of the ball: in the air, sliding, rolling or at rest.</summary>
     public MotionState Motion { get; }
 
     /// <summary>Distance flown through the air since the kick, m, where a knuckle force acts; else 0.</summary>

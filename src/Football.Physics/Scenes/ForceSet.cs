@@ -3,7 +3,7 @@ namespace Football.Physics;
 /// <summary>The forces and torques of a scene. Each can be left out or replaced, and a game can add its own.</summary>
 public sealed record ForceSet
 {
-    /// <summary>Whether buoyancy acts. Default true.</summary>
+    /// <summary>True for buoyancy to act. Default true.</summary>
     public bool Buoyancy { get; init; } = true;
 
     /// <summary>Law of the drag force. Default <see cref="ForceLaw.Empirical"/>.</summary>
@@ -15,7 +15,7 @@ public sealed record ForceSet
     /// <summary>Law of the spin decay in air. Default <see cref="ForceLaw.Empirical"/>.</summary>
     public ForceLaw SpinDecay { get; init; } = ForceLaw.Empirical;
 
-    /// <summary>What the empirical laws follow. Default <see cref="CoefficientForm.Measured"/>.</summary>
+    /// <summary>The coefficients that the empirical laws follow. Default <see cref="CoefficientForm.Measured"/>.</summary>
     public CoefficientForm Coefficients { get; init; } = CoefficientForm.Measured;
 
     /// <summary>C_D of the constant drag law. 0 … 10; default 0.25.</summary>

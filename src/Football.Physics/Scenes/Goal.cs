@@ -25,10 +25,10 @@ public sealed record Goal
     /// <summary>How far behind the line it ends on the ground, m; above 0. Default 2.</summary>
     public double DepthOnGround { get; init; } = 2.0;
 
-    /// <summary>Whether it has nets. Default true.</summary>
+    /// <summary>True for a goal with nets. Default true.</summary>
     public bool HasNet { get; init; } = true;
 
-    /// <summary>What posts and bar are made of. Default null: <see cref="Surface.MeasuredFrame"/> where the scene's laws are measured, else <see cref="Surface.GoalFrame"/>.</summary>
+    /// <summary>The material of posts and bar. Default null: <see cref="Surface.GoalFrame"/> where the scene's laws are measured, else <see cref="Surface.PublishedGoalFrame"/>.</summary>
     public Surface? Surface { get; init; }
 
     /// <summary>The line's direction towards the right post, seen by who stands in the goal and looks at the pitch; of length 1.</summary>
@@ -41,7 +41,7 @@ public sealed record Goal
     /// <param name="laws">The laws of the scene, whose frame it has where it has none of its own.</param>
     internal IEnumerable<Obstacle> Frame(ForceSet laws)
     {
-        Surface surface = Surface ?? (laws.Coefficients == CoefficientForm.Measured ? Physics.Surface.MeasuredFrame : Physics.Surface.GoalFrame);
+        Surface surface = Surface ?? (laws.Coefficients == CoefficientForm.Measured ? Physics.Surface.GoalFrame : Physics.Surface.PublishedGoalFrame);
         double side = (0.5 * Width) + PostRadius;
         var up = new Vector3d(0, Height + PostRadius, 0);
         Vector3d left = Center - (side * Right);

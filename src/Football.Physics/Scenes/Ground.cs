@@ -31,7 +31,7 @@ public sealed record Ground
     /// <summary>Coefficient of rolling friction μ_r, or c₀. 0 … 10; default 0.07 (measured, given c₁).</summary>
     public double RollingFriction { get; init; } = 0.07;
 
-    /// <summary>What rolling friction gains by speed, c₁, s/m. 0 … 1; default 0.006 (guess).</summary>
+    /// <summary>Growth of rolling friction with speed, c₁, s/m. 0 … 1; default 0.006 (guess).</summary>
     public double RollingFrictionBySpeed { get; init; } = 0.006;
 
     /// <summary>Damping c_ω of the spin about the vertical on the ground, N m s. 0 … 1, at most 1e5 1/s times the moment of inertia; default 0: it is drilling friction that takes of it.</summary>
@@ -58,7 +58,7 @@ public sealed record Ground
     /// <summary>Parts of it that are made of something else. Default null: it is the same everywhere.</summary>
     public ISurfacePattern? Pattern { get; init; }
 
-    /// <summary>What is left of drag and Magnus force on the ground. Default <see cref="GroundAerodynamics.Full"/>.</summary>
+    /// <summary>The part of drag and Magnus force that acts on the ground. Default <see cref="GroundAerodynamics.Full"/>.</summary>
     public GroundAerodynamics Aerodynamics { get; init; } = GroundAerodynamics.Full;
 
     /// <summary>Whether it is a level plane.</summary>
@@ -80,7 +80,7 @@ public sealed record Ground
     public static Ground ArtificialTurf { get; } = new() { SlidingFriction = 0.55, RollingFriction = 0.069, RollingFrictionBySpeed = 0.008 };
 
     /// <summary>Watered turf: it skids. Restitution 0.570 measured (window: drop 0.60 … 1.00 m); the rest guess (impact friction 0.50 so that the ball skids at an angle of 67 %).</summary>
-    public static Ground WateredTurf { get; } = new()
+    public static Ground WetTurf { get; } = new()
     {
         NormalRestitution = 0.57,
         ImpactFriction = 0.5,
@@ -148,10 +148,10 @@ public sealed record Ground
     };
 
     /// <summary>
-    /// Turf by the laws of the thesis: the same restitution at every speed, no limit by friction in an impact, the horizontal part of the air alone.
-    /// All numbers the thesis'.
+    /// The turf of the published profile, by its laws of contact: one restitution at every speed, no limit by friction in an impact, the horizontal part of
+    /// drag and Magnus force alone. Restitution 0.6, sliding friction 0.5, rolling friction 0.05; all numbers as published.
     /// </summary>
-    public static Ground Turf { get; } = new()
+    public static Ground PublishedTurf { get; } = new()
     {
         NormalRestitution = 0.6,
         RestitutionSpeed = double.PositiveInfinity,
@@ -166,14 +166,14 @@ public sealed record Ground
         Aerodynamics = GroundAerodynamics.Horizontal,
     };
 
-    /// <summary>Wet turf by the same laws: lower bounce, half the sliding friction, a faster roll; its own numbers guess.</summary>
-    public static Ground WetTurf { get; } = Turf with { NormalRestitution = 0.5, SlidingFriction = 0.25, RollingFriction = 0.035 };
+    /// <summary>Wet turf by the laws of contact of <see cref="PublishedTurf"/>: restitution 0.5, half its sliding friction, rolling friction 0.035; all guess.</summary>
+    public static Ground PublishedWetTurf { get; } = PublishedTurf with { NormalRestitution = 0.5, SlidingFriction = 0.25, RollingFriction = 0.035 };
 
-    /// <summary>A hard, smooth court by the same laws: high bounce, little rolling friction; its own numbers guess.</summary>
-    public static Ground Court { get; } = Turf with { NormalRestitution = 0.75, SlidingFriction = 0.6, RollingFriction = 0.015 };
+    /// <summary>A hard, smooth court by the laws of contact of <see cref="PublishedTurf"/>: restitution 0.75, rolling friction 0.015; all guess.</summary>
+    public static Ground PublishedCourt { get; } = PublishedTurf with { NormalRestitution = 0.75, SlidingFriction = 0.6, RollingFriction = 0.015 };
 
-    /// <summary>Sand by the same laws: hardly a bounce, and a short roll; its own numbers guess.</summary>
-    public static Ground Sand { get; } = Turf with
+    /// <summary>Sand by the laws of contact of <see cref="PublishedTurf"/>: restitution 0.15, rolling friction 0.3; all guess.</summary>
+    public static Ground PublishedSand { get; } = PublishedTurf with
     {
         NormalRestitution = 0.15,
         TangentialRestitutionX = 0,
@@ -183,5 +183,5 @@ public sealed record Ground
     };
 
     /// <summary>No ground at all: the ball falls for ever.</summary>
-    public static Ground None { get; } = Turf with { Height = double.NegativeInfinity };
+    public static Ground None { get; } = PublishedTurf with { Height = double.NegativeInfinity };
 }

@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>What is left of drag and Magnus force while the ball is on the ground.</summary>
+/// <summary>The part of drag and Magnus force that acts while the ball is on the ground.</summary>
 public enum GroundAerodynamics
 {
     /// <summary>Their horizontal part acts; the vertical part is dropped (the thesis' listing).</summary>

@@ -9,7 +9,7 @@ public sealed record Obstacle
     /// <summary>Its shape, where it is at time 0.</summary>
     public required IShape Shape { get; init; }
 
-    /// <summary>What it is made of. Default that of a goal's frame.</summary>
+    /// <summary>The material. Default <see cref="Surface.GoalFrame"/>.</summary>
     public Surface Surface { get; init; } = Surface.GoalFrame with { };
 
     /// <summary>Velocity, m/s; at most 1000. Default 0.</summary>
@@ -18,7 +18,7 @@ public sealed record Obstacle
     /// <summary>Spin of its surface about <see cref="Pivot"/>, rad/s; at most 10 000. It moves the surface, not the shape. Default 0.</summary>
     public Vector3d Spin { get; init; }
 
-    /// <summary>What it turns about, at time 0, m; components within ±1e6. Moves with it. Default the origin.</summary>
+    /// <summary>The pivot that its surface turns about, at time 0, m; components within ±1e6. Moves with it. Default the origin.</summary>
     public Vector3d Pivot { get; init; }
 
     internal void Validate(string field, BallProperties ball)

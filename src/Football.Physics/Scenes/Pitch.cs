@@ -9,7 +9,7 @@ public sealed record Pitch
     /// <summary>From touchline to touchline, m; above 0. Default 68.</summary>
     public double Width { get; init; } = 68;
 
-    /// <summary>What the goals are like; their place and facing are the pitch's. Default that of <see cref="Goal"/>, 7.32 m × 2.44 m.</summary>
+    /// <summary>The goals' sizes, material and nets; their place and facing are the pitch's. Default that of <see cref="Goal"/>, 7.32 m × 2.44 m.</summary>
     public Goal Goal { get; init; } = new() { Center = Vector3d.Zero, Facing = new Vector3d(0, 0, 1) };
 
     /// <summary>Height of the boards round the pitch, m; 0 for none. Default none.</summary>
@@ -21,13 +21,13 @@ public sealed record Pitch
     /// <summary>Half their thickness, m; above 0. Default 0.05.</summary>
     public double BoardHalfThickness { get; init; } = 0.05;
 
-    /// <summary>What they are made of. Default <see cref="Surface.Board"/>.</summary>
+    /// <summary>The material of the boards. Default <see cref="Surface.Board"/>.</summary>
     public Surface BoardSurface { get; init; } = Surface.Board with { };
 
     /// <summary>Law 1: 105 m × 68 m, goals of 7.32 m × 2.44 m, no boards.</summary>
     public static Pitch Standard { get; } = new();
 
-    /// <summary>The same in a stadium: advertising boards of 1 m, 4 m behind the lines.</summary>
+    /// <summary>A pitch by law 1 in a stadium: 105 m × 68 m, advertising boards of 1 m, 4 m behind the lines.</summary>
     public static Pitch Stadium { get; } = new() { BoardHeight = 1, BoardDistance = 4 };
 
     /// <summary>Futsal, law 1: 40 m × 20 m, goals of 3 m × 2 m with frames of 8 cm, no boards.</summary>

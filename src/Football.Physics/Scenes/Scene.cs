@@ -49,8 +49,8 @@ public sealed record Scene
     /// <summary>The scene of whatever is given none: <see cref="Measured"/>.</summary>
     public static Scene Default => Measured;
 
-    /// <summary>The same by the laws and numbers of the thesis, as published.</summary>
-    public static Scene Published => s_published ??= new() { Forces = ForceSet.Published, Ground = Ground.Turf };
+    /// <summary>A football over turf in still air at sea level, by the laws and numbers of the thesis that the library began with, as published.</summary>
+    public static Scene Published => s_published ??= new() { Forces = ForceSet.Published, Ground = Ground.PublishedTurf };
 
     /// <summary>The published scene without air: no buoyancy, drag, Magnus force or spin decay.</summary>
     public static Scene Vacuum => s_vacuum ??= Published with { Forces = ForceSet.None };
@@ -139,6 +139,7 @@ public sealed record Scene
             Check.Within("ground.pattern.leastWidth", pattern.LeastWidth, 0, double.PositiveInfinity, exclusiveLow: true);
             for (int i = 0; i < pattern.Surfaces.Count; i++)
             {
+                Check.GivenItem("ground.pattern.surfaces", i, pattern.Surfaces[i], "a surface");
                 pattern.Surfaces[i].Validate(Check.Item("ground.pattern.surfaces", i), Ball.MostDamping);
             }
         }
@@ -158,6 +159,7 @@ public sealed record Scene
     {
         for (int i = 0; i < Obstacles.Count; i++)
         {
+            Check.GivenItem("obstacles", i, Obstacles[i], "an obstacle");
             Obstacles[i].Validate(Check.Item("obstacles", i), Ball);
         }
 
@@ -165,11 +167,13 @@ public sealed record Scene
         int nets = Nets.Count;
         for (int i = 0; i < Nets.Count; i++)
         {
+            Check.GivenItem("nets", i, Nets[i], "a net");
             Nets[i].Validate(Check.Item("nets", i));
         }
 
         for (int i = 0; i < Goals.Count; i++)
         {
+            Check.GivenItem("goals", i, Goals[i], "a goal");
             Goals[i].Validate(Check.Item("goals", i), Ball.MostDamping);
             nets += Goals[i].NetCount;
         }

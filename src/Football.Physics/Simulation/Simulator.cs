@@ -85,7 +85,8 @@ public sealed class Simulator
     }
 
     /// <summary>The name of what an event tells of: an obstacle's, a net's, "ground", "left post", "goal" …; null for none.</summary>
-    /// <param name="thing"><see cref="BallEvent.Thing"/>.</param>
+    /// <param name="thing"><see cref="BallEvent.Thing"/>: an index of this scene; negative for none.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The scene has nothing of that index.</exception>
     public string? NameOf(int thing) => thing < 0 ? null : _world.NameOf(thing);
 
     /// <summary>Kicks a ball where it is: new velocity and spin, same place, time and orientation.</summary>
@@ -111,7 +112,9 @@ public sealed class Simulator
     /// <param name="state">The ball.</param>
     /// <param name="dt">Time to advance by, s: 0 … 1e12. All of it is one step of the integrator, split only at events.</param>
     /// <param name="log">Where events and counts are added.</param>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is out of range; nothing has changed.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// <paramref name="dt"/> is out of range, or a body was moved since the last step for a time more than 0.25 s from the ball's; nothing has changed.
+    /// </exception>
     /// <exception cref="ArgumentNullException"><paramref name="log"/> is null.</exception>
     /// <exception cref="InvalidOperationException">A force of the game's own is not finite; the message names it. Whatever such a force throws, nothing has changed.</exception>
     public void Step(ref BallState state, double dt, StepLog log)
@@ -121,6 +124,7 @@ public sealed class Simulator
             RefuseStep(dt, log);
         }
 
+        _world.Bodies?.CheckTimes(state.Time);
         log!.Halted = false;
         log.StopAt = StopAt.Time;
         Take(ref state, dt, log);
@@ -161,7 +165,7 @@ public sealed class Simulator
     /// <param name="stopAt">The event that ends the run.</param>
     /// <param name="log">Where events and counts are added.</param>
     /// <returns>True when the event ended the run, false when its time did.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or a body was moved since the last step for a time more than 0.25 s from the ball's; the message names field, value and range.</exception>
     /// <exception cref="ArgumentNullException"><paramref name="log"/> is null.</exception>
     public bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt, StepLog log)
     {
@@ -171,6 +175,7 @@ public sealed class Simulator
             throw new ArgumentNullException(nameof(log));
         }
 
+        _world.Bodies?.CheckTimes(state.Time);
         return Run(ref state, timeStep, duration, stopAt, log, null);
     }
 

@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>What a step or a run reports beside the state: events in order, and counts. One a ball (or a thread); reused.</summary>
+/// <summary>The log of a step or a run, beside the state: events in order, and counts. One a ball (or a thread); reused.</summary>
 public sealed class StepLog
 {
     /// <summary>Makes an empty log.</summary>

@@ -12,7 +12,7 @@ internal abstract class Stepper
     /// <summary>Advances a state by dt, events and all.</summary>
     public abstract void Step(ref BallState state, double dt, StepLog log);
 
-    /// <summary>Lets a ball that is placed in a world begin carried, where it touches something slowly enough.</summary>
+    /// <summary>Sets a ball that is placed on a surface sliding or rolling, where it touches something slowly enough.</summary>
     public abstract void Settle(ref BallState s);
 
     /// <summary>Whether a flight from one place to another can have met nothing that stands still but level ground, however it bent.</summary>

@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>What ends a run before its time is up.</summary>
+/// <summary>The event that ends a run before its time is up.</summary>
 public enum StopAt
 {
     /// <summary>Nothing: the run goes on until its time.</summary>

@@ -28,7 +28,7 @@ public struct BallState : IFormattable
     /// <summary>Velocity and spin.</summary>
     internal FlightMotion Flight;
 
-    /// <summary>What the ball is doing.</summary>
+    /// <summary>The motion of the ball: in the air, sliding, rolling or at rest.</summary>
     public MotionState Motion { get; internal set; }
 
     /// <summary>The branch of the drag law that the ball is on. Beside <see cref="Motion"/>, so that there is no padding between fields.</summary>
@@ -98,7 +98,7 @@ public struct BallState : IFormattable
     /// <inheritdoc/>
     public override readonly string ToString() => ToString(null, CultureInfo.InvariantCulture);
 
-    /// <summary>What the ball is doing, when, where and how fast, its numbers with a format each, such as "F2".</summary>
+    /// <summary>The state as text: motion, time, place and speed, its numbers with a format each, such as "F2".</summary>
     /// <param name="format">A format of numbers; null or empty for three decimals at most, "R" for all digits.</param>
     /// <param name="formatProvider">The culture; default the invariant one.</param>
     public readonly string ToString(string? format, IFormatProvider? formatProvider = null)

@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>What the ball is doing; it decides which forces act.</summary>
+/// <summary>The motion of the ball, which decides which forces act.</summary>
 public enum MotionState
 {
     /// <summary>In the air, between bounces included.</summary>

@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>What to find from a track beside the launch, and what is known before.</summary>
+/// <summary>A request for a fit: the numbers to find from a track beside the launch, and what is known of them before.</summary>
 public sealed record TrackFitRequest
 {
     /// <summary>Whether to find by how much the drag differs from the scene's law. Default false.</summary>

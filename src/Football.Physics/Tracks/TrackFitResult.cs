@@ -52,21 +52,38 @@ public sealed class TrackFitResult
 
     /// <summary>A number.</summary>
     /// <param name="index">Which, from 0.</param>
-    public double Value(int index) => _values[index];
+    /// <exception cref="ArgumentOutOfRangeException">There is no such number.</exception>
+    public double Value(int index)
+    {
+        Check.Index(nameof(index), index, _values.Length);
+        return _values[index];
+    }
 
     /// <summary>Its standard deviation.</summary>
     /// <param name="index">Which, from 0.</param>
-    public double Deviation(int index) => Math.Sqrt(Math.Max(0, _covariance[(index * _values.Length) + index]));
+    /// <exception cref="ArgumentOutOfRangeException">There is no such number.</exception>
+    public double Deviation(int index)
+    {
+        Check.Index(nameof(index), index, _values.Length);
+        return Math.Sqrt(Math.Max(0, _covariance[(index * _values.Length) + index]));
+    }
 
     /// <summary>
     /// Whether the track tells more of a number than was known before (its deviation is less than 0.7 of that before): not of a restitution where nothing bounces, nor of a
     /// spin along the way. What is not identified is as it was said to be before, not found.
     /// </summary>
     /// <param name="index">Which, from 0.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such number.</exception>
     public bool IsIdentified(int index) => Deviation(index) < Identified * _model.KnownDeviation(index);
 
     /// <summary>The covariance of two numbers.</summary>
     /// <param name="row">One, from 0.</param>
     /// <param name="column">The other, from 0.</param>
-    public double Covariance(int row, int column) => _covariance[(row * _values.Length) + column];
+    /// <exception cref="ArgumentOutOfRangeException">There is no such number.</exception>
+    public double Covariance(int row, int column)
+    {
+        Check.Index(nameof(row), row, _values.Length);
+        Check.Index(nameof(column), column, _values.Length);
+        return _covariance[(row * _values.Length) + column];
+    }
 }

@@ -124,7 +124,7 @@ public sealed class ValidationTests
         Refused("forces.magnus", "7", () => new Simulator(s_scene with { Forces = ForceSet.Published with { Magnus = (ForceLaw)7 } }));
         Refused("forces.spinDecay", "-1", () => new Simulator(s_scene with { Forces = ForceSet.Published with { SpinDecay = (ForceLaw)(-1) } }));
         Refused("forces.coefficients", "9", () => new Simulator(s_scene with { Forces = ForceSet.Published with { Coefficients = (CoefficientForm)9 } }));
-        Refused("ground.aerodynamics", "5", () => new Simulator(s_scene with { Ground = Ground.Turf with { Aerodynamics = (GroundAerodynamics)5 } }));
+        Refused("ground.aerodynamics", "5", () => new Simulator(s_scene with { Ground = Ground.PublishedTurf with { Aerodynamics = (GroundAerodynamics)5 } }));
         Refused("solver.integrator", "99", () => new Simulator(Scene.Published, new SolverSettings { Integrator = (Integrator)99 }));
         Refused("solver.collisionTiming", "2", () => new Simulator(Scene.Published, new SolverSettings { CollisionTiming = (CollisionTiming)2 }));
         Refused("solver.rollingTransition", "2", () => new Simulator(Scene.Published, new SolverSettings { RollingTransition = (RollingTransition)2 }));
@@ -177,7 +177,7 @@ public sealed class ValidationTests
     {
         Assert.All([Scene.Published, Scene.Published, Scene.Measured, Scene.Vacuum, Scene.HighAltitude, Scene.Published with { Air = new Air { Wind = new Vector3d(1, 2, 3) } }], scene => scene.Validate());
         Assert.All([ForceSet.None, ForceSet.Constant, ForceSet.Regularised, ForceSet.Measured], forces => (s_scene with { Forces = forces }).Validate());
-        Assert.All([Ground.Turf, Ground.WetTurf, Ground.Court, Ground.Sand], ground => (s_scene with { Ground = ground }).Validate());
+        Assert.All([Ground.PublishedTurf, Ground.PublishedWetTurf, Ground.PublishedCourt, Ground.PublishedSand], ground => (s_scene with { Ground = ground }).Validate());
         Assert.All(
             [
                 BallProperties.Football, BallProperties.Tango12, BallProperties.Teamgeist, BallProperties.Jabulani, BallProperties.Brazuca,
@@ -205,7 +205,7 @@ public sealed class ValidationTests
 
     private static Simulator Build(string field, double value)
     {
-        Ground ground = Ground.Turf;
+        Ground ground = Ground.PublishedTurf;
         ForceSet forces = ForceSet.Published;
         return field switch
         {

@@ -5,7 +5,7 @@ public sealed class SceneChangeTests
 {
     private static readonly Simulator s_dry = new(Scene.Published);
     private static readonly Simulator s_windy = new(Scene.Published with { Air = new Air { Wind = new Vector3d(12, 0, 0) } });
-    private static readonly Simulator s_high = new(Scene.Published with { Ground = Ground.Turf with { Height = 2 } });
+    private static readonly Simulator s_high = new(Scene.Published with { Ground = Ground.PublishedTurf with { Height = 2 } });
     private static readonly Vector3d s_velocity = new(0, 6, -20);
 
     [Fact]

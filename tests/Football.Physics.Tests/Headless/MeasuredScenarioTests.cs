@@ -16,22 +16,22 @@ public sealed class MeasuredScenarioTests
     public void Each_part_changes_where_the_ball_lands(string part)
     {
         string launch = part.Contains("launch", StringComparison.Ordinal) ? part[part.IndexOf("\"launch\"", StringComparison.Ordinal)..] : L;
-        string plain = $"{{\"profile\":\"measured\",{launch}}}";
-        string changed = part.Contains("launch", StringComparison.Ordinal) ? $"{{\"profile\":\"measured\",{part}}}" : $"{{\"profile\":\"measured\",{launch},{part}}}";
+        string plain = $"{{{launch}}}";
+        string changed = part.Contains("launch", StringComparison.Ordinal) ? $"{{{part}}}" : $"{{{launch},{part}}}";
         Assert.NotEqual(Landing(plain), Landing(changed));
     }
 
     [Fact]
-    public void The_profile_is_published_by_default_and_measured_has_the_generic_ball()
+    public void The_profile_is_measured_by_default_with_the_generic_ball_on_dry_turf()
     {
-        Assert.Equal(Landing($"{{{L}}}"), Landing($"{{{L},\"profile\":\"published\"}}"));
-        Assert.NotEqual(Landing($"{{{L}}}"), Landing($"{{{L},\"profile\":\"measured\"}}"));
-        Assert.Equal(Landing($"{{{L},\"profile\":\"measured\"}}"), Landing($"{{{L},\"profile\":\"measured\",\"ball\":{{\"type\":\"generic\"}},\"forces\":{{\"knuckleSeed\":null}}}}"));
+        Assert.Equal(Landing($"{{{L}}}"), Landing($"{{{L},\"profile\":\"measured\"}}"));
+        Assert.NotEqual(Landing($"{{{L}}}"), Landing($"{{{L},\"profile\":\"published\"}}"));
+        Assert.Equal(Landing($"{{{L},\"profile\":\"measured\"}}"), Landing($"{{{L},\"profile\":\"measured\",\"ball\":{{\"type\":\"generic\"}},\"ground\":{{\"surface\":\"dryTurf\"}},\"forces\":{{\"knuckleSeed\":null}}}}"));
     }
 
     [Theory]
-    [InlineData("\"profile\":\"thesis\"", "profile is \"thesis\"; allowed: published | measured")]
-    [InlineData("\"ball\":{\"type\":\"beach\"}", "ball.type is \"beach\"; allowed: generic | tango12 | teamgeist | jabulani | brazuca")]
+    [InlineData("\"profile\":\"thesis\"", "profile is \"thesis\"; allowed: measured | published")]
+    [InlineData("\"ball\":{\"type\":\"beach\"}", "ball.type is \"beach\"; allowed: generic | tango12 | teamgeist | jabulani | brazuca | youthFootball | futsal | beachBall | medicineBall")]
     [InlineData("\"ball\":{\"knuckleForce\":-1}", "ball.knuckleForce is -1; allowed: 0 … 100")]
     [InlineData("\"air\":{\"weather\":{\"temperature\":99}}", "air.weather.temperature is 99; allowed: -60 … 60")]
     [InlineData("\"air\":{\"weather\":{\"humidity\":\"wet\"}}", "air.weather.humidity is \"wet\"; allowed: 0 … 1")]
@@ -50,8 +50,7 @@ public sealed class MeasuredScenarioTests
     [InlineData("\"air\":{\"wind\":{\"speed\":3,\"direction\":[1,0],\"knots\":1}}", "air.wind.knots is unknown (given 1); allowed in air.wind: speed | direction | referenceHeight | roughness | gusts")]
     public void What_is_not_allowed_is_refused_by_name(string part, string message)
     {
-        string profile = part.Contains("profile", StringComparison.Ordinal) ? "" : ",\"profile\":\"measured\"";
-        FootballCommand refused = FootballCommand.Simulate($"{{{L}{profile},{part}}}");
+        FootballCommand refused = FootballCommand.Simulate($"{{{L},{part}}}");
         Assert.Equal(1, refused.ExitCode);
         Assert.StartsWith("football: " + message, refused.ErrorLine);
     }
@@ -59,9 +58,36 @@ public sealed class MeasuredScenarioTests
     [Fact]
     public void The_published_profile_has_one_ball()
     {
-        FootballCommand refused = FootballCommand.Simulate($"{{{L},\"ball\":{{\"type\":\"generic\"}}}}");
+        FootballCommand refused = FootballCommand.Simulate($"{{{L},\"ball\":{{\"type\":\"generic\"}}}}", "--profile", "published");
         Assert.Equal(1, refused.ExitCode);
         Assert.StartsWith("football: ball.type is unknown (given \"generic\"); allowed in ball: mass | radius | inertiaFactor", refused.ErrorLine);
+    }
+
+    [Fact]
+    public void The_option_is_short_for_the_field_and_a_field_set_later_counts()
+    {
+        string published = FootballCommand.Simulate($"{{{L},\"profile\":\"published\"}}").Output;
+        Assert.Equal(published, FootballCommand.Simulate($"{{{L}}}", "--profile", "published").Output);
+        Assert.Equal(published, FootballCommand.Simulate($"{{{L},\"profile\":\"measured\"}}", "--profile", "published").Output);
+        Assert.Equal(FootballCommand.Simulate($"{{{L}}}").Output, FootballCommand.Simulate($"{{{L}}}", "--profile", "published", "--set", "profile=measured").Output);
+        FootballCommand refused = FootballCommand.Simulate($"{{{L}}}", "--profile", "thesis");
+        Assert.Equal(2, refused.ExitCode);
+        Assert.Contains("--profile is thesis; allowed: measured | published.", refused.Error);
+    }
+
+    [Theory]
+    [InlineData("aim", "{\"aim\":{\"from\":[0,0.11,0],\"target\":[20,1.5,3],\"speed\":25}}")]
+    [InlineData("intercept", "{\"launch\":{\"position\":[0,0.11,0],\"velocity\":[8,7,-24]},\"stop\":{\"at\":\"time\",\"time\":3},\"runners\":[{\"name\":\"nine\",\"position\":[10,0,-30]}]}")]
+    [InlineData("fit", "{\"track\":[{\"time\":0,\"position\":[0,0.11,0]},{\"time\":0.2,\"position\":[0.6,1.31,-4.2]},{\"time\":0.4,\"position\":[1.2,2.12,-8.1]},{\"time\":0.6,\"position\":[1.8,2.57,-11.8]}]}")]
+    [InlineData("sweep", "{\"launch\":{\"speed\":[20,25],\"elevation\":12}}")]
+    public void Every_command_has_the_measured_profile_and_the_published_one_a_word_away(string command, string input)
+    {
+        string plain = FootballCommand.Run(input, command, "-").Output;
+        Assert.NotEqual("", plain);
+        Assert.Equal(plain, FootballCommand.Run(input, command, "-", "--profile", "measured").Output);
+        string published = FootballCommand.Run(input, command, "-", "--profile", "published").Output;
+        Assert.NotEqual(plain, published);
+        Assert.Equal(published, FootballCommand.Run(input, command, "-", "--set", "profile=published").Output);
     }
 
     private static string Landing(string scenario)

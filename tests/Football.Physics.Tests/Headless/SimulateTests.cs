@@ -7,8 +7,25 @@ public sealed class SimulateTests
 {
     private const string L = FootballCommand.Launch;
 
-    private const string AllDefaults = """
-        {"ball": {"mass": 0.43, "radius": 0.11, "inertiaFactor": 0.6666666666666666},
+    private const string AllMeasured = """
+        {"profile": "measured",
+         "ball": {"type": "generic", "mass": 0.43, "radius": 0.11, "inertiaFactor": 0.6666666666666666, "knuckleForce": 1.5},
+         "air": {"density": 1.2, "kinematicViscosity": 1.5e-5, "wind": [0, 0, 0]},
+         "gravity": 9.81,
+         "forces": {"buoyancy": true, "drag": "empirical", "magnus": "empirical", "spinDecay": "empirical", "coefficients": "measured",
+                    "dragCoefficient": 0.25, "magnusCoefficient": 0.25, "spinDecayCoefficient": 0.0, "knuckleSeed": null},
+         "ground": {"surface": "dryTurf", "normalRestitution": 0.622, "restitutionSpeed": 30, "tangentialRestitution": [0.2, 0.2], "spinRestitution": 1,
+                    "impactFriction": 1.2, "slidingFriction": 0.5, "rollingFriction": 0.07, "rollingFrictionBySpeed": 0.006, "spinDamping": 0,
+                    "drillingLength": 0.02, "minimumBounceSpeed": 0.2, "restEnergy": 1e-4, "height": 0, "aerodynamics": "full"},
+         "launch": {"position": [0, 0.11, 0], "velocity": [22, 9, 0], "spin": [0, 0, 0], "orientation": [0, 0, 0, 1]},
+         "solver": {"integrator": "rk4", "timeStep": 0.01, "collisionTiming": "exact", "collisionTolerance": 1e-6, "rollingTransition": "exact"},
+         "stop": {"at": "impact", "time": 20},
+         "samples": false}
+        """;
+
+    private const string AllPublished = """
+        {"profile": "published",
+         "ball": {"mass": 0.43, "radius": 0.11, "inertiaFactor": 0.6666666666666666},
          "air": {"density": 1.2, "kinematicViscosity": 1.5e-5, "wind": [0, 0, 0]},
          "gravity": 9.81,
          "forces": {"buoyancy": true, "drag": "empirical", "magnus": "empirical", "spinDecay": "empirical", "coefficients": "published",
@@ -23,14 +40,17 @@ public sealed class SimulateTests
         """;
 
     [Theory]
-    [InlineData("")]
-    [InlineData(",\"ball\":{},\"air\":{},\"forces\":{},\"ground\":{},\"solver\":{},\"stop\":{}")]
-    public void Every_member_but_the_launch_has_the_default_of_the_format(string more)
+    [InlineData("measured", "")]
+    [InlineData("measured", ",\"ball\":{},\"air\":{},\"forces\":{},\"ground\":{},\"solver\":{},\"stop\":{}")]
+    [InlineData("published", "")]
+    [InlineData("published", ",\"ball\":{},\"air\":{},\"forces\":{},\"ground\":{},\"solver\":{},\"stop\":{}")]
+    public void Every_member_but_the_launch_has_the_default_of_its_profile(string profile, string more)
     {
-        string plain = $"{{\"launch\":{{\"position\":[0,0.11,0],\"velocity\":[22,9,0]}}{more}}}";
+        string named = profile == "measured" ? "" : $",\"profile\":\"{profile}\"";
+        string plain = $"{{\"launch\":{{\"position\":[0,0.11,0],\"velocity\":[22,9,0]}}{more}{named}}}";
         foreach (string to in (string[])["impact", "rest"])
         {
-            JsonElement whole = FootballCommand.Play(AllDefaults, "--set", $"stop.at={to}");
+            JsonElement whole = FootballCommand.Play(profile == "measured" ? AllMeasured : AllPublished, "--set", $"stop.at={to}");
             JsonElement bare = FootballCommand.Play(plain, "--set", $"stop.at={to}");
             Assert.Equal(whole.GetRawText(), bare.GetRawText());
         }
@@ -125,7 +145,9 @@ public sealed class SimulateTests
             Assert.Equal(impact.GetProperty(member).GetRawText(), final.GetProperty(member).GetRawText());
         }
 
-        Assert.Equal(-0.6 * impact.GetProperty("velocityBefore")[1].GetDouble(), final.GetProperty("velocity")[1].GetDouble(), 1e-12);
+        double approach = -impact.GetProperty("velocityBefore")[1].GetDouble();
+        double restitution = 0.622 * Math.Sqrt((1 + (36.0 / 900)) / (1 + (approach * approach / 900)));
+        Assert.Equal(restitution * approach, final.GetProperty("velocity")[1].GetDouble(), 1e-12);
         Assert.Equal(1, result.GetProperty("bounces").GetInt32());
         Assert.Equal(1.0, result.GetProperty("apex").GetDouble());
     }

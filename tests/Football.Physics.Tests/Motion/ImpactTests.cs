@@ -84,7 +84,7 @@ public sealed class ImpactTests
     public void A_dropped_ball_rebounds_to_restitution_squared_of_its_height(double restitution)
     {
         const double Drop = 2;
-        Scene scene = Scene.Vacuum with { Ground = Ground.Turf with { NormalRestitution = restitution, MinimumBounceSpeed = 0.001 } };
+        Scene scene = Scene.Vacuum with { Ground = Ground.PublishedTurf with { NormalRestitution = restitution, MinimumBounceSpeed = 0.001 } };
         foreach (double timeStep in new[] { 0.01, 0.04, 0.3 })
         {
             var simulator = new Simulator(scene);

@@ -14,7 +14,7 @@ public sealed class MeasuredImpactTests
         (v, w) = After(Ground.DryTurf, new Vector3d(5, -8, 2), new Vector3d(10, 30, -20));
         Near(new Vector3d(3.656, 4.90320193, 1.568), v, 5e-9);
         Near(new Vector3d(15.89090909, 14.00429513, -38.32727273), w, 5e-8);
-        (v, w) = After(Ground.WateredTurf, new Vector3d(20, -2, 0), Vector3d.Zero);
+        (v, w) = After(Ground.WetTurf, new Vector3d(20, -2, 0), Vector3d.Zero);
         Assert.Equal(18.41999924, v.X, 5e-9);
         Assert.Equal(-21.54546495, w.Z, 5e-8);
     }
@@ -22,7 +22,7 @@ public sealed class MeasuredImpactTests
     [Fact]
     public void A_shot_that_skims_wet_turf_keeps_its_speed_and_gains_none_at_the_next_touch()
     {
-        Scene scene = Scene.Measured with { Ground = Ground.WateredTurf };
+        Scene scene = Scene.Measured with { Ground = Ground.WetTurf };
         double angle = 2 * Math.PI / 180;
         var velocity = new Vector3d(30 * Math.Cos(angle), -30 * Math.Sin(angle), 0);
         Flight.Play(scene, SolverSettings.Default, 0.01, 3, StopAt.Time, new Vector3d(0, 0.11, 0), velocity, Vector3d.Zero, out StepLog log);
@@ -36,7 +36,7 @@ public sealed class MeasuredImpactTests
     public void No_impact_gains_energy()
     {
         var random = new Shots(77);
-        Ground[] grounds = [Ground.DryTurf, Ground.WateredTurf, Ground.Concrete, Ground.LongGrass, Ground.Snow, Ground.DryTurf with { ImpactFriction = 0.01 }];
+        Ground[] grounds = [Ground.DryTurf, Ground.WetTurf, Ground.Concrete, Ground.LongGrass, Ground.Snow, Ground.DryTurf with { ImpactFriction = 0.01 }];
         BallProperties ball = BallProperties.Football;
         for (int i = 0; i < 2000; i++)
         {

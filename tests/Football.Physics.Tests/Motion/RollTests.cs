@@ -94,14 +94,14 @@ public sealed class RollTests
     [Fact]
     public void Without_aerodynamics_on_the_ground_the_air_only_brakes_the_spin()
     {
-        Scene bare = Scene.Published with { Ground = Ground.Turf with { Aerodynamics = GroundAerodynamics.None }, Forces = ForceSet.Published with { Buoyancy = false } };
+        Scene bare = Scene.Published with { Ground = Ground.PublishedTurf with { Aerodynamics = GroundAerodynamics.None }, Forces = ForceSet.Published with { Buoyancy = false } };
         Scene vacuum = Scene.Vacuum;
         var velocity = new Vector3d(16, 0, 0);
         var spin = new Vector3d(0, 60, -16 / Flight.Radius);
         BallState none = Flight.Play(bare, SolverSettings.Default, 0.01, 2, StopAt.Time, s_start, velocity, spin, out _);
         BallState without = Flight.Play(vacuum, SolverSettings.Default, 0.01, 2, StopAt.Time, s_start, velocity, spin, out _);
         BallState horizontal = Flight.Play(
-            bare with { Ground = Ground.Turf }, SolverSettings.Default, 0.01, 2, StopAt.Time, s_start, velocity, spin, out _);
+            bare with { Ground = Ground.PublishedTurf }, SolverSettings.Default, 0.01, 2, StopAt.Time, s_start, velocity, spin, out _);
         Assert.Equal(0, Vector3d.Distance(none.Position, without.Position), 1e-12);
         Assert.True(none.Spin.Y < without.Spin.Y);
         Assert.True(horizontal.Position.X < none.Position.X - 1);
@@ -115,7 +115,7 @@ public sealed class RollTests
     [InlineData(CoefficientForm.Regularised)]
     public void A_law_that_is_left_out_does_not_act_on_the_ground(CoefficientForm form)
     {
-        Scene scene = Scene.Published with { Ground = Ground.Turf with { RollingFriction = 0 } };
+        Scene scene = Scene.Published with { Ground = Ground.PublishedTurf with { RollingFriction = 0 } };
         var spin = new Vector3d(0, 50, -20 / Flight.Radius);
         BallState Roll(ForceSet forces) => Flight.Play(
             scene with { Forces = forces with { Coefficients = form } }, SolverSettings.Default, 0.01, 1, StopAt.Time, s_start, new Vector3d(20, 0, 0), spin, out _);

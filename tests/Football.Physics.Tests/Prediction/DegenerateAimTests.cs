@@ -56,7 +56,7 @@ public sealed class DegenerateAimTests
         ("no gravity", Scene.Vacuum with { Gravity = 0 }),
         ("regularised, storm", Scene.Published with { Forces = ForceSet.Regularised, Air = new Air { Wind = new Vector3d(-40, 3, 25) } }),
         ("beach ball", Scene.Published with { Ball = BallProperties.BeachBall }),
-        ("raised ground", Scene.Published with { Ground = Ground.Turf with { Height = 3 } }),
+        ("raised ground", Scene.Published with { Ground = Ground.PublishedTurf with { Height = 3 } }),
     ];
 
     public static TheoryData<string, AimMethod> Every()

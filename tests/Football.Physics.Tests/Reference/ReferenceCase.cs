@@ -82,7 +82,7 @@ internal sealed class ReferenceCase
                 MagnusCoefficient = Number(forces, "magnusCoefficient"),
                 SpinDecayCoefficient = Number(forces, "spinDecayCoefficient"),
             },
-            Ground = Ground.Turf with
+            Ground = Ground.PublishedTurf with
             {
                 NormalRestitution = Number(ground, "normalRestitution"),
                 TangentialRestitutionX = ground.GetProperty("tangentialRestitution")[0].GetDouble(),

@@ -83,7 +83,7 @@ internal static class PresetTable
         [
             ("dry turf", Ground.DryTurf, OfTurf("drop 0.60 … 1.00 m, angle 45 … 60 %, roll 4 … 10 m")),
             ("artificial turf", Ground.ArtificialTurf, OfTurf("FIFA Quality Pro: drop 0.60 … 0.85 m, angle 45 … 60 %, roll 4 … 8 m")),
-            ("watered turf", Ground.WateredTurf, new() { ["e₆"] = ("measured", Rigs + ": drop 0.60 … 1.00 m") }),
+            ("watered turf", Ground.WetTurf, new() { ["e₆"] = ("measured", Rigs + ": drop 0.60 … 1.00 m") }),
             ("hard ground", Ground.HardGround, new()),
             ("long grass", Ground.LongGrass, new()),
             ("indoor", Ground.Indoor, new()),
@@ -102,7 +102,7 @@ internal static class PresetTable
         yield return ("all surfaces", "V_e, m/s", Ground.DryTurf.RestitutionSpeed, "guess", "20 … ∞");
         yield return ("all surfaces", "least bounce, m/s", Ground.DryTurf.MinimumBounceSpeed, "guess", "a hop of 2 mm");
         yield return ("all surfaces", "rest energy, J", Ground.DryTurf.RestEnergy, "guess", "");
-        Surface frame = Surface.MeasuredFrame;
+        Surface frame = Surface.GoalFrame;
         yield return ("goal frame", "e₆", frame.NormalRestitution, "guess", "others' priors 0.65 … 0.80");
         yield return ("goal frame", "V_e, m/s", frame.RestitutionSpeed, "guess", "");
         yield return ("goal frame", "e_t", frame.TangentialRestitution, "guess", "");

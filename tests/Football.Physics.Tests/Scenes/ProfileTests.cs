@@ -45,7 +45,7 @@ public sealed class ProfileTests
     [Theory]
     [InlineData(nameof(Ground.DryTurf), .622, .20, 1.20, .50, .070, .006, .020)]
     [InlineData(nameof(Ground.ArtificialTurf), .622, .20, 1.20, .55, .069, .008, .020)]
-    [InlineData(nameof(Ground.WateredTurf), .570, .20, .50, .25, .064, .006, .015)]
+    [InlineData(nameof(Ground.WetTurf), .570, .20, .50, .25, .064, .006, .015)]
     [InlineData(nameof(Ground.HardGround), .740, .20, .90, .50, .040, .002, .012)]
     [InlineData(nameof(Ground.LongGrass), .500, .10, 1.30, .60, .130, .015, .030)]
     [InlineData(nameof(Ground.Indoor), .770, .20, .80, .55, .015, .001, .006)]

@@ -139,6 +139,6 @@ public sealed class ExtremeNumberTests
     private static IEnumerable<Scene> Scenes() =>
         (from friction in (double[])[0, 0.5]
          from forces in (ForceSet[])[ForceSet.Published, ForceSet.Regularised, ForceSet.Constant with { SpinDecayCoefficient = 1e-4 }, ForceSet.None]
-         select Scene.Published with { Forces = forces, Ground = Ground.Turf with { SlidingFriction = friction } })
+         select Scene.Published with { Forces = forces, Ground = Ground.PublishedTurf with { SlidingFriction = friction } })
         .Append(new Scene());
 }

@@ -62,7 +62,7 @@ public sealed class FoundByTheLabTests
         foreach (string integrator in new[] { "euler", "semiImplicitEuler", "rk2", "rk4" })
         {
             var result = FootballCommand.Play(
-                "{\"launch\":{\"position\":[0,1,0],\"velocity\":[20,5,0],\"spin\":[1,2,3]},\"stop\":{\"at\":\"time\",\"time\":2},\"air\":{\"wind\":[3,0,-4]},\"ball\":{\"mass\":"
+                "{\"profile\":\"published\",\"launch\":{\"position\":[0,1,0],\"velocity\":[20,5,0],\"spin\":[1,2,3]},\"stop\":{\"at\":\"time\",\"time\":2},\"air\":{\"wind\":[3,0,-4]},\"ball\":{\"mass\":"
                 + mass + "}}",
                 "--set",
                 $"solver.integrator={integrator}");
@@ -102,7 +102,7 @@ public sealed class FoundByTheLabTests
             Air = new Air { Density = 100, KinematicViscosity = 0.1 },
             Gravity = 1e-6,
             Forces = ForceSet.Regularised with { Buoyancy = false },
-            Ground = Ground.Turf with { NormalRestitution = 0, RollingFriction = 0 },
+            Ground = Ground.PublishedTurf with { NormalRestitution = 0, RollingFriction = 0 },
         };
         var log = new StepLog();
         foreach (Integrator integrator in Enum.GetValues<Integrator>())
@@ -145,7 +145,7 @@ public sealed class FoundByTheLabTests
             Ball = BallProperties.BeachBall,
             Gravity = 2.5,
             Forces = ForceSet.Published with { Buoyancy = false, Drag = ForceLaw.None, Magnus = ForceLaw.None },
-            Ground = Ground.Turf with { NormalRestitution = 0, SlidingFriction = friction, SpinDamping = 0 },
+            Ground = Ground.PublishedTurf with { NormalRestitution = 0, SlidingFriction = friction, SpinDamping = 0 },
         };
         var log = new StepLog();
         foreach (Integrator integrator in Enum.GetValues<Integrator>())

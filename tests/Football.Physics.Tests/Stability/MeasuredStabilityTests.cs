@@ -12,7 +12,7 @@ public sealed class MeasuredStabilityTests
     public void In_still_air_no_step_gains_energy(double timeStep)
     {
         var random = new Shots(41);
-        Ground[] grounds = [Ground.DryTurf, Ground.WateredTurf, Ground.Concrete, Ground.Snow, Ground.LongGrass];
+        Ground[] grounds = [Ground.DryTurf, Ground.WetTurf, Ground.Concrete, Ground.Snow, Ground.LongGrass];
         for (int i = 0; i < 100; i++)
         {
             var simulator = new Simulator(Scene.Measured with { Ground = grounds[i % grounds.Length] });

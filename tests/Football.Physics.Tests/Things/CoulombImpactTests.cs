@@ -11,7 +11,7 @@ public sealed class CoulombImpactTests
         var random = new Random(1);
         for (int i = 0; i < 1000; i++)
         {
-            Ground ground = Ground.Turf with { TangentialRestitutionX = random.NextDouble(), TangentialRestitutionZ = -random.NextDouble() };
+            Ground ground = Ground.PublishedTurf with { TangentialRestitutionX = random.NextDouble(), TangentialRestitutionZ = -random.NextDouble() };
             (Vector3d v, Vector3d w) = Draw(random);
             v = new Vector3d(v.X, -Math.Abs(v.Y), v.Z);
             (Vector3d velocity, Vector3d spin) = ThesisImpact(ground, in v, in w);
@@ -77,7 +77,7 @@ public sealed class CoulombImpactTests
     [Fact]
     public void A_moving_wall_gives_what_a_resting_one_gives_in_its_own_frame()
     {
-        var material = new ContactMaterial(Surface.GoalFrame);
+        var material = new ContactMaterial(Surface.PublishedGoalFrame);
         var wall = new Vector3d(0, 0, 7);
         var v = new Vector3d(3, 1, -12);
         var w = new Vector3d(10, 20, 30);

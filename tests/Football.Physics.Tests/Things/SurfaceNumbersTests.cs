@@ -13,10 +13,10 @@ public sealed class SurfaceNumbersTests
     [InlineData(6, 0.80000)]
     [InlineData(20, 0.67882)]
     public void The_measured_frame_gives_back_less_of_a_faster_ball(double speed, double restitution) =>
-        Assert.Equal(restitution, Restitution(new Scene { Obstacles = [Wall(Surface.MeasuredFrame)] }, speed), 1e-5);
+        Assert.Equal(restitution, Restitution(new Scene { Obstacles = [Wall(Surface.GoalFrame)] }, speed), 1e-5);
 
     [Theory]
-    [InlineData(nameof(Surface.GoalFrame), 0.70)]
+    [InlineData(nameof(Surface.PublishedGoalFrame), 0.70)]
     [InlineData(nameof(Surface.Wood), 0.65)]
     [InlineData(nameof(Surface.Board), 0.50)]
     [InlineData(nameof(Surface.Concrete), 0.82)]

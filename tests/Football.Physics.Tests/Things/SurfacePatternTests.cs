@@ -5,7 +5,7 @@ namespace Football.Physics.Tests.Things;
 /// <summary>Pitches that are not the same everywhere.</summary>
 public sealed class SurfacePatternTests
 {
-    private static readonly Surface s_ice = Surface.Of(Ground.Turf with { SlidingFriction = 0.05, RollingFriction = 0.002, NormalRestitution = 0.3 });
+    private static readonly Surface s_ice = Surface.Of(Ground.PublishedTurf with { SlidingFriction = 0.05, RollingFriction = 0.002, NormalRestitution = 0.3 });
 
     private static readonly ISurfacePattern s_half = new SurfaceRectangles((new Vector3d(-50, 0, -50), new Vector3d(50, 0, -5), s_ice));
 
@@ -50,7 +50,7 @@ public sealed class SurfacePatternTests
     [Fact]
     public void A_ball_bounces_as_on_the_surface_where_it_lands()
     {
-        Scene scene = Scene.Published with { Ground = Ground.Turf with { Pattern = s_half } };
+        Scene scene = Scene.Published with { Ground = Ground.PublishedTurf with { Pattern = s_half } };
         BallEvent near = Flight.ToImpact(scene, Integrator.Rk4, 0.01, new Vector3d(0, 2, 0), Vector3d.Zero, Vector3d.Zero);
         BallEvent far = Flight.ToImpact(scene, Integrator.Rk4, 0.01, new Vector3d(0, 2, -10), Vector3d.Zero, Vector3d.Zero);
         Assert.Equal(-0.6 * near.VelocityBefore.Y, near.Velocity.Y, 1e-12);
@@ -73,7 +73,7 @@ public sealed class SurfacePatternTests
     [Fact]
     public void Many_balls_bounce_each_on_its_surface()
     {
-        Scene scene = Scene.Published with { Ground = Ground.Turf with { Pattern = s_half } };
+        Scene scene = Scene.Published with { Ground = Ground.PublishedTurf with { Pattern = s_half } };
         var launches = new BatchLaunches(2);
         var flights = new BatchFlights(2);
         launches.Position[0] = new Vector3d(0, 2, 0);
@@ -126,7 +126,7 @@ public sealed class SurfacePatternTests
 
     private sealed class Stripes : ISurfacePattern
     {
-        public IReadOnlyList<Surface> Surfaces { get; } = [Surface.Of(Ground.Turf with { RollingFriction = 0.3, SlidingFriction = 0.9 })];
+        public IReadOnlyList<Surface> Surfaces { get; } = [Surface.Of(Ground.PublishedTurf with { RollingFriction = 0.3, SlidingFriction = 0.9 })];
 
         public double LeastWidth => 0.1;
 

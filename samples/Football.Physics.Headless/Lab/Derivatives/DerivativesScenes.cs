@@ -9,14 +9,14 @@ internal static class DerivativesScenes
     {
         DerivativesKind.Published => Scene.Published with { Air = new Air { Wind = new Vector3d(1, 0, -2) } },
         DerivativesKind.Measured => Scene.Measured with { Air = new Air { Wind = new Vector3d(1, 0, -2) } },
-        DerivativesKind.Goal => Scene.Measured with { Goals = [new Goal { Center = new Vector3d(0, 0, -12), Facing = new Vector3d(0, 0, 1), Surface = Surface.MeasuredFrame }] },
+        DerivativesKind.Goal => Scene.Measured with { Goals = [new Goal { Center = new Vector3d(0, 0, -12), Facing = new Vector3d(0, 0, 1), Surface = Surface.GoalFrame }] },
         DerivativesKind.Slope => Scene.Published with
         {
-            Ground = Ground.Turf with { Normal = new Vector3d(0.02, 1, 0.01), TangentialRestitutionX = 0.5, TangentialRestitutionZ = 0.5 },
+            Ground = Ground.PublishedTurf with { Normal = new Vector3d(0.02, 1, 0.01), TangentialRestitutionX = 0.5, TangentialRestitutionZ = 0.5 },
             Obstacles =
             [
-                new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(0, 0, -14), new Vector3d(0, 0, 1)), Surface = Surface.GoalFrame },
-                new Obstacle { Name = "player", Shape = new CapsuleShape(new Vector3d(-2, 0, -8), new Vector3d(-2, 1.6, -8), 0.25), Surface = Surface.GoalFrame, Velocity = new Vector3d(2, 0, 0) },
+                new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(0, 0, -14), new Vector3d(0, 0, 1)), Surface = Surface.PublishedGoalFrame },
+                new Obstacle { Name = "player", Shape = new CapsuleShape(new Vector3d(-2, 0, -8), new Vector3d(-2, 1.6, -8), 0.25), Surface = Surface.PublishedGoalFrame, Velocity = new Vector3d(2, 0, 0) },
             ],
         },
         DerivativesKind.Hills => Scene.Measured with { Ground = Ground.DryTurf with { Heights = Hills() } },

@@ -67,7 +67,7 @@ internal static class HostileGenerator
     private static Ground AnyGround(HostileRandom random, BallProperties ball)
     {
         double height = random.Any(0, 0, Farthest, -Farthest, random.Uniform(-Farthest, Farthest), random.Uniform(-5, 5));
-        return Ground.Turf with
+        return Ground.PublishedTurf with
         {
             Height = height,
             NormalRestitution = random.Any(0.0, 1.0, 0.6, random.Share(), 1 - 1e-9, 1e-12),

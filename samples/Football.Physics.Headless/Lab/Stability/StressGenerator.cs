@@ -140,7 +140,7 @@ internal static class StressGenerator
     {
         bool rests = kind == StressKind.ComesToRest;
         double Friction() => rests ? random.Log(0.01, 2) : random.Chance(0.2) ? 0 : random.Log(1e-3, 2);
-        return Ground.Turf with
+        return Ground.PublishedTurf with
         {
             Height = random.Chance(0.5) ? 0 : random.Uniform(-20, 20),
             NormalRestitution = rests ? random.Uniform(0, 0.95)

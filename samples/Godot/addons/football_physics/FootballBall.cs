@@ -48,7 +48,7 @@ public partial class FootballBall : Node3D
     [Signal]
     public delegate void SqueezedEventHandler(Vector3 position, Vector3 velocity, double time);
 
-    /// <summary>Ball, air, ground and method; none: a football over turf in still air. A new one counts from the next _Ready.</summary>
+    /// <summary>Ball, air, ground and method; none: the measured profile, a football over dry turf in still air, as a new preset has it. A new one counts from the next _Ready.</summary>
     [Export]
     public FootballPreset? Preset { get; set; }
 

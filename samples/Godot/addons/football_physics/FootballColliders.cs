@@ -138,7 +138,7 @@ public sealed class FootballColliders : IEngineColliders
         "boot" => Surface.Boot,
         "head" => Surface.Head,
         "glove" => Surface.Glove,
-        "turf" => Surface.Of(Ground.Turf),
+        "turf" => Surface.Of(Ground.DryTurf),
         _ => Surface.GoalFrame,
     };
 

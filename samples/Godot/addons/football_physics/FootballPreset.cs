@@ -8,10 +8,21 @@ namespace Football.Physics.GodotAddon;
 [GlobalClass, Icon("res://addons/football_physics/icon.svg")]
 public partial class FootballPreset : Resource
 {
-    /// <summary>Balls to choose from.</summary>
+    /// <summary>Profiles to choose from: the measured one is what a ball without a preset has; the published one has the laws and numbers of the thesis that the library began with.</summary>
+    public enum ProfileChoice
+    {
+        Measured,
+        Published,
+    }
+
+    /// <summary>Balls to choose from: the presets of <see cref="BallProperties"/>, and one of your own.</summary>
     public enum BallChoice
     {
         Football,
+        Tango12,
+        Teamgeist,
+        Jabulani,
+        Brazuca,
         YouthFootball,
         Futsal,
         BeachBall,
@@ -19,27 +30,41 @@ public partial class FootballPreset : Resource
         Custom,
     }
 
-    /// <summary>Grounds to choose from.</summary>
+    /// <summary>Grounds to choose from: that of the profile, the presets of <see cref="Ground"/>, and one of your own.</summary>
     public enum GroundChoice
     {
-        Turf,
+        OfProfile,
+        DryTurf,
+        ArtificialTurf,
         WetTurf,
-        Court,
-        Sand,
+        HardGround,
+        LongGrass,
+        Indoor,
+        Concrete,
+        Snow,
+        PublishedTurf,
+        PublishedWetTurf,
+        PublishedCourt,
+        PublishedSand,
         Custom,
     }
 
-    /// <summary>Laws of the air to choose from.</summary>
+    /// <summary>Laws of the air to choose from: those of the profile, and the presets of <see cref="ForceSet"/>.</summary>
     public enum AirChoice
     {
+        OfProfile,
+        Measured,
         Published,
         Regularised,
         Constant,
         Vacuum,
-        Measured,
     }
 
-    /// <summary>Which ball.</summary>
+    /// <summary>The profile that ground and laws are of, where they do not say otherwise. Default measured, as without a preset.</summary>
+    [Export]
+    public ProfileChoice Profile { get; set; } = ProfileChoice.Measured;
+
+    /// <summary>The ball. Default a match football.</summary>
     [Export]
     public BallChoice Ball { get; set; } = BallChoice.Football;
 
@@ -48,16 +73,16 @@ public partial class FootballPreset : Resource
     public float CustomMass { get; set; } = 0.43f;
 
     /// <summary>Radius of a custom ball, m.</summary>
-    [Export(PropertyHint.Range, "0.01,2,0.001,suffix:m")]
+    [Export(PropertyHint.Range, "0.02,2,0.001,suffix:m")]
     public float CustomRadius { get; set; } = 0.11f;
 
-    /// <summary>Which ground.</summary>
+    /// <summary>The ground. Default that of the profile: dry turf in the measured one.</summary>
     [Export]
-    public GroundChoice Surface { get; set; } = GroundChoice.Turf;
+    public GroundChoice Surface { get; set; } = GroundChoice.OfProfile;
 
     /// <summary>Part of the vertical speed that a bounce on a custom ground gives back.</summary>
-    [Export(PropertyHint.Range, "0,1,0.01")]
-    public float CustomRestitution { get; set; } = 0.6f;
+    [Export(PropertyHint.Range, "0,1,0.001")]
+    public float CustomRestitution { get; set; } = 0.622f;
 
     /// <summary>Friction of a ball that slides on a custom ground.</summary>
     [Export(PropertyHint.Range, "0,2,0.01")]
@@ -65,11 +90,11 @@ public partial class FootballPreset : Resource
 
     /// <summary>Friction of a ball that rolls on a custom ground.</summary>
     [Export(PropertyHint.Range, "0,1,0.001")]
-    public float CustomRollingFriction { get; set; } = 0.05f;
+    public float CustomRollingFriction { get; set; } = 0.07f;
 
-    /// <summary>Which laws of the air.</summary>
+    /// <summary>The laws of the air. Default those of the profile.</summary>
     [Export]
-    public AirChoice Laws { get; set; } = AirChoice.Published;
+    public AirChoice Laws { get; set; } = AirChoice.OfProfile;
 
     /// <summary>The one-step method.</summary>
     [Export]
@@ -94,45 +119,68 @@ public partial class FootballPreset : Resource
     /// <summary>Checks and compiles the scene. Throws <see cref="ArgumentOutOfRangeException"/> where a number is out of range.</summary>
     public Simulator Compile()
     {
-        var scene = new Scene
+        Scene own = Profile switch
+        {
+            ProfileChoice.Measured => Scene.Measured,
+            ProfileChoice.Published => Scene.Published,
+            _ => throw new InvalidOperationException($"There is no profile {Profile}."),
+        };
+        Ground ground = Surface switch
+        {
+            GroundChoice.OfProfile => own.Ground,
+            GroundChoice.DryTurf => Ground.DryTurf,
+            GroundChoice.ArtificialTurf => Ground.ArtificialTurf,
+            GroundChoice.WetTurf => Ground.WetTurf,
+            GroundChoice.HardGround => Ground.HardGround,
+            GroundChoice.LongGrass => Ground.LongGrass,
+            GroundChoice.Indoor => Ground.Indoor,
+            GroundChoice.Concrete => Ground.Concrete,
+            GroundChoice.Snow => Ground.Snow,
+            GroundChoice.PublishedTurf => Ground.PublishedTurf,
+            GroundChoice.PublishedWetTurf => Ground.PublishedWetTurf,
+            GroundChoice.PublishedCourt => Ground.PublishedCourt,
+            GroundChoice.PublishedSand => Ground.PublishedSand,
+            GroundChoice.Custom => own.Ground with
+            {
+                NormalRestitution = Typed(CustomRestitution),
+                SlidingFriction = Typed(CustomSlidingFriction),
+                RollingFriction = Typed(CustomRollingFriction),
+            },
+            _ => throw new InvalidOperationException($"There is no ground {Surface}."),
+        };
+        Scene scene = own with
         {
             Ball = Ball switch
             {
                 BallChoice.Football => BallProperties.Football,
+                BallChoice.Tango12 => BallProperties.Tango12,
+                BallChoice.Teamgeist => BallProperties.Teamgeist,
+                BallChoice.Jabulani => BallProperties.Jabulani,
+                BallChoice.Brazuca => BallProperties.Brazuca,
                 BallChoice.YouthFootball => BallProperties.YouthFootball,
                 BallChoice.Futsal => BallProperties.Futsal,
                 BallChoice.BeachBall => BallProperties.BeachBall,
                 BallChoice.MedicineBall => BallProperties.MedicineBall,
-                BallChoice.Custom => BallProperties.Football with { Mass = CustomMass, Radius = CustomRadius },
+                BallChoice.Custom => BallProperties.Football with { Mass = Typed(CustomMass), Radius = Typed(CustomRadius) },
                 _ => throw new InvalidOperationException($"There is no ball {Ball}."),
             },
-            Ground = Surface switch
-            {
-                GroundChoice.Turf => Ground.Turf,
-                GroundChoice.WetTurf => Ground.WetTurf,
-                GroundChoice.Court => Ground.Court,
-                GroundChoice.Sand => Ground.Sand,
-                GroundChoice.Custom => Ground.Turf with
-                {
-                    NormalRestitution = CustomRestitution,
-                    SlidingFriction = CustomSlidingFriction,
-                    RollingFriction = CustomRollingFriction,
-                },
-                _ => throw new InvalidOperationException($"There is no ground {Surface}."),
-            },
+            Ground = ground with { Height = Typed(GroundHeight) },
             Forces = Laws switch
             {
+                AirChoice.OfProfile => own.Forces,
+                AirChoice.Measured => ForceSet.Measured,
                 AirChoice.Published => ForceSet.Published,
                 AirChoice.Regularised => ForceSet.Regularised,
                 AirChoice.Constant => ForceSet.Constant,
                 AirChoice.Vacuum => ForceSet.None,
-                AirChoice.Measured => ForceSet.Measured,
                 _ => throw new InvalidOperationException($"There are no laws {Laws}."),
             },
-            Gravity = Gravity == 9.81f ? 9.81 : Gravity,
-            Air = new Air { Density = AirDensity, Wind = GodotFrame.FromGodot(Wind) },
+            Gravity = Typed(Gravity),
+            Air = new Air { Density = Typed(AirDensity), Wind = GodotFrame.FromGodot(Wind) },
         };
-        scene = scene with { Ground = scene.Ground with { Height = GroundHeight } };
         return new Simulator(scene, new SolverSettings { Integrator = Integrator });
     }
+
+    // The number in the inspector, not the single next to it: 1.2f is not 1.2.
+    private static double Typed(float number) => Math.Abs(number) < 1e9f ? (double)(decimal)number : number;
 }

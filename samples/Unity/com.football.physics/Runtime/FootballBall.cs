@@ -11,7 +11,7 @@ namespace Football.Physics.Unity
         /// <summary>A step is due when its time has come but for this part of it: Unity's clock adds single numbers.</summary>
         private const double AlmostDue = 1e-3;
 
-        [SerializeField, Tooltip("Ball, air, ground, method and time step; empty: a football over turf in still air, in steps of 0.02 s.")]
+        [SerializeField, Tooltip("Ball, air, ground, method and time step; empty: the measured profile, a football over dry turf in still air, as a new preset has it; in steps of 0.02 s.")]
         private FootballPreset preset;
 
         [SerializeField, Tooltip("The kick that the editor shows, and that KickAsPreviewed does.")]

@@ -10,7 +10,11 @@ namespace Football.Physics.Unity
         /// <summary>The time step of a ball without a preset, s.</summary>
         public const double DefaultTimeStep = 0.02;
 
-        /// <summary>Which ball.</summary>
+        /// <summary>The profile that ground and laws are of, where they do not say otherwise. Default measured, as without a preset.</summary>
+        [Header("Profile"), Tooltip("Measured: as a ball without a preset. Published: the laws and numbers of the thesis that the library began with.")]
+        public ProfileChoice profile = ProfileChoice.Measured;
+
+        /// <summary>The ball. Default a match football.</summary>
         [Header("Ball")]
         public BallChoice ball = BallChoice.Football;
 
@@ -19,12 +23,12 @@ namespace Football.Physics.Unity
         public float customMass = 0.43f;
 
         /// <summary>Radius of a ball of your own, m.</summary>
-        [Range(0.01f, 2f), Tooltip("Radius of a custom ball, m.")]
+        [Range(0.02f, 2f), Tooltip("Radius of a custom ball, m.")]
         public float customRadius = 0.11f;
 
-        /// <summary>Which ground.</summary>
+        /// <summary>The ground. Default that of the profile: dry turf in the measured one.</summary>
         [Header("Ground")]
-        public GroundChoice ground = GroundChoice.Turf;
+        public GroundChoice ground = GroundChoice.OfProfile;
 
         /// <summary>Height of the ground, m.</summary>
         [Range(-1000f, 1000f), Tooltip("Height of the ground, m.")]
@@ -32,7 +36,7 @@ namespace Football.Physics.Unity
 
         /// <summary>Part of the vertical speed that a bounce on a ground of your own gives back.</summary>
         [Range(0f, 1f), Tooltip("Custom ground: part of the vertical speed that a bounce gives back.")]
-        public float customRestitution = 0.6f;
+        public float customRestitution = 0.622f;
 
         /// <summary>Friction of a ball that slides on a ground of your own.</summary>
         [Range(0f, 2f), Tooltip("Custom ground: friction of a ball that slides.")]
@@ -40,11 +44,11 @@ namespace Football.Physics.Unity
 
         /// <summary>Friction of a ball that rolls on a ground of your own.</summary>
         [Range(0f, 1f), Tooltip("Custom ground: friction of a ball that rolls.")]
-        public float customRollingFriction = 0.05f;
+        public float customRollingFriction = 0.07f;
 
-        /// <summary>Which laws of the air.</summary>
+        /// <summary>The laws of the air. Default those of the profile.</summary>
         [Header("Air")]
-        public AirChoice laws = AirChoice.Published;
+        public AirChoice laws = AirChoice.OfProfile;
 
         /// <summary>Density of the air, kg/m³.</summary>
         [Range(0f, 10f), Tooltip("Density of the air, kg/m³; 1.2 at sea level, 0.9 in Mexico City.")]
@@ -66,10 +70,21 @@ namespace Football.Physics.Unity
         [Tooltip("The time step, s; 0.001 to 0.1. The same on every machine that is to have the same bits.")]
         public double timeStep = DefaultTimeStep;
 
-        /// <summary>Balls to choose from.</summary>
+        /// <summary>Profiles to choose from: the measured one is what a ball without a preset has; the published one has the laws and numbers of the thesis that the library began with.</summary>
+        public enum ProfileChoice
+        {
+            Measured,
+            Published,
+        }
+
+        /// <summary>Balls to choose from: the presets of <see cref="BallProperties"/>, and one of your own.</summary>
         public enum BallChoice
         {
             Football,
+            Tango12,
+            Teamgeist,
+            Jabulani,
+            Brazuca,
             YouthFootball,
             Futsal,
             BeachBall,
@@ -77,38 +92,60 @@ namespace Football.Physics.Unity
             Custom,
         }
 
-        /// <summary>Grounds to choose from.</summary>
+        /// <summary>Grounds to choose from: that of the profile, the presets of <see cref="Physics.Ground"/>, and one of your own.</summary>
         public enum GroundChoice
         {
-            Turf,
+            OfProfile,
+            DryTurf,
+            ArtificialTurf,
             WetTurf,
-            Court,
-            Sand,
+            HardGround,
+            LongGrass,
+            Indoor,
+            Concrete,
+            Snow,
+            PublishedTurf,
+            PublishedWetTurf,
+            PublishedCourt,
+            PublishedSand,
             Custom,
         }
 
-        /// <summary>Laws of the air to choose from.</summary>
+        /// <summary>Laws of the air to choose from: those of the profile, and the presets of <see cref="ForceSet"/>.</summary>
         public enum AirChoice
         {
+            OfProfile,
+            Measured,
             Published,
             Regularised,
             Constant,
             Vacuum,
-            Measured,
         }
 
         /// <summary>Checks and compiles the scene. Throws ArgumentOutOfRangeException where a number is out of range.</summary>
         public Simulator Compile()
         {
-            var scene = new Scene
+            Scene own = profile switch
+            {
+                ProfileChoice.Measured => Scene.Measured,
+                ProfileChoice.Published => Scene.Published,
+                _ => throw new InvalidOperationException("There is no profile " + profile + "."),
+            };
+            Scene scene = own with
             {
                 Ball = Ball(),
-                Air = new Air { Density = airDensity, Wind = UnityFrame.FromUnity(wind) },
-                Gravity = gravity == 9.81f ? 9.81 : gravity,
-                Forces = Forces(),
-                Ground = Ground() with { Height = groundHeight },
+                Air = new Air { Density = Typed(airDensity), Wind = WindAsTyped() },
+                Gravity = Typed(gravity),
+                Forces = Forces(own.Forces),
+                Ground = Ground(own.Ground) with { Height = Typed(groundHeight) },
             };
             return new Simulator(scene, new SolverSettings { Integrator = integrator });
+        }
+
+        // The number in the inspector, not the single next to it: 1.2f is not 1.2.
+        private static double Typed(float number)
+        {
+            return Math.Abs(number) < 1e9f ? (double)(decimal)number : number;
         }
 
         private void OnValidate()
@@ -116,7 +153,7 @@ namespace Football.Physics.Unity
             timeStep = Math.Min(0.1, Math.Max(0.001, timeStep));
             wind = new Vector3(Mathf.Clamp(wind.x, -60f, 60f), Mathf.Clamp(wind.y, -60f, 60f), Mathf.Clamp(wind.z, -60f, 60f));
             customMass = Mathf.Clamp(customMass, 0.01f, 20f);
-            customRadius = Mathf.Clamp(customRadius, 0.01f, 2f);
+            customRadius = Mathf.Clamp(customRadius, 0.02f, 2f);
             groundHeight = Mathf.Clamp(groundHeight, -1000f, 1000f);
             customRestitution = Mathf.Clamp(customRestitution, 0f, 1f);
             customSlidingFriction = Mathf.Clamp(customSlidingFriction, 0f, 2f);
@@ -130,43 +167,62 @@ namespace Football.Physics.Unity
             return ball switch
             {
                 BallChoice.Football => BallProperties.Football,
+                BallChoice.Tango12 => BallProperties.Tango12,
+                BallChoice.Teamgeist => BallProperties.Teamgeist,
+                BallChoice.Jabulani => BallProperties.Jabulani,
+                BallChoice.Brazuca => BallProperties.Brazuca,
                 BallChoice.YouthFootball => BallProperties.YouthFootball,
                 BallChoice.Futsal => BallProperties.Futsal,
                 BallChoice.BeachBall => BallProperties.BeachBall,
                 BallChoice.MedicineBall => BallProperties.MedicineBall,
-                BallChoice.Custom => BallProperties.Football with { Mass = customMass, Radius = customRadius },
-                _ => throw new ArgumentOutOfRangeException(nameof(ball)),
+                BallChoice.Custom => BallProperties.Football with { Mass = Typed(customMass), Radius = Typed(customRadius) },
+                _ => throw new InvalidOperationException("There is no ball " + ball + "."),
             };
         }
 
-        private Ground Ground()
+        private Vector3d WindAsTyped()
+        {
+            return UnityFrame.FromUnity(wind) + Vector3d.Zero; // no negative zeros
+        }
+
+        private Ground Ground(Ground own)
         {
             return ground switch
             {
-                GroundChoice.Turf => Physics.Ground.Turf,
+                GroundChoice.OfProfile => own,
+                GroundChoice.DryTurf => Physics.Ground.DryTurf,
+                GroundChoice.ArtificialTurf => Physics.Ground.ArtificialTurf,
                 GroundChoice.WetTurf => Physics.Ground.WetTurf,
-                GroundChoice.Court => Physics.Ground.Court,
-                GroundChoice.Sand => Physics.Ground.Sand,
-                GroundChoice.Custom => Physics.Ground.Turf with
+                GroundChoice.HardGround => Physics.Ground.HardGround,
+                GroundChoice.LongGrass => Physics.Ground.LongGrass,
+                GroundChoice.Indoor => Physics.Ground.Indoor,
+                GroundChoice.Concrete => Physics.Ground.Concrete,
+                GroundChoice.Snow => Physics.Ground.Snow,
+                GroundChoice.PublishedTurf => Physics.Ground.PublishedTurf,
+                GroundChoice.PublishedWetTurf => Physics.Ground.PublishedWetTurf,
+                GroundChoice.PublishedCourt => Physics.Ground.PublishedCourt,
+                GroundChoice.PublishedSand => Physics.Ground.PublishedSand,
+                GroundChoice.Custom => own with
                 {
-                    NormalRestitution = customRestitution,
-                    SlidingFriction = customSlidingFriction,
-                    RollingFriction = customRollingFriction,
+                    NormalRestitution = Typed(customRestitution),
+                    SlidingFriction = Typed(customSlidingFriction),
+                    RollingFriction = Typed(customRollingFriction),
                 },
-                _ => throw new ArgumentOutOfRangeException(nameof(ground)),
+                _ => throw new InvalidOperationException("There is no ground " + ground + "."),
             };
         }
 
-        private ForceSet Forces()
+        private ForceSet Forces(ForceSet own)
         {
             return laws switch
             {
+                AirChoice.OfProfile => own,
+                AirChoice.Measured => ForceSet.Measured,
                 AirChoice.Published => ForceSet.Published,
                 AirChoice.Regularised => ForceSet.Regularised,
                 AirChoice.Constant => ForceSet.Constant,
                 AirChoice.Vacuum => ForceSet.None,
-                AirChoice.Measured => ForceSet.Measured,
-                _ => throw new ArgumentOutOfRangeException(nameof(laws)),
+                _ => throw new InvalidOperationException("There are no laws " + laws + "."),
             };
         }
     }

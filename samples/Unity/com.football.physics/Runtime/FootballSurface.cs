@@ -37,7 +37,7 @@ namespace Football.Physics.Unity
                     Material.Boot => Physics.Surface.Boot,
                     Material.Head => Physics.Surface.Head,
                     Material.Glove => Physics.Surface.Glove,
-                    Material.Turf => Physics.Surface.Of(Ground.Turf),
+                    Material.Turf => Physics.Surface.Of(Ground.DryTurf),
                     _ => throw new ArgumentOutOfRangeException(nameof(material)),
                 };
             }

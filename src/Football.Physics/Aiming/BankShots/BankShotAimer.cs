@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace Football.Physics;
 
 /// <summary>Finds kicks that reach a target after bounces, and off named things: one bounce and in, off the wall, in off the post.</summary>
@@ -50,10 +52,10 @@ public sealed class BankShotAimer
     /// What the kick is to do: from, target, speed, spin, elevations, tolerance, time of the kick. Without a point on the way. <see cref="AimRequest.MaximumIterations"/> are
     /// those from one start; there are many.
     /// </param>
-    /// <param name="after">The names of what it is to meet before, in order: "ground", an obstacle's, "left post", "crossbar" …; at least one. Of things of one name the first is meant.</param>
+    /// <param name="after">The names of what it is to meet before, in order: "ground", an obstacle's, "left post", "crossbar" …; at least one. Of things of one name "left post[0]" is the first, "left post[1]" the second: obstacles and goals in the order in which the scene has them.</param>
     /// <returns>The best kick found. A hit passes the target within the tolerance after having met just these; all else is not converged: no other kick is ruled out.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, nothing is to be met, or the scene has nothing of a name; the message says what it has.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, nothing is to be met, or the scene has nothing or several things of a name; the message says what it has.</exception>
     public AimResult Find(AimRequest request, params string[] after)
     {
         Check.Given(nameof(request), request);
@@ -162,8 +164,6 @@ public sealed class BankShotAimer
             throw Check.Refusal("aim.after", "[]", "the names of one thing or more");
         }
 
-        int first = _first;
-        int count = _colliders.Length;
         if (!_things.TryGetValue(names.Length, out int[]? things))
         {
             things = new int[names.Length];
@@ -172,22 +172,53 @@ public sealed class BankShotAimer
 
         for (int i = 0; i < names.Length; i++)
         {
-            int found = first;
-            while (found < first + count && _simulator.NameOf(found) != names[i])
-            {
-                found++;
-            }
-
-            if (found == first + count)
-            {
-                string known = count == 0 ? "none: the scene has nothing to meet" : string.Join(" | ", Enumerable.Range(first, count).Select(_simulator.NameOf));
-                throw Check.Refusal(Check.Item("aim.after", i), names[i], known);
-            }
-
-            things[i] = found;
+            things[i] = Thing(names[i] ?? "null", i);
         }
 
         return things;
+    }
+
+    /// <summary>The thing that is called so, or the k-th of those of one name by "name[k]".</summary>
+    private int Thing(string name, int place)
+    {
+        int found = Find(name, 0, out int same);
+        if (same > 1)
+        {
+            throw Check.Refusal(Check.Item("aim.after", place), name, FormattableString.Invariant($"{name}[0] … {name}[{same - 1}]: the scene has {same} of that name"));
+        }
+
+        int bracket = name.LastIndexOf('[');
+        if (same == 0 && bracket > 0 && name[^1] == ']'
+            && int.TryParse(name.AsSpan(bracket + 1, name.Length - bracket - 2), NumberStyles.None, CultureInfo.InvariantCulture, out int index))
+        {
+            found = Find(name[..bracket], index, out same);
+            same = index < same ? 1 : 0;
+        }
+
+        if (same == 0)
+        {
+            int count = _colliders.Length;
+            string known = count == 0 ? "none: the scene has nothing to meet" : string.Join(" | ", Enumerable.Range(_first, count).Select(_simulator.NameOf).Distinct());
+            throw Check.Refusal(Check.Item("aim.after", place), name, known);
+        }
+
+        return found;
+    }
+
+    /// <summary>The index-th thing of a name, and how many there are.</summary>
+    private int Find(string name, int index, out int same)
+    {
+        int found = -1;
+        same = 0;
+        for (int thing = _first; thing < _first + _colliders.Length; thing++)
+        {
+            if (_simulator.NameOf(thing) == name && same++ == index)
+            {
+                found = thing;
+            }
+        }
+
+        return found;
     }
 
     /// <summary>A kick that meets nothing, for want of a better one.</summary>

@@ -3,7 +3,7 @@ namespace Football.Physics;
 /// <summary>Finds the best of many passes, through the air or along the ground: the earliest that a team mate meets before any opponent can.</summary>
 /// <remarks>
 /// A pass through the air is to be met before it comes down, one along the ground until it rests. Kicks through the air are flown in lanes, kicks along the ground are
-/// stepped, and all are looked at step by step: before when nobody can meet each of them, and which an opponent surely takes. In that order they are judged on their
+/// stepped, and two bounds are computed of each, step by step: the earliest time at which anybody can meet it, and whether an opponent intercepts it for certain. In that order they are judged on their
 /// exact paths, until no other can be better: the answer is that of judging every kick. Without team mates it is the kick that no opponent can meet and that comes
 /// down, or along the ground comes to rest, closest to a target. Made once for a scene and used again; then nothing is allocated, as long as the duration is the same. Not for several threads at once.
 /// A pass that meets a thing of the scene before it is met itself, a post, a board, a net, is none. Scenes with what lanes do not know (see <see cref="BallBatch"/>),

@@ -103,7 +103,7 @@ public sealed class Interception
         return _shares.Items.AsSpan(0, _shares.Count);
     }
 
-    /// <summary>What a goalkeeper can do about a shot: where and when it crosses the goal's plane, what he covers by then, whether he saves it, and when he must dive.</summary>
+    /// <summary>Finds a goalkeeper's answer to a shot: where and when it crosses the goal's plane, what he covers by then, whether he saves it, and when he must dive.</summary>
     /// <param name="path">The ball's way.</param>
     /// <param name="keeper">The goalkeeper as he is at <paramref name="now"/>, with the reach and the heights of his dive.</param>
     /// <param name="goal">The goal.</param>

@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>What a goalkeeper can do about a shot.</summary>
+/// <summary>A goalkeeper's answer to a shot.</summary>
 public readonly struct KeeperAnswer
 {
     /// <summary>Whether the ball's centre crosses the vertical plane through the goal's line from the pitch, within the look-ahead.</summary>

@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>What a shape says of a point.</summary>
+/// <summary>The answer of a shape about a point: signed distance, normal, and how the normal turns.</summary>
 public readonly struct ShapePoint
 {
     /// <summary>Makes the answer of a shape.</summary>

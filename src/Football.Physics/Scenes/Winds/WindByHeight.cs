@@ -85,7 +85,7 @@ public sealed class WindByHeight : IWind
     /// <inheritdoc/>
     public Vector3d At(double time, in Vector3d position) => At(time, position.X, position.Y, position.Z);
 
-    /// <summary>The same of a place in registers.</summary>
+    /// <summary>Wind at a place that is given by its coordinates, m/s.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal Vector3d At(double time, double x, double y, double z)
     {

@@ -99,7 +99,7 @@ public sealed class ReplayTests
     [Fact]
     public void Slopes_and_hills_are_drawn_where_they_are()
     {
-        var tilted = Ground.Turf with { Normal = new Vector3d(0.1, 1, 0), Height = 0.5 };
+        var tilted = Ground.PublishedTurf with { Normal = new Vector3d(0.1, 1, 0), Height = 0.5 };
         GroundGrid grid = GroundGrid.Of(tilted, [Vector3d.Zero, new Vector3d(5, 0, 5)])!;
         for (int i = 0; i < grid.Columns * grid.Rows; i++)
         {

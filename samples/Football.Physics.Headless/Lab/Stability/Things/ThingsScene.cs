@@ -110,7 +110,7 @@ internal sealed class ThingsScene
 
     private Ground DrawGround()
     {
-        Ground flat = Ground.Turf with
+        Ground flat = Ground.PublishedTurf with
         {
             ImpactFriction = _random.Any(double.PositiveInfinity, 1.2, _random.Uniform(0, 1)),
             NormalRestitution = _random.Uniform(0, 0.95),
