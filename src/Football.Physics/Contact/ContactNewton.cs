@@ -106,13 +106,33 @@ internal static class ContactNewton
         double turns = grips || !(size > 0) ? 0 : most / size;
         rows[0] = new Row
         {
-            AlongV = pushV1, AlongW = alongW1, PushV = pushV1, PushW = pushW1, Residual = grips ? slip.First : push.First - (most * x), IsFree = grips,
-            LoadRow = grips ? -1 : loadRow, PerLoad = -friction * x, Turns = turns, Across = -y, Other = 1, Grip = grip,
+            AlongV = pushV1,
+            AlongW = alongW1,
+            PushV = pushV1,
+            PushW = pushW1,
+            Residual = grips ? slip.First : push.First - (most * x),
+            IsFree = grips,
+            LoadRow = grips ? -1 : loadRow,
+            PerLoad = -friction * x,
+            Turns = turns,
+            Across = -y,
+            Other = 1,
+            Grip = grip,
         };
         rows[1] = new Row
         {
-            AlongV = pushV2, AlongW = alongW2, PushV = pushV2, PushW = pushW2, Residual = grips ? slip.Second : push.Second - (most * y), IsFree = grips,
-            LoadRow = grips ? -1 : loadRow, PerLoad = -friction * y, Turns = turns, Across = x, Other = -1, Grip = grip,
+            AlongV = pushV2,
+            AlongW = alongW2,
+            PushV = pushV2,
+            PushW = pushW2,
+            Residual = grips ? slip.Second : push.Second - (most * y),
+            IsFree = grips,
+            LoadRow = grips ? -1 : loadRow,
+            PerLoad = -friction * y,
+            Turns = turns,
+            Across = x,
+            Other = -1,
+            Grip = grip,
         };
     }
 
