@@ -2,7 +2,7 @@ namespace Football.Physics;
 
 /// <summary>
 /// What a step does to the derivatives by the launch, by central differences of the step itself: all that may happen in it, slides and their ends, rolls, nets,
-/// what guides the ball, and the lengths of the pieces that it is taken in, is differentiated as it is taken.
+/// what else the ball touches, and the lengths of the pieces that it is taken in, is differentiated as it is taken.
 /// </summary>
 /// <remarks>
 /// The trick: the columns of J = ∂y/∂y₀ are motions that the ball can make (one that rolls goes on rolling), so that y is changed along an orthonormal basis of

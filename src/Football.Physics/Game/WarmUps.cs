@@ -12,6 +12,9 @@ public static class WarmUps
     private const double Frame = 1.0 / 60.0;
     private const int MostFrames = 1200;
 
+    /// <summary>Frames of a ball among several things.</summary>
+    private const int SqueezedFrames = 60;
+
     /// <summary>Steps, impacts, slides, rolls and looks ahead with balls that nobody sees.</summary>
     /// <param name="simulator">The scene.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
@@ -38,6 +41,24 @@ public static class WarmUps
 
             path.TryGetCrossing(new Plane3d(new Vector3d(0, 0, -5), new Vector3d(0, 0, 1)), out PathPoint at);
             path.ClosestApproach(at.Position);
+        }
+
+        if (!simulator.World.IsBare)
+        {
+            Squeeze(simulator.Settings);
+        }
+    }
+
+    /// <summary>Presses a ball against a wall and the ground, in a scene of its own: on several contacts, and squeezed.</summary>
+    private static void Squeeze(SolverSettings settings)
+    {
+        var press = new Obstacle { Name = "press", Shape = new SphereShape(new Vector3d(0, 0.2, 0.4), 0.25), Velocity = new Vector3d(0, 0, -1) };
+        var wall = new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(0, 0, -0.3), new Vector3d(0, 0, 1)) };
+        var ball = new Ball(new Simulator(new Scene { Obstacles = [wall, press] }, settings));
+        ball.Place(new Vector3d(0.02, 0.11, 0));
+        for (int i = 0; i < SqueezedFrames; i++)
+        {
+            ball.Step(Frame);
         }
     }
 
