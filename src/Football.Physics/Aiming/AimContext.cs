@@ -23,6 +23,8 @@ internal sealed class AimContext
     private const int LongestSearch = 64;
 
     private readonly Simulator _simulator;
+    private readonly KickLook _look;
+    private readonly TurningLook _turningLook;
     private int _spent;
     private int _most;
     private long _pieces;
@@ -41,7 +43,8 @@ internal sealed class AimContext
         var withoutGround = new Simulator(WithoutGround(open), SolverSettings.Default);
         Planes = new PlaneShooter(this, withoutGround);
         Shooting = new ShootingProblem(this, withoutGround, _simulator);
-        Approaches = new KickFlight(_simulator);
+        _look = new KickLook(_simulator);
+        _turningLook = new TurningLook(_simulator);
         Miss = new MissMeter(this, real);
     }
 
@@ -58,9 +61,6 @@ internal sealed class AimContext
 
     /// <summary>Flights without ground, to a plane.</summary>
     public PlaneShooter Planes { get; }
-
-    /// <summary>Flights with ground, to their closest approach.</summary>
-    public KickFlight Approaches { get; }
 
     /// <summary>Flights to given times, any of whose numbers may be unknown.</summary>
     public ShootingProblem Shooting { get; }
@@ -97,6 +97,18 @@ internal sealed class AimContext
         Simulations = 0;
         Steps = AimSteps.Long;
         Miss.Forget();
+    }
+
+    /// <summary>Whether flights for a target with a velocity turn with their azimuth.</summary>
+    public bool Turns(in Vector3d targetVelocity) => Scene.Air.IsStill && targetVelocity == Vector3d.Zero;
+
+    /// <summary>Flies a kick with ground, to its closest approach.</summary>
+    public Approach Look(in TargetFrame frame, in Vector3d targetVelocity, in Kick kick, double speed, double timeStep)
+    {
+        KickLook look = Turns(in targetVelocity) ? _turningLook : _look;
+        Approach approach = look.Fly(in frame, in targetVelocity, in kick, speed, timeStep);
+        CountSimulation(look.Pieces);
+        return approach;
     }
 
     /// <summary>Makes the last simulation an iteration of its own.</summary>

@@ -240,7 +240,7 @@ public sealed class Aimer
 
     /// <summary>What it is where the measured kick misses: what a method took for a hit is in need of finer steps, or something is in the way.</summary>
     private static AimStatus Missed(in AimSolution solution, in MeasuredMiss measured) =>
-        solution.Status != AimStatus.Hit ? solution.Status : measured.Blocker == KickFlight.NoThing ? AimStatus.NotConverged : AimStatus.Blocked;
+        solution.Status != AimStatus.Hit ? solution.Status : measured.Blocker == MeasuredFlight.NoThing ? AimStatus.NotConverged : AimStatus.Blocked;
 
     /// <summary>A hit that misses the point on the way is one of the target only.</summary>
     private static AimStatus Judge(AimRequest request, AimStatus status, in MeasuredMiss measured, bool passes) =>

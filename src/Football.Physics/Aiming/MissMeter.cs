@@ -5,7 +5,7 @@ internal sealed class MissMeter
 {
     private readonly AimContext _context;
     private readonly Simulator _simulator;
-    private readonly KickFlight _shot;
+    private readonly MeasuredFlight _shot;
     private AimRequest? _measured;
     private Vector3d _measuredVelocity;
     private Vector3d _measuredSpin;
@@ -18,7 +18,7 @@ internal sealed class MissMeter
     {
         _context = context;
         _simulator = simulator;
-        _shot = new KickFlight(simulator);
+        _shot = new MeasuredFlight(simulator);
     }
 
     /// <summary>The name of what is in the way.</summary>
@@ -63,8 +63,8 @@ internal sealed class MissMeter
 /// <param name="ThroughDistance">Distance from the point on the way, m; null without one.</param>
 /// <param name="Time">When the ball is closest to the target, s.</param>
 /// <param name="Position">Where it is then, m.</param>
-/// <param name="Blocker">The first thing but the ground that the ball meets on its way, as events number them; <see cref="KickFlight.NoThing"/> where it meets none.</param>
-internal readonly record struct MeasuredMiss(double Distance, double? ThroughDistance, double Time, Vector3d Position, int Blocker = KickFlight.NoThing);
+/// <param name="Blocker">The first thing but the ground that the ball meets on its way, as events number them; <see cref="MeasuredFlight.NoThing"/> where it meets none.</param>
+internal readonly record struct MeasuredMiss(double Distance, double? ThroughDistance, double Time, Vector3d Position, int Blocker = MeasuredFlight.NoThing);
 
 /// <summary>The step of a flight that leaves no doubt by what it misses a target: its own error is far below a millimetre.</summary>
 internal static class MeasuringStep

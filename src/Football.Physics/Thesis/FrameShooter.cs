@@ -1,12 +1,13 @@
 namespace Football.Physics;
 
 /// <summary>Flies kicks in the game's own steps, as the thesis does, and looks at the frames between them.</summary>
-internal sealed class FrameShooter
+internal sealed class FrameShooter : KickObserver
 {
     private readonly AimContext _context;
     private readonly Simulator _simulator;
     private readonly double _timeStep;
-    private readonly StepLog _log = new();
+    private readonly KickFlight _flight;
+    private FrameApproach? _before;
 
     /// <param name="context">Where flights are counted.</param>
     /// <param name="simulator">The scene with the game's own integrator.</param>
@@ -16,6 +17,7 @@ internal sealed class FrameShooter
         _context = context;
         _simulator = simulator;
         _timeStep = timeStep;
+        _flight = new KickFlight(simulator, this);
     }
 
     /// <summary>How the last flight came to the point that it was for.</summary>
@@ -47,22 +49,26 @@ internal sealed class FrameShooter
         Run(in from, in velocity, in spin, Through);
     }
 
-    /// <summary>Flies a kick until it has passed the point that it is for, and another before, or met the ground.</summary>
+    public override double StepFrom(in BallState state, out bool watches)
+    {
+        watches = false;
+        return _timeStep;
+    }
+
+    public override bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
+    {
+        // What comes before the target is looked at until it is passed; the flight ends with the ground, or past both.
+        _before = _before is not null && _before.Add(in after) ? null : _before;
+        ended |= Target.Add(in after) && _before is null;
+        return false;
+    }
+
     private void Run(in Vector3d from, in Vector3d velocity, in Vector3d spin, FrameApproach? before)
     {
-        // Step by step: a step that nobody watches is the fastest.
         BallState state = _simulator.Launch(from, velocity, spin);
-        _log.Clear();
-        bool passed = before is null;
-        bool ended = false;
-        while (!ended && state.Time < AimContext.LongestFlight && _log.Steps < AimContext.MostPieces)
-        {
-            ended = _simulator.StepToImpact(ref state, _timeStep, _log);
-            passed = passed || before!.Add(in state);
-            ended |= Target.Add(in state) && passed;
-        }
-
-        _context.CountSimulation(_log.Steps);
+        _before = before;
+        _flight.Fly(ref state, AimContext.LongestFlight);
+        _context.CountSimulation(_flight.Pieces);
     }
 }
 

@@ -23,14 +23,14 @@ internal sealed class BankShotFlight
 
     private readonly Simulator _simulator;
     private readonly StepLog _log = new();
-    private readonly KickFlight _shot;
+    private readonly MeasuredFlight _shot;
     private readonly double _upward;
 
     public BankShotFlight(Simulator simulator)
     {
         _simulator = simulator;
         _upward = Weight.UpwardAcceleration(simulator.Scene);
-        _shot = new KickFlight(simulator);
+        _shot = new MeasuredFlight(simulator);
     }
 
     /// <summary>Forward simulations since the search began.</summary>

@@ -43,7 +43,7 @@ internal sealed class DirectAim
         // (football lab answers --only known --count 300, and --only verdicts)
         _problem.Set(request, speed, top, side);
         ref readonly TargetFrame frame = ref _problem.Frame;
-        bool separates = _context.Approaches.Turns(request.TargetVelocity);
+        bool separates = _context.Turns(request.TargetVelocity);
         if (arc == AimArc.Low && Newton(out AimSolution solution))
         {
             if (!separates || !IsBent(in frame))

@@ -4,19 +4,22 @@ namespace Football.Physics;
 /// Flies kicks without ground to the vertical plane through the target, and to that of a point on the way. Without ground the crossing moves
 /// smoothly with the kick, so that Newton's method finds its root.
 /// </summary>
-internal sealed class PlaneShooter : PieceObserver
+internal sealed class PlaneShooter : KickObserver
 {
     /// <summary>Share of the longest step below which what is left to a time is not worth a step.</summary>
     private const double ShortestStep = 1e-3;
 
     private readonly AimContext _context;
     private readonly Simulator _simulator;
-    private readonly StepLog _log = new();
-    private readonly StepLog _watched = new();
+    private readonly KickFlight _flight;
     private PlaneCrossing _target;
     private PlaneCrossing _through;
     private bool _wantsThrough;
     private double _floor;
+    private double _longestStep;
+    private double _step;
+    private double _end;
+    private double _targetTime;
 
     /// <param name="context">Where flights are counted.</param>
     /// <param name="simulator">The scene without ground.</param>
@@ -24,7 +27,7 @@ internal sealed class PlaneShooter : PieceObserver
     {
         _context = context;
         _simulator = simulator;
-        _watched.Observer = this;
+        _flight = new KickFlight(simulator, this);
     }
 
     /// <summary>The crossing of the target's plane.</summary>
@@ -35,8 +38,6 @@ internal sealed class PlaneShooter : PieceObserver
 
     /// <summary>The lowest end of a piece before the target's plane, m.</summary>
     public double Lowest { get; private set; }
-
-    public override bool WantsEndAcceleration => false;
 
     /// <summary>Prepares for flights to a target that may move.</summary>
     public void Aim(in TargetFrame frame, in Vector3d targetVelocity)
@@ -62,63 +63,56 @@ internal sealed class PlaneShooter : PieceObserver
     /// <param name="targetTime">The same for the plane of the target.</param>
     public void Fly(in Vector3d from, in Vector3d velocity, in Vector3d spin, double longestStep, double throughTime, double targetTime)
     {
-        // Equal steps, so long that one ends where a plane is about to be crossed. A whole step that crosses is read off the cubic between its ends;
-        // one that had pieces (the drag law's jump) is taken again with each piece looked at; one that crosses nothing only tells how low it came.
         _target.Reset();
         _through.Reset();
         Lowest = double.PositiveInfinity;
         BallState state = _simulator.LaunchAt(from, velocity, spin, 0);
-        double last = AimContext.LongestFlight - (1e-9 * longestStep);
-        bool ended = false;
-        _log.Clear();
-        long watched = 0;
-        double end = _wantsThrough ? throughTime : targetTime;
-        double step = StepTo(end, longestStep);
-        while (!ended && state.Time < last && _log.Steps + watched < AimContext.MostPieces)
-        {
-            // A step that nobody watches is the fastest; one that crosses a plane and has more than one piece is taken again, watched.
-            BallState before = state;
-            long pieces = _log.Steps;
-            ended = _simulator.StepToImpact(ref state, step, _log);
-            bool whole = !ended && _log.Steps == pieces + 1;
-            if (whole && _wantsThrough && !_through.Crossed)
-            {
-                _through.FindNear(in before, in state);
-            }
-
-            if (whole && _target.FindNear(in before, in state))
-            {
-                ended = !_wantsThrough || _through.Crossed;
-            }
-            else if (!Crosses(in state))
-            {
-                ended |= GivesUp(state.Position, state.Velocity);
-            }
-            else if (whole)
-            {
-                ended = Add(PathPiece.Cubic(in before, in state));
-            }
-            else
-            {
-                state = before;
-                _watched.Clear();
-                ended = _simulator.StepToImpact(ref state, step, _watched);
-                watched += _watched.Steps;
-            }
-
-            if (state.Time > end - (ShortestStep * longestStep))
-            {
-                end = targetTime - state.Time > ShortestStep * longestStep ? targetTime : double.PositiveInfinity;
-                step = StepTo(end - state.Time, longestStep);
-            }
-        }
-
-        _context.CountSimulation(_log.Steps + watched);
+        _longestStep = longestStep;
+        _targetTime = targetTime;
+        _end = _wantsThrough ? throughTime : targetTime;
+        _step = StepTo(_end);
+        _flight.Fly(ref state, AimContext.LongestFlight - (1e-9 * longestStep));
+        _context.CountSimulation(_flight.Pieces);
     }
 
-    /// <summary>The length of equal steps that end with a time.</summary>
-    private static double StepTo(double time, double longest) =>
-        time > ShortestStep * longest && time < double.PositiveInfinity ? time / Math.Ceiling((time / longest) - 1e-6) : longest;
+    public override double StepFrom(in BallState state, out bool watches)
+    {
+        // Equal steps, so long that one ends where a plane is about to be crossed: it is then read off where the step is most exact.
+        watches = false;
+        if (state.Time > _end - (ShortestStep * _longestStep))
+        {
+            _end = _targetTime - state.Time > ShortestStep * _longestStep ? _targetTime : double.PositiveInfinity;
+            _step = StepTo(_end - state.Time);
+        }
+
+        return _step;
+    }
+
+    public override bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
+    {
+        // A whole step that crosses is read off the cubic between its ends; one that had pieces (the drag law's jump) is taken again with each piece looked at; one that
+        // crosses nothing only tells how low it came.
+        bool whole = !ended && log.Steps == 1;
+        if (whole && _wantsThrough && !_through.Crossed)
+        {
+            _through.FindNear(in before, in after);
+        }
+
+        if (whole && _target.FindNear(in before, in after))
+        {
+            ended = !_wantsThrough || _through.Crossed;
+            return false;
+        }
+
+        bool crosses = (_wantsThrough && !_through.Crossed && _through.IsBehind(in after)) || _target.IsBehind(in after);
+        if (crosses && !whole)
+        {
+            return true;
+        }
+
+        ended |= crosses ? Add(PathPiece.Cubic(in before, in after)) : GivesUp(after.Position, after.Velocity);
+        return false;
+    }
 
     public override bool Add(in PathPiece piece)
     {
@@ -127,17 +121,12 @@ internal sealed class PlaneShooter : PieceObserver
             _through.Find(in piece);
         }
 
-        if (_target.Find(in piece))
-        {
-            return !_wantsThrough || _through.Crossed;
-        }
-
-        return GivesUp(piece.EndPosition, piece.EndVelocity);
+        return _target.Find(in piece) ? !_wantsThrough || _through.Crossed : GivesUp(piece.EndPosition, piece.EndVelocity);
     }
 
-    /// <summary>Whether a plane that is still to be crossed lies behind the ball.</summary>
-    private bool Crosses(in BallState state) =>
-        (_wantsThrough && !_through.Crossed && _through.IsBehind(in state)) || _target.IsBehind(in state);
+    /// <summary>The length of equal steps that end with a time.</summary>
+    private double StepTo(double time) =>
+        time > ShortestStep * _longestStep && time < double.PositiveInfinity ? time / Math.Ceiling((time / _longestStep) - 1e-6) : _longestStep;
 
     /// <summary>Takes the end of a piece that crosses nothing.</summary>
     /// <returns>True where the ball falls below the floor.</returns>

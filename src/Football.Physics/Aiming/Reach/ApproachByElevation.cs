@@ -38,7 +38,7 @@ internal sealed class ApproachByElevation
     public double Speed { get; private set; }
 
     /// <summary>Whether flights turn with their azimuth, so that the azimuth of an elevation is known after one.</summary>
-    public bool TurnWithAzimuth => _context.Approaches.Turns(in _targetVelocity);
+    public bool TurnWithAzimuth => _context.Turns(in _targetVelocity);
 
     /// <summary>Whether nothing more can be searched.</summary>
     public bool IsSpent => _context.IsSpent;
@@ -185,8 +185,7 @@ internal sealed class ApproachByElevation
 
     private Approach Fly(double step)
     {
-        Approach approach = _context.Approaches.Look(in _frame, in _targetVelocity, in _kick, Speed, step);
-        _context.CountSimulation(_context.Approaches.Pieces);
+        Approach approach = _context.Look(in _frame, in _targetVelocity, in _kick, Speed, step);
         if (approach.Miss < Best.Miss)
         {
             Best = approach;

@@ -5,7 +5,7 @@ namespace Football.Physics;
 /// azimuth, speed, spins and times are unknowns, each free within bounds or held; the gaps at those times are the residuals, which change smoothly with all of
 /// them, however the way bends.
 /// </summary>
-internal sealed class ShootingProblem
+internal sealed class ShootingProblem : KickObserver
 {
     /// <summary>The unknowns: two angles, the logarithm of the speed, two spins, the logarithm of the time to the target, and the share of it to the point on the way.</summary>
     public const int Elevation = 0;
@@ -24,11 +24,6 @@ internal sealed class ShootingProblem
     private const double RuledByAirStep = 0.03;
     private const double ScanStep = 0.1;
 
-    /// <summary>Step of a roll, s, and of one that is fast enough to meet the drag law's jump, and that speed, m/s.</summary>
-    private const double RollStep = 0.1;
-    private const double FastRollStep = 0.02;
-    private const double FastRoll = 11;
-
     /// <summary>Changes of the unknowns by which the Jacobian is measured.</summary>
     private const double AngleDifference = 1e-4;
     private const double SpinDifference = 0.02;
@@ -39,7 +34,9 @@ internal sealed class ShootingProblem
     private readonly AimContext _context;
     private readonly Simulator _open;
     private readonly Simulator _grounded;
-    private readonly StepLog _log = new();
+    private readonly TimedFlight _flight;
+    private readonly TimedFlight _roll;
+    private readonly KickFlight _scan;
     private readonly double[] _beside = new double[Unknowns];
     private readonly double[] _residuals = new double[MostEquations];
     private TargetFrame _frame;
@@ -51,6 +48,10 @@ internal sealed class ShootingProblem
     private double _speed;
     private double _step;
     private double _scanStep;
+    private double _squared;
+    private double _time;
+    private double _waySquared;
+    private double _wayTime;
 
     /// <param name="context">What the searches share.</param>
     /// <param name="open">The scene without ground.</param>
@@ -60,6 +61,9 @@ internal sealed class ShootingProblem
         _context = context;
         _open = open;
         _grounded = grounded;
+        _flight = new TimedFlight(open);
+        _roll = new TimedFlight(grounded);
+        _scan = new KickFlight(open, this);
     }
 
     public AimRequest Request { get; private set; } = new();
@@ -144,15 +148,17 @@ internal sealed class ShootingProblem
         BallState state = Launch(x);
         double time = Elementary.Exp(x[LogTime]);
         double way = _passesThrough ? x[Share] * time : 0;
+        TimedFlight flight = _rolls ? _roll : _flight;
+        long pieces = 0;
         if (_passesThrough)
         {
-            FlyOn(ref state, way);
+            pieces = flight.Fly(ref state, way, _step);
             _passing = state.Velocity;
             Put(r, 3, state.Position - _through);
         }
 
-        FlyOn(ref state, time - way);
-        _context.CountSimulation(_log.Steps);
+        pieces += flight.Fly(ref state, time - way, _step);
+        _context.CountSimulation(pieces);
         _arrival = state.Velocity - Request.TargetVelocity;
         Vector3d gap = state.Position - _frame.Target - (time * Request.TargetVelocity);
         Put(r, 0, _rolls ? gap.Horizontal : gap);
@@ -268,39 +274,38 @@ internal sealed class ShootingProblem
     /// <returns>The sum of the squares of what it misses by, m².</returns>
     public double Approach(double[] x)
     {
-        // In long steps, as if each were straight, until the ball falls below both ends or the time is over.
         BallState state = Launch(x);
-        double floor = Math.Min(_frame.From.Y, _frame.Target.Y) - 1.0;
-        double best = double.PositiveInfinity;
-        double way = double.PositiveInfinity;
-        double wayTime = 0;
-        while (state.Time < AimContext.LongestFlight && _log.Steps < AimContext.MostPieces && !(state.Position.Y < floor && state.Velocity.Y < 0))
-        {
-            BallState before = state;
-            _open.StepToImpact(ref state, _scanStep, _log);
-            double squared;
-            double time;
-            if (_passesThrough)
-            {
-                squared = Closest(in before, in state, in _through, Vector3d.Zero, out time);
-                if (squared < way)
-                {
-                    way = squared;
-                    wayTime = time;
-                }
-            }
+        _squared = double.PositiveInfinity;
+        _waySquared = double.PositiveInfinity;
+        _wayTime = 0;
+        _scan.Fly(ref state, AimContext.LongestFlight);
+        _context.CountSimulation(_scan.Pieces);
+        double time = Math.Max(_time, ShortestTime);
+        x[LogTime] = Clamp(LogTime, Elementary.Log(time));
+        x[Share] = Clamp(Share, _wayTime / time);
+        return _squared;
+    }
 
-            squared = Closest(in before, in state, in _frame.Target, Request.TargetVelocity, out time) + (_passesThrough ? way : 0);
-            if (squared < best)
-            {
-                best = squared;
-                x[LogTime] = Clamp(LogTime, Elementary.Log(Math.Max(time, ShortestTime)));
-                x[Share] = Clamp(Share, wayTime / Math.Max(time, ShortestTime));
-            }
+    public override double StepFrom(in BallState state, out bool watches)
+    {
+        watches = false;
+        return _scanStep;
+    }
+
+    public override bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
+    {
+        // In long steps, as if each were straight, until the ball falls below both ends.
+        double time;
+        if (_passesThrough)
+        {
+            double way = Closest(in before, in after, in _through, Vector3d.Zero, out time);
+            (_waySquared, _wayTime) = way < _waySquared ? (way, time) : (_waySquared, _wayTime);
         }
 
-        _context.CountSimulation(_log.Steps);
-        return best;
+        double squared = Closest(in before, in after, in _frame.Target, Request.TargetVelocity, out time) + (_passesThrough ? _waySquared : 0);
+        (_squared, _time) = squared < _squared ? (squared, time) : (_squared, _time);
+        ended = after.Position.Y < Math.Min(_frame.From.Y, _frame.Target.Y) - 1.0 && after.Velocity.Y < 0;
+        return false;
     }
 
     /// <summary>Flies a kick to a time, and sets its time to that.</summary>
@@ -326,7 +331,7 @@ internal sealed class ShootingProblem
         solution.ThroughMiss = measured.ThroughDistance ?? double.NaN;
 
         // What is in the way of the kick for a time is to be told.
-        bool isBlocked = !IsFree[LogTime] && measured.Blocker != KickFlight.NoThing;
+        bool isBlocked = !IsFree[LogTime] && measured.Blocker != MeasuredFlight.NoThing;
         return (measured.Distance <= Request.Tolerance || isBlocked) && (!_passesThrough || measured.ThroughDistance <= Request.ThroughTolerance);
     }
 
@@ -344,25 +349,7 @@ internal sealed class ShootingProblem
     {
         // The logarithm of the speed keeps it above zero, and makes a step a share of it.
         KickOf(x).Vectors(Elementary.Exp(x[LogSpeed]), in _frame.Forward, out Vector3d velocity, out Vector3d spin);
-        _log.Clear();
         return (_rolls ? _grounded : _open).Launch(_frame.From, velocity, spin);
-    }
-
-    private void FlyOn(ref BallState state, double time)
-    {
-        // A roll in steps as long as its motion allows; a flight in equal ones that end with the time.
-        double last = state.Time + time - (1e-9 * time);
-        while (_rolls && state.Time < last && state.Motion != MotionState.Stopped && _log.Steps < AimContext.MostPieces)
-        {
-            double step = state.Motion == MotionState.Sliding || state.Velocity.LengthSquared > FastRoll * FastRoll ? FastRollStep : RollStep;
-            _grounded.StepToImpact(ref state, Math.Min(step, last - state.Time + (1e-9 * time)), _log);
-        }
-
-        double steps = _rolls ? 0 : Math.Ceiling(time / _step);
-        for (int i = 0; i < steps && _log.Steps < AimContext.MostPieces; i++)
-        {
-            _open.StepToImpact(ref state, time / steps, _log);
-        }
     }
 
     /// <summary>Closest approach of a step, as if it were straight.</summary>
@@ -390,5 +377,47 @@ internal sealed class ShootingProblem
         j[(row * Unknowns) + column] = value.X;
         j[((row + 1) * Unknowns) + column] = value.Y;
         j[((row + 2) * Unknowns) + column] = value.Z;
+    }
+}
+
+/// <summary>A flight, or a roll, to a time.</summary>
+internal sealed class TimedFlight : KickObserver
+{
+    /// <summary>Step of a roll, s, and of one that is fast enough to meet the drag law's jump, and that speed, m/s.</summary>
+    private const double RollStep = 0.1;
+    private const double FastRollStep = 0.02;
+    private const double FastRoll = 11;
+
+    private readonly KickFlight _kick;
+    private double _step;
+    private double _end;
+
+    public TimedFlight(Simulator simulator) => _kick = new KickFlight(simulator, this);
+
+    /// <summary>Flies on.</summary>
+    /// <param name="state">The ball.</param>
+    /// <param name="time">For how long, s.</param>
+    /// <param name="longestStep">The longest step in the air, s.</param>
+    /// <returns>Pieces of motion.</returns>
+    public long Fly(ref BallState state, double time, double longestStep)
+    {
+        _step = time / Math.Ceiling(time / longestStep);
+        _end = state.Time + time;
+        _kick.Fly(ref state, _end - (1e-9 * time));
+        return _kick.Pieces;
+    }
+
+    public override double StepFrom(in BallState state, out bool watches)
+    {
+        // In the air equal steps that end with the time; on the ground as long as the motion allows.
+        watches = false;
+        bool isFast = state.Motion == MotionState.Sliding || state.Velocity.LengthSquared > FastRoll * FastRoll;
+        return state.Motion == MotionState.Airborne ? _step : Math.Min(isFast ? FastRollStep : RollStep, _end - state.Time);
+    }
+
+    public override bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
+    {
+        ended = after.Motion == MotionState.Stopped;
+        return false;
     }
 }
