@@ -63,11 +63,6 @@ public sealed class Aimer
             _context.Steps = AimSteps.Short;
             AimSolution fine = Search(request);
             AimResult finer = Report(request, in fine, measure);
-            if (!finer.HitsTarget && request.Through is null && _general.WithSpeed(request, request.Speed, request.Arc, request.TopSpin, request.SideSpin, out AimSolution timed))
-            {
-                finer = Report(request, in timed, measure);
-            }
-
             _context.Steps = AimSteps.Long;
             result = finer.HitsTarget || !(result.Miss < finer.Miss) ? finer : Report(request, in solution, measure);
         }

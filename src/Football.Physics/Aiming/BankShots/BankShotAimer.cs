@@ -10,8 +10,8 @@ namespace Football.Physics;
 /// </remarks>
 public sealed class BankShotAimer
 {
-    /// <summary>A kick that misses by more than this does not go the way of its chain, m: something is in between.</summary>
-    private const double Strange = 0.2;
+    /// <summary>Step of a leg in steps of a measurement.</summary>
+    private const double LegStep = 4;
 
     /// <summary>Kicks are the same that differ by less than this, rad.</summary>
     private const double Same = 1e-3;
@@ -21,10 +21,14 @@ public sealed class BankShotAimer
     private readonly Collider? _ground;
     private readonly int _first;
     private readonly BankShotFlight _flight;
-    private readonly BankShotChain _chain;
+    private readonly Simulator _open;
+    private readonly Simulator _grounded;
     private readonly BankShotGuess _guess;
     private readonly BankShotGrid _grid;
     private readonly Kick[] _kicks = new Kick[BankShotGuess.Count];
+
+    /// <summary>Chains, by how many contacts they have.</summary>
+    private readonly Dictionary<int, BankShotProblem> _chains = [];
 
     /// <summary>What is to be met, by how many that are.</summary>
     private readonly Dictionary<int, int[]> _things = [];
@@ -42,7 +46,9 @@ public sealed class BankShotAimer
         _colliders = world.Colliders;
         _first = world.FirstCollider;
         _flight = new BankShotFlight(_simulator);
-        _chain = new BankShotChain(made);
+        Scene empty = AimContext.WithoutThings(made);
+        _grounded = new Simulator(empty);
+        _open = new Simulator(AimContext.WithoutGround(empty));
         _guess = new BankShotGuess(made);
         _grid = new BankShotGrid(_flight, world, made.Ball.Radius);
     }
@@ -68,67 +74,72 @@ public sealed class BankShotAimer
 
         // 1. Chains of legs from several guesses, each flown and corrected where it closes. 2. Where none hits, kicks over all directions.
         int[] things = Things(after);
-        _flight.Begin(request);
         var frame = new TargetFrame(AimContext.Raised(_simulator, request.From), AimContext.Raised(_simulator, request.Target));
-        BankShotStart best = Chained(request, in frame, things, Nothing(request, in frame));
-        if (!best.IsHit(request))
+        _flight.Begin(request, in frame, things);
+        FlyChains(request, in frame, things);
+        if (!_flight.Hits)
         {
-            best = _grid.Find(request, in frame, things, best);
+            _grid.Find(request, in frame, things);
         }
 
-        best.Kick.Vectors(request.Speed, frame.Forward, out Vector3d velocity, out Vector3d spin);
-        var measured = new MeasuredMiss(best.Miss, null, best.Time, best.Position);
-        AimStatus status = best.IsHit(request) ? AimStatus.Hit : AimStatus.NotConverged;
-        return new AimResult(status, in velocity, in spin, in measured, AimArc.Low, rolls: false, _flight.Iterations, _flight.Simulations, blockedBy: null);
+        _flight.Best.Vectors(request.Speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
+        AimStatus status = _flight.Hits ? AimStatus.Hit : AimStatus.NotConverged;
+        return new AimResult(status, in velocity, in spin, _flight.Miss, AimArc.Low, rolls: false, _flight.Iterations, _flight.Simulations, blockedBy: null);
     }
 
-    /// <summary>Puts kicks together from where they may touch things.</summary>
-    private BankShotStart Chained(AimRequest request, in TargetFrame frame, int[] things, BankShotStart best)
+    /// <summary>Puts kicks together from where they may touch things, and corrects them by what they miss.</summary>
+    private void FlyChains(AimRequest request, in TargetFrame frame, int[] things)
     {
-        // Bounces off the ground belong to the leg that makes them: only other things are places of their own. What moves cannot be put into a chain.
+        // Each guess is closed as far as it goes: what is left open, a net on the way may close.
+        BankShotProblem legs = Legs(things);
+        _flown = 0;
+        for (int i = 0; i < BankShotGuess.Count && !_flight.Hits; i++)
+        {
+            if (!_guess.Make(legs, _ground, request, in frame, i, out Kick kick))
+            {
+                continue;
+            }
+
+            legs.Close(request, in frame, in kick, LegStep * _flight.FineStep, _flight);
+            if (IsNew(legs.Kick))
+            {
+                _flight.Improve(legs.Kick.Elevation, legs.Kick.Azimuth);
+            }
+        }
+    }
+
+    /// <summary>The legs that lead over things.</summary>
+    private BankShotProblem Legs(int[] things)
+    {
+        // Bounces off the ground belong to the leg that makes them: only other things are places of their own.
         int contacts = 0;
         foreach (int thing in things)
         {
             contacts += _colliders[thing - _first] == _ground ? 0 : 1;
         }
 
-        _chain.Prepare(contacts);
+        if (!_chains.TryGetValue(contacts, out BankShotProblem? legs))
+        {
+            legs = new BankShotProblem(_open, _grounded, contacts);
+            _chains.Add(contacts, legs);
+        }
+
         int leg = 0;
-        _chain.Legs.Bounces[0] = 0;
+        Array.Clear(legs.Bounces, 0, contacts + 1);
         foreach (int index in things)
         {
             Collider thing = _colliders[index - _first];
-            if (thing.Moves)
-            {
-                return best;
-            }
-
             if (thing == _ground)
             {
-                _chain.Legs.Bounces[leg]++;
-                continue;
+                legs.Bounces[leg]++;
             }
-
-            _chain.Legs.Contacts[leg++].Thing = thing;
-            _chain.Legs.Bounces[leg] = 0;
-        }
-
-        _flown = 0;
-        for (int i = 0; i < BankShotGuess.Count && !best.IsHit(request); i++)
-        {
-            if (!_guess.Make(_chain.Legs, _ground, request, in frame, i))
+            else
             {
-                continue;
-            }
-
-            if (_chain.Close(request, in frame, _flight) && IsNew(_chain.Legs.Kick))
-            {
-                BankShotStart found = Flown(request, in frame, things);
-                best = found.IsFine && (!best.IsFine || found.Miss < best.Miss) ? found : best;
+                legs.Contacts[leg++].Thing = thing;
             }
         }
 
-        return best;
+        return legs;
     }
 
     /// <summary>Whether no chain has led to a kick before; it is then remembered.</summary>
@@ -144,17 +155,6 @@ public sealed class BankShotAimer
 
         _kicks[_flown++] = kick;
         return true;
-    }
-
-    /// <summary>Flies the kick of a chain, and corrects it by what it misses.</summary>
-    private BankShotStart Flown(AimRequest request, in TargetFrame frame, int[] things)
-    {
-        var bounds = ElevationBounds.Of(request);
-        Kick kick = _chain.Legs.Kick;
-        kick.Elevation = bounds.Clamp(kick.Elevation);
-        BankShotStart best = _flight.Fly(request, in frame, things, in kick, _flight.FineStep);
-        best.IsFine = best.Meets;
-        return best.Meets && best.Miss < Strange && best.Miss > BankShotFlight.Enough * request.Tolerance ? _flight.Improve(request, in frame, things, in best) : best;
     }
 
     private int[] Things(string[] names)
@@ -219,15 +219,5 @@ public sealed class BankShotAimer
         }
 
         return found;
-    }
-
-    /// <summary>A kick that meets nothing, for want of a better one.</summary>
-    private static BankShotStart Nothing(AimRequest request, in TargetFrame frame)
-    {
-        BankShotStart nothing = default;
-        nothing.Kick = Kick.Of(request, ElevationBounds.Of(request).Clamp(0.3), 0);
-        nothing.Miss = Vector3d.Distance(frame.From, in frame.Target);
-        nothing.Position = frame.From;
-        return nothing;
     }
 }

@@ -1,36 +1,42 @@
 namespace Football.Physics;
 
-/// <summary>Flies kicks among all there is in a scene, and finds by their misses what comes closer.</summary>
-internal sealed class BankShotFlight
+/// <summary>
+/// Kicks among all there is in a scene, nets included, flown until they have met what they are to meet and come closest to the target: that miss, by elevation and azimuth, is a
+/// problem of least squares. The best of all kicks is remembered.
+/// </summary>
+internal sealed class BankShotFlight : ILeastSquares
 {
     /// <summary>Step of a look, s.</summary>
     public const double CoarseStep = 0.04;
 
-    /// <summary>A kick is given up after this, s.</summary>
-    private const double LongestFlight = 8;
-
-    private const int MostCorrections = 20;
-    private const int MostHalvings = 8;
-
     /// <summary>A miss that is not worth a correction, of the tolerance.</summary>
     public const double Enough = 0.1;
 
-    /// <summary>Derivatives are difference quotients over so much of a turn, rad.</summary>
-    private const double Width = 1e-6;
+    /// <summary>A kick is given up after this, s.</summary>
+    private const double LongestFlight = 8;
 
-    /// <summary>The most that a direction is turned at once, rad.</summary>
+    /// <summary>Derivatives are difference quotients over so much of a turn, and that is the most that a direction is turned at once, rad.</summary>
+    private const double Width = 1e-6;
     private const double LargestTurn = 0.1;
 
     private readonly Simulator _simulator;
-    private readonly StepLog _log = new();
-    private readonly MeasuredFlight _shot;
+    private readonly MeasuredFlight _flight;
+    private readonly LeastSquares _solver;
     private readonly double _upward;
+    private readonly double[] _x = new double[2];
+    private readonly double[] _gap = new double[3];
+    private AimRequest _request = new();
+    private TargetFrame _frame;
+    private ElevationBounds _bounds;
+    private int[] _things = [];
 
+    /// <param name="simulator">The scene.</param>
     public BankShotFlight(Simulator simulator)
     {
         _simulator = simulator;
         _upward = Weight.UpwardAcceleration(simulator.Scene);
-        _shot = new MeasuredFlight(simulator);
+        _flight = new MeasuredFlight(simulator);
+        _solver = new LeastSquares(this, Equations);
     }
 
     /// <summary>Forward simulations since the search began.</summary>
@@ -39,138 +45,95 @@ internal sealed class BankShotFlight
     /// <summary>Corrections since the search began.</summary>
     public int Iterations { get; set; }
 
-    /// <summary>Step of the search itself, s: of a measurement.</summary>
+    /// <summary>The kick that came closest in steps of a measurement; where none met what it is to meet, of those in long steps.</summary>
+    public Kick Best { get; private set; }
+
+    /// <summary>What it misses by.</summary>
+    public MeasuredMiss Miss { get; private set; }
+
+    /// <summary>Whether it was flown in steps of a measurement.</summary>
+    public bool IsFine { get; private set; }
+
+    /// <summary>Whether it does what is asked.</summary>
+    public bool Hits => IsFine && Miss.Distance <= _request.Tolerance;
+
+    public int Unknowns => 2;
+
+    public int Equations => 3;
+
+    public bool IsSpent => _solver.Iterations >= _request.MaximumIterations;
+
+    /// <summary>Step of a measurement, s.</summary>
     public double FineStep { get; private set; }
 
     /// <summary>Begins a search.</summary>
-    public void Begin(AimRequest request)
+    public void Begin(AimRequest request, in TargetFrame frame, int[] things)
     {
-        double spinRate = Math.Sqrt((request.TopSpin * request.TopSpin) + (request.SideSpin * request.SideSpin));
-        FineStep = MeasuringStep.Of(_simulator, _upward, request.Speed, spinRate);
+        _request = request;
+        _frame = frame;
+        _things = things;
+        _bounds = ElevationBounds.Of(request);
+        FineStep = MeasuringStep.Of(_simulator, _upward, request.Speed, Kick.Of(request, 0, 0).SpinRate);
         Simulations = 0;
         Iterations = 0;
+
+        // A kick that meets nothing, for want of a better one.
+        IsFine = false;
+        Best = Kick.Of(request, _bounds.Clamp(0.3), 0);
+        Miss = new MeasuredMiss(Vector3d.Distance(frame.From, in frame.Target), null, 0, frame.From);
     }
 
-    /// <summary>Flies a kick.</summary>
-    public BankShotStart Fly(AimRequest request, in TargetFrame frame, int[] things, in Kick kick, double step)
+    /// <summary>Flies a kick in long steps.</summary>
+    /// <returns>What it misses by; infinite where it does not meet what it is to meet.</returns>
+    public double Look(double elevation, double azimuth) => Fly(elevation, azimuth, CoarseStep) ? _flight.Miss : double.PositiveInfinity;
+
+    /// <summary>Corrects a kick by what it misses.</summary>
+    public void Improve(double elevation, double azimuth)
     {
-        kick.Vectors(request.Speed, frame.Forward, out Vector3d velocity, out Vector3d spin);
-        BallState state = _simulator.LaunchAt(request.From, velocity, spin, request.KickTime);
+        _x[0] = _bounds.Clamp(elevation);
+        _x[1] = azimuth;
+        _solver.Iterations = 0;
+        _solver.Solve(_x);
+        Iterations += _solver.Iterations;
+    }
+
+    public bool IsFree(int unknown) => true;
+
+    public double Clamp(int unknown, double value) => unknown == 0 ? _bounds.Clamp(value) : value;
+
+    public double LargestChange(int unknown) => LargestTurn;
+
+    public double Difference(int unknown) => Width;
+
+    public bool IsHit(double[] r) => new Vector3d(r[0], r[1], r[2]).Length <= Enough * _request.Tolerance;
+
+    public bool Fly(double[] x, double[] r)
+    {
+        bool meets = Fly(x[0], x[1], FineStep);
+        Vector3d gap = _flight.Position - _frame.Target;
+        (r[0], r[1], r[2]) = (gap.X, gap.Y, gap.Z);
+        return meets;
+    }
+
+    public void KnownColumns(double[] x, double[] j)
+    {
+        // Both columns are measured.
+    }
+
+    private bool Fly(double elevation, double azimuth, double step)
+    {
+        Kick kick = Kick.Of(_request, elevation, azimuth);
+        kick.Vectors(_request.Speed, in _frame.Forward, out Vector3d velocity, out Vector3d spin);
+        BallState state = _simulator.LaunchAt(_request.From, velocity, spin, _request.KickTime);
         Simulations++;
-        _shot.Fly(state, step, LongestFlight, frame.Target, Vector3d.Zero, null, things);
-        return new BankShotStart
+        _flight.Fly(state, step, LongestFlight, in _frame.Target, Vector3d.Zero, null, _things);
+        bool isFine = step == FineStep;
+        if (_flight.HasMetAll && (isFine == IsFine ? _flight.Miss < Miss.Distance : isFine))
         {
-            Kick = kick,
-            Meets = _shot.HasMetAll,
-            Miss = _shot.HasMetAll ? _shot.Miss : double.MaxValue,
-            Time = _shot.Time,
-            Position = _shot.Position,
-            Velocity = _shot.Velocity,
-        };
-    }
-
-    /// <summary>Newton's method on the part of the miss across the way, by elevation and azimuth.</summary>
-    public BankShotStart Improve(AimRequest request, in TargetFrame frame, int[] things, in BankShotStart start)
-    {
-        // Through the impacts, whose kinks end a step early: halved until it meets the same things and comes closer.
-        BankShotStart at = start.IsFine ? start : Fly(request, in frame, things, start.Kick, FineStep);
-        var bounds = ElevationBounds.Of(request);
-        for (int i = 0; at.Meets && i < Math.Min(MostCorrections, request.MaximumIterations) && at.Miss > Enough * request.Tolerance; i++)
-        {
-            Iterations++;
-            if (!Step(request, in frame, in at, out double up, out double aside))
-            {
-                break;
-            }
-
-            double turn = Math.Sqrt((up * up) + (aside * aside));
-            double share = turn > LargestTurn ? LargestTurn / turn : 1.0;
-            BankShotStart next = at;
-            bool better = false;
-            for (int halving = 0; halving < MostHalvings && !better; halving++)
-            {
-                Kick kick = at.Kick;
-                kick.Elevation = bounds.Clamp(kick.Elevation + (share * up));
-                kick.Azimuth += share * aside;
-                next = Fly(request, in frame, things, in kick, FineStep);
-                better = next.Meets && next.Miss < at.Miss;
-                share *= 0.5;
-            }
-
-            if (!better)
-            {
-                break;
-            }
-
-            at = next;
+            (Best, IsFine) = (kick, isFine);
+            Miss = new MeasuredMiss(_flight.Miss, null, _flight.Time, _flight.Position);
         }
 
-        at.IsFine = at.Meets;
-        return at;
+        return _flight.HasMetAll;
     }
-
-    /// <summary>The turn that takes away the miss across the way: least squares of e + (∂p/∂θ) Δθ over the directions across v.</summary>
-    private bool Step(AimRequest request, in TargetFrame frame, in BankShotStart at, out double up, out double aside)
-    {
-        // Along the way a miss is a matter of time alone: only what is across counts.
-        Kick raised = at.Kick;
-        raised.Elevation += Width;
-        Kick turned = at.Kick;
-        turned.Azimuth += Width;
-        Vector3d byElevation = 1.0 / Width * (At(request, in frame, in raised, at.Time) - at.Position);
-        Vector3d byAzimuth = 1.0 / Width * (At(request, in frame, in turned, at.Time) - at.Position);
-        Vector3d way = at.Velocity.LengthSquared > 0 ? at.Velocity / at.Velocity.Length : Vector3d.Zero;
-        Vector3d e = Across(at.Position - frame.Target, in way);
-        byElevation = Across(in byElevation, in way);
-        byAzimuth = Across(in byAzimuth, in way);
-        double aa = byElevation.LengthSquared;
-        double ab = Vector3d.Dot(in byElevation, in byAzimuth);
-        double bb = byAzimuth.LengthSquared;
-        double determinant = (aa * bb) - (ab * ab);
-        double ea = Vector3d.Dot(in e, in byElevation);
-        double eb = Vector3d.Dot(in e, in byAzimuth);
-        up = ((ab * eb) - (bb * ea)) / determinant;
-        aside = ((ab * ea) - (aa * eb)) / determinant;
-        return determinant > 1e-12 * aa * bb && !double.IsNaN(up + aside);
-    }
-
-    /// <summary>Where a kick is at a time.</summary>
-    private Vector3d At(AimRequest request, in TargetFrame frame, in Kick kick, double time)
-    {
-        kick.Vectors(request.Speed, frame.Forward, out Vector3d velocity, out Vector3d spin);
-        BallState state = _simulator.LaunchAt(request.From, velocity, spin, request.KickTime);
-        _log.Clear();
-        Simulations++;
-        _simulator.Run(ref state, FineStep, time, StopAt.Time, _log, null);
-        return state.Position;
-    }
-
-    private static Vector3d Across(in Vector3d v, in Vector3d way) => v - (Vector3d.Dot(in v, in way) * way);
-}
-
-/// <summary>A kick that was flown, and how close it comes after what it is to meet.</summary>
-internal struct BankShotStart
-{
-    public Kick Kick;
-
-    /// <summary>Whether it meets what it is to meet.</summary>
-    public bool Meets;
-
-    /// <summary>Whether it was flown in short steps.</summary>
-    public bool IsFine;
-
-    /// <summary>Closest approach, m.</summary>
-    public double Miss;
-
-    /// <summary>When, s.</summary>
-    public double Time;
-
-    /// <summary>Where, m.</summary>
-    public Vector3d Position;
-
-    /// <summary>How fast, m/s.</summary>
-    public Vector3d Velocity;
-
-    /// <summary>Whether it does what is asked.</summary>
-    public readonly bool IsHit(AimRequest request) => IsFine && Miss <= request.Tolerance;
 }

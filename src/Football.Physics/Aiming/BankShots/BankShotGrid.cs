@@ -15,7 +15,7 @@ internal sealed class BankShotGrid
     private readonly BankShotFlight _flight;
     private readonly World _world;
     private readonly double _radius;
-    private readonly BankShotStart[] _starts = new BankShotStart[Starts];
+    private readonly (double Elevation, double Azimuth, double Miss)[] _starts = new (double Elevation, double Azimuth, double Miss)[Starts];
     private int _count;
 
     public BankShotGrid(BankShotFlight flight, World world, double radius)
@@ -25,56 +25,33 @@ internal sealed class BankShotGrid
         _radius = radius;
     }
 
-    /// <summary>Finds a kick that is closer than the best so far.</summary>
-    public BankShotStart Find(AimRequest request, in TargetFrame frame, int[] things, BankShotStart best)
+    /// <summary>Looks for a kick that is closer than the best so far.</summary>
+    public void Find(AimRequest request, in TargetFrame frame, int[] things)
     {
-        for (int look = 0; look < Looks && !best.IsHit(request); look++)
-        {
-            BankShotStart closest = Look(request, in frame, things, 1 << look);
-            best = !best.IsFine && closest.Miss < best.Miss ? closest : best;
-            for (int i = 0; i < _count && !best.IsHit(request); i++)
-            {
-                BankShotStart found = _flight.Improve(request, in frame, things, in _starts[i]);
-                best = found.IsFine && (!best.IsFine || found.Miss < best.Miss) ? found : best;
-            }
-        }
-
-        return best;
-    }
-
-    /// <summary>Flies kicks over all directions of use, and keeps the closest of those that meet everything.</summary>
-    /// <returns>The closest of all.</returns>
-    private BankShotStart Look(AimRequest request, in TargetFrame frame, int[] things, int closeness)
-    {
-        // A grid that a closer look halves; the best of those that meet everything are the starts of Newton's method.
-        _count = 0;
+        // A grid that a closer look halves; the best of those that meet everything are the starts of corrections.
         var bounds = ElevationBounds.Of(request);
-        BankShotStart best = default;
-        best.Miss = double.MaxValue;
         Azimuths(in frame, things, out double from, out double to);
-        int directions = Directions * closeness;
-        int elevations = Elevations * closeness;
-        for (int i = 0; i <= directions; i++)
+        for (int closeness = 1; closeness < 1 << Looks && !_flight.Hits; closeness *= 2)
         {
-            for (int j = 0; j <= elevations; j++)
+            _count = 0;
+            int directions = Directions * closeness;
+            int elevations = Elevations * closeness;
+            for (int i = 0; i < (directions + 1) * (elevations + 1); i++)
             {
-                // What a wider look has flown need not be flown again.
-                if (closeness > 1 && (i & 1) == 0 && (j & 1) == 0)
-                {
-                    continue;
-                }
+                (int column, int row) = (i / (elevations + 1), i % (elevations + 1));
 
-                Kick kick = Kick.Of(request, bounds.Lowest + ((bounds.Highest - bounds.Lowest) * j / elevations), from + ((to - from) * i / directions));
-                BankShotStart shot = _flight.Fly(request, in frame, things, in kick, BankShotFlight.CoarseStep);
-                if (shot.Meets)
+                // What a wider look has flown need not be flown again.
+                if (closeness == 1 || (column & 1) != 0 || (row & 1) != 0)
                 {
-                    Keep(in shot);
-                    best = shot.Miss < best.Miss ? shot : best;
+                    Look(bounds.Lowest + ((bounds.Highest - bounds.Lowest) * row / elevations), from + ((to - from) * column / directions));
                 }
             }
-        }
 
-        return best;
+            for (int i = 0; i < _count && !_flight.Hits; i++)
+            {
+                _flight.Improve(_starts[i].Elevation, _starts[i].Azimuth);
+            }
+        }
     }
 
     /// <summary>The directions in which the first thing but the ground is met: those of its box as seen from the ball, or all where it has none.</summary>
@@ -110,23 +87,22 @@ internal sealed class BankShotGrid
         to = around + spread;
     }
 
-    /// <summary>Keeps a start if it is among the closest.</summary>
-    private void Keep(in BankShotStart shot)
+    /// <summary>Flies a kick, and keeps it among the starts if it is one of the closest.</summary>
+    private void Look(double elevation, double azimuth)
     {
-        int place = _count < Starts ? _count++ : Starts;
-        while (place > 0 && shot.Miss < _starts[place - 1].Miss)
+        double miss = _flight.Look(elevation, azimuth);
+        int place = miss < double.PositiveInfinity ? Math.Min(_count, Starts - 1) : -1;
+        if (place < 0 || (_count == Starts && miss >= _starts[place].Miss))
         {
-            if (place < Starts)
-            {
-                _starts[place] = _starts[place - 1];
-            }
-
-            place--;
+            return;
         }
 
-        if (place < Starts)
+        _count = Math.Min(_count + 1, Starts);
+        for (; place > 0 && miss < _starts[place - 1].Miss; place--)
         {
-            _starts[place] = shot;
+            _starts[place] = _starts[place - 1];
         }
+
+        _starts[place] = (elevation, azimuth, miss);
     }
 }

@@ -2,7 +2,7 @@ namespace Football.Physics;
 
 /// <summary>
 /// Guesses where a kick touches what it is to touch: the ground in hops that get shorter, all else where the way from what is before to what comes after is shortest,
-/// which is where a mirror would show the one in the other (Fermat's principle). From there <see cref="BankShotChain"/> finds it.
+/// which is where a mirror would show the one in the other (Fermat's principle). From there <see cref="BankShotProblem"/> finds it.
 /// </summary>
 internal sealed class BankShotGuess
 {
@@ -30,6 +30,7 @@ internal sealed class BankShotGuess
 
     private readonly BallProperties _ball;
     private readonly double _upward;
+    private double _time;
 
     public BankShotGuess(Scene scene)
     {
@@ -40,23 +41,26 @@ internal sealed class BankShotGuess
     /// <summary>How many guesses there are.</summary>
     public static int Count => Ways.Length;
 
-    /// <summary>Puts the contacts of some legs, of which each has its thing, and its kick where they may be.</summary>
+    /// <summary>Puts the contacts of some legs, of which each has its thing, where they may be, and makes a kick for them.</summary>
     /// <param name="legs">The legs.</param>
     /// <param name="ground">The ground.</param>
     /// <param name="request">What the kick is to do.</param>
     /// <param name="frame">Ball and target.</param>
     /// <param name="index">Which guess.</param>
+    /// <param name="kick">The kick.</param>
     /// <returns>False where it is no other than one before.</returns>
-    public bool Make(BankShotLegs legs, Collider? ground, AimRequest request, in TargetFrame frame, int index)
+    public bool Make(BankShotProblem legs, Collider? ground, AimRequest request, in TargetFrame frame, int index, out Kick kick)
     {
         // 1. Every contact to where its thing is nearest. 2. By turns to where a mirror would show what comes after in what comes before. 3. The kick that is thrown
         // to the first of them.
         (double share, bool lob, double steeper) = Ways[index];
         bool hops = false;
+        kick = default;
         Vector3d before = frame.From;
+        _time = request.KickTime;
         for (int i = 0; i < legs.Count; i++)
         {
-            legs.Contacts[i].GoTo(in before, _ball.Radius);
+            legs.Contacts[i].GoTo(in before, _ball.Radius, _time);
             before = legs.Contacts[i].Place;
             hops |= legs.Bounces[i] > 0;
         }
@@ -76,12 +80,12 @@ internal sealed class BankShotGuess
         }
 
         Vector3d first = Hop(legs, ground, in frame, 0, share, isLast: false);
-        legs.Kick = Thrown(request, in frame, first - frame.From, steeper);
+        kick = Thrown(request, in frame, first - frame.From, steeper);
         return true;
     }
 
     /// <summary>The first or last place on the ground of a leg, or where it leads to or comes from where it has none.</summary>
-    private Vector3d Hop(BankShotLegs legs, Collider? ground, in TargetFrame frame, int leg, double share, bool isLast)
+    private Vector3d Hop(BankShotProblem legs, Collider? ground, in TargetFrame frame, int leg, double share, bool isLast)
     {
         Vector3d from = leg == 0 ? frame.From : legs.Contacts[leg - 1].Place;
         Vector3d to = leg == legs.Count ? frame.Target : legs.Contacts[leg].Place;
@@ -103,12 +107,12 @@ internal sealed class BankShotGuess
         double whole = gone + (share * hop);
         BankShotContact place = default;
         place.Thing = ground;
-        place.GoTo(Vector3d.Lerp(in from, in to, (isLast ? gone : 1.0) / whole), _ball.Radius);
+        place.GoTo(Vector3d.Lerp(in from, in to, (isLast ? gone : 1.0) / whole), _ball.Radius, _time);
         return place.Place;
     }
 
     /// <summary>Puts a contact to where the way over it is shortest, both ends raised by what the ball falls on its way: least |A − c| + |c − B|.</summary>
-    private void Mirror(BankShotLegs legs, Collider? ground, AimRequest request, in TargetFrame frame, int index, double share, bool lob)
+    private void Mirror(BankShotProblem legs, Collider? ground, AimRequest request, in TargetFrame frame, int index, double share, bool lob)
     {
         ref BankShotContact c = ref legs.Contacts[index];
         Vector3d before = Hop(legs, ground, in frame, index, share, isLast: true);
@@ -150,7 +154,7 @@ internal sealed class BankShotGuess
 
             Vector3d move = (((xy * gy) - (yy * gx)) / determinant * c.Level) + (((xy * gx) - (xx * gy)) / determinant * c.Steep);
             double bend = (c.Curvature * move).Length;
-            c.GoTo(c.Place + (Math.Min(1.0, LargestBend / Math.Max(bend, 1e-9)) * move), _ball.Radius);
+            c.GoTo(c.Place + (Math.Min(1.0, LargestBend / Math.Max(bend, 1e-9)) * move), _ball.Radius, _time);
         }
     }
 
@@ -176,5 +180,53 @@ internal sealed class BankShotGuess
         double elevation = g * x > 1e-9 ? Elementary.Atan2((v * v) - Math.Sqrt(Math.Max(0, root)), g * x) : Elementary.Atan2(way.Y, x);
         double azimuth = Elementary.Atan2(Vector3d.Dot(in way, frame.Left), Vector3d.Dot(in way, frame.Forward));
         return Kick.Of(request, ElevationBounds.Of(request).Clamp(elevation + steeper), azimuth);
+    }
+}
+
+/// <summary>A place at which the ball is to touch something: of its centre, on the surface that lies a radius off the thing. It moves along that surface by two numbers.</summary>
+internal struct BankShotContact
+{
+    /// <summary>A place is put back onto a surface that is curved in so many steps.</summary>
+    private const int MostRaises = 8;
+
+    /// <summary>What is touched.</summary>
+    public Collider Thing;
+
+    /// <summary>Centre of the ball, m.</summary>
+    public Vector3d Place;
+
+    /// <summary>Normal of the thing there.</summary>
+    public Vector3d Normal;
+
+    /// <summary>How the normal turns with the place, 1/m.</summary>
+    public SymmetricMatrix3d Curvature;
+
+    /// <summary>The directions along the surface: level, and as steep as it gets.</summary>
+    public Vector3d Level;
+    public Vector3d Steep;
+
+    /// <summary>Goes to the place on the surface nearest to one.</summary>
+    public void GoTo(in Vector3d near, double radius, double time)
+    {
+        Place = near;
+        ShapePoint at = Thing.At(in Place, time);
+        for (int i = 0; i < MostRaises && Math.Abs(at.Distance - radius) > 1e-12; i++)
+        {
+            Place += (radius - at.Distance) * at.Normal;
+            at = Thing.At(in Place, time);
+        }
+
+        Normal = at.Normal;
+        Curvature = at.Curvature;
+        Axes(in Normal, out Level, out Steep);
+    }
+
+    /// <summary>Two directions across a third one, of which the first is level.</summary>
+    public static void Axes(in Vector3d direction, out Vector3d level, out Vector3d steep)
+    {
+        var flat = new Vector3d(direction.Z, 0, -direction.X);
+        double size = flat.Length;
+        level = size > 1e-9 ? flat / size : new Vector3d(1, 0, 0);
+        steep = Vector3d.Cross(in direction, in level);
     }
 }

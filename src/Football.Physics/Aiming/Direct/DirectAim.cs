@@ -81,11 +81,6 @@ internal sealed class DirectAim
             return hit;
         }
 
-        if (separates && !hits && arc == AimArc.High && Newton(out solution))
-        {
-            return solution;
-        }
-
         if (separates && hits && IsBent(in frame))
         {
             Approach other = _closest.Find(_problem, arc == AimArc.Low ? AimArc.High : AimArc.Low);

@@ -8,7 +8,7 @@ internal sealed class DirectionScan
 
     private const int MostRows = 13;
     private const int MostColumns = 12;
-    private const int N = ShootingProblem.Unknowns;
+    private const int N = ShootingProblem.Most;
 
     private readonly ShootingProblem _problem;
     private readonly double[] _squares = new double[MostRows * MostColumns];
@@ -37,8 +37,8 @@ internal sealed class DirectionScan
     public void Fly(int rows, int columns, double speed, double top, double side, double? time = null)
     {
         // A grid over all directions; of one elevation alone where the bounds allow no more.
-        double lowest = _problem.Least[ShootingProblem.Elevation];
-        double highest = _problem.Most[ShootingProblem.Elevation];
+        double lowest = _problem.Clamp(ShootingProblem.Elevation, double.NegativeInfinity);
+        double highest = _problem.Clamp(ShootingProblem.Elevation, double.PositiveInfinity);
         _rows = highest > lowest ? rows : 1;
         _columns = columns;
         for (int i = 0; i < _rows * _columns; i++)

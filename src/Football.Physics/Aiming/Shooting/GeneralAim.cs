@@ -10,7 +10,7 @@ namespace Football.Physics;
 /// </remarks>
 internal sealed class GeneralAim
 {
-    private const int N = ShootingProblem.Unknowns;
+    private const int N = ShootingProblem.Most;
 
     /// <summary>Elevations and azimuths of a scan for a given speed, and its starts that are followed.</summary>
     private const int Rows = 13;
@@ -21,9 +21,6 @@ internal sealed class GeneralAim
     private const double Earliest = 0.1;
     private const double Latest = 8;
     private const int Halvings = 7;
-
-    /// <summary>Above this elevation, rad, spin may bring a ball to the target that was kicked elsewhere.</summary>
-    private const double Steep = 0.8;
 
     /// <summary>The same where the speed is free, and the speeds of scans as shares of the fastest.</summary>
     private const int FreeRows = 9;
@@ -42,7 +39,6 @@ internal sealed class GeneralAim
 
     private readonly AimContext _context;
     private readonly ShootingProblem _problem;
-    private readonly LevenbergMarquardt _solver;
     private readonly DirectionScan _scan;
     private readonly SolutionCurve _curve;
     private readonly double[] _x = new double[N];
@@ -51,9 +47,8 @@ internal sealed class GeneralAim
     {
         _context = context;
         _problem = context.Shooting;
-        _solver = new LevenbergMarquardt(_problem);
         _scan = new DirectionScan(_problem);
-        _curve = new SolutionCurve(_problem, _solver);
+        _curve = new SolutionCurve(_problem);
     }
 
     private enum Wanted
@@ -93,7 +88,7 @@ internal sealed class GeneralAim
     {
         _problem.Begin(request, speed, through: false);
         Put(in kick, speed, time);
-        return _solver.Hit(_x, out solution);
+        return _problem.Hit(_x, out solution);
     }
 
     /// <summary>The kick that is at the target at a time, in flight or along the ground, no faster than the request; where there is none, what comes close.</summary>
@@ -119,11 +114,10 @@ internal sealed class GeneralAim
             }
         }
 
-        bool turnsBack = request.TopSpin != 0 && closest.Kick.Elevation > Steep;
-        if (!isBound || _problem.IsRuledByAir || !_context.Scene.Air.IsStill || turnsBack)
+        if (!isBound || _problem.IsRuledByAir || !_context.Scene.Air.IsStill)
         {
             BeginAtTime(request, rolls: false);
-            if ((turnsBack && FromBehind(time, out solution)) || FromScans(request, time, Wanted.First, ref solution, found: false))
+            if (FromScans(request, time, Wanted.First, ref solution, found: false))
             {
                 return true;
             }
@@ -138,12 +132,9 @@ internal sealed class GeneralAim
     public bool Slowest(AimRequest request, out AimSolution solution)
     {
         // 1. From the slowest in closed form, or the one on the bound of the elevations beyond which that lies. 2. Along the curve of the kicks that hit to
-        // where the speed is least. The last alone is measured, all of them where that is no hit. 3. A scan where there may be others.
+        // where the speed is least. 3. A scan where there may be others.
         Begin(request, rolls: false);
-        _solver.Measures = false;
         bool found = FromSlowestModel(request, out solution);
-        _solver.Measures = true;
-        found = found && (_problem.IsMeasuredHit(_x, out solution) || FromSlowestModel(request, out solution));
         solution.Vectors(out Vector3d velocity, out _);
         bool isOnlyOne = found && !_problem.IsRuledByAir && _context.Scene.Air.Wind.Horizontal.Length < Drift * velocity.Horizontal.Length;
         return isOnlyOne || FromScans(request, null, Wanted.Slowest, ref solution, found);
@@ -162,15 +153,19 @@ internal sealed class GeneralAim
             _x[ShootingProblem.Elevation] = bound;
         }
 
-        _problem.IsFree[held] = false;
-        bool found = _solver.Hit(_x, out solution, isMeasured: true);
-        _problem.IsFree[held] = true;
-        if (found)
-        {
-            _curve.Descend(_x, ref solution);
-        }
+        _problem.Free(held, false);
+        bool found = _problem.Solver.Solve(_x, isMeasured: true);
+        _problem.Free(held, true);
+        solution = _problem.Solution(_x);
+        return found && Descended(out solution);
+    }
 
-        return found;
+    /// <summary>The slowest kick beside one that hits: that alone is measured.</summary>
+    private bool Descended(out AimSolution solution)
+    {
+        solution = _problem.Solution(_x);
+        _curve.Descend(_x, ref solution);
+        return _problem.IsMeasuredHit(_x, out solution);
     }
 
     /// <summary>On which arc a kick that hits a target is: whether one that takes longer is slower or faster.</summary>
@@ -189,7 +184,7 @@ internal sealed class GeneralAim
         _problem.Begin(request, request.Speed, through: true);
         Put(in near, request.Speed, 1);
         _problem.Approach(_x);
-        if (_solver.Hit(_x, out solution))
+        if (_problem.Hit(_x, out solution))
         {
             return true;
         }
@@ -207,7 +202,7 @@ internal sealed class GeneralAim
         for (int start = 0; start < _scan.Count && !_context.IsSpent; start++)
         {
             _scan.Start(start, _x);
-            if (_solver.Hit(_x, out AimSolution one))
+            if (_problem.Hit(_x, out AimSolution one))
             {
                 solution = one;
                 return true;
@@ -232,7 +227,7 @@ internal sealed class GeneralAim
         solution = default;
         double tolerance = _problem.Request.ThroughTolerance;
         double squares = 0;
-        foreach (double residual in _solver.Residuals)
+        foreach (double residual in _problem.Solver.Residuals)
         {
             squares += residual * residual;
         }
@@ -243,7 +238,7 @@ internal sealed class GeneralAim
         }
 
         _problem.AskThrough(false);
-        bool hits = _solver.Hit(_x, out solution) && solution.ThroughMiss <= tolerance;
+        bool hits = _problem.Hit(_x, out solution) && solution.ThroughMiss <= tolerance;
         _problem.AskThrough(true);
         return hits;
     }
@@ -254,8 +249,8 @@ internal sealed class GeneralAim
         _x[ShootingProblem.Elevation] = _problem.Clamp(ShootingProblem.Elevation, kick.Elevation);
         _x[ShootingProblem.Azimuth] = kick.Azimuth;
         _x[ShootingProblem.LogSpeed] = Elementary.Log(speed);
-        _x[ShootingProblem.Top] = _problem.IsFree[ShootingProblem.Top] ? _problem.Clamp(ShootingProblem.Top, kick.Top) : kick.Top;
-        _x[ShootingProblem.Side] = _problem.IsFree[ShootingProblem.Side] ? _problem.Clamp(ShootingProblem.Side, kick.Side) : kick.Side;
+        _x[ShootingProblem.Top] = _problem.IsFree(ShootingProblem.Top) ? _problem.Clamp(ShootingProblem.Top, kick.Top) : kick.Top;
+        _x[ShootingProblem.Side] = _problem.IsFree(ShootingProblem.Side) ? _problem.Clamp(ShootingProblem.Side, kick.Side) : kick.Side;
         _x[ShootingProblem.LogTime] = Elementary.Log(Math.Max(time, 1e-3));
     }
 
@@ -263,29 +258,21 @@ internal sealed class GeneralAim
     private void Begin(AimRequest request, bool rolls)
     {
         _problem.Begin(request, request.Speed, through: false, rolls);
-        _problem.IsFree[ShootingProblem.LogSpeed] = true;
-        _problem.Most[ShootingProblem.LogSpeed] = Elementary.Log(request.Speed);
+        _problem.Free(ShootingProblem.LogSpeed, true);
+        _problem.BoundSpeed(request.Speed);
     }
 
     private void BeginAtTime(AimRequest request, bool rolls)
     {
         Begin(request, rolls);
-        _problem.IsFree[ShootingProblem.LogTime] = false;
+        _problem.Free(ShootingProblem.LogTime, false);
     }
 
     /// <summary>From the kick in closed form.</summary>
     private bool FromModel(double time, out AimSolution solution)
     {
         Model(time, _problem.Request.TopSpin, _problem.Request.SideSpin);
-        return _solver.Hit(_x, out solution, isMeasured: true);
-    }
-
-    /// <summary>From the kick in closed form turned round: a steep one that backspin brings back.</summary>
-    private bool FromBehind(double time, out AimSolution solution)
-    {
-        Model(time, _problem.Request.TopSpin, _problem.Request.SideSpin);
-        _x[ShootingProblem.Azimuth] += Math.PI;
-        return _solver.Hit(_x, out solution);
+        return _problem.Hit(_x, out solution, isMeasured: true);
     }
 
     /// <summary>From the kicks in closed form that have a speed: that of the wanted arc, else that of the other.</summary>
@@ -355,7 +342,7 @@ internal sealed class GeneralAim
         return Math.Sqrt(near * far);
     }
 
-    private Vector3d Model(double time, double top, double side) => _problem.Model(time, top, side, _x, _solver.Jacobian);
+    private Vector3d Model(double time, double top, double side) => _problem.Model(time, top, side, _x);
 
     private static double ElevationOf(in Vector3d velocity) => Elementary.Atan2(velocity.Y, velocity.Horizontal.Length);
 
@@ -363,7 +350,7 @@ internal sealed class GeneralAim
     {
         Model(time, top, side);
         _x[ShootingProblem.LogSpeed] = Elementary.Log(speed);
-        return _solver.Hit(_x, out solution, isMeasured: true);
+        return _problem.Hit(_x, out solution, isMeasured: true);
     }
 
     /// <summary>From scans at several speeds.</summary>
@@ -386,14 +373,14 @@ internal sealed class GeneralAim
         for (int start = 0; start < Math.Min(most, _scan.Count) && !(leavesHalf ? _context.IsHalfSpent : _context.IsSpent); start++)
         {
             _scan.Start(start, _x);
-            if (!_solver.Hit(_x, out AimSolution one))
+            if (!_problem.Hit(_x, out AimSolution one))
             {
                 continue;
             }
 
-            if (wanted == Wanted.Slowest)
+            if (wanted == Wanted.Slowest && Descended(out AimSolution slower))
             {
-                _curve.Descend(_x, ref one);
+                one = slower;
             }
 
             bool isBetter = wanted == Wanted.Slowest ? one.Speed < solution.Speed : wanted == Wanted.Latest ? one.Time > solution.Time : one.Time < solution.Time;

@@ -5,7 +5,7 @@ namespace Football.Physics;
 /// azimuth, speed, spins and times are unknowns, each free within bounds or held; the gaps at those times are the residuals, which change smoothly with all of
 /// them, however the way bends.
 /// </summary>
-internal sealed class ShootingProblem : KickObserver
+internal sealed class ShootingProblem : KickObserver, ILeastSquares
 {
     /// <summary>The unknowns: two angles, the logarithm of the speed, two spins, the logarithm of the time to the target, and the share of it to the point on the way.</summary>
     public const int Elevation = 0;
@@ -15,7 +15,7 @@ internal sealed class ShootingProblem : KickObserver
     public const int Side = 4;
     public const int LogTime = 5;
     public const int Share = 6;
-    public const int Unknowns = 7;
+    public const int Most = 7;
 
     /// <summary>Residuals: the gap at the target, and that at the point on the way.</summary>
     public const int MostEquations = 6;
@@ -24,9 +24,10 @@ internal sealed class ShootingProblem : KickObserver
     private const double RuledByAirStep = 0.03;
     private const double ScanStep = 0.1;
 
-    /// <summary>Changes of the unknowns by which the Jacobian is measured.</summary>
+    /// <summary>Changes of the unknowns by which the Jacobian is measured, and the largest of an angle or a logarithm in one iteration.</summary>
     private const double AngleDifference = 1e-4;
     private const double SpinDifference = 0.02;
+    private const double Largest = 0.5;
 
     private const double ShortestTime = 1e-3;
     private const double LeastShare = 0.01;
@@ -37,7 +38,9 @@ internal sealed class ShootingProblem : KickObserver
     private readonly TimedFlight _flight;
     private readonly TimedFlight _roll;
     private readonly KickFlight _scan;
-    private readonly double[] _beside = new double[Unknowns];
+    private readonly bool[] _isFree = new bool[Most];
+    private readonly double[] _least = new double[Most];
+    private readonly double[] _most = new double[Most];
     private readonly double[] _residuals = new double[MostEquations];
     private TargetFrame _frame;
     private Vector3d _through;
@@ -64,6 +67,7 @@ internal sealed class ShootingProblem : KickObserver
         _flight = new TimedFlight(open);
         _roll = new TimedFlight(grounded);
         _scan = new KickFlight(open, this);
+        Solver = new LeastSquares(this, MostEquations);
     }
 
     public AimRequest Request { get; private set; } = new();
@@ -71,14 +75,10 @@ internal sealed class ShootingProblem : KickObserver
     /// <summary>How many residuals there are.</summary>
     public int Equations => _passesThrough ? 6 : 3;
 
-    /// <summary>Which unknowns are free.</summary>
-    public bool[] IsFree { get; } = new bool[Unknowns];
+    /// <summary>Solves it.</summary>
+    public LeastSquares Solver { get; }
 
-    /// <summary>The least that each may be.</summary>
-    public double[] Least { get; } = new double[Unknowns];
-
-    /// <summary>The most.</summary>
-    public double[] Most { get; } = new double[Unknowns];
+    public int Unknowns => Most;
 
     /// <summary>Whether nothing more can be searched.</summary>
     public bool IsSpent => _context.IsSpent;
@@ -116,10 +116,10 @@ internal sealed class ShootingProblem : KickObserver
         Bound(Side, -request.MaximumSideSpin, request.MaximumSideSpin);
         Bound(LogTime, Elementary.Log(ShortestTime), Elementary.Log(AimContext.LongestFlight));
         Bound(Share, LeastShare, 1.0 - LeastShare);
-        IsFree[Elevation] = !rolls;
-        IsFree[LogSpeed] = false;
-        IsFree[Top] = through;
-        IsFree[Side] = through;
+        _isFree[Elevation] = !rolls;
+        _isFree[LogSpeed] = false;
+        _isFree[Top] = through;
+        _isFree[Side] = through;
         AskThrough(through);
     }
 
@@ -127,7 +127,7 @@ internal sealed class ShootingProblem : KickObserver
     public void AskThrough(bool through)
     {
         _passesThrough = through;
-        IsFree[Share] = through;
+        _isFree[Share] = through;
     }
 
     /// <summary>Whether residuals are a hit, with room for what the steps of the flights are off.</summary>
@@ -143,7 +143,7 @@ internal sealed class ShootingProblem : KickObserver
     public static Kick KickOf(double[] x) => new() { Elevation = x[Elevation], Azimuth = x[Azimuth], Top = x[Top], Side = x[Side] };
 
     /// <summary>Flies a kick.</summary>
-    public void Fly(double[] x, double[] r)
+    public bool Fly(double[] x, double[] r)
     {
         BallState state = Launch(x);
         double time = Elementary.Exp(x[LogTime]);
@@ -162,6 +162,7 @@ internal sealed class ShootingProblem : KickObserver
         _arrival = state.Velocity - Request.TargetVelocity;
         Vector3d gap = state.Position - _frame.Target - (time * Request.TargetVelocity);
         Put(r, 0, _rolls ? gap.Horizontal : gap);
+        return true;
     }
 
     /// <summary>Whether a ball along the ground can hit the target of a request at all.</summary>
@@ -173,9 +174,9 @@ internal sealed class ShootingProblem : KickObserver
             && request.TargetVelocity.Y == 0 && frame.Distance > request.Tolerance;
     }
 
-    /// <summary>The kick that is at the target at a time, in closed form.</summary>
+    /// <summary>The kick that is at the target at a time, in closed form, and the Jacobian there.</summary>
     /// <returns>Its velocity without bounds, m/s.</returns>
-    public Vector3d Model(double time, double top, double side, double[] x, double[] j)
+    public Vector3d Model(double time, double top, double side, double[] x)
     {
         Vector3d wind = _context.Scene.Air.Wind;
         Vector3d toTarget = _frame.Target + (time * Request.TargetVelocity) - _frame.From;
@@ -205,7 +206,7 @@ internal sealed class ShootingProblem : KickObserver
             velocity = model.Launch(in air, in axis, time, out direction, out along, out across) + wind;
         }
 
-        Kick kick = _frame.Turned(in spins, in velocity, new ElevationBounds(Least[Elevation], Most[Elevation]));
+        Kick kick = _frame.Turned(in spins, in velocity, new ElevationBounds(_least[Elevation], _most[Elevation]));
         x[Elevation] = kick.Elevation;
         x[Azimuth] = kick.Azimuth;
         x[LogSpeed] = Clamp(LogSpeed, Elementary.Log(Math.Max(velocity.Length, 1e-3)));
@@ -215,9 +216,9 @@ internal sealed class ShootingProblem : KickObserver
 
         // ∂p/∂v = b I + (a − b) û ûᵀ: it stretches differently along the way and across it.
         kick.Turns(Elementary.Exp(x[LogSpeed]), in _frame.Forward, out Vector3d byElevation, out Vector3d byAzimuth, out _);
-        SetColumn(j, 0, Elevation, Stretched(in byElevation));
-        SetColumn(j, 0, Azimuth, Stretched(in byAzimuth));
-        SetColumn(j, 0, LogSpeed, Stretched(in velocity));
+        SetColumn(Solver.Jacobian, 0, Elevation, Stretched(in byElevation));
+        SetColumn(Solver.Jacobian, 0, Azimuth, Stretched(in byAzimuth));
+        SetColumn(Solver.Jacobian, 0, LogSpeed, Stretched(in velocity));
         return velocity;
 
         Vector3d Stretched(in Vector3d turn) => (across * turn) + ((along - across) * Vector3d.Dot(in turn, in direction) * direction);
@@ -225,39 +226,22 @@ internal sealed class ShootingProblem : KickObserver
 
     /// <summary>Whether the elevation or the speed is as low, or as high, as it may be.</summary>
     public bool IsAtBound(double[] x) =>
-        x[Elevation] == Least[Elevation] || x[Elevation] == Most[Elevation] || x[LogSpeed] == Least[LogSpeed] || x[LogSpeed] == Most[LogSpeed];
+        x[Elevation] == _least[Elevation] || x[Elevation] == _most[Elevation] || x[LogSpeed] == _least[LogSpeed] || x[LogSpeed] == _most[LogSpeed];
 
-    /// <summary>How the residuals move with the free unknowns, around the kick that was flown last.</summary>
-    public void Measure(double[] x, double[] r, double[] j)
-    {
-        TimeColumns(x, j);
-        Vector3d arrival = _arrival;
-        Vector3d passing = _passing;
-        Array.Copy(x, _beside, Unknowns);
-        for (int k = 0; k < LogTime; k++)
-        {
-            if (!IsFree[k])
-            {
-                continue;
-            }
+    public bool IsFree(int unknown) => _isFree[unknown];
 
-            double difference = k is Top or Side ? SpinDifference : AngleDifference;
-            _beside[k] = x[k] + (x[k] + difference > Most[k] ? -difference : difference);
-            Fly(_beside, _residuals);
-            for (int i = 0; i < Equations; i++)
-            {
-                j[(i * Unknowns) + k] = (_residuals[i] - r[i]) / (_beside[k] - x[k]);
-            }
+    /// <summary>Makes an unknown free, or holds it.</summary>
+    public void Free(int unknown, bool isFree) => _isFree[unknown] = isFree;
 
-            _beside[k] = x[k];
-        }
+    /// <summary>Bounds the speed, m/s.</summary>
+    public void BoundSpeed(double fastest) => _most[LogSpeed] = Elementary.Log(fastest);
 
-        _arrival = arrival;
-        _passing = passing;
-    }
+    public double LargestChange(int unknown) => unknown is Top or Side ? double.PositiveInfinity : Largest;
+
+    public double Difference(int unknown) => unknown >= LogTime ? 0 : unknown is Top or Side ? SpinDifference : AngleDifference;
 
     /// <summary>The columns of the times, which the velocities tell.</summary>
-    public void TimeColumns(double[] x, double[] j)
+    public void KnownColumns(double[] x, double[] j)
     {
         // p(e^τ): ∂p/∂τ = t v; on the way at s t: ∂p/∂τ = s t v, ∂p/∂s = t v
         double time = Elementary.Exp(x[LogTime]);
@@ -318,7 +302,19 @@ internal sealed class ShootingProblem : KickObserver
     }
 
     /// <summary>An unknown within its bounds.</summary>
-    public double Clamp(int unknown, double value) => Math.Min(Math.Max(value, Least[unknown]), Most[unknown]);
+    public double Clamp(int unknown, double value) => Math.Min(Math.Max(value, _least[unknown]), _most[unknown]);
+
+    /// <summary>Solves it from a start, and measures what that leads to.</summary>
+    /// <param name="x">The unknowns: the start, and then the best that was found.</param>
+    /// <param name="solution">The solution.</param>
+    /// <param name="isMeasured">Whether the Jacobian of the start is known.</param>
+    /// <returns>Whether that truly hits.</returns>
+    public bool Hit(double[] x, out AimSolution solution, bool isMeasured = false)
+    {
+        bool hits = Solver.Solve(x, isMeasured);
+        solution = Solution(x);
+        return hits && IsMeasuredHit(x, out solution);
+    }
 
     /// <summary>The solution that unknowns stand for, with its true misses.</summary>
     /// <returns>Whether it hits, and passes the point on the way.</returns>
@@ -326,12 +322,12 @@ internal sealed class ShootingProblem : KickObserver
     {
         solution = Solution(x);
         solution.Vectors(out Vector3d velocity, out Vector3d spin);
-        MeasuredMiss measured = _context.Miss.Measure(Request, in velocity, in spin, IsFree[LogTime] ? null : solution.Time);
+        MeasuredMiss measured = _context.Miss.Measure(Request, in velocity, in spin, _isFree[LogTime] ? null : solution.Time);
         solution.Miss = measured.Distance;
         solution.ThroughMiss = measured.ThroughDistance ?? double.NaN;
 
         // What is in the way of the kick for a time is to be told.
-        bool isBlocked = !IsFree[LogTime] && measured.Blocker != MeasuredFlight.NoThing;
+        bool isBlocked = !_isFree[LogTime] && measured.Blocker != MeasuredFlight.NoThing;
         return (measured.Distance <= Request.Tolerance || isBlocked) && (!_passesThrough || measured.ThroughDistance <= Request.ThroughTolerance);
     }
 
@@ -341,7 +337,7 @@ internal sealed class ShootingProblem : KickObserver
         Status = AimStatus.Hit,
         Kick = KickOf(x),
         Forward = _frame.Forward,
-        Speed = IsFree[LogSpeed] ? Elementary.Exp(x[LogSpeed]) : _speed,
+        Speed = _isFree[LogSpeed] ? Elementary.Exp(x[LogSpeed]) : _speed,
         Time = Elementary.Exp(x[LogTime]),
     };
 
@@ -365,18 +361,18 @@ internal sealed class ShootingProblem : KickObserver
 
     private void Bound(int unknown, double least, double most)
     {
-        IsFree[unknown] = true;
-        Least[unknown] = least;
-        Most[unknown] = most;
+        _isFree[unknown] = true;
+        _least[unknown] = least;
+        _most[unknown] = most;
     }
 
     private static void Put(double[] r, int at, in Vector3d value) => (r[at], r[at + 1], r[at + 2]) = (value.X, value.Y, value.Z);
 
     private static void SetColumn(double[] j, int row, int column, in Vector3d value)
     {
-        j[(row * Unknowns) + column] = value.X;
-        j[((row + 1) * Unknowns) + column] = value.Y;
-        j[((row + 2) * Unknowns) + column] = value.Z;
+        j[(row * Most) + column] = value.X;
+        j[((row + 1) * Most) + column] = value.Y;
+        j[((row + 2) * Most) + column] = value.Z;
     }
 }
 

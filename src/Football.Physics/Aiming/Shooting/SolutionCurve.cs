@@ -6,7 +6,7 @@ namespace Football.Physics;
 /// </summary>
 internal sealed class SolutionCurve
 {
-    private const int N = ShootingProblem.Unknowns;
+    private const int N = ShootingProblem.Most;
     private const int MostSteps = 40;
     private const double FirstStep = 0.08;
     private const double LargestStep = 0.4;
@@ -21,15 +21,15 @@ internal sealed class SolutionCurve
     private static readonly int[] s_unknowns = [ShootingProblem.Elevation, ShootingProblem.Azimuth, ShootingProblem.LogSpeed, ShootingProblem.LogTime];
 
     private readonly ShootingProblem _problem;
-    private readonly LevenbergMarquardt _solver;
+    private readonly LeastSquares _solver;
     private readonly double[] _next = new double[N];
     private readonly double[] _tangent = new double[4];
     private readonly double[] _last = new double[4];
 
-    public SolutionCurve(ShootingProblem problem, LevenbergMarquardt solver)
+    public SolutionCurve(ShootingProblem problem)
     {
         _problem = problem;
-        _solver = solver;
+        _solver = problem.Solver;
     }
 
     /// <summary>Follows the curve to slower kicks, until they are slower no more or hit no more.</summary>
@@ -51,13 +51,13 @@ internal sealed class SolutionCurve
                 return;
             }
 
-            if (!_solver.Hit(_next, out AimSolution next, isMeasured: true) || !(next.Speed < solution.Speed))
+            if (!_solver.Solve(_next, isMeasured: true) || !(_problem.Solution(_next).Speed < solution.Speed))
             {
                 step *= 0.4;
                 continue;
             }
 
-            solution = next;
+            solution = _problem.Solution(_next);
             Array.Copy(_next, x, N);
             Array.Copy(_tangent, _last, _last.Length);
             double after = Tangent(measures: true, x);
@@ -112,7 +112,7 @@ internal sealed class SolutionCurve
     {
         if (measures)
         {
-            _problem.Measure(x, _solver.Residuals, _solver.Jacobian);
+            _solver.Measure(x);
         }
 
         double squared = 0;
