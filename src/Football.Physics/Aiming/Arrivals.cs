@@ -29,6 +29,7 @@ public static class Arrivals
             return fast;
         }
 
+        // The faster the kick, the faster it arrives: the root lies between the slowest and the fastest that hit.
         double low = slow.Speed;
         double high = request.Speed;
         double atLow = SpeedAt(aimer, request, in slow) - speed;

@@ -177,6 +177,7 @@ internal sealed class LeastSquares
     /// <summary>Takes a step that leaves less of the squares, damped as much as that needs.</summary>
     private bool Improve(double[] x, ref double cost, ref double damping)
     {
+        // More damping makes a step shorter, and turns it downhill. A flight that does not get to its end is no better than one that misses by more.
         for (int k = 0; k < MostTries; k++)
         {
             if (Step(x, damping) && _problem.Fly(_next, _nextResiduals))
@@ -248,6 +249,7 @@ internal sealed class LeastSquares
     /// <summary>Broyden's update, in units of the unknowns in which each counts by what it does: W = diag JᵀJ.</summary>
     private void Update(double[] x)
     {
+        // The change is that within the bounds, not the one that was solved for. Columns in closed form are set anew: an update would only blur them.
         double squared = 0;
         for (int k = 0; k < N; k++)
         {
@@ -266,6 +268,7 @@ internal sealed class LeastSquares
 
     private void Assemble(double damping)
     {
+        // A held unknown has a row and a column of its own, 1 Δx = 0: the size of the system stays.
         for (int a = 0; a < N; a++)
         {
             int row = a * (N + 1);

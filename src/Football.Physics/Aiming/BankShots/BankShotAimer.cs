@@ -72,7 +72,7 @@ public sealed class BankShotAimer
             throw Check.Refusal("aim.through", point.ToString(), "none, where something is to be met before");
         }
 
-        // 1. Chains of legs from several guesses, each flown and corrected where it closes. 2. Where none hits, kicks over all directions.
+        // 1. Chains of legs from several guesses, closed and then corrected by what they miss. 2. Where none hits, kicks over all directions.
         int[] things = Things(after);
         var frame = new TargetFrame(AimContext.Raised(_simulator, request.From), AimContext.Raised(_simulator, request.Target));
         _flight.Begin(request, in frame, things);

@@ -127,6 +127,7 @@ internal sealed class BankShotFlight : ILeastSquares
         BallState state = _simulator.LaunchAt(_request.From, velocity, spin, _request.KickTime);
         Simulations++;
         _flight.Fly(state, step, LongestFlight, in _frame.Target, Vector3d.Zero, null, _things);
+        // What was flown in steps of a measurement counts for more than any look.
         bool isFine = step == FineStep;
         if (_flight.HasMetAll && (isFine == IsFine ? _flight.Miss < Miss.Distance : isFine))
         {

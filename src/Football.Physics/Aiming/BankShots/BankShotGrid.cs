@@ -90,6 +90,7 @@ internal sealed class BankShotGrid
     /// <summary>Flies a kick, and keeps it among the starts if it is one of the closest.</summary>
     private void Look(double elevation, double azimuth)
     {
+        // Sorted by insertion: the list is short, and most looks meet nothing.
         double miss = _flight.Look(elevation, azimuth);
         int place = miss < double.PositiveInfinity ? Math.Min(_count, Starts - 1) : -1;
         if (place < 0 || (_count == Starts && miss >= _starts[place].Miss))

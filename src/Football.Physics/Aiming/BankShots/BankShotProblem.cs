@@ -135,7 +135,9 @@ internal sealed class BankShotProblem : ILeastSquares
 
     public bool Fly(double[] x, double[] r)
     {
-        // Leg by leg: flown for its time, the gap there taken, then the impact at the place that was assumed; the next begins there.
+        // Leg by leg. 1. The place of its end is put onto the surface that it is on: the two numbers lead along the plane that touches it where the guess was.
+        // 2. The leg is flown for its time, and the gap is taken. 3. The impact happens where it was assumed, not where the leg ended, so that a kick that would miss the
+        // thing has a next leg, too. 4. The next leg begins there. Only a ball that comes from behind, or bounces too seldom, has no residuals.
         _counts!.Simulations++;
         Kick.Of(_request, x[Elevation], x[Azimuth]).Vectors(_request.Speed, in _frame.Forward, out Vector3d v, out Vector3d w);
         Vector3d p = _frame.From;
@@ -205,6 +207,7 @@ internal sealed class BankShotProblem : ILeastSquares
             }
         }
 
+        // After its last bounce a leg goes on without ground: what lies below it still has a gap that changes smoothly.
         if (Bounces[leg] > 0)
         {
             state = _open.LaunchAt(state.Position, state.Velocity, state.Spin, state.Time);

@@ -8,38 +8,22 @@ internal sealed class PlaneNewton
 {
     private const int N = PlaneProblem.Most;
 
-    /// <summary>Flights at most, to a target alone and through a point.</summary>
-    private const int MostFlights = 10;
-    private const int MostFlightsThrough = 20;
-
-    /// <summary>An iteration that leaves more than this share of the least misses so far is none that helps; so many in a row, and it leads nowhere.</summary>
+    /// <summary>An iteration that leaves more than this share of the least misses so far is none that helps.</summary>
     private const double Progress = 0.7;
-    private const int MostStalled = 1;
-    private const int MostStalledThrough = 4;
-
-    /// <summary>How often a step through a point that does not reach both planes is tried, shorter by half each time.</summary>
-    private const int MostTries = 4;
 
     /// <summary>Flights after which the next correction is foretold by the last: the first update of a Jacobian of four unknowns tells of one.</summary>
     private const int LeastFlights = 3;
 
-    /// <summary>Corrections in fitted air, the miss below which there need be none more, m, and what each must leave of a miss to count as plenty.</summary>
-    private const int Rehearsals = 1;
-    private const int RehearsalsThrough = 6;
+    /// <summary>The miss below which no more corrections need be rehearsed, m, and what each must leave of a miss to count as plenty.</summary>
     private const double RehearsedEnough = 1e-4;
     private const double Plenty = 0.1;
-
-    /// <summary>A rehearsed correction leaves a share of the miss: no less than this is relied on, and with more than that nothing is learnt.</summary>
-    private const double LeastContraction = 0.03;
-    private const double MostContraction = 0.2;
-    private const double LeastContractionThrough = 0.05;
-    private const double MostContractionThrough = 1.5;
 
     private readonly PlaneProblem _problem;
     private readonly PlaneStep _step = new();
     private readonly double[] _guess = new double[N];
     private readonly double[] _nextX = new double[N];
     private readonly double[] _nextR = new double[N];
+    private NewtonPatience _patience;
 
     public PlaneNewton(PlaneProblem problem) => _problem = problem;
 
@@ -68,6 +52,7 @@ internal sealed class PlaneNewton
         ThroughMiss = double.NaN;
         Time = 0;
         bool through = _problem.HasThrough;
+        _patience = through ? NewtonPatience.Through : NewtonPatience.Target;
         if (!_problem.Guess(X))
         {
             return false;
@@ -96,7 +81,7 @@ internal sealed class PlaneNewton
 
         double before = isKnown ? Asked(R) / contraction : double.PositiveInfinity;
         double least = double.PositiveInfinity;
-        int limit = Math.Min(_problem.Request.MaximumIterations, through ? MostFlightsThrough : MostFlights);
+        int limit = Math.Min(_problem.Request.MaximumIterations, _patience.Flights);
         int stalled = 0;
         bool isSure = !isRehearsed;
         for (int flights = 1; ; flights++)
@@ -122,14 +107,14 @@ internal sealed class PlaneNewton
             }
 
             stalled = size < Progress * least ? 0 : stalled + 1;
-            if (hits || flights >= limit || stalled == (through ? MostStalledThrough : MostStalled))
+            if (hits || flights >= limit || stalled == _patience.Stalled)
             {
                 return hits;
             }
 
             least = Math.Min(least, size);
             before = size;
-            if (!FlyStep(through ? MostTries : 1))
+            if (!FlyStep())
             {
                 return false;
             }
@@ -152,8 +137,7 @@ internal sealed class PlaneNewton
     private bool Rehearse(out double first, out double contraction)
     {
         // Corrections in fitted air cost a quarter of a flight: as many as shrink the miss, until it is below what that air itself is off.
-        bool through = _problem.HasThrough;
-        int most = through ? RehearsalsThrough : Rehearsals;
+        int most = _patience.Rehearsals;
         contraction = 1;
         first = 0;
         Array.Copy(X, _guess, N);
@@ -181,8 +165,8 @@ internal sealed class PlaneNewton
 
             TakeFlown();
             double next = Asked(R);
-            contraction = Math.Max(next / size, through ? LeastContractionThrough : LeastContraction);
-            if (!(contraction < (through ? MostContractionThrough : MostContraction)))
+            contraction = Math.Max(next / size, _patience.LeastContraction);
+            if (!(contraction < _patience.MostContraction))
             {
                 break;
             }
@@ -215,9 +199,9 @@ internal sealed class PlaneNewton
     private bool Differentiate() => (!_problem.HasThrough || _problem.Rehearse(X, _nextR)) && _step.Measure(_problem, X, _nextR);
 
     /// <summary>Flies the kick after the step, or after a half, a quarter of it where that does not reach its planes.</summary>
-    private bool FlyStep(int tries)
+    private bool FlyStep()
     {
-        for (int i = 0; i < tries; i++)
+        for (int i = 0; i < _patience.Tries; i++)
         {
             TakeStep();
             if (_problem.Fly(_nextX, _nextR, false))
@@ -243,6 +227,20 @@ internal sealed class PlaneNewton
     }
 
     private static double Norm(double[] r) => Math.Sqrt((r[0] * r[0]) + (r[1] * r[1]) + (r[2] * r[2]) + (r[3] * r[3]));
+}
+
+/// <summary>How long Newton's method goes on: the angles to a target alone are found at once or not at all, angles and spins through a point take their time.</summary>
+/// <param name="Flights">Flights at most.</param>
+/// <param name="Stalled">So many iterations in a row that do not help, and it leads nowhere.</param>
+/// <param name="Tries">How often a step that does not reach its planes is tried, shorter by half each time.</param>
+/// <param name="Rehearsals">Corrections in fitted air.</param>
+/// <param name="LeastContraction">A rehearsed correction leaves a share of the miss: no less than this is relied on.</param>
+/// <param name="MostContraction">With more than that nothing is learnt.</param>
+internal readonly record struct NewtonPatience(int Flights, int Stalled, int Tries, int Rehearsals, double LeastContraction, double MostContraction)
+{
+    public static NewtonPatience Target => new(Flights: 10, Stalled: 1, Tries: 1, Rehearsals: 1, LeastContraction: 0.03, MostContraction: 0.2);
+
+    public static NewtonPatience Through => new(Flights: 20, Stalled: 4, Tries: 4, Rehearsals: 6, LeastContraction: 0.05, MostContraction: 1.5);
 }
 
 /// <summary>When a quasi-Newton iteration need not fly its last kick.</summary>

@@ -128,6 +128,7 @@ internal sealed class PlaneProblem
             return true;
         }
 
+        // The mean drag over the way gives a first time; the closed form then turns direction and time together.
         FlatFire model = _context.Model(Speed, Spins.SpinRate, _frame.Distance);
         Vector3d toTarget = _frame.Target - _frame.From;
         Vector3d direction = toTarget / toTarget.Length;

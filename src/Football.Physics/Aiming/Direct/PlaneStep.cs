@@ -54,6 +54,7 @@ internal sealed class PlaneStep
     /// <returns>False where a kick with a little more spin does not reach both planes.</returns>
     public bool Measure(PlaneProblem problem, double[] x, double[] r)
     {
+        // Angles turn the whole way, which the flight itself tells; what a spin does is only known by flying with a little more of it.
         _angles = problem.JacobianAtTarget(x);
         if (!problem.HasThrough)
         {

@@ -137,6 +137,7 @@ internal sealed class ApproachByElevation
         Vector3d c = approach.Time * ((Drift * _context.Scene.Air.Wind) - _targetVelocity);
         for (int i = 0; i < MostTurns && !IsSpent; i++)
         {
+            // The short way round; enough where what is left to the side is little of the miss.
             Vector3d at = approach.Gap + toTarget;
             double turn = Bearing(toTarget - c) - Bearing(at - c);
             turn = turn > Math.PI ? turn - (2 * Math.PI) : turn < -Math.PI ? turn + (2 * Math.PI) : turn;

@@ -234,6 +234,8 @@ internal sealed class CloseSearch
     /// <returns>Whether a hit was found.</returns>
     public bool Find(AimArc arc)
     {
+        // 1. Looks all over the elevations. 2. A hit between two neighbours of which one passes above, from the end of the wanted arc. 3. The bottom of every valley: it may
+        // reach above the target between two looks. 4. What came closest.
         double lowest = _approaches.Bounds.Lowest;
         double highest = _approaches.Bounds.Highest;
         for (int i = 0; i < Looks; i++)

@@ -148,6 +148,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         BallState state = Launch(x);
         double time = Elementary.Exp(x[LogTime]);
         double way = _passesThrough ? x[Share] * time : 0;
+        // To the point on the way first, where there is one: its velocity there is the column of its time.
         TimedFlight flight = _rolls ? _roll : _flight;
         long pieces = 0;
         if (_passesThrough)

@@ -44,6 +44,8 @@ internal sealed class SolutionCurve
         }
 
         before = Tangent(measures: true, x);
+        // 1. A step along the tangent, and back to the curve. 2. Shorter where that is no hit, or no slower. 3. Else the tangent there: where the speed rises along it the
+        // least lies behind. 4. The next step is to where the slope is zero, or ends where that is worth nothing.
         for (int i = 0; i < MostSteps && step > SmallestStep && !_problem.IsSpent; i++)
         {
             if (!Goes(x, step))
