@@ -244,6 +244,12 @@ internal readonly struct ContactSearch
                 return t;
             }
 
+            if (t == 0 && gap <= Touching && rate <= Leaving && _bend == 0)
+            {
+                // Along a straight path it says nothing that the ball, which is not pressed there, comes closer: if it is in it at the end, it is put out of it.
+                return double.PositiveInfinity;
+            }
+
             double step = gap > Touching ? Safe(gap, rate, bend) : Along(rate, bend);
             if (hollow > 0)
             {

@@ -15,6 +15,9 @@ internal static class ContactSet
     /// <summary>Onto what it touches a ball is put so often at most.</summary>
     private const int MostRounds = 64;
 
+    /// <summary>What a ball that is put out of something may be put into is not farther than this, m.</summary>
+    private const double Beside = 0.01;
+
     /// <summary>Below this, m, there is no gap.</summary>
     private const double Closed = 1e-12;
 
@@ -169,6 +172,21 @@ internal static class ContactSet
         }
     }
 
+    /// <summary>Puts a ball out of all that it overlaps, and takes what goes into that from its velocity.</summary>
+    public static void Separate(World world, ref BallState s)
+    {
+        Span<Contact> room = stackalloc Contact[Most];
+        Span<Contact> set = room.Slice(0, Near(world, in s, Beside, room));
+        foreach (ref readonly Contact contact in set)
+        {
+            if (contact.Gap < 0)
+            {
+                Hold(world, ref s, set);
+                return;
+            }
+        }
+    }
+
     /// <summary>Puts a ball out of what stands still alone.</summary>
     /// <returns>Whether there is such a place near.</returns>
     public static bool KeepOut(World world, ref BallState s, ReadOnlySpan<Contact> set)
@@ -209,7 +227,7 @@ internal static class ContactSet
         double gap = at.Distance - world.Ball.Radius;
         double off = Vector3d.Dot(s.Velocity - collider.Velocity, at.Normal);
         bool bears = contact.Load > 0;
-        s.Velocity -= (bears ? off : Math.Min(0, off)) * at.Normal;
+        s.Velocity -= (bears ? off : gap <= ContactSearch.Touching ? Math.Min(0, off) : 0) * at.Normal;
         gap = bears ? gap : Math.Min(0, gap);
         s.Position -= gap * at.Normal;
         KeepLevel(world, ref s, collider, bears);

@@ -19,6 +19,13 @@ internal sealed class ContactSetPhase
     /// <summary>A ball that rolls is told to slide from this slip on, m/s: less may be over in the next part.</summary>
     private const double Slips = 1e-3;
 
+    /// <summary>Forces give no more than this in a part, m/s and rad/s beside the spin that there is: far beyond anything that flies.</summary>
+    private const double MostSpeed = 100.0;
+    private const double MostSpin = 1000.0;
+
+    /// <summary>How often a step tells so: a ball that what pushes it makes slip and grip in turn does it at every part.</summary>
+    private const int MostNames = 2;
+
     /// <summary>Out of what squeezes it a ball is put by no more than this, m/s.</summary>
     private const double OutOfTheWay = 5.0;
 
@@ -49,6 +56,7 @@ internal sealed class ContactSetPhase
         int before = 0;
         double part = run.Left / Math.Min(MostParts, Math.Ceiling(run.Left / Part));
         bool taken = false;
+        int named = 0;
         while (run.Left > 0 && !run.Log.Halted)
         {
             // What touches the ball, and what of that would bear it.
@@ -113,7 +121,7 @@ internal sealed class ContactSetPhase
             Move(ref s, length, 0.5 * (from.Velocity + v), in v, in w, in start, ref run);
             ContactSet.Hold(_world, ref s, set);
             Show(in at0, in s, at0.Velocity, s.Velocity, ref run);
-            Name(ref s, set, ref run);
+            Name(ref s, set, ref named, ref run);
             set.CopyTo(last);
             before = set.Length;
             if (meets && !run.Log.Halted)
@@ -152,7 +160,9 @@ internal sealed class ContactSetPhase
             // As fast as it is, or as what presses it: how it came is over.
             s.SqueezeSpeed = v.Length;
             double fastest = v.Length;
-            Span<Contact> set = room.Slice(0, ContactSet.Near(_world, in s, ContactSearch.Touching + (h * (fastest + _world.FastestMover)), room));
+            // All that it may come to in this part: by itself, at twice the speed of what hits it, which comes too, and by being put out of that.
+            double reach = ContactSearch.Touching + (h * (fastest + (3.0 * _world.FastestMover) + OutOfTheWay));
+            Span<Contact> set = room.Slice(0, ContactSet.Near(_world, in s, reach, room));
             ContactSolver.Try(set, _world.Ball, h, ref v, ref w);
 
             // Out of the way of what moves whatever friction does, as fast as it may be; and never into what stands still.
@@ -203,6 +213,9 @@ internal sealed class ContactSetPhase
             spinAcceleration = on.Torque;
         }
 
+        // A part is too long for absurd spins alone: what they do is bounded.
+        acceleration = NoMore(in acceleration, MostSpeed / h);
+        spinAcceleration = NoMore(in spinAcceleration, (at.Spin.Length + MostSpin) / h);
         if (s.Nets != 0)
         {
             MotionRates nets = _world.PushOfNets(s.Nets, s.NetSides, in at);
@@ -212,6 +225,12 @@ internal sealed class ContactSetPhase
         }
 
         return new MotionRates(in acceleration, in spinAcceleration, rates.AirSpeed);
+    }
+
+    private static Vector3d NoMore(in Vector3d vector, double most)
+    {
+        double size = vector.Length;
+        return size > most ? most / size * vector : vector;
     }
 
     /// <summary>How many contacts bear the ball, and which of them most, or alone.</summary>
@@ -301,7 +320,7 @@ internal sealed class ContactSetPhase
     }
 
     /// <summary>The contact that bears most names the carrier, as long as the one before bears nothing; whether that slips says whether the ball slides or rolls.</summary>
-    private void Name(ref BallState s, scoped ReadOnlySpan<Contact> set, ref StepRun run)
+    private void Name(ref BallState s, scoped ReadOnlySpan<Contact> set, ref int told, ref StepRun run)
     {
         int carrier = (int)s.Carrier - _world.FirstCollider;
         int named = -1;
@@ -320,12 +339,19 @@ internal sealed class ContactSetPhase
         s.Carrier = contact.Collider + _world.FirstCollider;
         Collider collider = _world.Colliders[contact.Collider];
         double slip = Slip.Of(s.Velocity - collider.Velocity, s.Spin, in contact.Normal, _around.Radius).Length;
+        if (told >= MostNames)
+        {
+            return;
+        }
+
         if (slip < Slip.Rolling && s.Motion != MotionState.Rolling)
         {
+            told++;
             _contact.StartRolling(ref s, ref run);
         }
         else if (slip > Slips && s.Motion == MotionState.Rolling)
         {
+            told++;
             _contact.StartSliding(ref s, ref run);
         }
     }

@@ -174,6 +174,12 @@ internal sealed class FlightPhase<TIntegrator>
         sweep.MoveTo(ref s);
         s.Branch = sweep.Length < length ? before.Branch : next;
         run.Advance(ref s, sweep.Length);
+        if (!meets)
+        {
+            // What it touched at the start, and was not pressed on, it may be in by now.
+            ContactSet.Separate(_world, ref s);
+        }
+
         run.Show(in before, in s, ref sweep, order);
         if (meets && !run.Log.Halted)
         {

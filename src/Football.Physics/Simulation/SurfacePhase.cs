@@ -374,11 +374,10 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>Puts the ball onto all that it touches: what the integrator left of it is within its own error.</summary>
     private void Hold(ref BallState s, in SurfaceSystem system, int met)
     {
-        Vector3d from = s.Position;
         Vector3d n = _world.Hold(ref s, system.Carrier);
-        if (met < 0 && Vector3d.Distance(s.Position, from) > ContactSearch.Touching)
+        if (met < 0)
         {
-            // Back on the surface it may be in what it was just leaving.
+            // Back on the surface it may be in what it was just leaving, or in what it touched and was not pressed on.
             met = NearThings.Deepest(_world, in s, out _);
         }
 
