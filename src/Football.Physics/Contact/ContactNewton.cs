@@ -137,7 +137,7 @@ internal static class ContactNewton
     }
 
     /// <summary>The system: a row an unknown, how its residual depends on every unknown, and the residual itself with the other sign.</summary>
-    private static void Fill(Span<double> system, ReadOnlySpan<Row> rows, int size)
+    private static void Fill(Span<double> system, Span<Row> rows, int size)
     {
         for (int i = 0; i < size; i++)
         {

@@ -59,7 +59,7 @@ internal readonly struct ContactSearch
     /// <param name="held">Contacts that it keeps, which are not met.</param>
     /// <param name="first">What it meets.</param>
     /// <returns>When, s from the start of the path; infinite where it meets nothing.</returns>
-    public double First(in BallState s, int carrier, ReadOnlySpan<Contact> held, out Separation first)
+    public double First(in BallState s, int carrier, Span<Contact> held, out Separation first)
     {
         first = default;
         double best = double.PositiveInfinity;

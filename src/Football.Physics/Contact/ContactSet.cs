@@ -76,7 +76,7 @@ internal static class ContactSet
     }
 
     /// <summary>Whether something that moves is among them.</summary>
-    public static bool HasMover(ReadOnlySpan<Contact> set)
+    public static bool HasMover(Span<Contact> set)
     {
         foreach (ref readonly Contact contact in set)
         {
@@ -98,7 +98,7 @@ internal static class ContactSet
     }
 
     /// <summary>Hands the impulses of one part of a step on to the next, in which they are about the same.</summary>
-    public static void Continue(Span<Contact> set, ReadOnlySpan<Contact> last)
+    public static void Continue(Span<Contact> set, Span<Contact> last)
     {
         foreach (ref Contact contact in set)
         {
@@ -114,7 +114,7 @@ internal static class ContactSet
     }
 
     /// <summary>Whether a collider is among them.</summary>
-    public static bool Has(ReadOnlySpan<Contact> set, int collider)
+    public static bool Has(Span<Contact> set, int collider)
     {
         foreach (ref readonly Contact contact in set)
         {
@@ -138,7 +138,7 @@ internal static class ContactSet
     }
 
     /// <summary>Which of the contacts bears most; −1 where none bears anything.</summary>
-    public static int Heaviest(ReadOnlySpan<Contact> set)
+    public static int Heaviest(Span<Contact> set)
     {
         int heaviest = -1;
         for (int i = 0; i < set.Length; i++)
@@ -153,7 +153,7 @@ internal static class ContactSet
     /// <summary>
     /// Puts a ball onto the contacts that bear it, and out of all others: first what moves, then what stands still, into which it never is put.
     /// </summary>
-    public static void Hold(World world, ref BallState s, ReadOnlySpan<Contact> set)
+    public static void Hold(World world, ref BallState s, Span<Contact> set)
     {
         bool moved = true;
         for (int round = 0; round < MostRounds && moved; round++)
@@ -189,7 +189,7 @@ internal static class ContactSet
 
     /// <summary>Puts a ball out of what stands still alone.</summary>
     /// <returns>Whether there is such a place near.</returns>
-    public static bool KeepOut(World world, ref BallState s, ReadOnlySpan<Contact> set)
+    public static bool KeepOut(World world, ref BallState s, Span<Contact> set)
     {
         bool inside = true;
         for (int round = 0; round < MostRounds && inside; round++)

@@ -85,7 +85,7 @@ internal static class ContactSolver
     }
 
     /// <summary>The impulses that the contacts have already.</summary>
-    private static void Begin(ReadOnlySpan<Contact> set, BallProperties ball, ref Vector3d v, ref Vector3d w)
+    private static void Begin(Span<Contact> set, BallProperties ball, ref Vector3d v, ref Vector3d w)
     {
         foreach (ref readonly Contact contact in set)
         {
@@ -180,7 +180,7 @@ internal struct TurningResistance
     /// About the normal b μ_s J_n/I and the damping c_ω h/I; of a ball that rolls (1 + α)(c₀ + c₁ |v|) r J_n/I, which slows its rolling by (c₀ + c₁ |v|) J_n/m.
     /// </summary>
     /// <returns>By how much it changed, rad/s.</returns>
-    public double Act(ReadOnlySpan<Contact> set, BallProperties ball, double duration, in Vector3d v, ref Vector3d w)
+    public double Act(Span<Contact> set, BallProperties ball, double duration, in Vector3d v, ref Vector3d w)
     {
         int heaviest = ContactSet.Heaviest(set);
         if (heaviest != Bearer)

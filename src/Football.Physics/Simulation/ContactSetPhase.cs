@@ -234,7 +234,7 @@ internal sealed class ContactSetPhase
     }
 
     /// <summary>How many contacts bear the ball, and which of them most, or alone.</summary>
-    private static int Bearers(ReadOnlySpan<Contact> set, double h, out int bearer)
+    private static int Bearers(Span<Contact> set, double h, out int bearer)
     {
         int count = 0;
         bearer = ContactSet.Heaviest(set);
@@ -320,7 +320,7 @@ internal sealed class ContactSetPhase
     }
 
     /// <summary>The contact that bears most names the carrier, as long as the one before bears nothing; whether that slips says whether the ball slides or rolls.</summary>
-    private void Name(ref BallState s, scoped ReadOnlySpan<Contact> set, ref int told, ref StepRun run)
+    private void Name(ref BallState s, scoped Span<Contact> set, ref int told, ref StepRun run)
     {
         int carrier = (int)s.Carrier - _world.FirstCollider;
         int named = -1;
@@ -357,7 +357,7 @@ internal sealed class ContactSetPhase
     }
 
     /// <summary>Takes from a velocity what goes into things that stand still, and into what moves.</summary>
-    private static void KeepOff(ReadOnlySpan<Contact> set, double h, bool movers, ref Vector3d v)
+    private static void KeepOff(Span<Contact> set, double h, bool movers, ref Vector3d v)
     {
         bool closes = true;
         for (int round = 0; round < SqueezedRounds && closes; round++)
@@ -376,7 +376,7 @@ internal sealed class ContactSetPhase
     }
 
     /// <summary>Whether nothing that moves presses the ball against anything, or overlaps it.</summary>
-    private bool IsFree(in BallState s, ReadOnlySpan<Contact> set)
+    private bool IsFree(in BallState s, Span<Contact> set)
     {
         bool pushed = false;
         bool overlaps = false;
@@ -392,7 +392,7 @@ internal sealed class ContactSetPhase
     }
 
     /// <summary>Puts a squeezed ball out of what moves, by no more than a distance, and then out of what stands still: where there is no such place, back.</summary>
-    private void PushOut(ref BallState s, ReadOnlySpan<Contact> set, double most, in Vector3d back)
+    private void PushOut(ref BallState s, Span<Contact> set, double most, in Vector3d back)
     {
         foreach (ref readonly Contact contact in set)
         {

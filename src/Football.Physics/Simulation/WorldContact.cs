@@ -125,7 +125,7 @@ internal sealed class WorldContact
         }
     }
 
-    private static bool Closes(ReadOnlySpan<Contact> set, in Vector3d v)
+    private static bool Closes(Span<Contact> set, in Vector3d v)
     {
         foreach (ref readonly Contact contact in set)
         {
@@ -161,7 +161,7 @@ internal sealed class WorldContact
     /// <param name="s">The ball.</param>
     /// <param name="set">The contacts, with what they gave.</param>
     /// <param name="velocity">What became of its velocity, m/s.</param>
-    public bool IsTooFast(ref BallState s, ReadOnlySpan<Contact> set, in Vector3d velocity)
+    public bool IsTooFast(ref BallState s, Span<Contact> set, in Vector3d velocity)
     {
         double fastest = -1.0;
         foreach (ref readonly Contact contact in set)

@@ -16,6 +16,16 @@ public sealed class HouseRuleTests
     public void No_switch_takes_an_unknown_value_of_an_enumeration_for_a_known_one() => Assert.Empty(HouseRules.OpenSwitches(SourceFile.Library));
 
     [Fact]
+    public void What_steps_a_ball_indexes_no_read_only_span() => Assert.Empty(HouseRules.ReadOnlySpans(SourceFile.Library));
+
+    [Theory]
+    [InlineData("Contact/A.cs", "double First(ReadOnlySpan<double> items) => items[0];", true)]
+    [InlineData("Contact/A.cs", "double First(Span<double> items) => items[0]; // No ReadOnlySpan.", false)]
+    [InlineData("Game/A.cs", "double First(ReadOnlySpan<double> items) => items[0];", false)]
+    public void A_read_only_span_is_found(string path, string member, bool wrong) =>
+        Assert.Equal(wrong, HouseRules.ReadOnlySpans([File(path, $"class A {{ {member} }}")]).Count > 0);
+
+    [Fact]
     public void A_long_file_is_found()
     {
         Assert.Empty(HouseRules.LongFiles([File("Air/A.cs", Lines(600))]));

@@ -45,6 +45,19 @@ internal static class HouseRules
         return found;
     }
 
+    /// <summary>
+    /// Read-only spans in the rooms that every step runs through. The getter of their items has a modifier in its signature that Unity's older Mono
+    /// does not know: it throws a <see cref="MissingMethodException"/> when the method that calls it is compiled.
+    /// </summary>
+    public static IReadOnlyList<string> ReadOnlySpans(IReadOnlyList<SourceFile> tree) =>
+    [
+        .. from file in tree
+           where Folder(file).Split('/')[0] is "Air" or "Contact" or "Integration" or "Numerics" or "Simulation" or "State"
+           from token in file.Tokens
+           where token.Text == "ReadOnlySpan"
+           select $"{file.Path}({token.Line}): use Span",
+    ];
+
     /// <summary>Switch expressions over an enumeration of the tree whose last arm takes every value to come for one of those that there are.</summary>
     public static IReadOnlyList<string> OpenSwitches(IReadOnlyList<SourceFile> tree)
     {
