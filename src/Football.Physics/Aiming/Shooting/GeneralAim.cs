@@ -22,6 +22,9 @@ internal sealed class GeneralAim
     private const double Latest = 8;
     private const int Halvings = 7;
 
+    /// <summary>Above this elevation, rad, spin may bring a ball to the target that was kicked elsewhere.</summary>
+    private const double Steep = 0.8;
+
     /// <summary>The same where the speed is free, and the speeds of scans as shares of the fastest.</summary>
     private const int FreeRows = 9;
     private const int FreeColumns = 10;
@@ -114,10 +117,11 @@ internal sealed class GeneralAim
             }
         }
 
-        if (!isBound || _problem.IsRuledByAir || !_context.Scene.Air.IsStill)
+        bool turnsBack = request.TopSpin != 0 && closest.Kick.Elevation > Steep;
+        if (!isBound || _problem.IsRuledByAir || !_context.Scene.Air.IsStill || turnsBack)
         {
             BeginAtTime(request, rolls: false);
-            if (FromScans(request, time, Wanted.First, ref solution, found: false))
+            if ((turnsBack && FromBehind(time, out solution)) || FromScans(request, time, Wanted.First, ref solution, found: false))
             {
                 return true;
             }
@@ -273,6 +277,14 @@ internal sealed class GeneralAim
     {
         Model(time, _problem.Request.TopSpin, _problem.Request.SideSpin);
         return _problem.Hit(_x, out solution, isMeasured: true);
+    }
+
+    /// <summary>From the kick in closed form turned round: a steep one that backspin brings back.</summary>
+    private bool FromBehind(double time, out AimSolution solution)
+    {
+        Model(time, _problem.Request.TopSpin, _problem.Request.SideSpin);
+        _x[ShootingProblem.Azimuth] += Math.PI;
+        return _problem.Hit(_x, out solution);
     }
 
     /// <summary>From the kicks in closed form that have a speed: that of the wanted arc, else that of the other.</summary>
