@@ -1,8 +1,39 @@
 #!/usr/bin/env bash
-# The first use of each thing in a process, in a program that is published with its code compiled ahead of time (ReadyToRun). A table in Markdown.
+# The first use of each thing in a process, in a program of a few lines that has the package: a table in Markdown.
 #   benchmarks/firstuse.sh
-# Just in time: dotnet run -c Release --project benchmarks/Football.Physics.Benchmarks -- quick --only "first use"
+# Compiled just in time, without a package: dotnet run -c Release --project benchmarks/Football.Physics.Benchmarks -- quick --only "first use"
 . "$(dirname "${BASH_SOURCE[0]}")/publish.sh"
-dotnet publish benchmarks/Football.Physics.Benchmarks -c Release -r "$rid" --self-contained false -p:PublishReadyToRun=true -p:RunAnalyzers=false \
-  -p:NuGetLockFilePath=obj/ready.lock.json --artifacts-path "$work" -o "$work/out" > "$work/log" 2>&1 || { tail -n 5 "$work/log" >&2; exit 1; }
-dotnet "$work/out/Football.Physics.Benchmarks.dll" quick --only "first use"
+version=0.1.0-local.$(date -u +%Y%m%d%H%M%S)
+table=$PWD/benchmarks/Football.Physics.Benchmarks
+mkdir "$work/app"
+cat > "$work/app/app.csproj" << END
+<Project Sdk="Microsoft.NET.Sdk">
+  <PropertyGroup>
+    <OutputType>Exe</OutputType>
+    <TargetFramework>net10.0</TargetFramework>
+    <ImplicitUsings>enable</ImplicitUsings>
+    <Nullable>enable</Nullable>
+  </PropertyGroup>
+  <ItemGroup>
+    <PackageReference Include="Football.Physics" Version="$version" />
+    <Compile Include="$table/Quick/FirstUseTable.cs;$table/Quick/Child.cs;$table/Quick/Text.cs" />
+  </ItemGroup>
+</Project>
+END
+cat > "$work/app/Program.cs" << 'END'
+using Football.Physics.Benchmarks;
+
+if (args is ["quick", "--child", "first", var warm])
+{
+    Console.WriteLine(FirstUseTable.Measure(warm == "1"));
+}
+else
+{
+    FirstUseTable.Print(Console.WriteLine);
+}
+END
+{
+  dotnet pack src/Football.Physics -c Release -o "$work/feed" "-p:Version=$version" -p:PackReadyToRun=true -p:RunAnalyzers=false
+  NUGET_PACKAGES=$work/cache dotnet build "$work/app" -c Release --source "$work/feed" -o "$work/out"
+} > "$work/log" 2>&1 || { tail -n 5 "$work/log" >&2; exit 1; }
+"$work/out/app"

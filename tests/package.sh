@@ -57,7 +57,7 @@ copy() {
 version=0.1.0-local.$(date -u +%Y%m%d%H%M%S)
 # Analyzers say nothing about the bytes; the solution's own build runs them.
 pack() {
-  (cd "$1" && env -u NUGET_PACKAGES -u CI dotnet pack -c Release src/Football.Physics -o "$2" "-p:Version=$version" -p:RunAnalyzers=false "${@:3}")
+  (cd "$1" && env -u NUGET_PACKAGES -u CI dotnet pack -c Release src/Football.Physics -o "$2" "-p:Version=$version" -p:PackReadyToRun=true -p:RunAnalyzers=false "${@:3}")
 }
 
 copy "$work/one"
@@ -71,6 +71,11 @@ for target in netstandard2.1 net8.0 net10.0; do
   has "$list" "lib/$target/Football.Physics.dll" "no assembly for $target"
   has "$list" "lib/$target/Football.Physics.xml" "no documentation for $target"
   has "$(unzip -Z1 "${package%.nupkg}.snupkg")" "lib/$target/Football.Physics.pdb" "no symbols for $target"
+done
+for system in win-x64 linux-x64; do
+  for target in net8.0 net10.0; do
+    has "$list" "runtimes/$system/lib/$target/Football.Physics.dll" "no code compiled ahead of time for $system, $target"
+  done
 done
 nuspec=$(unzip -p "$package" Football.Physics.nuspec)
 has "$list" README.md "no README"
@@ -90,7 +95,7 @@ for target in netstandard2.1 net8.0 net10.0; do
 done
 if LC_ALL=C grep -qaF "$work" <(unzip -p "$package"); then fail "something in the package names a folder of this machine"; fi
 if grep -qF "$work" <<< "$nuspec"; then fail "the package names a folder of this machine"; fi
-ok "contents: 3 assemblies with documentation and symbols, README, icon, licence, no dependency"
+ok "contents, $(( $(stat -c %s "$package") / 1024 )) KiB: 3 assemblies with documentation and symbols, 4 with code compiled ahead of time, README, icon, licence, no dependency"
 
 quietly "pack again" pack "$work/two/elsewhere" "$work/feed2"
 for kind in nupkg snupkg; do
@@ -142,20 +147,25 @@ consume() {
   dotnet publish -c Release --source "$feed" "-p:FootballPhysicsVersion=$version" --artifacts-path "$work/build/$out" -o "$work/$out" "$@"
 }
 
-quietly "consumer" consume net10
-same "package on .NET" "$work/net10/consumer"
+quietly "consumer" consume ready
+[[ $(uname -m) != x86_64 || -e $work/ready/runtimes/linux-x64/lib/net10.0/Football.Physics.dll ]] || fail "the consumer has no code compiled ahead of time"
+same "package on .NET, code compiled ahead of time" "$work/ready/consumer"
+same "package on .NET, such code alone" env DOTNET_TieredCompilation=0 "$work/ready/consumer"
+same "package on .NET, such code, no AVX2, no FMA" env DOTNET_EnableAVX2=0 DOTNET_EnableFMA=0 "$work/ready/consumer"
+quietly "consumer of the net10.0 assembly" consume net10 -p:LibraryAsset=net10.0
+same "net10.0 assembly on .NET" "$work/net10/consumer"
 cp -R "$work/net10" "$work/net8"
 unzip -p "$package" lib/net8.0/Football.Physics.dll > "$work/net8/Football.Physics.dll"
 same "net8.0 assembly in the same program" "$work/net8/consumer"
 quietly "consumer of the netstandard2.1 assembly" consume netstandard -p:LibraryAsset=netstandard2.1
 same "netstandard2.1 assembly on .NET" "$work/netstandard/consumer"
-same "package on .NET, no tiered compilation" env DOTNET_TieredCompilation=0 "$work/net10/consumer"
-same "package on .NET, no profile-guided code" env DOTNET_TieredPGO=0 "$work/net10/consumer"
-same "package on .NET, no AVX-512" env DOTNET_EnableAVX512=0 DOTNET_EnableAVX512F=0 "$work/net10/consumer"
-same "package on .NET, no FMA" env DOTNET_EnableFMA=0 "$work/net10/consumer"
-same "package on .NET, no AVX2" env DOTNET_EnableAVX2=0 "$work/net10/consumer"
-same "package on .NET, no AVX2, no FMA" env DOTNET_EnableAVX2=0 DOTNET_EnableFMA=0 "$work/net10/consumer"
-same "package on .NET, no AVX" env DOTNET_EnableAVX=0 "$work/net10/consumer"
+same "net10.0 assembly, no tiered compilation" env DOTNET_TieredCompilation=0 "$work/net10/consumer"
+same "net10.0 assembly, no profile-guided code" env DOTNET_TieredPGO=0 "$work/net10/consumer"
+same "net10.0 assembly, no AVX-512" env DOTNET_EnableAVX512=0 DOTNET_EnableAVX512F=0 "$work/net10/consumer"
+same "net10.0 assembly, no FMA" env DOTNET_EnableFMA=0 "$work/net10/consumer"
+same "net10.0 assembly, no AVX2" env DOTNET_EnableAVX2=0 "$work/net10/consumer"
+same "net10.0 assembly, no AVX2, no FMA" env DOTNET_EnableAVX2=0 DOTNET_EnableFMA=0 "$work/net10/consumer"
+same "net10.0 assembly, no AVX" env DOTNET_EnableAVX=0 "$work/net10/consumer"
 
 # --- NativeAOT
 

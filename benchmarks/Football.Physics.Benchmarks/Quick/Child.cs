@@ -5,6 +5,9 @@ namespace Football.Physics.Benchmarks;
 /// <summary>This program once more, with other settings of the runtime.</summary>
 internal static class Child
 {
+    /// <summary>The runtime's factor for its pause before it compiles again, on one core.</summary>
+    public const string DelayOnOneCore = "DOTNET_TC_DelaySingleProcMultiplier";
+
     /// <summary>Runs it and returns what it prints.</summary>
     public static string Run(IReadOnlyDictionary<string, string> environment, params string[] arguments)
     {
@@ -20,7 +23,7 @@ internal static class Child
             start.ArgumentList.Add(argument);
         }
 
-        start.Environment[Stopwatching.DelayOnOneCore] = "1";
+        start.Environment[DelayOnOneCore] = "1";
         foreach ((string name, string value) in environment)
         {
             start.Environment[name] = value;

@@ -10,9 +10,6 @@ internal static class Stopwatching
     public const int LeastRounds = 15;
 
     private const int MostRounds = 2000;
-    /// <summary>The runtime's factor for its pause before it compiles again, on one core.</summary>
-    public const string DelayOnOneCore = "DOTNET_TC_DelaySingleProcMultiplier";
-
     private const int WarmUpCalls = 40;
     private const int LeastPasses = 5;
     private const int MostPasses = 16;
@@ -23,7 +20,7 @@ internal static class Stopwatching
     {
         // Tier 0, counted calls, tier 1: each begins after a time in which nothing new is compiled, 100 ms, ten times that on one core.
         // Done when two passes in a row leave nothing more to compile.
-        bool slow = Environment.ProcessorCount == 1 && Environment.GetEnvironmentVariable(DelayOnOneCore) != "1";
+        bool slow = Environment.ProcessorCount == 1 && Environment.GetEnvironmentVariable(Child.DelayOnOneCore) != "1";
         int pause = slow ? 1100 : 150;
         int quiet = 0;
         for (int pass = 0; pass < LeastPasses || (pass < MostPasses && quiet < 2); pass++)
