@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>A scene, checked and compiled for one integrator. Any number of balls and threads can share it; a scene with bodies, or with an engine's colliders, one thread at a time.</summary>
+/// <summary>A scene, checked and compiled for one integrator. Any number of balls and threads can share it; a scene with bodies, obstacles that have a mass, or an engine's colliders, one thread at a time.</summary>
 public sealed class Simulator
 {
     /// <summary>Steps that a run may have: with more of them the clock no longer tells one from the next.</summary>
@@ -127,6 +127,7 @@ public sealed class Simulator
         _world.Bodies?.CheckTimes(state.Time);
         log!.Halted = false;
         log.StopAt = StopAt.Time;
+        log.Pushes = true;
         Take(ref state, dt, log);
     }
 
@@ -176,6 +177,7 @@ public sealed class Simulator
         }
 
         _world.Bodies?.CheckTimes(state.Time);
+        log.Pushes = true;
         return Run(ref state, timeStep, duration, stopAt, log, null);
     }
 
@@ -237,6 +239,13 @@ public sealed class Simulator
 
     /// <summary>Advances a ball by one step that its log may end early.</summary>
     internal void Advance(ref BallState state, double dt, StepLog log) => Take(ref state, dt, log);
+
+    /// <inheritdoc cref="Stepper.Struck"/>
+    internal void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, bool presses, StepLog log) =>
+        _stepper.Struck(ref s, in velocity, in spin, in n, presses, log);
+
+    /// <summary>Puts obstacles that have a mass (<see cref="Obstacle.Mass"/>), and that the ball has moved, back to where the scene has them at time 0.</summary>
+    public void ResetObstacles() => _world.Obstacles.Reset();
 
     /// <summary>Sees the state after every step of a run.</summary>
     internal delegate void StepCallback(in BallState state);

@@ -36,6 +36,15 @@ public sealed class StepLog
     /// <summary>The event at which steps end early.</summary>
     internal StopAt StopAt { get; set; }
 
+    /// <summary>Whether what has a mass goes on with what an impact left it: in the steps of a game, not where one only looks what would come.</summary>
+    internal bool Pushes { get; set; }
+
+    /// <summary>Whether a step ends early after an impact that pushes something.</summary>
+    internal bool HaltsAtPush { get; set; }
+
+    /// <summary>How many impacts have pushed something.</summary>
+    internal long AllPushes { get; set; }
+
     /// <summary>Watches every piece of motion; null costs nothing.</summary>
     internal PieceObserver? Observer { get; set; }
 
