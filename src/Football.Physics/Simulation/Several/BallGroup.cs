@@ -23,6 +23,9 @@ public sealed class BallGroup
 
     private const int MostNewton = 12;
 
+    /// <summary>So many events a ball are kept of a step without playing it again.</summary>
+    private const int EventsOfBall = 16;
+
     /// <summary>Two balls touch where the gap is less than this, m.</summary>
     private const double Closed = 1e-13;
 
@@ -38,6 +41,10 @@ public sealed class BallGroup
     private readonly bool[] _isIn;
     private readonly StepLog _look = new();
     private readonly BallTrial _measure = new();
+    private readonly StepLog _flown;
+    private readonly int[] _firstEvent;
+    private readonly bool[] _played;
+    private BallEvent[] _told = new BallEvent[16];
     private readonly RigidMotion[] _motions;
     private readonly RigidMotion[] _motionsBefore;
     private readonly RigidMotion[] _motionsAfter;
@@ -84,6 +91,9 @@ public sealed class BallGroup
         _reaches = new double[count];
         _cluster = new int[count];
         _isIn = new bool[count];
+        _played = new bool[count];
+        _firstEvent = new int[count + 1];
+        _flown = new StepLog(mostEvents: Math.Max(EventBuffer.DefaultMost, EventsOfBall * count));
         _logs = new StepLog[count];
         _trials = new BallTrial[count];
         for (int i = 0; i < count; i++)
@@ -132,19 +142,34 @@ public sealed class BallGroup
     /// <returns>Whether an event ended it.</returns>
     internal bool Step(BallState[] states, double dt, StepLog? log, StopAt stopAt, Trajectory[]? watched)
     {
-        Validate(states, dt, log, watched);
+        Check.Given(nameof(states), states);
+        if (watched is null)
+        {
+            Check.Given(nameof(log), log);
+        }
+
+        Check.Within(nameof(dt), dt, 0, Limits.Time);
+        if (states.Length != Count)
+        {
+            throw new ArgumentException($"states has {states.Length} balls; allowed: {Count}, as many as the group.", nameof(states));
+        }
+
         World world = _simulators[0].World;
         world.Bodies?.CheckTimes(states[0].Time);
-        Array.Copy(states, _before, Count);
         world.ReadMotions(_motionsBefore);
         double end = states[0].Time + dt;
         bool ended;
+        Array.Copy(states, _before, Count);
         try
         {
             // 1. Every ball as if there were no other. 2. The neighbours that may have met. 3. Those again, meeting by meeting.
             world.Engine?.KeepPushes();
-            bool pushes = Fly(states, dt, stopAt);
-            FindNeighbours(states, dt);
+            bool pushes = Fly(states, dt, stopAt, out bool holds);
+            if (!holds)
+            {
+                RenewNeighbours(dt);
+            }
+
             FindCluster(all: pushes || stopAt == StopAt.Impact || watched is not null);
             ended = _clusterCount > 0 && PlayCluster(states, end, stopAt, watched);
         }
@@ -195,59 +220,56 @@ public sealed class BallGroup
         return all;
     }
 
-    private void Validate(BallState[] states, double dt, StepLog? log, Trajectory[]? watched)
-    {
-        Check.Given(nameof(states), states);
-        if (watched is null)
-        {
-            Check.Given(nameof(log), log);
-        }
-
-        Check.Within(nameof(dt), dt, 0, Limits.Time);
-        if (states.Length != Count)
-        {
-            throw new ArgumentException($"states has {states.Length} balls; allowed: {Count}, as many as the group.", nameof(states));
-        }
-
-        for (int i = 0; i < Count; i++)
-        {
-            BallState.Launched(in states[i]);
-            if (states[i].Time != states[0].Time)
-            {
-                throw new ArgumentException(
-                    FormattableString.Invariant($"states[{i}].time is {states[i].Time:R}; allowed: {states[0].Time:R}, the time of the first ball."), nameof(states));
-            }
-        }
-    }
-
     /// <summary>Every ball takes its step as if there were no other.</summary>
-    /// <returns>Whether one of them pushed something, which the others then find elsewhere.</returns>
-    private bool Fly(BallState[] states, double dt, StopAt stopAt)
+    /// <returns>Whether one of them pushed something, which the others then find elsewhere, or something ended its step; or not all events had room.</returns>
+    private bool Fly(BallState[] states, double dt, StopAt stopAt, out bool holds)
     {
-        bool pushes = false;
+        holds = true;
+        double time = states[0].Time;
+        StepLog log = _flown;
+        log.Clear();
+        log.StopAt = stopAt;
+        log.Pushes = true;
+        log.HaltsAtPush = _givesWay;
+        bool halts = false;
         for (int i = 0; i < states.Length; i++)
         {
-            StepLog own = _logs[i];
-            own.Clear();
-            own.StopAt = stopAt;
-            own.Pushes = true;
-            own.HaltsAtPush = _givesWay;
-            _simulators[i].Advance(ref states[i], dt, own);
-            pushes |= own.HaltsAtPush && own.Halted;
+            ref BallState s = ref states[i];
+            if (s.Time != time || s.BaseOrientation == default)
+            {
+                Refuse(in s, i, time);
+            }
+
+            ref readonly BallState before = ref _before[i];
+            int first = log.Events.Count;
+            _firstEvent[i] = first;
+            _simulators[i].Advance(ref s, dt, log);
+            halts |= log.Halted;
+            log.Halted = false;
+            bool keeps = _neighbours.Holds(i, in before, in s, dt) && (first == log.Events.Count || KeepsPace(i, first));
+            _reaches[i] = keeps ? _neighbours.ReachOf(i) : double.PositiveInfinity;
+            holds &= keeps;
         }
 
-        return pushes;
+        _firstEvent[states.Length] = log.Events.Count;
+        return halts || log.Events.Missed > 0;
     }
 
-    /// <summary>How far every ball got; and the neighbours anew where one left what it was expected to keep to.</summary>
-    private void FindNeighbours(BallState[] states, double dt)
+    private static void Refuse(in BallState state, int ball, double time)
+    {
+        BallState.Launched(in state);
+        throw new ArgumentException(
+            FormattableString.Invariant($"states[{ball}].time is {state.Time:R}; allowed: {time:R}, the time of the first ball."), "states");
+    }
+
+    /// <summary>How far those balls got that did not keep to what was expected; and the neighbours anew where one left its sphere.</summary>
+    private void RenewNeighbours(double dt)
     {
         bool holds = true;
-        for (int i = 0; i < states.Length; i++)
+        for (int i = 0; i < Count; i++)
         {
-            if (_logs[i].Events.Count == 0 && _before[i].Motion != MotionState.Squeezed && _neighbours.Holds(i, in _before[i], in states[i], dt))
+            if (_reaches[i] < double.PositiveInfinity)
             {
-                _reaches[i] = _neighbours.ReachOf(i);
                 continue;
             }
 
@@ -260,6 +282,22 @@ public sealed class BallGroup
         {
             _neighbours.Renew(_before, _reaches, dt);
         }
+    }
+
+    /// <summary>Whether a ball was never faster in its step than its sphere was made for: before and after each event.</summary>
+    private bool KeepsPace(int ball, int first)
+    {
+        for (int k = first; k < _flown.Events.Count; k++)
+        {
+            ref readonly BallEvent happened = ref _flown.Events[k];
+            if (happened.Kind == BallEventKind.Squeezed
+                || !_neighbours.Allows(ball, happened.VelocityBefore.LengthSquared) || !_neighbours.Allows(ball, happened.Velocity.LengthSquared))
+            {
+                return false;
+            }
+        }
+
+        return true;
     }
 
     /// <summary>The balls that may meet another in this step.</summary>
@@ -361,6 +399,7 @@ public sealed class BallGroup
             }
 
             _isIn[i] = false;
+            _played[i] = watched is null;
         }
 
         return ended;
@@ -643,31 +682,55 @@ public sealed class BallGroup
     /// <summary>Adds the events of all balls in order of time, then of the balls; and the counts.</summary>
     private void Tell(StepLog log)
     {
+        log.Steps += _flown.Steps;
+        log.Evaluations += _flown.Evaluations;
+        log.Stalled += _flown.Stalled;
+        log.Untold += _flown.Untold;
         int told = 0;
         for (int i = 0; i < Count; i++)
         {
-            StepLog own = _logs[i];
+            // Of a ball that was played again counts what it did then.
+            for (int k = _firstEvent[i]; k < _firstEvent[i + 1] && !_played[i]; k++)
+            {
+                Insert(new BallEvent(in _flown.Events[k], i), told++);
+            }
+        }
+
+        for (int k = 0; k < _clusterCount; k++)
+        {
+            StepLog own = _logs[_cluster[k]];
+            _played[_cluster[k]] = false;
             log.Steps += own.Steps;
             log.Evaluations += own.Evaluations;
             log.Stalled += own.Stalled;
             log.Untold += own.Untold;
-            told += own.Events.Count;
-            _cluster[i] = 0;
-        }
-
-        for (; told > 0; told--)
-        {
-            int first = -1;
-            for (int i = 0; i < Count; i++)
+            for (int e = 0; e < own.Events.Count; e++)
             {
-                if (_cluster[i] < _logs[i].Events.Count && (first < 0 || _logs[i].Events[_cluster[i]].Time < _logs[first].Events[_cluster[first]].Time))
-                {
-                    first = i;
-                }
+                Insert(new BallEvent(in own.Events[e], _cluster[k]), told++);
             }
-
-            log.Events.Add(new BallEvent(in _logs[first].Events[_cluster[first]++], first));
         }
+
+        for (int k = 0; k < told; k++)
+        {
+            log.Events.Add(in _told[k]);
+        }
+    }
+
+    /// <summary>Puts an event in its place among those of the step: by time, then by ball, then as they happened to it.</summary>
+    private void Insert(in BallEvent happened, int count)
+    {
+        if (count == _told.Length)
+        {
+            Array.Resize(ref _told, 2 * count);
+        }
+
+        int place = count;
+        for (; place > 0 && (_told[place - 1].Time > happened.Time || (_told[place - 1].Time == happened.Time && _told[place - 1].Ball > happened.Ball)); place--)
+        {
+            _told[place] = _told[place - 1];
+        }
+
+        _told[place] = happened;
     }
 
     /// <summary>Something that happens to one ball, or to two.</summary>

@@ -52,10 +52,15 @@ internal sealed class BallNeighbours
         double x = before.Position.X - sphere.Center.X;
         double y = before.Position.Y - sphere.Center.Y;
         double z = before.Position.Z - sphere.Center.Z;
-        return dt <= _step && (x * x) + (y * y) + (z * z) <= sphere.RoomSquared
+
+        // In a net, and squeezed, a ball may go faster within a step than at its ends.
+        return (before.Nets | after.Nets) == 0 && before.Motion != MotionState.Squeezed && dt <= _step && (x * x) + (y * y) + (z * z) <= sphere.RoomSquared
             && (after.Position - before.Position).LengthSquared <= sphere.Reach * sphere.Reach
             && before.Flight.Velocity.LengthSquared <= sphere.SpeedSquared && after.Flight.Velocity.LengthSquared <= sphere.SpeedSquared;
     }
+
+    /// <summary>Whether a ball's sphere was made for such a speed, of which this is the square, m²/s².</summary>
+    public bool Allows(int ball, double speedSquared) => speedSquared <= _spheres[ball].SpeedSquared;
 
     /// <summary>Whether a step in which a ball got so far, m, is within its sphere.</summary>
     public bool Holds(int ball, in BallState before, double reach, double dt) =>
