@@ -74,6 +74,9 @@ internal sealed class Collider
     /// <summary>Whether the ball moves it.</summary>
     public bool GivesWay => Mass < double.PositiveInfinity;
 
+    /// <summary>The velocity that the scene gives it, m/s; 0 for what the game, or an engine, moves.</summary>
+    public Vector3d GivenVelocity => _motion.Velocity;
+
     /// <summary>Whether the game, or an engine, moves it.</summary>
     public bool IsBody => _placement is not null && _obstacles is null;
 

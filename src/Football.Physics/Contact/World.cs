@@ -314,7 +314,7 @@ internal sealed class World
             key.Add(high.Distance);
             key.Add(high.Normal);
             key.Add(in collider.Bounds);
-            key.Add(collider.Velocity);
+            key.Add(collider.GivenVelocity);
         }
     }
 

@@ -21,6 +21,22 @@ public static class Snapshot
         return hasher.Result;
     }
 
+    /// <summary>The hash of several states: that of the one where there is one.</summary>
+    /// <param name="states">The states.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="states"/> is null.</exception>
+    public static ulong Hash(BallState[] states)
+    {
+        Check.Given(nameof(states), states);
+        ulong hash = 0;
+        for (int i = 0; i < states.Length; i++)
+        {
+            ulong own = Hash(in states[i]);
+            hash = i == 0 ? own : ((hash ^ own) * 0x9FB21C651E98DF25UL) ^ (hash >> 32);
+        }
+
+        return hash;
+    }
+
     /// <summary>True when two states are the same to the last bit; unlike ==, 0 and −0 differ and NaN equals itself.</summary>
     /// <param name="a">One state.</param>
     /// <param name="b">The other state.</param>

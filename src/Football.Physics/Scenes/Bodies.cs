@@ -6,7 +6,8 @@ namespace Football.Physics;
 /// <summary>The things of a scene that the game moves: players' feet, legs and heads, a keeper's hands.</summary>
 /// <remarks>
 /// All are added before the first simulator of the scene is built. A scene with bodies is for one match: they are where the game has put them last, and
-/// its simulators are not for several threads at once. Snapshots and logs do not hold them: who steps again puts them there again.
+/// its simulators are not for several threads at once. A snapshot of the ball does not hold them: a <see cref="Rollback"/> and a <see cref="MatchSegment"/> keep where they were, or ask
+/// <see cref="FixedStepRunner.BodiesAt"/>.
 /// </remarks>
 public sealed class Bodies : IReadOnlyList<Body>
 {
@@ -133,6 +134,16 @@ public sealed class Bodies : IReadOnlyList<Body>
         _earliest = Math.Min(_earliest, time);
         _latest = Math.Max(_latest, time);
         body.ToldAt = _steps;
+    }
+
+    /// <summary>Whether the game has moved a body since the last step.</summary>
+    internal bool IsTold(int body) => _bodies[body].ToldAt == _steps;
+
+    /// <summary>The game has put a body there for the step to come.</summary>
+    internal void Tell(int body, in RigidMotion motion)
+    {
+        _bodies[body].Motion = motion;
+        _bodies[body].ToldAt = _steps;
     }
 
     private void RefuseTime(double now)

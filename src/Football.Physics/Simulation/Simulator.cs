@@ -10,6 +10,7 @@ public sealed class Simulator
     private readonly double _contact;
     private readonly World _world;
     private readonly bool _hasOwnForces;
+    private ulong? _sceneHash;
 
     /// <summary>Checks a scene and compiles it.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
@@ -243,6 +244,20 @@ public sealed class Simulator
     /// <inheritdoc cref="Stepper.Struck"/>
     internal void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, bool presses, StepLog log) =>
         _stepper.Struck(ref s, in velocity, in spin, in n, presses, log);
+
+    /// <summary>
+    /// A hash of what decides a ball's way: the scene's numbers, the answers of what is code at some places, and the settings. Two machines with the same have the same
+    /// scene; of two scenes that differ in a number it differs. Forces of a game's own count by the names of their types alone.
+    /// </summary>
+    /// <exception cref="InvalidOperationException">A wind of the game's own is not finite.</exception>
+    public ulong SceneHash
+    {
+        get
+        {
+            _sceneHash ??= Physics.SceneHash.Of(Scene, Settings, _world, this);
+            return _sceneHash.Value;
+        }
+    }
 
     /// <summary>Puts obstacles that have a mass (<see cref="Obstacle.Mass"/>), and that the ball has moved, back to where the scene has them at time 0.</summary>
     public void ResetObstacles() => _world.Obstacles.Reset();
