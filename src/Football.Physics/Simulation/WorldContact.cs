@@ -67,7 +67,6 @@ internal sealed class WorldContact
         if (hit.GivesWay && run.Log.Pushes)
         {
             hit.Push(_world.Ball.Mass * (v - velocity), s.Time);
-            run.Log.AllPushes++;
             run.Log.Halted |= run.Log.HaltsAtPush;
         }
 

@@ -120,7 +120,7 @@ public sealed class BallGroup
     /// <param name="dt">Time to advance by, s: 0 … 1e12.</param>
     /// <param name="log">Where the events of all are added, in order of time, then of the balls, and the counts.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="ArgumentException">The states are not as many as the balls, or not of one time, or one was never launched.</exception>
+    /// <exception cref="ArgumentException">The states are not as many as the balls, or not of one time, or one was never launched; or the log has an observer.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is out of range, or a body was moved since the last step for a time more than 0.25 s from the balls'.</exception>
     public void Step(BallState[] states, double dt, StepLog log) => Step(states, dt, log, StopAt.Time, null);
 
@@ -146,6 +146,11 @@ public sealed class BallGroup
         if (watched is null)
         {
             Check.Given(nameof(log), log);
+        }
+
+        if (log?.Observer is not null)
+        {
+            throw new ArgumentException("log has an observer; allowed: none, it would not know whose pieces it sees. Look ahead for paths.", nameof(log));
         }
 
         Check.Within(nameof(dt), dt, 0, Limits.Time);
