@@ -124,6 +124,40 @@ public sealed class BallGroup
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is out of range, or a body was moved since the last step for a time more than 0.25 s from the balls'.</exception>
     public void Step(BallState[] states, double dt, StepLog log) => Step(states, dt, log, StopAt.Time, null);
 
+    /// <summary>Advances all balls in equal steps until an event or a time.</summary>
+    /// <param name="states">The balls, as many as the group has, all of one time. After an early end they are as they were just after the event.</param>
+    /// <param name="timeStep">Length of a step, s; above 0, at most 1e12, at least 1e-12 of the duration. The last one is shortened.</param>
+    /// <param name="duration">How long to go on at most, s; above 0, at most 1e12.</param>
+    /// <param name="stopAt">The event that ends the run: the first impact of any ball; or rest, of all of them, at the end of a step.</param>
+    /// <param name="log">Where the events of all are added, in order of time, then of the balls, and the counts.</param>
+    /// <returns>True when the event ended the run, false when its time did.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">The states are not as many as the balls, or not of one time, or one was never launched; or the log has an observer.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public bool Run(BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog log)
+    {
+        Check.Given(nameof(states), states);
+        if (states.Length > 0)
+        {
+            Simulator.CheckRun(in states[0], timeStep, duration, stopAt);
+        }
+
+        // At least one step is asked for, which refuses what is wrong with the states.
+        double end = (states.Length > 0 ? states[0].Time : 0) + duration;
+        double last = end - (1e-9 * timeStep);
+        do
+        {
+            double left = end - (states.Length > 0 ? states[0].Time : 0);
+            if (Step(states, Math.Min(timeStep, left), log, stopAt == StopAt.Impact ? StopAt.Impact : StopAt.Time, null)
+                || (stopAt == StopAt.Rest && Array.TrueForAll(states, state => state.Motion == MotionState.Stopped)))
+            {
+                return true;
+            }
+        }
+        while (states[0].Time < last);
+        return false;
+    }
+
     /// <summary>The compiled scene of a ball.</summary>
     /// <param name="ball">Which, from 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
