@@ -165,6 +165,20 @@ internal sealed class World
         Obstacles.Read(into.Slice(bodies));
     }
 
+    /// <summary>Remembers where all is that is moved, for a look ahead.</summary>
+    public void KeepMotions()
+    {
+        Bodies?.Keep();
+        Obstacles.Keep();
+    }
+
+    /// <summary>Puts all back to where it was when that was remembered.</summary>
+    public void PutMotionsBack()
+    {
+        Bodies?.PutBack();
+        Obstacles.PutBack();
+    }
+
     /// <summary>A box around one of what is moved, at a time.</summary>
     public Bounds3d BoundsOfMover(int mover, double time)
     {

@@ -6,6 +6,7 @@ internal sealed class ObstacleMotions
     private readonly Placement?[] _placements;
     private readonly int[] _movable;
     private readonly RigidMotion[] _start;
+    private readonly RigidMotion[] _kept;
 
     public ObstacleMotions(IReadOnlyList<Obstacle> obstacles)
     {
@@ -27,6 +28,7 @@ internal sealed class ObstacleMotions
 
         _movable = movable.ToArray();
         _start = new RigidMotion[_movable.Length];
+        _kept = new RigidMotion[_movable.Length];
         Read(_start);
     }
 
@@ -67,6 +69,18 @@ internal sealed class ObstacleMotions
         }
 
         Version++;
+    }
+
+    /// <summary>Remembers where all are.</summary>
+    public void Keep() => Read(_kept);
+
+    /// <summary>Puts all back to where they were when that was remembered.</summary>
+    public void PutBack()
+    {
+        if (Count > 0)
+        {
+            Write(_kept);
+        }
     }
 
     /// <summary>Puts all back to where the scene has them.</summary>

@@ -137,19 +137,31 @@ public sealed class BallGroup
     public bool Run(BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog log)
     {
         Check.Given(nameof(states), states);
+        Check.Given(nameof(log), log);
         if (states.Length > 0)
         {
             Simulator.CheckRun(in states[0], timeStep, duration, stopAt);
         }
 
+        return Run(states, timeStep, duration, stopAt, log, null, null);
+    }
+
+    /// <summary>The same for who watches the paths, with a callback after every step.</summary>
+    internal bool Run(BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog[] watched, Simulator.StepCallback? onStep) =>
+        Run(states, timeStep, duration, stopAt, null, watched, onStep);
+
+    private bool Run(
+        BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog? log, StepLog[]? watched, Simulator.StepCallback? onStep)
+    {
         // At least one step is asked for, which refuses what is wrong with the states.
         double end = (states.Length > 0 ? states[0].Time : 0) + duration;
         double last = end - (1e-9 * timeStep);
         do
         {
             double left = end - (states.Length > 0 ? states[0].Time : 0);
-            if (Step(states, Math.Min(timeStep, left), log, stopAt == StopAt.Impact ? StopAt.Impact : StopAt.Time, null)
-                || (stopAt == StopAt.Rest && Array.TrueForAll(states, state => state.Motion == MotionState.Stopped)))
+            bool ended = Step(states, Math.Min(timeStep, left), log, stopAt == StopAt.Impact ? StopAt.Impact : StopAt.Time, watched);
+            onStep?.Invoke(in states[0]);
+            if (ended || (stopAt == StopAt.Rest && Array.TrueForAll(states, state => state.Motion == MotionState.Stopped)))
             {
                 return true;
             }
@@ -174,7 +186,7 @@ public sealed class BallGroup
     /// <param name="stopAt">The impact of any ball may end it.</param>
     /// <param name="watched">Logs of the balls, one each, whose observers see their pieces; null where nobody watches.</param>
     /// <returns>Whether an event ended it.</returns>
-    internal bool Step(BallState[] states, double dt, StepLog? log, StopAt stopAt, Trajectory[]? watched)
+    internal bool Step(BallState[] states, double dt, StepLog? log, StopAt stopAt, StepLog[]? watched)
     {
         Check.Given(nameof(states), states);
         if (watched is null)
@@ -282,6 +294,7 @@ public sealed class BallGroup
             ref readonly BallState before = ref _before[i];
             int first = log.Events.Count;
             _firstEvent[i] = first;
+            log.Events.Ball = i;
             _simulators[i].Advance(ref s, dt, log);
             halts |= log.Halted;
             log.Halted = false;
@@ -383,7 +396,7 @@ public sealed class BallGroup
 
     /// <summary>Plays the balls of a cluster again from before the step: always the first that happens, then all whose way that changes anew.</summary>
     /// <returns>Whether an event ended the step.</returns>
-    private bool PlayCluster(BallState[] states, double end, StopAt stopAt, Trajectory[]? watched)
+    private bool PlayCluster(BallState[] states, double end, StopAt stopAt, StepLog[]? watched)
     {
         Array.Sort(_cluster, 0, _clusterCount);
         _pressCount = 0;
@@ -445,7 +458,7 @@ public sealed class BallGroup
     }
 
     /// <summary>Puts a ball back to where it was before the step.</summary>
-    private void Begin(BallState[] states, int i, Trajectory[]? watched)
+    private void Begin(BallState[] states, int i, StepLog[]? watched)
     {
         states[i] = _before[i];
         StepLog own = LogOf(i, watched);
@@ -454,13 +467,14 @@ public sealed class BallGroup
             own.Clear();
         }
 
+        own.Events.Ball = i;
         own.StopAt = StopAt.Time;
         own.Halted = false;
         own.HaltsAtPush = false;
         own.Pushes = true;
     }
 
-    private StepLog LogOf(int i, Trajectory[]? watched) => watched is null ? _logs[i] : watched[i].Log;
+    private StepLog LogOf(int i, StepLog[]? watched) => watched is null ? _logs[i] : watched[i];
 
     /// <summary>Looks where a ball goes from where it has got to; and who may be in its way that was not before.</summary>
     private void Try(BallState[] states, int i, double end, StopAt stopAt)
@@ -513,7 +527,7 @@ public sealed class BallGroup
         time < first.Time || (time == first.Time && time < double.PositiveInfinity && (ball < first.Ball || (ball == first.Ball && other < first.Other)));
 
     /// <summary>Moves a ball on to a time within its way, as its step would have gone.</summary>
-    private void Commit(BallState[] states, int i, double time, Trajectory[]? watched)
+    private void Commit(BallState[] states, int i, double time, StepLog[]? watched)
     {
         ref BallState s = ref states[i];
         double left = time - s.Time;
@@ -535,7 +549,7 @@ public sealed class BallGroup
 
     /// <summary>Two balls meet: both go there, to the last bit by their own steps, and both get the impulse.</summary>
     /// <returns>Whether that ends the step.</returns>
-    private bool Collide(BallState[] states, in Happening met, bool presses, StopAt stopAt, Trajectory[]? watched)
+    private bool Collide(BallState[] states, in Happening met, bool presses, StopAt stopAt, StepLog[]? watched)
     {
         int i = met.Ball;
         int j = met.Other;
@@ -563,8 +577,8 @@ public sealed class BallGroup
         }
         else
         {
-            own.Events.Add(new BallEvent(new BallEvent(j, in n, time, in states[i], in first.Velocity, in first.Spin), i));
-            its.Events.Add(new BallEvent(new BallEvent(i, -n, time, in states[j], in second.Velocity, in second.Spin), j));
+            own.Events.Add(new BallEvent(j, in n, time, in states[i], in first.Velocity, in first.Spin));
+            its.Events.Add(new BallEvent(i, -n, time, in states[j], in second.Velocity, in second.Spin));
         }
 
         _simulators[i].Struck(ref states[i], in first.Velocity, in first.Spin, in n, presses, own);
@@ -609,7 +623,7 @@ public sealed class BallGroup
 
     /// <summary>A ball meets what it pushes, or what ends the step: all that may meet that too go there first.</summary>
     /// <returns>Whether it ends the step.</returns>
-    private bool Push(BallState[] states, in Happening met, double end, StopAt stopAt, Trajectory[]? watched)
+    private bool Push(BallState[] states, in Happening met, double end, StopAt stopAt, StepLog[]? watched)
     {
         World world = _simulators[0].World;
         world.ReadMotions(_motions);
@@ -731,7 +745,7 @@ public sealed class BallGroup
             // Of a ball that was played again counts what it did then.
             for (int k = _firstEvent[i]; k < _firstEvent[i + 1] && !_played[i]; k++)
             {
-                Insert(new BallEvent(in _flown.Events[k], i), told++);
+                Insert(in _flown.Events[k], told++);
             }
         }
 
@@ -745,7 +759,7 @@ public sealed class BallGroup
             log.Untold += own.Untold;
             for (int e = 0; e < own.Events.Count; e++)
             {
-                Insert(new BallEvent(in own.Events[e], _cluster[k]), told++);
+                Insert(in own.Events[e], told++);
             }
         }
 
