@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Netcode;
 
 /// <summary>
 /// A stretch of a match that can be sent, stored and played again: its start, its kicks, where the game put its bodies, and a hash of the balls after every step.
