@@ -71,7 +71,7 @@ public static class ScenarioRun
             Final = finals[0],
             Balls = finals,
             Events = log.Events.Span.ToArray(),
-            Missed = log.Events.Missed,
+            Missed = log.Events.Dropped,
             Bounces = log.Events.Impacts,
             Apex = 0,
             Steps = log.Steps,

@@ -1,13 +1,13 @@
-namespace Football.Physics;
+namespace Football.Physics.Aiming;
 
 /// <summary>A player who keeps the ball from his opponents by standing between.</summary>
 public sealed record ShieldRequest
 {
     /// <summary>The player who has the ball.</summary>
-    public Runner Player { get; init; } = new();
+    public Player Player { get; init; } = new Player();
 
     /// <summary>His opponents; at most 64. Default none.</summary>
-    public IReadOnlyList<Runner> Opponents { get; init; } = [];
+    public IReadOnlyList<Player> Opponents { get; init; } = [];
 
     /// <summary>How far from him the ball may be, m. Above 0, at most 10; default 0.6, what he can reach where he stands.</summary>
     public double Farthest { get; init; } = 0.6;
@@ -98,7 +98,7 @@ public sealed class ShieldAnswer
         Vector3d own = (place - _request.Player.Position).Horizontal;
         double he = new RunnerMotion(_request.Player.Reacting(0), _request.Time).ArrivalAt(own.Length);
         double first = he + Forever;
-        foreach (Runner opponent in _request.Opponents)
+        foreach (Player opponent in _request.Opponents)
         {
             // Until he reacts he goes on as he does; from there around the player's body.
             var motion = new RunnerMotion(in opponent, _request.Time);

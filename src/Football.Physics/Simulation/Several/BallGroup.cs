@@ -304,7 +304,7 @@ public sealed class BallGroup
         }
 
         _firstEvent[states.Length] = log.Events.Count;
-        return halts || log.Events.Missed > 0;
+        return halts || log.Events.Dropped > 0;
     }
 
     private static void Refuse(in BallState state, int ball, double time)
