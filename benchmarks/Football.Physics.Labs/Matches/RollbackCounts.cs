@@ -7,6 +7,7 @@ internal static class RollbackCounts
 {
     private const int Ticks = 200;
     private const int MostLate = 8;
+    private const int MostSteps = 12;
     private static readonly double[] Frames = [0.01, 1 / 30.0, 0.1, 0];
 
     /// <summary>What moves, and who says where it is.</summary>
@@ -71,8 +72,11 @@ internal static class RollbackCounts
             inTime.Kicks.Add(in kick);
         }
 
-        while (inTime.Tick < Ticks)
+        // A frame may take the others some ticks further.
+        var states = new BallState[Ticks + MostSteps + 1][];
+        while (inTime.Tick < states.Length)
         {
+            states[inTime.Tick] = [.. Enumerable.Range(0, inTime.Balls).Select(inTime.StateOf)];
             Step(kind, squad, inTime);
         }
 
@@ -91,12 +95,7 @@ internal static class RollbackCounts
             {
                 for (int i = next; i < all.Length && all[i].Tick <= runner.Tick + 20; i++)
                 {
-                    if (all[i].Tick + delays[i] > runner.Tick && all[i].Tick <= runner.Tick)
-                    {
-                        break;
-                    }
-
-                    if (all[i].Tick > runner.Tick)
+                    if (all[i].Tick + delays[i] > runner.Tick)
                     {
                         break;
                     }
@@ -111,8 +110,7 @@ internal static class RollbackCounts
                 }
                 else
                 {
-                    double length = frame > 0 ? frame : random.Uniform(0.001, 0.12);
-                    runner.Advance(Math.Min(length, ((Ticks - runner.Tick - 0.5) * runner.TimeStep) + runner.TimeStep));
+                    runner.Advance(frame > 0 ? frame : random.Uniform(0.001, 0.12));
                 }
             }
 
@@ -125,8 +123,7 @@ internal static class RollbackCounts
             for (int ball = 0; ball < runner.Balls; ball++)
             {
                 BallState one = runner.StateOf(ball);
-                BallState other = inTime.StateOf(ball);
-                apart += runner.Tick == Ticks && Snapshot.Same(in one, in other) ? 0 : 1;
+                apart += Snapshot.Same(in one, in states[runner.Tick][ball]) ? 0 : 1;
             }
         }
     }
