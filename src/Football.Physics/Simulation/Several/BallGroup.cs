@@ -53,6 +53,9 @@ public sealed class BallGroup
     private Pressing[] _presses = new Pressing[8];
     private int _pressCount;
     private int _clusterCount;
+    private double _start;
+    private double _step;
+    private double _end;
 
     /// <summary>A group of equal balls in one scene.</summary>
     /// <param name="simulator">The compiled scene.</param>
@@ -208,7 +211,9 @@ public sealed class BallGroup
         World world = _simulators[0].World;
         world.Bodies?.CheckTimes(states[0].Time);
         world.ReadMotions(_motionsBefore);
-        double end = states[0].Time + dt;
+        _start = states[0].Time;
+        _step = dt;
+        _end = _start + dt;
         bool ended;
         Array.Copy(states, _before, Count);
         try
@@ -222,7 +227,7 @@ public sealed class BallGroup
             }
 
             FindCluster(all: pushes || stopAt == StopAt.Impact || watched is not null);
-            ended = _clusterCount > 0 && PlayCluster(states, end, stopAt, watched);
+            ended = _clusterCount > 0 && PlayCluster(states, _end, stopAt, watched);
         }
         catch
         {
@@ -325,7 +330,7 @@ public sealed class BallGroup
                 continue;
             }
 
-            _measure.Run(_simulators[i], in _before[i], _before[i].Time + dt, StopAt.Time);
+            _measure.Run(_simulators[i], in _before[i], dt, StopAt.Time);
             _reaches[i] = _measure.Reach;
             holds &= _neighbours.Holds(i, in _before[i], _reaches[i], dt);
         }
@@ -482,7 +487,7 @@ public sealed class BallGroup
         World world = _simulators[i].World;
         world.ReadMotions(_motionsKept);
         world.Engine?.KeepPushes();
-        _trials[i].Run(_simulators[i], in states[i], end, stopAt);
+        _trials[i].Run(_simulators[i], in states[i], Left(in states[i], end), stopAt);
         world.Engine?.PutPushesBack();
         Restore(_motionsKept);
         double reach = (states[i].Position - _before[i].Position).Length + _trials[i].Reach;
@@ -526,11 +531,14 @@ public sealed class BallGroup
     private static bool Precedes(double time, int ball, int other, in Happening first) =>
         time < first.Time || (time == first.Time && time < double.PositiveInfinity && (ball < first.Ball || (ball == first.Ball && other < first.Other)));
 
+    /// <summary>How long a ball goes to a time within the step, s: a whole step is that to the last bit.</summary>
+    private double Left(in BallState s, double time) => s.Time == _start && time == _end ? _step : Math.Max(0, time - s.Time);
+
     /// <summary>Moves a ball on to a time within its way, as its step would have gone.</summary>
     private void Commit(BallState[] states, int i, double time, StepLog[]? watched)
     {
         ref BallState s = ref states[i];
-        double left = time - s.Time;
+        double left = Left(in s, time);
         if (left > 0)
         {
             StepLog own = LogOf(i, watched);
@@ -541,7 +549,7 @@ public sealed class BallGroup
         for (StepLog own = LogOf(i, watched); own.Halted && s.Time < time;)
         {
             own.Halted = false;
-            _simulators[i].Advance(ref s, time - s.Time, own);
+            _simulators[i].Advance(ref s, Left(in s, time), own);
         }
 
         s.Time = time;
@@ -615,7 +623,7 @@ public sealed class BallGroup
         _look.Pushes = false;
         if (time > state.Time)
         {
-            _simulators[i].Advance(ref state, time - state.Time, _look);
+            _simulators[i].Advance(ref state, Left(in state, time), _look);
         }
 
         return state;
@@ -630,7 +638,7 @@ public sealed class BallGroup
         StepLog own = LogOf(met.Ball, watched);
         own.HaltsAtPush = true;
         own.StopAt = stopAt;
-        _simulators[met.Ball].Advance(ref states[met.Ball], end - states[met.Ball].Time, own);
+        _simulators[met.Ball].Advance(ref states[met.Ball], Left(in states[met.Ball], end), own);
         own.HaltsAtPush = false;
         own.StopAt = StopAt.Time;
         own.Halted = false;

@@ -29,9 +29,9 @@ internal sealed class BallTrial : PieceObserver
     /// <summary>Takes the way.</summary>
     /// <param name="simulator">The ball's scene.</param>
     /// <param name="start">Where it has got to.</param>
-    /// <param name="end">When the step ends, s.</param>
+    /// <param name="duration">How long it goes on, s.</param>
     /// <param name="stopAt">The event that ends it.</param>
-    public void Run(Simulator simulator, in BallState start, double end, StopAt stopAt)
+    public void Run(Simulator simulator, in BallState start, double duration, StopAt stopAt)
     {
         _start = start;
         _count = 0;
@@ -42,7 +42,7 @@ internal sealed class BallTrial : PieceObserver
         Log.HaltsAtPush = true;
         End = start;
         Reach = 0;
-        simulator.Advance(ref End, Math.Max(0, end - start.Time), Log);
+        simulator.Advance(ref End, duration, Log);
         HaltsAt = Log.Halted ? End.Time : double.PositiveInfinity;
         Vector3d last = _count > 0 ? _paths[_count - 1].At(_paths[_count - 1].Length) : start.Position;
         Reach += (End.Position - last).Length;
