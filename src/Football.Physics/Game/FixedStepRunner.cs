@@ -264,7 +264,7 @@ public sealed class FixedStepRunner
 
         Array.Copy(_states, _before, _states.Length);
         _before[ball] = placed;
-        Restore(Tick, _before);
+        RestoreAll(Tick, _before);
     }
 
     /// <summary>Makes as many steps as a frame's time asks for; the rest is kept for the next frame.</summary>
@@ -364,7 +364,7 @@ public sealed class FixedStepRunner
     public void Restore(long tick, in BallState state)
     {
         _before[0] = state;
-        Restore(tick, _states.Length == 1 ? _before : throw new ArgumentException($"state is of one ball; allowed: {_states.Length}, one each.", nameof(state)));
+        RestoreAll(tick, _states.Length == 1 ? _before : throw new ArgumentException($"state is of one ball; allowed: {_states.Length}, one each.", nameof(state)));
     }
 
     /// <summary>Goes to a tick with the states of all balls.</summary>
@@ -374,7 +374,7 @@ public sealed class FixedStepRunner
     /// <exception cref="ArgumentNullException"><paramref name="states"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="tick"/> is out of range, or the clock stands so high that a step would not move it; nothing has changed.</exception>
     /// <exception cref="ArgumentException">The states are not as many as the balls, or not of one time, or one was never launched; nothing has changed.</exception>
-    public void Restore(long tick, BallState[] states)
+    public void RestoreAll(long tick, BallState[] states)
     {
         Check.Within(nameof(tick), tick, 0, Limits.Tick);
         Check.Given(nameof(states), states);
@@ -426,7 +426,11 @@ public sealed class FixedStepRunner
     {
         Array.Copy(_states, _before, _states.Length);
         World world = _simulator.World;
-        world.ReadMotions(_motions);
+        if (_motions.Length > 0)
+        {
+            world.ReadMotions(_motions);
+        }
+
         try
         {
             // 1. The bodies are where they are at this tick. 2. Its kicks. 3. The step.

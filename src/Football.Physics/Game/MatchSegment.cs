@@ -291,7 +291,7 @@ public sealed class MatchSegment
         runner.KickTicks = Limits.Tick;
         runner.BodiesAt = bodiesAt;
         runner.Script = Bodies;
-        runner.Restore(StartTick, _start);
+        runner.RestoreAll(StartTick, _start);
         return runner;
     }
 }

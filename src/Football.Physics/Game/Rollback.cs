@@ -130,7 +130,7 @@ public sealed class Rollback
         {
             _replays = true;
             Array.Copy(_states, PlaceOf(tick), _from, 0, _balls);
-            Runner.Restore(tick, _from);
+            Runner.RestoreAll(tick, _from);
             _replays = false;
         }
 
@@ -250,7 +250,7 @@ public sealed class Rollback
             }
 
             Array.Copy(_states, PlaceOf(from), _from, 0, _balls);
-            Runner.Restore(from, _from);
+            Runner.RestoreAll(from, _from);
             while (Runner.Tick < now)
             {
                 Runner.Step();
