@@ -10,12 +10,11 @@ internal static class SceneHash
 
     public static ulong Of(Scene scene, SolverSettings settings, World world, Simulator simulator)
     {
-        var key = new ClearKey();
+        var key = new SceneKey();
         AddSettings(ref key, settings);
         AddBall(ref key, scene);
         AddAir(ref key, scene, simulator);
         AddGround(ref key, scene.Ground);
-        world.AddTo(ref key);
         AddColliders(ref key, world);
         foreach (NetSheet net in world.Nets)
         {
@@ -39,12 +38,12 @@ internal static class SceneHash
     /// <summary>A hash of what two things are to each other.</summary>
     public static ulong Of(Surface surface)
     {
-        var key = new ClearKey();
+        var key = new SceneKey();
         AddMaterial(ref key, new ContactMaterial(surface));
         return key.Value;
     }
 
-    private static void AddSettings(ref ClearKey key, SolverSettings settings)
+    private static void AddSettings(ref SceneKey key, SolverSettings settings)
     {
         key.Add((double)(int)settings.Integrator);
         key.Add((double)(int)settings.CollisionTiming);
@@ -53,7 +52,7 @@ internal static class SceneHash
         key.Add(settings.LocateJump ? 1 : 0);
     }
 
-    private static void AddBall(ref ClearKey key, Scene scene)
+    private static void AddBall(ref SceneKey key, Scene scene)
     {
         key.Add(scene.Ball.Mass);
         key.Add(scene.Ball.Radius);
@@ -62,7 +61,7 @@ internal static class SceneHash
         key.Add(Weight.UpwardAcceleration(scene));
     }
 
-    private static void AddAir(ref ClearKey key, Scene scene, Simulator simulator)
+    private static void AddAir(ref SceneKey key, Scene scene, Simulator simulator)
     {
         key.Add(scene.Air.Density);
         key.Add(scene.Air.KinematicViscosity);
@@ -91,7 +90,7 @@ internal static class SceneHash
         }
     }
 
-    private static void AddGround(ref ClearKey key, Ground ground)
+    private static void AddGround(ref SceneKey key, Ground ground)
     {
         key.Add(ground.MinimumBounceSpeed);
         key.Add(ground.RestEnergy);
@@ -99,11 +98,12 @@ internal static class SceneHash
         key.Add(ground.IsNone ? 1 : 0);
     }
 
-    private static void AddColliders(ref ClearKey key, World world)
+    private static void AddColliders(ref SceneKey key, World world)
     {
         foreach (Collider collider in world.Colliders.Where(collider => world.Engine is null || !world.Engine.Colliders.Contains(collider)))
         {
             key.Add(collider.Mass);
+            key.Add(collider.GivenVelocity);
             key.Add(in collider.Bounds);
             for (int i = 0; i < Places; i++)
             {
@@ -122,7 +122,7 @@ internal static class SceneHash
         }
     }
 
-    private static void AddMaterial(ref ClearKey key, in ContactMaterial material)
+    private static void AddMaterial(ref SceneKey key, in ContactMaterial material)
     {
         key.Add(material.SlowRestitution);
         key.Add(material.PerRestitutionSpeed);
@@ -139,4 +139,38 @@ internal static class SceneHash
 
     /// <summary>A place of the pitch and above it, m.</summary>
     private static Vector3d Place(int i) => new(-52 + (7 * i), 0.11 + (0.9 * ((5 * i) % Places)), -33 + (4.3 * ((3 * i) % Places)));
+}
+
+/// <summary>A hash of numbers in which every bit of each reaches every bit of the value.</summary>
+internal struct SceneKey
+{
+    private ulong _hash;
+
+    /// <summary>The hash so far.</summary>
+    public readonly ulong Value => _hash;
+
+    /// <summary>Adds a number.</summary>
+    public void Add(double value)
+    {
+        // The finaliser of MurmurHash3 on each, so that numbers that differ in their last or first bits alone do not cancel.
+        ulong h = _hash ^ (ulong)BitConverter.DoubleToInt64Bits(value) ^ 0x9E3779B97F4A7C15UL;
+        h = (h ^ (h >> 33)) * 0xFF51AFD7ED558CCDUL;
+        h = (h ^ (h >> 33)) * 0xC4CEB9FE1A85EC53UL;
+        _hash = (h ^ (h >> 33)) + 0x9FB21C651E98DF25UL;
+    }
+
+    /// <summary>Adds a vector.</summary>
+    public void Add(in Vector3d value)
+    {
+        Add(value.X);
+        Add(value.Y);
+        Add(value.Z);
+    }
+
+    /// <summary>Adds a box.</summary>
+    public void Add(in Bounds3d value)
+    {
+        Add(value.Min);
+        Add(value.Max);
+    }
 }
