@@ -5,6 +5,7 @@ using Football.Physics.Headless.Lab.Derivatives;
 using Football.Physics.Headless.Lab.Goals;
 using Football.Physics.Headless.Lab.Intercept;
 using Football.Physics.Headless.Lab.Obstacles;
+using Football.Physics.Headless.Lab.People;
 using Football.Physics.Headless.Lab.Queries;
 
 namespace Football.Physics.Headless.Commands;
@@ -37,5 +38,6 @@ internal static class LabCommand
         FitLab.Create(terminal),
         ObstaclesLab.Create(terminal),
         GoalsLab.Create(terminal),
+        PeopleLab.Create(terminal),
     };
 }
