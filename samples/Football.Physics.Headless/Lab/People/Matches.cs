@@ -14,6 +14,9 @@ internal sealed class Matches
     /// <summary>What moves and is farther than this, m, has no part in a step.</summary>
     private const double Apart = 2e-3;
 
+    /// <summary>A ball in a net that is slower, m/s, hangs still.</summary>
+    private const double Hanging = 1e-6;
+
     /// <summary>So many steps are played again at once.</summary>
     private const int RewindLength = 120;
 
@@ -62,10 +65,15 @@ internal sealed class Matches
 
     public long RewoundElsewhere { get; private set; }
 
+    public string RewoundElsewhereAt { get; private set; } = "";
+
     /// <summary>Dead balls, and how many did not rest in 19 s.</summary>
     public int Dead { get; private set; }
 
     public int Restless { get; private set; }
+
+    /// <summary>Dead balls that hung in a net.</summary>
+    public int Hung { get; private set; }
 
     public string RestlessAt { get; private set; } = "";
 
@@ -109,7 +117,7 @@ internal sealed class Matches
             if (played.Count == RewindLength)
             {
                 Stadium.Placement now = stadium.Keep();
-                Rewind(stadium, played, i % 3 == 0 ? new Simulator(stadium.Scene) : ball.Simulator);
+                Rewind(stadium, played, i % 3 == 0 ? new Simulator(stadium.Scene) : ball.Simulator, at);
                 stadium.Restore(now, ball.Time);
                 played.Clear();
             }
@@ -201,15 +209,19 @@ internal sealed class Matches
             return false;
         }
 
+        // On the roof of a net, which carries nothing, it hangs still.
+        bool hangs = ball.Motion == MotionState.Airborne && Stadium.IsInGoal(ball.State.Position) && ball.State.Velocity.Length < Hanging;
+        bool rests = ball.Motion == MotionState.Stopped || hangs;
         Dead++;
-        Restless += ball.Motion == MotionState.Stopped ? 0 : 1;
-        RestlessAt = ball.Motion == MotionState.Stopped ? RestlessAt
+        Hung += hangs ? 1 : 0;
+        Restless += rests ? 0 : 1;
+        RestlessAt = rests ? RestlessAt
             : FormattableString.Invariant($"{FormattableString.Invariant(at)}: {ball.Motion} at {ball.State.Position}, {ball.State.Velocity.Length:0.000} m/s");
         return true;
     }
 
     /// <summary>Steps again what was played, from a snapshot's bytes, all that moves put where it was.</summary>
-    private void Rewind(Stadium stadium, List<PlayedStep> played, Simulator simulator)
+    private void Rewind(Stadium stadium, List<PlayedStep> played, Simulator simulator, FormattableString at)
     {
         BallState first = played[0].Before;
         Snapshot.Write(in first, _bytes);
@@ -228,6 +240,7 @@ internal sealed class Matches
             if (Snapshot.Hash(in state) != step.Hash)
             {
                 RewoundElsewhere++;
+                RewoundElsewhereAt = FormattableString.Invariant($"{FormattableString.Invariant(at)}, step of {step.Before.Time} s, {step.Before.Motion} to {state.Motion}");
                 return;
             }
         }

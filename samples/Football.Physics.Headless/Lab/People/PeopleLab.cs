@@ -153,7 +153,8 @@ internal static class PeopleLab
             Claim("matches: the ball left the stadium", matches.Cases, matches.Left, null, matches.Left == 0);
             Claim("matches: energy from nothing, share", matches.Alone, matches.Made, matches.MostMade, matches.Made == 0, matches.MostMadeAt);
             Claim("matches: look-ahead of a step goes elsewhere", matches.Meter.Steps, matches.Elsewhere, null, matches.Elsewhere == 0, matches.ElsewhereAt);
-            Claim("matches: played again goes elsewhere", matches.Rewound, matches.RewoundElsewhere, null, matches.RewoundElsewhere == 0);
+            Claim("matches: played again goes elsewhere", matches.Rewound, matches.RewoundElsewhere, null, matches.RewoundElsewhere == 0, matches.RewoundElsewhereAt);
+            Claim("matches: dead ball hangs still in a net", matches.Dead, matches.Hung, null, null);
             Claim("matches: dead ball not at rest in 19 s", matches.Dead, matches.Restless, null, matches.Restless == 0, matches.RestlessAt);
         }
 

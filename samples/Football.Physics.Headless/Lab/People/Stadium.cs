@@ -29,6 +29,7 @@ internal sealed class Stadium
     private readonly double[] _waits = new double[Players];
     private readonly Body[] _feet = new Body[Feet];
     private readonly double[] _swings = new double[Feet];
+    private readonly Quaterniond[] _turns = new Quaterniond[Feet];
     private readonly List<(Vector3d From, Vector3d To, double Radius)> _rods = [];
     private readonly List<(Vector3d Center, Vector3d Half)> _boards = [];
 
@@ -112,8 +113,8 @@ internal sealed class Stadium
             double swing = (_swings[k] % 2) - 1;
             Vector3d beside = new(k % 2 == 0 ? -0.4 : 0.4, 0.12 + (0.1 * (k / 2)), 0);
             WalkingPlayer owner = _players[k < 2 ? ours : theirs];
-            _feet[k].MoveTo(
-                owner.Place + beside, new Quaterniond(swing * (1 - (swing * swing)), 0, 0, 1).Normalized(), owner.Velocity, new Vector3d(3, 0, 0), Ball.Time);
+            _turns[k] = new Quaterniond(swing * (1 - (swing * swing)), 0, 0, 1).Normalized();
+            _feet[k].MoveTo(owner.Place + beside, _turns[k], owner.Velocity, new Vector3d(3, 0, 0), Ball.Time);
         }
 
         double first = (_players[ours].Place - ball).Horizontal.Length;
@@ -194,7 +195,7 @@ internal sealed class Stadium
     /// <summary>All that moves, to be put there again.</summary>
     public Placement Keep() => new(
         [.. _players.Select(player => (player.Place, player.Velocity))],
-        [.. _feet.Select(foot => (foot.Position, foot.Orientation, foot.Velocity, foot.Spin))],
+        [.. _feet.Select((foot, k) => (foot.Position, _turns[k], foot.Velocity, foot.Spin))],
         Spheres.Keep());
 
     /// <summary>Puts all that moves where it was at a time.</summary>
