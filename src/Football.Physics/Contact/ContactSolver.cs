@@ -19,8 +19,14 @@ internal static class ContactSolver
     /// <summary>Where impulses change by less than this share of themselves and the speeds, they are found.</summary>
     private const double Settled = 1e-13;
 
-    /// <summary>Where they still change by no more than this after the last round, they are known well enough.</summary>
-    private const double Known = 1e-9;
+    /// <summary>
+    /// Where they still change by no more than this after the last round, or where Newton's method gains little, they are known well enough: loads that are not
+    /// determined, as those of a ball that a player holds against a post, creep.
+    /// </summary>
+    private const double Known = 1e-8;
+
+    /// <summary>Little: the change is more than this share of what it was.</summary>
+    private const double Little = 0.1;
 
     /// <summary>So often, in rounds, what bears, grips and slips is taken for known.</summary>
     private const int RoundsBetween = 2;
@@ -56,6 +62,11 @@ internal static class ContactSolver
                 resistance = before.Resistance;
                 before.Change = double.PositiveInfinity;
                 continue;
+            }
+
+            if (change <= Known && change > Little * before.Change)
+            {
+                return true;
             }
 
             before.Change = double.PositiveInfinity;

@@ -110,7 +110,7 @@ internal static class PeopleLab
             Claim("pinched: faster than it may be, share", pinches.Cases, pinches.TooFast, pinches.MostShare, pinches.TooFast == 0, pinches.MostShareAt);
             Claim("pinched: faster than 20 m/s, m/s", pinches.Cases, pinches.Beyond20, pinches.Fastest, null);
             Claim("pinched: squeezed", pinches.Cases, pinches.Squeezed, null, null);
-            Claim("pinched: squeezed when the players have passed", pinches.Cases, pinches.Unending, null, pinches.Unending == 0);
+            Claim("pinched: squeezed when the players have passed", pinches.Cases, pinches.Unending, null, pinches.Unending == 0, pinches.UnendingAt);
             Claim("pinched: in the ground, m", pinches.Cases, pinches.Deepest > Entered ? 1 : 0, pinches.Deepest, pinches.Deepest <= Entered);
         }
 
@@ -129,9 +129,11 @@ internal static class PeopleLab
             var hits = new FlatHits();
             Each("hit", count, new FlatHits().Play, hits.Play);
             Step("flat into an edge", hits.Cases, hits.Meter);
-            Claim("flat into an edge: slides in it for more than 2 s", hits.Cases, hits.SlidLong, null, hits.SlidLong == 0);
+            Claim("flat into an edge: slides in it for more than 2 s", hits.Cases, hits.SlidLong, null, hits.SlidLong == 0, hits.SlidLongAt);
             Claim("flat into an edge: not at rest after 90 s; the longest, s", hits.Cases, hits.Restless, hits.Longer, hits.Restless == 0);
-            Claim("flat into an edge: at rest later than on open ground, s", hits.Cases, hits.Later, hits.Latest, hits.Later == 0, hits.LatestAt);
+            Claim("flat into an edge: at rest later than with its energy on open ground, s", hits.Cases, hits.Later, hits.Latest, hits.Later == 0, hits.LatestAt);
+            Claim("flat into an edge: at rest later than from its last hit on open ground, s", hits.Cases, hits.SpinLater, hits.MostSpinLater, null);
+            Claim("flat into an edge: at rest later than from the kick on open ground, s", hits.Cases, hits.Turned, hits.MostTurned, null, hits.MostTurnedAt);
         }
 
         private void Match(int count, double seconds)

@@ -38,6 +38,8 @@ internal sealed class Pinches
     /// <summary>Squeezes that had not ended when the players had passed each other.</summary>
     public int Unending { get; private set; }
 
+    public string UnendingAt { get; private set; } = "";
+
     /// <summary>How deep the ball was in the ground at most, m.</summary>
     public double Deepest { get; private set; }
 
@@ -71,7 +73,7 @@ internal sealed class Pinches
 
             Meter.Step(ball, frame, $"pinch {index}, frame {i}");
             BallState after = ball.State;
-            double most = bound.Follow(in before, in after, Touching(players, ball, frame, in before, in after), Surface.Boot);
+            double most = bound.Follow(in before, in after, Touch(players, ball, frame, in before, in after), Surface.Boot);
             double speed = after.Velocity.Length;
             fastest = Math.Max(fastest, speed);
             tooFast |= speed > most * (1 + Rounding);
@@ -94,25 +96,38 @@ internal sealed class Pinches
         Beyond20 += fastest > 20 ? 1 : 0;
         TooFast += tooFast ? 1 : 0;
         Squeezed += squeezed ? 1 : 0;
+        UnendingAt = ball.Motion == MotionState.Squeezed ? FormattableString.Invariant($"pinch {index}") : UnendingAt;
         Unending += ball.Motion == MotionState.Squeezed && players[0].Place.X - players[1].Place.X > 1 ? 1 : 0;
     }
 
-    /// <summary>The speed of the fastest player who touched the ball in a frame, m/s; −1 where none did.</summary>
-    private static double Touching(WalkingPlayer[] players, Ball ball, double frame, in BallState before, in BallState after)
+    /// <summary>The fastest of the players who touched the ball in a frame, and when; how fast it came to the first of them.</summary>
+    private static MoverTouch Touch(WalkingPlayer[] players, Ball ball, double frame, in BallState before, in BallState after)
     {
         double fastest = -1;
+        double from = after.Time;
+        double to = before.Time;
+        double came = -1;
         foreach (ref readonly BallEvent item in ball.Events)
         {
             string? name = item.Thing > 0 ? ball.Simulator.NameOf(item.Thing) : null;
-            fastest = name == "one" ? Math.Max(fastest, players[0].Velocity.Length) : name == "other" ? Math.Max(fastest, players[1].Velocity.Length) : fastest;
+            if (name is "one" or "other")
+            {
+                fastest = Math.Max(fastest, players[name == "one" ? 0 : 1].Velocity.Length);
+                came = came < 0 ? item.VelocityBefore.Length : came;
+                from = Math.Min(from, item.Time);
+                to = Math.Max(to, item.Time);
+            }
         }
 
         foreach (WalkingPlayer player in players)
         {
-            bool close = Math.Min(player.Distance(before.Position, 0), player.Distance(after.Position, frame)) < Radius + Close;
-            fastest = close ? Math.Max(fastest, player.Velocity.Length) : fastest;
+            bool atFirst = player.Distance(before.Position, 0) < Radius + Close;
+            bool atLast = player.Distance(after.Position, frame) < Radius + Close;
+            fastest = atFirst || atLast ? Math.Max(fastest, player.Velocity.Length) : fastest;
+            from = atFirst ? before.Time : from;
+            to = atLast ? after.Time : to;
         }
 
-        return fastest;
+        return new MoverTouch(fastest, came, from, to);
     }
 }

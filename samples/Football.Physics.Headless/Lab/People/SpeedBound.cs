@@ -1,8 +1,8 @@
 namespace Football.Physics.Headless.Lab.People;
 
 /// <summary>
-/// How fast things that move may make a ball: no faster than the fastest of them times 1 + e, or than it came; and what the impact of one alone gives,
-/// (1 + e) u + e v. Between two touches that lie a while apart it comes anew. What it falls is its own.
+/// How fast things that move may make a ball: no faster than the fastest of them times 1 + e, or than the impact of the first alone made it, which adds (1 + e) u
+/// at most. After a while without a touch it comes anew. What it falls is its own.
 /// </summary>
 internal sealed class SpeedBound(double gravity)
 {
@@ -16,23 +16,26 @@ internal sealed class SpeedBound(double gravity)
     /// <summary>The most that a step allows, m/s.</summary>
     /// <param name="before">The ball before it.</param>
     /// <param name="after">The ball after it.</param>
-    /// <param name="touching">The fastest surface that moves and is close to the ball, m/s; negative for none.</param>
-    /// <param name="restitution">The material of it.</param>
-    public double Follow(in BallState before, in BallState after, double touching, Surface restitution)
+    /// <param name="touch">What moves and touched it in that step.</param>
+    /// <param name="material">The material of it.</param>
+    public double Follow(in BallState before, in BallState after, in MoverTouch touch, Surface material)
     {
-        if (touching >= 0)
+        if (touch.Speed >= 0)
         {
-            double came = before.Velocity.Length;
-            double closing = touching + came;
-            double e = Restitution(restitution, closing);
-            if (before.Time - _touched > Apart)
+            double e = Restitution(material);
+            if (touch.Came >= 0 && touch.From - _touched > Apart)
             {
-                _most = Math.Max(came, ((1 + e) * touching) + (e * came));
+                _most = touch.Came + ((1 + e) * touch.Speed);
                 _highest = before.Position.Y;
             }
 
-            _most = Math.Max(_most, (1 + Restitution(restitution, touching)) * touching);
-            _touched = after.Time;
+            _most = Math.Max(_most, (1 + e) * touch.Speed);
+            _touched = touch.To;
+        }
+        else
+        {
+            // What it makes of its spin on the ground is its own.
+            _most = Math.Max(_most, after.Velocity.Length);
         }
 
         _highest = Math.Max(_highest, Math.Max(before.Position.Y, after.Position.Y));
@@ -41,8 +44,15 @@ internal sealed class SpeedBound(double gravity)
             : Math.Sqrt((_most * _most) + (2 * gravity * (_highest - Math.Min(before.Position.Y, after.Position.Y))));
     }
 
-    /// <summary>e(v) = e₆ √(1 + (6/V_e)²)/√(1 + (v/V_e)²), the greatest up to a speed: that of slow ones.</summary>
-    private static double Restitution(Surface surface, double speed) => double.IsInfinity(surface.RestitutionSpeed) || speed < 0
+    /// <summary>e(v) = e₆ √(1 + (6/V_e)²)/√(1 + (v/V_e)²), that of the slowest hits.</summary>
+    private static double Restitution(Surface surface) => double.IsInfinity(surface.RestitutionSpeed)
         ? surface.NormalRestitution
         : Math.Min(1, surface.NormalRestitution * Math.Sqrt(1 + (36 / (surface.RestitutionSpeed * surface.RestitutionSpeed))));
 }
+
+/// <summary>What moves and touched a ball in a step.</summary>
+/// <param name="Speed">Its speed, m/s; negative where nothing did.</param>
+/// <param name="Came">How fast the ball came to it, m/s; negative where it was there before.</param>
+/// <param name="From">When it did so first, s.</param>
+/// <param name="To">When it did so last, s.</param>
+internal readonly record struct MoverTouch(double Speed, double Came, double From, double To);
