@@ -163,18 +163,19 @@ internal sealed class ContactSetPhase
             Vector3d w = from.Spin + (h * free.SpinAcceleration);
             run.Log.Evaluations++;
 
-            // As fast as it is, or as what presses it: how it came is over.
-            s.SqueezeSpeed = v.Length;
-            double fastest = v.Length;
+            // As fast as it is, with what the forces give it on its way, or as what presses it: how it came is over.
+            double came = from.Velocity.Length;
+            s.SqueezeSpeed = came;
             // All that it may come to in this part: by itself, at twice the speed of what hits it, which comes too, and by being put out of that.
-            double reach = ContactSearch.Touching + (h * (fastest + (3.0 * _world.FastestMover) + OutOfTheWay));
+            double reach = ContactSearch.Touching + (h * (v.Length + (3.0 * _world.FastestMover) + OutOfTheWay));
             Span<Contact> set = room.Slice(0, ContactSet.Near(_world, in s, reach, room));
             ContactSolver.Try(set, _world.Ball, h, ref v, ref w);
 
             // Out of the way of what moves whatever friction does, as fast as it may be; and never into what stands still.
             KeepOff(set, h, movers: true, ref v);
             _contact.IsTooFast(ref s, set, in v);
-            fastest = Math.Max(fastest, s.SqueezeSpeed);
+            double worked = h * Vector3d.Dot(free.Acceleration, from.Velocity + v);
+            double fastest = Math.Max(s.SqueezeSpeed, Math.Sqrt(Math.Max(0, (came * came) + worked)));
             double speed = v.Length;
             v = speed > fastest ? fastest / speed * v : v;
             KeepOff(set, h, movers: false, ref v);
@@ -378,6 +379,17 @@ internal sealed class ContactSetPhase
                     closes = true;
                 }
             }
+        }
+    }
+
+    /// <summary>Puts a ball onto the contacts that bear it; what moves among them puts it into nothing else that stands still.</summary>
+    private void Hold(ref BallState s, scoped Span<Contact> set)
+    {
+        ContactSet.Hold(_world, ref s, set);
+        if (ContactSet.HasMover(set))
+        {
+            Span<Contact> room = stackalloc Contact[ContactSet.Most];
+            ContactSet.KeepOut(_world, ref s, room.Slice(0, ContactSet.Near(_world, in s, 0, room)));
         }
     }
 
