@@ -20,7 +20,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BUILT = ROOT / "tests/Football.Physics.Tests/bin/Release/net10.0"
 LIBRARY = "src/Football.Physics"
-OTHERS = "FullyQualifiedName!~.Headless.&FullyQualifiedName!~.Architecture.&FullyQualifiedName!~.Api.&FullyQualifiedName!~ChangedLawTests&FullyQualifiedName!~ProfileTests&FullyQualifiedName!~ReferenceBoundTests"
+OTHERS = "FullyQualifiedName!~Football.Tool.Tests.&FullyQualifiedName!~.Architecture.&FullyQualifiedName!~.Api.&FullyQualifiedName!~ChangedLawTests&FullyQualifiedName!~ProfileTests&FullyQualifiedName!~ReferenceBoundTests"
 ENVIRONMENT = {**os.environ, "DOTNET_CLI_TELEMETRY_OPTOUT": "1", "MSBUILDDISABLENODEREUSE": "1"}
 
 
@@ -64,7 +64,7 @@ def main():
     survivors = []
     with tempfile.TemporaryDirectory() as work:
         work = pathlib.Path(work)
-        for name in ["BannedSymbols.txt", "Directory.Build.props", "Directory.Packages.props", "global.json", "README.md", "LICENSE"]:
+        for name in ["BannedSymbols.txt", "Directory.Build.props", "Directory.Build.targets", "Directory.Packages.props", "global.json", "README.md", "LICENSE"]:
             shutil.copy(ROOT / name, work / name)
         shutil.copytree(ROOT / LIBRARY, work / LIBRARY, ignore=shutil.ignore_patterns("bin"))
         shutil.copytree(BUILT, work / "built")

@@ -1,3 +1,6 @@
+using Football.Physics.Laws;
+using Football.Physics.Netcode;
+
 // The shots whose bits every runtime must reproduce. One file, compiled into the tests, the consumer of the package, its NativeAOT
 // program and the program for Mono; golden.txt beside it holds what it must print.
 
@@ -72,7 +75,7 @@ public static class GoldenShots
     private static BallState Kick(Simulator simulator, double height, double speed, Vector3d direction, double top, double side)
     {
         Vector3d velocity = (speed / direction.Length) * direction;
-        return simulator.Launch(new Vector3d(0, height, 0), velocity, KickSpin.Vector(direction, top, side));
+        return simulator.Launch(new Vector3d(0, height, 0), velocity, KickVectors.Spin(direction, top, side));
     }
 
     private static ulong Play(Simulator simulator, BallState start)

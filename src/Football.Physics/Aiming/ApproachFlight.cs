@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Aiming;
 
 /// <summary>The closest approach of a kick to a target that may move.</summary>
 internal abstract class ApproachFlight : KickObserver
@@ -174,7 +174,7 @@ internal sealed class MeasuredFlight : ApproachFlight
     public int FlyTo(ref BallState state, double timeStep, double duration)
     {
         _log.Clear();
-        Simulator.Run(ref state, timeStep, duration, StopAt.Impact, _log, null);
+        Simulator.RunChecked(ref state, timeStep, duration, StopAt.Impact, _log, null);
         Blocker = NoThing;
         for (int i = 0; i < _log.Events.Count; i++)
         {

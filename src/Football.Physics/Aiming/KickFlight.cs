@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Aiming;
 
 /// <summary>Flies a kick, step by step, until its observer has seen enough.</summary>
 internal sealed class KickFlight
@@ -59,8 +59,6 @@ internal sealed class KickFlight
 /// <summary>What a <see cref="KickFlight"/> is flown for: how long its steps are, what is read off them, and when it is over.</summary>
 internal abstract class KickObserver : PieceObserver
 {
-    public override bool WantsEndAcceleration => false;
-
     /// <summary>Length of the next step, s.</summary>
     /// <param name="state">The ball at its start.</param>
     /// <param name="watches">Whether its pieces are to be seen in any case.</param>

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Prediction;
 
 /// <summary>
 /// How what becomes of a ball changes with its launch: derivatives by one run, along plain flight by the variational equation, through impacts and the drag
@@ -109,7 +109,7 @@ public sealed class LaunchDerivatives
         _stopAt = stopAt;
         _end = state.Time + duration;
         Begin(in state);
-        return Simulator.Run(ref state, timeStep, duration, stopAt, _log, _onStep);
+        return Simulator.RunChecked(ref state, timeStep, duration, stopAt, _log, _onStep);
     }
 
     private void Begin(in BallState start)

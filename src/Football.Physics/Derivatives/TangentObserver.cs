@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Prediction;
 
 /// <summary>Watches a simulation and carries the derivatives by the launch along, piece by piece and through every event.</summary>
 internal abstract class TangentObserver : PieceObserver
@@ -10,8 +10,6 @@ internal abstract class TangentObserver : PieceObserver
 
     /// <summary>When the last event happened, by the launch: δt of each column.</summary>
     public double[] EventTimes { get; } = new double[Tangent.Columns];
-
-    public override bool WantsEndAcceleration => false;
 
     /// <summary>Makes one for a scene.</summary>
     public static TangentObserver Of(Scene scene) => new SceneTangent(scene, SceneAir.Of(scene));

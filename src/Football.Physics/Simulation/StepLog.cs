@@ -36,8 +36,8 @@ public sealed class StepLog
     /// <summary>The event at which steps end early.</summary>
     internal StopAt StopAt { get; set; }
 
-    /// <summary>Watches every piece of motion; null costs nothing.</summary>
-    internal PieceObserver? Observer { get; set; }
+    /// <summary>Watches every piece of motion: a step is one piece, or several where something happens in it. Default null, which costs nothing.</summary>
+    public PieceObserver? Observer { get; set; }
 
     /// <summary>Shows a piece to the observer.</summary>
     /// <param name="before">The ball at the piece's start.</param>
@@ -63,7 +63,7 @@ public sealed class StepLog
     }
 
     /// <summary>What it holds now, to come back to.</summary>
-    internal StepLogMark Mark() => new(Events.Count, Events.Missed, Events.Impacts, Steps, Evaluations, Stalled, Untold);
+    internal StepLogMark Mark() => new(Events.Count, Events.Dropped, Events.Impacts, Steps, Evaluations, Stalled, Untold);
 
     /// <summary>Forgets what came after a mark.</summary>
     internal void TakeBack(in StepLogMark mark)

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Aiming;
 
 /// <summary>
 /// A kick in legs, each from one contact to the next and the last to the target, flown among nothing but the ground, and that only where it is to be met: there is always
@@ -201,7 +201,7 @@ internal sealed class BankShotProblem : ILeastSquares
         _log.Clear();
         for (int i = 0; i < Bounces[leg]; i++)
         {
-            if (!_grounded.Run(ref state, _step, LongestLeg, StopAt.Impact, _log, null) || state.Motion != MotionState.Airborne)
+            if (!_grounded.RunChecked(ref state, _step, LongestLeg, StopAt.Impact, _log, null) || state.Motion != MotionState.Airborne)
             {
                 return false;
             }
@@ -222,7 +222,7 @@ internal sealed class BankShotProblem : ILeastSquares
             duration = Clamp(FirstTime, length / Math.Max(along, LeastShare * state.Velocity.Length));
         }
 
-        _open.Run(ref state, _step, duration, StopAt.Time, _log, null);
+        _open.RunChecked(ref state, _step, duration, StopAt.Time, _log, null);
         return true;
     }
 }
