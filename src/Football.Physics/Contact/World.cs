@@ -5,6 +5,9 @@ namespace Football.Physics;
 /// </summary>
 internal sealed class World
 {
+    /// <summary>Nets change the motion in a part of a step by no more than this share.</summary>
+    private const double LargestChangeInNets = 0.03;
+
     private readonly string[] _names;
     /// <summary>Around what moves by itself: the first of <see cref="Moving"/>, for bodies are its last.</summary>
     private readonly MovingSpheres _movers = new();
@@ -431,6 +434,25 @@ internal sealed class World
         }
 
         return new MotionRates(in acceleration, in spinAcceleration);
+    }
+
+    /// <summary>The longest part of a step in which nets change the motion by no more than a small share, s.</summary>
+    public double LongestPartInNets(ulong nets, ulong sides, in Motion at, double h)
+    {
+        double longest = h;
+        double speed = at.Velocity.Length;
+        for (int i = 0; i < Nets.Length && nets >> i != 0; i++)
+        {
+            if ((nets >> i & 1) != 0)
+            {
+                // As deep as it may come within the part.
+                double depth = Math.Max(0, Nets[i].Depth(at.Position, SideOf(sides, i)));
+                double part = LargestChangeInNets / Nets[i].RateAt(depth + (longest * speed));
+                longest = Math.Min(longest, LargestChangeInNets / Nets[i].RateAt(depth + (Math.Min(longest, part) * speed)));
+            }
+        }
+
+        return longest;
     }
 
     /// <summary>σ of a net.</summary>
