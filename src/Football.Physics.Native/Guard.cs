@@ -1,0 +1,148 @@
+using System.Globalization;
+
+namespace Football.Physics.Native;
+
+/// <summary>What every call looks at before it does anything, and what it says where it does not do it.</summary>
+internal static unsafe class Guard
+{
+    /// <summary>What the runtime adds to the message of an argument.</summary>
+    private const string ParameterSuffix = " (Parameter '";
+
+    /// <summary>The scene of a handle.</summary>
+    /// <exception cref="HandleException">It has none.</exception>
+    public static CompiledScene SceneOf(NativeScene* handle) => SceneHandles.Find((nuint)handle) ?? throw NoScene(handle);
+
+    /// <summary>Refuses null.</summary>
+    public static void Given(void* pointer, string name)
+    {
+        if (pointer is null)
+        {
+            throw Refusal(name, "null", "a pointer");
+        }
+    }
+
+    /// <summary>Three numbers of the caller's.</summary>
+    public static Vector3d Vector(double* from, string name)
+    {
+        Given(from, name);
+        return new Vector3d(from[0], from[1], from[2]);
+    }
+
+    /// <summary>A state of the caller's, where it lies.</summary>
+    public static ref BallState State(NativeState* state, CompiledScene scene)
+    {
+        Given(state, "state");
+        ref BallState ball = ref *(BallState*)state;
+        if (!Holds(in ball, scene))
+        {
+            Refuse(in ball, scene, "state");
+        }
+
+        return ref ball;
+    }
+
+    /// <summary>Refuses a state of several that is none: before any of them is touched.</summary>
+    public static void States(NativeState* states, long count, CompiledScene scene)
+    {
+        Several(states, count, "states");
+        for (long i = 0; i < count; i++)
+        {
+            ref BallState ball = ref *(BallState*)(states + i);
+            if (!Holds(in ball, scene))
+            {
+                Refuse(in ball, scene, string.Create(CultureInfo.InvariantCulture, $"states[{i}]"));
+            }
+        }
+    }
+
+    /// <summary>Refuses a number of states that cannot be.</summary>
+    public static void Several(void* first, long count, string name)
+    {
+        if (count < 0 || count > long.MaxValue / NativeState.Size)
+        {
+            throw Refusal("n", Text(count), "the number of states, 0 or more");
+        }
+
+        if (count > 0)
+        {
+            Given(first, name);
+        }
+    }
+
+    /// <summary>Refuses a whole number below a bound.</summary>
+    public static void AtLeast(long value, long low, string name)
+    {
+        if (value < low)
+        {
+            throw Refusal(name, Text(value), $"{Text(low)} or more");
+        }
+    }
+
+    /// <summary>Refuses a number that is not within bounds, NaN included.</summary>
+    public static void Within(double value, double low, double high, string name)
+    {
+        if (!(value >= low && value <= high))
+        {
+            throw Refusal(name, value.ToString("R", CultureInfo.InvariantCulture), string.Create(CultureInfo.InvariantCulture, $"{low} … {high}"));
+        }
+    }
+
+    /// <summary>The refusal of an argument.</summary>
+    public static ArgumentException Refusal(string name, string value, string allowed) => new($"{name} is {value}; allowed: {allowed}.");
+
+    /// <summary>Keeps the sentence of a call that failed, and tells its status.</summary>
+    public static NativeStatus Fail(Exception exception)
+    {
+        NativeStatus status = exception switch
+        {
+            HandleException => NativeStatus.Handle,
+            Headless.Input.RefusedException => NativeStatus.Scene,
+            ArgumentException or FormatException => NativeStatus.Argument,
+            _ => NativeStatus.Internal,
+        };
+        string sentence = exception.Message;
+        int suffix = sentence.LastIndexOf(ParameterSuffix, StringComparison.Ordinal);
+        return Fail(status, suffix < 0 ? sentence : sentence[..suffix]);
+    }
+
+    /// <summary>Keeps a sentence.</summary>
+    /// <returns>The status.</returns>
+    public static NativeStatus Fail(NativeStatus status, string sentence)
+    {
+        try
+        {
+            ThreadMemory.Mine.Fail(sentence);
+        }
+        catch (OutOfMemoryException)
+        {
+            // The status has to do.
+        }
+
+        return status;
+    }
+
+    private static bool Holds(in BallState ball, CompiledScene scene) => StateCheck.Holds(in ball) && ball.Carrier < scene.Things;
+
+    private static void Refuse(in BallState ball, CompiledScene scene, string name)
+    {
+        try
+        {
+            StateCheck.Validate(in ball);
+        }
+        catch (ArgumentOutOfRangeException refusal)
+        {
+            throw new ArgumentException($"{name} is none that fp_launch made: {refusal.Message}", refusal);
+        }
+
+        throw Refusal(name, "of another scene", $"a ball that lies on one of the {Text(scene.Things)} things of this scene");
+    }
+
+    private static HandleException NoScene(NativeScene* handle) => new(
+        handle is null ? "scene is null; allowed: a scene from fp_scene_create." : "scene is no handle of a scene, or was freed; allowed: a scene from fp_scene_create.");
+
+    private static string Text(long value) => value.ToString(CultureInfo.InvariantCulture);
+}
+
+/// <summary>A handle has no scene.</summary>
+/// <param name="message">The sentence.</param>
+internal sealed class HandleException(string message) : Exception(message);
