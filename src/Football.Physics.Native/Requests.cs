@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Football.Physics.Headless.Aim;
 using Football.Physics.Headless.Input;
 using Football.Physics.Headless.Simulate;
 
@@ -39,7 +40,25 @@ internal static unsafe class Requests
 
     /// <summary>Reads a request, and finds the kick.</summary>
     /// <exception cref="RefusedException">A member is unknown, missing, of the wrong type or out of range.</exception>
-    public static AimResult Aim(CompiledScene scene, ReadOnlySpan<byte> json) => throw new NotSupportedException();
+    public static AimResult Aim(CompiledScene scene, ReadOnlySpan<byte> json)
+    {
+        InputFields fields = Fields(json);
+        AimRequest request = AimScenario.ReadRequest(fields.Root);
+        fields.Check();
+        Aimer aimer = scene.TakeAimer();
+        try
+        {
+            return aimer.Find(request);
+        }
+        catch (ArgumentException e) when (LibraryRefusal.Of(e, fields) is { } refusal)
+        {
+            throw refusal;
+        }
+        finally
+        {
+            scene.GiveBack(aimer);
+        }
+    }
 
     private static InputFields Fields(ReadOnlySpan<byte> json)
     {

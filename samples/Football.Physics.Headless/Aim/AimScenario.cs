@@ -69,7 +69,7 @@ internal sealed record AimScenario
         return scenario;
     }
 
-    private static AimRequest ReadRequest(InputObject aim)
+    public static AimRequest ReadRequest(InputObject aim)
     {
         var request = new AimRequest();
         InputObject spin = aim.Object("spin");

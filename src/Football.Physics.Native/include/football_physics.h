@@ -53,24 +53,24 @@ typedef enum {
 /* The kind of an event of the ball. At one instant an impact comes first, then what follows from it. */
 typedef enum {
     /* The ball hit the ground, or another thing. */
-    FP_EVENT_KIND_IMPACT = 0,
+    FP_EVENT_IMPACT = 0,
     /* After an impact the ball stayed down, slipping. */
-    FP_EVENT_KIND_SLIDE = 1,
+    FP_EVENT_SLIDE = 1,
     /* The slip ended, or the ball stayed down without any: pure rolling. */
-    FP_EVENT_KIND_ROLL = 2,
+    FP_EVENT_ROLL = 2,
     /* The ball came to rest. */
-    FP_EVENT_KIND_REST = 3,
+    FP_EVENT_REST = 3,
     /* The ball met a net. */
-    FP_EVENT_KIND_NET = 4,
+    FP_EVENT_NET = 4,
     /* All of the ball is over the line of a goal, which is as wide as its posts: the centre has come through the mouth, the plane of the
        posts' axes, between the posts and below the bar, has not gone back through it, and is now the radii of post and ball behind the
        line's middle, wherever on that plane. Once for each goal, until the ball is kicked or placed. */
-    FP_EVENT_KIND_GOAL = 5,
+    FP_EVENT_GOAL = 5,
     /* The ball left what carried it without an impact with it: over a crest, or lifted by a hit. */
-    FP_EVENT_KIND_LEAVE = 6,
+    FP_EVENT_LEAVE = 6,
     /* Things that move leave the ball no room, and the thing is one of them: until the next such event, which has no thing, nothing bounces
        it, and what it hits is not told one by one. The ball is then Squeezed. */
-    FP_EVENT_KIND_SQUEEZED = 7
+    FP_EVENT_SQUEEZED = 7
 } fp_event_kind;
 
 /* The event that ends a run before its time is up. */
@@ -86,17 +86,17 @@ typedef enum {
 /* The outcome of a search for a kick. */
 typedef enum {
     /* The kick passes the target within the tolerance, and the point on the way, where there is one, within its own. */
-    FP_AIM_STATUS_HIT = 0,
+    FP_AIM_HIT = 0,
     /* No kick within the bounds does; the one returned comes closest, as far as the method can tell. */
-    FP_AIM_STATUS_OUT_OF_REACH = 1,
+    FP_AIM_OUT_OF_REACH = 1,
     /* The method ended at its bound, MaximumIterations, or a miss is too small for its own steps; the kick returned is the best it found. */
-    FP_AIM_STATUS_NOT_CONVERGED = 2,
+    FP_AIM_NOT_CONVERGED = 2,
     /* The request has no direction: the target is where the ball is. */
-    FP_AIM_STATUS_DEGENERATE = 3,
+    FP_AIM_DEGENERATE = 3,
     /* The kick passes the target within the tolerance, but not the point on the way: the spins allowed do not bend it enough. */
-    FP_AIM_STATUS_TARGET_ONLY = 4,
+    FP_AIM_TARGET_ONLY = 4,
     /* The kick returned would hit, but something of the scene is in its way: BlockedBy says what. */
-    FP_AIM_STATUS_BLOCKED = 5
+    FP_AIM_BLOCKED = 5
 } fp_aim_status;
 
 /* A scene, checked and compiled; nothing changes it, and any number of threads may use it at once, also while one of them frees it. The
@@ -172,11 +172,11 @@ typedef struct {
 FP_API fp_status fp_check_abi(int32_t version, int32_t state_bytes, int32_t ball_bytes, int32_t event_bytes);
 
 /* The version of the library, like "0.1.0".
-   Returns UTF-8, for as long as the library is loaded. */
+   Returns a text in UTF-8, for as long as the library is loaded. */
 FP_API const char* fp_version(void);
 
 /* The sentence of the last call of this thread that failed: field, value and range. No call that succeeds changes it.
-   Returns UTF-8, until the thread's next call that fails; "" where none has. */
+   Returns a text in UTF-8, until the thread's next call that fails; "" where none has. */
 FP_API const char* fp_last_error(void);
 
 /* Reads, checks and compiles a scene.
@@ -202,7 +202,7 @@ FP_API fp_status fp_name(const fp_scene* scene, int32_t thing, char* name, int32
 
 /* A hash of a state, of 64 bits: the one that Snapshot.Hash has in C#, on every machine.
    state: The state.
-   Returns The hash; 0 where the state is null. */
+   Returns the hash; 0 where the state is null. */
 FP_API uint64_t fp_hash(const fp_state* state);
 
 /* A ball at the start of its way. Below the ground it is raised to it; where it lies on the ground without speed, it stays.
