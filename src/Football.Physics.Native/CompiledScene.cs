@@ -10,17 +10,10 @@ internal sealed class CompiledScene
     private LaunchDerivatives? _derivatives;
 
     /// <summary>Compiles a scene.</summary>
-    public CompiledScene(Scene scene, SolverSettings settings)
-    {
-        Simulator = new Simulator(scene, settings);
-        Things = Simulator.World.Names.Count;
-    }
+    public CompiledScene(Scene scene, SolverSettings settings) => Simulator = new Simulator(scene, settings);
 
     /// <summary>The scene as C# steps it.</summary>
     public Simulator Simulator { get; }
-
-    /// <summary>How many things there are to be met.</summary>
-    public int Things { get; }
 
     /// <summary>The handle; 0 until there is one.</summary>
     public nuint Handle { get; set; }

@@ -134,7 +134,7 @@ internal static unsafe partial class Exports
         try
         {
             CompiledScene compiled = Guard.SceneOf(scene);
-            Guard.Within(dt, 0, Limits.Time, "dt");
+            Guard.Within(dt, 0, Guard.LongestTime, "dt");
             Guard.AtLeast(steps, 0, "steps");
             Guard.States(states, n, compiled);
             StepLog log = ThreadMemory.Mine.Log;
@@ -219,11 +219,7 @@ internal static unsafe partial class Exports
         {
             CompiledScene compiled = Guard.SceneOf(scene);
             Guard.States(states, n, compiled);
-            for (long i = 0; i < n; i++)
-            {
-                Simulator.CheckRun(in *(BallState*)(states + i), dt, seconds, (StopAt)stopAt);
-            }
-
+            Guard.Run(states, n, dt, seconds, stopAt);
             StepLog log = ThreadMemory.Mine.Log;
             for (long i = 0; i < n; i++)
             {

@@ -1,10 +1,17 @@
 using System.Globalization;
+using Football.Scenarios.Input;
 
 namespace Football.Physics.Native;
 
 /// <summary>What every call looks at before it does anything, and what it says where it does not do it.</summary>
 internal static unsafe class Guard
 {
+    /// <summary>The longest time that anything takes, s.</summary>
+    public const double LongestTime = 1e12;
+
+    /// <summary>Steps that a run may have.</summary>
+    private const double MostSteps = 1e12;
+
     /// <summary>What the runtime adds to the message of an argument.</summary>
     private const string ParameterSuffix = " (Parameter '";
 
@@ -32,26 +39,25 @@ internal static unsafe class Guard
     public static ref BallState State(NativeState* state, CompiledScene scene)
     {
         Given(state, "state");
-        ref BallState ball = ref *(BallState*)state;
-        if (!Holds(in ball, scene))
-        {
-            Refuse(in ball, scene, "state");
-        }
-
-        return ref ball;
+        scene.Simulator.Validate(in *(BallState*)state);
+        return ref *(BallState*)state;
     }
 
     /// <summary>Refuses a state of several that is none: before any of them is touched.</summary>
     public static void States(NativeState* states, long count, CompiledScene scene)
     {
         Several(states, count, "states");
-        for (long i = 0; i < count; i++)
+        long i = 0;
+        try
         {
-            ref BallState ball = ref *(BallState*)(states + i);
-            if (!Holds(in ball, scene))
+            for (; i < count; i++)
             {
-                Refuse(in ball, scene, string.Create(CultureInfo.InvariantCulture, $"states[{i}]"));
+                scene.Simulator.Validate(in *(BallState*)(states + i));
             }
+        }
+        catch (ArgumentOutOfRangeException refusal)
+        {
+            throw new ArgumentException($"of states[{Text(i)}], {refusal.Message}", refusal);
         }
     }
 
@@ -69,6 +75,22 @@ internal static unsafe class Guard
         }
     }
 
+    /// <summary>Refuses a run whose numbers are out of range, for any of several balls.</summary>
+    public static void Run(NativeState* states, long count, double dt, double seconds, int stopAt)
+    {
+        Within(dt, double.Epsilon, LongestTime, "dt");
+        Within(seconds, double.Epsilon, Math.Min(LongestTime, MostSteps * dt), "seconds");
+        Within(stopAt, (int)StopAt.Time, (int)StopAt.Rest, "stop_at");
+        for (long i = 0; i < count; i++)
+        {
+            double end = ((BallState*)(states + i))->Time + seconds;
+            if (!(end + (0.25 * dt) > end))
+            {
+                throw Refusal("dt", Text(dt), $"more than the rounding of the clock of states[{Text(i)}], at {Text(end)} s");
+            }
+        }
+    }
+
     /// <summary>Refuses a whole number below a bound.</summary>
     public static void AtLeast(long value, long low, string name)
     {
@@ -83,7 +105,7 @@ internal static unsafe class Guard
     {
         if (!(value >= low && value <= high))
         {
-            throw Refusal(name, value.ToString("R", CultureInfo.InvariantCulture), string.Create(CultureInfo.InvariantCulture, $"{low} … {high}"));
+            throw Refusal(name, Text(value), $"{Text(low)} … {Text(high)}");
         }
     }
 
@@ -96,7 +118,7 @@ internal static unsafe class Guard
         NativeStatus status = exception switch
         {
             HandleException => NativeStatus.Handle,
-            Headless.Input.RefusedException => NativeStatus.Scene,
+            RefusedException => NativeStatus.Scene,
             ArgumentException or FormatException => NativeStatus.Argument,
             _ => NativeStatus.Internal,
         };
@@ -121,24 +143,10 @@ internal static unsafe class Guard
         return status;
     }
 
-    private static bool Holds(in BallState ball, CompiledScene scene) => StateCheck.Holds(in ball) && ball.Carrier < scene.Things;
-
-    private static void Refuse(in BallState ball, CompiledScene scene, string name)
-    {
-        try
-        {
-            StateCheck.Validate(in ball);
-        }
-        catch (ArgumentOutOfRangeException refusal)
-        {
-            throw new ArgumentException($"{name} is none that fp_launch made: {refusal.Message}", refusal);
-        }
-
-        throw Refusal(name, "of another scene", $"a ball that lies on one of the {Text(scene.Things)} things of this scene");
-    }
-
     private static HandleException NoScene(NativeScene* handle) => new(
         handle is null ? "scene is null; allowed: a scene from fp_scene_create." : "scene is no handle of a scene, or was freed; allowed: a scene from fp_scene_create.");
+
+    private static string Text(double value) => value.ToString("R", CultureInfo.InvariantCulture);
 
     private static string Text(long value) => value.ToString(CultureInfo.InvariantCulture);
 }

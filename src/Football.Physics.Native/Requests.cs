@@ -1,7 +1,6 @@
 using System.Text.Json;
-using Football.Physics.Headless.Aim;
-using Football.Physics.Headless.Input;
-using Football.Physics.Headless.Simulate;
+using Football.Scenarios;
+using Football.Scenarios.Input;
 
 namespace Football.Physics.Native;
 
@@ -43,7 +42,7 @@ internal static unsafe class Requests
     public static AimResult Aim(CompiledScene scene, ReadOnlySpan<byte> json)
     {
         InputFields fields = Fields(json);
-        AimRequest request = AimScenario.ReadRequest(fields.Root);
+        AimRequest request = AimInput.Request(fields.Root);
         fields.Check();
         Aimer aimer = scene.TakeAimer();
         try
