@@ -72,17 +72,26 @@ internal static unsafe partial class Exports
         try
         {
             CompiledScene compiled = Guard.SceneOf(scene);
-            Guard.AtLeast(capacity, 0, "capacity");
-            if (capacity > 0)
+            if (capacity != 0)
             {
+                Guard.AtLeast(capacity, 0, "capacity");
                 Guard.Given(events, "events");
             }
 
             ref BallState ball = ref Guard.State(state, compiled);
-            StepLog log = ThreadMemory.Mine.Log;
-            log.Clear();
+            StepLog log = ThreadMemory.Mine.ClearLog();
             compiled.Simulator.Step(ref ball, dt, log);
-            return Tell(log.Events, events, capacity, count);
+            if (log.Events.Count > 0)
+            {
+                return Tell(log.Events, events, capacity, count);
+            }
+
+            if (count is not null)
+            {
+                *count = 0;
+            }
+
+            return NativeStatus.Ok;
         }
         catch (Exception e)
         {
@@ -137,11 +146,10 @@ internal static unsafe partial class Exports
             Guard.Within(dt, 0, Guard.LongestTime, "dt");
             Guard.AtLeast(steps, 0, "steps");
             Guard.States(states, n, compiled);
-            StepLog log = ThreadMemory.Mine.Log;
             for (long i = 0; i < n; i++)
             {
                 ref BallState ball = ref *(BallState*)(states + i);
-                log.Clear();
+                StepLog log = ThreadMemory.Mine.ClearLog();
                 for (int step = 0; step < steps; step++)
                 {
                     compiled.Simulator.Step(ref ball, dt, log);
@@ -220,10 +228,9 @@ internal static unsafe partial class Exports
             CompiledScene compiled = Guard.SceneOf(scene);
             Guard.States(states, n, compiled);
             Guard.Run(states, n, dt, seconds, stopAt);
-            StepLog log = ThreadMemory.Mine.Log;
             for (long i = 0; i < n; i++)
             {
-                log.Clear();
+                StepLog log = ThreadMemory.Mine.ClearLog();
                 bool byEvent = compiled.Simulator.Run(ref *(BallState*)(states + i), dt, seconds, (StopAt)stopAt, log);
                 if (ended is not null)
                 {
@@ -287,7 +294,7 @@ internal static unsafe partial class Exports
             *count = (int)Math.Min(events.Count + events.Missed, int.MaxValue);
         }
 
-        if (events.Count == 0 || (into is null && count is null))
+        if (into is null && count is null)
         {
             return NativeStatus.Ok;
         }

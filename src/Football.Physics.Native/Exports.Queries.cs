@@ -40,10 +40,9 @@ internal static unsafe partial class Exports
             long all = (long)((seconds / every) + 1e-9) + 1;
             long told = Math.Min(all, rows);
             int parts = (int)Math.Ceiling(every / LongestStep);
-            StepLog log = ThreadMemory.Mine.Log;
             for (long row = 0; row < told; row++)
             {
-                log.Clear();
+                StepLog log = ThreadMemory.Mine.ClearLog();
                 for (int part = 0; row > 0 && part < parts; part++)
                 {
                     compiled.Simulator.Step(ref ball, every / parts, log);

@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Runtime.CompilerServices;
 using Football.Scenarios.Input;
 
 namespace Football.Physics.Native;
@@ -17,14 +18,16 @@ internal static unsafe class Guard
 
     /// <summary>The scene of a handle.</summary>
     /// <exception cref="HandleException">It has none.</exception>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static CompiledScene SceneOf(NativeScene* handle) => SceneHandles.Find((nuint)handle) ?? throw NoScene(handle);
 
     /// <summary>Refuses null.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Given(void* pointer, string name)
     {
         if (pointer is null)
         {
-            throw Refusal(name, "null", "a pointer");
+            throw Null(name);
         }
     }
 
@@ -36,6 +39,7 @@ internal static unsafe class Guard
     }
 
     /// <summary>A state of the caller's, where it lies.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static ref BallState State(NativeState* state, CompiledScene scene)
     {
         Given(state, "state");
@@ -142,6 +146,8 @@ internal static unsafe class Guard
 
         return status;
     }
+
+    private static ArgumentException Null(string name) => Refusal(name, "null", "a pointer");
 
     private static HandleException NoScene(NativeScene* handle) => new(
         handle is null ? "scene is null; allowed: a scene from fp_scene_create." : "scene is no handle of a scene, or was freed; allowed: a scene from fp_scene_create.");

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics.Native;
 
 /// <summary>
@@ -47,6 +49,7 @@ internal static class SceneHandles
     }
 
     /// <summary>The scene of a handle; null where it has none.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static CompiledScene? Find(nuint handle)
     {
         CompiledScene?[] scenes = Volatile.Read(ref s_scenes);

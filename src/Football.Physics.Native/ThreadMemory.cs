@@ -1,4 +1,5 @@
 using System.Buffers;
+using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Text.Unicode;
 
@@ -13,6 +14,7 @@ internal sealed unsafe class ThreadMemory
     [ThreadStatic]
     private static ThreadMemory? t_mine;
 
+    private readonly StepLog _log = new();
     private byte* _error;
 
     private ThreadMemory()
@@ -22,10 +24,23 @@ internal sealed unsafe class ThreadMemory
     ~ThreadMemory() => NativeMemory.Free(_error);
 
     /// <summary>That of this thread.</summary>
-    public static ThreadMemory Mine => t_mine ?? Make();
+    public static ThreadMemory Mine
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => t_mine ?? Make();
+    }
 
-    /// <summary>Events and counts of the step that is taken.</summary>
-    public StepLog Log { get; } = new();
+    /// <summary>A log without events, for what is stepped now. Its counts go on: nothing reads them.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public StepLog ClearLog()
+    {
+        if (_log.Events.Count > 0)
+        {
+            _log.Clear();
+        }
+
+        return _log;
+    }
 
     /// <summary>The sentence of the last call that failed, UTF-8 with a zero at its end; null before.</summary>
     public byte* Error => _error;

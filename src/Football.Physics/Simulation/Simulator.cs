@@ -9,6 +9,10 @@ public sealed class Simulator
     private readonly Stepper _stepper;
     private readonly double _contact;
     private readonly World _world;
+
+    /// <summary>How many things may carry a ball; those of an engine come and go.</summary>
+    private readonly int _things;
+
     private readonly bool _hasOwnForces;
 
     /// <summary>Checks a scene and compiles it.</summary>
@@ -29,6 +33,7 @@ public sealed class Simulator
         _stepper = StepperFactory.Create(Scene, Settings);
         _contact = Scene.Ground.Height + Scene.Ball.Radius;
         _world = _stepper.World;
+        _things = _world.Engine is null ? _world.Names.Count : int.MaxValue;
         _hasOwnForces = Scene.Forces.Custom.Count > 0;
     }
 
@@ -99,10 +104,9 @@ public sealed class Simulator
     /// </exception>
     public void Validate(in BallState state)
     {
-        if (!StateCheck.Holds(in state) || state.Carrier >= _world.Names.Count)
+        if (!StateCheck.Holds(in state) || state.Carrier >= _things)
         {
-            StateCheck.Validate(in state);
-            Check.Index("state.carrier", (int)state.Carrier, _world.Names.Count);
+            RefuseState(in state);
         }
     }
 
@@ -165,6 +169,12 @@ public sealed class Simulator
         BallState next = state;
         _stepper.Step(ref next, dt, log);
         state = next;
+    }
+
+    private void RefuseState(in BallState state)
+    {
+        StateCheck.Validate(in state);
+        Check.Index("state.carrier", (int)state.Carrier, _things);
     }
 
     private static void RefuseStep(double dt, StepLog? log)
