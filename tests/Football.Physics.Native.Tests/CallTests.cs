@@ -161,7 +161,7 @@ public sealed unsafe class CallTests
         NativeBall ball;
         int count;
         long before = 0;
-        for (int round = 0; round < 2; round++)
+        for (int round = 0; round < 3; round++)
         {
             before = GC.GetAllocatedBytesForCurrentThread();
             NativeState state = kick;
