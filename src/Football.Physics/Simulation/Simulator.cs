@@ -216,8 +216,11 @@ public sealed class Simulator
         }
 
         _world.Bodies?.CheckTimes(state.Time);
-        return RunChecked(ref state, timeStep, duration, stopAt, log, afterStep is null ? null : (in BallState at) => afterStep(at));
+        return RunChecked(ref state, timeStep, duration, stopAt, log, afterStep is null ? null : Seen(afterStep));
     }
+
+    /// <summary>In a method of its own: a run that nobody sees makes no delegate.</summary>
+    private static StepCallback Seen(Action<BallState> afterStep) => (in BallState at) => afterStep(at);
 
     /// <summary>All that can be met.</summary>
     internal World World => _world;
