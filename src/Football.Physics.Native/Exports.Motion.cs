@@ -164,6 +164,88 @@ internal static unsafe partial class Exports
         }
     }
 
+    /// <summary>Many balls at the start of their ways, as fp_launch.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="states">Where the states go.</param>
+    /// <param name="n">How many, 0 or more.</param>
+    /// <param name="mask">n bytes: 0 leaves a ball as it is, or unmade; null launches all.</param>
+    /// <param name="position">n rows x, y, z, m.</param>
+    /// <param name="velocity">n rows x, y, z, m/s.</param>
+    /// <param name="spin">n rows x, y, z, rad/s.</param>
+    /// <returns>FP_OK; FP_ARGUMENT or FP_HANDLE, and no state has been written.</returns>
+    [UnmanagedCallersOnly(EntryPoint = "fp_launch_many")]
+    public static NativeStatus LaunchMany(
+        [In] NativeScene* scene, NativeState* states, long n, [In] CByte* mask, [In] double* position, [In] double* velocity, [In] double* spin)
+    {
+        try
+        {
+            CompiledScene compiled = Guard.SceneOf(scene);
+            Guard.Several(states, n, "states");
+            Guard.Several(position, n, "position");
+            Guard.Several(velocity, n, "velocity");
+            Guard.Several(spin, n, "spin");
+
+            // First all of them for the refusals alone.
+            for (long i = 0; i < 2 * n; i++)
+            {
+                long ball = i < n ? i : i - n;
+                if (mask is null || mask[ball].Value != 0)
+                {
+                    BallState launched = compiled.Simulator.Launch(Row(position, ball), Row(velocity, ball), Row(spin, ball));
+                    if (i >= n)
+                    {
+                        *(BallState*)(states + ball) = launched;
+                    }
+                }
+            }
+
+            return NativeStatus.Ok;
+        }
+        catch (Exception e)
+        {
+            return Guard.Fail(e);
+        }
+    }
+
+    /// <summary>Kicks many balls where they are, as fp_kick.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="states">The balls.</param>
+    /// <param name="n">How many, 0 or more.</param>
+    /// <param name="mask">n bytes: 0 leaves a ball as it is; null kicks all.</param>
+    /// <param name="velocity">n rows x, y, z, m/s.</param>
+    /// <param name="spin">n rows x, y, z, rad/s.</param>
+    /// <returns>FP_OK; FP_ARGUMENT or FP_HANDLE, and no ball has been kicked.</returns>
+    [UnmanagedCallersOnly(EntryPoint = "fp_kick_many")]
+    public static NativeStatus KickMany([In] NativeScene* scene, NativeState* states, long n, [In] CByte* mask, [In] double* velocity, [In] double* spin)
+    {
+        try
+        {
+            CompiledScene compiled = Guard.SceneOf(scene);
+            Guard.States(states, n, compiled);
+            Guard.Several(velocity, n, "velocity");
+            Guard.Several(spin, n, "spin");
+            for (long i = 0; i < 2 * n; i++)
+            {
+                long ball = i < n ? i : i - n;
+                if (mask is null || mask[ball].Value != 0)
+                {
+                    BallState kicked = *(BallState*)(states + ball);
+                    compiled.Simulator.Kick(ref kicked, Row(velocity, ball), Row(spin, ball));
+                    if (i >= n)
+                    {
+                        *(BallState*)(states + ball) = kicked;
+                    }
+                }
+            }
+
+            return NativeStatus.Ok;
+        }
+        catch (Exception e)
+        {
+            return Guard.Fail(e);
+        }
+    }
+
     /// <summary>Where many balls are, row by row.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="states">The balls.</param>
@@ -201,6 +283,32 @@ internal static unsafe partial class Exports
                 {
                     motion[i] = (int)ball.Motion;
                 }
+            }
+
+            return NativeStatus.Ok;
+        }
+        catch (Exception e)
+        {
+            return Guard.Fail(e);
+        }
+    }
+
+    /// <summary>The clocks of many balls.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="states">The balls.</param>
+    /// <param name="n">How many, 0 or more.</param>
+    /// <param name="time">n times since the launch, s.</param>
+    /// <returns>FP_OK, FP_ARGUMENT or FP_HANDLE.</returns>
+    [UnmanagedCallersOnly(EntryPoint = "fp_time_many")]
+    public static NativeStatus TimeMany([In] NativeScene* scene, [In] NativeState* states, long n, double* time)
+    {
+        try
+        {
+            Guard.States(states, n, Guard.SceneOf(scene));
+            Guard.Several(time, n, "time");
+            for (long i = 0; i < n; i++)
+            {
+                time[i] = ((BallState*)(states + i))->Time;
             }
 
             return NativeStatus.Ok;
@@ -291,7 +399,7 @@ internal static unsafe partial class Exports
     {
         if (count is not null)
         {
-            *count = (int)Math.Min(events.Count + events.Missed, int.MaxValue);
+            *count = (int)Math.Min(events.Count + events.Dropped, int.MaxValue);
         }
 
         if (into is null && count is null)
@@ -315,10 +423,12 @@ internal static unsafe partial class Exports
             Put(from.Normal, to->Normal);
         }
 
-        return told == events.Count && events.Missed == 0
+        return told == events.Count && events.Dropped == 0
             ? NativeStatus.Ok
-            : Guard.Fail(NativeStatus.Buffer, string.Create(CultureInfo.InvariantCulture, $"capacity is {capacity}; the step had {events.Count + events.Missed} events."));
+            : Guard.Fail(NativeStatus.Buffer, string.Create(CultureInfo.InvariantCulture, $"capacity is {capacity}; the step had {events.Count + events.Dropped} events."));
     }
+
+    private static Vector3d Row(double* rows, long row) => new(rows[3 * row], rows[(3 * row) + 1], rows[(3 * row) + 2]);
 
     private static void Put(Vector3d from, double* to)
     {

@@ -170,6 +170,7 @@ internal sealed partial class CHeader
         _ when type == typeof(int) => "int32_t",
         _ when type == typeof(long) => "int64_t",
         _ when type == typeof(ulong) => "uint64_t",
+        _ when type == typeof(CByte) => "unsigned char",
         _ when type.Name.StartsWith("Native", StringComparison.Ordinal) => "fp_" + Snake(type.Name["Native".Length..]),
         _ => throw new InvalidOperationException($"{type} has no name in C."),
     };
