@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 import enum
 import json
-from typing import Any, NamedTuple, Optional, Sequence, Union
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -186,16 +186,17 @@ class Balls:
                 self._handle, text, len(text), result.velocity[ball].ctypes.data, result.spin[ball].ctypes.data, result.miss[ball:].ctypes.data, result.status[ball:].ctypes.data))
         return result
 
-    def derivatives(self, seconds: float, dt: float = 0.01, stop: str = "time") -> Derivatives:
-        """Runs all balls for a time, or until an event before it (``stop``: time, impact or rest), and finds how their ends change with their launches: by one run each."""
+    def derivatives(self, seconds: ArrayLike, dt: float = 0.01, stop: str = "time") -> Derivatives:
+        """Runs all balls for a time (one, or one a ball), or until an event before it (``stop``: time, impact or rest), and finds how their ends change with their launches: by one run each."""
         stops = {"time": 0, "impact": 1, "rest": 2}
         if stop not in stops:
             raise ValueError(f"stop is {stop!r}; allowed: {' | '.join(stops)}.")
         numbers = np.zeros((self._n, _DERIVATIVES))
+        durations = np.broadcast_to(np.asarray(seconds, np.float64), (self._n,)).tolist()
         ended = np.zeros(self._n, np.int32)
         for ball in range(self._n):
             _native.check(_native.derivatives_run(
-                self._handle, self._at + ball * _native.STATE_BYTES, dt, seconds, stops[stop], numbers.ctypes.data + ball * _DERIVATIVES * 8, ended.ctypes.data + 4 * ball))
+                self._handle, self._at + ball * _native.STATE_BYTES, dt, durations[ball], stops[stop], numbers.ctypes.data + ball * _DERIVATIVES * 8, ended.ctypes.data + 4 * ball))
         self._read()
         matrices = [numbers[:, 9 * i : 9 * i + 9].reshape(self._n, 3, 3) for i in range(4)]
         return Derivatives(*matrices, numbers[:, 36:39], numbers[:, 39:42], ended != 0)
