@@ -20,13 +20,13 @@ fi
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-dotnet publish -c Release -r "$rid" -o "$work" -p:RunAnalyzers=false "${cross[@]}" Football.Physics.Native.csproj >&2
+dotnet publish -c Release -r "$rid" --artifacts-path "$work/build" -o "$work" -p:RunAnalyzers=false "${cross[@]}" Football.Physics.Native.csproj >&2
 
 mkdir -p "$out/include" "$out/lib/cmake/football_physics"
 cp include/football_physics.h "$out/include/"
 cp cmake/football_physics-config.cmake "$out/lib/cmake/football_physics/"
 case $rid in
-  win-*) mkdir -p "$out/bin" && cp "$work/football_physics.dll" "$out/bin/" && cp bin/Release/net10.0/"$rid"/native/football_physics.lib "$out/lib/" ;;
+  win-*) mkdir -p "$out/bin" && cp "$work/football_physics.dll" "$out/bin/" && cp "$work"/build/bin/Football.Physics.Native/release_"$rid"/native/football_physics.lib "$out/lib/" ;;
   osx-*) cp "$work/libfootball_physics.dylib" "$out/lib/" ;;
   *) cp "$work/libfootball_physics.so" "$out/lib/" ;;
 esac

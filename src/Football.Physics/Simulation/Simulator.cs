@@ -216,11 +216,8 @@ public sealed class Simulator
         }
 
         _world.Bodies?.CheckTimes(state.Time);
-        return RunChecked(ref state, timeStep, duration, stopAt, log, afterStep is null ? null : Seen(afterStep));
+        return RunChecked(ref state, timeStep, duration, stopAt, log, afterStep is null ? null : Shown(afterStep));
     }
-
-    /// <summary>In a method of its own: a run that nobody sees makes no delegate.</summary>
-    private static StepCallback Seen(Action<BallState> afterStep) => (in BallState at) => afterStep(at);
 
     /// <summary>All that can be met.</summary>
     internal World World => _world;
@@ -283,4 +280,7 @@ public sealed class Simulator
 
     /// <summary>Sees the state after every step of a run.</summary>
     internal delegate void StepCallback(in BallState state);
+
+    // A method of its own: a lambda here would allocate its closure in runs that show nothing too.
+    private static StepCallback Shown(Action<BallState> afterStep) => (in BallState at) => afterStep(at);
 }
