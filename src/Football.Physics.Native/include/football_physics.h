@@ -250,6 +250,27 @@ FP_API fp_status fp_read(const fp_scene* scene, const fp_state* state, fp_ball* 
    Returns FP_OK; FP_ARGUMENT or FP_HANDLE, and the balls are as they were. */
 FP_API fp_status fp_step_many(const fp_scene* scene, fp_state* states, int64_t n, double dt, int32_t steps);
 
+/* Many balls at the start of their ways, as fp_launch.
+   scene: The scene.
+   states: Where the states go.
+   n: How many, 0 or more.
+   mask: n bytes: 0 leaves a ball as it is, or unmade; null launches all.
+   position: n rows x, y, z, m.
+   velocity: n rows x, y, z, m/s.
+   spin: n rows x, y, z, rad/s.
+   Returns FP_OK; FP_ARGUMENT or FP_HANDLE, and no state has been written. */
+FP_API fp_status fp_launch_many(const fp_scene* scene, fp_state* states, int64_t n, const unsigned char* mask, const double* position, const double* velocity, const double* spin);
+
+/* Kicks many balls where they are, as fp_kick.
+   scene: The scene.
+   states: The balls.
+   n: How many, 0 or more.
+   mask: n bytes: 0 leaves a ball as it is; null kicks all.
+   velocity: n rows x, y, z, m/s.
+   spin: n rows x, y, z, rad/s.
+   Returns FP_OK; FP_ARGUMENT or FP_HANDLE, and no ball has been kicked. */
+FP_API fp_status fp_kick_many(const fp_scene* scene, fp_state* states, int64_t n, const unsigned char* mask, const double* velocity, const double* spin);
+
 /* Where many balls are, row by row.
    scene: The scene.
    states: The balls.
@@ -260,6 +281,14 @@ FP_API fp_status fp_step_many(const fp_scene* scene, fp_state* states, int64_t n
    motion: n of fp_motion; null where they are not wanted.
    Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
 FP_API fp_status fp_read_many(const fp_scene* scene, const fp_state* states, int64_t n, double* position, double* velocity, double* spin, int32_t* motion);
+
+/* The clocks of many balls.
+   scene: The scene.
+   states: The balls.
+   n: How many, 0 or more.
+   time: n times since the launch, s.
+   Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_time_many(const fp_scene* scene, const fp_state* states, int64_t n, double* time);
 
 /* Advances many balls in equal steps until an event or a time, each for itself: until they land, or until they rest.
    scene: The scene.
