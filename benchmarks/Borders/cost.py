@@ -20,10 +20,10 @@ def least(balls, steps, rounds):
 
 one = fp.Balls(fp.Scene(), 1, (0, 1, 0))
 one.kick(None, (3, 9, -24), (0, 40, 0))
-call = least(one, 100, 400)
+call = least(one, 20, 3000)
 many = fp.Balls(fp.Scene(), 4096, (0, 1, 0))
 many.kick(None, np.random.default_rng(1).uniform([-3, 8, -26], [3, 10, -22], (4096, 3)), (0, 40, 0))
-batch = least(many, 50, 20)
+batch = least(many, 2, 300)
 print(f"| Python, `Balls.step`, one ball | {call:.0f} |")
 print(f"| Python, `Balls.step`, 4 096 balls, a ball | {batch / 4096:.1f} |")
 position = many.position

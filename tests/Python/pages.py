@@ -2,8 +2,10 @@
 
     pages.py PAGE                 its python blocks, each a program of its own
     pages.py --c PAGE PREFIX      its c blocks: whole programs, against the library in PREFIX
+With FOOTBALL_REGENERATE=1 the page is made to say what they print.
 """
 
+import os
 import pathlib
 import re
 import subprocess
@@ -27,6 +29,10 @@ with tempfile.TemporaryDirectory() as folder:
         else:
             command = [sys.executable, str(source)]
         said = subprocess.run(command, check=True, capture_output=True, text=True, cwd=folder).stdout
-        if said.strip() != expected.strip():
+        if os.environ.get("FOOTBALL_REGENERATE") == "1":
+            text = page.read_text(encoding="utf-8")
+            end = text.index(code) + len(code)
+            page.write_text(text[:end] + text[end:].replace(f"```text\n{expected}```", f"```text\n{said}```", 1), encoding="utf-8")
+        elif said.strip() != expected.strip():
             sys.exit(f"{page.name}, {kind} block {i + 1} prints\n{said}and the page says\n{expected}")
 print(f"docs/{page.name}: {len(blocks)} {kind} programs run, and print what the page says")
