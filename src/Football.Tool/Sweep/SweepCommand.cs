@@ -42,7 +42,7 @@ internal static class SweepCommand
         var format = new Option<string>("--format")
         {
             HelpName = string.Join('|', RowFormat.Names),
-            Description = "How rows are written: an object a line, a table, or with --out NumPy files, one a column.",
+            Description = "How rows are written: an object a line, a table, or with --out NumPy files, one a column, or a Parquet file.",
             DefaultValueFactory = _ => RowFormat.Names[0],
         };
         format.AcceptOnlyFromAmong([.. RowFormat.Names]);
@@ -64,9 +64,9 @@ internal static class SweepCommand
         };
         command.Validators.Add(result =>
         {
-            if (result.GetValue(output) is null && result.GetValue(format) == "npy")
+            if (result.GetValue(output) is null && result.GetValue(format) is "npy" or "parquet")
             {
-                result.AddError("--format is npy; allowed: ndjson | csv, or npy with --out DIR.");
+                result.AddError($"--format is {result.GetValue(format)}; allowed: ndjson | csv, or npy | parquet with --out DIR.");
             }
         });
         command.SetAction(parsed =>

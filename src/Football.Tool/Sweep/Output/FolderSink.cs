@@ -19,18 +19,20 @@ internal sealed class FolderSink : RowSink
     private readonly Shard _shard;
     private readonly bool _countsHandedOn;
     private readonly FileRecord _schema;
+    private readonly RowFormat _format;
     private readonly List<DataFile> _files = [];
     private readonly TimeProvider _time;
     private long _lastCheckpoint;
     private TimeSpan _untilCheckpoint = s_untilFirst;
 
-    private FolderSink(string folder, Identity identity, Shard shard, bool countsHandedOn, FileRecord schema, TimeProvider time)
+    private FolderSink(string folder, Identity identity, Shard shard, bool countsHandedOn, FileRecord schema, RowFormat format, TimeProvider time)
     {
         _folder = folder;
         _identity = identity;
         _shard = shard;
         _countsHandedOn = countsHandedOn;
         _schema = schema;
+        _format = format;
         _time = time;
         _lastCheckpoint = time.GetTimestamp();
     }
@@ -65,7 +67,7 @@ internal sealed class FolderSink : RowSink
             throw new RefusedException("--out", $"{Quote.File(folder)}, which holds another sweep ({difference})", "a new folder, or that of an interrupted run of the same sweep");
         }
 
-        var sink = new FolderSink(folder, identity, shard, countsHandedOn, Schema.Record(schema), time);
+        var sink = new FolderSink(folder, identity, shard, countsHandedOn, Schema.Record(schema), format, time);
         try
         {
             sink.Begin(done, begun, format, schema);
@@ -85,9 +87,10 @@ internal sealed class FolderSink : RowSink
             return;
         }
 
-        foreach (DataFile file in _files)
+        for (int f = 0; f < _files.Count; f++)
         {
-            file.FlushToDisk();
+            _files[f].Write(_format.Footer(f, [_shard.Rows]));
+            _files[f].FlushToDisk();
         }
 
         Now.Write(_folder, Manifest.Done, toDisk: true);
