@@ -48,8 +48,9 @@ internal sealed class FolderSink : RowSink
     /// <param name="schema">What the columns are.</param>
     /// <param name="countsHandedOn">Whether lanes hand rows to the single ball.</param>
     /// <param name="time">The clock by which checkpoints are due.</param>
+    /// <param name="verifies">Whether the bytes of a folder that is done are read and hashed.</param>
     /// <exception cref="RefusedException">The folder holds something else, or has no room.</exception>
-    public static FolderSink Open(string folder, Identity identity, Shard shard, RowFormat format, byte[] schema, bool countsHandedOn, TimeProvider time)
+    public static FolderSink Open(string folder, Identity identity, Shard shard, RowFormat format, byte[] schema, bool countsHandedOn, TimeProvider time, bool verifies = false)
     {
         try
         {
@@ -70,7 +71,7 @@ internal sealed class FolderSink : RowSink
         var sink = new FolderSink(folder, identity, shard, countsHandedOn, Schema.Record(schema), format, time);
         try
         {
-            sink.Begin(done, begun, format, schema);
+            sink.Begin(done, begun, format, schema, verifies);
             return sink;
         }
         catch
@@ -127,13 +128,18 @@ internal sealed class FolderSink : RowSink
 
     private Manifest Now => new(_identity, _shard, Rows, _countsHandedOn ? FlownSingly : null, [.. _files.Select(file => file.Record), _schema]);
 
-    private void Begin(Manifest? done, Manifest? begun, RowFormat format, byte[] schema)
+    private void Begin(Manifest? done, Manifest? begun, RowFormat format, byte[] schema, bool verifies)
     {
         Rows = begun?.Rows ?? 0;
         FlownSingly = begun?.FlownSingly ?? 0;
         WasDone = done is not null;
-        if (WasDone)
+        if (done is not null)
         {
+            foreach (FileRecord record in done.Files)
+            {
+                CheckThere(record, verifies);
+            }
+
             return;
         }
 
@@ -157,6 +163,21 @@ internal sealed class FolderSink : RowSink
 
         File.WriteAllBytes(Path.Combine(_folder, Schema.Name), schema);
         Checkpoint();
+    }
+
+    /// <summary>A file of a folder that is done is there, as long as it was, and with the bytes that it had where that is asked for.</summary>
+    private void CheckThere(FileRecord record, bool verifies)
+    {
+        string path = Path.Combine(_folder, record.Name);
+        var file = new FileInfo(path);
+        string? fault = !file.Exists ? "missing"
+            : file.Length != record.Bytes ? FormattableString.Invariant($"torn: it has {file.Length} bytes of {record.Bytes}")
+            : verifies && DataFile.HashOf(path) != record.Sha256 ? "changed: it has other bytes than were written"
+            : null;
+        if (fault is not null)
+        {
+            throw new RefusedException(Quote.File(path), fault, "what the manifest says; remove the folder to begin again");
+        }
     }
 
     /// <summary>Files of the names that are to be written, but without a checkpoint, are somebody else's; those of a run that ended at once are empty but for headers.</summary>
