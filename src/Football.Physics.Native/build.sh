@@ -20,7 +20,7 @@ fi
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-dotnet publish -c Release -r "$rid" --artifacts-path "$work/build" -o "$work" -p:RunAnalyzers=false "${cross[@]}" Football.Physics.Native.csproj >&2
+dotnet publish -c Release -r "$rid" --artifacts-path "$work/build" -o "$work" -p:RunAnalyzers=false -p:TargetFrameworks=net10.0 "${cross[@]}" Football.Physics.Native.csproj >&2
 
 mkdir -p "$out/include" "$out/lib/cmake/football_physics"
 cp include/football_physics.h "$out/include/"
