@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the C library and lays it out as it is installed: lib, include, and what CMake's find_package reads.
 #   src/Football.Physics.Native/build.sh DIR [RID]       RID: that of this machine, or linux-x64, linux-arm64, win-x64, osx-arm64
-# NativeAOT links for the system it runs on: Windows' library is made on Windows, Apple's on a Mac. For linux-arm64 on x64 Debian's gcc-aarch64-linux-gnu links, with zlib1g:arm64 not needed.
+# NativeAOT links for the system it runs on: Windows' library is made on Windows, Apple's on a Mac. For linux-arm64 on x64 Debian's gcc-aarch64-linux-gnu links.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 MSBUILDTERMINALLOGGER=off MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=false
@@ -20,7 +20,7 @@ fi
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-dotnet publish -c Release -r "$rid" --artifacts-path "$work/build" -o "$work" -p:RunAnalyzers=false -p:TargetFrameworks=net10.0 "${cross[@]}" Football.Physics.Native.csproj >&2
+dotnet publish -c Release "-p:NativeSystem=$rid" --artifacts-path "$work/build" -o "$work" -p:RunAnalyzers=false "${cross[@]}" Football.Physics.Native.csproj >&2
 
 mkdir -p "$out/include" "$out/lib/cmake/football_physics"
 cp include/football_physics.h "$out/include/"
