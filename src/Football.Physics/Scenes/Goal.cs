@@ -37,9 +37,10 @@ public sealed record Goal
     /// <summary><see cref="Facing"/> with length 1.</summary>
     internal Vector3d Out => Check.Direction("facing", Facing);
 
-    /// <summary>Posts and bar: capsules that meet at the corners.</summary>
-    /// <param name="laws">The laws of the scene, whose frame it has where it has none of its own.</param>
-    internal IEnumerable<Obstacle> Frame(ForceSet laws)
+    /// <summary>The posts and the bar as the ball meets them, for drawing them: capsules that meet at the corners.</summary>
+    /// <param name="laws">The forces of the scene, which say what its frame is made of where the goal has no <see cref="Surface"/> of its own.</param>
+    /// <returns>Left post, right post and crossbar, seen by who stands in the goal and looks at the pitch.</returns>
+    public IEnumerable<Obstacle> Frame(ForceSet laws)
     {
         Surface surface = Surface ?? (laws.Coefficients == CoefficientForm.Measured ? Physics.Surface.GoalFrame : Physics.Surface.PublishedGoalFrame);
         double side = (0.5 * Width) + PostRadius;
@@ -54,8 +55,9 @@ public sealed record Goal
     /// <summary>How many nets it has.</summary>
     internal int NetCount => HasNet ? 4 : 0;
 
-    /// <summary>Back, roof and sides, up to the axes of posts and bar.</summary>
-    internal IEnumerable<Net> Nets()
+    /// <summary>The nets as the ball meets them, for drawing them: back, roof and both sides, up to the axes of posts and bar.</summary>
+    /// <returns>Back, roof, left and right net; none without <see cref="HasNet"/>.</returns>
+    public IEnumerable<Net> Nets()
     {
         if (!HasNet)
         {
