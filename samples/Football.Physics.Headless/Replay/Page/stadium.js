@@ -1,13 +1,15 @@
 // What does not move: sky, stands, boards, grass and its lines. Painted once for a place of the camera, then copied.
 const LIGHT = {
   skies: ["#5aa5df", "#a9d3f0", "#e6f3fb"], bank: "#4a5566", roof: "#37404d", board: "#16324f", board2: "#0f5c8c", boardText: "#f4f8fb", haze: "rgba(230,243,251,",
-  grass: "#5d9c43", grass2: "#549139", outside: "#4b8334", line: "rgba(255,255,255,0.88)", dusk: "rgba(10,30,5,",
-  crowd: ["#d8dde3", "#b7353d", "#2d5fa8", "#e3b43a", "#2a323d", "#8c98a6"],
+  grass: "#64a64a", grass2: "#549139", outside: "#477d32", line: "rgba(255,255,255,0.88)", dusk: "rgba(10,30,5,",
+  faces: ["#d9ac86", "#a8754f", "#e6c3a1", "#7a5138"],
+  crowd: ["#aeb8c4", "#9a4a50", "#4a6c9c", "#b59a5c", "#3a4350", "#7d8997", "#c9ced4", "#5e6b7a"],
 };
 const NIGHT = {
   skies: ["#03060d", "#0a1428", "#182a4a"], bank: "#161d2a", roof: "#0b1018", board: "#0c2138", board2: "#0b3c5d", boardText: "#cfe6f7", haze: "rgba(24,42,74,",
-  grass: "#2f6b35", grass2: "#29602f", outside: "#1f4a25", line: "rgba(235,245,235,0.8)", dusk: "rgba(0,4,12,",
-  crowd: ["#4c5665", "#5d2029", "#1d3a68", "#6b5620", "#10151d", "#363f4c"],
+  grass: "#33743a", grass2: "#29612f", outside: "#1d4524", line: "rgba(235,245,235,0.8)", dusk: "rgba(0,4,12,",
+  faces: ["#6a5546", "#4a382c", "#7b6452", "#34281f"],
+  crowd: ["#3c4655", "#4a2a33", "#233a5c", "#4f4630", "#141a24", "#2d3643", "#525d6c", "#1f2733"],
 };
 const HALF_WIDTH = 34, LENGTH = 105, STRIPE = 5.5;
 
@@ -104,13 +106,27 @@ class Stadium {
       const place = (share, out, height) => this.at(
         side.from[0] + share * (side.to[0] - side.from[0]) + out * side.step[0], side.from[1] + share * (side.to[1] - side.from[1]) + out * side.step[1], height);
       const quad = (a, b, c, d, colour) => { const s = camera.clipped([a, b, c, d], true); if (s.length > 2) { trace(g, s); g.fillStyle = colour; g.fill(); } };
-      const rows = 22, depth = i => 5 + 1.05 * i, height = i => 1.1 + 0.62 * i;
+      const rows = 26, depth = i => 2 + 0.85 * i, height = i => 1.15 + 0.52 * i;
       quad(place(-0.06, depth(0), 0), place(1.06, depth(0), 0), place(1.06, depth(rows), height(rows)), place(-0.06, depth(rows), height(rows)), look.bank);
       for (let i = rows - 1; i >= 0; i--) this.row(g, camera, look, i, (share, up) => place(share, depth(i), height(i) + up));
+      this.shade(g, camera, place(0.5, depth(0), height(0)), place(0.5, depth(rows), height(rows)), [place(-0.06, depth(0), 0), place(1.06, depth(0), 0), place(1.06, depth(rows), height(rows)), place(-0.06, depth(rows), height(rows))]);
       quad(place(-0.06, depth(rows), height(rows)), place(1.06, depth(rows), height(rows)), place(1.06, depth(rows), height(rows) + 4), place(-0.06, depth(rows), height(rows) + 4), look.roof);
       quad(place(-0.06, depth(rows), height(rows) + 4), place(1.06, depth(rows), height(rows) + 4), place(1.06, depth(rows - 12), height(rows) + 5.6), place(-0.06, depth(rows - 12), height(rows) + 5.6), look.roof);
       if (dark) this.lamps(g, camera, share => place(share, depth(rows - 12), height(rows) + 5.6));
     }
+  }
+
+  // A stand is darker the deeper under its roof.
+  shade(g, camera, front, back, corners) {
+    const [a, b, screen] = [camera.project(front), camera.project(back), camera.clipped(corners, true)];
+    if (!a || !b || screen.length < 3) return;
+    const dusk = g.createLinearGradient(0, a[1], 0, b[1]);
+    dusk.addColorStop(0, "rgba(8,14,26,0.05)");
+    dusk.addColorStop(0.55, "rgba(8,14,26,0.25)");
+    dusk.addColorStop(1, "rgba(8,14,26,0.7)");
+    trace(g, screen);
+    g.fillStyle = dusk;
+    g.fill();
   }
 
   // One row of people: dashes as wide as a seat, of several colours, that begin anywhere.
@@ -121,16 +137,22 @@ class Stadium {
       if (line.length < 2) continue;
       const scale = Math.max(line[0][2], line[1][2]);
       if (line.every(p => p[0] < -50) || line.every(p => p[0] > camera.width + 50) || line.every(p => p[1] < -50)) continue;
-      for (let c = 0; c < 4; c++) {
-        const tone = (i * 7 + k * 3 + c * 5) % look.crowd.length, seat = 0.55 * scale;
-        g.beginPath();
-        g.moveTo(line[0][0], line[0][1]);
-        g.lineTo(line[1][0], line[1][1]);
-        g.setLineDash([0.75 * seat, (1.3 + (i * 31 + k * 17 + c * 13) % 7 * 0.55) * seat, 0.7 * seat, (2.1 + (i * 5 + c * 11 + k) % 5 * 0.7) * seat]);
-        g.lineDashOffset = (c * 1.9 + (i * 53 + k * 29) % 17) * seat;
-        g.strokeStyle = look.crowd[tone];
-        g.lineWidth = Math.max(0.7, 0.62 * scale);
-        g.stroke();
+      // Shoulders, then heads above them.
+      for (let c = 0; c < 5; c++) {
+        const tone = (i * 7 + k * 3 + c * 5) % look.crowd.length, seat = 0.5 * scale, phase = (c * 2.3 + (i * 53 + k * 29) % 17) * seat;
+        const gaps = [(1.6 + (i * 31 + k * 17 + c * 13) % 7 * 0.6) * seat, (2.6 + (i * 5 + c * 11 + k) % 5 * 0.8) * seat];
+        const dash = (part, shift, lift, width, colour) => {
+          g.beginPath();
+          g.moveTo(line[0][0], line[0][1] - lift * scale);
+          g.lineTo(line[1][0], line[1][1] - lift * scale);
+          g.setLineDash([part * seat, gaps[0] + (1 - part) * seat, part * seat, gaps[1] + (1 - part) * seat]);
+          g.lineDashOffset = phase - shift * seat;
+          g.strokeStyle = colour;
+          g.lineWidth = Math.max(0.6, width * scale);
+          g.stroke();
+        };
+        dash(0.86, 0, 0, 0.46, look.crowd[tone]);
+        if (scale > 6) dash(0.4, 0.23, 0.34, 0.24, look.faces[(i + c) % look.faces.length]);
       }
     }
     g.setLineDash([]);
