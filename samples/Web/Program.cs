@@ -6,7 +6,7 @@ using System.Text;
 using System.Text.Json;
 using Football.Physics;
 using Football.Physics.Golden;
-using Football.Physics.Headless.Replay;
+using Football.Tool.Replay;
 using Football.Web;
 
 [assembly: SupportedOSPlatform("browser")]

@@ -37,9 +37,8 @@ public sealed record Goal
     /// <summary><see cref="Facing"/> with length 1.</summary>
     internal Vector3d Out => Check.Direction("facing", Facing);
 
-    /// <summary>The posts and the bar as the ball meets them, for drawing them: capsules that meet at the corners.</summary>
-    /// <param name="laws">The forces of the scene, which say what its frame is made of where the goal has no <see cref="Surface"/> of its own.</param>
-    /// <returns>Left post, right post and crossbar, seen by who stands in the goal and looks at the pitch.</returns>
+    /// <summary>Posts and bar, as the simulator has them: capsules that meet at the corners.</summary>
+    /// <param name="laws">The forces of the scene, whose profile's frame it has where it has no surface of its own.</param>
     public IEnumerable<Obstacle> Frame(ForceSet laws)
     {
         Surface surface = Surface ?? (laws.Coefficients == CoefficientForm.Measured ? Physics.Surface.GoalFrame : Physics.Surface.PublishedGoalFrame);
@@ -55,8 +54,7 @@ public sealed record Goal
     /// <summary>How many nets it has.</summary>
     internal int NetCount => HasNet ? 4 : 0;
 
-    /// <summary>The nets as the ball meets them, for drawing them: back, roof and both sides, up to the axes of posts and bar.</summary>
-    /// <returns>Back, roof, left and right net; none without <see cref="HasNet"/>.</returns>
+    /// <summary>Back, roof and side nets, as the simulator has them, up to the axes of posts and bar; none where <see cref="HasNet"/> is false.</summary>
     public IEnumerable<Net> Nets()
     {
         if (!HasNet)
