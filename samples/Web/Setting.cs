@@ -104,12 +104,12 @@ internal sealed record Setting(
             .Append(CultureInfo.InvariantCulture, $"    Air = Weather.AtAltitude({Altitude}).ToAir() with {{ Wind = {Of(new Vector3d(WindAcross, 0, -WindAlong))} }},\n    Goals = [goal],\n")
             .Append(Wall > 0 ? "    Obstacles =\n    [\n        .. wall.SelectMany(at => new[]\n        {\n"
                 + "            new Obstacle { Name = \"wall\", Shape = new CapsuleShape(at + new Vector3d(0, 0.2, 0), at + new Vector3d(0, 1.35, 0), 0.2), Surface = Surface.Boot },\n"
-                + "            new Obstacle { Name = \"head\", Shape = new SphereShape(at + new Vector3d(0, 1.7, 0), 0.12), Surface = Surface.Head },\n        }),\n    ],\n" : "")
+                + "            new Obstacle { Name = \"wall\", Shape = new SphereShape(at + new Vector3d(0, 1.7, 0), 0.12), Surface = Surface.Head },\n        }),\n    ],\n" : "")
             .Append("};\n\n");
         if (Keeper > 0)
         {
             code.Append("var path = new Trajectory();\nvar empty = new Simulator(scene);\n")
-                .Append(CultureInfo.InvariantCulture, $"empty.LookAhead(empty.Launch({Of(Start)}, {Of(velocity)}, {Of(spin)}), new LookAheadRequest {{ Duration = 3 }}, path);\n")
+                .Append(CultureInfo.InvariantCulture, $"empty.LookAhead(empty.Launch({Of(Start)}, {Of(velocity)}, {Of(spin)}), new LookAheadRequest {{ Duration = 3, TimeStep = {TimeStep} }}, path);\n")
                 .Append("keeper.Watch(path);\n\n");
         }
 
@@ -132,7 +132,7 @@ internal sealed record Setting(
     private static Obstacle[] Player(Vector3d at) =>
     [
         new Obstacle { Name = "wall", Shape = new CapsuleShape(at + new Vector3d(0, 0.2, 0), at + new Vector3d(0, 1.35, 0), 0.2), Surface = Surface.Boot },
-        new Obstacle { Name = "head", Shape = new SphereShape(at + new Vector3d(0, 1.7, 0), 0.12), Surface = Surface.Head },
+        new Obstacle { Name = "wall", Shape = new SphereShape(at + new Vector3d(0, 1.7, 0), 0.12), Surface = Surface.Head },
     ];
 
     private static string Of(Vector3d v) => FormattableString.Invariant($"new Vector3d({v.X + 0.0:R}, {v.Y + 0.0:R}, {v.Z + 0.0:R})");

@@ -10,7 +10,8 @@ class Flown {
   // What there is of it so far, s.
   get end() { return this.keys.length > 0 ? this.keys[this.keys.length - 1].t : 0; }
 
-  take(rows, nameOf) {
+  take(told, nameOf) {
+    const rows = Array.from(told);
     for (let i = 0; i < rows.length; i += ROWS[rows[i]]) {
       const row = rows.slice(i + 1, i + ROWS[rows[i]]);
       switch (rows[i]) {

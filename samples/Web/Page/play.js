@@ -87,7 +87,7 @@ async function lookAhead() {
   if (!rows) return;
   const dots = (flat, colour) => {
     const all = [];
-    for (let i = 4; i < flat.length; i += 8) all.push({ t: flat[i], p: flat.slice(i + 1, i + 4), colour });
+    for (let i = 4; i < flat.length; i += 8) all.push({ t: flat[i], p: Array.from(flat.slice(i + 1, i + 4)), colour });
     return all;
   };
   stage.way = rows;
@@ -552,6 +552,9 @@ document.addEventListener("keydown", e => {
 });
 window.addEventListener("resize", () => { stage.resize(); look(); });
 window.addEventListener("hashchange", () => { readAddress(); if (engine) scene(); });
+
+// For whoever checks the page: what is set, the way ahead, and what flies.
+globalThis.playground = { set, stage, get flights() { return flights; }, get way() { return stage.way; }, get time() { return time; } };
 
 // ---- beginning
 
