@@ -1,4 +1,4 @@
-using Football.Physics;
+using Football.Physics.Prediction;
 
 namespace Football.Web;
 

@@ -1,4 +1,6 @@
 using Football.Physics;
+using Football.Physics.Prediction;
+using Football.Physics.Shapes;
 
 /// <summary>A goalkeeper: two bodies that the ball can hit, trunk and gloves, and one dive towards where the library says that the ball crosses the line.</summary>
 internal sealed class Keeper
@@ -9,7 +11,7 @@ internal sealed class Keeper
     /// <summary>From his feet to his shoulders, m.</summary>
     private const double Shoulders = 1.4;
 
-    private readonly Runner _runner;
+    private readonly Player _player;
     private readonly Goal _goal;
     private readonly Body _trunk;
     private readonly Body _gloves;
@@ -29,7 +31,7 @@ internal sealed class Keeper
         _goal = goal;
         _feet = goal.Center + new Vector3d(0, 0, 0.5);
         _ready = _feet + new Vector3d(0, 1.2, 0.25);
-        _runner = new Runner { Position = _feet, Reaction = reaction, Acceleration = 14, Speed = speed, Reach = 0.6, HighestHeight = 2.6 };
+        _player = new Player { Position = _feet, Reaction = reaction, Acceleration = 14, Speed = speed, Reach = 0.6, HighestHeight = 2.6 };
         _trunk = Bodies.Add("keeper", new CapsuleShape(new Vector3d(0, -0.6, 0), new Vector3d(0, 0.6, 0), 0.2), Surface.Boot);
         _gloves = Bodies.Add("gloves", new SphereShape(Vector3d.Zero, 0.17), Surface.Glove);
         MoveTo(0);
@@ -45,7 +47,7 @@ internal sealed class Keeper
     /// <param name="path">Where the ball goes if he does nothing, from now on.</param>
     public void Watch(Trajectory path)
     {
-        Answer = new Interception().FindSave(path, _runner, _goal);
+        Answer = new Interception().FindSave(path, _player, _goal);
         (_from, _until) = (double.PositiveInfinity, double.PositiveInfinity);
         double aside = Answer.Crossing.Position.X - _feet.X;
         if (!Answer.Crosses || Math.Abs(aside) > (0.5 * _goal.Width) + 1 || Answer.Crossing.Position.Y > _goal.Height + 0.8)
@@ -53,11 +55,11 @@ internal sealed class Keeper
             return;                                        // he lets it go
         }
 
-        _from = path.StartTime + _runner.Reaction;
+        _from = path.StartTime + _player.Reaction;
         _until = Math.Max(Answer.Crossing.Time, _from + 0.25);
 
         // All the way where he gets there in time; else as far as he covers.
-        double covers = Math.Max(Math.Abs(Answer.CoversFrom), Math.Abs(Answer.CoversTo)) - _runner.Reach;
+        double covers = Math.Max(Math.Abs(Answer.CoversFrom), Math.Abs(Answer.CoversTo)) - _player.Reach;
         double share = Answer.Saves ? 1 : Math.Clamp(covers / Math.Max(Math.Abs(aside), 1e-9), 0.2, 0.9);
         var target = new Vector3d(Answer.Crossing.Position.X, Math.Max(0.15, Answer.Crossing.Position.Y), _feet.Z - 0.1);
         _reached = Vector3d.Lerp(_ready, target, share);

@@ -4,8 +4,9 @@ using System.Runtime.InteropServices.JavaScript;
 using System.Runtime.Versioning;
 using System.Text;
 using System.Text.Json;
-using Football.Physics;
+using Football.Physics.Aiming;
 using Football.Physics.Golden;
+using Football.Physics.Prediction;
 using Football.Tool.Replay;
 using Football.Web;
 

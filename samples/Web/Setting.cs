@@ -1,6 +1,6 @@
 using System.Globalization;
 using System.Text;
-using Football.Physics;
+using Football.Physics.Shapes;
 
 namespace Football.Web;
 
@@ -86,7 +86,7 @@ internal sealed record Setting(
     /// <summary>A program that plays a kick in this scene and prints what happens.</summary>
     public string Code(Vector3d velocity, Vector3d spin)
     {
-        var code = new StringBuilder("using Football.Physics;\n\n");
+        var code = new StringBuilder("using Football.Physics;\nusing Football.Physics.Prediction;\nusing Football.Physics.Shapes;\n\n");
         code.Append(CultureInfo.InvariantCulture, $"var goal = new Goal {{ Center = {Of(Goal.Center)}, Facing = new Vector3d(0, 0, 1) }};\n");
         if (Keeper > 0)
         {
@@ -119,7 +119,7 @@ internal sealed record Setting(
             .Append("    foreach (BallEvent happened in ball.Events)\n        Console.WriteLine(FormattableString.Invariant($\"{happened.Time:F6} {happened.Kind} {ball.Simulator.NameOf(happened.Thing)} {happened.Position.X:F6} {happened.Position.Y:F6} {happened.Position.Z:F6}\"));\n}\n");
         if (Keeper > 0)
         {
-            code.Append('\n').Append(KeeperSource().Replace("using Football.Physics;\n\n", "", StringComparison.Ordinal));
+            code.Append('\n').Append(KeeperSource());
         }
 
         return code.ToString();
@@ -140,6 +140,7 @@ internal sealed record Setting(
     private static string KeeperSource()
     {
         using Stream source = typeof(Setting).Assembly.GetManifestResourceStream("Keeper.cs")!;
-        return new StreamReader(source).ReadToEnd().ReplaceLineEndings("\n");
+        string text = new StreamReader(source).ReadToEnd().ReplaceLineEndings("\n");
+        return text[text.IndexOf("/// <summary>", StringComparison.Ordinal)..];
     }
 }

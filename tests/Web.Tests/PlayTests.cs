@@ -167,7 +167,7 @@ public sealed class PlayTests(Browser browser, ITestOutputHelper told) : IClassF
         string frames = (await window.Said("frames"))!;
         await window.Flown();
         Assert.Equal(20, await window.Page.EvaluateAsync<int>("() => playground.flights.length"));
-        Assert.Contains("\"balls\":20", await window.Page.Locator("#stage").GetAttributeAsync("data-drawn"));
+        Assert.Contains("\"shots\":20", await window.Page.Locator("#stage").GetAttributeAsync("data-drawn"));
         Assert.Empty(window.Errors);
         told.WriteLine($"20 balls: {frames} frames in the best second, on {Environment.ProcessorCount} cores without a graphics card");
     }

@@ -1,3 +1,5 @@
+using Football.Physics.Shapes;
+
 namespace Football.Tool.Replay;
 
 /// <summary>Obstacles that are people, as pictures draw them: by name and size, since to the ball they are boxes and rods.</summary>

@@ -16,9 +16,8 @@ internal static class SceneShapeJson
             json.WriteString("kind", shape.People is null ? KindOf(shape.Kind) : "people");
             json.WriteNumber("radius", shape.Radius);
             WriteNumbers(json, "velocity", Parts(shape.Velocity));
-            // A page makes the meshes of a net itself, between its corners.
-            WriteAll(json, "lines", shape.People ?? (shape.Kind == SceneShapeKind.Net ? [] : shape.Lines));
-            WriteAll(json, "faces", shape.People is null ? shape.Faces : []);
+            WriteAll(json, "lines", shape.People ?? (shape.Corners is null ? shape.Lines : []));
+            WriteAll(json, "faces", shape.Corners is { } corners ? [[.. corners]] : shape.People is null ? shape.Faces : []);
             json.WriteEndObject();
         }
 

@@ -1,3 +1,4 @@
+using Football.Physics.Shapes;
 using Football.Tool.Gallery;
 namespace Football.Tool.Replay;
 
@@ -101,7 +102,7 @@ internal static class SceneShapes
                 .. Enumerable.Range(0, columns + 1).Select(i => (double)i / columns).Select(s => (Vector3d[])[Vector3d.Lerp(a, b, s), Vector3d.Lerp(d, c, s)]),
                 .. Enumerable.Range(0, rows + 1).Select(i => (double)i / rows).Select(s => (Vector3d[])[Vector3d.Lerp(a, d, s), Vector3d.Lerp(b, c, s)]),
             ],
-            Faces = [[a, b, c, d]],
+            Corners = [a, b, c, d],
         };
     }
 
