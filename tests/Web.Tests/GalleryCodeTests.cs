@@ -22,7 +22,7 @@ public sealed class GalleryCodeTests(ITestOutputHelper told)
         // echo 'JSON' | football replay - -o PAGE --set …: what replay plays of it.
         string json = shot.Command.Split('\'')[1];
         FieldOverride[] sets = [.. shot.Command.Split(" --set ").Skip(1).Append("stop.at=rest").Select(field => FieldOverride.Parse(field)!)];
-        Outcome played = ScenarioRun.Play(Scenario.Read(InputCase.Read(System.Text.Encoding.UTF8.GetBytes(json), sets).Scenario!));
+        Outcome played = ScenarioRun.Play(Scenario.Read(InputCase.Read(new InputLine(System.Text.Encoding.UTF8.GetBytes(json), IsCut: false), sets).Scenario!));
         Assert.Equal(seen, played.Events.Select(e => FormattableString.Invariant($"{e.Time:F6} s: {e.Kind} {played.NameOf(e.Thing)} at {e.Position:F6}")));
         told.WriteLine($"{id}: {seen.Length} events, program and command agree with the picture to the last of six digits");
     }
