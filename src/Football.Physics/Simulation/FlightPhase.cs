@@ -71,9 +71,9 @@ internal sealed class FlightPhase<TIntegrator>
     /// <summary>The first piece of a step, already taken as a whole step, which is found to have something in it.</summary>
     public void Finish(ref BallState s, ref StepRun run, in FlightStep taken, double h)
     {
-        if (s.Velocity.Y <= ContactSearch.Leaving && s.Position.Y <= _world.LevelContact + ContactSearch.Touching)
+        if (IsHeld(in s))
         {
-            // It touches the ground and does not leave it: what keeps it there is asked first, by the next piece.
+            // What keeps it there is asked first, by the next piece.
             return;
         }
 
@@ -81,6 +81,9 @@ internal sealed class FlightPhase<TIntegrator>
         sweep.Take(in taken, h);
         Finish(ref s, ref run, ref sweep);
     }
+
+    /// <summary>Whether the ball touches level ground, and does not leave it.</summary>
+    public bool IsHeld(in BallState s) => s.Velocity.Y <= ContactSearch.Leaving && s.Position.Y <= _world.LevelContact + ContactSearch.Touching;
 
     /// <summary>A piece by a method: along a constant axis of the spin where there is a flight along one, else with the whole spin vector.</summary>
     private void Take<TMethod>(ref BallState s, ref StepRun run, double h, IFlight? flight)

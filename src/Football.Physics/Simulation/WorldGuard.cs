@@ -110,8 +110,9 @@ internal sealed class WorldGuard
             }
 
             met = found;
-            if (!(sweep.Length > 0))
+            if (!(sweep.Length > 0) || _world.IsPlaneAlone)
             {
+                // Nothing else can be met before.
                 break;
             }
         }
