@@ -6,8 +6,12 @@ namespace Football.Physics;
 internal abstract class FlatSurfaceStep
 {
     /// <summary>A whole step, done if nothing happens in it.</summary>
+    /// <param name="s">The ball, on the ground.</param>
+    /// <param name="dt">Its length, s.</param>
+    /// <param name="end">When it ends, s.</param>
+    /// <param name="log">Where counts are added.</param>
     /// <returns>False where something may happen; then nothing is done.</returns>
-    public abstract bool TryWhole(ref BallState s, double dt, StepLog log);
+    public abstract bool TryWhole(ref BallState s, double dt, double end, StepLog log);
 }
 
 /// <summary>
@@ -141,7 +145,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         }
     }
 
-    public override bool TryWhole(ref BallState s, double dt, StepLog log)
+    public override bool TryWhole(ref BallState s, double dt, double end, StepLog log)
     {
         bool rolls = s.Motion == MotionState.Rolling;
         if (!_acts || s.Carrier != 0 || s.Nets != 0 || !(rolls || _slides))
@@ -254,29 +258,29 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         }
 
         // A roll has the spin of its speed: ω_t = n × v / r.
-        PlaneMotion end;
-        end.VX = start.VX + (dt * sumAX);
-        end.VZ = start.VZ + (dt * sumAZ);
-        end.WX = rolls ? end.VZ * _perRadius : start.WX + (dt * sumBX);
-        end.WY = start.WY + (dt * sumBY);
-        end.WZ = rolls ? -end.VX * _perRadius : start.WZ + (dt * sumBZ);
+        PlaneMotion last;
+        last.VX = start.VX + (dt * sumAX);
+        last.VZ = start.VZ + (dt * sumAZ);
+        last.WX = rolls ? last.VZ * _perRadius : start.WX + (dt * sumBX);
+        last.WY = start.WY + (dt * sumBY);
+        last.WZ = rolls ? -last.VX * _perRadius : start.WZ + (dt * sumBZ);
 
         // Guards: the slip ends, the roll ends or needs more than friction gives, the load ends, the spin about the normal ends, another surface begins, the drag law jumps.
         // The load and the traction at the end are what the stages lead to.
-        double endX = rolls ? end.VX : end.VX + (_radius * end.WZ);
-        double endZ = rolls ? end.VZ : end.VZ - (_radius * end.WX);
+        double endX = rolls ? last.VX : last.VX + (_radius * last.WZ);
+        double endZ = rolls ? last.VZ : last.VZ - (_radius * last.WX);
         double endLoad = rates.Load + Math.Min(0, rates.Load - first.Load);
         double friction = Ample * on.Material.Sliding * endLoad;
         if (!((endX * on.X) + (endZ * on.Z) > 0) || !(first.Load > Slight * _weight) || !(endLoad > Slight * _weight)
-            || (rolls && (Energy(in end) <= _restEnergy * 1.001 || !(Math.Max(first.TractionSquared, rates.TractionSquared) <= friction * friction)))
-            || start.WY * end.WY < 0
-            || (_locatesJump && MayCrossJump(in on, in start, in first, in end, dt)))
+            || (rolls && (Energy(in last) <= _restEnergy * 1.001 || !(Math.Max(first.TractionSquared, rates.TractionSquared) <= friction * friction)))
+            || start.WY * last.WY < 0
+            || (_locatesJump && MayCrossJump(in on, in start, in first, in last, dt)))
         {
             return false;
         }
 
-        double alongX = dt * (_semiImplicit ? end.VX : sumVX);
-        double alongZ = dt * (_semiImplicit ? end.VZ : sumVZ);
+        double alongX = dt * (_semiImplicit ? last.VX : sumVX);
+        double alongZ = dt * (_semiImplicit ? last.VZ : sumVZ);
         Vector3d position = s.Position + (alongX * _axisX) + (alongZ * _axisZ);
         if (_materials.Length > 1 && _world.Ground!.PatchAt(in position) != patch)
         {
@@ -288,31 +292,31 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         log.Steps++;
 
         // The axis turns as well: ∫ω dt + h²/12 ω(h) × ω(0), Magnus' series to the fourth order; where it turns much, to the sixth.
-        var mean = new Vector3d(_semiImplicit ? end.WX : sumWX, _semiImplicit ? end.WY : sumWY, _semiImplicit ? end.WZ : sumWZ);
-        Vector3d commutator = dt * dt * Vector3d.Cross(end.Spin, start.Spin);
+        var mean = new Vector3d(_semiImplicit ? last.WX : sumWX, _semiImplicit ? last.WY : sumWY, _semiImplicit ? last.WZ : sumWZ);
+        Vector3d commutator = dt * dt * Vector3d.Cross(last.Spin, start.Spin);
         Vector3d turned = commutator.LengthSquared <= LittleTurn * LittleTurn || _order < 4
             ? (dt * mean) + ((1.0 / 12.0) * commutator)
-            : RotationVector.Of(start.Spin, 0.25 * ((6.0 * mean) - start.Spin - at.Spin), end.Spin, dt);
+            : RotationVector.Of(start.Spin, 0.25 * ((6.0 * mean) - start.Spin - at.Spin), last.Spin, dt);
         Vector3d turn = InWorld(turned.X, turned.Y, turned.Z);
         if (log.Observer is not null)
         {
-            MoveAndShow(log, ref s, in on, in position, in turn, in first, in end, dt, alongX, alongZ);
+            MoveAndShow(log, ref s, in on, in position, in turn, in first, in last, dt, end, alongX, alongZ);
             return true;
         }
 
-        Move(ref s, in on, in position, in turn, in end, dt);
+        Move(ref s, in on, in position, in turn, in last, end);
         return true;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Move(ref BallState s, in StepOn on, in Vector3d position, in Vector3d turn, in PlaneMotion end, double dt)
+    private void Move(ref BallState s, in StepOn on, in Vector3d position, in Vector3d turn, in PlaneMotion last, double end)
     {
         s.BaseOrientation = s.BaseOrientation.Turned(in turn);
         s.Position = position;
-        s.Flight.Velocity = InWorld(end.VX, 0, end.VZ);
-        s.Flight.Axis = InWorld(end.WX, end.WY, end.WZ);
+        s.Flight.Velocity = InWorld(last.VX, 0, last.VZ);
+        s.Flight.Axis = InWorld(last.WX, last.WY, last.WZ);
         s.Branch = on.Branch;
-        s.Time += dt;
+        s.Time = end;
     }
 
     /// <summary>Moves the ball, and shows the piece to the observer.</summary>
@@ -324,21 +328,22 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         in Vector3d position,
         in Vector3d turn,
         in PlaneRates first,
-        in PlaneMotion end,
+        in PlaneMotion last,
         double dt,
+        double end,
         double alongX,
         double alongZ)
     {
         BallState before = s;
-        Move(ref s, in on, in position, in turn, in end, dt);
-        PlaneRates last = default;
+        Move(ref s, in on, in position, in turn, in last, end);
+        PlaneRates rates = default;
         if (log.Observer!.WantsEndAcceleration)
         {
-            RatesOf(in on, end.VX, end.VZ, end.WX, end.WY, end.WZ, dt, alongX, alongZ, out last);
+            RatesOf(in on, last.VX, last.VZ, last.WX, last.WY, last.WZ, dt, alongX, alongZ, out rates);
             log.Evaluations++;
         }
 
-        log.Show(in before, in s, InWorld(first.AX, 0, first.AZ), InWorld(last.AX, 0, last.AZ), _order);
+        log.Show(in before, in s, InWorld(first.AX, 0, first.AZ), InWorld(rates.AX, 0, rates.AZ), _order);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -75,7 +75,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
     public override void Step(ref BallState s, double dt, StepLog log)
     {
-        if (!(s.Motion is MotionState.Rolling or MotionState.Sliding && _flat is not null && _flat.TryWhole(ref s, dt, log)))
+        if (!(s.Motion is MotionState.Rolling or MotionState.Sliding && _flat is not null && _flat.TryWhole(ref s, dt, s.Time + dt, log)))
         {
             TakePieces(ref s, dt, log, WholeFlight.NotTaken, default);
         }
@@ -187,6 +187,8 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
             _bodies?.Apply(ref s, ref run);
         }
 
+        // The first piece was tried as a whole step already where it is not one's end.
+        bool isTried = whole == WholeFlight.NotTaken;
         while (!log.Halted && run.Left > 0 && (s.Motion != MotionState.Stopped || World.Moves))
         {
             if (!run.Begin())
@@ -201,7 +203,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
             switch (s.Motion)
             {
                 case MotionState.Airborne:
-                    TakeFlight(ref s, ref run);
+                    TakeFlight(ref s, ref run, isTried);
                     break;
                 case MotionState.Stopped:
                     _rest.Take(ref s, ref run);
@@ -210,9 +212,11 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
                     _set.TakeSqueezed(ref s, ref run);
                     break;
                 default:
-                    _surface.Take(ref s, ref run);
+                    TakeSurface(ref s, ref run, isTried);
                     break;
             }
+
+            isTried = false;
         }
 
         if (!log.Halted)
@@ -222,10 +226,10 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     }
 
     /// <summary>The next piece of a flight: what is left of the step is a whole step again, if nothing happens in it.</summary>
-    private void TakeFlight(ref BallState s, ref StepRun run)
+    private void TakeFlight(ref BallState s, ref StepRun run, bool isTried)
     {
         FlightStep taken = default;
-        WholeFlight whole = run.Part > 0 || _flight.IsHeld(in s) ? WholeFlight.NotTaken : TryWhole(ref s, run.Left, run.End, run.Log, out taken);
+        WholeFlight whole = isTried || run.Part > 0 || _flight.IsHeld(in s) ? WholeFlight.NotTaken : TryWhole(ref s, run.Left, run.End, run.Log, out taken);
         switch (whole)
         {
             case WholeFlight.Done:
@@ -237,6 +241,19 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
             default:
                 _flight.Take(ref s, ref run);
                 break;
+        }
+    }
+
+    /// <summary>The next piece of a slide or a roll: on flat ground what is left of the step is a whole step again, if nothing happens in it.</summary>
+    private void TakeSurface(ref BallState s, ref StepRun run, bool isTried)
+    {
+        if (!isTried && !(run.Part > 0) && _flat is not null && _flat.TryWhole(ref s, run.Left, run.End, run.Log))
+        {
+            run.Left = 0;
+        }
+        else
+        {
+            _surface.Take(ref s, ref run);
         }
     }
 }
