@@ -147,11 +147,19 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
 
     public override bool TryWhole(ref BallState s, double dt, double end, StepLog log)
     {
-        bool rolls = s.Motion == MotionState.Rolling;
-        if (!_acts || s.Carrier != 0 || s.Nets != 0 || !(rolls || _slides))
+        if (!_acts || s.Carrier != 0 || s.Nets != 0)
         {
             return false;
         }
+
+        return s.Motion == MotionState.Rolling ? TryWhole<Roll>(ref s, dt, end, log) : _slides && TryWhole<Slide>(ref s, dt, end, log);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private bool TryWhole<TMotion>(ref BallState s, double dt, double end, StepLog log)
+        where TMotion : struct, ISurfaceMotion
+    {
+        bool rolls = default(TMotion).Rolls;
 
         // The motion in the plane's axes, number by number: what was written so in the step before is not read back as a whole without a wait.
         // What a roll leaves of the spin is that about the normal.
@@ -181,32 +189,35 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         double airSpeedSquared = (airX * airX) + (_windUp * _windUp) + (airZ * airZ);
         int patch = _materials.Length > 1 ? _world.Ground!.PatchAt(s.Position) : -1;
         StepOn on;
-        on.Material = _materials[patch + 1];
+        ref readonly Material material = ref _materials[patch + 1];
         double airSpeed = Math.Abs(airX) + Math.Abs(_windUp) + Math.Abs(airZ) + _fastestWind;
         double spinAtMost = Math.Abs(start.WX) + Math.Abs(start.WY) + Math.Abs(start.WZ);
-        if (!(size >= Slip.Rolling) || !(dt * (_limit.RateAtMost(airSpeed, spinAtMost) + on.Material.Damping) <= StabilityLimit.LargestChange)
-            || (rolls && Energy(in start) <= _restEnergy * 1.001)
+        if (!(size >= Slip.Rolling) || !(dt * (_limit.RateAtMost(airSpeed, spinAtMost) + material.Damping) <= StabilityLimit.LargestChange)
             || (_materials.Length > 1 && !(_world.Ground!.LeastWidth >= 2.0 * dt * size))
             || (_clear is not null && !_clear.HoldsOnSurface(ref s, dt, Math.Sqrt(airSpeedSquared) + _fastestWind, Math.Sqrt(spinSquared))))
         {
             return false;
         }
 
-        on.Rolls = rolls;
         on.X = x * perSize;
         on.Z = z * perSize;
         on.SpinSign = start.WY > Slip.Rolling ? 1.0 : start.WY < -Slip.Rolling ? -1.0 : 0.0;
+        Unsafe.SkipInit(out on.From);
         on.Time = s.Time;
-        on.From = s.Position;
+        if (_air.HasField)
+        {
+            on.From = s.Position;
+        }
+
         bool known = _locatesJump && s.Branch is DragBranch.NoSpin or DragBranch.Spinning;
         on.Branch = !_around.Air.Jumps || known ? s.Branch : DragJump.At(airSpeedSquared, _radiusSquared * spinSquared).Branch;
 
         // The first stage tells whether the direction turns too much on the way, by size at the end: then the step is taken in pieces.
-        RatesOf(in on, start.VX, start.VZ, start.WX, start.WY, start.WZ, 0, 0, 0, out PlaneRates first);
+        RatesOf<TMotion>(in on, in material, in start, 0, 0, 0, out PlaneRates first);
         double rateX = rolls ? first.AX : first.AX + (_radius * first.BZ);
         double rateZ = rolls ? first.AZ : first.AZ - (_radius * first.BX);
         double across = Math.Abs((rateX * on.Z) - (rateZ * on.X));
-        double turning = Ample * on.Material.SlidingTorque * first.Load;
+        double turning = Ample * material.SlidingTorque * first.Load;
         if (!TurnLimit.Allows(size, dt * ((rateX * on.X) + (rateZ * on.Z)), dt * across) || !(first.BrakingSquared <= turning * turning))
         {
             return false;
@@ -216,14 +227,14 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         double weight = _weights[0];
         double sumVX = weight * start.VX;
         double sumVZ = weight * start.VZ;
-        double sumWX = weight * start.WX;
+        double sumWX = rolls ? 0 : weight * start.WX;
         double sumWY = weight * start.WY;
-        double sumWZ = weight * start.WZ;
+        double sumWZ = rolls ? 0 : weight * start.WZ;
         double sumAX = weight * first.AX;
         double sumAZ = weight * first.AZ;
-        double sumBX = weight * first.BX;
+        double sumBX = rolls ? 0 : weight * first.BX;
         double sumBY = weight * first.BY;
-        double sumBZ = weight * first.BZ;
+        double sumBZ = rolls ? 0 : weight * first.BZ;
         PlaneRates stageRates;
         ref PlaneRates rates = ref first;
         PlaneMotion at;
@@ -242,19 +253,22 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             at.WX = rolls ? at.VZ * _perRadius : start.WX + (h * rates.BX);
             at.WY = start.WY + (h * rates.BY);
             at.WZ = rolls ? -at.VX * _perRadius : start.WZ + (h * rates.BZ);
-            RatesOf(in on, at.VX, at.VZ, at.WX, at.WY, at.WZ, h, wayX, wayZ, out stageRates);
+            RatesOf<TMotion>(in on, in material, in at, h, wayX, wayZ, out stageRates);
             rates = ref stageRates;
             weight = _weights[stage];
             sumVX += weight * at.VX;
             sumVZ += weight * at.VZ;
-            sumWX += weight * at.WX;
             sumWY += weight * at.WY;
-            sumWZ += weight * at.WZ;
             sumAX += weight * rates.AX;
             sumAZ += weight * rates.AZ;
-            sumBX += weight * rates.BX;
             sumBY += weight * rates.BY;
-            sumBZ += weight * rates.BZ;
+            if (!rolls)
+            {
+                sumWX += weight * at.WX;
+                sumWZ += weight * at.WZ;
+                sumBX += weight * rates.BX;
+                sumBZ += weight * rates.BZ;
+            }
         }
 
         // A roll has the spin of its speed: ω_t = n × v / r.
@@ -270,7 +284,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         double endX = rolls ? last.VX : last.VX + (_radius * last.WZ);
         double endZ = rolls ? last.VZ : last.VZ - (_radius * last.WX);
         double endLoad = rates.Load + Math.Min(0, rates.Load - first.Load);
-        double friction = Ample * on.Material.Sliding * endLoad;
+        double friction = Ample * material.Sliding * endLoad;
         if (!((endX * on.X) + (endZ * on.Z) > 0) || !(first.Load > Slight * _weight) || !(endLoad > Slight * _weight)
             || (rolls && (Energy(in last) <= _restEnergy * 1.001 || !(Math.Max(first.TractionSquared, rates.TractionSquared) <= friction * friction)))
             || start.WY * last.WY < 0
@@ -292,6 +306,8 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         log.Steps++;
 
         // The axis turns as well: ∫ω dt + h²/12 ω(h) × ω(0), Magnus' series to the fourth order; where it turns much, to the sixth.
+        sumWX = rolls ? sumVZ * _perRadius : sumWX;
+        sumWZ = rolls ? -sumVX * _perRadius : sumWZ;
         var mean = new Vector3d(_semiImplicit ? last.WX : sumWX, _semiImplicit ? last.WY : sumWY, _semiImplicit ? last.WZ : sumWZ);
         Vector3d commutator = dt * dt * Vector3d.Cross(last.Spin, start.Spin);
         Vector3d turned = commutator.LengthSquared <= LittleTurn * LittleTurn || _order < 4
@@ -300,7 +316,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         Vector3d turn = InWorld(turned.X, turned.Y, turned.Z);
         if (log.Observer is not null)
         {
-            MoveAndShow(log, ref s, in on, in position, in turn, in first, in last, dt, end, alongX, alongZ);
+            MoveAndShow<TMotion>(log, ref s, in on, in material, in position, in turn, in first, in last, dt, end, alongX, alongZ);
             return true;
         }
 
@@ -321,10 +337,11 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
 
     /// <summary>Moves the ball, and shows the piece to the observer.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void MoveAndShow(
+    private void MoveAndShow<TMotion>(
         StepLog log,
         ref BallState s,
         in StepOn on,
+        in Material material,
         in Vector3d position,
         in Vector3d turn,
         in PlaneRates first,
@@ -333,13 +350,14 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         double end,
         double alongX,
         double alongZ)
+        where TMotion : struct, ISurfaceMotion
     {
         BallState before = s;
         Move(ref s, in on, in position, in turn, in last, end);
         PlaneRates rates = default;
         if (log.Observer!.WantsEndAcceleration)
         {
-            RatesOf(in on, last.VX, last.VZ, last.WX, last.WY, last.WZ, dt, alongX, alongZ, out rates);
+            RatesOf<TMotion>(in on, in material, in last, dt, alongX, alongZ, out rates);
             log.Evaluations++;
         }
 
@@ -370,9 +388,15 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     /// friction, in B and C.
     /// </remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void RatesOf(
-        in StepOn on, double vx, double vz, double wx, double wy, double wz, double after, double wayX, double wayZ, out PlaneRates rates)
+    private void RatesOf<TMotion>(in StepOn on, in Material material, in PlaneMotion at, double after, double wayX, double wayZ, out PlaneRates rates)
+        where TMotion : struct, ISurfaceMotion
     {
+        double vx = at.VX;
+        double vz = at.VZ;
+        double wx = at.WX;
+        double wy = at.WY;
+        double wz = at.WZ;
+
         // The flow, and ω × u.
         double ux = vx - _windX;
         double uy = -_windUp;
@@ -403,14 +427,13 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             out double decay);
 
         // a_air = L (ω × u) − D u;  N/m = −a_b·n − a_air·n where the air loads
-        ref readonly Material material = ref on.Material;
         double upByLift = _airInLoad * crossUp;
         double upByDrag = _airInLoad * uy;
         double load = _weight - ((lift * upByLift) - (drag * upByDrag));
         double slowing = spins ? decay : 0;
         rates.Load = load;
         rates.BY = -(((material.Damping + slowing) * wy) + (on.SpinSign * material.Drilling * load));
-        if (on.Rolls)
+        if (default(TMotion).Rolls)
         {
             double speed = Math.Sqrt((vx * vx) + (vz * vz));
             bool goesOn = (vx * on.X) + (vz * on.Z) > 0;
@@ -515,7 +538,6 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     /// <summary>What stays the same in a step.</summary>
     private struct StepOn
     {
-        public Material Material;
         public Vector3d From;
         public double Time;
 
@@ -526,7 +548,31 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         /// <summary>Which way it spins about the normal: drilling friction keeps to it.</summary>
         public double SpinSign;
         public DragBranch Branch;
-        public bool Rolls;
+    }
+
+    /// <summary>How a ball moves on a surface: known when the steps are compiled.</summary>
+    private interface ISurfaceMotion
+    {
+        /// <summary>Whether it rolls; else it slides.</summary>
+        bool Rolls { get; }
+    }
+
+    private readonly struct Roll : ISurfaceMotion
+    {
+        public bool Rolls
+        {
+            [MethodImpl(MethodImplOptions.AggressiveInlining)]
+            get => true;
+        }
+    }
+
+    private readonly struct Slide : ISurfaceMotion
+    {
+        public bool Rolls
+        {
+            [MethodImpl(MethodImplOptions.AggressiveInlining)]
+            get => false;
+        }
     }
 
     /// <summary>Velocity along the plane and spin, in the plane's axes: x and z along it, y its normal.</summary>
