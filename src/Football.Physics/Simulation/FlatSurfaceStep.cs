@@ -295,7 +295,9 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
 
         double alongX = dt * (_semiImplicit ? last.VX : sumVX);
         double alongZ = dt * (_semiImplicit ? last.VZ : sumVZ);
-        Vector3d position = s.Position + (alongX * _axisX) + (alongZ * _axisZ);
+        Vector3d position = _isLevel
+            ? new Vector3d(s.Position.X + alongX, s.Position.Y, s.Position.Z + alongZ)
+            : s.Position + (alongX * _axisX) + (alongZ * _axisZ);
         if (_materials.Length > 1 && _world.Ground!.PatchAt(in position) != patch)
         {
             return false;
