@@ -63,6 +63,11 @@ internal readonly struct ContactSearch
     {
         first = default;
         double best = double.PositiveInfinity;
+        if (carrier >= 0 && _world.IsPlaneAlone)
+        {
+            return best;
+        }
+
         _world.Engine?.LookAlong(in _path, _time);
         var near = new NearThings(_world, _bounds.Grown(_world.Ball.Radius), _time, _path.Length);
         while (near.NextCollider(out int thing))

@@ -81,14 +81,16 @@ internal readonly struct PathCubic
         }
 
         Vector3d bend = sweep.Position - position - (h * velocity);
+        double perLength = 1.0 / h;
+        double perSquared = perLength * perLength;
         if (order <= 2)
         {
-            return new PathCubic(in position, in velocity, bend / (h * h), default, h);
+            return new PathCubic(in position, in velocity, perSquared * bend, default, h);
         }
 
         // p₀ + v₀ t + c₂ t² + c₃ t³ with p(h) = p₁ and p'(h) = v₁
         Vector3d change = h * (sweep.Velocity - velocity);
-        return new PathCubic(in position, in velocity, ((3.0 * bend) - change) / (h * h), (change - (2.0 * bend)) / (h * h * h), h);
+        return new PathCubic(in position, in velocity, perSquared * ((3.0 * bend) - change), perSquared * perLength * (change - (2.0 * bend)), h);
     }
 
     /// <summary>Its distance from a plane, less another distance, as a function of time.</summary>

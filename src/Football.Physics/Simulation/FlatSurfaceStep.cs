@@ -34,6 +34,10 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
 
     /// <summary>A rolling ball that needs more than this share of the friction that it has, or a load that has less than this of the weight left, is looked at closely.</summary>
     private const double Ample = 0.9;
+
+    /// <summary>A slip that friction ends in this share of a step is not asked about closely.</summary>
+    private const double SoonOver = 0.5;
+
     private const double Slight = 0.05;
 
     private readonly Surroundings _around;
@@ -193,6 +197,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         double airSpeed = Math.Abs(airX) + Math.Abs(_windUp) + Math.Abs(airZ) + _fastestWind;
         double spinAtMost = Math.Abs(start.WX) + Math.Abs(start.WY) + Math.Abs(start.WZ);
         if (!(size >= Slip.Rolling) || !(dt * (_limit.RateAtMost(airSpeed, spinAtMost) + material.Damping) <= StabilityLimit.LargestChange)
+            || (!rolls && size < SoonOver * dt * material.SlipFriction * _weight)
             || (_materials.Length > 1 && !(_world.Ground!.LeastWidth >= 2.0 * dt * size))
             || (_clear is not null && !_clear.HoldsOnSurface(ref s, dt, Math.Sqrt(airSpeedSquared) + _fastestWind, Math.Sqrt(spinSquared))))
         {
@@ -523,6 +528,9 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
 
         /// <summary>μ_s/(α r), 1/m: the angular acceleration for a load per mass.</summary>
         public readonly double SlidingTorque = of.SlidingFriction / (ball.InertiaFactor * ball.Radius);
+
+        /// <summary>(1 + 1/α) μ_s: how fast friction alone ends the slip, for a load per mass.</summary>
+        public readonly double SlipFriction = (1.0 + (1.0 / ball.InertiaFactor)) * of.SlidingFriction;
 
         /// <summary>c₀.</summary>
         public readonly double Rolling = of.RollingFriction;

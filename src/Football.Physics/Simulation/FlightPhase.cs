@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>
@@ -173,9 +175,14 @@ internal sealed class FlightPhase<TIntegrator>
         }
 
         run.Log.Evaluations += sweep.Evaluations;
-        BallState before = s;
+        Unsafe.SkipInit(out BallState before);
+        if (run.Log.Observer is not null)
+        {
+            before = s;
+        }
+
         sweep.MoveTo(ref s);
-        s.Branch = sweep.Length < length ? before.Branch : next;
+        s.Branch = sweep.Length < length ? s.Branch : next;
         run.Advance(ref s, sweep.Length);
         if (!meets)
         {
@@ -183,7 +190,11 @@ internal sealed class FlightPhase<TIntegrator>
             ContactSet.Separate(_world, ref s);
         }
 
-        run.Show(in before, in s, ref sweep, order);
+        if (run.Log.Observer is not null)
+        {
+            run.Show(in before, in s, ref sweep, order);
+        }
+
         if (meets && !run.Log.Halted)
         {
             _guard.Meet(ref s, in met, ref run);

@@ -77,6 +77,11 @@ internal sealed class WorldGuard
     {
         int carrier = s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - _world.FirstCollider;
         met = default;
+        if (carrier >= 0 && _world.IsPlaneAlone)
+        {
+            return false;
+        }
+
         for (int i = 0; i < MostSearches; i++)
         {
             var path = PathCubic.Of(ref sweep, s.Position, s.Velocity, order);
