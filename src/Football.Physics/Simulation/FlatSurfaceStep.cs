@@ -34,11 +34,10 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
 
     /// <summary>A rolling ball that needs more than this share of the friction that it has, or a load that has less than this of the weight left, is looked at closely.</summary>
     private const double Ample = 0.9;
-
-    /// <summary>A slip that friction ends in this share of a step is not asked about closely.</summary>
-    private const double SoonOver = 0.5;
-
     private const double Slight = 0.05;
+
+    /// <summary>A slip that friction ends in this share of a step is taken in pieces without asking.</summary>
+    private const double SoonOver = 0.5;
 
     private readonly Surroundings _around;
     private readonly World _world;
@@ -161,9 +160,9 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
 
     [MethodImpl(MethodImplOptions.NoInlining)]
     private bool TryWhole<TMotion>(ref BallState s, double dt, double end, StepLog log)
-        where TMotion : struct, ISurfaceMotion
+        where TMotion : struct
     {
-        bool rolls = default(TMotion).Rolls;
+        bool rolls = typeof(TMotion) == typeof(Roll);
 
         // The motion in the plane's axes, number by number: what was written so in the step before is not read back as a whole without a wait.
         // What a roll leaves of the spin is that about the normal.
@@ -357,7 +356,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         double end,
         double alongX,
         double alongZ)
-        where TMotion : struct, ISurfaceMotion
+        where TMotion : struct
     {
         BallState before = s;
         Move(ref s, in on, in position, in turn, in last, end);
@@ -396,7 +395,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     /// </remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private void RatesOf<TMotion>(in StepOn on, in Material material, in PlaneMotion at, double after, double wayX, double wayZ, out PlaneRates rates)
-        where TMotion : struct, ISurfaceMotion
+        where TMotion : struct
     {
         double vx = at.VX;
         double vz = at.VZ;
@@ -440,7 +439,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         double slowing = spins ? decay : 0;
         rates.Load = load;
         rates.BY = -(((material.Damping + slowing) * wy) + (on.SpinSign * material.Drilling * load));
-        if (default(TMotion).Rolls)
+        if (typeof(TMotion) == typeof(Roll))
         {
             double speed = Math.Sqrt((vx * vx) + (vz * vz));
             bool goesOn = (vx * on.X) + (vz * on.Z) > 0;
@@ -560,30 +559,10 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         public DragBranch Branch;
     }
 
-    /// <summary>How a ball moves on a surface: known when the steps are compiled.</summary>
-    private interface ISurfaceMotion
-    {
-        /// <summary>Whether it rolls; else it slides.</summary>
-        bool Rolls { get; }
-    }
+    /// <summary>A ball that rolls, and one that slides: the steps of each are compiled apart.</summary>
+    private readonly struct Roll;
 
-    private readonly struct Roll : ISurfaceMotion
-    {
-        public bool Rolls
-        {
-            [MethodImpl(MethodImplOptions.AggressiveInlining)]
-            get => true;
-        }
-    }
-
-    private readonly struct Slide : ISurfaceMotion
-    {
-        public bool Rolls
-        {
-            [MethodImpl(MethodImplOptions.AggressiveInlining)]
-            get => false;
-        }
-    }
+    private readonly struct Slide;
 
     /// <summary>Velocity along the plane and spin, in the plane's axes: x and z along it, y its normal.</summary>
     private struct PlaneMotion
