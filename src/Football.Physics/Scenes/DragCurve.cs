@@ -53,6 +53,25 @@ public sealed record DragCurve
     /// <summary>Brazuca (measured: Kiratidis and Leinweber; crisis at 12.92 m/s).</summary>
     public static DragCurve Brazuca { get; } = OfTunnelSpeeds(0.4740, 12.92, 1.000, 0.1657, 0.2112, 14.61);
 
+    /// <summary>The least Reynolds number that a crisis may have.</summary>
+    internal const double LeastCriticalReynolds = 80_000;
+
+    /// <summary>The least width that a crisis may have.</summary>
+    internal const double LeastWidth = 10_000;
+
+    /// <summary>The curve with its crisis elsewhere: all its Reynolds numbers in proportion.</summary>
+    internal DragCurve WithCrisisAt(double reynolds)
+    {
+        double moved = Math.Max(LeastCriticalReynolds, reynolds);
+        double share = moved / CriticalReynolds;
+        return this with
+        {
+            CriticalReynolds = moved,
+            Width = Math.Max(LeastWidth, share * Width),
+            RiseFrom = Math.Max(LeastCriticalReynolds, share * RiseFrom),
+        };
+    }
+
     internal void Validate()
     {
         Check.Within("ball.dragCurve.subcritical", Subcritical, 0.01, 2);
