@@ -58,8 +58,8 @@ trap finish EXIT
 
 # --- what one process writes
 
-program=$root/samples/Football.Physics.Headless/bin/Release/net10.0/football.dll
-[[ -e $program ]] || dotnet build -c Release samples/Football.Physics.Headless > "$log" 2>&1 || fail "dotnet build"
+program=$root/src/Football.Tool/bin/Release/net10.0/football.dll
+[[ -e $program ]] || dotnet build -c Release src/Football.Tool > "$log" 2>&1 || fail "dotnet build"
 export FOOTBALL="dotnet $program" SWEEP=$root/samples/cluster/sweep.json FORMAT=npy SEED=7
 export COUNT=640000
 $FOOTBALL sweep "$SWEEP" --count "$COUNT" --seed "$SEED" --format "$FORMAT" --out "$work/one" > "$log" 2>&1 || fail "one process"

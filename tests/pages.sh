@@ -85,9 +85,9 @@ pictures() {
 }
 
 build() { dotnet build -c Release "$1" -v q > "$work/log" 2>&1 || { cat "$work/log" >&2; fail "dotnet build $1"; }; }
-build samples/Football.Physics.Headless
+build src/Football.Tool
 build docs/Site
-football() { dotnet samples/Football.Physics.Headless/bin/Release/net10.0/football.dll "$@" > /dev/null 2> "$work/log" || { cat "$work/log" >&2; fail "football $1"; }; }
+football() { dotnet src/Football.Tool/bin/Release/net10.0/football.dll "$@" > /dev/null 2> "$work/log" || { cat "$work/log" >&2; fail "football $1"; }; }
 
 # --- the page that moves
 

@@ -25,8 +25,8 @@ fail() {
 
 ok() { echo "ok    $1"; : > "$log"; }
 
-program=samples/Football.Physics.Headless/bin/Release/net10.0/football.dll
-[[ -e $program ]] || dotnet build -c Release samples/Football.Physics.Headless > "$log" 2>&1 || fail "dotnet build"
+program=src/Football.Tool/bin/Release/net10.0/football.dll
+[[ -e $program ]] || dotnet build -c Release src/Football.Tool > "$log" 2>&1 || fail "dotnet build"
 football() { dotnet "$program" "$@"; }
 rows() { football sweep --count "$count" --seed 7 --format npy --out "$@" >> "$log" 2>&1; }
 same() {

@@ -18,8 +18,8 @@ fail() {
 }
 
 version=0.1.0-local.$(date -u +%Y%m%d%H%M%S)
-dotnet build -c Release samples/Football.Physics.Headless > "$log" 2>&1 || fail "dotnet build"
-dotnet pack -c Release --no-build samples/Football.Physics.Headless -o "$work/feed" "-p:Version=$version" > "$log" 2>&1 || fail "dotnet pack"
+dotnet build -c Release src/Football.Tool > "$log" 2>&1 || fail "dotnet build"
+dotnet pack -c Release --no-build src/Football.Tool -o "$work/feed" "-p:Version=$version" > "$log" 2>&1 || fail "dotnet pack"
 echo "ok    dotnet pack: Football.Physics.Tool.$version.nupkg"
 
 export NUGET_PACKAGES=$work/cache   # empty: nothing but the feed can supply the package

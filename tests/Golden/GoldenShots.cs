@@ -72,7 +72,7 @@ public static class GoldenShots
     private static BallState Kick(Simulator simulator, double height, double speed, Vector3d direction, double top, double side)
     {
         Vector3d velocity = (speed / direction.Length) * direction;
-        return simulator.Launch(new Vector3d(0, height, 0), velocity, KickSpin.Vector(direction, top, side));
+        return simulator.Launch(new Vector3d(0, height, 0), velocity, KickVectors.Spin(direction, top, side));
     }
 
     private static ulong Play(Simulator simulator, BallState start)

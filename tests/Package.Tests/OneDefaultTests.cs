@@ -2,8 +2,8 @@ using System.Globalization;
 using System.Reflection;
 using System.Text.Json;
 using System.Text.RegularExpressions;
-using Football.Physics.Headless.Simulate;
-using Football.Physics.Tests.Headless;
+using Football.Scenarios;
+using Football.Tool.Tests;
 using GodotPreset = Football.Physics.GodotAddon.FootballPreset;
 using UnityPreset = Football.Physics.Unity.FootballPreset;
 

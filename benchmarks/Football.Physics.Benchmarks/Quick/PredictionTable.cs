@@ -1,4 +1,4 @@
-using Football.Physics.Headless.Lab;
+using Football.Physics.Labs;
 using Football.Physics.Yardsticks;
 
 namespace Football.Physics.Benchmarks;

@@ -18,7 +18,7 @@ internal static class Shots
     {
         var direction = new Vector3d(-0.1, Math.Tan(17 * Math.PI / 180), -1);
         Vector3d velocity = 27 / direction.Length * direction;
-        return simulator.Launch(Shot.Spot, velocity, KickSpin.Vector(velocity, -20, 45));
+        return simulator.Launch(Shot.Spot, velocity, KickVectors.Spin(velocity, -20, 45));
     }
 
     /// <summary>Balls that have come to rest.</summary>

@@ -28,7 +28,7 @@ public sealed class BankShotSet(Simulator simulator, params string[] after)
             Vector3d velocity = random.Uniform(Speed.Least, Speed.Most)
                 * new Vector3d(-Math.Sin(azimuth) * Math.Cos(elevation), Math.Sin(elevation), -Math.Cos(azimuth) * Math.Cos(elevation));
             (double top, double side) = (random.Uniform(-20, 20), random.Uniform(-20, 20));
-            BallState kick = simulator.Launch(from, velocity, KickSpin.Vector(velocity, top, side));
+            BallState kick = simulator.Launch(from, velocity, KickVectors.Spin(velocity, top, side));
             simulator.LookAhead(in kick, new LookAheadRequest { Duration = 5, TimeStep = 0.01, StopAt = StopAt.Time }, _path);
             BallEvent[] impacts = [.. _path.Events.Span.ToArray().Where(e => e.Kind == BallEventKind.Impact)];
             if (impacts.Length > after.Length && impacts.Take(after.Length).Select(e => simulator.NameOf(e.Thing)).SequenceEqual(after))

@@ -174,7 +174,7 @@ internal sealed class MeasuredFlight : ApproachFlight
     public int FlyTo(ref BallState state, double timeStep, double duration)
     {
         _log.Clear();
-        Simulator.Run(ref state, timeStep, duration, StopAt.Impact, _log, null);
+        Simulator.RunChecked(ref state, timeStep, duration, StopAt.Impact, _log, null);
         Blocker = NoThing;
         for (int i = 0; i < _log.Events.Count; i++)
         {

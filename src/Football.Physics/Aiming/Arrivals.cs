@@ -78,7 +78,7 @@ public static class Arrivals
     {
         Simulator simulator = aimer.Context.Game;
         BallState state = simulator.Launch(request.From, kick.Velocity, kick.Spin);
-        simulator.Run(ref state, TimeStep, Math.Max(kick.Time, 1e-9), StopAt.Time, new StepLog(), null);
+        simulator.RunChecked(ref state, TimeStep, Math.Max(kick.Time, 1e-9), StopAt.Time, new StepLog(), null);
         return state.Velocity.Length;
     }
 

@@ -24,22 +24,11 @@ internal struct Kick
 
     /// <summary>Horizontal unit direction of the kick.</summary>
     /// <param name="forward">Horizontal unit direction of the target.</param>
-    public readonly Vector3d Direction(in Vector3d forward)
-    {
-        Elementary.SinCos(Azimuth, out double sin, out double cos);
+    public readonly Vector3d Direction(in Vector3d forward) => KickVectors.Flat(Azimuth, in forward);
 
-        // d = f cos φ + (ŷ × f) sin φ
-        return new Vector3d((forward.X * cos) + (forward.Z * sin), 0, (forward.Z * cos) - (forward.X * sin));
-    }
-
-    /// <summary>Velocity and spin vectors, which a launch does not refuse: at their limits they are not above them by rounding.</summary>
-    public readonly void Vectors(double speed, in Vector3d forward, out Vector3d velocity, out Vector3d spin)
-    {
-        Vector3d d = Direction(in forward);
-        Elementary.SinCos(Elevation, out double sin, out double cos);
-        velocity = Limited(new Vector3d(speed * cos * d.X, speed * sin, speed * cos * d.Z), Limits.Speed);
-        spin = Limited(new Vector3d(Top * d.Z, Side, -(Top * d.X)), Limits.Spin);
-    }
+    /// <summary>Velocity and spin vectors, which a launch does not refuse.</summary>
+    public readonly void Vectors(double speed, in Vector3d forward, out Vector3d velocity, out Vector3d spin) =>
+        KickVectors.FromAngles(speed, Elevation, Direction(in forward), Top, Side, out velocity, out spin);
 
     /// <summary>How they change with the two angles; the spin with the azimuth alone.</summary>
     public readonly void Turns(double speed, in Vector3d forward, out Vector3d byElevation, out Vector3d byAzimuth, out Vector3d spinByAzimuth)
@@ -52,13 +41,6 @@ internal struct Kick
         byElevation = speed * new Vector3d(-sin * d.X, cos, -sin * d.Z);
         byAzimuth = speed * cos * left;
         spinByAzimuth = -(Top * d);
-    }
-
-    /// <summary>A vector that is not longer than a limit, by rounding neither.</summary>
-    public static Vector3d Limited(in Vector3d vector, double limit)
-    {
-        double squared = vector.LengthSquared;
-        return squared < limit * limit * (1.0 - 1e-14) ? vector : (1.0 - 1e-14) * Math.Min(1.0, limit / Math.Sqrt(squared)) * vector;
     }
 }
 

@@ -59,8 +59,6 @@ internal sealed class KickFlight
 /// <summary>What a <see cref="KickFlight"/> is flown for: how long its steps are, what is read off them, and when it is over.</summary>
 internal abstract class KickObserver : PieceObserver
 {
-    public override bool WantsEndAcceleration => false;
-
     /// <summary>Length of the next step, s.</summary>
     /// <param name="state">The ball at its start.</param>
     /// <param name="watches">Whether its pieces are to be seen in any case.</param>

@@ -49,6 +49,10 @@ public sealed class BallBatch
     /// <summary>Length of a step, s: the float next to the one asked for.</summary>
     public double TimeStep => (float)Settings.TimeStep;
 
+    /// <summary>Whether the balls of a scene fly side by side in a batch: laws that lanes have, wind that is the same everywhere, no forces of a game's own. Others fly one by one.</summary>
+    /// <param name="scene">The scene.</param>
+    public static bool FliesSideBySide(Scene scene) => LaneFlight.Covers(scene);
+
     /// <summary>How many of the last balls were flown alone, in double: all where the scene or <see cref="BatchSettings.Precision"/> is not for lanes.</summary>
     public int HandedOn
     {

@@ -152,7 +152,7 @@ internal sealed class BatchWorker
 
         _highest.Reset(in state);
         _log.Clear();
-        bool hit = _simulator.Run(ref state, (float)_settings.TimeStep, duration, StopAt.Impact, _log, null);
+        bool hit = _simulator.RunChecked(ref state, (float)_settings.TimeStep, duration, StopAt.Impact, _log, null);
         double apex = _settings.FindApex ? _highest.Apex : 0;
         if (hit)
         {

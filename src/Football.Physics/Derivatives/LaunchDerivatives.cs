@@ -109,7 +109,7 @@ public sealed class LaunchDerivatives
         _stopAt = stopAt;
         _end = state.Time + duration;
         Begin(in state);
-        return Simulator.Run(ref state, timeStep, duration, stopAt, _log, _onStep);
+        return Simulator.RunChecked(ref state, timeStep, duration, stopAt, _log, _onStep);
     }
 
     private void Begin(in BallState start)

@@ -11,8 +11,6 @@ internal abstract class TangentObserver : PieceObserver
     /// <summary>When the last event happened, by the launch: δt of each column.</summary>
     public double[] EventTimes { get; } = new double[Tangent.Columns];
 
-    public override bool WantsEndAcceleration => false;
-
     /// <summary>Makes one for a scene.</summary>
     public static TangentObserver Of(Scene scene) => new SceneTangent(scene, SceneAir.Of(scene));
 

@@ -57,8 +57,8 @@ public sealed class EventBuffer
         }
     }
 
-    /// <summary>How many impacts there were, those that are missed included.</summary>
-    internal long Impacts { get; private set; }
+    /// <summary>Number of impacts since the last <see cref="Clear"/>, those counted in <see cref="Missed"/> included.</summary>
+    public long Impacts { get; private set; }
 
     /// <summary>Forgets all events; keeps the memory.</summary>
     public void Clear()

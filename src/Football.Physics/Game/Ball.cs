@@ -97,6 +97,19 @@ public sealed class Ball
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
     public void Kick(Vector3d velocity, Vector3d spin) => Simulator.Kick(ref _state, velocity, spin);
 
+    /// <summary>Kicks the ball where it is: speed, angles, and spin relative to the direction.</summary>
+    /// <param name="speed">Speed, m/s; 0 … 1000.</param>
+    /// <param name="elevationDegrees">Angle above the horizontal, degrees; −90 … 90.</param>
+    /// <param name="azimuthDegrees">Angle from −z, counter-clockwise seen from above (to the left), degrees; −360 … 360.</param>
+    /// <param name="topSpin">Spin about the horizontal axis across the kick, rad/s: positive dips, negative (backspin) lifts.</param>
+    /// <param name="sideSpin">Spin about the vertical, rad/s: positive is counter-clockwise seen from above, and bends to the left.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
+    public void Kick(double speed, double elevationDegrees, double azimuthDegrees, double topSpin = 0, double sideSpin = 0)
+    {
+        KickVectors.FromAngles(speed, elevationDegrees, azimuthDegrees, topSpin, sideSpin, out Vector3d velocity, out Vector3d spin);
+        Kick(velocity, spin);
+    }
+
     /// <summary>Kicks the ball where it is: speed, direction, and spin relative to the direction.</summary>
     /// <param name="speed">Speed, m/s; 0 … 1000.</param>
     /// <param name="direction">Direction of the kick; any length but zero.</param>
@@ -106,8 +119,8 @@ public sealed class Ball
     public void Kick(double speed, Vector3d direction, double topSpin = 0, double sideSpin = 0)
     {
         Check.Within(nameof(speed), speed, 0, Limits.Speed);
-        Vector3d unit = KickSpin.Direction(direction);
-        Simulator.Kick(ref _state, speed * unit, KickSpin.Vector(unit, topSpin, sideSpin));
+        Vector3d unit = KickVectors.Unit(direction);
+        Simulator.Kick(ref _state, speed * unit, KickVectors.Spin(unit, topSpin, sideSpin));
     }
 
     /// <summary>Advances by a frame's time; <see cref="Events"/> then holds what happened in it. Allocates nothing.</summary>

@@ -129,8 +129,8 @@ public sealed class FixedStepRunner
     public void QueueKick(double speed, Vector3d direction, double topSpin = 0, double sideSpin = 0)
     {
         Check.Within(nameof(speed), speed, 0, Limits.Speed);
-        Vector3d unit = KickSpin.Direction(direction);
-        QueueKick(speed * unit, KickSpin.Vector(unit, topSpin, sideSpin));
+        Vector3d unit = KickVectors.Unit(direction);
+        QueueKick(speed * unit, KickVectors.Spin(unit, topSpin, sideSpin));
     }
 
     /// <summary>Has the ball kicked when this tick's step begins, with a kick that was found for it.</summary>

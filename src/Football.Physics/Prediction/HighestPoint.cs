@@ -6,8 +6,6 @@ internal sealed class HighestPoint : PieceObserver
     /// <summary>The greatest height so far, m.</summary>
     public double Apex { get; private set; } = double.NegativeInfinity;
 
-    public override bool WantsEndAcceleration => false;
-
     /// <summary>Starts again from a launch.</summary>
     public void Reset(in BallState launch) => Apex = launch.Position.Y;
 

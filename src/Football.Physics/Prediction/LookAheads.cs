@@ -53,7 +53,7 @@ public static class LookAheads
             if (into.OnStep is { } move)
             {
                 double longest = simulator.Scene.Forces.Custom.Count > 0 ? LongestOwnStep : request.TimeStep;
-                simulator.Run(ref state, Math.Min(request.TimeStep, longest), request.Duration, request.StopAt, into.Log, move);
+                simulator.RunChecked(ref state, Math.Min(request.TimeStep, longest), request.Duration, request.StopAt, into.Log, move);
             }
             else if (simulator.Scene.Forces.Custom.Count > 0 && request.TimeStep > LongestOwnStep)
             {
@@ -61,7 +61,7 @@ public static class LookAheads
             }
             else
             {
-                simulator.Run(ref state, request.TimeStep, request.Duration, request.StopAt, into.Log, null);
+                simulator.RunChecked(ref state, request.TimeStep, request.Duration, request.StopAt, into.Log, null);
             }
         }
         catch

@@ -16,7 +16,7 @@ public readonly struct Plane3d : IFormattable
     {
         Check.Place(nameof(point), point);
         Point = point;
-        Normal = KickSpin.Direction(normal);
+        Normal = KickVectors.Unit(normal);
     }
 
     /// <summary>A point of the plane, m.</summary>

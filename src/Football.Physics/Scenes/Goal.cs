@@ -37,9 +37,9 @@ public sealed record Goal
     /// <summary><see cref="Facing"/> with length 1.</summary>
     internal Vector3d Out => Check.Direction("facing", Facing);
 
-    /// <summary>Posts and bar: capsules that meet at the corners.</summary>
-    /// <param name="laws">The laws of the scene, whose frame it has where it has none of its own.</param>
-    internal IEnumerable<Obstacle> Frame(ForceSet laws)
+    /// <summary>Posts and bar, as the simulator has them: capsules that meet at the corners.</summary>
+    /// <param name="laws">The forces of the scene, whose profile's frame it has where it has no surface of its own.</param>
+    public IEnumerable<Obstacle> Frame(ForceSet laws)
     {
         Surface surface = Surface ?? (laws.Coefficients == CoefficientForm.Measured ? Physics.Surface.GoalFrame : Physics.Surface.PublishedGoalFrame);
         double side = (0.5 * Width) + PostRadius;
@@ -54,8 +54,8 @@ public sealed record Goal
     /// <summary>How many nets it has.</summary>
     internal int NetCount => HasNet ? 4 : 0;
 
-    /// <summary>Back, roof and sides, up to the axes of posts and bar.</summary>
-    internal IEnumerable<Net> Nets()
+    /// <summary>Back, roof and side nets, as the simulator has them, up to the axes of posts and bar; none where <see cref="HasNet"/> is false.</summary>
+    public IEnumerable<Net> Nets()
     {
         if (!HasNet)
         {

@@ -84,6 +84,9 @@ public sealed class Simulator
         return state;
     }
 
+    /// <summary>Names of all that an event may tell of, by <see cref="BallEvent.Thing"/>: the ground first, then obstacles, nets, posts, bars, goals, bodies.</summary>
+    public IReadOnlyList<string> Names => _world.Names;
+
     /// <summary>The name of what an event tells of: an obstacle's, a net's, "ground", "left post", "goal" …; null for none.</summary>
     /// <param name="thing"><see cref="BallEvent.Thing"/>: an index of this scene; negative for none.</param>
     /// <exception cref="ArgumentOutOfRangeException">The scene has nothing of that index.</exception>
@@ -167,7 +170,20 @@ public sealed class Simulator
     /// <returns>True when the event ended the run, false when its time did.</returns>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or a body was moved since the last step for a time more than 0.25 s from the ball's; the message names field, value and range.</exception>
     /// <exception cref="ArgumentNullException"><paramref name="log"/> is null.</exception>
-    public bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt, StepLog log)
+    public bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt, StepLog log) =>
+        Run(ref state, timeStep, duration, stopAt, log, null);
+
+    /// <summary>Steps until an event or a time, and shows the ball after every step.</summary>
+    /// <param name="state">The ball, as in the other overload.</param>
+    /// <param name="timeStep">Length of a step, s, as in the other overload.</param>
+    /// <param name="duration">How long to go on at most, s; above 0, at most 1e12.</param>
+    /// <param name="stopAt">The event that ends the run.</param>
+    /// <param name="log">Where events and counts are added.</param>
+    /// <param name="afterStep">Called with the ball after every step; null: nobody is.</param>
+    /// <returns>True when the event ended the run, false when its time did.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or a body was moved since the last step for a time more than 0.25 s from the ball's; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentNullException"><paramref name="log"/> is null.</exception>
+    public bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt, StepLog log, Action<BallState>? afterStep)
     {
         CheckRun(in state, timeStep, duration, stopAt);
         if (log is null)
@@ -176,7 +192,7 @@ public sealed class Simulator
         }
 
         _world.Bodies?.CheckTimes(state.Time);
-        return Run(ref state, timeStep, duration, stopAt, log, null);
+        return RunChecked(ref state, timeStep, duration, stopAt, log, afterStep is null ? null : (in BallState at) => afterStep(at));
     }
 
     /// <summary>All that can be met.</summary>
@@ -204,8 +220,8 @@ public sealed class Simulator
         Check.Advances("timeStep", timeStep, state.Time + duration);
     }
 
-    /// <summary>The same with a callback after every step.</summary>
-    internal bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt, StepLog log, StepCallback? onStep)
+    /// <summary>A run whose numbers have been checked.</summary>
+    internal bool RunChecked(ref BallState state, double timeStep, double duration, StopAt stopAt, StepLog log, StepCallback? afterStep)
     {
         log.Halted = false;
         log.StopAt = stopAt;
@@ -215,7 +231,7 @@ public sealed class Simulator
         {
             double left = end - state.Time;
             Take(ref state, timeStep < left ? timeStep : left, log);
-            onStep?.Invoke(in state);
+            afterStep?.Invoke(in state);
             if (log.Halted)
             {
                 return true;

@@ -36,8 +36,8 @@ public sealed class StepLog
     /// <summary>The event at which steps end early.</summary>
     internal StopAt StopAt { get; set; }
 
-    /// <summary>Watches every piece of motion; null costs nothing.</summary>
-    internal PieceObserver? Observer { get; set; }
+    /// <summary>Watches every piece of motion: a step is one piece, or several where something happens in it. Default null, which costs nothing.</summary>
+    public PieceObserver? Observer { get; set; }
 
     /// <summary>Shows a piece to the observer.</summary>
     /// <param name="before">The ball at the piece's start.</param>

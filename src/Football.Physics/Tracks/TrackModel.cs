@@ -159,7 +159,7 @@ internal sealed class TrackPaths
             if (wait > 0)
             {
                 _log.Clear();
-                simulator.Run(ref ball, _request.TimeStep, wait, StopAt.Time, _log, null);
+                simulator.RunChecked(ref ball, _request.TimeStep, wait, StopAt.Time, _log, null);
             }
 
             Vector3d miss = (_track[i].Position - ball.Position) / _track[i].Noise;

@@ -62,7 +62,7 @@ public sealed class BallTests
         var direction = new Vector3d(x, y, z);
         Vector3d flat = direction.Horizontal / direction.Horizontal.Length;
         Vector3d expected = (7 * Vector3d.Cross(Vector3d.Up, flat)) + (-4 * Vector3d.Up);
-        Assert.Equal(0, Vector3d.Distance(expected, KickSpin.Vector(direction, 7, -4)), 1e-14);
+        Assert.Equal(0, Vector3d.Distance(expected, KickVectors.Spin(direction, 7, -4)), 1e-14);
     }
 
     [Fact]
@@ -72,7 +72,7 @@ public sealed class BallTests
         var b = new Ball();
         Vector3d unit = s_goalwards / s_goalwards.Length;
         a.Kick(22, 5 * s_goalwards, 12, -8);
-        b.Kick(22 * unit, KickSpin.Vector(s_goalwards, 12, -8));
+        b.Kick(22 * unit, KickVectors.Spin(s_goalwards, 12, -8));
         Assert.Equal(0, Vector3d.Distance(a.State.Velocity, b.State.Velocity), 1e-13);
         Assert.Equal(0, Vector3d.Distance(a.State.Spin, b.State.Spin), 1e-13);
         Assert.Equal(22, a.State.Velocity.Length, 1e-13);

@@ -77,9 +77,10 @@ public sealed class ChangedLawTests : IDisposable
         Write(Library, Regex.Replace(RepositoryFiles.Text(Library), "<Import [^>]*/>", "").Replace(
             "<TargetFrameworks>netstandard2.1;net8.0;net10.0</TargetFrameworks>", "<TargetFramework>net10.0</TargetFramework>", StringComparison.Ordinal));
         const string Project = Tests + "/Football.Physics.Tests.csproj";
-        const string OwnCompile = "<Compile Include=\"../../benchmarks/Football.Physics.Yardsticks/Plain/FittedLaws.cs\" Link=\"Laws/FittedLaws.cs\" />";
-        Write(Project, string.Join('\n', RepositoryFiles.Text(Project).Split('\n').Where(line => !line.Contains("samples/", StringComparison.Ordinal)))
-            .Replace(OwnCompile, OwnCompile + "<Compile Include=\"../../benchmarks/Football.Physics.Yardsticks/Shots/SeededRandom.cs\" />", StringComparison.Ordinal));
+        const string Yardsticks = "<ProjectReference Include=\"../../benchmarks/Football.Physics.Yardsticks/Football.Physics.Yardsticks.csproj\" />";
+        const string Compiled = "<Compile Include=\"../../benchmarks/Football.Physics.Yardsticks/Plain/FittedLaws.cs;../../benchmarks/Football.Physics.Yardsticks/Shots/SeededRandom.cs\" />";
+        Write(Project, string.Join('\n', RepositoryFiles.Text(Project).Split('\n').Where(line => !line.Contains("Football.Scenarios", StringComparison.Ordinal)))
+            .Replace(Yardsticks, Compiled, StringComparison.Ordinal));
     }
 
     private static IEnumerable<string> Files(string folder) =>

@@ -1,6 +1,6 @@
 using System.Text.Json;
-using Football.Physics.Headless.Input;
-using Football.Physics.Headless.Simulate;
+using Football.Scenarios.Input;
+using Football.Scenarios;
 using Football.Physics.Tests.Support;
 
 namespace Football.Physics.Tests.Reference;

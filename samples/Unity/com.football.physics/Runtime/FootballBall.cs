@@ -127,7 +127,7 @@ namespace Football.Physics.Unity
             _preview ??= Compile();
             BallState state = _preview.Launch(UnityFrame.FromUnity(transform.position), default, default);
             Vector3d direction = UnityFrame.FromUnity(kick.Direction);
-            _preview.Kick(ref state, (kick.speed / direction.Length) * direction, KickSpin.Vector(direction, kick.topSpin, kick.sideSpin));
+            _preview.Kick(ref state, (kick.speed / direction.Length) * direction, KickVectors.Spin(direction, kick.topSpin, kick.sideSpin));
             return Follow(_preview, state, TimeStep, points);
         }
 

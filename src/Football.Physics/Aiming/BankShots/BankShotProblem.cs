@@ -201,7 +201,7 @@ internal sealed class BankShotProblem : ILeastSquares
         _log.Clear();
         for (int i = 0; i < Bounces[leg]; i++)
         {
-            if (!_grounded.Run(ref state, _step, LongestLeg, StopAt.Impact, _log, null) || state.Motion != MotionState.Airborne)
+            if (!_grounded.RunChecked(ref state, _step, LongestLeg, StopAt.Impact, _log, null) || state.Motion != MotionState.Airborne)
             {
                 return false;
             }
@@ -222,7 +222,7 @@ internal sealed class BankShotProblem : ILeastSquares
             duration = Clamp(FirstTime, length / Math.Max(along, LeastShare * state.Velocity.Length));
         }
 
-        _open.Run(ref state, _step, duration, StopAt.Time, _log, null);
+        _open.RunChecked(ref state, _step, duration, StopAt.Time, _log, null);
         return true;
     }
 }

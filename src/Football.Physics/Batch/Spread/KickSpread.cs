@@ -43,6 +43,52 @@ public sealed record KickSpread
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or no kicks have these correlations together; the message names field, value and range.</exception>
     public void Validate() => Factor(new double[Count * Count]);
 
+    /// <summary>Draws one kick: the meant one with errors of its speed, direction and spin, for a player who misses a little.</summary>
+    /// <param name="random">The source of the errors; a seeded one gives them again.</param>
+    /// <param name="velocity">Velocity that is meant, m/s; at most 1000, not vertical.</param>
+    /// <param name="spin">Spin that is meant, rad/s; at most 10 000. It turns with the direction.</param>
+    /// <returns>Velocity, m/s, and spin, rad/s.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the velocity is vertical.</exception>
+    /// <exception cref="ArgumentNullException"><paramref name="random"/> is null.</exception>
+    public (Vector3d Velocity, Vector3d Spin) Draw(Random random, Vector3d velocity, Vector3d spin)
+    {
+        if (random is null)
+        {
+            throw new ArgumentNullException(nameof(random));
+        }
+
+        Check.Size("launch.velocity", velocity, Limits.Speed, "m/s");
+        Check.Size("launch.spin", spin, Limits.Spin, "rad/s");
+        var kick = new SpreadKick(Vector3d.Zero, in velocity, in spin);
+        double[] factor = new double[Count * Count];
+        Factor(factor);
+        double[] independent = new double[Count];
+        for (int i = 0; i < Count; i += 2)
+        {
+            NormalDistribution.Draw(random.NextDouble(), random.NextDouble(), out independent[i], out independent[i + 1]);
+        }
+
+        double[] by = new double[Count];
+        Correlate(factor, independent, by);
+        kick.With(by, out Vector3d drawn, out Vector3d turning);
+        return (KickVectors.Limited(in drawn, Limits.Speed), KickVectors.Limited(in turning, Limits.Spin));
+    }
+
+    /// <summary>Numbers with the covariance L Lᵀ from independent ones: L z.</summary>
+    internal static void Correlate(double[] factor, double[] independent, double[] correlated)
+    {
+        for (int i = 0; i < Count; i++)
+        {
+            double sum = 0;
+            for (int j = 0; j <= i; j++)
+            {
+                sum += factor[(i * Count) + j] * independent[j];
+            }
+
+            correlated[i] = sum;
+        }
+    }
+
     /// <summary>Factors the covariance C = L Lᵀ of the share of the speed, the elevation, the azimuth (rad) and the share of the spin.</summary>
     /// <param name="factor">L, row by row.</param>
     internal void Factor(double[] factor)

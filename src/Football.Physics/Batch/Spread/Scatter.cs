@@ -223,15 +223,6 @@ public sealed class Scatter
             NormalDistribution.Draw(SplitMix64.At(seed, counter), SplitMix64.At(seed, counter + 1), out _draws[i], out _draws[i + 1]);
         }
 
-        for (int i = 0; i < KickSpread.Count; i++)
-        {
-            double sum = 0;
-            for (int j = 0; j <= i; j++)
-            {
-                sum += _factor[(i * KickSpread.Count) + j] * _draws[j];
-            }
-
-            _by[i] = sum;
-        }
+        KickSpread.Correlate(_factor, _draws, _by);
     }
 }

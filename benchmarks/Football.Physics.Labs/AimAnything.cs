@@ -1,0 +1,53 @@
+namespace Football.Physics.Labs;
+
+/// <summary>Random requests of every kind: speeds, spins, winds, laws, distances, heights, elevation bounds.</summary>
+internal static class AimAnything
+{
+    /// <summary>Scenes that the requests are spread over.</summary>
+    public const int Scenes = 100;
+
+    private static readonly ForceSet[] Laws = [ForceSet.Published, ForceSet.Regularised, ForceSet.Constant, ForceSet.Published with { Magnus = ForceLaw.Constant }, ForceSet.None];
+
+    /// <summary>One of the scenes.</summary>
+    public static Scene Scene(int seed, int index)
+    {
+        var random = new Random((seed * 1000) + index);
+        double angle = AimSets.Between(random, 0, 2 * Math.PI);
+        double wind = index % 2 == 0 ? 0 : AimSets.Between(random, 0, 12);
+        return Physics.Scene.Published with { Forces = Laws[index % Laws.Length], Air = new Air { Wind = wind * new Vector3d(Math.Cos(angle), 0, Math.Sin(angle)) } };
+    }
+
+    /// <summary>Requests for it.</summary>
+    public static AimRequest[] Requests(int seed, int index, int count)
+    {
+        var random = new Random((seed * 1000) + 500_000 + index);
+        double Between(double low, double high) => AimSets.Between(random, low, high);
+        var requests = new AimRequest[count];
+        for (int i = 0; i < count; i++)
+        {
+            double distance = Between(1, 70);
+            double angle = Between(0, 2 * Math.PI);
+            bool spins = random.Next(4) > 0;
+            (double low, double high) = random.Next(5) switch
+            {
+                0 => (0, 90),
+                1 => (-90, 90),
+                2 => (Between(0, 30), Between(30, 80)),
+                _ => (0.0, 45.0),
+            };
+            requests[i] = new AimRequest
+            {
+                From = new Vector3d(0, random.Next(3) > 0 ? 0.11 : Between(0.11, 2.5), 0),
+                Target = new Vector3d(distance * Math.Cos(angle), random.Next(3) > 0 ? Between(0.11, 2.5) : Between(0.11, 12), distance * Math.Sin(angle)),
+                Speed = Between(5, 40),
+                TopSpin = spins ? Between(-60, 60) : 0,
+                SideSpin = spins ? Between(-60, 60) : 0,
+                MinimumElevationDegrees = low,
+                MaximumElevationDegrees = high,
+                Tolerance = 1e-3,
+            };
+        }
+
+        return requests;
+    }
+}

@@ -1,0 +1,11 @@
+using System.Xml.Linq;
+
+namespace Football.Physics.Labs;
+
+/// <summary>One experiment: its lines, what they show, and its charts.</summary>
+internal sealed record AimSection(string Title, IReadOnlyList<AimRow> Rows)
+{
+    public string Remark { get; init; } = "";
+
+    public IReadOnlyList<XElement> Charts { get; init; } = [];
+}

@@ -1,0 +1,29 @@
+namespace Football.Physics.Labs;
+
+/// <summary>A request, the kick that a method found for it, and how good it really is.</summary>
+/// <param name="Request">What was asked for.</param>
+/// <param name="Result">What was found; its misses are measured.</param>
+/// <param name="Miss">The miss that the experiment counts, m: the true one, or that in the game's own integrator.</param>
+/// <param name="Microseconds">How long the search took.</param>
+internal sealed record AimShot(AimRequest Request, AimResult Result, double Miss, double Microseconds)
+{
+    /// <summary>Horizontal distance of the target, m.</summary>
+    public double Distance => (Request.Target - Request.From).Horizontal.Length;
+
+    /// <summary>Elevation of the kick, degrees.</summary>
+    public double Elevation => Math.Atan2(Result.Velocity.Y, Result.Velocity.Horizontal.Length) * 180 / Math.PI;
+
+    /// <summary>Sidespin of the kick, rad/s.</summary>
+    public double SideSpin => Result.Spin.Y;
+
+    /// <summary>Topspin of the kick, rad/s.</summary>
+    public double TopSpin
+    {
+        get
+        {
+            Vector3d d = Result.Velocity.Horizontal;
+            double length = d.Length;
+            return length > 0 ? ((Result.Spin.X * d.Z) - (Result.Spin.Z * d.X)) / length : 0;
+        }
+    }
+}

@@ -1,0 +1,128 @@
+using System.CommandLine;
+using Football.Tool.Commands;
+
+namespace Football.Physics.Labs;
+
+/// <summary>football lab answers: kicks that were flown are found again, hits hit, verdicts hold, and look-aheads see what happens.</summary>
+internal static class AnswersLab
+{
+    /// <summary>Share of the known kicks that may not be found again: in still air, and in wind.</summary>
+    private const double StillShare = 0.001;
+    private const double WindyShare = 0.005;
+    private const double Windy = 20;
+    private const int MostExamples = 12;
+
+    private static readonly (double Wind, int Balls)[] s_conditions = [(0, 1), (0, KnownKick.Balls.Length), (Windy, 1), (Windy, KnownKick.Balls.Length)];
+
+    private static readonly (string Name, Action<LabReport, int, int, Progress> Count)[] s_questions =
+        [("known", Known), ("ground", Ground), ("batches", Batches), ("lookahead", LookAheads), ("verdicts", Verdicts)];
+
+    public static Command Create(Terminal terminal)
+    {
+        Option<long> count = Arguments.Whole("--count", "Kicks, requests and look-aheads of every kind.", 1, 1_000_000, 2000);
+        var only = new Option<string?>("--only") { HelpName = "QUESTION", Description = $"One question only: {string.Join(", ", s_questions.Select(one => one.Name))}." };
+        only.AcceptOnlyFromAmong([.. s_questions.Select(one => one.Name)]);
+        return LabOptions.Create(
+            "answers",
+            "Whether answers are right: known kicks are found again, hits hit, verdicts hold against a dense scan, look-aheads miss nothing.",
+            ["football lab answers --only lookahead --seed 7 --count 100"],
+            terminal,
+            (parsed, seed, progress) => Run(unchecked((int)seed), (int)parsed.GetValue(count), parsed.GetValue(only), progress),
+            count,
+            only);
+    }
+
+    private static LabReport Run(int seed, int count, string? only, Progress progress)
+    {
+        var report = new LabReport { Name = "answers", Seed = seed };
+        foreach ((string name, Action<LabReport, int, int, Progress> ask) in s_questions.Where(one => only is null || one.Name == only))
+        {
+            ask(report, seed, count, progress);
+        }
+
+        return report;
+    }
+
+    private static void Known(LabReport report, int seed, int count, Progress progress)
+    {
+        var table = new LabTable(
+            "Known kicks (5 to 35 m/s, up to 85°, spins, heights; 1 mm), and how many of them are not found again",
+            "wind up to, m/s", "balls", "kicks", "low arc", "high arc", "at their time", "no slower one", "below 45°", "two points below 45°", "false hits",
+            "most simulations", "verdict");
+        report.Tables.Add(table);
+        foreach ((double wind, int balls) in s_conditions)
+        {
+            progress.Report(() => "known kicks");
+            var known = KnownKickCounts.Of(seed, count, wind, balls);
+            double share = wind > 0 ? WindyShare : StillShare;
+            int most = Math.Max(Math.Max(known.LowMissed, known.HighMissed), Math.Max(known.TimedMissed, known.SlowestMissed));
+            bool reached = most <= share * known.Kicks && known.FlatTwoPointMissed <= share * known.Flat && known.FalseHits == 0;
+            table.Add(
+                wind, balls, known.Kicks, known.LowMissed, known.HighMissed, known.TimedMissed, known.SlowestMissed, known.Flat, known.FlatTwoPointMissed,
+                known.FalseHits, known.MostSimulations, Verdict.Of(reached));
+            Judge(report, reached, known.Examples.Where(example => !example.StartsWith("two points, steep", StringComparison.Ordinal)));
+        }
+    }
+
+    private static void Ground(LabReport report, int seed, int count, Progress progress)
+    {
+        var table = new LabTable(
+            "Passes along the ground (3 to 28 m/s, spins; 1 cm), and how many of them are not found again",
+            "wind up to, m/s", "balls", "passes", "found", "at their time", "no slower one", "false hits", "verdict");
+        report.Tables.Add(table);
+        foreach ((double wind, int balls) in s_conditions)
+        {
+            progress.Report(() => "passes along the ground");
+            var passes = GroundPassCounts.Of(seed, count, wind, balls);
+            int most = Math.Max(passes.Missed, Math.Max(passes.TimedMissed, passes.SlowestMissed));
+            bool reached = most <= (wind > 0 ? WindyShare : StillShare) * passes.Passes && passes.FalseHits == 0;
+            table.Add(wind, balls, passes.Passes, passes.Missed, passes.TimedMissed, passes.SlowestMissed, passes.FalseHits, Verdict.Of(reached));
+            Judge(report, reached, passes.Examples);
+        }
+    }
+
+    private static void Batches(LabReport report, int seed, int count, Progress progress)
+    {
+        var table = new LabTable(
+            "Many aims at once, five balls (15 to 35 m/s, up to 60°; 1 mm), and how many of their hits miss",
+            "wind up to, m/s", "kind", "requests", "hits", "false hits", "worst, mm", "verdict");
+        report.Tables.Add(table);
+        foreach ((double wind, bool drives) in ((double, bool)[])[(0, true), (0, false), (Windy, true), (Windy, false)])
+        {
+            progress.Report(() => "many aims at once");
+            var batch = BatchHitCounts.Of(seed, 4 * count, wind, drives);
+            bool reached = batch.FalseHits == 0;
+            table.Add(wind, drives ? "low drives with backspin" : "any", batch.Requests, batch.Hits, batch.FalseHits, 1e3 * batch.Worst, Verdict.Of(reached));
+            Judge(report, reached, []);
+        }
+    }
+
+    private static void LookAheads(LabReport report, int seed, int count, Progress progress)
+    {
+        progress.Report(() => "look-aheads");
+        var ahead = LookAheadCounts.Of(seed, count);
+        bool reached = ahead is { CrossingsMissed: 0, EndedEarly: 0, WronglyIncomplete: 0, StiffDiverged: 0 };
+        var table = new LabTable(
+            "Look-aheads, five balls, winds up to 20 m/s",
+            "paths", "crossings", "not found", "ended before passing", "wrongly complete or not", "with a stiff force", "refused", "diverged", "verdict");
+        table.Add(
+            ahead.Paths, ahead.Crossings, ahead.CrossingsMissed, ahead.EndedEarly, ahead.WronglyIncomplete, ahead.Stiff, ahead.StiffRefused, ahead.StiffDiverged,
+            Verdict.Of(reached));
+        report.Tables.Add(table);
+        Judge(report, reached, ahead.Examples);
+    }
+
+    private static void Verdicts(LabReport report, int seed, int count, Progress progress)
+    {
+        Scene Windy20(int index) => KnownKick.Scene(new Random((seed * 1000) + index), index % KnownKick.Balls.Length, Windy);
+        var verdicts = AimVerdicts.Of(Windy20, seed, count, 1, done => progress.Report(done, count, () => "verdicts"));
+        report.Tables.Add(verdicts.Table("Random requests in winds up to 20 m/s, five balls, held against a dense scan"));
+        Judge(report, verdicts is { Wrong: 0, WithoutAnswer: 0 }, verdicts.Examples);
+    }
+
+    private static void Judge(LabReport report, bool reached, IEnumerable<string> examples)
+    {
+        report.Failed |= !reached;
+        report.Notes.AddRange(examples.Take(MostExamples));
+    }
+}

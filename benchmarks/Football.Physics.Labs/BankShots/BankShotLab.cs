@@ -1,0 +1,73 @@
+using System.CommandLine;
+using System.Diagnostics;
+using Football.Tool.Commands;
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Labs.BankShots;
+
+/// <summary>football lab bankshots: kicks to where a random kick came after bounces, off a wall, off a post.</summary>
+internal static class BankShotLab
+{
+    /// <summary>What is to be met, in a scene that has it, and in which azimuths, degrees.</summary>
+    private static readonly (string Name, double Least, double Most, string[] After)[] Kinds =
+    [
+        ("one bounce", -15, 15, ["ground"]), ("two bounces", -15, 15, ["ground", "ground"]), ("off the wall", 20, 70, ["wall"]), ("bounce, wall", 20, 70, ["ground", "wall"]),
+        ("off the left post", -18, -13, ["left post"]), ("crossbar, bounce", -15, 15, ["crossbar", "ground"]),
+    ];
+
+    private static readonly Scene Scene = Scene.Measured with
+    {
+        Obstacles = [new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(-9, 0, 0), new Vector3d(1, 0, 0)), Surface = Surface.PublishedGoalFrame }],
+        Goals = [new Goal { Center = new Vector3d(0, 0, -14), Facing = new Vector3d(0, 0, 1), Surface = Surface.GoalFrame }],
+    };
+
+    public static Command Create(Terminal terminal)
+    {
+        Option<long> requests = Arguments.Whole("--requests", "Requests of each kind.", 1, 100_000, 2);
+        return LabOptions.Create(
+            "bankshots",
+            "Aims after bounces and off walls, bar and post: requests made by flying a random kick, so that there is an answer.",
+            ["football lab bankshots --requests 1 --seed 7"],
+            terminal,
+            (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(requests), progress),
+            requests);
+    }
+
+    private static LabReport Run(long seed, int requests, Progress progress)
+    {
+        var table = new LabTable("Aims after what is met before, to 1 mm", "after", "requests", "hit", "hit, %", "simulations", "median", "95 %", "worst", "µs", "median µs", "95 % µs", "worst µs", "verdict");
+        var report = new LabReport { Name = "bankshots", Seed = seed, Tables = { table } };
+        var aimer = new BankShotAimer(Scene);
+        var simulator = new Simulator(Scene);
+        int all = 0;
+        int hit = 0;
+        foreach ((string name, double least, double most, string[] after) in Kinds)
+        {
+            var set = new BankShotSet(simulator, after) { Azimuth = (least, most), Elevation = (2, 35), Speed = (14, 26) };
+            var random = new SeededRandom(SeededRandom.Mix(seed, name.Length));
+            int hits = 0;
+            double[] simulations = new double[requests];
+            double[] times = new double[requests];
+            for (int i = 0; i < requests; i++)
+            {
+                progress.Report(i, requests, () => name);
+                AimRequest request = set.Draw(random) with { MaximumElevationDegrees = 45 };
+                long start = Stopwatch.GetTimestamp();
+                AimResult found = aimer.Find(request, after);
+                times[i] = Stopwatch.GetElapsedTime(start).TotalMicroseconds;
+                hits += found.Status == AimStatus.Hit ? 1 : 0;
+                simulations[i] = found.Simulations;
+            }
+
+            all += requests;
+            hit += hits;
+            var counts = new Spread(simulations);
+            var spans = new Spread(times);
+            table.Add(
+                name, requests, hits, 100.0 * hits / requests, counts.Mean, counts.Median, counts.P95, counts.Worst, spans.Mean, spans.Median, spans.P95, spans.Worst, Verdict.Of(hits >= 0.98 * requests));
+        }
+
+        report.Notes.Add(FormattableString.Invariant($"{hit} of {all} hit: {100.0 * hit / all:0.0} %. Reached: 98 % of a kind."));
+        return report;
+    }
+}

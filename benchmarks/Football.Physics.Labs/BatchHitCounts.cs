@@ -1,0 +1,64 @@
+namespace Football.Physics.Labs;
+
+/// <summary>How many hits of many aims at once miss when they are flown: low drives with backspin, which the ground holds, and any kick.</summary>
+internal sealed class BatchHitCounts
+{
+    private const int PerScene = 400;
+
+    private readonly Lock _lock = new();
+
+    public int Requests { get; private set; }
+
+    public int Hits { get; private set; }
+
+    public int FalseHits { get; private set; }
+
+    /// <summary>By how much the worst hit misses, m.</summary>
+    public double Worst { get; private set; }
+
+    /// <summary>Asks for kicks, on all processors.</summary>
+    /// <param name="seed">Seed of the requests.</param>
+    /// <param name="count">How many.</param>
+    /// <param name="wind">Largest wind, m/s.</param>
+    /// <param name="drives">Whether they are low drives with backspin.</param>
+    public static BatchHitCounts Of(int seed, int count, double wind, bool drives)
+    {
+        var counts = new BatchHitCounts();
+        Parallel.For(0, (count + PerScene - 1) / PerScene, index => counts.Run(seed, index, Math.Min(PerScene, count - (index * PerScene)), wind, drives));
+        return counts;
+    }
+
+    private void Run(int seed, int index, int count, double wind, bool drives)
+    {
+        var random = new Random((seed * 100_043) + index);
+        double Between(double low, double high) => AimSets.Between(random, low, high);
+        Scene scene = KnownKick.Scene(random, index % KnownKick.Balls.Length, wind);
+        double contact = scene.Ball.Radius;
+        var aims = new BatchAims(count) { MaximumElevationDegrees = 60, Tolerance = 1e-3 };
+        for (int i = 0; i < count; i++)
+        {
+            double distance = Between(5, 30);
+            double angle = Between(0, 2 * Math.PI);
+            double height = contact + (drives ? Between(0, 0.5) : Between(0, 3));
+            var from = new Vector3d(0, contact + (drives || random.Next(2) == 0 ? 0 : Between(0, 2)), 0);
+            double top = drives ? Between(-60, -20) : Between(-60, 60);
+            aims.Set(i, from, new Vector3d(distance * Math.Cos(angle), height, distance * Math.Sin(angle)), Between(15, 35), top, Between(-30, 30));
+        }
+
+        var kicks = new BatchKicks(count);
+        new BatchAimer(scene).Find(aims, kicks, count);
+        var truth = new TrueMiss(scene);
+        for (int i = 0; i < count; i++)
+        {
+            bool hit = kicks.Status[i] == AimStatus.Hit;
+            double miss = hit ? truth.Of(new AimRequest { From = aims.From[i], Target = aims.Target[i] }, kicks.Velocity[i], kicks.Spin[i]) : 0;
+            lock (_lock)
+            {
+                Requests++;
+                Hits += hit ? 1 : 0;
+                FalseHits += miss > TrueMiss.Rounding * aims.Tolerance ? 1 : 0;
+                Worst = Math.Max(Worst, miss);
+            }
+        }
+    }
+}

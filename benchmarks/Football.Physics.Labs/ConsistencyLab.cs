@@ -1,0 +1,110 @@
+using System.CommandLine;
+using System.Xml.Linq;
+using Football.Tool.Commands;
+using Football.Drawing;
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Labs;
+
+/// <summary>football lab consistency: the thesis' test 3.4.2, how far the landing point depends on the step.</summary>
+internal static class ConsistencyLab
+{
+    /// <summary>Where the axes of all histograms begin, log₁₀ mm; smaller gaps count there.</summary>
+    private const double SmallestGap = -9;
+
+    private const int Shots = 250;
+    private const double Millimetre = 1e3;
+    private static readonly string[] Gaps = ["10–20 ms", "20–40 ms", "10–40 ms"];
+
+    public static Command Create(Terminal terminal) => LabOptions.CreateDrawn(
+        "consistency",
+        "How far apart 250 shots with all forces land, each with three steps (the thesis' Test 3.4.2).",
+        ["football lab consistency --seed 3 --json consistency.json"],
+        terminal,
+        (_, seed, progress) => Run(seed, progress));
+
+    private static LabReport Run(long seed, Progress progress)
+    {
+        var table = new LabTable(
+            "Consistency (3.4.2), 250 shots: gap between landing points, mm",
+            "set", "law", "method", "steps", "mean", "p95", "worst", "thesis mean", "reach", "verdict");
+        var report = new LabReport { Name = "consistency", Seed = seed, Tables = { table } };
+        var charts = new List<Func<XElement>>();
+        foreach ((string set, Shot[] shots) in new[] { ("usual", ShotSets.Usual(seed, Shots)), ("slow", ShotSets.Slow(seed, Shots)) })
+        {
+            foreach ((string law, ForceSet forces, bool locate) in new[]
+            {
+                ("published, jump located", ForceSet.Published, true), ("published, jump not located", ForceSet.Published, false), ("regularised", ForceSet.Regularised, true),
+            })
+            {
+                foreach (Integrator method in new[] { Integrator.Rk2, Integrator.Rk4 })
+                {
+                    progress.Report(charts.Count, 12, () => $"{set} set, {law}, {method}");
+                    double[][] gaps = Measure(shots, forces, locate, method);
+                    for (int i = 0; i < gaps.Length; i++)
+                    {
+                        var spread = new Spread(gaps[i]);
+                        (string reach, bool? reached) = Judge(set, law, method, i, spread);
+                        table.Add(
+                            set, law, method, Gaps[i], spread.Mean, spread.P95, spread.Worst,
+                            set == "usual" && law.StartsWith("published", StringComparison.Ordinal) ? Thesis(method)[i] : null,
+                            reach,
+                            reached is { } yes ? Verdict.Of(yes) : "-");
+                    }
+
+                    charts.Add(() => Histogram($"{set} set, {law}, {method}", gaps));
+                }
+            }
+        }
+
+        report.Picture = () => Figure.Tile("How far apart shots land that differ only in the step", [.. charts.Select(make => make())]);
+        return report;
+    }
+
+    private static double[] Thesis(Integrator method) => method == Integrator.Rk2 ? [3.1, 7.1, 7.0] : [1.8, 3.8, 3.2];
+
+    private static (string Reach, bool? Reached) Judge(string set, string law, Integrator method, int gap, Spread spread)
+    {
+        if (law != "published, jump located")
+        {
+            return ("-", null);
+        }
+
+        double[] rk2 = [0.45, 1.8, 2.2];
+        double[] rk4 = [1e-5, 1e-4, 1e-4];
+        return (set, method) switch
+        {
+            ("usual", Integrator.Rk2) => ($"mean {Text(rk2[gap])}", spread.Mean <= rk2[gap]),
+            ("usual", _) => ($"mean {Text(rk4[gap])}", spread.Mean <= rk4[gap]),
+            (_, Integrator.Rk4) => ($"p95 {Text(rk4[gap])}, mean 0.03", spread.P95 <= rk4[gap] && spread.Mean <= 0.03),
+            _ => ("-", null),
+        };
+    }
+
+    private static string Text(double value) => value.ToString(value < 0.01 ? "0e0" : "0.##", System.Globalization.CultureInfo.InvariantCulture);
+
+    private static double[][] Measure(Shot[] shots, ForceSet forces, bool locate, Integrator method)
+    {
+        var simulator = new Simulator(Scene.Published with { Forces = forces }, new SolverSettings { Integrator = method, LocateJump = locate });
+        Vector3d[][] landings = [.. new[] { 0.01, 0.02, 0.04 }.Select(step => shots.Select(shot =>
+        {
+            BallState state = simulator.Launch(Shot.Spot, shot.Velocity, shot.Spin);
+            simulator.Run(ref state, step, 30, StopAt.Impact, new StepLog());
+            return state.Position;
+        }).ToArray())];
+        double[] Between(int a, int b) => [.. landings[a].Zip(landings[b], (p, q) => Millimetre * Vector3d.Distance(p, q))];
+        return [Between(0, 1), Between(1, 2), Between(0, 2)];
+    }
+
+    private static XElement Histogram(string title, double[][] gaps)
+    {
+        var chart = new Chart(new Axis("log₁₀ of the gap, mm") { Min = SmallestGap, Max = 3 }, new Axis("shots") { Min = 0 }) { Title = title, PlotHeight = 150 };
+        for (int i = 0; i < gaps.Length; i++)
+        {
+            double[] logs = [.. gaps[i].Select(gap => Math.Log10(Math.Max(gap, Math.Pow(10, SmallestGap))))];
+            chart.Items.Add(BarsItem.Histogram(logs, 30, Palette.Series[i], Gaps[i]));
+        }
+
+        return chart.Draw();
+    }
+}

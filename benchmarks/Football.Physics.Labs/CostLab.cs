@@ -1,0 +1,146 @@
+using System.CommandLine;
+using System.Diagnostics;
+using System.Xml.Linq;
+using Football.Tool.Commands;
+using Football.Drawing;
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Labs;
+
+/// <summary>football lab cost: the thesis' test 3.4.3, the time of a step by method and motion.</summary>
+internal static class CostLab
+{
+    private const int Frames = 20_000;
+    private const double Step = 0.01;
+
+    /// <summary>A frame is done so often in a row: one alone is shorter than the clock's tick.</summary>
+    private const int Repeats = 32;
+
+    private const int WarmUp = 60;
+
+    public static Command Create(Terminal terminal)
+    {
+        Option<bool> quick = LabOptions.Quick();
+        return LabOptions.CreateDrawn(
+            "cost",
+            "The time of a 10 ms step by method and motion, over 20 000 frames each from kick to rest (the thesis' Test 3.4.3).",
+            ["football lab cost --quick"],
+            terminal,
+            (parsed, seed, progress) => Run(seed, parsed.GetValue(quick) ? Frames / 100 : Frames, parsed.GetValue(quick) ? 1 : WarmUp, progress),
+            quick);
+    }
+
+    private static LabReport Run(long seed, int frames, int warmUp, Progress progress)
+    {
+        var table = new LabTable(
+            $"Time of a step (3.4.3), {frames} frames a row without an event, ns",
+            "method", "motion", "p5", "median", "p95", "p99", "mean to p99", "thesis, all motions", "times faster");
+        var report = new LabReport { Name = "cost", Seed = seed, Tables = { table } };
+        var shown = new List<(Integrator Method, double[] Times)>();
+        foreach (Integrator method in Enum.GetValues<Integrator>())
+        {
+            var simulator = new Simulator(Scene.Published, new SolverSettings { Integrator = method });
+            Dictionary<MotionState, BallState[]> before = Collect(simulator, seed, frames);
+            var log = new StepLog();
+            foreach ((MotionState motion, BallState[] states) in before)
+            {
+                progress.Report(table.Rows.Count, 16, () => $"{method}, {motion}");
+                for (int i = 0; i < warmUp; i++)
+                {
+                    Time(simulator, states, log, states.Length / warmUp, []);
+                    Thread.Sleep(i % 20 == 0 ? 130 : 0);
+                }
+
+                var times = new double[states.Length];
+                Time(simulator, states, log, states.Length, times);
+                var spread = new Spread(times);
+                double top = spread.Percentile(0.99);
+                double mean = times.Where(time => time <= top).Average();
+                double thesis = Thesis(method);
+                table.Add(method, motion, spread.Percentile(0.05), spread.Median, spread.P95, top, mean, thesis, motion == MotionState.Stopped ? null : thesis / mean);
+                if (motion == MotionState.Airborne)
+                {
+                    shown.Add((method, [.. times.Where(time => time <= top)]));
+                }
+            }
+        }
+
+        report.Notes.Add("Each frame is stepped 32 times in a row from a copy of its state, the copy included. Values above the 99th percentile are left out of the mean, as in the thesis.");
+        report.Notes.Add("Ratios to plain code in one process, which is how the targets for time are judged: the benchmarks.");
+        report.Picture = () =>
+        {
+            double longest = shown.Max(row => row.Times.Max());
+            return Figure.Tile("Time of a step in flight", [.. shown.Select(row => Histogram(row.Method, row.Times, longest))]);
+        };
+        return report;
+    }
+
+    private static double Thesis(Integrator method) => method switch
+    {
+        Integrator.Euler => 11_200,
+        Integrator.SemiImplicitEuler => 12_000,
+        Integrator.Rk2 => 14_700,
+        _ => 20_900,
+    };
+
+    /// <summary>The states before so many steps of each motion in which nothing happens, from kick to rest and kicked again.</summary>
+    private static Dictionary<MotionState, BallState[]> Collect(Simulator simulator, long seed, int frames)
+    {
+        var found = Enum.GetValues<MotionState>().Where(motion => motion != MotionState.Squeezed).ToDictionary(motion => motion, _ => new List<BallState>(frames));
+        var random = new SeededRandom(SeededRandom.Mix(seed, 343));
+        var log = new StepLog();
+        while (found.Values.Any(list => list.Count < frames))
+        {
+            // Kicks along the ground, up to where they roll, once only slides are still wanted.
+            bool onlySlides = found.All(list => list.Key == MotionState.Sliding || list.Value.Count >= frames);
+            double steepest = onlySlides ? 0 : 35;
+            BallState state = simulator.Launch(
+                Shot.Spot, random.Velocity(15, 35, Math.Min(5, steepest), steepest), random.Uniform(2, 60) * random.Direction());
+            for (int stopped = 0; stopped < 100;)
+            {
+                BallState before = state;
+                log.Clear();
+                simulator.Step(ref state, Step, log);
+                List<BallState> list = found[before.Motion];
+                if (log.Events.Count == 0 && list.Count < frames)
+                {
+                    list.Add(before);
+                }
+
+                stopped += before.Motion == MotionState.Stopped ? 1 : 0;
+                if (onlySlides && before.Motion == MotionState.Rolling)
+                {
+                    break;
+                }
+            }
+        }
+
+        return found.ToDictionary(pair => pair.Key, pair => pair.Value.ToArray());
+    }
+
+    private static void Time(Simulator simulator, BallState[] states, StepLog log, int count, double[] times)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            long start = Stopwatch.GetTimestamp();
+            for (int k = 0; k < Repeats; k++)
+            {
+                BallState state = states[i];
+                simulator.Step(ref state, Step, log);
+            }
+
+            long end = Stopwatch.GetTimestamp();
+            if (i < times.Length)
+            {
+                times[i] = (end - start) * (1e9 / Stopwatch.Frequency) / Repeats;
+            }
+        }
+    }
+
+    private static XElement Histogram(Integrator method, double[] times, double longest)
+    {
+        var chart = new Chart(new Axis("time of a step, ns") { Min = 0, Max = longest }, new Axis("frames") { Min = 0 }) { Title = method.ToString(), PlotHeight = 120 };
+        chart.Items.Add(BarsItem.Histogram(times, 60, Palette.Blue));
+        return chart.Draw();
+    }
+}

@@ -1,0 +1,96 @@
+using System.Diagnostics;
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Labs.Fuzz;
+
+/// <summary>Tries inputs of one kind, and counts what became of them.</summary>
+internal sealed class FuzzRun(FuzzTarget target, long seed)
+{
+    /// <summary>An input that takes longer, ms, is tried again, and found if it always does.</summary>
+    private const double Slow = 10_000;
+
+    /// <summary>How often it is tried again.</summary>
+    private const int Again = 4;
+
+    /// <summary>Bytes that an input may make the program ask for: some for every byte of it, and a few megabytes for what it says.</summary>
+    private const long MostMemory = 64L << 20;
+
+    private const int MostMutations = 4;
+
+    private readonly Lock _lock = new();
+
+    public FuzzTarget Target { get; } = target;
+
+    public long Refused { get; private set; }
+
+    public long Right { get; private set; }
+
+    /// <summary>The longest time that an input took, ms.</summary>
+    public double Slowest { get; private set; }
+
+    /// <summary>What must not be: how often, and the first input that leads to it.</summary>
+    public SortedDictionary<string, (long Times, long Index)> Findings { get; } = new(StringComparer.Ordinal);
+
+    /// <summary>The input with a number.</summary>
+    public byte[] Input(long index)
+    {
+        var random = new SeededRandom(SeededRandom.Mix(KindSeed(), index));
+        return Target.Make(random, random.Below(MostMutations + 1));
+    }
+
+    /// <summary>Tries the input with a number.</summary>
+    public void Try(long index)
+    {
+        byte[] input = Input(index);
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        (bool? refused, string? found, double time) = Try(input);
+        for (int i = 0; i < Again && found is null && time > Slow; i++)
+        {
+            // What else runs on the machine is not the input's.
+            time = Math.Min(time, Try(input).Milliseconds);
+        }
+
+        found ??= time > Slow ? $"slow: more than {Slow} ms" : null;
+
+        if (found is null && GC.GetAllocatedBytesForCurrentThread() - before > MostMemory)
+        {
+            found = $"memory: more than {MostMemory >> 20} MiB asked for";
+        }
+
+        lock (_lock)
+        {
+            Slowest = Math.Max(Slowest, time);
+            Refused += found is null && refused == true ? 1 : 0;
+            Right += found is null && refused == false ? 1 : 0;
+            if (found is not null)
+            {
+                (long times, long first) = Findings.GetValueOrDefault(found, (0, long.MaxValue));
+                Findings[found] = (times + 1, Math.Min(first, index));
+            }
+        }
+    }
+
+    private (bool? Refused, string? Found, double Milliseconds) Try(byte[] input)
+    {
+        long start = Stopwatch.GetTimestamp();
+        bool? refused = null;
+        string? found = null;
+        try
+        {
+            refused = Target.Try(input);
+        }
+        catch (FuzzException e)
+        {
+            found = e.Message;
+        }
+        catch (Exception e)
+        {
+            // Whatever comes out of the library or the reader that is no refusal.
+            found = $"{e.GetType().Name}: {e.StackTrace?.Split('\n')[0].Trim()}";
+        }
+
+        return (refused, found, Stopwatch.GetElapsedTime(start).TotalMilliseconds);
+    }
+
+    private long KindSeed() => unchecked((long)SeededRandom.Mix(seed, Target.Name.Length));
+}

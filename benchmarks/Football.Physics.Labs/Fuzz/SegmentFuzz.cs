@@ -1,0 +1,102 @@
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Labs.Fuzz;
+
+/// <summary>Match segments: what is accepted is played again, and says where it diverges.</summary>
+internal sealed class SegmentFuzz : FuzzTarget
+{
+    private const int Ticks = 12;
+
+    /// <summary>Bytes before the time step.</summary>
+    private const int Header = 5;
+
+    public override string Name => "segments";
+
+    public override byte[] Make(SeededRandom random, int mutations)
+    {
+        Simulator simulator = SnapshotFuzz.Simulators[random.Below(SnapshotFuzz.Simulators.Count)];
+        var runner = new FixedStepRunner(simulator, random.Any(0.01, 1.0 / 60, 0.1));
+        BallState start = SnapshotFuzz.State(random);
+        runner.Restore(random.Below(1000), in start);
+        long first = runner.Tick;
+        KickLog kicks = KickLogFuzz.Log(random, Ticks);
+        for (int i = 0; i < kicks.Count; i++)
+        {
+            runner.Kicks.Add(new KickInput(first + kicks[i].Tick, kicks[i].Velocity, kicks[i].Spin, kicks[i].Player));
+        }
+
+        MatchSegment segment = runner.Record();
+        for (int i = random.Below(Ticks); i > 0; i--)
+        {
+            runner.Step();
+        }
+
+        byte[] bytes = segment.ToBytes();
+        if (random.Chance(0.5))
+        {
+            return Wild(random, segment, bytes.AsSpan(0, Header), mutations);
+        }
+
+        byte[] changed = FuzzBytes.Changed(random, bytes, mutations);
+        return random.Chance(0.7) ? FuzzBytes.Sealed(changed) : changed;
+    }
+
+    public override bool Try(byte[] input)
+    {
+        MatchSegment segment;
+        try
+        {
+            segment = MatchSegment.FromBytes(input);
+        }
+        catch (FormatException)
+        {
+            return true;
+        }
+
+        Must(Crc32.Holds(input), "changed bytes are accepted");
+        byte[] again = segment.ToBytes();
+        Must(again.AsSpan().SequenceEqual(MatchSegment.FromBytes(again).ToBytes()), "a segment does not come back");
+        foreach (Simulator simulator in SnapshotFuzz.Simulators)
+        {
+            long? diverges = segment.FirstDivergence(simulator);
+            Must(diverges is null || (diverges > segment.StartTick && diverges <= segment.EndTick), "it diverges at a tick that it does not have");
+            FixedStepRunner runner = segment.Replay(simulator);
+            while (runner.Tick < Math.Min(segment.EndTick, segment.StartTick + Ticks))
+            {
+                runner.Step();
+                MustBeFinite(runner.State);
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>A segment as it is written, some of its numbers wild.</summary>
+    private static byte[] Wild(SeededRandom random, MatchSegment segment, ReadOnlySpan<byte> header, int mutations)
+    {
+        var writer = new ByteWriter();
+        foreach (byte part in header)
+        {
+            writer.Bits(part, 1);
+        }
+
+        bool Is() => random.Chance(mutations / 8.0);
+        writer.Bits(BitConverter.DoubleToUInt64Bits(Is() ? FuzzNumbers.AnyBits(random) : segment.TimeStep), 8);
+        writer.Integer(Is() ? KickLogFuzz.Integer(random) : (ulong)segment.StartTick);
+        byte[] start = FuzzBytes.Sealed(SnapshotFuzz.Changed(random, segment.Start, Is() ? mutations : 0));
+        foreach (byte part in start)
+        {
+            writer.Bits(part, 1);
+        }
+
+        KickLogFuzz.Write(random, ref writer, segment.Kicks, Is() ? mutations / 30.0 : 0);
+        int count = (int)(segment.EndTick - segment.StartTick);
+        writer.Integer(Is() ? KickLogFuzz.Integer(random) : (ulong)count);
+        for (int i = 1; i <= count; i++)
+        {
+            writer.Bits(segment.HashAt(segment.StartTick + i), 8);
+        }
+
+        return writer.ToArray();
+    }
+}

@@ -1,0 +1,70 @@
+using System.CommandLine;
+using System.Diagnostics;
+using System.Globalization;
+using Football.Tool.Commands;
+using Football.Scenarios.Input;
+using Football.Physics.Labs.Fuzz;
+
+namespace Football.Physics.Labs;
+
+/// <summary>football lab fuzz: inputs that are bytes or text, changed with what they mean in mind.</summary>
+internal static class FuzzLab
+{
+    private const long ByDefault = 1_000_000;
+    private const long Most = 1_000_000_000_000;
+    private const int LongestInput = 4000;
+
+    public static Command Create(Terminal terminal)
+    {
+        Option<long> count = Arguments.Whole("--count", "Inputs of each kind.", 1, Most, ByDefault);
+        Option<long> jobs = Arguments.Jobs("Threads; default: one a processor.");
+        return LabOptions.Create(
+            "fuzz",
+            "Scenarios, kick logs, match segments and snapshots that were changed at random: only refusals and right answers are allowed.",
+            ["football lab fuzz --count 100", "football lab fuzz --count 300 --seed 7"],
+            terminal,
+            (parsed, seed, progress) => Run(seed, parsed.GetValue(count), (int)parsed.GetValue(jobs), progress),
+            count,
+            jobs);
+    }
+
+    private static LabReport Run(long seed, long count, int jobs, Progress progress)
+    {
+        var table = new LabTable(
+            string.Create(CultureInfo.InvariantCulture, $"{count} inputs of each kind"), "kind", "refused", "right", "found", "slowest, ms", "verdict");
+        var findings = new LabTable("what must not be", "kind", "finding", "times", "first", "its input");
+        var report = new LabReport { Name = "fuzz", Seed = seed, Tables = { table } };
+        foreach (FuzzTarget target in FuzzTarget.All)
+        {
+            var run = new FuzzRun(target, seed);
+            long done = 0;
+            Parallel.For(0L, count, new ParallelOptions { MaxDegreeOfParallelism = jobs }, i =>
+            {
+                run.Try(i);
+                long now = Interlocked.Increment(ref done);
+                if (now % 256 == 0)
+                {
+                    lock (progress)
+                    {
+                        progress.Report(now, count, () => target.Name);
+                    }
+                }
+            });
+            table.Add(target.Name, run.Refused, run.Right, run.Findings.Values.Sum(found => found.Times), run.Slowest, Verdict.Of(run.Findings.Count == 0));
+            foreach ((string what, (long times, long first)) in run.Findings)
+            {
+                findings.Add(target.Name, what, times, first, Quote.Short(target.Text(run.Input(first)), LongestInput));
+            }
+        }
+
+        if (findings.Rows.Count > 0)
+        {
+            report.Tables.Add(findings);
+            report.Failed = true;
+        }
+
+        using var process = Process.GetCurrentProcess();
+        report.Notes.Add(string.Create(CultureInfo.InvariantCulture, $"Peak memory: {process.PeakWorkingSet64 / 1048576.0:0} MiB."));
+        return report;
+    }
+}

@@ -1,0 +1,100 @@
+namespace Football.Physics.Labs.Goals;
+
+/// <summary>
+/// Watches a path in time for what makes a goal, knowing nothing of how the library does: the path of each piece is asked every half millisecond, and where it
+/// passes a plane, that instant is halved down to.
+/// </summary>
+internal sealed class GoalWatch(Goal goal, double radius)
+{
+    private const double Interval = 0.0005;
+    private const int Halvings = 40;
+
+    /// <summary>How close to post or bar, m, is undecided: the path in time is that close to the steps.</summary>
+    private const double Edge = 1e-6;
+
+    private readonly Vector3d _out = goal.Facing / goal.Facing.Length;
+    private bool _isThrough;
+
+    /// <summary>When the ball was over the line, s; infinite where it never was.</summary>
+    public double Time { get; private set; } = double.PositiveInfinity;
+
+    /// <summary>Whether it came through within rounding of post or bar.</summary>
+    public bool IsUndecided { get; private set; }
+
+    /// <summary>Before the mouth, aside of its middle, and above the ground.</summary>
+    public (double Before, double Aside, double Height) Seen(Vector3d place)
+    {
+        Vector3d from = place - goal.Center;
+        return ((from.X * _out.X) + (from.Z * _out.Z), (from.Z * _out.X) - (from.X * _out.Z), from.Y);
+    }
+
+    /// <summary>Whether a ball that lies there lies in the goal: before the back net, which slants; behind it a ball may lie against it.</summary>
+    public bool LiesIn(Vector3d place)
+    {
+        (double before, double aside, double height) = Seen(place);
+        double depth = goal.DepthOnGround - ((goal.DepthOnGround - goal.DepthAtBar) * height / (goal.Height + goal.PostRadius));
+        return before <= -goal.PostRadius - radius && before >= -depth
+            && Math.Abs(aside) <= (0.5 * goal.Width) + goal.PostRadius && height <= 0.5 * goal.Height;
+    }
+
+    /// <summary>Watches a path from its start.</summary>
+    public void Follow(Trajectory path)
+    {
+        // A ball that is kicked on the line, in the opening, is through its mouth.
+        (double last, double aside, double height) = Seen(path.Pieces.Length > 0 ? path.Pieces[0].StartPosition : path.Final.Position);
+        _isThrough = last <= 0 && last > -goal.PostRadius - radius && Math.Abs(aside) <= 0.5 * goal.Width && height <= goal.Height;
+        foreach (ref readonly PathPiece piece in path.Pieces)
+        {
+            int parts = Math.Max(2, (int)Math.Ceiling(piece.Length / Interval));
+            for (int i = 1; i <= parts && double.IsInfinity(Time); i++)
+            {
+                double from = piece.Time + (piece.Length * (i - 1) / parts);
+                double to = piece.Time + (piece.Length * i / parts);
+                double now = Seen(i == parts ? piece.EndPosition : piece.PositionAt(to)).Before;
+                Look(in piece, from, to, last, now);
+                last = now;
+            }
+        }
+    }
+
+    private void Look(in PathPiece piece, double from, double to, double last, double now)
+    {
+        double line = -goal.PostRadius - radius;
+        if (last > 0 && now <= 0)
+        {
+            (_, double aside, double height) = Seen(piece.PositionAt(Passes(in piece, from, to, 0)));
+            double toPost = (0.5 * goal.Width) - Math.Abs(aside);
+            double toBar = goal.Height - height;
+            _isThrough = toPost >= 0 && toBar >= 0 && height >= 0;
+            IsUndecided |= Math.Abs(Math.Min(toPost, toBar)) < Edge;
+        }
+        else if (now > 0)
+        {
+            _isThrough = false;
+        }
+
+        if (_isThrough && now <= line)
+        {
+            Time = last > line ? Passes(in piece, from, to, line) : from;
+        }
+    }
+
+    /// <summary>When a path passes a plane that it is before at first and behind then.</summary>
+    private double Passes(in PathPiece piece, double from, double to, double plane)
+    {
+        for (int i = 0; i < Halvings; i++)
+        {
+            double middle = 0.5 * (from + to);
+            if (Seen(piece.PositionAt(middle)).Before > plane)
+            {
+                from = middle;
+            }
+            else
+            {
+                to = middle;
+            }
+        }
+
+        return to;
+    }
+}

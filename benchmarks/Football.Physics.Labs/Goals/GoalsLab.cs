@@ -1,0 +1,53 @@
+using System.CommandLine;
+using Football.Tool.Commands;
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Labs.Goals;
+
+/// <summary>football lab goals: whether what goes in is told, and nothing else.</summary>
+internal static class GoalsLab
+{
+    public static Command Create(Terminal terminal)
+    {
+        Option<long> shots = Arguments.Whole("--shots", "Shots.", 1, 100_000_000, 300);
+        return LabOptions.Create(
+            "goals",
+            "Shots from anywhere within 25 m, at any angle and height, with rebounds: the event of a goal against a watch of the path that knows nothing of it.",
+            ["football lab goals", "football lab goals --shots 200 --seed 7"],
+            terminal,
+            (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(shots), progress),
+            shots);
+    }
+
+    private static LabReport Run(long seed, int shots, Progress progress)
+    {
+        var count = new GoalCount();
+        long first = -1;
+        for (int i = 0; i < shots; i++)
+        {
+            int at = i;
+            progress.Report(i, shots, () => FormattableString.Invariant($"shot {at}"));
+            bool holds = count.Add(new SeededRandom(SeededRandom.Mix(seed, i)));
+            first = !holds && first < 0 ? i : first;
+        }
+
+        var table = new LabTable("Goals", "of the shots", "count", "verdict");
+        table.Add("shots", count.Shots, null);
+        table.Add("told to be goals", count.Told, null);
+        table.Add("after a post, a bar or a keeper", count.Rebounds, null);
+        table.Add("along the ground over the line", count.Carried, null);
+        table.Add("came to lie in a net", count.LieIn, null);
+        table.Add("came to lie in a net, not told", count.LieInUntold, Verdict.Of(count.LieInUntold == 0));
+        table.Add("over the line by the watched path, not told", count.Missed, Verdict.Of(count.Missed == 0));
+        table.Add("told, and not by the watched path, at another time, or twice", count.Wrong, Verdict.Of(count.Wrong == 0));
+        table.Add("within a micrometre of post or bar, not judged", count.Undecided, null);
+        table.Add("cut short", count.Cut, Verdict.Of(count.Cut == 0));
+        var report = new LabReport { Name = "goals", Seed = seed, Tables = { table }, Failed = first >= 0 };
+        if (first >= 0)
+        {
+            report.Notes.Add(FormattableString.Invariant($"First that is wrong: shot {first}."));
+        }
+
+        return report;
+    }
+}

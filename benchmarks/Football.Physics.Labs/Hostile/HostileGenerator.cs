@@ -1,0 +1,228 @@
+namespace Football.Physics.Labs.Hostile;
+
+/// <summary>Draws a hostile scene from its number: masses and sizes of six decades, restitutions and frictions at both ends, launches exactly on the law's surfaces, steps in hostile orders.</summary>
+internal static class HostileGenerator
+{
+    private const double CriticalSpeed = 12.19;
+    private const double CriticalSpin = 0.05;
+    private const double Farthest = 1e6;
+
+    /// <summary>The scene with a number.</summary>
+    public static HostileScene Make(ulong number)
+    {
+        // One random sequence: the order of the draws is the scene.
+        var random = new HostileRandom(number);
+        int kind = random.Below(16);
+        BallProperties ball = Ball(random);
+        double gravity = random.Any(9.81, 9.81, 0, 1e-6, 300, random.Log(1e-6, 300), 1.62);
+        Air air = AnyAir(random);
+
+        // It holds some of the air that it displaces.
+        double volume = Buoyancy.DisplacedMass(ball, new Air { Density = 1 });
+        ball = ball with { Mass = Math.Min(100, Math.Max(ball.Mass, 0.06 * volume * air.Density)) };
+        air = air with { Density = Math.Min(air.Density, 10 * ball.Mass / volume) };
+        Ground ground = AnyGround(random, ball);
+        ForceSet forces = Forces(random, kind, ball, ground.Height);
+        Kick(random, kind, ball, air, ground, gravity, out double up, out Vector3d velocity, out Vector3d spin);
+        Vector3d position = Place(random, kind, ground.Height + ball.Radius, ground.Height, up);
+        SolverSettings settings = Settings(random);
+        return new HostileScene
+        {
+            Number = number,
+            Scene = Scene.Published with { Ball = ball, Gravity = gravity, Air = air, Ground = ground, Forces = forces },
+            Settings = settings,
+            Position = position,
+            Velocity = velocity,
+            Spin = spin,
+            Frames = Frames(random, ground.NormalRestitution > 0.9),
+        };
+    }
+
+    private static BallProperties Ball(HostileRandom random)
+    {
+        if (!random.Chance(0.6))
+        {
+            return BallProperties.Football;
+        }
+
+        double mass = random.Any(random.Log(1e-3, 100), random.Log(0.01, 10), 1e-3, 100);
+        double radius = random.Any(random.Log(0.02, 5), random.Log(0.02, 1), 0.02, 5);
+        return new BallProperties { Mass = mass, Radius = radius, InertiaFactor = random.Any(1.0, 0.4, 2.0 / 3, 0.1, random.Log(0.1, 1)) };
+    }
+
+    private static Air AnyAir(HostileRandom random)
+    {
+        double density = random.Any(1.2, 1.2, 0.0, random.Log(1e-3, 30), 0.9);
+        double viscosity = random.Any(1.5e-5, 1.5e-5, random.Log(1e-7, 0.1));
+        Vector3d wind = Vector3d.Zero;
+        if (random.Chance(0.35))
+        {
+            wind = random.Any(1000.0, random.Uniform(0, 30), random.Log(1e-6, 1000), CriticalSpeed) * random.Direction();
+            wind = random.Chance(0.3) ? new Vector3d(0, wind.Y, 0) : wind;
+        }
+
+        return new Air { Density = density, KinematicViscosity = viscosity, Wind = wind };
+    }
+
+    private static Ground AnyGround(HostileRandom random, BallProperties ball)
+    {
+        double height = random.Any(0, 0, Farthest, -Farthest, random.Uniform(-Farthest, Farthest), random.Uniform(-5, 5));
+        return Ground.PublishedTurf with
+        {
+            Height = height,
+            NormalRestitution = random.Any(0.0, 1.0, 0.6, random.Share(), 1 - 1e-9, 1e-12),
+            TangentialRestitutionX = random.Any(0.0, 1.0, -1.0, 0.5, random.Uniform(-1, 1)),
+            TangentialRestitutionZ = random.Any(0.0, 1.0, -1.0, 0.5, random.Uniform(-1, 1)),
+            SpinRestitution = random.Any(0.0, 1.0, 0.8),
+            SlidingFriction = random.Any(0.0, 10.0, 0.5, random.Log(1e-6, 10)),
+            RollingFriction = random.Any(0.0, 10.0, 0.05, random.Log(1e-6, 10)),
+            SpinDamping = Math.Min(ball.MostDamping, random.Any(0.0, 0.002, 1.0, random.Log(1e-9, 1))),
+            MinimumBounceSpeed = random.Any(0.001, 0.2, 10.0, random.Log(0.001, 10)),
+            RestEnergy = random.Any(1e-4, 1e-12, 100, random.Log(1e-12, 100)),
+            Aerodynamics = random.Any(GroundAerodynamics.Horizontal, GroundAerodynamics.None),
+        };
+    }
+
+    private static ForceSet Forces(HostileRandom random, int kind, BallProperties ball, double groundHeight)
+    {
+        var forces = ForceSet.Published with
+        {
+            Buoyancy = random.Chance(0.7),
+            Coefficients = random.Chance(0.7) ? CoefficientForm.Published : CoefficientForm.Regularised,
+        };
+        if (random.Below(10) >= 5)
+        {
+            forces = forces with
+            {
+                Drag = (ForceLaw)random.Below(3),
+                Magnus = (ForceLaw)random.Below(3),
+                SpinDecay = (ForceLaw)random.Below(3),
+                DragCoefficient = random.Any(0.0, 0.25, random.Log(1e-6, 10), 10),
+                MagnusCoefficient = random.Any(0.25, -0.25, 0.0, random.Uniform(-5, 5), random.Log(1, 10), -10),
+                SpinDecayCoefficient = Math.Min(ball.MostDamping, random.Any(0.0, 1e-4, random.Log(1e-9, 1))),
+            };
+        }
+
+        bool own = (kind == 15 && random.Chance(0.3)) || random.Chance(0.01);
+        return own ? forces with { Custom = [HostileForces.Draw(random, groundHeight)] } : forces;
+    }
+
+    private static void Kick(
+        HostileRandom random, int kind, BallProperties ball, Air air, Ground ground, double gravity, out double up, out Vector3d velocity, out Vector3d spin)
+    {
+        double speed = random.Any(random.Uniform(0, 40), random.Log(1e-9, 1000), 1000.0, 0.0, CriticalSpeed, 1e-3, random.Uniform(10, 14));
+        double spinRate = random.Any(0.0, random.Uniform(0, 100), 10000.0, random.Log(1e-9, 10000), 1e-100);
+        var along = new Vector3d(1, 0, 0);
+        var down = new Vector3d(0, -1, 0);
+        Vector3d direction = random.Chance(0.15) ? random.Any(along, Vector3d.Up, down, new Vector3d(0, 0, 1)) : random.Direction();
+        velocity = speed * direction;
+        spin = spinRate * (random.Chance(0.2) ? random.Any(along, Vector3d.Up, down) : random.Direction());
+        up = random.Any(0.0, random.Log(1e-15, 1e-3), random.Uniform(0, 3), random.Uniform(0, 500), random.Log(1, 1e5));
+        double threshold = ground.MinimumBounceSpeed;
+        switch (kind)
+        {
+            case 0:
+                // Exactly at the critical speed.
+                velocity = (CriticalSpeed * random.Direction()) + air.Wind;
+                spin = CriticalSpin * CriticalSpeed / ball.Radius * random.Any(1, 1 + 1e-15, 1 - 1e-15, 2, 0.5, random.Log(0.01, 100)) * random.Direction();
+                up = random.Uniform(0, 30);
+                break;
+            case 1:
+                // Exactly at the critical spin.
+                double fast = random.Uniform(12, 40);
+                velocity = (fast * random.Direction()) + air.Wind;
+                spin = CriticalSpin * fast / ball.Radius * random.Any(1, 1 + 2e-16, 1 - 2e-16) * random.Direction();
+                up = random.Uniform(0, 30);
+                break;
+            case 2:
+                // Along the surface of the critical speed: level flight at it.
+                velocity = (CriticalSpeed * random.Any(1, 1 + 1e-12, 1 - 1e-9, 1 + 1e-6) * random.Heading()) + air.Wind;
+                up = random.Uniform(0, 20);
+                break;
+            case 3:
+                // On the ground, at and around the least speed of a bounce.
+                up = 0;
+                velocity = new Vector3d(
+                    velocity.X, random.Any(threshold, -threshold, 0, 1e-100, -1e-100, threshold * (1 - 1e-16), -threshold * (1 - 1e-15)), velocity.Z);
+                break;
+            case 4:
+                // Grazes the ground.
+                up = random.Log(1e-12, 1);
+                double fall = Math.Sqrt(2 * gravity * up);
+                velocity = new Vector3d(velocity.X, random.Any(-fall, fall, -fall * (1 + 1e-12), 0.0), velocity.Z);
+                break;
+            case 5:
+                velocity = Vector3d.Zero;
+                up = random.Any(0.0, 500.0, 1.0);
+                break;
+            case 6:
+                // Spins along its flight.
+                spin = spinRate / Math.Max(1e-6, velocity.Length) * velocity;
+                break;
+            case 7:
+                // Rolls without slip.
+                up = 0;
+                velocity = new Vector3d(velocity.X, 0, velocity.Z);
+                spin = new Vector3d(velocity.Z / ball.Radius, spin.Y, -velocity.X / ball.Radius);
+                break;
+            case 8:
+                velocity = air.Wind;
+                break;
+            case 9:
+                up = 0;
+                velocity = new Vector3d(velocity.X, -Math.Abs(velocity.Y) - 1, velocity.Z);
+                break;
+            default:
+                break;
+        }
+
+        velocity = velocity.Length > 1000 ? velocity * (999.999 / velocity.Length) : velocity;
+        spin = spin.Length > 10000 ? spin * (9999.99 / spin.Length) : spin;
+    }
+
+    private static Vector3d Place(HostileRandom random, int kind, double contact, double groundHeight, double up)
+    {
+        double x = random.Any(0.0, Farthest, -Farthest, random.Uniform(-100, 100));
+        double y = contact + up;
+        y = y > Farthest ? random.Any(Farthest, Math.Min(Farthest, contact)) : y;
+        if (kind == 10)
+        {
+            // At, in and below the ground.
+            y = random.Any(-Farthest, groundHeight, contact - 1e-12, Math.BitDecrement(contact), Math.BitIncrement(contact));
+        }
+
+        return new Vector3d(x, Math.Max(-Farthest, Math.Min(y, Farthest)), random.Uniform(-100, 100));
+    }
+
+    private static SolverSettings Settings(HostileRandom random) => new()
+    {
+        Integrator = random.Any(Integrator.Rk4, Integrator.Rk4, Integrator.Rk4, Integrator.Rk2, Integrator.Euler, Integrator.SemiImplicitEuler),
+        CollisionTiming = random.Chance(0.8) ? CollisionTiming.Exact : CollisionTiming.Bisection,
+        CollisionTolerance = random.Any(1e-6, 1e-12, 1e-3, 1.0, 1e-300),
+        RollingTransition = random.Chance(0.8) ? RollingTransition.Exact : RollingTransition.Heuristic,
+    };
+
+    private static double[] Frames(HostileRandom random, bool elastic)
+    {
+        int kind = random.Below(8);
+        var frames = new double[random.Any(10, 30, 60)];
+        double even = random.Log(1e-4, 0.1);
+        for (int i = 0; i < frames.Length; i++)
+        {
+            frames[i] = kind switch
+            {
+                0 => 0.01,
+                1 => even,
+                2 => random.Any(1e-9, 0.016, 1e-9, 0.3),
+                3 => random.Log(1e-9, 1),
+                4 => i % 2 == 0 ? 1e-9 : 1.0,
+                5 => random.Any(0.0, double.Epsilon, 1e-12, 0.02),
+                6 when i < 4 => elastic ? random.Any(0.1, 0.3, 1.0) : random.Any(1.0, 10.0, 100.0),
+                6 => 0.01,
+                _ => 1.0 / 60,
+            };
+        }
+
+        return frames;
+    }
+}

@@ -1,0 +1,118 @@
+namespace Football.Physics.Labs.Hostile;
+
+/// <summary>What must hold of the state after every frame.</summary>
+internal static class HostileStateCheck
+{
+    /// <summary>Energy, J, below which a ball is as good as at rest: nothing is weighed or timed to it.</summary>
+    private const double Nothing = 1e-40;
+
+    /// <summary>Finite, a rotation, above the ground or on it, at the right time.</summary>
+    /// <returns>False where the state is not finite: nothing more can be asked of it.</returns>
+    public static bool Holds(HostileFrame frame)
+    {
+        ref readonly BallState before = ref frame.Before;
+        ref readonly BallState after = ref frame.After;
+        string method = $"{frame.Scene.Settings.Integrator}{(frame.Scene.HasOwnForces ? ", own force" : "")}";
+        if (!(after.Position.IsFinite && after.Velocity.IsFinite && after.Spin.IsFinite && after.Orientation.IsFinite && double.IsFinite(after.Time)))
+        {
+            frame.FindMild($"not finite, {method}", 1, $"{before.Motion} at {before.Velocity}, {before.Spin} to {after.Velocity}, {after.Spin}");
+            return false;
+        }
+
+        double size = Math.Abs(after.Orientation.LengthSquared - 1);
+        if (size > 1e-9)
+        {
+            frame.Find("orientation", size, $"size² {after.Orientation.LengthSquared}");
+        }
+
+        double depth = frame.Contact - after.Position.Y;
+        if (depth > frame.Touching)
+        {
+            frame.FindMild($"penetration, {method}", depth, $"{before.Motion} to {after.Motion}");
+        }
+
+        if (after.Motion != MotionState.Airborne && (depth != 0 || after.Velocity.Y != 0))
+        {
+            frame.Find("on the ground but not at it", 1, $"{after.Motion}, {-depth} m above, {after.Velocity.Y} m/s");
+        }
+
+        double late = Math.Abs(after.Time - (before.Time + frame.Length));
+        if (late > 4 * HostileFrame.Ulp(after.Time))
+        {
+            frame.Find("clock", late, $"{before.Time} to {after.Time}");
+        }
+
+        return true;
+    }
+
+    /// <summary>What brakes never reverses, and what decays never grows.</summary>
+    public static void Reversal(HostileFrame frame)
+    {
+        HostileScene scene = frame.Scene;
+        if (frame.Log.Events.Count > 0 || scene.HasOwnForces)
+        {
+            return;
+        }
+
+        ref readonly BallState before = ref frame.Before;
+        ref readonly BallState after = ref frame.After;
+        ForceSet forces = scene.Scene.Forces;
+        bool flies = before.Motion == MotionState.Airborne && after.Motion == MotionState.Airborne;
+        if (flies && Vector3d.Dot(before.Spin, after.Spin) < 0)
+        {
+            frame.Find("spin reversed in flight", 1, $"{before.Spin} to {after.Spin}");
+        }
+
+        if (before.Spin.Y * after.Spin.Y < 0)
+        {
+            frame.Find("spin about the vertical reversed", 1, $"{before.Motion} to {after.Motion}, {before.Spin.Y} to {after.Spin.Y}");
+        }
+
+        if (scene.Windy)
+        {
+            return;
+        }
+
+        if (flies && scene.Upward == 0 && forces.Magnus == ForceLaw.None && Vector3d.Dot(before.Velocity, after.Velocity) < 0)
+        {
+            frame.Find("velocity reversed by drag", 1, $"{before.Velocity} to {after.Velocity}, {scene.Settings.Integrator}");
+        }
+
+        bool straight = forces.Magnus == ForceLaw.None || scene.Scene.Ground.Aerodynamics == GroundAerodynamics.None;
+        if (straight && before.Motion == MotionState.Rolling && after.Motion == MotionState.Rolling && Vector3d.Dot(before.Velocity, after.Velocity) < -1e-20)
+        {
+            frame.Find("roll reversed", 1, $"{before.Velocity} to {after.Velocity}");
+        }
+
+        double growth = (after.Spin.Length / before.Spin.Length) - 1;
+        if (before.Motion == MotionState.Airborne && forces.SpinDecay != ForceLaw.None && growth > 1e-14)
+        {
+            frame.Find("spin grew in flight", growth, $"{before.Spin} to {after.Spin}");
+        }
+    }
+
+    /// <summary>Without wind and forces of a game's own a frame makes no more energy than the method's own error.</summary>
+    public static void Energy(HostileFrame frame)
+    {
+        HostileScene scene = frame.Scene;
+        if (scene.Windy || scene.HasOwnForces || frame.Energy() is not { } energy || energy.Holds || energy.Gained < Nothing)
+        {
+            return;
+        }
+
+        ref readonly BallState before = ref frame.Before;
+        ref readonly BallState after = ref frame.After;
+        BallProperties ball = scene.Scene.Ball;
+        double scale = (0.5 * ball.Mass * Math.Max(before.Velocity.LengthSquared, after.Velocity.LengthSquared))
+            + (0.5 * ball.MomentOfInertia * Math.Max(before.Spin.LengthSquared, after.Spin.LengthSquared))
+            + (ball.Mass * Math.Abs(scene.Upward) * (Math.Max(before.Position.Y, after.Position.Y) - frame.Contact));
+        double share = (energy.Gained - energy.Allowed) / (scale + 1e-290);
+        string size = share > 0.01 ? "more than 1 %" : share > 1e-4 ? "more than 0.01 %" : "little";
+        ForceSet forces = scene.Scene.Forces;
+        frame.FindMild(
+            $"energy made, {size}, {scene.Settings.Integrator}, {before.Motion} to {after.Motion}, {(frame.Log.Events.Count > 0 ? "events, " : "")}"
+            + $"{(frame.Log.Stalled > 0 ? "stalled, " : "")}drag {forces.Drag}, Magnus {forces.Magnus}",
+            share,
+            $"{energy.Gained} J, of which the method may make {energy.ByMethod} J, contact {energy.ByContact} J, rounding {energy.ByRounding} J");
+    }
+}

@@ -1,0 +1,139 @@
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Labs.Intercept;
+
+/// <summary>Random flights and runners, whose windows are compared with a dense scan.</summary>
+internal sealed class InterceptCheck(Scene scene)
+{
+    private const double TimeStep = 0.01;
+    private const int RunnersOfAFlight = 2;
+
+    private readonly Simulator _simulator = new(scene);
+    private readonly Trajectory _path = new(2048);
+    private readonly Interception _interception = new();
+
+    public int Windows { get; private set; }
+
+    /// <summary>Windows of the scan that were not found.</summary>
+    public int Lost { get; private set; }
+
+    /// <summary>Windows that were found although he does not meet the ball in their middle.</summary>
+    public int Invented { get; private set; }
+
+    /// <summary>Windows and gaps that were found and are too short for the scan.</summary>
+    public int Short { get; private set; }
+
+    /// <summary>Flights of which another runner is first than the scan says.</summary>
+    public int WrongFirst { get; private set; }
+
+    /// <summary>The largest error of an end, s.</summary>
+    public double Worst { get; private set; }
+
+    public bool Holds => Lost + Invented + WrongFirst == 0 && Worst <= 1e-6;
+
+    /// <summary>Draws a flight and its runners, and compares.</summary>
+    public void Run(SeededRandom random)
+    {
+        Vector3d velocity = random.Velocity(4, 33, -2, 55);
+        Vector3d spin = random.Uniform(0, 60) * random.Direction();
+        BallState ball = _simulator.Launch(new Vector3d(0, random.Chance(0.7) ? 0.11 : random.Uniform(0.11, 2), 0), velocity, spin);
+        var request = new LookAheadRequest { Duration = random.Uniform(1.5, 4), TimeStep = TimeStep, StopAt = StopAt.Time };
+        _simulator.LookAhead(in ball, request, _path);
+        var runners = new Runner[RunnersOfAFlight];
+        for (int i = 0; i < runners.Length; i++)
+        {
+            runners[i] = Draw(random);
+        }
+
+        Compare(runners);
+    }
+
+    private Runner Draw(SeededRandom random)
+    {
+        // Near some place of the way, so that windows begin and end in every manner.
+        Vector3d place = _path.PositionAt(random.Uniform(_path.StartTime, _path.EndTime));
+        double high = random.Any(0.2, 0.6, 1.2, 2.3, 2.7) * random.Uniform(0.9, 1.1);
+        return new Runner
+        {
+            Position = (place + (random.Log(0.05, 15) * random.Heading())).Horizontal,
+            Velocity = random.Uniform(0, 6) * random.Heading(),
+            Reaction = random.Uniform(0, 0.5),
+            Acceleration = random.Uniform(2, 9),
+            Speed = random.Uniform(3, 10),
+            Reach = random.Uniform(0, 1.5),
+            LowestHeight = random.Chance(0.8) ? 0 : random.Uniform(0, high),
+            HighestHeight = high,
+        };
+    }
+
+    private void Compare(Runner[] runners)
+    {
+        var scan = new MeetingScan(_path);
+        _interception.Find(_path, runners);
+        int first = -1;
+        double earliest = double.PositiveInfinity;
+        for (int i = 0; i < runners.Length; i++)
+        {
+            List<(double From, double To)> wanted = scan.Windows(runners[i]);
+            List<(double From, double To)> found = Found(i, runners[i], scan, wanted);
+            Windows += found.Count;
+
+            // What was found first and is right, be it too short for the scan.
+            ReadOnlySpan<InterceptWindow> own = _interception.WindowsOf(i);
+            double begins = Math.Min(wanted.Count > 0 ? wanted[0].From : double.PositiveInfinity, own.Length > 0 ? own[0].From : double.PositiveInfinity);
+            if (begins < earliest)
+            {
+                first = i;
+                earliest = begins;
+            }
+
+            if (found.Count != wanted.Count)
+            {
+                Lost += Math.Max(0, wanted.Count - found.Count);
+                Invented += Math.Max(0, found.Count - wanted.Count);
+                continue;
+            }
+
+            foreach (((double From, double To) a, (double From, double To) b) in wanted.Zip(found))
+            {
+                Worst = Math.Max(Worst, Math.Max(Math.Abs(a.From - b.From), Math.Abs(a.To - b.To)));
+            }
+        }
+
+        WrongFirst += first == _interception.First ? 0 : 1;
+    }
+
+    /// <summary>
+    /// What was found, without windows and gaps that the scan steps over: those are right where the ball is met, or is not, in their middle.
+    /// </summary>
+    private List<(double From, double To)> Found(int index, Runner runner, MeetingScan scan, List<(double From, double To)> wanted)
+    {
+        const double Seen = 2.1e-4;
+        var found = new List<(double From, double To)>();
+        foreach (InterceptWindow window in _interception.WindowsOf(index))
+        {
+            if (!scan.Meets(runner, 0.5 * (window.From + window.To)))
+            {
+                Invented++;
+                continue;
+            }
+
+            if (found.Count > 0 && window.From - found[^1].To < Seen
+                && wanted.Any(item => item.From < found[^1].To && item.To > window.From) && !scan.Meets(runner, 0.5 * (window.From + found[^1].To)))
+            {
+                Short++;
+                found[^1] = (found[^1].From, window.To);
+            }
+            else if (window.To - window.From < Seen && !wanted.Any(item => item.From <= window.To && item.To >= window.From))
+            {
+                Short++;
+            }
+            else
+            {
+                found.Add((window.From, window.To));
+            }
+        }
+
+        return found;
+    }
+}

@@ -1,0 +1,88 @@
+namespace Football.Physics.Labs.Intercept;
+
+/// <summary>When a runner can meet a ball, by asking again and again: what the search with bounds is compared with.</summary>
+internal sealed class MeetingScan
+{
+    private const double Step = 1e-4;
+    private const double Closeness = 1e-10;
+
+    private readonly Trajectory _path;
+    private readonly Vector3d[] _places;
+
+    public MeetingScan(Trajectory path)
+    {
+        _path = path;
+        _places = new Vector3d[(int)Math.Ceiling((path.EndTime - path.StartTime) / Step) + 1];
+        for (int i = 0; i < _places.Length; i++)
+        {
+            _places[i] = path.PositionAt(TimeOf(i));
+        }
+    }
+
+    /// <summary>The windows, those shorter than a step of the scan only by luck; ends to 0.1 ns.</summary>
+    public List<(double From, double To)> Windows(Runner runner)
+    {
+        var windows = new List<(double From, double To)>();
+        bool inside = false;
+        double from = 0;
+        for (int i = 0; i < _places.Length; i++)
+        {
+            bool meets = Meets(runner, TimeOf(i), _places[i]);
+            if (meets == inside)
+            {
+                continue;
+            }
+
+            double change = i == 0 ? TimeOf(0) : Change(runner, TimeOf(i - 1), TimeOf(i), meets);
+            inside = meets;
+            if (meets)
+            {
+                from = change;
+            }
+            else
+            {
+                windows.Add((from, change));
+            }
+        }
+
+        if (inside)
+        {
+            windows.Add((from, _path.EndTime));
+        }
+
+        return windows;
+    }
+
+    /// <summary>Whether he meets the ball at a time: the definition, word by word.</summary>
+    public bool Meets(Runner runner, double time) => Meets(runner, time, _path.PositionAt(time));
+
+    private static bool Meets(Runner runner, double time, Vector3d ball)
+    {
+        double since = time - runner.Reaction;
+        double s = Math.Max(0, since);
+        Vector3d place = runner.Position + (Math.Min(time, runner.Reaction) * runner.Velocity);
+        double ramp = runner.Speed / runner.Acceleration;
+        double run = s <= ramp ? 0.5 * runner.Acceleration * s * s : runner.Speed * (s - (0.5 * ramp));
+        return (ball - place).Horizontal.Length <= run + runner.Reach && ball.Y >= runner.LowestHeight - 1e-9 && ball.Y <= runner.HighestHeight + 1e-9;
+    }
+
+    private double Change(Runner runner, double low, double high, bool after)
+    {
+        while (high - low > Closeness)
+        {
+            double middle = 0.5 * (low + high);
+            if (Meets(runner, middle) == after)
+            {
+                high = middle;
+            }
+            else
+            {
+                low = middle;
+            }
+        }
+
+        return high;
+    }
+
+    private double TimeOf(int i) => Math.Min(_path.StartTime + (i * Step), _path.EndTime);
+}

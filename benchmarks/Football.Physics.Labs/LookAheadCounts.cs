@@ -1,0 +1,218 @@
+namespace Football.Physics.Labs;
+
+/// <summary>How many answers of look-aheads are wrong: crossings that are not found, paths that end too early, stiff forces that diverge.</summary>
+internal sealed class LookAheadCounts
+{
+    private const int PerScene = 20;
+    private const double Closeness = 1e-6;
+
+    /// <summary>How far a look-ahead in its default step may be from one in steps of 0.1 ms where a game's own force is stiff, m.</summary>
+    private const double StiffBound = 0.01;
+
+    private readonly Lock _lock = new();
+    private readonly List<string> _examples = [];
+
+    public int Paths { get; private set; }
+
+    public int Crossings { get; private set; }
+
+    public int CrossingsMissed { get; private set; }
+
+    public int EndedEarly { get; private set; }
+
+    public int WronglyIncomplete { get; private set; }
+
+    public int Stiff { get; private set; }
+
+    public int StiffRefused { get; private set; }
+
+    public int StiffDiverged { get; private set; }
+
+    /// <summary>The first few that are wrong.</summary>
+    public IEnumerable<string> Examples => _examples.Order(StringComparer.Ordinal);
+
+    /// <summary>Looks ahead, on all processors.</summary>
+    /// <param name="seed">Seed of the kicks.</param>
+    /// <param name="count">How many.</param>
+    public static LookAheadCounts Of(int seed, int count)
+    {
+        var counts = new LookAheadCounts();
+        Parallel.For(0, (count + PerScene - 1) / PerScene, index => counts.Run(seed, index, Math.Min(PerScene, count - (index * PerScene))));
+        return counts;
+    }
+
+    private void Run(int seed, int index, int count)
+    {
+        var random = new Random((seed * 100_057) + index);
+        Scene scene = KnownKick.Scene(random, index % KnownKick.Balls.Length, index % 2 == 0 ? 0 : 20);
+        var simulator = new Simulator(scene);
+        var path = new Trajectory(16384);
+        var other = new Trajectory(16384);
+        for (int i = 0; i < count; i++)
+        {
+            double angle = AimSets.Between(random, 0, 2 * Math.PI);
+            var direction = new Vector3d(Math.Cos(angle), AimSets.Between(random, -0.2, 2), Math.Sin(angle));
+            Vector3d velocity = AimSets.Between(random, 4, 30) / direction.Length * direction;
+            BallState ball = simulator.Launch(new Vector3d(0, simulator.ContactHeight + (i % 2), 0), velocity, KickVectors.Spin(velocity, AimSets.Between(random, -40, 40), AimSets.Between(random, -40, 40)));
+            StopAt end = i % 3 == 0 ? StopAt.Rest : StopAt.Impact;
+            simulator.LookAhead(in ball, new LookAheadRequest { StopAt = end, Duration = 12 }, path);
+            if (path.Pieces.Length == 0)
+            {
+                continue; // kicked into the ground
+            }
+
+            int crossed = Crossed(random, path, out int missed);
+            bool early = EndsEarly(random, simulator, in ball, end, path, other);
+            bool exact = FitsExactly(simulator, in ball, end, path);
+            lock (_lock)
+            {
+                Paths++;
+                Crossings += crossed;
+                CrossingsMissed += missed;
+                EndedEarly += early ? 1 : 0;
+                WronglyIncomplete += exact ? 0 : 1;
+            }
+        }
+
+        Push(random, scene, path, other);
+    }
+
+    /// <summary>Planes just below the apex, planes through the path, and planes across it.</summary>
+    private int Crossed(Random random, Trajectory path, out int missed)
+    {
+        missed = 0;
+        int crossed = 0;
+        double start = path.Pieces[0].StartPosition.Y;
+        for (int k = 0; k < 3; k++)
+        {
+            double depth = Math.Pow(10, AimSets.Between(random, -9, -1));
+            Vector3d through = path.PositionAt(AimSets.Between(random, 0, 1) * path.EndTime);
+            double angle = AimSets.Between(random, 0, 2 * Math.PI);
+            var across = new Vector3d(Math.Cos(angle), 0, Math.Sin(angle));
+            (Plane3d plane, bool must) = k switch
+            {
+                0 => (new Plane3d(new Vector3d(0, path.Apex - depth, 0), Vector3d.Up), path.Apex - depth > start),
+                1 => (new Plane3d(through, across), Math.Abs(Vector3d.Dot(through - path.Pieces[0].StartPosition, across)) > Closeness && IsCrossed(path, through, across)),
+                _ => (new Plane3d(new Vector3d(0, start + (AimSets.Between(random, 0, 1) * (path.Apex - start)), 0), Vector3d.Up), path.Apex > start + Closeness),
+            };
+            bool found = path.TryGetCrossing(in plane, out PathPoint at);
+            bool right = !found || Math.Abs(Vector3d.Dot(at.Position - plane.Point, plane.Normal)) < Closeness;
+            crossed += must ? 1 : 0;
+            bool wrong = (must && !found) || !right;
+            missed += wrong ? 1 : 0;
+            if (wrong)
+            {
+                Note(FormattableString.Invariant($"plane {k} through {plane.Point}, normal {plane.Normal}: {(found ? at.Position : null)}; apex {path.Apex}, from {path.Pieces[0].StartPosition} at {path.Pieces[0].StartVelocity} m/s"));
+            }
+        }
+
+        return crossed;
+    }
+
+    private void Note(string example)
+    {
+        lock (_lock)
+        {
+            _examples.Add(example);
+        }
+    }
+
+    /// <summary>Whether a dense look at a path changes sides of a plane.</summary>
+    private static bool IsCrossed(Trajectory path, Vector3d point, Vector3d normal)
+    {
+        double first = Vector3d.Dot(path.Pieces[0].StartPosition - point, normal);
+        for (double time = 0; time < path.EndTime; time += 1e-3)
+        {
+            double side = Vector3d.Dot(path.PositionAt(time) - point, normal);
+            if (side * first < 0 && Math.Abs(side) > Closeness)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>Whether a path until it has passed a point ends before it comes closest to it.</summary>
+    private bool EndsEarly(Random random, Simulator simulator, in BallState ball, StopAt end, Trajectory whole, Trajectory until)
+    {
+        double angle = AimSets.Between(random, 0, 2 * Math.PI);
+        Vector3d aside = new(Math.Cos(angle), AimSets.Between(random, -1, 1), Math.Sin(angle));
+        Vector3d point = random.Next(2) == 0
+            ? whole.Final.Position
+            : whole.PositionAt(AimSets.Between(random, 0, whole.EndTime)) + (AimSets.Between(random, 0, 2) * aside);
+        simulator.LookAhead(in ball, new LookAheadRequest { StopAt = end, Duration = 12, UntilPassing = point }, until);
+        double off = until.ClosestApproach(point).Distance - whole.ClosestApproach(point).Distance;
+        if (off <= Closeness)
+        {
+            return false;
+        }
+
+        Note(FormattableString.Invariant(
+                $"until passing {point}: ends at {until.EndTime} s, {off} m further than at {whole.ClosestApproach(point).Time} s; {ball.Velocity} m/s, wind {simulator.Scene.Air.Wind}"));
+
+        return true;
+    }
+
+    /// <summary>Whether memory that fits exactly is complete, and memory with room for one piece less is not.</summary>
+    private static bool FitsExactly(Simulator simulator, in BallState ball, StopAt end, Trajectory whole)
+    {
+        var request = new LookAheadRequest { StopAt = end, Duration = 12 };
+        int pieces = whole.Pieces.Length;
+        var exact = new Trajectory(pieces);
+        simulator.LookAhead(in ball, request, exact);
+        bool fits = exact.IsComplete && exact.Pieces.Length == pieces && exact.EndTime == whole.EndTime;
+        if (pieces > 1)
+        {
+            var small = new Trajectory(pieces - 1);
+            simulator.LookAhead(in ball, request, small);
+            fits &= !small.IsComplete && small.Pieces.Length == pieces - 1;
+        }
+
+        return fits;
+    }
+
+    /// <summary>A damper and a net of a game's own, from soft to very stiff: followed, or refused.</summary>
+    private void Push(Random random, Scene scene, Trajectory path, Trajectory fine)
+    {
+        double damping = Math.Pow(10, AimSets.Between(random, -2, 3));
+        double stiffness = random.Next(2) == 0 ? 0 : Math.Pow(10, AimSets.Between(random, 1, 5));
+        double friction = stiffness > 0 ? 0.1 * damping : damping;
+        IForce net = Force.From(ball =>
+        {
+            double depth = -11 - ball.Position.Z;
+            return stiffness > 0
+                ? depth > 0 ? (-friction * ball.Velocity) + (stiffness * new Vector3d(0, 0, depth)) : Vector3d.Zero
+                : -friction * ball.Velocity;
+        });
+        var simulator = new Simulator(scene with { Forces = scene.Forces with { Custom = [net] } });
+        BallState ball = simulator.Launch(new Vector3d(0, 1.5, 0), new Vector3d(1, 3, -20), default);
+        var request = new LookAheadRequest { Duration = 1, StopAt = StopAt.Impact };
+        bool refused = false;
+        double off = 0;
+        try
+        {
+            simulator.LookAhead(in ball, request, path);
+            simulator.LookAhead(in ball, request with { TimeStep = 1e-4 }, fine);
+            for (double time = 0; time < Math.Min(path.EndTime, fine.EndTime); time += 0.01)
+            {
+                off = Math.Max(off, Vector3d.Distance(path.PositionAt(time), fine.PositionAt(time)));
+            }
+        }
+        catch (InvalidOperationException)
+        {
+            refused = true;
+        }
+
+        lock (_lock)
+        {
+            Stiff++;
+            StiffRefused += refused ? 1 : 0;
+            StiffDiverged += off > StiffBound ? 1 : 0;
+            if (off > StiffBound)
+            {
+                _examples.Add(FormattableString.Invariant($"own force: {friction} N s/m, {stiffness} N/m, {scene.Ball.Mass} kg: {off} m off"));
+            }
+        }
+    }
+}

@@ -1,0 +1,74 @@
+using System.Diagnostics;
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Labs.Obstacles;
+
+/// <summary>The time of a flight step by how many things there are, beside an empty pitch.</summary>
+internal static class ObstacleCost
+{
+    private const double Step = 0.01;
+    private const int Steps = 60;
+    private const int Balls = 64;
+
+    /// <summary>The table: things of up to 2 m on a pitch, and balls that fly over them, and among them.</summary>
+    public static LabTable Table(long seed, bool quick)
+    {
+        var table = new LabTable("Time of a flight step (RK2, 10 ms) among posts on a pitch, ns, and as a multiple of that over an empty pitch", "posts", "over them", "over them, times", "among them", "among them, times", "hits a flight");
+        double empty = 0;
+        foreach (int count in (int[])[0, 1, 10, 100, 1000])
+        {
+            Simulator simulator = WithPosts(seed, count);
+            (double high, _) = Time(simulator, seed, 8, quick ? 3 : 40);
+            (double low, double hits) = Time(simulator, seed, 1, quick ? 3 : 40);
+            empty = count == 0 ? high : empty;
+            table.Add(count, high, high / empty, low, low / empty, hits);
+        }
+
+        return table;
+    }
+
+    private static Simulator WithPosts(long seed, int count)
+    {
+        var random = new SeededRandom(SeededRandom.Mix(seed, 7));
+        Obstacle[] posts = [.. Enumerable.Range(0, count).Select(_ =>
+        {
+            var foot = new Vector3d(random.Uniform(-34, 34), 0, random.Uniform(-52, 52));
+            return new Obstacle { Shape = new CapsuleShape(foot, foot + new Vector3d(0, 2, 0), 0.06) };
+        })];
+        return new Simulator(Scene.Published with { Obstacles = posts }, new SolverSettings { Integrator = Integrator.Rk2 });
+    }
+
+    /// <summary>The least time of a step of several rounds, ns, and hits a flight.</summary>
+    private static (double Nanoseconds, double Hits) Time(Simulator simulator, long seed, double height, int rounds)
+    {
+        var random = new SeededRandom(SeededRandom.Mix(seed, 11));
+        BallState[] launched = [.. Enumerable.Range(0, Balls).Select(_ =>
+        {
+            Vector3d velocity = random.Velocity(15, 28, 5, 15);
+            return simulator.Launch(new Vector3d(random.Uniform(-20, 20), height, random.Uniform(-40, 40)), velocity, 30 * random.Direction());
+        })];
+        var log = new StepLog();
+        double best = double.PositiveInfinity;
+        int hits = 0;
+        for (int round = 0; round < rounds; round++)
+        {
+            BallState[] states = [.. launched];
+            hits = 0;
+            long start = Stopwatch.GetTimestamp();
+            for (int i = 0; i < states.Length; i++)
+            {
+                log.Clear();
+                for (int k = 0; k < Steps; k++)
+                {
+                    simulator.Step(ref states[i], Step, log);
+                }
+
+                hits += log.Events.Count;
+            }
+
+            best = Math.Min(best, Stopwatch.GetElapsedTime(start).TotalNanoseconds);
+        }
+
+        return (best / (Balls * Steps), (double)hits / Balls);
+    }
+}

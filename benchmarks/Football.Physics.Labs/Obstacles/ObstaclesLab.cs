@@ -1,0 +1,68 @@
+using System.CommandLine;
+using Football.Tool.Commands;
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Labs.Obstacles;
+
+/// <summary>football lab obstacles: what things to hit cost, and how well they are hit, beside a rigid-body engine's way.</summary>
+internal static class ObstaclesLab
+{
+    private const int Shots = 2000;
+
+    private static readonly double[] s_speeds = [10, 20, 40, 60, 100];
+    private static readonly double[] s_steps = [1.0 / 120, 1.0 / 60, 1.0 / 30];
+
+    public static Command Create(Terminal terminal)
+    {
+        Option<bool> quick = LabOptions.Quick();
+        return LabOptions.Create(
+            "obstacles",
+            "Things to hit: the cost by how many there are, shots that pass through a post, and the error of a rebound, beside a rigid-body engine's way.",
+            ["football lab obstacles --quick"],
+            terminal,
+            (parsed, seed, progress) => Run(seed, parsed.GetValue(quick), progress),
+            quick);
+    }
+
+    /// <summary>Measures all of it.</summary>
+    /// <param name="seed">Seed of the shots.</param>
+    /// <param name="quick">Less of everything.</param>
+    /// <param name="progress">Told how far it is.</param>
+    public static LabReport Run(long seed, bool quick, Progress progress)
+    {
+        int shots = quick ? Shots / 20 : Shots;
+        var report = new LabReport { Name = "obstacles", Seed = seed };
+        progress.Report(0, 3, () => "cost");
+        report.Tables.Add(ObstacleCost.Table(seed, quick));
+        progress.Report(1, 3, () => "a post");
+        var passing = new LabTable(
+            $"{shots} shots at a post of 6 cm radius: passed through, and how far off the direction of the rebound is, mean and worst, degrees",
+            "speed, m/s", "step, ms", "engine: passed", "engine: mean", "engine: worst", "here: passed", "here: mean", "here: worst", "verdict");
+        foreach (double speed in s_speeds)
+        {
+            foreach (double step in s_steps)
+            {
+                PostShots engine = PostShots.ByEngine(seed, shots, speed, step);
+                PostShots here = PostShots.Here(seed, shots, speed, step);
+                bool holds = here.Passed == 0 && here.Worst < 1e-5;
+                report.Failed |= !holds;
+                passing.Add(speed, 1e3 * step, $"{100.0 * engine.Passed / shots:0.0} %", engine.Mean, engine.Worst, $"{100.0 * here.Passed / shots:0.0} %", here.Mean, here.Worst, holds ? "holds" : "FAILED");
+            }
+        }
+
+        report.Tables.Add(passing);
+        progress.Report(2, 3, () => "drops");
+        var drops = new LabTable("Drops from 0.5 to 1.5 m on a board of restitution 0.6: the restitution that comes out, √(height after/height before)", "step, ms", "engine: least", "engine: greatest", "here: least", "here: greatest", "verdict");
+        foreach (RigidBodyRebound engine in RigidBodyEngineReport.Measure().Rebounds)
+        {
+            (double least, double greatest) = BoardDrops.Measure(engine.TimeStep, quick ? 20 : 200);
+            bool holds = least > 0.6 - 1e-9 && greatest < 0.6 + 1e-9;
+            report.Failed |= !holds;
+            drops.Add(1e3 * engine.TimeStep, engine.Least, engine.Greatest, least, greatest, holds ? "holds" : "FAILED");
+        }
+
+        report.Tables.Add(drops);
+        report.Notes.Add("The engine's way: symplectic Euler, contacts found where the ball is at the end of a frame, pushed out and answered there. In vacuum, without friction, so that only when and where the contact is found tells.");
+        return report;
+    }
+}

@@ -1,0 +1,100 @@
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Labs.Queries;
+
+/// <summary>Noisy tracks of random shots, seen 25 times a second to 2 cm, and how often the fit is within its own uncertainty.</summary>
+internal sealed class FitCheck
+{
+    private const double Interval = 0.04;
+    private const double Noise = 0.02;
+
+    /// <summary>Squared Mahalanobis distances that nineteen of twenty are within, by degrees of freedom from 9 on.</summary>
+    private static readonly double[] s_limits = [16.919, 18.307, 19.675, 21.026, 22.362];
+
+    private readonly TrackFit _fit = new(Scene.Measured);
+
+    /// <summary>Cases.</summary>
+    public int Count { get; private set; }
+
+    /// <summary>Those of them of which all numbers together are within the region of 95 %.</summary>
+    public int Within { get; private set; }
+
+    /// <summary>Those that did not converge.</summary>
+    public int Lost { get; private set; }
+
+    /// <summary>Steps of all searches.</summary>
+    public long Iterations { get; private set; }
+
+    /// <summary>Of each number the cases in which it is within 1.96 standard deviations.</summary>
+    public Dictionary<string, int> Each { get; } = [];
+
+    /// <summary>Draws a shot, sees it, fits it.</summary>
+    /// <param name="random">Numbers.</param>
+    /// <param name="also">Whether drag, lift, restitution and friction are to be found too.</param>
+    public void Run(SeededRandom random, bool also)
+    {
+        double[] factors = also ? [Normal(random, 1, 0.1), Normal(random, 1, 0.2), Normal(random, 1, 0.05), Normal(random, 1, 0.1)] : [];
+        Scene scene = Scene.Measured;
+        if (also)
+        {
+            Ground ground = scene.Ground;
+            scene = scene with
+            {
+                Ground = ground with
+                {
+                    NormalRestitution = factors[2] * ground.NormalRestitution,
+                    ImpactFriction = factors[3] * ground.ImpactFriction,
+                    SlidingFriction = factors[3] * ground.SlidingFriction,
+                },
+                Forces = scene.Forces with { Custom = [new ScaledAir(scene, factors[0], factors[1])] },
+            };
+        }
+
+        var simulator = new Simulator(scene);
+        var from = new Vector3d(0, 0.11, 0);
+        Vector3d velocity = random.Velocity(14, 28, 8, 35);
+        Vector3d spin = random.Uniform(0, 60) * random.Direction();
+        BallState ball = simulator.Launch(from, velocity, spin);
+        var log = new StepLog();
+        var track = new TrackPoint[also ? 75 : 50];
+        for (int i = 0; i < track.Length; i++)
+        {
+            var off = new Vector3d(Normal(random, 0, Noise), Normal(random, 0, Noise), Normal(random, 0, Noise));
+            track[i] = new TrackPoint(i * Interval, ball.Position + off, Noise);
+            log.Clear();
+            simulator.Run(ref ball, 0.01, Interval, StopAt.Time, log);
+        }
+
+        TrackFitResult found = _fit.Find(track, new TrackFitRequest { Drag = also, Lift = also, Restitution = also, Friction = also });
+        double[] truth = [from.X, from.Y, from.Z, velocity.X, velocity.Y, velocity.Z, spin.X, spin.Y, spin.Z, .. factors];
+        Judge(found, truth);
+    }
+
+    private static double Normal(SeededRandom random, double mean, double deviation) =>
+        mean + (deviation * Math.Sqrt(-2 * Math.Log(1 - random.Next())) * Math.Cos(2 * Math.PI * random.Next()));
+
+    private void Judge(TrackFitResult found, double[] truth)
+    {
+        int n = truth.Length;
+        double[] system = new double[n * (n + 1)];
+        double[] off = [.. truth.Select((value, i) => found.Value(i) - value)];
+        for (int i = 0; i < n; i++)
+        {
+            for (int j = 0; j < n; j++)
+            {
+                system[(i * (n + 1)) + j] = found.Covariance(i, j);
+            }
+
+            system[(i * (n + 1)) + n] = off[i];
+            string name = found.Names[i];
+            Each[name] = Each.GetValueOrDefault(name) + (Math.Abs(off[i]) <= 1.96 * found.Deviation(i) ? 1 : 0);
+        }
+
+        double[] solved = new double[n];
+        double distance = Linear.Solve(system, solved, n) ? solved.Zip(off, (a, b) => a * b).Sum() : double.PositiveInfinity;
+        Count++;
+        Iterations += found.Iterations;
+        Lost += found.Converged ? 0 : 1;
+        Within += distance <= s_limits[n - 9] ? 1 : 0;
+    }
+}

@@ -1,0 +1,96 @@
+using System.CommandLine;
+using Football.Tool.Commands;
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Labs.Queries;
+
+/// <summary>football lab scatter: the scatter of random shots against kicks that are drawn and flown one by one in double.</summary>
+internal static class ScatterLab
+{
+    public static Command Create(Terminal terminal)
+    {
+        Option<long> kicks = Arguments.Whole("--kicks", "Kicks flown for each shot.", 100, 100_000_000, 400);
+        Option<long> shots = Arguments.Whole("--shots", "Shots, every second one of a narrow spread.", 1, 1000, 6);
+        return LabOptions.Create(
+            "scatter",
+            "Chances to be in, and to be out of the goalkeeper's reach, by derivatives or lanes, against kicks drawn by another generator and flown one by one.",
+            ["football lab scatter --shots 1 --kicks 200 --seed 7"],
+            terminal,
+            (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(shots), (int)parsed.GetValue(kicks), progress),
+            shots,
+            kicks);
+    }
+
+    private static LabReport Run(long seed, int shots, int kicks, Progress progress)
+    {
+        var table = new LabTable(
+            "Scatter of shots", "spread, °", "method", "in", "in, flown", "scores", "scores, flown", "aside σ, m", "flown", "height σ, m", "flown", "off, σ of the count", "verdict");
+        var report = new LabReport { Name = "scatter", Seed = seed, Tables = { table } };
+        var scatter = new Scatter(Scene.Measured);
+        var simulator = new Simulator(Scene.Measured);
+        for (int i = 0; i < shots; i++)
+        {
+            int at = i;
+            progress.Report(i, shots, () => FormattableString.Invariant($"shot {at}"));
+            var random = new SeededRandom(SeededRandom.Mix(seed, i));
+            double size = i % 2 == 0 ? 0.35 : random.Uniform(1.5, 4);
+            var spread = new KickSpread { SpeedPercent = 3 * size, ElevationDegrees = size, AzimuthDegrees = size, SpinPercent = 10 * size, SpeedWithElevation = -0.4 };
+            var goal = new Goal { Center = new Vector3d(0, 0, -random.Uniform(11, 22)), Facing = new Vector3d(0, 0, 1) };
+            var keeper = new Runner { Position = goal.Center, Acceleration = 8, Speed = 5, Reach = 0.9, HighestHeight = 2.5 };
+            var velocity = new Vector3d(random.Uniform(-5, 5), random.Uniform(3, 5), -random.Uniform(20, 27));
+            Vector3d spin = random.Uniform(0, 40) * random.Direction();
+            var from = new Vector3d(0, 0.11, 0);
+            ScatterResult found = scatter.Find(from, velocity, spin, spread, goal, keeper);
+            ScatterResult flown = Fly(simulator, from, velocity, spin, spread, goal, keeper, kicks, seed + i);
+            double Off(double a, double b) => (a - b) / Math.Sqrt(Math.Max(1.0, b * (1 - b) * kicks)) * kicks;
+            double off = Math.Max(Math.Abs(Off(found.OnTarget, flown.OnTarget)), Math.Abs(Off(found.Scores, flown.Scores)));
+            bool close = Math.Abs(found.OnTarget - flown.OnTarget) < 0.01 && Math.Abs(found.Scores - flown.Scores) < 0.01;
+            table.Add(
+                size, found.Method, found.OnTarget, flown.OnTarget, found.Scores, flown.Scores, found.AsideDeviation, flown.AsideDeviation, found.HeightDeviation,
+                flown.HeightDeviation, off, Verdict.Of(close || off < 4));
+        }
+
+        report.Notes.Add("Reached: both chances within 0.01 of those flown, or within four standard deviations of their count.");
+        return report;
+    }
+
+    /// <summary>The same by the single ball in double, with numbers of another generator.</summary>
+    private static ScatterResult Fly(
+        Simulator simulator, Vector3d from, Vector3d velocity, Vector3d spin, KickSpread spread, Goal goal, Runner keeper, int kicks, long seed)
+    {
+        var random = new SeededRandom(SeededRandom.Mix(seed, 77));
+        var plane = new GoalPlane(goal, keeper);
+        var kick = new SpreadKick(in from, in velocity, in spin);
+        double[] factor = new double[KickSpread.Count * KickSpread.Count];
+        spread.Factor(factor);
+        double[] by = new double[KickSpread.Count];
+        double[] normal = new double[KickSpread.Count];
+        var path = new Trajectory();
+        var request = new LookAheadRequest { Duration = 15, UntilPlane = plane.Plane };
+        var sum = new ScatterSum();
+        for (int k = 0; k < kicks; k++)
+        {
+            for (int i = 0; i < normal.Length; i++)
+            {
+                normal[i] = Math.Sqrt(-2 * Math.Log(1 - random.Next())) * Math.Cos(2 * Math.PI * random.Next());
+            }
+
+            for (int i = 0; i < by.Length; i++)
+            {
+                by[i] = 0;
+                for (int j = 0; j <= i; j++)
+                {
+                    by[i] += factor[(i * by.Length) + j] * normal[j];
+                }
+            }
+
+            kick.With(by, out Vector3d v, out Vector3d w);
+            BallState ball = simulator.Launch(from, v, w);
+            simulator.LookAhead(in ball, request, path);
+            PlaneCrossingPoint at = path.TryGetCrossing(plane.Plane, out PathPoint crossing) ? new PlaneCrossingPoint(crossing.Time, crossing.Position) : new PlaneCrossingPoint(-1, in from);
+            sum.Add(in plane, in at);
+        }
+
+        return sum.Result(kicks);
+    }
+}

@@ -1,0 +1,131 @@
+using System.CommandLine;
+using Football.Tool.Commands;
+
+namespace Football.Physics.Labs;
+
+/// <summary>football lab rigs: what FIFA's rigs for pitches would measure on every surface of both profiles, beside the windows of the tests.</summary>
+internal static class RigsLab
+{
+    private const double TimeStep = 0.002;
+
+    /// <summary>The ball is dropped from so high, of its lowest point, m.</summary>
+    private const double DropHeight = 2;
+
+    /// <summary>The ball is shot at 50 km/h, 15° down.</summary>
+    private const double ShotSpeed = 50 / 3.6;
+    private const double ShotAngle = 15 * Math.PI / 180;
+
+    /// <summary>The ball comes down a ramp of 1 m at 45°, on two rails 100 mm apart inside.</summary>
+    private const double RampHeight = 1;
+    private const double RailGap = 0.1;
+
+    private static readonly RigWindow Natural = new("natural pitch", (0.60, 1.00), (45, 60), (4, 10));
+    private static readonly RigWindow Wet = new("natural pitch, wet", (0.60, 1.00), (45, 80), (4, 10));
+    private static readonly RigWindow QualityPro = new("FIFA Quality Pro", (0.60, 0.85), (45, 60), (4, 8));
+    private static readonly RigWindow Concrete = new("test ball on concrete", (1.32, 1.38), null, null);
+
+    /// <summary>Every surface, its scene, and what the rigs ask of it; null where nothing is known.</summary>
+    public static IReadOnlyList<(string Profile, string Surface, Scene Scene, RigWindow? Window)> Surfaces { get; } =
+    [
+        Measured("dryTurf", Ground.DryTurf, Natural),
+        Measured("artificialTurf", Ground.ArtificialTurf, QualityPro),
+        Measured("wetTurf", Ground.WetTurf, Wet),
+        Measured("hardGround", Ground.HardGround, null),
+        Measured("longGrass", Ground.LongGrass, null),
+        Measured("indoor", Ground.Indoor, null),
+        Measured("concrete", Ground.Concrete, Concrete),
+        Measured("snow", Ground.Snow, null),
+        Published("publishedTurf", Ground.PublishedTurf, Natural),
+        Published("publishedWetTurf", Ground.PublishedWetTurf, Wet),
+        Published("publishedCourt", Ground.PublishedCourt, null),
+        Published("publishedSand", Ground.PublishedSand, null),
+    ];
+
+    public static Command Create(Terminal terminal) => LabOptions.Create(
+        "rigs",
+        "FIFA's rigs for pitches on every surface of both profiles: a drop from 2 m, a shot of 50 km/h at 15°, a roll from a ramp of 1 m; and the windows of the tests.",
+        ["football lab rigs", "football lab rigs --csv rigs.csv"],
+        terminal,
+        (_, seed, _) => Run(seed));
+
+    /// <summary>How high the ball bounces from 2 m, its lowest point, m.</summary>
+    public static double Drop(Scene scene)
+    {
+        var simulator = new Simulator(scene);
+        var log = new StepLog();
+        BallState state = simulator.Launch(new Vector3d(0, DropHeight + simulator.ContactHeight, 0), Vector3d.Zero, Vector3d.Zero);
+        simulator.Run(ref state, TimeStep, 5, StopAt.Impact, log);
+        double highest = simulator.ContactHeight;
+        double before;
+        do
+        {
+            before = state.Position.Y;
+            simulator.Step(ref state, TimeStep, log);
+            highest = Math.Max(highest, state.Position.Y);
+        }
+        while (state.Position.Y > before);
+        return highest - simulator.ContactHeight;
+    }
+
+    /// <summary>What is left of the speed along the ground of a shot without spin, %.</summary>
+    public static double AngledShot(Scene scene)
+    {
+        var simulator = new Simulator(scene);
+        var log = new StepLog();
+        var velocity = new Vector3d(ShotSpeed * Math.Cos(ShotAngle), -ShotSpeed * Math.Sin(ShotAngle), 0);
+        BallState state = simulator.Launch(new Vector3d(0, simulator.ContactHeight, 0), velocity, Vector3d.Zero);
+        simulator.Run(ref state, TimeStep, 1, StopAt.Impact, log);
+        return 100 * log.Events[0].Velocity.X / velocity.X;
+    }
+
+    /// <summary>How far the ball rolls from the ramp, m.</summary>
+    public static double Roll(Scene scene)
+    {
+        // On two rails a ball turns as one of the radius r' = √(r² − (w/2)²): v² = 2 g h/(1 + α (r/r')²), ω = v/r'.
+        BallProperties ball = scene.Ball;
+        double onRails = Math.Sqrt((ball.Radius * ball.Radius) - (0.25 * RailGap * RailGap));
+        double turning = ball.Radius / onRails;
+        double speed = Math.Sqrt(2 * scene.Gravity * RampHeight / (1 + (ball.InertiaFactor * turning * turning)));
+        var simulator = new Simulator(scene);
+        BallState state = simulator.Launch(new Vector3d(0, simulator.ContactHeight, 0), new Vector3d(speed, 0, 0), new Vector3d(0, 0, -speed / onRails));
+        simulator.Run(ref state, 5 * TimeStep, 120, StopAt.Rest, new StepLog());
+        return state.Position.X;
+    }
+
+    private static (string Profile, string Surface, Scene Scene, RigWindow? Window) Measured(string name, Ground ground, RigWindow? window) =>
+        ("measured", name, Scene.Measured with { Ground = ground }, window);
+
+    private static (string Profile, string Surface, Scene Scene, RigWindow? Window) Published(string name, Ground ground, RigWindow? window) =>
+        ("published", name, Scene.Published with { Ground = ground }, window);
+
+    private static LabReport Run(long seed)
+    {
+        var table = new LabTable(
+            "FIFA's rigs", "profile", "surface", "drop, m", "drop window", "drop is", "angle, %", "angle window", "angle is", "roll, m", "roll window", "roll is", "test");
+        var report = new LabReport { Name = "rigs", Seed = seed, Tables = { table } };
+        foreach ((string profile, string surface, Scene scene, RigWindow? window) in Surfaces)
+        {
+            double drop = Drop(scene);
+            double angle = AngledShot(scene);
+            double roll = Roll(scene);
+            table.Add(
+                profile,
+                surface,
+                drop,
+                RigWindow.Text(window?.Drop),
+                RigWindow.Verdict(window?.Drop, drop),
+                angle,
+                RigWindow.Text(window?.Angle),
+                RigWindow.Verdict(window?.Angle, angle),
+                roll,
+                RigWindow.Text(window?.Roll),
+                RigWindow.Verdict(window?.Roll, roll),
+                window?.Name);
+            report.Failed |= profile == "measured" && window is not null && !window.Holds(drop, angle, roll);
+        }
+
+        report.Notes.Add("The published profile is the thesis', whose numbers are not of rigs: what it fails is shown, and is no failure of the command.");
+        report.Notes.Add("Where there is no window nothing was found: those surfaces are guesses. The angle is what is left of the speed along the ground.");
+        return report;
+    }
+}

@@ -1,0 +1,176 @@
+namespace Football.Physics.Labs.Stability;
+
+/// <summary>What the air of a scene can do to its ball at most, from the equations of its laws.</summary>
+/// <remarks>
+/// With k = ½ρA/m, s = r|ω|, Sp = s/|u|: drag is −k C_D |u| u, the Magnus force k C_L |u| (ω̂ × u) or, with a constant coefficient, 2 k C_M s (ω̂ × u).
+/// A force f(|u|) along û has the slope f′ and the curvature f″; one across it is turned by as much and stretches by half of |u| (f/|u|)′.
+/// </remarks>
+internal sealed class AirBounds
+{
+    private const double CriticalSpeed = 12.19;
+
+    /// <summary>C_D0, the largest coefficient without spin.</summary>
+    private const double AtRest = 0.501;
+
+    /// <summary>(C_D0 − C_D)/(C_D0 − a) at most: 1, but a little more where the regularised law mixes in a C_D with spin below a.</summary>
+    private const double LargestDeficit = 1.0001;
+
+    /// <summary>Between these speeds, m/s, the coefficients change by the drag crisis.</summary>
+    private const double CrisisFrom = 8;
+    private const double CrisisTo = 18;
+
+    private readonly ForceSet _forces;
+    private readonly bool _regularised;
+    private readonly double _scale;
+    private readonly double _spinDecay;
+    private readonly double _radius;
+    private readonly DragCurve _curve;
+    private readonly double _perSpeed; // 2r/ν, s/m
+
+    public AirBounds(Scene scene)
+    {
+        BallProperties ball = scene.Ball;
+        double r = ball.Radius;
+        _radius = r;
+        _curve = ball.DragCurve;
+        _perSpeed = 2 * r / scene.Air.KinematicViscosity;
+        double area = Math.PI * r * r;
+        _forces = scene.Forces;
+        _regularised = scene.Forces.Coefficients == CoefficientForm.Regularised;
+        _scale = 0.5 * scene.Air.Density * area / ball.Mass;
+
+        // ω̇ = k ω / I, or (r/2) ρ A 0.0074 (2r/ν)^(−1/5) (U₊^1.8 + U₋^1.8) / I with U± ≤ |u| + s/2
+        _spinDecay = _forces.SpinDecay switch
+        {
+            ForceLaw.None => 0,
+            ForceLaw.Constant => _forces.SpinDecayCoefficient / ball.MomentOfInertia,
+            ForceLaw.Empirical => r * scene.Air.Density * area * 0.0074 * Math.Pow(2 * r / scene.Air.KinematicViscosity, -0.2) / ball.MomentOfInertia,
+            _ => throw new ArgumentOutOfRangeException(nameof(scene)),
+        };
+    }
+
+    /// <summary>Whether the share of its spin that a ball loses in a time is the same at every speed and spin.</summary>
+    public bool SpinDecaysEvenly => _forces.SpinDecay != ForceLaw.Empirical;
+
+    /// <summary>How fast a ball loses its spin, at most, as a share, 1/s.</summary>
+    /// <param name="fast">Highest air speed, m/s.</param>
+    /// <param name="slowSurface">Lowest s = r|ω|, m/s.</param>
+    /// <param name="fastSurface">Highest s, m/s.</param>
+    public double SpinDecay(double fast, double slowSurface, double fastSurface) =>
+        SpinDecaysEvenly || !(_spinDecay > 0 && fastSurface > 0) ? _spinDecay : _spinDecay * Math.Pow(fast + (0.5 * fastSurface), 1.8) * _radius / slowSurface;
+
+    /// <summary>|A| at most, m/s².</summary>
+    /// <param name="speed">Highest air speed, m/s.</param>
+    /// <param name="surface">Highest s, m/s.</param>
+    public double Size(double speed, double surface) =>
+        _forces.Coefficients == CoefficientForm.Measured ? MeasuredSize(speed, surface) : Over(speed, speed, surface, surface).Size;
+
+    /// <summary>The same by the measured laws: C_D grows with the Reynolds number without end, C_L is 0.32 at most.</summary>
+    private double MeasuredSize(double speed, double surface)
+    {
+        double beyond = Math.Max(0, (_perSpeed * speed) - _curve.RiseFrom) * (_curve.Risen - _curve.Supercritical) / (_curve.RiseTo - _curve.RiseFrom);
+        double drag = _forces.Drag switch
+        {
+            ForceLaw.None => 0,
+            ForceLaw.Constant => _forces.DragCoefficient,
+            _ => Math.Max(_curve.Subcritical, _curve.Supercritical) + beyond + 0.30,
+        };
+        double lift = _forces.Magnus switch
+        {
+            ForceLaw.None => 0,
+            ForceLaw.Constant => 2 * Math.Abs(_forces.MagnusCoefficient) * surface * speed,
+            _ => 0.32 * speed * speed,
+        };
+        return _scale * ((drag * speed * speed) + lift);
+    }
+
+    /// <summary>The bounds over a range of speeds and spins.</summary>
+    /// <param name="slow">Lowest air speed, m/s.</param>
+    /// <param name="fast">Highest air speed, m/s.</param>
+    /// <param name="slowSurface">Lowest s, m/s.</param>
+    /// <param name="fastSurface">Highest s, m/s.</param>
+    public AirBound Over(double slow, double fast, double slowSurface, double fastSurface) =>
+        _scale > 0 ? _scale * (Drag(slow, fast, fastSurface) + Magnus(slow, fast, slowSurface, fastSurface)) : default;
+
+    private AirBound Drag(double slow, double fast, double s)
+    {
+        if (_forces.Drag == ForceLaw.None)
+        {
+            return default;
+        }
+
+        if (_forces.Drag == ForceLaw.Constant)
+        {
+            // f = C_D u²
+            double c = _forces.DragCoefficient;
+            return new AirBound(c * fast * fast, 2 * c * fast, 2 * c * fast, 2 * c, 0);
+        }
+
+        // No spin, f = C_D(u) u²: 2 C_D + u C_D′ ≤ 2 C_D0 since C_D falls; 2 C_D + 4 u C_D′ + u² C_D″ ≤ 6.
+        // Spin, f = c s^d u^(2−d) with d = 0.3056; with s^d u^(1−d) growing with u, and u^(−d) falling.
+        double bySpin = 0.4127 * Math.Pow(s, 0.3056) * Math.Pow(fast, 1 - 0.3056);
+        double bend = 0.4127 * Math.Pow(Share(s, slow), 0.3056);
+        var law = new AirBound(
+            (AtRest * fast * fast) + (bySpin * fast),
+            (2 * AtRest * fast) + (1.7 * bySpin),
+            (2 * AtRest * fast) + (1.7 * bySpin),
+            6 + (1.2 * bend),
+            0.3056 * bySpin * fast);
+        if (!_regularised)
+        {
+            return law;
+        }
+
+        // C_D = w C₁ + (1 − w) C₀: |C₁ − C₀| u w′ with u w′ ≤ v_c/(4 · 0.25) at the critical speed and ≤ 0.05/(4 · 0.0025) at the critical spin.
+        double between = (0.346 * fast) + bySpin;
+        return law + new AirBound(0, 18 * between, 18 * between, 400 * (0.346 + bend), 5 * between * fast);
+    }
+
+    private AirBound Magnus(double slow, double fast, double slowSurface, double s)
+    {
+        if (_forces.Magnus == ForceLaw.None)
+        {
+            return default;
+        }
+
+        if (_forces.Magnus == ForceLaw.Constant)
+        {
+            // f = 2 C_M s u: a turn of the velocity by the same rate wherever it is.
+            double rate = 2 * Math.Abs(_forces.MagnusCoefficient) * s;
+            return new AirBound(rate * fast, rate, 0, 0, rate * fast);
+        }
+
+        // f = 1.15 s^0.83 u^1.17 D with the deficit D = (C_D0 − C_D)/(C_D0 − a): without spin 1/(1 + exp((v_c − u)/1.309)), which grows with u;
+        // with spin (beyond the critical speed alone) |u D′| = d c Sp^d/(C_D0 − a) ≤ 0.45, and u² |D″| ≤ 0.6.
+        bool crisis = fast > CrisisFrom && slow < CrisisTo;
+        double deficit = fast < CriticalSpeed ? Logistic((fast - CriticalSpeed) / 1.309) : LargestDeficit;
+        double change = fast < CrisisFrom ? 6.2 * deficit : crisis ? 2.4 : 0.45;
+        double bend = fast < CrisisFrom ? 40 * deficit : crisis ? 11 : 2.3;
+        double perSpin = fast < CrisisFrom ? 0 : 0.45;
+        if (_regularised)
+        {
+            // The weight's: u w′ |C₁ − C₀|/(C_D0 − a).
+            deficit = Math.Min(LargestDeficit, deficit + Logistic((fast - CriticalSpeed) / 0.25));
+            change += crisis ? 16 : fast < CrisisFrom ? 1e-5 : 0.4;
+            bend += crisis ? 330 : fast < CrisisFrom ? 1e-3 : 3;
+            perSpin += crisis ? 2.4 : fast < CrisisFrom ? 1e-5 : 0.4;
+        }
+
+        double lift = 1.15 * Math.Pow(s, 0.83) * Math.Pow(fast, 0.17);
+        double atSlow = 1.15 * Math.Pow(Share(s, slow), 0.83);
+
+        // Where C_D reaches C_D0 the lift ends in a kink, which no curvature bounds: with spin at Sp = 1.886, and later the less of that law is mixed in.
+        bool kink = fast > CrisisFrom && s > 1.8 * slow && (_regularised || slowSurface < 1.95 * fast);
+        return new AirBound(
+            lift * fast * deficit,
+            lift * ((1.17 * deficit) + change),
+            0.5 * lift * ((0.17 * deficit) + change),
+            kink ? double.PositiveInfinity : atSlow * ((0.2 * deficit) + (2.34 * change) + bend),
+            lift * fast * ((0.83 * deficit) + perSpin));
+    }
+
+    /// <summary>Sp at most; without spin 0 even at rest.</summary>
+    private static double Share(double surface, double slow) => surface > 0 ? surface / slow : 0;
+
+    private static double Logistic(double x) => 1 / (1 + Math.Exp(-x));
+}

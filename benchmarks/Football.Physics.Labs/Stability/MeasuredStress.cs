@@ -1,0 +1,42 @@
+namespace Football.Physics.Labs.Stability;
+
+/// <summary>Scenes of the stress matrix by the measured laws: one of the balls, and ground with friction of impacts, drilling friction and all of the air's force.</summary>
+internal static class MeasuredStress
+{
+    /// <summary>The drag curves, by the names that scenarios have for their balls.</summary>
+    public static IReadOnlyList<(string Type, DragCurve Curve)> Curves { get; } =
+    [
+        ("generic", DragCurve.Generic), ("tango12", DragCurve.Tango12), ("teamgeist", DragCurve.Teamgeist), ("jabulani", DragCurve.Jabulani),
+        ("brazuca", DragCurve.Brazuca),
+    ];
+
+    /// <summary>The same shot in a scene of the measured profile.</summary>
+    public static StressScene Of(StressScene scene, long seed, long index)
+    {
+        var random = new LabRandom(LabRandom.Mix(seed, ~index));
+        Ground ground = scene.Scene.Ground;
+        if (scene.Kind != StressKind.ComesToRest)
+        {
+            // Where rest is promised, it is by the numbers that the promise is made of.
+            ground = ground with
+            {
+                TangentialRestitutionZ = ground.TangentialRestitutionX,
+                RestitutionSpeed = random.Any(30, double.PositiveInfinity, random.Log(0.1, 1000)),
+                ImpactFriction = random.Any(0, double.PositiveInfinity, random.Log(0.01, 3)),
+                RollingFrictionBySpeed = random.Any(0, random.Log(1e-4, 0.1)),
+                DrillingLength = random.Any(0, random.Log(1e-4, 0.1)),
+                Aerodynamics = GroundAerodynamics.Full,
+            };
+        }
+
+        return scene with
+        {
+            Scene = scene.Scene with
+            {
+                Ball = scene.Scene.Ball with { DragCurve = Curves[random.Below(Curves.Count)].Curve },
+                Forces = scene.Scene.Forces with { Coefficients = CoefficientForm.Measured },
+                Ground = ground,
+            },
+        };
+    }
+}

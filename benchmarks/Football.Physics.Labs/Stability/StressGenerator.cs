@@ -1,0 +1,263 @@
+namespace Football.Physics.Labs.Stability;
+
+/// <summary>Makes the scenes of the stress matrix.</summary>
+internal static class StressGenerator
+{
+    private const double CriticalSpeed = 12.19;
+    private const double CriticalSpin = 0.05;
+
+    public static IReadOnlyList<StressKind> Kinds { get; } = Enum.GetValues<StressKind>();
+
+    public static IReadOnlyList<Integrator> Integrators { get; } = Enum.GetValues<Integrator>();
+
+    /// <summary>The number of a scene of a kind with a method.</summary>
+    /// <param name="kind">The kind.</param>
+    /// <param name="integrator">The method.</param>
+    /// <param name="round">Which of them, from 0 on.</param>
+    public static long Index(StressKind kind, Integrator integrator, long round) => (int)kind + (Kinds.Count * ((int)integrator + (Integrators.Count * round)));
+
+    /// <summary>The scene with a number: kinds and methods take turns.</summary>
+    public static StressScene Make(long seed, long index)
+    {
+        StressKind kind = Kinds[(int)(index % Kinds.Count)];
+        Integrator integrator = Integrators[(int)(index / Kinds.Count % Integrators.Count)];
+        var random = new LabRandom(LabRandom.Mix(seed, index));
+        random.Next();
+        BallProperties ball = Ball(random, kind);
+        Air air = AnyAir(random, kind);
+        if (kind == StressKind.Absurd)
+        {
+            ball = ball with { Mass = Math.Min(100, Math.Max(ball.Mass, 0.06 * Buoyancy.DisplacedMass(ball, air))) };
+            air = air with { Density = Math.Min(air.Density, 10 * ball.Mass / Buoyancy.DisplacedMass(ball, new Air { Density = 1 })) };
+        }
+
+        Ground ground = AnyGround(random, kind);
+        ground = ground with { SpinDamping = Math.Min(ground.SpinDamping, ball.MostDamping) };
+        double gravity = kind switch
+        {
+            StressKind.Absurd => random.Any(0, 1e-9, 1e-3, 9.81, 100, 1000),
+            StressKind.ComesToRest => random.Log(1, 30),
+            _ => random.Chance(0.1) ? 0 : random.Log(1, 30),
+        };
+        ForceSet forces = Forces(random, kind);
+        forces = forces with { SpinDecayCoefficient = Math.Min(forces.SpinDecayCoefficient, ball.MostDamping) };
+        if (kind == StressKind.ComesToRest && forces.Buoyancy)
+        {
+            // Heavier than the air.
+            forces = forces with { Buoyancy = Buoyancy.DisplacedMass(ball, air) < 0.5 * ball.Mass };
+        }
+
+        if (kind == StressKind.ComesToRest && forces.Magnus == ForceLaw.Constant)
+        {
+            // A lift that goes with the speed, while drag goes with its square, lets a ball sink as slowly as it likes; and methods of low order
+            // make a velocity longer that they turn, which keeps a ball bouncing.
+            forces = forces with { Magnus = ForceLaw.Empirical };
+        }
+
+        if (kind == StressKind.ComesToRest && forces.Magnus != ForceLaw.None && forces.SpinDecay != ForceLaw.Empirical)
+        {
+            // A ball that keeps its spin is carried by its lift: it sinks as slowly as its drag lets it, without drag not at all.
+            forces = forces with { SpinDecay = ForceLaw.Empirical };
+        }
+
+        var scene = Scene.Published with { Ball = ball, Air = air, Ground = ground, Gravity = gravity, Forces = forces };
+        Launch(random, kind, scene, out Vector3d position, out Vector3d velocity, out Vector3d spin);
+        double[] frames = Frames(random, kind);
+        var made = new StressScene
+        {
+            Kind = kind,
+            Integrator = integrator,
+            Scene = scene,
+            Settings = new SolverSettings
+            {
+                Integrator = integrator,
+                RollingTransition = random.Chance(0.1) ? RollingTransition.Heuristic : RollingTransition.Exact,
+                CollisionTiming = random.Chance(0.1) ? CollisionTiming.Bisection : CollisionTiming.Exact,
+            },
+            Position = position,
+            Velocity = velocity,
+            Spin = spin,
+            Frames = frames,
+        };
+        return kind == StressKind.ComesToRest ? made with { RestsBy = RestsBy(made) } : made;
+    }
+
+    /// <summary>The stated time by which a ball is at rest, s, without wind and with every loss above its least.</summary>
+    /// <remarks>
+    /// V = |v| + r|ω| + √(2 g h) is never exceeded. Bounces: 2V/(g(1 − e)); slide and roll: V/(μ g) each; the spin about the vertical falls by
+    /// c/I a second until its energy is below the rest energy.
+    /// </remarks>
+    public static double RestsBy(StressScene s)
+    {
+        Ground ground = s.Scene.Ground;
+        double g = -s.Upward;
+        double height = Math.Max(0, s.Position.Y - ground.Height - s.Scene.Ball.Radius);
+        double v = s.Velocity.Length + (s.Scene.Ball.Radius * s.Spin.Length) + Math.Sqrt(2 * s.Scene.Gravity * height);
+        double inertia = s.Scene.Ball.MomentOfInertia;
+        double spinEnergy = 0.5 * inertia * s.Spin.LengthSquared;
+        double decades = Math.Max(1, 0.5 * Math.Log(Math.Max(1, (spinEnergy + (s.Scene.Ball.Mass * v * v)) / ground.RestEnergy)));
+        double floats = 30 + (height / 0.3) + (v / g);
+
+        // Explicit Euler's bounces lose a third as much.
+        double slower = s.Integrator == Integrator.Euler ? 3 : 1;
+        return floats + (slower * 2 * v / (g * (1 - ground.NormalRestitution))) + (v / (ground.SlidingFriction * g)) + (v / (ground.RollingFriction * g))
+            + (decades * inertia / ground.SpinDamping);
+    }
+
+    private static BallProperties Ball(LabRandom random, StressKind kind)
+    {
+        if (kind == StressKind.Absurd)
+        {
+            return new BallProperties
+            {
+                Mass = random.Chance(0.3) ? random.Log(0.001, 0.01) : random.Log(0.01, 100),
+                Radius = random.Chance(0.3) ? random.Log(0.02, 0.05) : random.Log(0.05, 5),
+                InertiaFactor = random.Log(0.1, 1),
+            };
+        }
+
+        BallProperties preset = random.Any(
+            BallProperties.Football, BallProperties.YouthFootball, BallProperties.Futsal, BallProperties.BeachBall, BallProperties.MedicineBall);
+
+        // Anything between a beach ball and a medicine ball.
+        return random.Chance(0.6) ? preset : new BallProperties { Mass = random.Log(0.1, 3), Radius = random.Uniform(0.1, 0.2), InertiaFactor = random.Uniform(0.4, 1) };
+    }
+
+    private static Air AnyAir(LabRandom random, StressKind kind)
+    {
+        Vector3d wind = kind switch
+        {
+            StressKind.ComesToRest => Vector3d.Zero,
+            StressKind.Hurricane => random.Uniform(20, 80) * (random.Chance(0.5) ? random.Heading() : random.Direction()),
+            _ => random.Chance(0.7) ? Vector3d.Zero : random.Log(0.01, 30) * random.Direction(),
+        };
+        return kind == StressKind.Absurd
+            ? new Air { Density = random.Any(0, 1e-6, 1.2, 10, 100), KinematicViscosity = random.Log(1e-7, 0.1), Wind = wind }
+            : new Air { Density = random.Uniform(0.9, 1.3), KinematicViscosity = random.Uniform(1.3e-5, 1.9e-5), Wind = wind };
+    }
+
+    private static Ground AnyGround(LabRandom random, StressKind kind)
+    {
+        bool rests = kind == StressKind.ComesToRest;
+        double Friction() => rests ? random.Log(0.01, 2) : random.Chance(0.2) ? 0 : random.Log(1e-3, 2);
+        return Ground.PublishedTurf with
+        {
+            Height = random.Chance(0.5) ? 0 : random.Uniform(-20, 20),
+            NormalRestitution = rests ? random.Uniform(0, 0.95)
+                : kind == StressKind.BounceTrain ? random.Any(1, 1, 0.99999, 0.999, 0.95)
+                : random.Any(0, 1, random.Next()),
+            TangentialRestitutionX = random.Any(-1, 0, 1, random.Uniform(-1, 1)),
+            TangentialRestitutionZ = random.Any(-1, 0, 1, random.Uniform(-1, 1)),
+            SpinRestitution = random.Any(0, 1, random.Next()),
+            SlidingFriction = Friction(),
+            RollingFriction = Friction(),
+            SpinDamping = rests ? random.Log(1e-4, 0.1) : random.Chance(0.2) ? 0 : random.Log(1e-5, 1),
+            MinimumBounceSpeed = kind == StressKind.BounceTrain ? random.Log(1e-3, 1e-2) : random.Any(0.001, 0.2, random.Log(0.001, 1)),
+            RestEnergy = rests ? random.Log(1e-6, 1e-2) : random.Log(1e-9, 1e-1),
+            Aerodynamics = random.Any(GroundAerodynamics.Horizontal, GroundAerodynamics.None),
+        };
+    }
+
+    private static ForceSet Forces(LabRandom random, StressKind kind)
+    {
+        CoefficientForm form = random.Chance(0.7) ? CoefficientForm.Published : CoefficientForm.Regularised;
+        if (kind is StressKind.SlidingMode || random.Chance(0.6))
+        {
+            return ForceSet.Published with { Coefficients = form };
+        }
+
+        // Without drag a Magnus force may keep a ball in the air for ever.
+        ForceLaw drag = random.Any(ForceLaw.Empirical, ForceLaw.Constant, ForceLaw.None);
+        bool floats = kind == StressKind.ComesToRest && drag == ForceLaw.None;
+        return ForceSet.Published with
+        {
+            Buoyancy = random.Chance(0.7),
+            Drag = drag,
+            Magnus = floats ? ForceLaw.None : random.Any(ForceLaw.Empirical, ForceLaw.Constant, ForceLaw.None),
+            SpinDecay = random.Any(ForceLaw.Empirical, ForceLaw.Constant, ForceLaw.None),
+            Coefficients = form,
+            DragCoefficient = kind == StressKind.ComesToRest ? random.Uniform(0.1, 1) : random.Any(0, 0.25, random.Uniform(0, 1)),
+            MagnusCoefficient = random.Any(0.25, 0, random.Uniform(-0.5, 0.5)),
+            SpinDecayCoefficient = random.Any(0, random.Log(1e-7, 1e-2)),
+        };
+    }
+
+    private static double[] Frames(LabRandom random, StressKind kind)
+    {
+        switch (kind)
+        {
+            case StressKind.ShortSteps:
+                return Enumerable.Repeat(random.Log(1e-6, 1e-3), 200).ToArray();
+            case StressKind.LongSteps:
+                return Enumerable.Repeat(random.Uniform(0.1, 1), 40).ToArray();
+            case StressKind.IrregularFrames:
+                return [.. Enumerable.Range(0, 60).Select(_ => random.Below(8) switch
+                {
+                    0 => 0,
+                    1 => double.Epsilon * (1 + random.Below(1000)),
+                    2 => 5,
+                    3 => random.Log(1e-12, 1),
+                    _ => random.Uniform(0.002, 0.04),
+                })];
+            case StressKind.ComesToRest:
+                return [random.Log(0.005, 0.5)];
+            case StressKind.BounceTrain or StressKind.Absurd:
+                return Enumerable.Repeat(random.Any(0.01, 1.0 / 60, random.Log(1e-4, 0.02)), 40).ToArray();
+            default:
+                return Enumerable.Repeat(random.Any(0.01, 1.0 / 60, 0.04, random.Log(1e-3, 0.1)), 150).ToArray();
+        }
+    }
+
+    private static void Launch(LabRandom random, StressKind kind, Scene scene, out Vector3d position, out Vector3d velocity, out Vector3d spin)
+    {
+        double contact = scene.Ground.Height + scene.Ball.Radius;
+        double up = random.Any(0, random.Log(1e-9, 1e-3), random.Uniform(0, 3), random.Uniform(0, 30));
+        double speed = random.Any(random.Log(1e-3, 10), random.Uniform(0, 40), random.Uniform(0, 200));
+        double spinRate = random.Any(0, random.Log(1e-3, 10), random.Uniform(0, 100), random.Uniform(0, 1000));
+        velocity = speed * random.Direction();
+        spin = spinRate * (random.Chance(0.2) ? random.Any(new Vector3d(1, 0, 0), Vector3d.Up, -1 * Vector3d.Up, new Vector3d(0, 0, 1)) : random.Direction());
+        switch (kind)
+        {
+            case StressKind.LaunchOnGround:
+                up = random.Any(0, -random.Uniform(0, 5), random.Log(1e-16, 1e-6), 0);
+                double threshold = scene.Ground.MinimumBounceSpeed;
+                velocity = new Vector3d(velocity.X, random.Any(0, threshold, -threshold, 0.999 * threshold, -0.999 * threshold, velocity.Y), velocity.Z);
+                velocity = random.Any(velocity, velocity, Vector3d.Zero, velocity.Horizontal);
+                break;
+            case StressKind.Grazing:
+                // Comes down to the ground with next to no vertical speed, or just misses it.
+                up = random.Log(1e-12, 1e-2);
+                double fall = Math.Sqrt(2 * scene.Gravity * up);
+                velocity = (speed * random.Heading()) + new Vector3d(0, random.Any(0, -1e-9, -fall, fall, random.Uniform(-0.01, 0.01)), 0);
+                break;
+            case StressKind.BounceTrain:
+                velocity = new Vector3d(velocity.X, random.Any(0, random.Uniform(-3, 3), random.Log(1e-3, 1e-1)), velocity.Z);
+                up = random.Any(0, random.Log(1e-6, 1));
+                break;
+            case StressKind.SpinWithoutTravel:
+                velocity = random.Chance(0.7) ? Vector3d.Zero : random.Log(1e-12, 1e-6) * random.Direction();
+                up = random.Any(0, 0, up);
+                break;
+            case StressKind.GyroSpin:
+                spin = velocity * (spinRate / Math.Max(1e-3, speed) * random.Any(1, -1));
+                break;
+            case StressKind.SlidingMode:
+                speed = CriticalSpeed * random.Any(1, 1 + random.Log(1e-15, 1e-2), 1 + random.Uniform(0, 0.8));
+                velocity = (speed * Unit(velocity)) + scene.Air.Wind;
+                double share = random.Any(1, 1 + random.Log(1e-15, 1e-2), 1 - random.Log(1e-15, 1e-2), random.Uniform(0.5, 2));
+                spin = CriticalSpin * speed / scene.Ball.Radius * share * random.Direction();
+                up = random.Uniform(0, 30);
+                break;
+            default:
+                break;
+        }
+
+        position = new Vector3d(random.Uniform(-60, 60), contact + up, random.Uniform(-60, 60));
+        double most = velocity.Length;
+        velocity = most > 200 ? velocity * (200 / most) : velocity;
+        double mostSpin = spin.Length;
+        spin = mostSpin > 1000 ? spin * (1000 / mostSpin) : spin;
+    }
+
+    private static Vector3d Unit(Vector3d v) => v.Length > 0 ? v / v.Length : new Vector3d(1, 0, 0);
+}

@@ -1,0 +1,74 @@
+using System.Globalization;
+
+namespace Football.Physics.Labs.Stability;
+
+/// <summary>A scene, a kick, a method and the frames it is stepped with: all of it from one number.</summary>
+internal sealed record StressScene
+{
+    public required StressKind Kind { get; init; }
+
+    public required Integrator Integrator { get; init; }
+
+    public required Scene Scene { get; init; }
+
+    public required SolverSettings Settings { get; init; }
+
+    public required Vector3d Position { get; init; }
+
+    public required Vector3d Velocity { get; init; }
+
+    public required Vector3d Spin { get; init; }
+
+    /// <summary>Lengths of the frames, s.</summary>
+    public required double[] Frames { get; init; }
+
+    /// <summary>When the ball must be at rest, s; the last frame is repeated until then. Null where nothing is promised.</summary>
+    public double? RestsBy { get; init; }
+
+    /// <summary>Whether the air can give the ball energy.</summary>
+    public bool Windy => Scene.Air.Wind.Length > 0;
+
+    /// <summary>Whether its laws of the air are the measured ones.</summary>
+    public bool Measured => Scene.Forces.Coefficients == CoefficientForm.Measured;
+
+    /// <summary>Upward acceleration by gravity and buoyancy, m/s².</summary>
+    public double Upward => -Scene.Gravity + (Scene.Forces.Buoyancy
+        ? 4.0 / 3.0 * Math.PI * Math.Pow(Scene.Ball.Radius, 3) * Scene.Air.Density * Scene.Gravity / Scene.Ball.Mass
+        : 0);
+
+    /// <summary>The scene in one line, fit to be typed in again.</summary>
+    public string Text()
+    {
+        static string N(double value) => value.ToString("R", CultureInfo.InvariantCulture);
+        static string V(Vector3d v) => $"[{N(v.X)},{N(v.Y)},{N(v.Z)}]";
+        ForceSet f = Scene.Forces;
+        Ground g = Scene.Ground;
+        static string Limit(double value) => double.IsPositiveInfinity(value) ? "null" : N(value);
+        string type = MeasuredStress.Curves.First(item => item.Curve == Scene.Ball.DragCurve).Type;
+        string profile = Measured ? "\"profile\":\"measured\"," : "";
+        string ofBall = Measured ? $"\"type\":\"{type}\"," : "";
+        string ofGround = Measured
+            ? $"\"restitutionSpeed\":{Limit(g.RestitutionSpeed)},\"impactFriction\":{Limit(g.ImpactFriction)},\"rollingFrictionBySpeed\":{N(g.RollingFrictionBySpeed)},"
+                + $"\"drillingLength\":{N(g.DrillingLength)},"
+            : "";
+        return $"{{{profile}\"ball\":{{{ofBall}\"mass\":{N(Scene.Ball.Mass)},\"radius\":{N(Scene.Ball.Radius)},\"inertiaFactor\":{N(Scene.Ball.InertiaFactor)}}},"
+            + $"\"air\":{{\"density\":{N(Scene.Air.Density)},\"kinematicViscosity\":{N(Scene.Air.KinematicViscosity)},\"wind\":{V(Scene.Air.Wind)}}},"
+            + $"\"gravity\":{N(Scene.Gravity)},\"forces\":{{\"buoyancy\":{(f.Buoyancy ? "true" : "false")},\"drag\":\"{Name(f.Drag)}\",\"magnus\":\"{Name(f.Magnus)}\","
+            + $"\"spinDecay\":\"{Name(f.SpinDecay)}\",\"coefficients\":\"{Name(f.Coefficients)}\",\"dragCoefficient\":{N(f.DragCoefficient)},"
+            + $"\"magnusCoefficient\":{N(f.MagnusCoefficient)},\"spinDecayCoefficient\":{N(f.SpinDecayCoefficient)}}},"
+            + $"\"ground\":{{{ofGround}\"normalRestitution\":{N(g.NormalRestitution)},\"tangentialRestitution\":[{N(g.TangentialRestitutionX)},{N(g.TangentialRestitutionZ)}],"
+            + $"\"spinRestitution\":{N(g.SpinRestitution)},\"slidingFriction\":{N(g.SlidingFriction)},\"rollingFriction\":{N(g.RollingFriction)},"
+            + $"\"spinDamping\":{N(g.SpinDamping)},\"minimumBounceSpeed\":{N(g.MinimumBounceSpeed)},\"restEnergy\":{N(g.RestEnergy)},"
+            + $"\"height\":{N(g.Height)},\"aerodynamics\":\"{Name(g.Aerodynamics)}\"}},"
+            + $"\"launch\":{{\"position\":{V(Position)},\"velocity\":{V(Velocity)},\"spin\":{V(Spin)}}},"
+            + $"\"solver\":{{\"integrator\":\"{Name(Settings.Integrator)}\",\"timeStep\":{N(Frames[^1])},\"rollingTransition\":\"{Name(Settings.RollingTransition)}\","
+            + $"\"collisionTiming\":\"{Name(Settings.CollisionTiming)}\"}}}}";
+    }
+
+    private static string Name<T>(T value)
+        where T : struct, Enum
+    {
+        string name = value.ToString();
+        return char.ToLowerInvariant(name[0]) + name[1..];
+    }
+}

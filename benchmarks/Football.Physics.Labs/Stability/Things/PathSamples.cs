@@ -1,0 +1,40 @@
+namespace Football.Physics.Labs.Stability.Things;
+
+/// <summary>Looks along the path of a ball how deep it is in anything: nothing is passed through.</summary>
+internal sealed class PathSamples(World world) : PieceObserver
+{
+    /// <summary>Places of a piece that are looked at.</summary>
+    private const int Samples = 8;
+
+    public override bool WantsEndAcceleration => true;
+
+    /// <summary>The deepest that it was in anything, m.</summary>
+    public double Deepest { get; private set; }
+
+    public void Clear() => Deepest = 0;
+
+    public override bool Add(in PathPiece piece)
+    {
+        // What moves may overlap a ball that is squeezed. What it cannot have reached need not be asked: only what is close enough to its way is looked at in places of it.
+        Vector3d middle = 0.5 * (piece.StartPosition + piece.EndPosition);
+        double around = (0.5 * (piece.EndPosition - piece.StartPosition).Length) + (0.25 * piece.Length * (piece.EndVelocity - piece.StartVelocity).Length) + 0.5;
+        var near = new NearThings(world, new Bounds3d(in middle, in middle).Grown(around), piece.Time, piece.Length);
+        while (near.NextCollider(out int i))
+        {
+            Collider collider = world.Colliders[i];
+            if (collider.Moves ? piece.Motion == MotionState.Squeezed : collider.At(in middle).Distance > around)
+            {
+                continue;
+            }
+
+            for (int k = 1; k <= Samples; k++)
+            {
+                double time = piece.Time + (piece.Length * k / Samples);
+                Vector3d place = piece.PositionAt(time);
+                Deepest = Math.Max(Deepest, world.Ball.Radius - collider.At(in place, time).Distance);
+            }
+        }
+
+        return false;
+    }
+}

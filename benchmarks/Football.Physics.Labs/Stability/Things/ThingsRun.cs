@@ -1,0 +1,188 @@
+using System.Globalization;
+
+namespace Football.Physics.Labs.Stability.Things;
+
+/// <summary>Plays a scene with things in it, beside its mirror image, and checks frame by frame what must always hold.</summary>
+internal sealed class ThingsRun
+{
+    /// <summary>Deepest overlap after a frame, m.</summary>
+    private const double Overlap = 1e-9;
+
+    /// <summary>Deepest overlap on the way, m, as the dense path has it: more, and it would be passing through.</summary>
+    private const double Through = 5e-3;
+
+    /// <summary>What is closer than this, m, is beside the ball.</summary>
+    private const double Beside = 0.02;
+
+    /// <summary>Pieces that a frame may take.</summary>
+    private const int MostPieces = 20_000;
+
+    private readonly ThingsScene _scene;
+    private readonly Simulator _simulator;
+    private readonly World _world;
+    private readonly StepLog _log = new(256);
+    private readonly PathSamples _samples;
+    private readonly ThingsScene? _image;
+    private readonly Simulator? _imageSimulator;
+    private readonly StepLog _imageLog = new(256);
+    private BallState _state;
+    private BallState _imageState;
+
+    private ThingsRun(long seed, long index)
+    {
+        _scene = new ThingsScene(seed, index, mirrored: false);
+        var settings = new SolverSettings { Integrator = _scene.Integrator };
+        _simulator = new Simulator(_scene.Scene, settings);
+        _world = _simulator.World!;
+        _samples = new PathSamples(_world);
+        _log.Observer = _samples;
+        _state = _simulator.Launch(_scene.Position, _scene.Velocity, _scene.Spin);
+        if (_scene.HasMirrorImage)
+        {
+            _image = new ThingsScene(seed, index, mirrored: true);
+            _imageSimulator = new Simulator(_image.Scene, settings);
+            _imageState = _imageSimulator.Launch(_image.Position, _image.Velocity, _image.Spin);
+        }
+    }
+
+    /// <summary>Impacts so far.</summary>
+    public long Impacts { get; private set; }
+
+    /// <summary>Frames that began in a net.</summary>
+    public long InNets { get; private set; }
+
+    /// <summary>Frames so far.</summary>
+    public long Frames { get; private set; }
+
+    /// <summary>The most pieces that a frame took.</summary>
+    public long Pieces { get; private set; }
+
+    /// <summary>What was broken; null where all held.</summary>
+    public StressFailure? Failure { get; private set; }
+
+    /// <summary>The kind of the scene.</summary>
+    public ThingsKind Kind => _scene.Kind;
+
+    /// <summary>Plays a scene to its end or to the first broken invariant.</summary>
+    public static ThingsRun Play(long seed, long index)
+    {
+        var run = new ThingsRun(seed, index);
+        try
+        {
+            foreach (double dt in run._scene.Frames)
+            {
+                run.Failure ??= run.Frame(dt);
+            }
+        }
+        catch (Exception e)
+        {
+            run.Failure = new StressFailure("exception", $"{e.GetType().Name}: {e.Message}");
+        }
+
+        return run;
+    }
+
+    private StressFailure? Frame(double dt)
+    {
+        _scene.MoveBodies(_state.Time);
+        _image?.MoveBodies(_imageState.Time);
+        _log.Clear();
+        _samples.Clear();
+        BallState before = _state;
+        _simulator.Step(ref _state, dt, _log);
+        Frames++;
+        InNets += before.Nets != 0 ? 1 : 0;
+        Pieces = Math.Max(Pieces, _log.Steps);
+        return Finite(before.Time + dt) ?? Rewound(in before, dt) ?? Overlaps() ?? Impulses() ?? Mirrored(dt);
+    }
+
+    private StressFailure? Finite(double time) =>
+        !(_state.Position.IsFinite && _state.Velocity.IsFinite && _state.Spin.IsFinite) ? Fail("finite", $"{_state.Position}, {_state.Velocity}, {_state.Spin}")
+        : !(Math.Abs(_state.Time - time) <= 1e-12 * Math.Max(1, time)) ? Fail("clock", $"{_state.Time}, not {time}")
+        : _log.Steps > MostPieces ? Fail("work", $"{_log.Steps} pieces")
+        : null;
+
+    /// <summary>From a snapshot the same frame comes out again, also in the middle of a net.</summary>
+    private StressFailure? Rewound(in BallState before, double dt)
+    {
+        if (before.Nets == 0 && Frames % 16 != 0)
+        {
+            return null;
+        }
+
+        byte[] bytes = new byte[Snapshot.Size];
+        Snapshot.Write(in before, bytes);
+        BallState again = Snapshot.Read(bytes);
+        _imageLog.Clear();
+        _simulator.Step(ref again, dt, _imageLog);
+        return Snapshot.Same(in again, in _state) ? null : Fail("rewind", $"{again.Position}, not {_state.Position}");
+    }
+
+    private StressFailure? Overlaps()
+    {
+        // Between things of which one moves there may be no place for the ball: what stands still is not entered even then.
+        int near = 0;
+        double inMovers = 0;
+        double inOthers = 0;
+        var things = new NearThings(_world, new Bounds3d(_state.Position, _state.Position).Grown(_world.Ball.Radius + Beside), _state.Time, 0);
+        while (things.NextCollider(out int i))
+        {
+            Collider collider = _world.Colliders[i];
+            double gap = collider.At(_state.Position, _state.Time).Distance - _world.Ball.Radius;
+            near += gap < Beside ? 1 : 0;
+            inMovers = collider.Moves ? Math.Max(inMovers, -gap) : inMovers;
+            inOthers = collider.Moves ? inOthers : Math.Max(inOthers, -gap);
+        }
+
+        return inOthers > Overlap || (inMovers > Overlap && near < 2) ? Fail("overlap", $"{Math.Max(inOthers, inMovers)} m after a frame, {_state.Motion}")
+            : _samples.Deepest > Through ? Fail("passed through", $"{_samples.Deepest} m deep on the way")
+            : null;
+    }
+
+    /// <summary>No impact gives energy in the frame of what was hit.</summary>
+    private StressFailure? Impulses()
+    {
+        double mass = _world.Ball.Mass;
+        double inertia = _world.Ball.MomentOfInertia;
+        for (int i = 0; i < _log.Events.Count; i++)
+        {
+            BallEvent hit = _log.Events[i];
+            if (hit.Kind != BallEventKind.Impact)
+            {
+                continue;
+            }
+
+            Impacts++;
+            Collider collider = _world.Colliders[hit.Thing - _world.FirstCollider];
+            Vector3d contact = hit.Position - (_world.Ball.Radius * hit.Normal);
+            Vector3d with = collider.SurfaceVelocity(in contact, hit.Time);
+            double before = (mass * (hit.VelocityBefore - with).LengthSquared) + (inertia * hit.SpinBefore.LengthSquared);
+            double after = (mass * (hit.Velocity - with).LengthSquared) + (inertia * hit.Spin.LengthSquared);
+            if (!(after <= (before * (1 + 1e-12)) + 1e-24))
+            {
+                return Fail("impact energy", $"{0.5 * before} J to {0.5 * after} J at {_simulator.NameOf(hit.Thing)}");
+            }
+        }
+
+        return null;
+    }
+
+    /// <summary>The mirror image of the scene plays the mirror image of the shot, to the last bit.</summary>
+    private StressFailure? Mirrored(double dt)
+    {
+        if (_image is null)
+        {
+            return null;
+        }
+
+        _imageLog.Clear();
+        _imageSimulator!.Step(ref _imageState, dt, _imageLog);
+        Vector3d place = _image.Polar(_imageState.Position);
+        Vector3d velocity = _image.Polar(_imageState.Velocity);
+        return place == _state.Position && velocity == _state.Velocity && _imageState.Spin.X == _state.Spin.X
+            ? null
+            : Fail("mirror", $"{place - _state.Position} m, {velocity - _state.Velocity} m/s off, frame {Frames}");
+    }
+
+    private static StressFailure Fail(string check, FormattableString detail) => new(check, detail.ToString(CultureInfo.InvariantCulture));
+}

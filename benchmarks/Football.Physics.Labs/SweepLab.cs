@@ -1,0 +1,141 @@
+using System.CommandLine;
+using System.Diagnostics;
+using System.Text;
+using Football.Tool.Commands;
+using Football.Scenarios.Input;
+using Football.Tool.Sweep;
+using Football.Tool.Sweep.Formats;
+using Football.Tool.Sweep.Output;
+
+namespace Football.Physics.Labs;
+
+/// <summary>football lab sweep: how fast data sets are made, beside the batch that flies their balls.</summary>
+internal static class SweepLab
+{
+    /// <summary>Each rate is the best of so many runs.</summary>
+    private const int Runs = 3;
+
+    /// <summary>Rows after which everything is compiled.</summary>
+    private const int WarmUp = 50_000;
+
+    /// <summary>Balls of a batch: what fits the caches, as in a sweep.</summary>
+    private const int Balls = 4096;
+
+    public static Command Create(Terminal terminal)
+    {
+        Option<long> count = Arguments.Whole("--count", "Rows of each run.", 1, 1_000_000_000, 300_000);
+        Option<long> jobs = Arguments.Jobs("Most threads; default: one a processor.");
+        var folder = new Option<string?>("--folder") { HelpName = "DIR", Description = "Where the rows are written; default: where temporary files are. They are removed." };
+        return LabOptions.Create(
+            "sweep",
+            "How many rows a second a sweep writes, beside the flights a second of the batch that it flies them with.",
+            ["football lab sweep --count 2000 --jobs 1"],
+            terminal,
+            (parsed, seed, progress) => Run(parsed.GetValue(count), (int)parsed.GetValue(jobs), parsed.GetValue(folder) ?? Path.GetTempPath(), Math.Abs(seed), progress),
+            count,
+            jobs,
+            folder);
+    }
+
+    private static LabReport Run(long count, int jobs, string folder, long seed, Progress progress)
+    {
+        SweepPlan plan = SweepInput.Read(InputCase.Read(new InputLine(Encoding.UTF8.GetBytes("{}"), false), []).Scenario!, seed);
+        var table = new LabTable($"Rows a second of the default sweep, {count} rows, the best of {Runs} runs", "threads", "what", "rows/s", "of the batch", "of one thread", "processor time, µs a row", "batch's share of it", "bytes a row");
+        var report = new LabReport { Name = "sweep", Seed = seed, Tables = { table } };
+        Dictionary<string, double> alone = [];
+        foreach (int threads in (int[])[1, .. jobs > 1 ? [jobs] : (int[])[]])
+        {
+            progress.Report(() => $"the batch, {threads} threads");
+            (double Rate, double Microseconds) batch = Best(() => Fly(plan, count, threads));
+            Add("batch", batch, null);
+            foreach (string format in RowFormat.Names.Reverse())
+            {
+                progress.Report(() => $"{format}, {threads} threads");
+                long bytes = 0;
+                Write(plan, format, threads, WarmUp, folder, ref bytes);
+                Add(format, Best(() => Write(plan, format, threads, count, folder, ref bytes)), bytes / (double)count);
+            }
+
+            void Add(string what, (double Rate, double Microseconds) measured, double? bytes)
+            {
+                alone.TryAdd(what, measured.Rate);
+                table.Add(
+                    threads, what, Math.Round(measured.Rate), measured.Rate / batch.Rate, measured.Rate / alone[what], measured.Microseconds, batch.Microseconds / measured.Microseconds, bytes);
+            }
+        }
+
+        return report;
+    }
+
+    /// <summary>The greatest rate, and the least processor time, which others on the same machine change less.</summary>
+    private static (double Rate, double Microseconds) Best(Func<(double Rate, double Microseconds)> run)
+    {
+        var runs = Enumerable.Range(0, Runs).Select(_ => run()).ToArray();
+        return (runs.Max(one => one.Rate), runs.Min(one => one.Microseconds));
+    }
+
+    /// <summary>Rows a second, and the processor time of one, µs.</summary>
+    private static (double Rate, double Microseconds) Measure(double rows, Action work)
+    {
+        TimeSpan before = Environment.CpuUsage.TotalTime;
+        var clock = Stopwatch.StartNew();
+        work();
+        return (rows / clock.Elapsed.TotalSeconds, (Environment.CpuUsage.TotalTime - before).TotalMicroseconds / rows);
+    }
+
+    /// <summary>The batch alone: nothing is drawn or written meanwhile.</summary>
+    private static (double Rate, double Microseconds) Fly(SweepPlan plan, long count, int threads)
+    {
+        var batches = Enumerable.Range(0, threads).Select(_ => (Batch: new BallBatch(plan.Scene.Scene, plan.Scene.BatchSettings), Launches: Launches(plan), Flights: new BatchFlights(Balls))).ToArray();
+        long runs = Math.Max(1, count / Balls / threads);
+        void Fly(int thread, long times)
+        {
+            for (long i = 0; i < times; i++)
+            {
+                batches[thread].Batch.Fly(batches[thread].Launches, batches[thread].Flights, Balls, plan.Scene.Duration);
+            }
+        }
+
+        Parallel.For(0, threads, thread => Fly(thread, 1 + (WarmUp / Balls)));
+        return Measure((double)runs * Balls * threads, () => Parallel.For(0, threads, thread => Fly(thread, runs)));
+    }
+
+    private static BatchLaunches Launches(SweepPlan plan)
+    {
+        var rows = new Football.Tool.Sweep.Rows.RowDraws(plan, Balls);
+        rows.Draw(0, Balls);
+        var launches = new BatchLaunches(Balls);
+        for (int i = 0; i < Balls; i++)
+        {
+            double Kick(int number) => rows.Number(plan.Scene, DirectField.Kick + number, i);
+            new Football.Scenarios.KickNumbers(Kick(0), Kick(1), Kick(2), Kick(3), Kick(4)).Vectors(out Vector3d velocity, out Vector3d spin);
+            launches.Set(i, rows.Vector(plan.Scene, DirectField.Position, i), velocity, spin);
+        }
+
+        return launches;
+    }
+
+    private static (double Rate, double Microseconds) Write(SweepPlan plan, string format, int threads, long count, string folder, ref long bytes)
+    {
+        string path = Path.Combine(folder, $"football-lab-sweep-{Environment.ProcessId}");
+        try
+        {
+            var run = new SweepRun(plan, format, threads);
+            var identity = new Identity("football lab", format, plan.Seed, count, plan.Text);
+            (double, double) measured = Measure(count, () =>
+            {
+                using FolderSink sink = FolderSink.Open(path, identity, new Shard(1, 1, count), run.Format, Schema.Text(run.Columns, run.Format), run.CountsHandedOn, TimeProvider.System);
+                run.RunAsync(new Shard(1, 1, count), sink, _ => { }).GetAwaiter().GetResult();
+            });
+            bytes = run.Format.Files.Sum(file => new FileInfo(Path.Combine(path, file)).Length);
+            return measured;
+        }
+        finally
+        {
+            if (Directory.Exists(path))
+            {
+                Directory.Delete(path, recursive: true);
+            }
+        }
+    }
+}

@@ -1,0 +1,7 @@
+namespace Football.Physics.Labs;
+
+/// <summary>Reached or missed.</summary>
+internal static class Verdict
+{
+    public static string Of(bool reached) => reached ? "reached" : "MISSED";
+}

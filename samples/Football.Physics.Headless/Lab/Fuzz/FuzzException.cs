@@ -1,4 +1,0 @@
-namespace Football.Physics.Headless.Lab.Fuzz;
-
-/// <summary>An input led to what must not be.</summary>
-internal sealed class FuzzException(string what) : Exception(what);

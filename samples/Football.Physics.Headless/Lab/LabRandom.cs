@@ -1,6 +1,0 @@
-using Football.Physics.Yardsticks;
-
-namespace Football.Physics.Headless.Lab;
-
-/// <summary>The random numbers of the stress scenes.</summary>
-internal sealed class LabRandom(ulong seed) : SeededRandom(seed);

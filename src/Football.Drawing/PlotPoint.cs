@@ -1,0 +1,4 @@
+namespace Football.Drawing;
+
+/// <summary>A point in the units of the axes.</summary>
+public readonly record struct PlotPoint(double X, double Y);

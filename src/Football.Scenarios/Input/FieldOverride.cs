@@ -1,0 +1,65 @@
+using System.Text;
+using System.Text.Json;
+using System.Text.Json.Nodes;
+
+namespace Football.Scenarios.Input;
+
+/// <summary>A value that takes the place of a field's in every scenario, whether the field was given or not.</summary>
+public sealed class FieldOverride
+{
+    /// <summary>Far deeper than any scenario.</summary>
+    private const int MostParts = 16;
+
+    private const string Anywhere = "a member of an object, or an element of an array";
+
+    private readonly string[] _path;
+    private readonly string _value;
+
+    private FieldOverride(string[] path, string value)
+    {
+        _path = path;
+        _value = value;
+    }
+
+    /// <summary>Reads path=value; null where it is not of that form.</summary>
+    public static FieldOverride? Parse(string text)
+    {
+        int equals = text.IndexOf('=', StringComparison.Ordinal);
+        string[] path = equals > 0 ? FieldPath.Split(text[..equals].Trim()) : [];
+        return path.Length is > 0 and <= MostParts ? new FieldOverride(path, text[(equals + 1)..].Trim()) : null;
+    }
+
+    /// <summary>Reads path=range: a member of that name of the object "ranges"; null where it is not of that form.</summary>
+    public static FieldOverride? ParseRange(string text) =>
+        Parse(text) is { } field ? new FieldOverride(["ranges", string.Join('.', field._path)], field._value) : null;
+
+    /// <summary>A scenario with the values in their places.</summary>
+    /// <exception cref="RefusedException">There is no such place.</exception>
+    public static JsonElement Apply(JsonElement scenario, IReadOnlyList<FieldOverride> overrides)
+    {
+        // What is no object is left as it is: the check that follows names it.
+        if (overrides.Count == 0 || scenario.ValueKind != JsonValueKind.Object)
+        {
+            return scenario;
+        }
+
+        var root = JsonObject.Create(scenario)!;
+        foreach (FieldOverride item in overrides)
+        {
+            FieldPlace.Put(root, item._path, item.Value(), $"--set {string.Join('.', item._path)}");
+        }
+
+        return JsonSerializer.SerializeToElement(root);
+    }
+
+    /// <summary>JSON where the text is JSON, so that numbers and arrays need no quotes; otherwise the text itself.</summary>
+    private JsonNode? Value()
+    {
+        if (JsonText.Parse(Encoding.UTF8.GetBytes(_value), out JsonElement value) is not null)
+        {
+            return JsonValue.Create(_value);
+        }
+
+        return FieldPlace.Node(value);
+    }
+}

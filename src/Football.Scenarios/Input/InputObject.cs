@@ -1,0 +1,251 @@
+using System.Text.Json;
+
+namespace Football.Scenarios.Input;
+
+/// <summary>
+/// An object of the input whose members are taken one by one, each with its default. What was asked for is known, all else is unknown;
+/// what is wrong is kept until <see cref="InputFields.Check"/>. A number that is none is NaN, which whoever takes it refuses with its range.
+/// </summary>
+/// <param name="fields">All fields of the input.</param>
+/// <param name="path">Where it is.</param>
+/// <param name="element">What it is; null where it is not given, or no object.</param>
+public sealed class InputObject(InputFields fields, string path, JsonElement? element)
+{
+    private const string FiniteNumber = "a finite number";
+
+    private readonly List<string> _known = fields.NamesIn(path);
+
+    /// <summary>A member that is an object; empty where it is missing.</summary>
+    public InputObject Object(string name) => new(fields, Join(name), Take(name) is { ValueKind: JsonValueKind.Object } member ? member : null);
+
+    /// <summary>A number.</summary>
+    public double Number(string name, double fallback) => Take(name) is { } value ? NumberOf(value) : fallback;
+
+    /// <summary>A number that must be given.</summary>
+    public double Number(string name) => Take(name) is { } value ? NumberOf(value) : Refuse(name, FiniteNumber, double.NaN);
+
+    /// <summary>A number, or null for no limit.</summary>
+    public double Limit(string name, double fallback) => Take(name) is not { } value ? fallback
+        : value.ValueKind == JsonValueKind.Null ? double.PositiveInfinity
+        : NumberOf(value);
+
+    /// <summary>A text.</summary>
+    public string Text(string name, string fallback) => Take(name) is not { } value ? fallback
+        : value.ValueKind == JsonValueKind.String ? value.GetString()!
+        : Refuse(name, "a text", fallback);
+
+    /// <summary>A text that must be one of some.</summary>
+    public string OneOf(string name, params string[] allowed) =>
+        Take(name) is { ValueKind: JsonValueKind.String } value && allowed.Contains(value.GetString()) ? value.GetString()!
+        : Refuse(name, string.Join(" | ", allowed), allowed[0]);
+
+    /// <summary>The texts of a list; null where it is missing.</summary>
+    public string[]? Texts(string name) => Take(name) is not { } value ? null
+        : value.ValueKind == JsonValueKind.Array && value.EnumerateArray().All(item => item.ValueKind == JsonValueKind.String)
+            ? [.. value.EnumerateArray().Select(item => item.GetString()!)]
+        : Refuse<string[]?>(name, "a list of texts", null);
+
+    /// <summary>The objects of a list; none where it is missing.</summary>
+    public IReadOnlyList<InputObject> Objects(string name)
+    {
+        if (Take(name) is not { } value)
+        {
+            return [];
+        }
+
+        return value.ValueKind == JsonValueKind.Array
+            ? [.. value.EnumerateArray().Select((item, i) => fields.Item($"{Join(name)}[{i}]", item))]
+            : Refuse<IReadOnlyList<InputObject>>(name, "a list of objects", []);
+    }
+
+    /// <summary>A table of numbers, rows of one length; null where it is not one.</summary>
+    public double[,]? Table(string name)
+    {
+        const string Allowed = "a table [[…], …] of finite numbers, with rows of one length";
+        if (Take(name) is not { ValueKind: JsonValueKind.Array } value
+            || !value.EnumerateArray().All(row => row.ValueKind == JsonValueKind.Array && row.GetArrayLength() == value[0].GetArrayLength())
+            || value.GetArrayLength() == 0 || value[0].GetArrayLength() == 0)
+        {
+            return Refuse<double[,]?>(name, Allowed, null);
+        }
+
+        var table = new double[value.GetArrayLength(), value[0].GetArrayLength()];
+        for (int i = 0; i < table.GetLength(0); i++)
+        {
+            for (int j = 0; j < table.GetLength(1); j++)
+            {
+                table[i, j] = NumberOf(value[i][j]);
+                if (!double.IsFinite(table[i, j]))
+                {
+                    return Refuse<double[,]?>($"{name}[{i}][{j}]", FiniteNumber, null);
+                }
+            }
+        }
+
+        return table;
+    }
+
+    /// <summary>A number above 0.</summary>
+    public double Positive(string name, double fallback)
+    {
+        double number = Number(name, fallback);
+        return number > 0 && double.IsFinite(number) ? number : Refuse(name, $"{FiniteNumber} above 0", fallback);
+    }
+
+    /// <summary>A whole number.</summary>
+    public int Whole(string name, int fallback) => Take(name) is not { } value ? fallback
+        : NumberOf(value) is var number && number == Math.Floor(number) && Math.Abs(number) <= int.MaxValue ? (int)number
+        : Refuse(name, $"a whole number, at most {int.MaxValue}", fallback);
+
+    /// <summary>A whole number of 64 bits, or null.</summary>
+    public long? OptionalWhole(string name, long? fallback = null) => Take(name) is not { } value ? fallback
+        : value.ValueKind == JsonValueKind.Null ? null
+        : value.ValueKind == JsonValueKind.Number && value.TryGetInt64(out long number) ? number
+        : Refuse<long?>(name, $"a whole number, {long.MinValue} … {long.MaxValue}, or null", fallback);
+
+    /// <summary>A number above 0, or null where it is missing.</summary>
+    public double? OptionalPositive(string name) => Has(name) ? Positive(name, 1) : null;
+
+    /// <summary>true or false.</summary>
+    public bool Flag(string name, bool fallback) => Take(name) is not { } value ? fallback
+        : value.ValueKind is JsonValueKind.True or JsonValueKind.False ? value.GetBoolean()
+        : Refuse(name, "true | false", fallback);
+
+    /// <summary>One of an enumeration, in camel case.</summary>
+    public T Choice<T>(string name, T fallback)
+        where T : struct, Enum
+    {
+        if (Take(name) is not { } value)
+        {
+            return fallback;
+        }
+
+        T[] values = Enum.GetValues<T>();
+        int found = value.ValueKind == JsonValueKind.String ? Array.FindIndex(values, item => value.ValueEquals(Words.Of(item))) : -1;
+        return found >= 0 ? values[found] : Refuse(name, string.Join(" | ", values.Select(Words.Of)), fallback);
+    }
+
+    /// <summary>Three numbers.</summary>
+    public Vector3d Vector(string name, Vector3d fallback)
+    {
+        double[] v = Numbers(name, "[x, y, z]", [fallback.X, fallback.Y, fallback.Z]);
+        return new Vector3d(v[0], v[1], v[2]);
+    }
+
+    /// <summary>Three numbers that must be given.</summary>
+    public Vector3d Vector(string name) => Has(name) ? Vector(name, Vector3d.Zero) : Refuse(name, "[x, y, z], 3 finite numbers", Vector3d.Zero);
+
+    /// <summary>Three numbers, or null.</summary>
+    public Vector3d? OptionalVector(string name) => Take(name) is { ValueKind: not JsonValueKind.Null } ? Vector(name, Vector3d.Zero) : null;
+
+    /// <summary>So many finite numbers, which must be given.</summary>
+    public double[] Numbers(string name, string form, int count) =>
+        Has(name) ? Numbers(name, form, new double[count]) : Refuse(name, $"{form}, {count} finite numbers", new double[count]);
+
+    /// <summary>So many finite numbers as there are by default.</summary>
+    /// <param name="name">The member.</param>
+    /// <param name="form">What they are, like [x, y, z].</param>
+    /// <param name="fallback">The default.</param>
+    public double[] Numbers(string name, string form, double[] fallback)
+    {
+        if (Take(name) is not { } value)
+        {
+            return fallback;
+        }
+
+        string allowed = $"{form}, {fallback.Length} finite numbers";
+        if (value.ValueKind != JsonValueKind.Array || value.GetArrayLength() != fallback.Length)
+        {
+            return Refuse(name, allowed, fallback);
+        }
+
+        double[] numbers = [.. value.EnumerateArray().Select(NumberOf)];
+        int wrong = Array.FindIndex(numbers, number => !double.IsFinite(number));
+        return wrong < 0 ? numbers : Refuse($"{name}[{wrong}]", $"{FiniteNumber} ({Join(name)}: {allowed})", fallback);
+    }
+
+    /// <summary>One number for both of two, or the two.</summary>
+    public double[] OneOrTwo(string name, string form, double[] fallback) =>
+        Take(name) is { ValueKind: JsonValueKind.Number } value ? [NumberOf(value), NumberOf(value)] : Numbers(name, form, fallback);
+
+    /// <summary>A number within a range.</summary>
+    public double Within(string name, double fallback, NumberRange allowed)
+    {
+        double number = Number(name, fallback);
+        return allowed.Contains(number) ? number : Refuse(name, allowed.ToString(), fallback);
+    }
+
+    /// <summary>The numbers of a list, each above the one before and none below 0; none where it is missing.</summary>
+    public IReadOnlyList<double> Ascending(string name)
+    {
+        if (Take(name) is not { } value)
+        {
+            return [];
+        }
+
+        double[] numbers = value.ValueKind == JsonValueKind.Array ? [.. value.EnumerateArray().Select(NumberOf)] : [double.NaN];
+        bool ascends = numbers.All(number => double.IsFinite(number) && number >= 0) && numbers.Zip(numbers.Skip(1)).All(pair => pair.First < pair.Second);
+        return ascends ? numbers : Refuse<IReadOnlyList<double>>(name, "a list of finite numbers from 0 on, each above the one before", []);
+    }
+
+    /// <summary>What the library makes of members of this object; null, and refused, where it does not take them.</summary>
+    public T? Make<T>(Func<T> make)
+        where T : class
+    {
+        try
+        {
+            return make();
+        }
+        catch (ArgumentException e)
+        {
+            fields.Refuse(LibraryRefusal.Of(e, fields, path) ?? new RefusedException(path, e.Message, "what the library takes"));
+            return null;
+        }
+    }
+
+    /// <summary>Whether the member is given.</summary>
+    public bool Has(string name) => Take(name) is not null;
+
+    /// <summary>Whether the member is an object.</summary>
+    public bool IsObject(string name) => Take(name) is { ValueKind: JsonValueKind.Object };
+
+    /// <summary>Refuses a member that another one stands for.</summary>
+    public void Exclude(string name, string other)
+    {
+        if (Has(name) && Has(other))
+        {
+            Refuse(name, $"{name} or {other}, not both", 0);
+        }
+    }
+
+    /// <summary>Refuses a member unless a condition on it holds.</summary>
+    public void Demand(string name, bool holds, string allowed)
+    {
+        if (!holds)
+        {
+            Refuse(name, allowed, 0);
+        }
+    }
+
+    private static double NumberOf(JsonElement value) =>
+        value.ValueKind == JsonValueKind.Number && value.TryGetDouble(out double number) ? number : double.NaN;
+
+    private string Join(string name) => path.Length > 0 ? $"{path}.{name}" : name;
+
+    private JsonElement? Take(string name)
+    {
+        if (!_known.Contains(name))
+        {
+            _known.Add(name);
+        }
+
+        return element is { } from && from.TryGetProperty(name, out JsonElement member) ? member : null;
+    }
+
+    private T Refuse<T>(string name, string allowed, T instead)
+    {
+        string at = Join(name);
+        fields.Refuse(new RefusedException(at, fields.Text(at) ?? "missing", allowed));
+        return instead;
+    }
+}

@@ -1,0 +1,31 @@
+using System.Text.Json;
+using System.Text.Unicode;
+
+namespace Football.Scenarios.Input;
+
+/// <summary>JSON read strictly: no comments, no trailing commas, no member twice, no depth without end.</summary>
+public static class JsonText
+{
+    /// <summary>Levels of objects and arrays; a batch line needs six.</summary>
+    public const int Deepest = 64;
+
+    private static readonly JsonDocumentOptions Strict = new() { AllowDuplicateProperties = false, MaxDepth = Deepest };
+
+    /// <summary>Reads the value that is the whole text.</summary>
+    /// <returns>What is wrong with the text; null where nothing is.</returns>
+    public static JsonFault? Parse(ReadOnlySpan<byte> text, out JsonElement root)
+    {
+        root = default;
+        try
+        {
+            root = JsonElement.Parse(text, Strict);
+        }
+        catch (Exception e) when (e is JsonException or InvalidOperationException)
+        {
+            return JsonFault.Find(text) ?? new JsonFault("", "not JSON", JsonFault.Allowed, null);
+        }
+
+        // Bytes that are no text, and escapes of half a character, stop not the parser but whoever reads the string.
+        return Utf8.IsValid(text) && text.IndexOf("\\u"u8) < 0 ? null : JsonFault.Find(text);
+    }
+}

@@ -1,0 +1,72 @@
+using System.Buffers;
+
+namespace Football.Scenarios.Input;
+
+/// <summary>Reads lines, or a whole text, from a stream; of a long one only the beginning is kept.</summary>
+public sealed class LineReader(Stream input)
+{
+    /// <summary>Bytes that one object may have: far more than a scenario can need, far less than would hurt.</summary>
+    public const int LongestInput = 1 << 20;
+
+    /// <summary>Bytes after which a line is taken to have no end.</summary>
+    private const int LongestLine = 1 << 26;
+
+    private readonly byte[] _chunk = new byte[64 * 1024];
+    private int _start;
+    private int _end;
+
+    /// <summary>Bytes read so far.</summary>
+    public long BytesRead { get; private set; }
+
+    /// <summary>The next line without its end, or null at the end of the input.</summary>
+    /// <exception cref="RefusedException">The line has no end.</exception>
+    public InputLine? ReadLine() => Read(wholeText: false);
+
+    /// <summary>Everything that is left, but no more than is worth reading.</summary>
+    public InputLine ReadToEnd() => Read(wholeText: true) ?? new InputLine([], false);
+
+    private InputLine? Read(bool wholeText)
+    {
+        var kept = new ArrayBufferWriter<byte>(512);
+        long length = 0;
+        bool ended = false;
+        bool any = false;
+        while (!ended && (!wholeText || length <= LongestInput) && Fill())
+        {
+            any = true;
+            ReadOnlySpan<byte> rest = _chunk.AsSpan(_start, _end - _start);
+            int newline = wholeText ? -1 : rest.IndexOf((byte)'\n');
+            ended = newline >= 0;
+            ReadOnlySpan<byte> part = ended ? rest[..newline] : rest;
+            length += part.Length;
+            kept.Write(part[..Math.Min(part.Length, LongestInput - kept.WrittenCount)]);
+            _start += part.Length + (ended ? 1 : 0);
+            if (length > LongestLine)
+            {
+                throw new RefusedException("the input", $"a line of more than {LongestLine} bytes", $"one object a line, each of at most {LongestInput} bytes");
+            }
+        }
+
+        return any ? new InputLine(kept.WrittenSpan.ToArray(), length > LongestInput) : null;
+    }
+
+    private bool Fill()
+    {
+        if (_start < _end)
+        {
+            return true;
+        }
+
+        bool first = BytesRead == 0;
+        _start = 0;
+        _end = input.Read(_chunk);
+        while (first && _end is 1 or 2 && input.Read(_chunk.AsSpan(_end)) is > 0 and int more)
+        {
+            _end += more;
+        }
+
+        BytesRead += _end;
+        _start = first && _chunk.AsSpan(0, _end).StartsWith("\uFEFF"u8) ? 3 : 0;
+        return _start < _end;
+    }
+}

@@ -1,0 +1,43 @@
+namespace Football.Scenarios.Input;
+
+/// <summary>Guesses which name a misspelt one was meant to be.</summary>
+public static class Spelling
+{
+    /// <summary>Names longer than this are no misspelling of anything here.</summary>
+    private const int Longest = 40;
+
+    /// <summary>The name nearest to the one given, or null where none is near.</summary>
+    public static string? Closest(string given, IEnumerable<string> names) => given.Length > Longest ? null : names
+        .Select(name => (Name: name, Distance: Distance(given.ToUpperInvariant(), name.ToUpperInvariant())))
+        .Where(item => item.Distance <= Math.Max(1, item.Name.Length / 3)
+            || (given.Length >= 3 && item.Name.StartsWith(given, StringComparison.OrdinalIgnoreCase)))
+        .OrderBy(item => item.Distance)
+        .Select(item => item.Name)
+        .FirstOrDefault();
+
+    /// <summary>Letters to insert, delete, replace, or neighbours to swap, to get from one to the other.</summary>
+    private static int Distance(string from, string to)
+    {
+        var cost = new int[from.Length + 1, to.Length + 1];
+        for (int i = 0; i <= from.Length; i++)
+        {
+            for (int j = 0; j <= to.Length; j++)
+            {
+                if (i == 0 || j == 0)
+                {
+                    cost[i, j] = i + j;
+                    continue;
+                }
+
+                int replace = cost[i - 1, j - 1] + (from[i - 1] == to[j - 1] ? 0 : 1);
+                cost[i, j] = Math.Min(replace, Math.Min(cost[i - 1, j], cost[i, j - 1]) + 1);
+                if (i > 1 && j > 1 && from[i - 1] == to[j - 2] && from[i - 2] == to[j - 1])
+                {
+                    cost[i, j] = Math.Min(cost[i, j], cost[i - 2, j - 2] + 1);
+                }
+            }
+        }
+
+        return cost[from.Length, to.Length];
+    }
+}

@@ -1,0 +1,90 @@
+using Football.Scenarios.Input;
+
+namespace Football.Scenarios;
+
+/// <summary>A kick as a person says it.</summary>
+/// <param name="Speed">m/s.</param>
+/// <param name="Elevation">Degrees above the horizontal.</param>
+/// <param name="Azimuth">Degrees from −z, counter-clockwise seen from above: to the left.</param>
+/// <param name="TopSpin">rad/s; negative is backspin.</param>
+/// <param name="SideSpin">rad/s; positive is counter-clockwise seen from above.</param>
+public readonly record struct KickNumbers(double Speed, double Elevation, double Azimuth, double TopSpin, double SideSpin)
+{
+    private const double Degree = Math.PI / 180.0;
+
+    public static NumberRange Speeds { get; } = new(0, Limits.Speed, "m/s");
+
+    public static NumberRange Elevations { get; } = new(-90, 90, "degrees");
+
+    public static NumberRange Azimuths { get; } = new(-360, 360, "degrees");
+
+    /// <summary>Topspin and sidespin together must not be above the library's limit.</summary>
+    public static NumberRange Spins { get; } = new(-Limits.Spin / 2, Limits.Spin / 2, "rad/s");
+
+    /// <summary>The numbers in a sentence.</summary>
+    public string Text => string.Join(", ", Parts());
+
+    /// <summary>The line of C# that kicks a ball so.</summary>
+    public string Code
+    {
+        get
+        {
+            (double sinUp, double cosUp) = Math.SinCos(Elevation * Degree);
+            (double sinLeft, double cosLeft) = Math.SinCos(Azimuth * Degree);
+            return FormattableString.Invariant(
+                $"ball.Kick(speed: {Speed:0.###}, direction: new Vector3d({Direction(-cosUp * sinLeft)}, {Direction(sinUp)}, {Direction(-cosUp * cosLeft)}), topSpin: {TopSpin:0.###}, sideSpin: {SideSpin:0.###});");
+        }
+    }
+
+    /// <summary>The command that plays it from the ground.</summary>
+    public string Command => FormattableString.Invariant(
+        $"football kick --speed {Speed:0.###} --elevation {Elevation:0.###} --azimuth {Azimuth:0.###} --top-spin {TopSpin:0.###} --side-spin {SideSpin:0.###}");
+
+    /// <summary>The kick of a launch; a part of the spin about the direction of the kick itself is left out.</summary>
+    public static KickNumbers Of(Scenario scenario)
+    {
+        Vector3d flat = scenario.Velocity.Horizontal;
+        double along = flat.Length;
+        Vector3d forward = along > 0 ? flat / along : new Vector3d(0, 0, -1);
+        return new KickNumbers(
+            scenario.Velocity.Length,
+            Math.Atan2(scenario.Velocity.Y, along) / Degree,
+            (Math.Atan2(-forward.X, -forward.Z) / Degree) + 0.0,
+            Vector3d.Dot(scenario.Spin, Vector3d.Cross(Vector3d.Up, forward)) + 0.0,
+            scenario.Spin.Y);
+    }
+
+    /// <summary>Velocity and spin.</summary>
+    public void Vectors(out Vector3d velocity, out Vector3d spin) =>
+        KickVectors.FromAngles(Speed, Elevation, Azimuth, TopSpin, SideSpin, out velocity, out spin);
+
+    private static double Direction(double part) => Math.Round(part, 4) + 0.0;
+
+    private IEnumerable<string> Parts()
+    {
+        yield return Speed > 0 ? FormattableString.Invariant($"{Speed:0.##} m/s") : "let go";
+        if (Math.Round(Elevation, 1) != 0)
+        {
+            yield return FormattableString.Invariant($"{Math.Abs(Elevation):0.#}° {(Elevation > 0 ? "up" : "down")}");
+        }
+        else if (Speed > 0)
+        {
+            yield return "level";
+        }
+
+        if (Math.Round(Azimuth, 1) != 0)
+        {
+            yield return FormattableString.Invariant($"{Math.Abs(Azimuth):0.#}° to the {(Azimuth > 0 ? "left" : "right")}");
+        }
+
+        if (Math.Round(TopSpin, 1) != 0)
+        {
+            yield return FormattableString.Invariant($"{(TopSpin > 0 ? "topspin" : "backspin")} {Math.Abs(TopSpin):0.#} rad/s");
+        }
+
+        if (Math.Round(SideSpin, 1) != 0)
+        {
+            yield return FormattableString.Invariant($"sidespin {Math.Abs(SideSpin):0.#} rad/s to the {(SideSpin > 0 ? "left" : "right")}");
+        }
+    }
+}

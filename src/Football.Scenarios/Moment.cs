@@ -1,0 +1,10 @@
+namespace Football.Scenarios;
+
+/// <summary>A ball at an instant, as the results give it.</summary>
+public readonly record struct Moment(
+    double Time, MotionState State, Vector3d Position, Vector3d Velocity, Vector3d Spin, Quaterniond Orientation)
+{
+    public bool IsFinite => double.IsFinite(Time) && Position.IsFinite && Velocity.IsFinite && Spin.IsFinite && Orientation.IsFinite;
+
+    public static Moment Of(in BallState state) => new(state.Time, state.Motion, state.Position, state.Velocity, state.Spin, state.Orientation);
+}

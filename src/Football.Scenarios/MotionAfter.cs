@@ -1,0 +1,17 @@
+namespace Football.Scenarios;
+
+/// <summary>What the ball does after an event.</summary>
+public static class MotionAfter
+{
+    /// <summary>Its motion; a net and the line of a goal leave it as it was.</summary>
+    public static MotionState Of(BallEventKind kind, MotionState before) => kind switch
+    {
+        BallEventKind.Impact or BallEventKind.Leave => MotionState.Airborne,
+        BallEventKind.Slide => MotionState.Sliding,
+        BallEventKind.Roll => MotionState.Rolling,
+        BallEventKind.Rest => MotionState.Stopped,
+        BallEventKind.Squeezed => before == MotionState.Squeezed ? MotionState.Airborne : MotionState.Squeezed,
+        BallEventKind.Net or BallEventKind.Goal => before,
+        _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, null),
+    };
+}

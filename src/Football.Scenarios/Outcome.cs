@@ -1,0 +1,31 @@
+namespace Football.Scenarios;
+
+/// <summary>What became of a shot.</summary>
+public sealed record Outcome
+{
+    public required Moment Final { get; init; }
+
+    public required IReadOnlyList<BallEvent> Events { get; init; }
+
+    /// <summary>Greatest height of the centre, m.</summary>
+    public required double Apex { get; init; }
+
+    public required long Steps { get; init; }
+
+    public required long Evaluations { get; init; }
+
+    /// <summary>The path, one entry a step, launch first; null where none was asked for.</summary>
+    public IReadOnlyList<Moment>? Samples { get; init; }
+
+    /// <summary>How the end changes with the launch; null where that was not asked for.</summary>
+    public LaunchDerivatives? Derivatives { get; init; }
+
+    /// <summary>The name of what an event tells of; null for none.</summary>
+    public required Func<int, string?> NameOf { get; init; }
+
+    /// <summary>Impacts, those of events that were missed included.</summary>
+    public required long Bounces { get; init; }
+
+    /// <summary>Events that happened between those that were kept.</summary>
+    public required long Missed { get; init; }
+}

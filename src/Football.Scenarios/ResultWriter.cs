@@ -1,0 +1,171 @@
+using System.Buffers;
+using System.Text.Encodings.Web;
+using System.Text.Json;
+
+namespace Football.Scenarios;
+
+/// <summary>Writes results as JSON, one line each.</summary>
+public static class ResultWriter
+{
+    private static readonly JsonWriterOptions Options = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+
+    /// <summary>The line of a shot that was played.</summary>
+    public static ReadOnlyMemory<byte> Result(string? name, Outcome outcome) => Line(json =>
+    {
+        json.WriteString("name", name);
+        json.WritePropertyName("final");
+        WriteMoment(json, outcome.Final);
+        json.WriteStartArray("events");
+        foreach (BallEvent item in outcome.Events)
+        {
+            WriteEvent(json, in item, outcome.NameOf(item.Thing));
+        }
+
+        json.WriteEndArray();
+        if (outcome.Missed > 0)
+        {
+            json.WriteNumber("missed", outcome.Missed);
+        }
+
+        json.WriteNumber("apex", outcome.Apex);
+        json.WriteNumber("bounces", outcome.Bounces);
+        json.WriteNumber("steps", outcome.Steps);
+        json.WriteNumber("evaluations", outcome.Evaluations);
+        if (outcome.Derivatives is { } derivatives)
+        {
+            WriteDerivatives(json, derivatives);
+        }
+
+        if (outcome.Samples is not null)
+        {
+            json.WriteStartArray("samples");
+            foreach (Moment sample in outcome.Samples)
+            {
+                WriteMoment(json, sample);
+            }
+
+            json.WriteEndArray();
+        }
+    });
+
+    /// <summary>The line of a shot that was refused.</summary>
+    public static ReadOnlyMemory<byte> Error(string? name, string message) => Line(json =>
+    {
+        json.WriteString("name", name);
+        json.WriteString("error", message);
+    });
+
+    /// <summary>An object on a line of its own.</summary>
+    public static ReadOnlyMemory<byte> Line(Action<Utf8JsonWriter> writeMembers)
+    {
+        var buffer = new ArrayBufferWriter<byte>(1024);
+        using (var json = new Utf8JsonWriter(buffer, Options))
+        {
+            json.WriteStartObject();
+            writeMembers(json);
+            json.WriteEndObject();
+        }
+
+        buffer.Write("\n"u8);
+        return buffer.WrittenMemory;
+    }
+
+    private static void WriteDerivatives(Utf8JsonWriter json, LaunchDerivatives derivatives)
+    {
+        json.WriteStartObject("derivatives");
+        json.WriteStartObject("position");
+        WriteMatrix(json, "velocity", derivatives.PositionByVelocity);
+        WriteMatrix(json, "spin", derivatives.PositionBySpin);
+        json.WriteEndObject();
+        json.WriteStartObject("time");
+        WriteVector(json, "velocity", derivatives.TimeByVelocity);
+        WriteVector(json, "spin", derivatives.TimeBySpin);
+        json.WriteEndObject();
+        json.WriteEndObject();
+    }
+
+    private static void WriteMatrix(Utf8JsonWriter json, string name, in Matrix3d matrix)
+    {
+        json.WriteStartArray(name);
+        foreach (Vector3d row in (ReadOnlySpan<Vector3d>)[matrix.X, matrix.Y, matrix.Z])
+        {
+            json.WriteStartArray();
+            json.WriteNumberValue(row.X);
+            json.WriteNumberValue(row.Y);
+            json.WriteNumberValue(row.Z);
+            json.WriteEndArray();
+        }
+
+        json.WriteEndArray();
+    }
+
+    private static void WriteMoment(Utf8JsonWriter json, in Moment moment)
+    {
+        json.WriteStartObject();
+        json.WriteNumber("time", moment.Time);
+        json.WriteString("state", moment.State switch
+        {
+            MotionState.Airborne => "airborne",
+            MotionState.Sliding => "sliding",
+            MotionState.Rolling => "rolling",
+            _ => "stopped",
+        });
+        WriteVector(json, "position", moment.Position);
+        WriteVector(json, "velocity", moment.Velocity);
+        WriteVector(json, "spin", moment.Spin);
+        json.WriteStartArray("orientation");
+        json.WriteNumberValue(moment.Orientation.X);
+        json.WriteNumberValue(moment.Orientation.Y);
+        json.WriteNumberValue(moment.Orientation.Z);
+        json.WriteNumberValue(moment.Orientation.W);
+        json.WriteEndArray();
+        json.WriteEndObject();
+    }
+
+    private static void WriteEvent(Utf8JsonWriter json, in BallEvent item, string? surface)
+    {
+        json.WriteStartObject();
+        json.WriteString("kind", item.Kind switch
+        {
+            BallEventKind.Impact => "impact",
+            BallEventKind.Slide => "slide",
+            BallEventKind.Roll => "roll",
+            BallEventKind.Net => "net",
+            BallEventKind.Goal => "goal",
+            BallEventKind.Leave => "leave",
+            BallEventKind.Squeezed => "squeezed",
+            _ => "rest",
+        });
+        json.WriteNumber("time", item.Time);
+        if (surface is not null)
+        {
+            json.WriteString("surface", surface);
+        }
+
+        WriteVector(json, "position", item.Position);
+        if (item.Kind == BallEventKind.Impact)
+        {
+            WriteVector(json, "velocityBefore", item.VelocityBefore);
+            WriteVector(json, "spinBefore", item.SpinBefore);
+        }
+
+        WriteVector(json, "velocity", item.Velocity);
+        WriteVector(json, "spin", item.Spin);
+        if (item.Normal != Vector3d.Zero)
+        {
+            WriteVector(json, "normal", item.Normal);
+        }
+
+        json.WriteEndObject();
+    }
+
+    /// <summary>A vector as [x, y, z].</summary>
+    public static void WriteVector(Utf8JsonWriter json, string name, in Vector3d vector)
+    {
+        json.WriteStartArray(name);
+        json.WriteNumberValue(vector.X);
+        json.WriteNumberValue(vector.Y);
+        json.WriteNumberValue(vector.Z);
+        json.WriteEndArray();
+    }
+}

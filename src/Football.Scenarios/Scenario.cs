@@ -1,0 +1,88 @@
+using Football.Scenarios.Input;
+
+namespace Football.Scenarios;
+
+/// <summary>One shot: scene, launch, how to integrate it and when to stop.</summary>
+public sealed record Scenario
+{
+    /// <summary>Step of the single ball, s.</summary>
+    public const double DefaultTimeStep = 0.01;
+
+    /// <summary>When a run ends, s.</summary>
+    public const double DefaultDuration = 20;
+
+    /// <summary>Steps that a run may keep samples of; more would fill the memory.</summary>
+    private const double MostSamples = 1e6;
+
+    public Scene Scene { get; init; } = Scene.Default;
+
+    public SolverSettings Settings { get; init; } = SolverSettings.Default;
+
+    public double TimeStep { get; init; } = DefaultTimeStep;
+
+    public required Vector3d Position { get; init; }
+
+    public required Vector3d Velocity { get; init; }
+
+    public Vector3d Spin { get; init; }
+
+    public Quaterniond Orientation { get; init; } = Quaterniond.Identity;
+
+    public StopAt StopAt { get; init; } = StopAt.Impact;
+
+    public double Duration { get; init; } = DefaultDuration;
+
+    /// <summary>Whether to keep the path.</summary>
+    public bool Samples { get; init; }
+
+    /// <summary>Whether to find how the end changes with the launch.</summary>
+    public bool Derivatives { get; init; }
+
+    /// <summary>Whether there is room for a sample of every step.</summary>
+    public bool CanKeepPath => Duration / TimeStep <= MostSamples;
+
+    /// <summary>Reads a scenario; what its numbers may be the library says when it is played.</summary>
+    /// <exception cref="RefusedException">A field is unknown, missing or of the wrong type.</exception>
+    public static Scenario Read(InputFields fields)
+    {
+        Scenario scenario = Take(fields.Root);
+        fields.Check();
+        return !scenario.Samples || scenario.CanKeepPath ? scenario : throw new RefusedException(FormattableString.Invariant(
+            $"samples is true with {scenario.Duration / scenario.TimeStep:0} steps (stop.time / solver.timeStep); allowed: samples of at most {MostSamples:0} steps."));
+    }
+
+    /// <summary>Takes a scenario's members from an input that may hold more; the fields are still to be checked.</summary>
+    public static Scenario Take(InputObject root)
+    {
+        Scene scene = SceneInput.Scene(root);
+        InputObject launch = root.Object("launch");
+        SolverSettings settings = SceneInput.Solver(root, out double timeStep);
+        (StopAt stopAt, double duration, bool samples) = SceneInput.Stop(root);
+        return new Scenario
+        {
+            Scene = scene,
+            Settings = settings,
+            TimeStep = timeStep,
+            Position = launch.Vector("position"),
+            Velocity = launch.Vector("velocity"),
+            Spin = launch.Vector("spin", Vector3d.Zero),
+            Orientation = OrientationOf(launch),
+            StopAt = stopAt,
+            Duration = duration,
+            Samples = samples,
+            Derivatives = root.Flag("derivatives", false),
+        };
+    }
+
+    /// <summary>How the ball of a launch is turned.</summary>
+    public static Quaterniond OrientationOf(InputObject launch)
+    {
+        Quaterniond none = Quaterniond.Identity;
+        double[] parts = launch.Numbers("orientation", "[x, y, z, w]", [none.X, none.Y, none.Z, none.W]);
+
+        // Scaled first, so that the square of a very large or very small one is neither infinite nor zero.
+        double largest = parts.Max(Math.Abs);
+        double scale = largest > 0 ? largest : 1;
+        return new Quaterniond(parts[0] / scale, parts[1] / scale, parts[2] / scale, parts[3] / scale);
+    }
+}

@@ -1,0 +1,18 @@
+namespace Football.Scenarios;
+
+/// <summary>Grounds by name: the presets of <see cref="Ground"/>, by the names that they have there.</summary>
+public enum SurfaceType
+{
+    DryTurf,
+    ArtificialTurf,
+    WetTurf,
+    HardGround,
+    LongGrass,
+    Indoor,
+    Concrete,
+    Snow,
+    PublishedTurf,
+    PublishedWetTurf,
+    PublishedCourt,
+    PublishedSand,
+}

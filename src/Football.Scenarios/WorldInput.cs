@@ -1,0 +1,124 @@
+using Football.Scenarios.Input;
+
+namespace Football.Scenarios;
+
+/// <summary>Reads what can be met beside a level pitch: obstacles, nets, goals, uneven ground.</summary>
+public static class WorldInput
+{
+    /// <summary>The obstacles.</summary>
+    public static IReadOnlyList<Obstacle> Obstacles(InputObject root, Surface frame) =>
+        [.. root.Objects("obstacles").Select((item, i) => Obstacle(item, i, frame)).OfType<Obstacle>()];
+
+    /// <summary>The nets that stand by themselves.</summary>
+    public static IReadOnlyList<Net> Nets(InputObject root) => [.. root.Objects("nets").Select((item, i) => Net(item, i))];
+
+    /// <summary>The goals.</summary>
+    public static IReadOnlyList<Goal> Goals(InputObject root, Surface frame) => [.. root.Objects("goals").Select(item => Goal(item, frame))];
+
+    /// <summary>Uneven ground; null where none is given.</summary>
+    public static HeightField? Heights(InputObject ground)
+    {
+        if (!ground.Has("heights"))
+        {
+            return null;
+        }
+
+        InputObject heights = ground.Object("heights");
+        double[] origin = heights.Numbers("origin", "[x, z]", [0, 0]);
+        double spacing = heights.Number("spacing");
+        return heights.Table("values") is { } values
+            ? heights.Make(() => new HeightField(origin[0], origin[1], spacing, values))
+            : null;
+    }
+
+    private static Obstacle? Obstacle(InputObject item, int index, Surface frame)
+    {
+        string name = item.Text("name", FormattableString.Invariant($"obstacle {index}"));
+        IShape? shape = Shape(item);
+        Surface surface = Surface(item, frame);
+        Vector3d velocity = item.Vector("velocity", Vector3d.Zero);
+        Vector3d spin = item.Vector("spin", Vector3d.Zero);
+        Vector3d pivot = item.Vector("pivot", Vector3d.Zero);
+        return shape is null ? null : new Obstacle { Name = name, Shape = shape, Surface = surface, Velocity = velocity, Spin = spin, Pivot = pivot };
+    }
+
+    private static IShape? Shape(InputObject item)
+    {
+        switch (item.OneOf("shape", "plane", "sphere", "capsule", "box"))
+        {
+            case "plane":
+                Vector3d point = item.Vector("point");
+                Vector3d normal = item.Vector("normal");
+                return item.Make(() => new PlaneShape(point, normal));
+            case "sphere":
+                Vector3d center = item.Vector("center");
+                double radius = item.Number("radius");
+                return item.Make(() => new SphereShape(center, radius));
+            case "capsule":
+                Vector3d from = item.Vector("from");
+                Vector3d to = item.Vector("to");
+                double around = item.Number("radius");
+                return item.Make(() => new CapsuleShape(from, to, around));
+            default:
+                Vector3d middle = item.Vector("center");
+                Vector3d halfSize = item.Vector("halfSize");
+                double[] r = item.Numbers("rotation", "[x, y, z, w]", [0, 0, 0, 1]);
+                return item.Make(() => new BoxShape(middle, halfSize, new Quaterniond(r[0], r[1], r[2], r[3])));
+        }
+    }
+
+    private static Surface Surface(InputObject item, Surface defaults)
+    {
+        InputObject surface = item.Object("surface");
+        return new Surface
+        {
+            NormalRestitution = surface.Number("normalRestitution", defaults.NormalRestitution),
+            RestitutionSpeed = surface.Limit("restitutionSpeed", defaults.RestitutionSpeed),
+            TangentialRestitution = surface.Number("tangentialRestitution", defaults.TangentialRestitution),
+            SpinRestitution = surface.Number("spinRestitution", defaults.SpinRestitution),
+            ImpactFriction = surface.Limit("impactFriction", defaults.ImpactFriction),
+            SlidingFriction = surface.Number("slidingFriction", defaults.SlidingFriction),
+            RollingFriction = surface.Number("rollingFriction", defaults.RollingFriction),
+            RollingFrictionBySpeed = surface.Number("rollingFrictionBySpeed", defaults.RollingFrictionBySpeed),
+            SpinDamping = surface.Number("spinDamping", defaults.SpinDamping),
+            DrillingLength = surface.Number("drillingLength", defaults.DrillingLength),
+        };
+    }
+
+    private static Net Net(InputObject item, int index)
+    {
+        double[] half = item.Numbers("halfSize", "[along, across]", [double.NaN, double.NaN]);
+        var net = new Net
+        {
+            Name = item.Text("name", FormattableString.Invariant($"net {index}")),
+            Center = item.Vector("center"),
+            Normal = item.Vector("normal"),
+            Along = item.Vector("along"),
+            HalfLength = half[0],
+            HalfWidth = half[1],
+        };
+        return net with
+        {
+            Stiffness = item.Number("stiffness", net.Stiffness),
+            Damping = item.Number("damping", net.Damping),
+            TangentialDamping = item.Number("tangentialDamping", net.TangentialDamping),
+            SpinDamping = item.Number("spinDamping", net.SpinDamping),
+        };
+    }
+
+    private static Goal Goal(InputObject item, Surface frame)
+    {
+        var goal = new Goal { Center = item.Vector("center"), Facing = item.Vector("facing") };
+        double[] depth = item.Numbers("depth", "[at the bar, on the ground]", [goal.DepthAtBar, goal.DepthOnGround]);
+        return goal with
+        {
+            Width = item.Number("width", goal.Width),
+            Height = item.Number("height", goal.Height),
+            PostRadius = item.Number("postRadius", goal.PostRadius),
+            DepthAtBar = depth[0],
+            DepthOnGround = depth[1],
+            HasNet = item.Flag("net", true),
+            Surface = Surface(item, frame),
+        };
+    }
+}

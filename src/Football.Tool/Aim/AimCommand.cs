@@ -1,0 +1,20 @@
+using System.CommandLine;
+using Football.Tool.Commands;
+
+namespace Football.Tool.Aim;
+
+/// <summary>football aim: finds the kicks that the scenarios of a file ask for.</summary>
+internal static class AimCommand
+{
+    private const string Request = """{"aim": {"from": [0, 0.11, 0], "target": [20, 1.5, 3], "speed": 25}}""";
+
+    public static Command Create(Terminal terminal) =>
+        new BatchRunner<AimResult>(fields => AimRun.Find(AimScenario.Read(fields)), AimWriter.Result, AimTable.Print)
+        .Of(
+            new ExampleCommand(
+                "aim",
+                "Finds the kick that hits a target, or a batch of them, and writes it as JSON; a single one in a terminal as a table.",
+                $"echo '{Request}' | football aim -",
+                $"echo '{Request}' | football aim - --set aim.spin.side=30 --set aim.method=angle"),
+            terminal);
+}

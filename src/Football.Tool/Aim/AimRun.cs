@@ -1,0 +1,45 @@
+using Football.Scenarios.Input;
+
+namespace Football.Tool.Aim;
+
+/// <summary>Finds the kick that a scenario asks for.</summary>
+internal static class AimRun
+{
+    [ThreadStatic]
+    private static AimScenario? s_compiledFor;
+
+    [ThreadStatic]
+    private static ThesisAimer? s_aimer;
+
+    /// <summary>Finds it.</summary>
+    /// <exception cref="RefusedException">Its numbers, though each allowed, grew beyond what a double can hold.</exception>
+    public static AimResult Find(AimScenario scenario)
+    {
+        ThesisAimer aimer = Compiled(scenario);
+        AimRequest request = scenario.Request;
+        AimResult result = scenario.After is { } after ? new BankShotAimer(scenario.Scene).Find(request, after)
+            : scenario.Slowest ? aimer.Direct.FindSlowest(request)
+            : scenario.ArrivalTime is { } time ? aimer.Direct.FindAtTime(request, time)
+            : scenario.ArrivalSpeed is { } speed ? aimer.Direct.FindAtSpeed(request, speed)
+            : aimer.Find(request, scenario.Method);
+        return IsFinite(in result)
+            ? result
+            : throw new RefusedException("the motion is not finite; allowed: a scenario whose places and speeds stay within what a double can hold.");
+    }
+
+    /// <summary>The thread's last aimer where the scene is the same, as it mostly is in a batch.</summary>
+    private static ThesisAimer Compiled(AimScenario scenario)
+    {
+        if (s_aimer is null || s_compiledFor!.Scene != scenario.Scene || s_compiledFor.Settings != scenario.Settings || s_compiledFor.TimeStep != scenario.TimeStep)
+        {
+            s_aimer = new ThesisAimer(scenario.Scene, scenario.Settings, scenario.TimeStep);
+            s_compiledFor = scenario;
+        }
+
+        return s_aimer;
+    }
+
+    private static bool IsFinite(in AimResult result) =>
+        result.Velocity.IsFinite && result.Spin.IsFinite && result.Closest.IsFinite && double.IsFinite(result.Miss)
+        && double.IsFinite(result.ThroughMiss ?? 0) && double.IsFinite(result.Time);
+}

@@ -1,0 +1,49 @@
+using System.Text.Json;
+using Football.Scenarios.Input;
+using Football.Scenarios;
+
+namespace Football.Tool.Aim;
+
+/// <summary>Writes kicks that were found as JSON, one line each.</summary>
+internal static class AimWriter
+{
+    /// <summary>The line of a kick.</summary>
+    public static ReadOnlyMemory<byte> Result(string? name, AimResult result) => ResultWriter.Line(json =>
+    {
+        json.WriteString("name", name);
+
+        // Of a two-point kick too, a hit is one of the target; throughMiss says the rest.
+        json.WriteString("status", Words.Of(result.HitsTarget ? AimStatus.Hit : result.Status));
+        WriteVector(json, "velocity", result.Velocity);
+        WriteVector(json, "spin", result.Spin);
+        json.WriteNumber("miss", result.Miss);
+        if (result.ThroughMiss is { } throughMiss)
+        {
+            json.WriteNumber("throughMiss", throughMiss);
+        }
+        else
+        {
+            json.WriteNull("throughMiss");
+        }
+
+        json.WriteNumber("time", result.Time);
+        WriteVector(json, "closest", result.Closest);
+        json.WriteNumber("iterations", result.Iterations);
+        json.WriteNumber("simulations", result.Simulations);
+        json.WriteString("arc", Words.Of(result.Arc));
+        json.WriteBoolean("rolls", result.Rolls);
+        if (result.BlockedBy is { } blocker)
+        {
+            json.WriteString("blockedBy", blocker);
+        }
+    });
+
+    private static void WriteVector(Utf8JsonWriter json, string name, in Vector3d vector)
+    {
+        json.WriteStartArray(name);
+        json.WriteNumberValue(vector.X);
+        json.WriteNumberValue(vector.Y);
+        json.WriteNumberValue(vector.Z);
+        json.WriteEndArray();
+    }
+}

@@ -1,0 +1,90 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using System.Globalization;
+using Football.Scenarios.Input;
+
+namespace Football.Tool.Commands;
+
+/// <summary>Makes options and arguments that say what is allowed when they refuse.</summary>
+internal static class Arguments
+{
+    /// <summary>A whole number.</summary>
+    public static Option<long> Whole(string name, string description, long low, long high, long fallback) => new(name)
+    {
+        HelpName = "N",
+        Description = description,
+        DefaultValueFactory = _ => fallback,
+        CustomParser = result =>
+            long.TryParse(result.Tokens[0].Value, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out long number) && number >= low && number <= high
+                ? number
+                : Refuse<long>(result, name, string.Create(CultureInfo.InvariantCulture, $"a whole number from {low} to {high}")),
+    };
+
+    /// <summary>Threads.</summary>
+    public static Option<long> Jobs(string description) => Whole("--jobs", description, 1, 1024, Environment.ProcessorCount);
+
+    /// <summary>A number within a range.</summary>
+    public static Option<double> Number(string name, string description, NumberRange range, double fallback) => new(name)
+    {
+        HelpName = "X",
+        Description = FormattableString.Invariant($"{description}; {range}."),
+        DefaultValueFactory = _ => fallback,
+        CustomParser = result =>
+            double.TryParse(result.Tokens[0].Value, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) && range.Contains(number)
+                ? number
+                : Refuse<double>(result, name, range.ToString()),
+    };
+
+    /// <summary>--set path=value, any number of times.</summary>
+    public static Option<FieldOverride[]> Set(string example) => new("--set")
+    {
+        HelpName = "path=value",
+        Description = $"Sets a field before anything is checked, like {example}; can be given several times.",
+        Arity = ArgumentArity.OneOrMore,
+        DefaultValueFactory = _ => [],
+        CustomParser = result =>
+            [.. result.Tokens.Select((token, i) => FieldOverride.Parse(token.Value) ?? Refuse<FieldOverride>(result, "--set", $"path=value, like {example}", i)!)],
+    };
+
+    /// <summary>--profile NAME, short for --set profile=NAME.</summary>
+    public static Option<FieldOverride[]> Profile() => new("--profile")
+    {
+        HelpName = "NAME",
+        Description = "measured, the default, or published: the laws and numbers of the thesis that the library began with. Short for --set profile=NAME.",
+        DefaultValueFactory = _ => [],
+        CustomParser = result => result.Tokens[0].Value is "measured" or "published"
+            ? [FieldOverride.Parse("profile=" + result.Tokens[0].Value)!]
+            : Refuse<FieldOverride[]>(result, "--profile", "measured | published") ?? [],
+    };
+
+    /// <summary>--range path=range, any number of times.</summary>
+    public static Option<FieldOverride[]> Range(string example) => new("--range")
+    {
+        HelpName = "path=range",
+        Description = $"Draws a field from a range, like {example}; can be given several times.",
+        Arity = ArgumentArity.OneOrMore,
+        DefaultValueFactory = _ => [],
+        CustomParser = result =>
+            [.. result.Tokens.Select((token, i) => FieldOverride.ParseRange(token.Value) ?? Refuse<FieldOverride>(result, "--range", $"path=range, like {example}", i)!)],
+    };
+
+    /// <summary>Opens a file to read, or the standard input for -.</summary>
+    /// <exception cref="RefusedException">It cannot be read.</exception>
+    public static Stream OpenInput(string file, Terminal terminal)
+    {
+        try
+        {
+            return file == "-" ? terminal.Input : File.OpenRead(file);
+        }
+        catch (Exception e) when (OutputFile.IsFileFault(e))
+        {
+            throw new RefusedException("FILE", $"{Quote.File(file)}, which cannot be read", "a file that can be read, or - for the standard input");
+        }
+    }
+
+    private static T? Refuse<T>(ArgumentResult result, string name, string allowed, int token = 0)
+    {
+        result.AddError($"{name} is {Quote.Short(result.Tokens[token].Value)}; allowed: {allowed}.");
+        return default;
+    }
+}

@@ -1,0 +1,137 @@
+using System.CommandLine;
+using System.Globalization;
+using Football.Scenarios.Input;
+using Football.Scenarios;
+
+namespace Football.Tool.Commands;
+
+/// <summary>Reads one scenario or a batch of them, has each answered, and writes the answers.</summary>
+/// <typeparam name="T">What becomes of a scenario.</typeparam>
+/// <param name="work">Reads a scenario and does what it asks for; throws <see cref="RefusedException"/> where it is not as it should be.</param>
+/// <param name="write">The line for it.</param>
+/// <param name="show">Shows it to a person in a terminal.</param>
+internal sealed class BatchRunner<T>(Func<InputFields, T> work, Func<string?, T, ReadOnlyMemory<byte>> write, Action<T, Terminal> show)
+{
+    private readonly Argument<string> _file = new("FILE") { Description = "The scenario, as JSON; - is the standard input." };
+
+    private readonly Option<bool> _batch = new("--batch")
+    {
+        Description = "FILE holds one object a line, a scenario or {\"name\", \"scenario\"}; the results come one a line, in the same order.",
+    };
+
+    private readonly Option<bool> _json = new("--json") { Description = "Writes JSON in a terminal too." };
+    private readonly Option<long> _jobs = Arguments.Jobs("Threads for a batch; default: one a processor.");
+    private readonly Option<FieldOverride[]> _profile = Arguments.Profile();
+    private readonly Option<FieldOverride[]> _set = Arguments.Set("solver.timeStep=0.04");
+
+    /// <summary>Makes it what a command does.</summary>
+    public Command Of(ExampleCommand command, Terminal terminal)
+    {
+        command.Add(_file);
+        command.Add(_batch);
+        command.Add(_json);
+        command.Add(_jobs);
+        command.Add(_profile);
+        command.Add(_set);
+        command.SetAction(parsed => Run(parsed, terminal));
+        return command;
+    }
+
+    private int Run(ParseResult parsed, Terminal terminal)
+    {
+        FieldOverride[] overrides = [.. parsed.GetRequiredValue(_profile), .. parsed.GetRequiredValue(_set)];
+        using Stream input = Arguments.OpenInput(parsed.GetRequiredValue(_file), terminal);
+        var reader = new LineReader(input);
+        return parsed.GetValue(_batch)
+            ? RunBatch(reader, input.CanSeek ? input.Length : null, overrides, (int)parsed.GetValue(_jobs), terminal)
+            : RunOne(reader.ReadToEnd(), overrides, terminal, parsed.GetValue(_json) || terminal.OutputRedirected);
+    }
+
+    private int RunOne(InputLine text, FieldOverride[] overrides, Terminal terminal, bool json)
+    {
+        T? done = default;
+        Answer answered = AnswerTo(text, overrides, result => done = result);
+        if (answered.Refusal is not null)
+        {
+            terminal.Error.WriteLine($"football: {answered.Refusal}");
+            return ExitCode.Refused;
+        }
+
+        if (json)
+        {
+            terminal.Output.Write(answered.Line.Span);
+        }
+        else
+        {
+            show(done!, terminal);
+        }
+
+        return ExitCode.Done;
+    }
+
+    private int RunBatch(LineReader reader, long? length, FieldOverride[] overrides, int jobs, Terminal terminal)
+    {
+        long done = 0;
+        long refused = 0;
+        Progress.Show(
+            terminal,
+            "batch",
+            progress =>
+            {
+                void Write(Answer answered)
+                {
+                    done++;
+                    refused += answered.Refusal is null ? 0 : 1;
+                    terminal.Output.Write(answered.Line.Span);
+                    terminal.Output.Flush();
+                    string What() => string.Create(CultureInfo.InvariantCulture, $"{done} done, {refused} refused");
+                    if (length is { } bytes)
+                    {
+                        progress.Report(reader.BytesRead, bytes, What);
+                    }
+                    else
+                    {
+                        progress.Report(What);
+                    }
+                }
+
+                BatchPipeline.RunAsync(reader, jobs, line => AnswerTo(line, overrides), Write).GetAwaiter().GetResult();
+                return done;
+            },
+            writes: true);
+        if (refused == 0)
+        {
+            return ExitCode.Done;
+        }
+
+        terminal.Error.WriteLine(string.Create(CultureInfo.InvariantCulture, $"football: {refused} of {done} refused; each has its reason in its place."));
+        return ExitCode.Refused;
+    }
+
+    private Answer AnswerTo(InputLine line, FieldOverride[] overrides, Action<T>? result = null)
+    {
+        InputCase input = InputCase.Read(line, overrides);
+        string message;
+        try
+        {
+            T done = work(input.Scenario ?? throw input.Refusal!);
+            result?.Invoke(done);
+            return new Answer(write(input.Name, done), null);
+        }
+        catch (RefusedException refusal)
+        {
+            message = refusal.Message;
+        }
+        catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, input.Scenario!) is { } said)
+        {
+            message = said.Message;
+        }
+        catch (Exception e)
+        {
+            // A fault of this program, not of the input: the other lines of a batch must come out all the same.
+            message = $"internal error, {e.GetType().Name}: {Quote.Short(e.Message)}";
+        }
+
+        return new Answer(ResultWriter.Error(input.Name, message), message);
+    }
+}

@@ -1,0 +1,118 @@
+using System.CommandLine;
+using System.CommandLine.Help;
+using System.CommandLine.Invocation;
+using System.CommandLine.Parsing;
+using Football.Tool.Aim;
+using Football.Scenarios.Input;
+using Football.Tool.Sweep;
+
+namespace Football.Tool.Commands;
+
+/// <summary>The whole command: arguments in, exit code out.</summary>
+internal static class CommandLineEntry
+{
+    private const int LongestMessage = 300;
+
+    /// <summary>No @file: an argument means what it says.</summary>
+    private static readonly ParserConfiguration Plain = new() { ResponseFileTokenReplacer = null };
+
+    /// <summary>Runs the command. No input makes it throw.</summary>
+    /// <param name="args">Its arguments.</param>
+    /// <param name="terminal">Where it reads and writes.</param>
+    /// <param name="lab">The laboratories, where they are at hand; null: the checkout's are started.</param>
+    public static int Run(string[] args, Terminal terminal, Func<Terminal, Command>? lab = null)
+    {
+        try
+        {
+            if (lab is null && args is ["lab", ..])
+            {
+                return LabCommand.Start(args, terminal);
+            }
+
+            ParseResult parsed = Root(terminal, lab ?? LabCommand.Create).Parse(args, Plain);
+            return parsed.Action is ParseErrorAction ? Misused(parsed, terminal) : Invoke(parsed, terminal);
+        }
+        catch (OutputClosedException)
+        {
+            return ExitCode.OutputClosed;
+        }
+        catch (RefusedException refusal)
+        {
+            terminal.Error.WriteLine($"football: {refusal.Message}");
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            terminal.Error.WriteLine($"football: {Quote.Short(e.Message)}");
+        }
+        catch (Exception e)
+        {
+            terminal.Error.WriteLine($"football: internal error, {e.GetType().Name}: {Quote.Short(e.Message)}");
+        }
+
+        return ExitCode.Refused;
+    }
+
+    /// <summary>The command and all below it.</summary>
+    public static RootCommand Root(Terminal terminal, Func<Terminal, Command> laboratories)
+    {
+        Command lab = laboratories(terminal);
+        var of = new Argument<string[]>("COMMAND") { Description = "What to tell about; without it: everything.", Arity = ArgumentArity.ZeroOrMore };
+        var help = new ExampleCommand("help", "Tells how to use a command.", "football help lab", "football help lab vacuum") { of };
+        var root = new RootCommand("Plays shots of a football without a window. Without a command: the gallery.")
+        {
+            KickCommand.Create(terminal),
+            SimulateCommand.Create(terminal),
+            AimCommand.Create(terminal),
+            InterceptCommand.Create(terminal),
+            FitCommand.Create(terminal),
+            SweepCommand.Create(terminal),
+            ReplayCommand.Create(terminal),
+            GalleryCommand.Create(terminal),
+            lab,
+            help,
+        };
+        int Help(params string[] path)
+        {
+            ParseResult parsed = root.Parse([.. path, "--help"], Plain);
+            return parsed.UnmatchedTokens.Count > 0 ? Misused(parsed, terminal) : Invoke(parsed, terminal);
+        }
+
+        root.SetAction(_ => GalleryCommand.Run(GalleryCommand.DefaultFolder, terminal));
+        if (lab.Subcommands.Count > 0)
+        {
+            lab.SetAction(_ => Help(lab.Name));
+        }
+
+        help.SetAction(parsed => Help(parsed.GetValue(of) ?? []));
+        HelpOption option = root.Options.OfType<HelpOption>().Single();
+        option.Action = new ExampleHelp((HelpAction)option.Action!);
+        return root;
+    }
+
+    private static int Invoke(ParseResult parsed, Terminal terminal) =>
+        parsed.Invoke(new InvocationConfiguration { Output = terminal.Text, Error = terminal.Error, EnableDefaultExceptionHandler = false });
+
+    private static int Misused(ParseResult parsed, Terminal terminal)
+    {
+        Command command = parsed.CommandResult.Command;
+        foreach (string unknown in parsed.UnmatchedTokens.Take(1))
+        {
+            IEnumerable<Symbol> known = unknown.StartsWith('-') ? command.Options.Concat(parsed.RootCommandResult.Command.Options) : command.Subcommands;
+            string hint = Spelling.Closest(unknown, known.Select(symbol => symbol.Name)) is { } meant ? $"; did you mean {meant}?" : ".";
+            terminal.Error.WriteLine($"football: {Quote.Short(unknown)} is unknown to {Path(parsed.CommandResult)}{hint}");
+        }
+
+        // What is missing because something is unknown is not told too.
+        IEnumerable<string> messages = parsed.UnmatchedTokens.Count > 0 ? [] : parsed.Errors.Select(error => error.Message).Distinct();
+        foreach (string message in messages)
+        {
+            terminal.Error.WriteLine($"football: {Quote.Short(message, LongestMessage)}");
+        }
+
+        terminal.Error.WriteLine($"{Path(parsed.CommandResult)} --help tells how to use it.");
+        return ExitCode.Usage;
+    }
+
+    private static string Path(CommandResult result) =>
+        result.Parent is CommandResult parent ? $"{Path(parent)} {result.Command.Name}" : "football";
+}

@@ -1,0 +1,105 @@
+using System.CommandLine;
+using Football.Tool.Gallery;
+using Football.Scenarios.Input;
+using Football.Tool.Replay;
+using Football.Scenarios;
+
+namespace Football.Tool.Commands;
+
+/// <summary>football gallery: plays a few shots and draws them.</summary>
+internal static class GalleryCommand
+{
+    public static string DefaultFolder { get; } = Path.Combine("out", "gallery");
+
+    public static Command Create(Terminal terminal)
+    {
+        var folder = new Option<string>("--out")
+        {
+            HelpName = "DIR",
+            Description = "Where the drawings go.",
+            DefaultValueFactory = _ => DefaultFolder,
+        };
+        var command = new ExampleCommand(
+            "gallery",
+            "Plays a gallery of shots to rest, tells what they did, and draws them; with the output redirected the figures go there as JSON.",
+            "football gallery --out pictures")
+        {
+            folder,
+        };
+        command.SetAction(parsed => Run(parsed.GetRequiredValue(folder), terminal));
+        return command;
+    }
+
+    /// <summary>Plays and draws all shots into a folder.</summary>
+    public static int Run(string folder, Terminal terminal)
+    {
+        string full = Create(folder);
+        IReadOnlyList<GalleryShot> shots = GalleryShots.All;
+        string[] names = [.. shots.Select(shot => shot.Id + ".svg"), ContactSheet.Moving, "index.html"];
+        terminal.Person.WriteLine($"Plays {shots.Count} shots from the foot to rest, and draws them into {folder}.");
+        OutputFile[] files = [.. names.Select(name => OutputFile.Open("--out", Path.Combine(full, name))!)];
+        ShownShot[] shown = Progress.Show(terminal, "shots", progress => shots.Select((shot, i) =>
+        {
+            progress.Report(i, shots.Count, () => shot.Name);
+            var made = ShownShot.Make(shot);
+            files[i].Write(made.Drawing);
+            return made;
+        }).ToArray());
+        files[^2].Write(ReplayPage.Html("Football.Physics: gallery", [.. shown.Select(made => made.Moving)]));
+        files[^1].Write(ContactSheet.Html(shown));
+        foreach (OutputFile file in files)
+        {
+            file.Dispose();
+        }
+
+        terminal.PersonConsole.Write(ShotReport.Figures([.. shown.Select(made => ((string?)made.Shot.Name, made.Figures))]));
+        terminal.Person.WriteLine($"To watch: {files[^2].Path}");
+        terminal.Person.WriteLine($"Drawings: {files[^1].Path}");
+        if (terminal.OutputRedirected)
+        {
+            foreach (ShownShot made in shown)
+            {
+                terminal.Output.Write(Line(made).Span);
+            }
+        }
+
+        return ExitCode.Done;
+    }
+
+    private static string Create(string folder)
+    {
+        try
+        {
+            return Directory.CreateDirectory(folder).FullName;
+        }
+        catch (Exception e) when (OutputFile.IsFileFault(e))
+        {
+            throw new RefusedException("--out", $"{Quote.File(folder)}, which cannot be made", "a folder that can be written");
+        }
+    }
+
+    private static ReadOnlyMemory<byte> Line(ShownShot shown) => ResultWriter.Line(json =>
+    {
+        ShotFigures figures = shown.Figures;
+        json.WriteString("name", shown.Shot.Id);
+        Write("carry", figures.Carry);
+        Write("apex", figures.Apex);
+        Write("hangTime", figures.HangTime);
+        Write("deflection", figures.Deflection);
+        json.WriteNumber("bounces", figures.Bounces);
+        Write("restTime", figures.RestTime);
+        Write("distance", figures.Distance);
+
+        void Write(string name, double? value)
+        {
+            if (value is null)
+            {
+                json.WriteNull(name);
+            }
+            else
+            {
+                json.WriteNumber(name, value.Value);
+            }
+        }
+    });
+}

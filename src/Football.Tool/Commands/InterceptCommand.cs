@@ -1,0 +1,21 @@
+using System.CommandLine;
+using Football.Tool.Intercept;
+
+namespace Football.Tool.Commands;
+
+/// <summary>football intercept: who gets to the ball in the scenarios of a file.</summary>
+internal static class InterceptCommand
+{
+    private const string Example =
+        """{"launch": {"position": [0, 0.11, 0], "velocity": [8, 7, -24]}, "stop": {"at": "time", "time": 3}, "runners": [{"name": "nine", "position": [10, 0, -30]}]}""";
+
+    public static Command Create(Terminal terminal) =>
+        new BatchRunner<InterceptOutcome>(fields => InterceptRun.Find(InterceptScenario.Read(fields)), InterceptWriter.Result, InterceptTable.Print)
+        .Of(
+            new ExampleCommand(
+                "intercept",
+                "Finds when each runner of a scenario can meet the ball, and who is first, and writes it as JSON; a single scenario in a terminal as a table.",
+                $"echo '{Example}' | football intercept -",
+                $"echo '{Example}' | football intercept - --set runners.0.speed=9"),
+            terminal);
+}

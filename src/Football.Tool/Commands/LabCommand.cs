@@ -1,0 +1,46 @@
+using System.CommandLine;
+using System.Diagnostics;
+using Football.Scenarios.Input;
+
+namespace Football.Tool.Commands;
+
+/// <summary>football lab: starts the laboratories of a checkout, which measure the library and are no part of the tool.</summary>
+internal static class LabCommand
+{
+    private const string Project = "benchmarks/Football.Physics.Labs/Football.Physics.Labs.csproj";
+
+    public static Command Create(Terminal terminal)
+    {
+        var command = new ExampleCommand(
+            "lab", "Experiments of a checkout: accuracy, run time against error, stability, aiming.", "football lab", "football lab vacuum --seed 7 --csv vacuum.csv");
+        command.SetAction(_ => Start([command.Name], terminal));
+        return command;
+    }
+
+    /// <summary>Runs the laboratories with the arguments of this command, its input and its outputs.</summary>
+    /// <returns>Their exit code.</returns>
+    /// <exception cref="RefusedException">No checkout is around the command, nor around the folder that it is started in.</exception>
+    public static int Start(IEnumerable<string> args, Terminal terminal)
+    {
+        string project = Find(AppContext.BaseDirectory) ?? Find(Environment.CurrentDirectory) ?? throw new RefusedException(
+            $"lab is of a checkout, and there is none here; start it within one, or there: dotnet run -c Release --project {Path.GetDirectoryName(Project)} -- …");
+        terminal.Text.Flush();
+        using Process laboratories = Process.Start(new ProcessStartInfo("dotnet", ["run", "-c", "Release", "--project", project, "--", .. args]))!;
+        laboratories.WaitForExit();
+        return laboratories.ExitCode;
+    }
+
+    private static string? Find(string folder)
+    {
+        for (DirectoryInfo? at = new(folder); at is not null; at = at.Parent)
+        {
+            string project = Path.Combine(at.FullName, Project);
+            if (File.Exists(project))
+            {
+                return project;
+            }
+        }
+
+        return null;
+    }
+}

@@ -1,0 +1,80 @@
+using System.CommandLine;
+using Football.Scenarios.Input;
+using Football.Tool.Replay;
+using Football.Tool.Replay.Gltf;
+using Football.Scenarios;
+
+namespace Football.Tool.Commands;
+
+/// <summary>football replay: shots as a page that moves, and as a scene for other programs.</summary>
+internal static class ReplayCommand
+{
+    private const string Kick = """{"launch": {"position": [0, 0.11, 0], "velocity": [5, 7, -24], "spin": [0, 60, 0]}, "goals": [{"center": [0, 0, -22], "facing": [0, 0, 1]}]}""";
+    private const string DefaultPage = "replay.html";
+
+    public static Command Create(Terminal terminal)
+    {
+        var files = new Argument<string[]>("FILE") { Description = "Scenarios, one a file, as JSON; - is the standard input.", Arity = ArgumentArity.OneOrMore };
+        var page = new Option<string>("--output", "-o")
+        {
+            HelpName = "PAGE",
+            Description = "The page: one file that needs no network.",
+            DefaultValueFactory = _ => DefaultPage,
+        };
+        var gltf = new Option<string?>("--gltf") { HelpName = "FILE", Description = "Writes the same as glTF 2.0 with animation too." };
+        var svg = new Option<string?>("--svg") { HelpName = "FILE", Description = "Writes a drawing that moves by itself too, for pages that run no program." };
+        Option<FieldOverride[]> profile = Arguments.Profile();
+        Option<FieldOverride[]> set = Arguments.Set("stop.at=rest");
+        var command = new ExampleCommand(
+            "replay",
+            "Plays scenarios, and writes a page on which they move: in perspective, to be turned, slowed down and stopped; with the output redirected the results go there as JSON.",
+            $"echo '{Kick}' | football replay - -o kick.html --set stop.at=rest",
+            $"echo '{Kick}' | football replay - -o kick.html --gltf kick.gltf --svg kick.svg --set stop.at=time --set stop.time=3")
+        {
+            files, page, gltf, svg, profile, set,
+        };
+        command.SetAction(parsed =>
+        {
+            using OutputFile written = OutputFile.Open("--output", parsed.GetRequiredValue(page))!;
+            using var scene = OutputFile.Open("--gltf", parsed.GetValue(gltf));
+            using var drawing = OutputFile.Open("--svg", parsed.GetValue(svg));
+            FieldOverride[] overrides = [.. parsed.GetRequiredValue(profile), .. parsed.GetRequiredValue(set), FieldOverride.Parse("samples=true")!];
+            List<(string Name, Scenario Scenario, Outcome Outcome)> played = Play(parsed.GetRequiredValue(files), overrides, terminal);
+            var picture = ReplayPicture.Of("replay", played.Count == 1 ? played[0].Name : "Replay", played);
+            written.Write(ReplayPage.Html(picture.Name, [picture]));
+            drawing?.Write(MovingDrawing.Draw(picture));
+            scene?.Write(GltfFile.Text(picture));
+            terminal.Person.WriteLine($"Page: {written.Path}");
+            foreach ((string name, _, Outcome outcome) in terminal.OutputRedirected ? played : [])
+            {
+                terminal.Output.Write(ResultWriter.Result(name, outcome with { Samples = null }).Span);
+            }
+
+            return ExitCode.Done;
+        });
+        return command;
+    }
+
+    private static List<(string Name, Scenario Scenario, Outcome Outcome)> Play(string[] files, FieldOverride[] overrides, Terminal terminal)
+    {
+        var played = new List<(string Name, Scenario Scenario, Outcome Outcome)>();
+        foreach (string file in files)
+        {
+            using Stream input = Arguments.OpenInput(file, terminal);
+            InputCase read = InputCase.Read(new LineReader(input).ReadToEnd(), overrides);
+            InputFields fields = read.Scenario ?? throw read.Refusal!;
+            try
+            {
+                var scenario = Scenario.Read(fields);
+                string name = read.Name ?? (file == "-" ? KickNumbers.Of(scenario).Text : Path.GetFileNameWithoutExtension(file));
+                played.Add((name, scenario, ScenarioRun.Play(scenario)));
+            }
+            catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields) is { } said)
+            {
+                throw said;
+            }
+        }
+
+        return played;
+    }
+}

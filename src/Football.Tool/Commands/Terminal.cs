@@ -1,0 +1,121 @@
+using System.Text;
+using Microsoft.Win32.SafeHandles;
+using Spectre.Console;
+
+namespace Football.Tool.Commands;
+
+/// <summary>Where the command reads and writes: data to the output; what is meant for a person to where a person sees it.</summary>
+internal sealed class Terminal
+{
+    /// <summary>Columns of a table that nobody looks at in a terminal: enough to break no line.</summary>
+    private const int Unlimited = 1000;
+
+    public Terminal(Stream input, Stream output, Stream error, bool outputRedirected, bool errorRedirected)
+    {
+        Input = input;
+        Output = new StandardStream(output, carriesData: true);
+        OutputRedirected = outputRedirected;
+        ErrorRedirected = errorRedirected;
+        Text = Writer(Output);
+        Error = Writer(new StandardStream(error, carriesData: false));
+        ErrorConsole = Console(Error, errorRedirected);
+        PersonConsole = outputRedirected ? ErrorConsole : Console(Text, redirected: false);
+    }
+
+    public Stream Input { get; }
+
+    /// <summary>Data.</summary>
+    public Stream Output { get; }
+
+    /// <summary>The output, as text.</summary>
+    public TextWriter Text { get; }
+
+    public TextWriter Error { get; }
+
+    public bool OutputRedirected { get; }
+
+    public bool ErrorRedirected { get; }
+
+    /// <summary>Tables and hints, as plain text.</summary>
+    public TextWriter Person => OutputRedirected ? Error : Text;
+
+    /// <summary>Tables and hints.</summary>
+    public IAnsiConsole PersonConsole { get; }
+
+    /// <summary>Progress.</summary>
+    public IAnsiConsole ErrorConsole { get; }
+
+    /// <summary>The process' own.</summary>
+    public static Terminal OfProcess() => new(
+        Descriptor.IsInherited(0) ? Open(System.Console.OpenStandardInput) : Stream.Null,
+        Descriptor.IsInherited(1) ? OpenOutput() : Closed(),
+        Descriptor.IsInherited(2) ? Open(System.Console.OpenStandardError) : Stream.Null,
+        System.Console.IsOutputRedirected,
+        System.Console.IsErrorRedirected);
+
+    /// <summary>
+    /// A console stream hides that nobody reads its pipe any more; a file stream tells. It does not move the offset that a file shares
+    /// with the programs before and after this one, so it is used for what has none.
+    /// </summary>
+    private static Stream OpenOutput()
+    {
+        if (System.Console.IsOutputRedirected && !OperatingSystem.IsWindows())
+        {
+            try
+            {
+                var pipe = new FileStream(new SafeFileHandle(1, ownsHandle: false), FileAccess.Write, bufferSize: 0);
+                if (!pipe.CanSeek)
+                {
+                    return pipe;
+                }
+            }
+            catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
+            {
+                // Whatever it is, the console's own way decides.
+            }
+        }
+
+        return Open(System.Console.OpenStandardOutput);
+    }
+
+    /// <summary>An output that nobody can read: the first byte ends the run.</summary>
+    private static MemoryStream Closed()
+    {
+        var stream = new MemoryStream();
+        stream.Dispose();
+        return stream;
+    }
+
+    private static Stream Open(Func<Stream> open)
+    {
+        try
+        {
+            return open();
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            return Stream.Null;
+        }
+    }
+
+    private static StreamWriter Writer(Stream stream) =>
+        new(stream, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false)) { AutoFlush = true, NewLine = "\n" };
+
+    private static IAnsiConsole Console(TextWriter writer, bool redirected)
+    {
+        bool plain = redirected || Environment.GetEnvironmentVariable("TERM") == "dumb";
+        IAnsiConsole console = AnsiConsole.Create(new AnsiConsoleSettings
+        {
+            Ansi = plain ? AnsiSupport.No : AnsiSupport.Yes,
+            ColorSystem = plain ? ColorSystemSupport.NoColors : ColorSystemSupport.Standard,
+            Interactive = plain ? InteractionSupport.No : InteractionSupport.Yes,
+            Out = new AnsiConsoleOutput(writer),
+        });
+        if (redirected)
+        {
+            console.Profile.Width = Unlimited;
+        }
+
+        return console;
+    }
+}

@@ -1,0 +1,25 @@
+using System.Globalization;
+using Football.Tool.Commands;
+using Spectre.Console;
+
+namespace Football.Tool.Fit;
+
+/// <summary>A fit as a table for a person.</summary>
+internal static class FitTable
+{
+    public static void Print(TrackFitResult fit, Terminal terminal)
+    {
+        Table table = new Table().Border(TableBorder.Simple).AddColumns("number", "value", "±", "");
+        for (int i = 0; i < fit.Names.Count; i++)
+        {
+            table.AddRow(
+                Markup.Escape(fit.Names[i]),
+                fit.Value(i).ToString("0.0000", CultureInfo.InvariantCulture),
+                fit.Deviation(i).ToString("0.0000", CultureInfo.InvariantCulture),
+                fit.IsIdentified(i) ? string.Empty : "not identified");
+        }
+
+        terminal.PersonConsole.Write(table);
+        terminal.Person.WriteLine(FormattableString.Invariant($"χ² {fit.ChiSquared:0.0} of {fit.Freedom} expected{(fit.Converged ? "" : "; not converged")}."));
+    }
+}

@@ -1,0 +1,45 @@
+using Football.Scenarios;
+
+namespace Football.Tool.Fit;
+
+/// <summary>A fit as a line of JSON.</summary>
+internal static class FitWriter
+{
+    public static ReadOnlyMemory<byte> Result(string? name, TrackFitResult fit) => ResultWriter.Line(writer =>
+    {
+        if (name is not null)
+        {
+            writer.WriteString("name", name);
+        }
+
+        writer.WriteNumber("time", fit.Time);
+        writer.WriteStartObject("values");
+        for (int i = 0; i < fit.Names.Count; i++)
+        {
+            writer.WriteNumber(fit.Names[i], fit.Value(i));
+        }
+
+        writer.WriteEndObject();
+        writer.WriteStartObject("deviations");
+        for (int i = 0; i < fit.Names.Count; i++)
+        {
+            writer.WriteNumber(fit.Names[i], fit.Deviation(i));
+        }
+
+        writer.WriteEndObject();
+        writer.WriteStartArray("unidentified");
+        for (int i = 0; i < fit.Names.Count; i++)
+        {
+            if (!fit.IsIdentified(i))
+            {
+                writer.WriteStringValue(fit.Names[i]);
+            }
+        }
+
+        writer.WriteEndArray();
+        writer.WriteNumber("chiSquared", fit.ChiSquared);
+        writer.WriteNumber("freedom", fit.Freedom);
+        writer.WriteNumber("iterations", fit.Iterations);
+        writer.WriteBoolean("converged", fit.Converged);
+    });
+}

@@ -1,0 +1,114 @@
+using System.Text;
+using System.Text.RegularExpressions;
+using System.Xml.Linq;
+using Football.Drawing;
+using Football.Scenarios;
+
+namespace Football.Tool.Gallery;
+
+/// <summary>All shots on one page that needs nothing but itself and the moving page beside it.</summary>
+internal static class ContactSheet
+{
+    /// <summary>The page on which the same shots move.</summary>
+    public const string Moving = "replay.html";
+
+    private const string Style = """
+        :root { --ink: #1f2933; --faint: #5b6773; --page: #f5f7fa; --card: #ffffff; --edge: #e4e7eb; --link: #0072b2; }
+        @media (prefers-color-scheme: dark) {
+          :root { --ink: #e4e7eb; --faint: #a3b0bd; --page: #0f1418; --card: #171d23; --edge: #2b3640; --link: #56b4e9; color-scheme: dark; }
+        }
+        * { box-sizing: border-box; }
+        body { font: 15px/1.45 system-ui, 'Segoe UI', Helvetica, Arial, sans-serif; color: var(--ink); background: var(--page); margin: 0 auto; max-width: 1460px; padding: 24px; }
+        h1 { font-size: 26px; margin: 0 0 4px; }
+        h2 { font-size: 18px; margin: 0 0 4px; }
+        a { color: var(--link); }
+        .scroll { overflow-x: auto; }
+        table { border-collapse: collapse; background: var(--card); margin: 16px 0 24px; font-variant-numeric: tabular-nums; }
+        th, td { padding: 5px 12px; text-align: right; border-bottom: 1px solid var(--edge); white-space: nowrap; }
+        th:first-child, td:first-child { text-align: left; position: sticky; left: 0; background: var(--card); }
+        th { font-weight: 600; }
+        .shots { columns: 430px; column-gap: 18px; margin-top: 16px; }
+        article { background: var(--card); border: 1px solid var(--edge); border-radius: 8px; padding: 12px 14px; margin-bottom: 18px; break-inside: avoid; }
+        article p { margin: 0 0 8px; }
+        .kick { color: var(--faint); font-size: 14px; }
+        svg { width: 100%; height: auto; display: block; }
+        pre span { white-space: nowrap; }
+        pre { font: 12px/1.5 ui-monospace, Consolas, monospace; background: var(--page); border: 1px solid var(--edge); border-radius: 6px; margin: 6px 0; padding: 8px 64px 8px 10px; white-space: pre-wrap; }
+        button { position: absolute; top: 5px; right: 5px; font: inherit; font-size: 12px; color: var(--ink); background: var(--card); border: 1px solid var(--edge); border-radius: 5px; padding: 3px 9px; cursor: pointer; }
+        @media (max-width: 640px) { body { padding: 10px; } article { padding: 10px 8px; } article svg { width: calc(100% + 14px); margin: 0 -7px; } h1 { font-size: 22px; } th, td { padding: 4px 8px; } }
+        """;
+
+    /// <summary>Copies what stands beside a button. Without characters that XML and HTML write differently.</summary>
+    private const string Script = """
+        document.addEventListener("click", function (e) {
+          if (e.target.tagName !== "BUTTON") return;
+          navigator.clipboard.writeText(e.target.previousSibling.textContent).then(function () { e.target.textContent = "copied"; });
+        });
+        """;
+
+    public static string Html(IReadOnlyList<ShownShot> shots)
+    {
+        var page = new XElement(
+            "html",
+            new XAttribute("lang", "en"),
+            new XElement(
+                "head",
+                new XElement("meta", new XAttribute("charset", "utf-8")),
+                new XElement("meta", new XAttribute("name", "viewport"), new XAttribute("content", "width=device-width, initial-scale=1")),
+                new XElement("title", "Football.Physics: gallery"),
+                new XElement("style", Style, Svg.DarkStyle)),
+            new XElement(
+                "body",
+                new XElement("h1", "Football.Physics: gallery"),
+                new XElement(
+                    "p",
+                    "Every shot is played to rest with RK4 at 10 ms. Dots are whole seconds. ",
+                    new XElement("a", new XAttribute("href", Moving), "All of them in motion"),
+                    "; ",
+                    new XElement("a", new XAttribute("href", "#numbers"), "all in numbers"),
+                    "."),
+                new XElement("main", new XAttribute("class", "shots"), shots.Select(Card)),
+                new XElement("h2", new XAttribute("id", "numbers"), "All in numbers"),
+                new XElement("p", "Carry, hang time and deflection are those of the first touchdown; the deflection is to the left of the launch direction, negative to the right. Heights are of the ball's centre."),
+                new XElement("div", new XAttribute("class", "scroll"), Table(shots)),
+                new XElement("script", Script)));
+        return new StringBuilder("<!DOCTYPE html>\n").Append(page.ToString(SaveOptions.DisableFormatting)).Append('\n').ToString();
+    }
+
+    private static XElement Table(IReadOnlyList<ShownShot> shots) => new(
+        "table",
+        new XElement("thead", new XElement("tr", new XElement("th", "shot"), ShotFigures.Columns.Select(column => new XElement("th", column)))),
+        new XElement("tbody", shots.Select(Row)));
+
+    private static XElement Row(ShownShot shown) => new(
+        "tr",
+        new XElement("td", new XElement("a", new XAttribute("href", "#" + shown.Shot.Id), shown.Shot.Name)),
+        shown.Figures.Texts.Select(text => new XElement("td", text)));
+
+    private static XElement Card(ShownShot shown)
+    {
+        var kick = KickNumbers.Of(shown.Shot.Scenario);
+        return new XElement(
+            "article",
+            new XAttribute("id", shown.Shot.Id),
+            new XElement("h2", shown.Shot.Name),
+            new XElement(
+                "p",
+                new XAttribute("class", "kick"),
+                kick.Text + ". ",
+                new XElement("a", new XAttribute("href", $"{Moving}#picture={shown.Shot.Id}"), "Watch it move")),
+            new XElement(shown.Drawing),
+            new XElement("p", $"{shown.Shot.About} {shown.Remark.Trim()}".TrimEnd()),
+            new XElement("div", Copied(shown.Shot.Code), Copied(shown.Shot.Command)));
+    }
+
+    private static XElement Copied(string code) => new(
+        "div",
+        new XAttribute("style", "position: relative"),
+        new XElement("pre", Unbroken(code)),
+        new XElement("button", new XAttribute("type", "button"), new XAttribute("aria-label", "Copy the line"), "copy"));
+
+    /// <summary>A code whose words are not broken at the end of a line.</summary>
+    private static IEnumerable<object> Unbroken(string code) =>
+        Regex.Split(code, @"(\s+)").Select((part, i) => i % 2 == 0 ? (object)new XElement("span", part) : part);
+}

@@ -1,0 +1,73 @@
+using Football.Scenarios;
+
+namespace Football.Tool.Gallery;
+
+/// <summary>The way of a ball in legs, from event to event: in each it is in one motion.</summary>
+internal sealed class Flight
+{
+    public Flight(Scenario scenario)
+    {
+        Outcome = ScenarioRun.Play(scenario with { Samples = true });
+        Start = Outcome.Samples![0].Position;
+        Events = Outcome.Events;
+        Legs = [.. LegsOf(Outcome)];
+    }
+
+    public Outcome Outcome { get; }
+
+    public Vector3d Start { get; }
+
+    public IReadOnlyList<BallEvent> Events { get; }
+
+    public IReadOnlyList<(MotionState Motion, IReadOnlyList<Vector3d> Points)> Legs { get; }
+
+    /// <summary>The way up to the first impact, or to the end where there is none.</summary>
+    public IEnumerable<Vector3d> ToFirstTouchdown
+    {
+        get
+        {
+            BallEvent? first = FirstTouchdown(Outcome);
+            IEnumerable<Vector3d> before = Outcome.Samples!.TakeWhile(sample => first is null || sample.Time < first.Value.Time).Select(sample => sample.Position);
+            return first is null ? before : before.Append(first.Value.Position);
+        }
+    }
+
+    /// <summary>When the ball first meets a thing, or the end of the way where it meets none, s.</summary>
+    public double FirstMeeting => Events.Where(item => item.Thing != 0 && item.Kind is BallEventKind.Impact or BallEventKind.Goal).Select(item => item.Time).DefaultIfEmpty(Outcome.Samples![^1].Time).First();
+
+    /// <summary>The first impact with the ground; null where there is none.</summary>
+    public static BallEvent? FirstTouchdown(Outcome outcome) =>
+        outcome.Events.Where(item => item.Kind == BallEventKind.Impact && item.Thing == 0).Cast<BallEvent?>().FirstOrDefault();
+
+    /// <summary>The legs of a shot whose path was kept.</summary>
+    public static IEnumerable<(MotionState Motion, IReadOnlyList<Vector3d> Points)> LegsOf(Outcome outcome)
+    {
+        // Steps end between the events, so the events' own places make the corners sharp.
+        IReadOnlyList<Moment> samples = outcome.Samples!;
+        MotionState motion = samples[0].State;
+        var points = new List<Vector3d>();
+        int next = 0;
+        foreach (BallEvent item in outcome.Events)
+        {
+            for (; next < samples.Count && samples[next].Time < item.Time; next++)
+            {
+                points.Add(samples[next].Position);
+            }
+
+            points.Add(item.Position);
+            MotionState after = MotionAfter.Of(item.Kind, motion);
+            if (after != motion)
+            {
+                yield return (motion, points);
+                points = [item.Position];
+                motion = after;
+            }
+        }
+
+        points.AddRange(samples.Skip(next).Select(sample => sample.Position));
+        if (motion != MotionState.Stopped)
+        {
+            yield return (motion, points);
+        }
+    }
+}

@@ -1,0 +1,53 @@
+using Football.Scenarios;
+
+namespace Football.Tool.Gallery;
+
+/// <summary>A free kick over a wall that the two-point solver finds: through a point above the wall, into the corner behind it.</summary>
+internal static class FoundKick
+{
+    private const double Goal = 22;
+    private const double Wall = 9.15;
+
+    /// <summary>The corner of the goal.</summary>
+    public static Vector3d Target { get; } = new(-3.3, 0.6, -Goal);
+
+    /// <summary>Just above the wall.</summary>
+    public static Vector3d Through { get; } = new(-2.2, 2.35, -Wall);
+
+    /// <summary>Finds it, and makes a shot of it.</summary>
+    public static GalleryShot Shot()
+    {
+        var request = new AimRequest
+        {
+            From = new Vector3d(0, 0.11, 0),
+            Target = Target,
+            Through = Through,
+            Speed = 24,
+            MaximumTopSpin = 60,
+            MaximumSideSpin = 60,
+        };
+        AimResult found = new Aimer(Scene.Measured).Find(request);
+        var kick = new Scenario
+        {
+            Scene = Scene.Measured with { Obstacles = [Furniture.Wall(Wall, 0.4, 3.4, 1.9)], Goals = [Furniture.Goal(Goal)] },
+            Position = request.From,
+            Velocity = found.Velocity,
+            Spin = found.Spin,
+            StopAt = StopAt.Rest,
+            Duration = 120,
+            Samples = true,
+        };
+        return new GalleryShot
+        {
+            Id = "found-free-kick",
+            Name = "Free kick found for two points",
+            About = FormattableString.Invariant(
+                $"Asked for: 24 m/s from 22 m, over the wall through one point, and into the corner. Found in {found.Simulations} simulations, {1e3 * found.Miss:0.0} mm off the corner and {1e3 * found.ThroughMiss:0.0} mm off the point. Dashed without spin."),
+            Scenario = kick,
+            Comparison = kick with { Spin = Vector3d.Zero },
+            ComparisonName = "without spin",
+            Points = [Through, Target],
+            DrawnTo = 30,
+        };
+    }
+}

@@ -1,0 +1,56 @@
+using Football.Tool.Replay;
+using Football.Scenarios;
+
+namespace Football.Tool.Gallery;
+
+/// <summary>A shot of the gallery, and what to draw around it.</summary>
+internal sealed record GalleryShot
+{
+    /// <summary>Name of its file.</summary>
+    public required string Id { get; init; }
+
+    public required string Name { get; init; }
+
+    /// <summary>What is to be seen.</summary>
+    public required string About { get; init; }
+
+    public required Scenario Scenario { get; init; }
+
+    /// <summary>The scene in C#, without goals and walls, which a shot does not need to be kicked; empty for the default.</summary>
+    public string SceneCode { get; init; } = "";
+
+    /// <summary>The shot in C#.</summary>
+    public string Code
+    {
+        get
+        {
+            Vector3d from = Scenario.Position;
+            string place = from.Y > Scenario.Scene.Ball.Radius || from.Horizontal.Length > 0 ? FormattableString.Invariant($"ball.Place(new Vector3d({from.X:0.##}, {from.Y:0.##}, {from.Z:0.##}));\n") : "";
+            return $"var ball = new Ball({SceneCode});\n{place}{KickNumbers.Of(Scenario).Code}";
+        }
+    }
+
+    /// <summary>The scene as fields of a scenario, path=value, without goals and walls; empty for the default.</summary>
+    public IReadOnlyList<string> SceneFields { get; init; } = [];
+
+    /// <summary>The command that kicks so.</summary>
+    public string Command => string.Join(" --set ", [KickNumbers.Of(Scenario).Command, .. SceneFields]);
+
+    /// <summary>The same with something changed, drawn beside it; null for none.</summary>
+    public Scenario? Comparison { get; init; }
+
+    /// <summary>What was changed.</summary>
+    public string ComparisonName { get; init; } = "";
+
+    /// <summary>Lines on the ground, beside those of the scene's goals.</summary>
+    public IReadOnlyList<SceneShape> Markings { get; init; } = [];
+
+    /// <summary>Lines in the plane of the goal: what a keeper covers, where kicks go.</summary>
+    public IReadOnlyList<SceneShape> OnGoal { get; init; } = [];
+
+    /// <summary>Points that the ball was aimed at, marked in the drawings.</summary>
+    public IReadOnlyList<Vector3d> Points { get; init; } = [];
+
+    /// <summary>Where the drawings end, along the view, m; null draws all of the way.</summary>
+    public double? DrawnTo { get; init; }
+}

@@ -1,0 +1,11 @@
+namespace Football.Tool.Gallery;
+
+/// <summary>The directions of a goal.</summary>
+internal static class GoalAxes
+{
+    /// <summary>Unit vector towards the pitch.</summary>
+    public static Vector3d Outward(this Goal goal) => goal.Facing.Normalized();
+
+    /// <summary>Unit vector along the line, towards the right post as seen from inside the goal.</summary>
+    public static Vector3d Right(this Goal goal) => Vector3d.Cross(goal.Outward(), Vector3d.Up);
+}

@@ -1,0 +1,43 @@
+namespace Football.Tool.Gallery;
+
+/// <summary>Whether a shot is a goal, and by how much.</summary>
+internal static class GoalCrossing
+{
+    /// <summary>Tells it in a sentence.</summary>
+    public static string Describe(Flight flight, Goal goal)
+    {
+        BallEvent? scored = flight.Events.Where(item => item.Kind == BallEventKind.Goal).Cast<BallEvent?>().FirstOrDefault();
+        Vector3d? crossing = scored?.Position ?? Crossing(flight, goal);
+        if (crossing is null)
+        {
+            return "It does not reach the goal line.";
+        }
+
+        // Left and right as who shoots at it sees them.
+        double right = Vector3d.Dot(crossing.Value - goal.Center, Vector3d.Cross(-goal.Outward(), Vector3d.Up));
+        double post = (0.5 * goal.Width) - Math.Abs(right);
+        string side = right > 0 ? "right" : "left";
+        return scored is not null
+            ? FormattableString.Invariant($"A goal: over the line {post:0.00} m inside the {side} post, {crossing.Value.Y:0.00} m high.")
+            : FormattableString.Invariant($"No goal: {Math.Max(0, -post):0.00} m outside the {side} post, {crossing.Value.Y:0.00} m high.");
+    }
+
+    /// <summary>Where the ball first passes the plane of the line from before it.</summary>
+    private static Vector3d? Crossing(Flight flight, Goal goal)
+    {
+        Vector3d last = flight.Start;
+        foreach (Vector3d place in flight.Legs.SelectMany(leg => leg.Points))
+        {
+            double from = Vector3d.Dot(last - goal.Center, goal.Outward());
+            double to = Vector3d.Dot(place - goal.Center, goal.Outward());
+            if (from > 0 && to <= 0)
+            {
+                return last + (from / (from - to) * (place - last));
+            }
+
+            last = place;
+        }
+
+        return null;
+    }
+}

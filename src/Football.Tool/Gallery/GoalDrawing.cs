@@ -1,0 +1,70 @@
+using System.Xml.Linq;
+using Football.Drawing;
+using Football.Tool.Replay;
+
+namespace Football.Tool.Gallery;
+
+/// <summary>Draws the goal that a shot reaches as who stands in front of it sees it, and the ball in it as large as it is.</summary>
+internal static class GoalDrawing
+{
+    /// <summary>How far in front of the line the way to it begins to be drawn, m.</summary>
+    private const double Before = 8;
+
+    /// <summary>What is nearer to the line than this stands in the goal, m.</summary>
+    private const double Near = 1;
+
+    /// <summary>The drawing; null for a ball that comes to no goal.</summary>
+    public static XElement? Draw(GalleryShot shot, Flight flight, IReadOnlyList<SceneShape> shapes, double width)
+    {
+        if (shot.Scenario.Scene.Goals is not [var goal, ..] || Arrival(flight, goal) is not { } arrival)
+        {
+            return null;
+        }
+
+        double half = (0.5 * goal.Width) + 0.6;
+        var chart = new Chart(new Axis("to the right of the middle, m") { Min = -half, Max = half }, new Axis("height, m") { Min = 0, Max = goal.Height + 0.4 })
+        {
+            Title = "The goal from in front",
+            Width = width,
+            EqualScales = true,
+            PlotHeight = 100,
+        };
+        PlotPoint Project(Vector3d place) => new(Vector3d.Dot(place - goal.Center, Vector3d.Cross(-goal.Outward(), Vector3d.Up)), place.Y - goal.Center.Y);
+        bool IsHere(SceneShape shape) => shape.Kind is SceneShapeKind.Net or SceneShapeKind.Frame
+            || (shape.Kind == SceneShapeKind.Obstacle && shape.Points.All(place => Distance(goal, place + (arrival.Time * shape.Velocity)) < Near));
+        SceneShape Unnamed(SceneShape shape) => shape.Kind == SceneShapeKind.Frame ? shape with { Name = "" } : shape;
+        SceneDrawing.Add(chart, [.. shapes.Where(IsHere).Select(Unnamed), .. shot.OnGoal], Project, fromAbove: false, arrival.Time);
+        var names = new Simulator(shot.Scenario.Scene);
+        IEnumerable<Vector3d> way = flight.Outcome.Samples!.Where(at => at.Time < arrival.Time && Distance(goal, at.Position) < Before).Select(at => at.Position);
+        chart.Items.Add(new PolylineItem([.. way.Append(arrival.Position).Select(Project)]));
+        foreach (BallEvent happened in flight.Events.Where(item => item.Time <= arrival.Time && Distance(goal, item.Position) < Near && item.Kind is BallEventKind.Impact or BallEventKind.Goal))
+        {
+            bool goes = happened.Kind == BallEventKind.Goal;
+            chart.Items.Add(new PolygonItem([SceneDrawing.Circle(Project(happened.Position), shot.Scenario.Scene.Ball.Radius)])
+            {
+                Fill = Palette.Paper,
+                Colour = goes ? Palette.Red : Palette.Blue,
+                Caption = goes ? "goal" : OfFrame(names.NameOf(happened.Thing)),
+            });
+        }
+
+        return chart.Draw();
+    }
+
+    /// <summary>When the ball is a goal, or else first at the frame or at what stands before it; null where it comes to none of these.</summary>
+    private static BallEvent? Arrival(Flight flight, Goal goal)
+    {
+        IEnumerable<BallEvent> goals = flight.Events.Where(item => item.Kind == BallEventKind.Goal);
+        IEnumerable<BallEvent> saves = flight.Events.Where(item => item.Kind == BallEventKind.Impact && item.Thing != 0 && Distance(goal, item.Position) < Near);
+        return goals.Concat(saves).Cast<BallEvent?>().FirstOrDefault();
+    }
+
+    /// <summary>Post or crossbar: which post, left or right, depends on who looks.</summary>
+    private static string OfFrame(string? name)
+    {
+        string part = name?.Split(' ')[^1] ?? "";
+        return part is "post" or "crossbar" ? part : "";
+    }
+
+    private static double Distance(Goal goal, Vector3d place) => Math.Abs(Vector3d.Dot(place - goal.Center, goal.Outward()));
+}

@@ -1,0 +1,148 @@
+using Football.Tool.Replay;
+using Football.Scenarios;
+
+namespace Football.Tool.Gallery;
+
+/// <summary>Shots that answer a question: can the goalkeeper get there, which kick bounces once, which goes in off the post, how surely does a penalty go in?</summary>
+internal static class QueryShots
+{
+    private const double Penalty = 11;
+    private const double Post = 16;
+    private static readonly Vector3d s_from = new(0, 0.11, 0);
+
+    /// <summary>A goalkeeper who is beaten.</summary>
+    public static GalleryShot Beaten() => Keeper("keeper-beaten", "A keeper who is beaten", new Vector3d(-3.6, 2.4, -25.5));
+
+    /// <summary>A goalkeeper who is not.</summary>
+    public static GalleryShot Saved() => Keeper("keeper-saves", "A keeper who saves", new Vector3d(-2.1, 2.4, -24));
+
+    /// <summary>A pass that bounces once.</summary>
+    public static GalleryShot OneBounce()
+    {
+        var target = new Vector3d(-2, 0.6, -24);
+        var request = new AimRequest { From = s_from, Target = target, Speed = 19, TopSpin = 10, MaximumElevationDegrees = 40, Tolerance = 0.001 };
+        AimResult found = new BankShotAimer(Scene.Measured).Find(request, "ground");
+        return new GalleryShot
+        {
+            Id = "one-bounce-pass",
+            Name = "Pass with one bounce",
+            About = FormattableString.Invariant(
+                $"Asked for: 19 m/s, one bounce, and through a point 24 m away at the height of a knee. Found in {found.Simulations} simulations, {1e3 * found.Miss:0.0} mm off."),
+            Scenario = Kick(Scene.Measured, found.Velocity, found.Spin),
+            Points = [target],
+            DrawnTo = 40,
+        };
+    }
+
+    /// <summary>A shot in off the post that was aimed there.</summary>
+    public static GalleryShot OffThePost()
+    {
+        Scene scene = Scene.Measured with { Goals = [Furniture.Goal(Post)] };
+        var target = new Vector3d(2.2, 0.9, -Post - 0.6);
+        var request = new AimRequest { From = s_from, Target = target, Speed = 24, MaximumElevationDegrees = 30, Tolerance = 0.001 };
+        AimResult found = new BankShotAimer(scene).Find(request, "left post");
+        return new GalleryShot
+        {
+            Id = "in-off-the-post",
+            Name = "In off the post, as aimed",
+            About = FormattableString.Invariant(
+                $"Asked for: 24 m/s against the post, and from there through a point behind the line. Found in {found.Simulations} simulations, {1e3 * found.Miss:0.0} mm off."),
+            Scenario = Kick(scene, found.Velocity, found.Spin),
+            Points = [target],
+            DrawnTo = 20,
+        };
+    }
+
+    /// <summary>A penalty with the ellipse of where it goes.</summary>
+    public static GalleryShot Ellipse()
+    {
+        Goal goal = Furniture.Goal(Penalty);
+        var velocity = new Vector3d(-6.7, 4.6, -23);
+        var spread = new KickSpread { SpeedPercent = 3, ElevationDegrees = 1.2, AzimuthDegrees = 1.5 };
+        ScatterResult scatter = new Scatter(Scene.Measured).Find(s_from, velocity, Vector3d.Zero, spread, goal);
+        return new GalleryShot
+        {
+            Id = "penalty-ellipse",
+            Name = "How surely a penalty goes in",
+            About = FormattableString.Invariant(
+                $"The same penalty by a player whose speed spreads by 3 % and whose direction by 1.2° and 1.5°: the ellipses of one and two standard deviations at the goal. In with {100 * scatter.OnTarget:0} %."),
+            Scenario = Kick(Scene.Measured with { Goals = [goal] }, velocity, Vector3d.Zero),
+            OnGoal = [Ring(goal, scatter, 1), Ring(goal, scatter, 2)],
+            DrawnTo = 15,
+        };
+    }
+
+    private static GalleryShot Keeper(string id, string name, Vector3d velocity)
+    {
+        Goal goal = Furniture.Goal(Post);
+        var keeper = new Runner { Position = new Vector3d(0, 0, -Post), Acceleration = 8, Speed = 5, Reach = 0.9, HighestHeight = 2.5 };
+        Scene scene = Scene.Measured;
+        var simulator = new Simulator(scene);
+        var path = new Trajectory();
+        simulator.LookAhead(simulator.Launch(s_from, velocity, Vector3d.Zero), new LookAheadRequest { Duration = 3 }, path);
+        KeeperAnswer answer = new Interception().FindSave(path, in keeper, goal);
+        Vector3d At(double aside, double height) => new(-aside, height, -Post);
+        string saved = answer.Saves ? FormattableString.Invariant($"saved, if he dives by {answer.LatestReaction:0.00} s") : "beaten";
+        return new GalleryShot
+        {
+            Id = id,
+            Name = name,
+            About = FormattableString.Invariant(
+                $"{velocity.Length:0} m/s from {Post:0} m: at the line after {answer.Crossing.Time:0.00} s, {Math.Abs(answer.Aside):0.00} m beside the middle. The goalkeeper starts in the middle and is drawn where he has dived to by then: {saved}."),
+            Scenario = Kick(scene with { Goals = [goal], Obstacles = [Dived(answer)] }, velocity, Vector3d.Zero),
+            OnGoal =
+            [
+                new SceneShape("what he can cover by then", SceneShapeKind.Guide)
+                {
+                    Lines =
+                    [
+                        [
+                            At(answer.CoversFrom, 0.01), At(answer.CoversTo, 0.01), At(answer.CoversTo, answer.CoversUpTo), At(answer.CoversFrom, answer.CoversUpTo),
+                            At(answer.CoversFrom, 0.01),
+                        ],
+                    ],
+                },
+            ],
+            DrawnTo = 20,
+        };
+    }
+
+    /// <summary>A goalkeeper in front of his line, stretched towards the ball as far as he can be when it is there.</summary>
+    private static Obstacle Dived(KeeperAnswer answer)
+    {
+        const double around = 0.16;
+        double hands = Math.Min(answer.Aside + around, answer.CoversTo - around);
+        return new Obstacle
+        {
+            Name = "keeper",
+            Shape = new CapsuleShape(new Vector3d(-(hands - 1.6), 0.45, -Post + 0.5), new Vector3d(-hands, 0.2, -Post + 0.5), around),
+            Surface = Surface.Boot,
+        };
+    }
+
+    /// <summary>An ellipse of so many standard deviations in the plane of a goal.</summary>
+    private static SceneShape Ring(Goal goal, ScatterResult scatter, double deviations)
+    {
+        double angle = scatter.AxisDegrees * Math.PI / 180;
+        Vector3d Point(double t)
+        {
+            double along = deviations * scatter.LongAxis * Math.Cos(t);
+            double across = deviations * scatter.ShortAxis * Math.Sin(t);
+            double aside = scatter.Aside + (along * Math.Cos(angle)) - (across * Math.Sin(angle));
+            return new Vector3d(-aside, scatter.Height + (along * Math.Sin(angle)) + (across * Math.Cos(angle)), goal.Center.Z);
+        }
+
+        return new SceneShape("one and two standard deviations", SceneShapeKind.Guide) { Lines = [[.. Enumerable.Range(0, 49).Select(i => Point(i * Math.PI / 24))]] };
+    }
+
+    private static Scenario Kick(Scene scene, Vector3d velocity, Vector3d spin) => new()
+    {
+        Scene = scene,
+        Position = s_from,
+        Velocity = velocity,
+        Spin = spin,
+        StopAt = StopAt.Rest,
+        Duration = 120,
+        Samples = true,
+    };
+}

@@ -1,0 +1,49 @@
+using Football.Drawing;
+using Football.Tool.Replay;
+
+namespace Football.Tool.Gallery;
+
+/// <summary>What stands in a scene, as items of a chart that looks at it from the side or from above.</summary>
+internal static class SceneDrawing
+{
+    /// <summary>Adds goals, nets, obstacles and, from above, the markings.</summary>
+    /// <param name="chart">The chart.</param>
+    /// <param name="shapes">What there is.</param>
+    /// <param name="project">Where a place of the world is in the chart.</param>
+    /// <param name="fromAbove">Whether the markings are to be seen.</param>
+    /// <param name="time">The time at which what moves is drawn, s.</param>
+    public static void Add(Chart chart, IReadOnlyList<SceneShape> shapes, Func<Vector3d, PlotPoint> project, bool fromAbove, double time)
+    {
+        foreach (SceneShape shape in shapes)
+        {
+            PlotPoint[] Seen(Vector3d[] places) => [.. places.Select(place => project(place + (time * shape.Velocity)))];
+            PlotPoint[][] lines = [.. shape.Lines.Select(Seen)];
+            PlotPoint[][] faces = [.. shape.Faces.Select(Seen)];
+            ChartItem? item = shape.Kind switch
+            {
+                SceneShapeKind.Marking => fromAbove ? new LinesItem(lines) { Colour = Palette.Marking, Width = 1.2, Caption = shape.Name, NeedsRoom = false } : null,
+                SceneShapeKind.Guide => new LinesItem(lines) { Colour = Palette.Orange, Width = 1.6, Label = shape.Name },
+                SceneShapeKind.Net => new LinesItem(lines) { Colour = Palette.Frame, Width = 0.4 },
+                SceneShapeKind.Frame => new LinesItem(lines)
+                {
+                    Colour = Palette.Posts,
+                    Width = 2,
+                    Thickness = 2 * shape.Radius,
+                    Caption = shape.Name == "crossbar" ? "goal" : "",
+                },
+                SceneShapeKind.Obstacle when faces.Length > 0 => new PolygonItem(faces) { Colour = Palette.Frame, Caption = shape.Name },
+                SceneShapeKind.Obstacle when lines[0].Length == 1 => new PolygonItem([Circle(lines[0][0], shape.Radius)]) { Colour = Palette.Frame, Caption = shape.Name },
+                SceneShapeKind.Obstacle => new LinesItem(lines) { Colour = Palette.Frame, Thickness = 2 * shape.Radius, Caption = shape.Name },
+                _ => throw new ArgumentOutOfRangeException(nameof(shapes), shape.Kind, null),
+            };
+            if (item is not null)
+            {
+                chart.Items.Add(item);
+            }
+        }
+    }
+
+    /// <summary>A ball, as large as it is.</summary>
+    public static PlotPoint[] Circle(PlotPoint middle, double radius) =>
+        [.. Enumerable.Range(0, 32).Select(i => Math.SinCos(2 * Math.PI * i / 32)).Select(at => new PlotPoint(middle.X + (radius * at.Cos), middle.Y + (radius * at.Sin)))];
+}

@@ -1,0 +1,97 @@
+using System.Globalization;
+using Football.Scenarios.Input;
+using Football.Scenarios;
+using Spectre.Console;
+
+namespace Football.Tool.Gallery;
+
+/// <summary>A shot for a person in a terminal: its figures, its events, and what it looks like from behind its launch.</summary>
+internal sealed class ShotReport
+{
+    /// <summary>Events that are listed; of more only the first.</summary>
+    private const int MostEvents = 12;
+
+    /// <summary>Width of a sketch: with its labels it fits into 80 columns.</summary>
+    private const int Columns = 66;
+
+    private readonly Scenario _scenario;
+    private readonly Vector3d _forward;
+    private readonly Vector3d _left;
+
+    /// <summary>Looks along a direction.</summary>
+    /// <param name="scenario">The shot.</param>
+    /// <param name="forward">Horizontal; null looks along the launch.</param>
+    public ShotReport(Scenario scenario, Vector3d? forward = null)
+    {
+        _scenario = scenario;
+        Vector3d flat = forward ?? scenario.Velocity.Horizontal;
+        _forward = flat.Length > 0 ? flat / flat.Length : ViewFrame.Direction(1, 0, 0);
+        _left = Vector3d.Cross(Vector3d.Up, _forward);
+    }
+
+    /// <summary>Shots by their figures, one row each, with their names where they have one.</summary>
+    public static Table Figures(IReadOnlyList<(string? Name, ShotFigures Figures)> shots)
+    {
+        bool named = shots.Any(shot => shot.Name is not null);
+        Table table = new Table().Border(TableBorder.Simple);
+        foreach (string column in named ? ShotFigures.Columns.Prepend("shot") : ShotFigures.Columns)
+        {
+            table.AddColumn(new TableColumn(column) { Alignment = column == "shot" ? Justify.Left : Justify.Right });
+        }
+
+        foreach ((string? name, ShotFigures figures) in shots)
+        {
+            table.AddRow([.. named ? [Markup.Escape(name ?? "")] : (string[])[], .. figures.Texts]);
+        }
+
+        return table;
+    }
+
+    /// <summary>Shows what was played; the path is drawn where there is room for one.</summary>
+    public void Print(IAnsiConsole console, Outcome outcome)
+    {
+        if (outcome.Samples is null && _scenario.CanKeepPath)
+        {
+            Print(console, new Flight(_scenario).Outcome);
+            return;
+        }
+
+        if (outcome.Samples is not null)
+        {
+            console.Write(Figures([(null, ShotFigures.Of(outcome))]));
+        }
+
+        console.Write(Events(outcome.Events));
+        if (outcome.Samples is not null)
+        {
+            Vector3d[] places = [.. Flight.LegsOf(outcome).SelectMany(leg => leg.Points)];
+            double[] along = [.. places.Select(Along)];
+            console.Write(new Text(new Sketch(Columns, 10).Draw("height", along, [.. places.Select(place => place.Y)])));
+            console.Write(new Text(new Sketch(Columns, 7).Draw("left", along, [.. places.Select(Left)])));
+        }
+    }
+
+    private static string Number(double value, string format) => (value + 0.0).ToString(format, CultureInfo.InvariantCulture);
+
+    private double Along(Vector3d place) => Vector3d.Dot(place - _scenario.Position, _forward);
+
+    private double Left(Vector3d place) => Vector3d.Dot(place - _scenario.Position, _left);
+
+    private Table Events(IReadOnlyList<BallEvent> events)
+    {
+        Table table = new Table().Border(TableBorder.Simple).AddColumn("event");
+        foreach (string column in (string[])["time s", "along m", "left m", "height m", "speed m/s", "spin rad/s"])
+        {
+            table.AddColumn(new TableColumn(column).RightAligned());
+        }
+
+        foreach (BallEvent item in events.Take(MostEvents))
+        {
+            table.AddRow(
+                Words.Of(item.Kind), Number(item.Time, "0.000"), Number(Along(item.Position), "0.00"), Number(Left(item.Position), "0.00"),
+                Number(item.Position.Y, "0.00"), Number(item.Velocity.Length, "0.00"), Number(item.Spin.Length, "0.0"));
+        }
+
+        return events.Count > MostEvents ? table.Caption(string.Create(CultureInfo.InvariantCulture, $"and {events.Count - MostEvents} more")) : table;
+    }
+}

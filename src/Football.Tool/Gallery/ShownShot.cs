@@ -1,0 +1,41 @@
+using System.Xml.Linq;
+using Football.Tool.Replay;
+using Football.Scenarios;
+
+namespace Football.Tool.Gallery;
+
+/// <summary>A shot that was played and drawn.</summary>
+internal sealed record ShownShot(GalleryShot Shot, ShotFigures Figures, string Remark, XElement Drawing, ReplayPicture Moving)
+{
+    /// <summary>Plays and draws a shot.</summary>
+    public static ShownShot Make(GalleryShot shot)
+    {
+        var flight = new Flight(shot.Scenario);
+        Flight? comparison = shot.Comparison is null ? null : new Flight(shot.Comparison);
+        string remark = shot.Scenario.Scene.Goals.Count > 0 ? GoalCrossing.Describe(flight, shot.Scenario.Scene.Goals[0]) : "";
+        if (shot.DrawnTo is not null && ViewFrame.Along(flight.Outcome.Final.Position) is var end && end > shot.DrawnTo)
+        {
+            remark += FormattableString.Invariant($" It rests beyond the drawing, {end:0} m along.");
+        }
+
+        return new ShownShot(shot, ShotFigures.Of(flight.Outcome), remark, ShotDrawing.Draw(shot, flight, comparison), Picture(shot, flight, comparison));
+    }
+
+    private static ReplayPicture Picture(GalleryShot shot, Flight flight, Flight? comparison)
+    {
+        List<(string Name, Scenario Scenario, Outcome Outcome)> played = [(shot.Name, shot.Scenario, flight.Outcome)];
+        if (comparison is not null)
+        {
+            played.Add((shot.ComparisonName, shot.Comparison!, comparison.Outcome));
+        }
+
+        var picture = ReplayPicture.Of(shot.Id, shot.Name, played);
+        return picture with
+        {
+            About = shot.About,
+            Shapes = [.. shot.Markings, .. shot.OnGoal, .. picture.Shapes],
+            Shots = [.. picture.Shots.Select((item, i) => item with { Compares = i > 0 })],
+            Targets = shot.Points,
+        };
+    }
+}

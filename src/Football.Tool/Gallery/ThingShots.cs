@@ -1,0 +1,129 @@
+using Football.Scenarios;
+
+namespace Football.Tool.Gallery;
+
+/// <summary>The shots of the gallery that hit something: frames, nets, a head, a wall.</summary>
+internal static class ThingShots
+{
+    private const double Radius = 0.11;
+
+    public static IReadOnlyList<GalleryShot> All { get; } = [OffTheBar(), OffBothPosts(), HeadedCorner(), RoundTheWall(), OverTheKeeper(), DownTheSlope()];
+
+    private static GalleryShot OffTheBar() => new()
+    {
+        Id = "off-the-bar",
+        Name = "Off the bar and in",
+        About = "From 20 m against the underside of the bar: the ball comes down half a metre behind the line.",
+        Scenario = Shot(new Vector3d(0, Radius, 0), ViewFrame.Direction(29.6, 3, 13.8), 0, 0) with { Scene = new Scene { Goals = [Furniture.Goal(20)] } },
+        DrawnTo = 24,
+    };
+
+    private static GalleryShot OffBothPosts() => new()
+    {
+        Id = "off-both-posts",
+        Name = "In off both posts",
+        About = "From 12 m against one post, along the line in two bounces, against the other, and in.",
+        Scenario = Shot(new Vector3d(0, Radius, -8), ViewFrame.Direction(28.2, 12.1, 6.6), 0, 40) with { Scene = new Scene { Goals = [Furniture.Goal(20)] } },
+        DrawnTo = 24,
+    };
+
+    private static GalleryShot HeadedCorner()
+    {
+        // Looking along the goal line from the corner to the right of the goal; the pitch is on the left.
+        var head = new Obstacle { Name = "head", Shape = new SphereShape(new Vector3d(-11.89, 1.65, -29.23), 0.11), Surface = Surface.Head, Velocity = new Vector3d(4.7, 0.4, -1.4) };
+        return new GalleryShot
+        {
+            Id = "headed-corner",
+            Name = "Corner, headed in",
+            About = "A corner to the edge of the six-yard box, met by a head that comes in at 5 m/s, and in under the bar. The head is drawn where it meets the ball. Dashed without it.",
+            Scenario = Shot(new Vector3d(0, Radius, 0), ViewFrame.Direction(25, 16, 20), -10, -20) with
+            {
+                Scene = new Scene { Goals = [new Goal { Center = new Vector3d(0, 0, -34), Facing = new Vector3d(-1, 0, 0) }], Obstacles = [head] },
+            },
+            Comparison = Shot(new Vector3d(0, Radius, 0), ViewFrame.Direction(25, 16, 20), -10, -20),
+            ComparisonName = "nobody there",
+            DrawnTo = 44,
+        };
+    }
+
+    private static GalleryShot RoundTheWall()
+    {
+        var request = new AimRequest
+        {
+            From = new Vector3d(0, Radius, 0),
+            Target = new Vector3d(2.6, 0.6, -22),
+            Speed = 26,
+            MaximumElevationDegrees = 15,
+            MaximumTopSpin = 0,
+            MaximumSideSpin = 100,
+            SpinIsFree = true,
+        };
+        Scene scene = new() { Goals = [Furniture.Goal(22)], Obstacles = [Furniture.Wall(9.15, -1.7, 0.8, 1.9)] };
+        AimResult straight = new Aimer(scene).Find(request with { SpinIsFree = false });
+        AimResult round = new Aimer(scene).Find(request);
+        Scenario kick = Shot(request.From, round.Velocity, 0, 0) with { Scene = scene, Spin = round.Spin };
+        return new GalleryShot
+        {
+            Id = "round-the-wall",
+            Name = "Round the wall",
+            About = FormattableString.Invariant(
+                $"Asked for: into the corner at 26 m/s, any spin. Straight it is blocked by the {straight.BlockedBy} (dashed); with {round.SideSpin:0} rad/s of sidespin it goes round, {1e3 * round.Miss:0.0} mm off, and the net bulges."),
+            Scenario = kick,
+            Comparison = Shot(request.From, straight.Velocity, 0, 0) with { Scene = scene, Spin = straight.Spin },
+            ComparisonName = "without spin",
+            Points = [request.Target],
+            DrawnTo = 26,
+        };
+    }
+
+    private static GalleryShot OverTheKeeper()
+    {
+        Obstacle keeper = new()
+        {
+            Name = "keeper",
+            Shape = new CapsuleShape(new Vector3d(0, 0.2, -13), new Vector3d(0, 1.7, -13), 0.2),
+            Surface = Surface.Boot,
+        };
+        return new GalleryShot
+        {
+            Id = "over-the-keeper",
+            Name = "Chip over the keeper",
+            About = "The keeper is nine metres off the line: over him, and down under the bar.",
+            Scenario = Shot(new Vector3d(0, Radius, 0), ViewFrame.Direction(17.1, 0, 38), 0, 0) with { Scene = new Scene { Goals = [Furniture.Goal(22)], Obstacles = [keeper] } },
+            DrawnTo = 26,
+        };
+    }
+
+    private static GalleryShot DownTheSlope()
+    {
+        Obstacle wall = new()
+        {
+            Name = "wall",
+            Shape = new BoxShape(new Vector3d(2, -1.2, -13), new Vector3d(4, 1, 0.2), Quaterniond.FromAxisAngle(Vector3d.Up, 0.35)),
+            Surface = Surface.Wood,
+        };
+        return new GalleryShot
+        {
+            Id = "down-the-slope",
+            Name = "Down a slope into a wall",
+            About = "Pushed down a slope of one in ten: it rolls on hardly slower, into a wall that stands askew, and from there up and to the side until it rests.",
+            SceneFields = ["ground.normal=[0,1,-0.1]"],
+            SceneCode = "Scene.Measured with { Ground = Ground.DryTurf with { Normal = new Vector3d(0, 1, -0.1) } }",
+            Scenario = Shot(new Vector3d(0, 0, 0), new Vector3d(1.2, -0.7, -7), 0, 0) with
+            {
+                Scene = Scene.Measured with { Ground = Ground.DryTurf with { Normal = new Vector3d(0, 1, -0.1) }, Obstacles = [wall] },
+            },
+        };
+    }
+
+    private static Scenario Shot(Vector3d position, Vector3d velocity, double top, double side) => new()
+    {
+        Scene = Scene.Measured,
+        Position = position,
+        Velocity = velocity,
+        Spin = KickVectors.Spin(velocity, top, side),
+        StopAt = StopAt.Rest,
+        Duration = 60,
+        Samples = true,
+    };
+}

@@ -1,0 +1,45 @@
+using Football.Scenarios.Input;
+using Football.Scenarios;
+
+namespace Football.Tool.Intercept;
+
+/// <summary>Plays a shot and finds who gets to the ball.</summary>
+internal static class InterceptRun
+{
+    private const int Pieces = 4096;
+    private const int MostPieces = 1 << 22;
+
+    /// <summary>Finds it.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of the library's range.</exception>
+    /// <exception cref="RefusedException">The way has more pieces than there is room for.</exception>
+    public static InterceptOutcome Find(InterceptScenario scenario)
+    {
+        var interception = new Interception();
+        interception.Find(Path(scenario.Shot), scenario.Runners);
+        return new InterceptOutcome(scenario, [.. scenario.Runners.Select((_, i) => interception.WindowsOf(i).ToArray())], interception.FindShares().ToArray())
+        {
+            First = interception.First,
+            Lead = interception.Lead,
+        };
+    }
+
+    /// <summary>The ball's way up to where the scenario stops, in its steps.</summary>
+    public static Trajectory Path(Scenario shot)
+    {
+        var simulator = new Simulator(shot.Scene, shot.Settings);
+        BallState state = simulator.Launch(shot.Position, shot.Velocity, shot.Spin, shot.Orientation);
+        var request = new LookAheadRequest { Duration = shot.Duration, TimeStep = shot.TimeStep, StopAt = shot.StopAt };
+        for (int pieces = Pieces; pieces <= MostPieces; pieces *= 4)
+        {
+            var path = new Trajectory(pieces);
+            simulator.LookAhead(in state, request, path);
+            if (path.IsComplete)
+            {
+                return path;
+            }
+        }
+
+        throw new RefusedException(FormattableString.Invariant(
+            $"stop.time is {shot.Duration} with steps of {shot.TimeStep} s; allowed: a way of at most {MostPieces} pieces."));
+    }
+}

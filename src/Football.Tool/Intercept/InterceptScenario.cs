@@ -1,0 +1,47 @@
+using Football.Scenarios.Input;
+using Football.Scenarios;
+
+namespace Football.Tool.Intercept;
+
+/// <summary>A shot, and those who go for the ball.</summary>
+internal sealed record InterceptScenario
+{
+    public required Scenario Shot { get; init; }
+
+    public required IReadOnlyList<string> Names { get; init; }
+
+    public required Runner[] Runners { get; init; }
+
+    /// <summary>Reads a scenario; what its numbers may be the library says when it is played.</summary>
+    /// <exception cref="RefusedException">A field is unknown, missing or of the wrong type.</exception>
+    public static InterceptScenario Read(InputFields fields)
+    {
+        InputObject root = fields.Root;
+        IReadOnlyList<InputObject> runners = root.Objects("runners");
+        var scenario = new InterceptScenario
+        {
+            Shot = Scenario.Take(root),
+            Names = [.. runners.Select((item, i) => item.Text("name", FormattableString.Invariant($"runner {i}")))],
+            Runners = [.. runners.Select(Read)],
+        };
+        fields.Check();
+        return scenario;
+    }
+
+    private static Runner Read(InputObject item)
+    {
+        var defaults = new Runner();
+        double[] heights = item.Numbers("heights", "[lowest, highest]", [defaults.LowestHeight, defaults.HighestHeight]);
+        return new Runner
+        {
+            Position = item.Vector("position"),
+            Velocity = item.Vector("velocity", Vector3d.Zero),
+            Reaction = item.Number("reaction", defaults.Reaction),
+            Acceleration = item.Number("acceleration", defaults.Acceleration),
+            Speed = item.Number("speed", defaults.Speed),
+            Reach = item.Number("reach", defaults.Reach),
+            LowestHeight = heights[0],
+            HighestHeight = heights[1],
+        };
+    }
+}

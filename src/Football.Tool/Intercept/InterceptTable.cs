@@ -1,0 +1,40 @@
+using System.Globalization;
+using Football.Tool.Commands;
+using Spectre.Console;
+
+namespace Football.Tool.Intercept;
+
+/// <summary>Who gets to the ball, as a table for a person.</summary>
+internal static class InterceptTable
+{
+    public static void Print(InterceptOutcome outcome, Terminal terminal)
+    {
+        Table table = new Table().Border(TableBorder.Simple).AddColumns("runner", "from, s", "to, s", "ball at, m", "height, m", "speed, m/s");
+        for (int i = 0; i < outcome.Windows.Count; i++)
+        {
+            string name = Markup.Escape(outcome.Scenario.Names[i]);
+            foreach (InterceptWindow window in outcome.Windows[i])
+            {
+                string Cell(FormattableString value) => Markup.Escape(value.ToString(CultureInfo.InvariantCulture));
+                table.AddRow(
+                    name,
+                    Cell($"{window.From:0.000}"),
+                    Cell($"{window.To:0.000}"),
+                    Cell($"{window.Position.X:0.00}, {window.Position.Z:0.00}"),
+                    Cell($"{window.Position.Y:0.00}"),
+                    Cell($"{window.Velocity.Length:0.0}"));
+            }
+
+            if (outcome.Windows[i].Length == 0)
+            {
+                table.AddRow(name, "never");
+            }
+        }
+
+        terminal.PersonConsole.Write(table);
+        string first = outcome.First < 0 ? "Nobody gets to the ball."
+            : double.IsFinite(outcome.Lead) ? FormattableString.Invariant($"First: {outcome.Scenario.Names[outcome.First]}, by {outcome.Lead:0.000} s.")
+            : $"First: {outcome.Scenario.Names[outcome.First]}; nobody else.";
+        terminal.Person.WriteLine(first);
+    }
+}

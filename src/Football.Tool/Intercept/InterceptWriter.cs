@@ -1,0 +1,62 @@
+using System.Text.Json;
+using Football.Scenarios;
+
+namespace Football.Tool.Intercept;
+
+/// <summary>Writes who gets to the ball as JSON, one line a scenario.</summary>
+internal static class InterceptWriter
+{
+    /// <summary>The line of a scenario.</summary>
+    public static ReadOnlyMemory<byte> Result(string? name, InterceptOutcome outcome) => ResultWriter.Line(json =>
+    {
+        json.WriteString("name", name);
+        json.WriteStartArray("runners");
+        for (int i = 0; i < outcome.Windows.Count; i++)
+        {
+            json.WriteStartObject();
+            json.WriteString("name", outcome.Scenario.Names[i]);
+            json.WriteStartArray("windows");
+            foreach (InterceptWindow window in outcome.Windows[i])
+            {
+                json.WriteStartObject();
+                json.WriteNumber("from", window.From);
+                json.WriteNumber("to", window.To);
+                ResultWriter.WriteVector(json, "position", window.Position);
+                ResultWriter.WriteVector(json, "velocity", window.Velocity);
+                json.WriteEndObject();
+            }
+
+            json.WriteEndArray();
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+        json.WriteString("first", outcome.First < 0 ? null : outcome.Scenario.Names[outcome.First]);
+        WriteLead(json, outcome.Lead);
+        json.WriteStartArray("shares");
+        foreach (InterceptShare share in outcome.Shares)
+        {
+            json.WriteStartObject();
+            json.WriteString("name", outcome.Scenario.Names[share.Runner]);
+            json.WriteNumber("from", share.From);
+            json.WriteNumber("to", share.To);
+            WriteLead(json, share.Lead);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+    });
+
+    /// <summary>A lead, s; null where there is no second.</summary>
+    private static void WriteLead(Utf8JsonWriter json, double lead)
+    {
+        if (double.IsFinite(lead))
+        {
+            json.WriteNumber("lead", lead);
+        }
+        else
+        {
+            json.WriteNull("lead");
+        }
+    }
+}

@@ -1,0 +1,3 @@
+using Football.Tool.Commands;
+
+return CommandLineEntry.Run(args, Terminal.OfProcess());

@@ -1,0 +1,61 @@
+namespace Football.Tool.Replay;
+
+/// <summary>An eye behind the ball that looks where it is kicked, and what it sees on a sheet.</summary>
+internal sealed class Eye
+{
+    private const double Behind = 7;
+    private const double Above = 2.4;
+    private const double Near = 0.3;
+
+    private readonly Vector3d _place;
+    private readonly Vector3d _right;
+    private readonly Vector3d _up;
+    private readonly Vector3d _forward;
+    private readonly double _scale;
+    private readonly double _middleX;
+    private readonly double _middleY;
+
+    /// <summary>Looks so that all places that matter are on the sheet.</summary>
+    /// <param name="start">Where the ball is kicked.</param>
+    /// <param name="end">Where it is kicked to.</param>
+    /// <param name="matter">What must be seen.</param>
+    /// <param name="width">Width of the sheet.</param>
+    /// <param name="height">Height of the sheet.</param>
+    /// <param name="margin">What is left free around.</param>
+    public Eye(Vector3d start, Vector3d end, IReadOnlyList<Vector3d> matter, double width, double height, double margin)
+    {
+        Vector3d way = (end - start).Horizontal;
+        Vector3d along = way.Length > 0 ? way / way.Length : new Vector3d(0, 0, -1);
+        _place = start - (Behind * along) + new Vector3d(0, Above, 0);
+        _forward = (Vector3d.Lerp(start, end, 0.6) + new Vector3d(0, 0.6, 0) - _place).Normalized();
+        _right = Vector3d.Cross(_forward, Vector3d.Up).Normalized();
+        _up = Vector3d.Cross(_right, _forward);
+        (double X, double Y)[] seen = [.. matter.Select(Slopes).OfType<(double X, double Y)>()];
+        double left = seen.Min(at => at.X);
+        double right = seen.Max(at => at.X);
+        double low = seen.Min(at => at.Y);
+        double high = seen.Max(at => at.Y);
+        _scale = Math.Min((width - (2 * margin)) / (right - left), (height - (2 * margin)) / (high - low));
+        _middleX = (0.5 * width) - (0.5 * _scale * (left + right));
+        _middleY = (0.5 * height) + (0.5 * _scale * (low + high));
+        Vector3d level = _forward.Horizontal;
+        Horizon = _middleY - (_scale * Vector3d.Dot(level, _up) / Vector3d.Dot(level, _forward));
+    }
+
+    /// <summary>Where the horizon is on the sheet.</summary>
+    public double Horizon { get; }
+
+    /// <summary>Where a place is on the sheet, and how large a metre is there; null for what is behind the eye.</summary>
+    public (double X, double Y, double Metre)? On(Vector3d place)
+    {
+        double depth = Vector3d.Dot(place - _place, _forward);
+        return Slopes(place) is { } at ? (_middleX + (_scale * at.X), _middleY - (_scale * at.Y), _scale / depth) : null;
+    }
+
+    private (double X, double Y)? Slopes(Vector3d place)
+    {
+        Vector3d d = place - _place;
+        double depth = Vector3d.Dot(d, _forward);
+        return depth > Near ? (Vector3d.Dot(d, _right) / depth, Vector3d.Dot(d, _up) / depth) : null;
+    }
+}

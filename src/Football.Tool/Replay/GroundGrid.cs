@@ -1,0 +1,42 @@
+namespace Football.Tool.Replay;
+
+/// <summary>Heights of the ground on a grid that reaches a little beyond what is to be seen.</summary>
+/// <param name="X">Least x, m.</param>
+/// <param name="Z">Least z, m.</param>
+/// <param name="Cell">Side of a cell, m.</param>
+/// <param name="Columns">Points along x.</param>
+/// <param name="Rows">Points along z.</param>
+/// <param name="Heights">Heights, m; row by row.</param>
+internal sealed record GroundGrid(double X, double Z, double Cell, int Columns, int Rows, double[] Heights)
+{
+    private const double Around = 6;
+    private const int MostCells = 44;
+
+    /// <summary>The ground under places; null where there is none.</summary>
+    public static GroundGrid? Of(Ground ground, IReadOnlyCollection<Vector3d> places)
+    {
+        if (ground.IsNone || places.Count == 0)
+        {
+            return null;
+        }
+
+        double width = places.Max(place => place.X) - places.Min(place => place.X) + (2 * Around);
+        double depth = places.Max(place => place.Z) - places.Min(place => place.Z) + (2 * Around);
+        double least = ground.Heights is { } heights ? Math.Max(0.5, 0.5 * heights.Spacing) : 2.5;
+        double cell = least;
+        while (Math.Max(width, depth) > MostCells * cell)
+        {
+            cell *= 2;
+        }
+
+        double x = cell * Math.Floor((places.Min(place => place.X) - Around) / cell);
+        double z = cell * Math.Floor((places.Min(place => place.Z) - Around) / cell);
+        int columns = (int)Math.Ceiling(width / cell) + 2;
+        int rows = (int)Math.Ceiling(depth / cell) + 2;
+        double[] values = [.. Enumerable.Range(0, columns * rows).Select(i => SceneShapes.GroundAt(ground, x + (cell * (i % columns)), z + (cell * (i / columns))))];
+        return new GroundGrid(x, z, cell, columns, rows, values);
+    }
+
+    /// <summary>A point of the grid, m.</summary>
+    public Vector3d At(int column, int row) => new(X + (Cell * column), Heights[(row * Columns) + column], Z + (Cell * row));
+}

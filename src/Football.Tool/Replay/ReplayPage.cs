@@ -1,0 +1,151 @@
+using System.Buffers;
+using System.Reflection;
+using System.Text;
+using System.Text.Json;
+using Football.Scenarios.Input;
+
+namespace Football.Tool.Replay;
+
+/// <summary>A page that shows shots in motion and needs nothing but itself.</summary>
+internal static class ReplayPage
+{
+    /// <summary>The parts of the program in the page, in the order in which they need each other.</summary>
+    private static readonly string[] Scripts = ["vectors.js", "track.js", "camera.js", "ball.js", "stage.js", "player.js"];
+
+    /// <summary>The page.</summary>
+    public static string Html(string title, IReadOnlyList<ReplayPicture> pictures)
+    {
+        string data = Encoding.UTF8.GetString(Data(title, pictures));
+        string script = string.Concat(Scripts.Select(Part));
+        return Part("page.html")
+            .Replace("{{title}}", System.Net.WebUtility.HtmlEncode(title), StringComparison.Ordinal)
+            .Replace("{{style}}", Part("style.css"), StringComparison.Ordinal)
+            .Replace("{{script}}", script, StringComparison.Ordinal)
+            .Replace("{{data}}", data, StringComparison.Ordinal);
+    }
+
+    private static string Part(string name)
+    {
+        using Stream part = Assembly.GetExecutingAssembly().GetManifestResourceStream("Replay.Page." + name)!;
+        return new StreamReader(part).ReadToEnd();
+    }
+
+    /// <summary>The pictures as the page's program reads them.</summary>
+    private static ReadOnlySpan<byte> Data(string title, IReadOnlyList<ReplayPicture> pictures)
+    {
+        var buffer = new ArrayBufferWriter<byte>();
+        using (var json = new Utf8JsonWriter(buffer))
+        {
+            json.WriteStartObject();
+            json.WriteString("title", title);
+            json.WriteStartArray("pictures");
+            foreach (ReplayPicture picture in pictures)
+            {
+                Write(json, picture);
+            }
+
+            json.WriteEndArray();
+            json.WriteEndObject();
+        }
+
+        return buffer.WrittenSpan;
+    }
+
+    private static void Write(Utf8JsonWriter json, ReplayPicture picture)
+    {
+        json.WriteStartObject();
+        json.WriteString("id", picture.Id);
+        json.WriteString("name", picture.Name);
+        json.WriteString("about", picture.About);
+        if (picture.Ground is { } ground)
+        {
+            json.WriteStartObject("ground");
+            json.WriteNumber("x", ground.X);
+            json.WriteNumber("z", ground.Z);
+            json.WriteNumber("cell", ground.Cell);
+            json.WriteNumber("columns", ground.Columns);
+            json.WriteNumber("rows", ground.Rows);
+            WriteNumbers(json, "heights", ground.Heights);
+            json.WriteEndObject();
+        }
+
+        WriteAll(json, "shapes", picture.Shapes, Write);
+        WriteAll(json, "shots", picture.Shots, Write);
+        WriteNumbers(json, "targets", picture.Targets.SelectMany(Parts));
+        json.WriteEndObject();
+    }
+
+    private static void Write(Utf8JsonWriter json, SceneShape shape)
+    {
+        json.WriteStartObject();
+        json.WriteString("name", shape.Name);
+        json.WriteString("kind", Words.Of(shape.Kind));
+        json.WriteNumber("radius", shape.Radius);
+        WriteNumbers(json, "velocity", Parts(shape.Velocity));
+        WriteAll(json, "lines", shape.Lines, static (to, line) => WriteNumbers(to, line.SelectMany(Parts)));
+        WriteAll(json, "faces", shape.Faces, static (to, face) => WriteNumbers(to, face.SelectMany(Parts)));
+        json.WriteEndObject();
+    }
+
+    private static void Write(Utf8JsonWriter json, ReplayShot shot)
+    {
+        json.WriteStartObject();
+        json.WriteString("name", shot.Name);
+        json.WriteString("kick", shot.Kick);
+        json.WriteBoolean("compares", shot.Compares);
+        json.WriteNumber("radius", shot.Track.Radius);
+        WriteNumbers(json, "keys", shot.Track.Keys.SelectMany(Parts));
+        WriteAll(json, "events", shot.Track.Events, (to, item) =>
+        {
+            to.WriteStartObject();
+            to.WriteString("kind", Words.Of(item.Kind));
+            to.WriteString("surface", shot.Track.NameOf(item.Thing));
+            to.WriteNumber("time", Rounded(item.Time));
+            WriteNumbers(to, "position", Parts(item.Position));
+            to.WriteNumber("before", Rounded(item.VelocityBefore.Length));
+            to.WriteNumber("after", Rounded(item.Velocity.Length));
+            to.WriteNumber("spin", Rounded(item.Spin.Length));
+            to.WriteEndObject();
+        });
+        json.WriteEndObject();
+    }
+
+    private static void WriteAll<T>(Utf8JsonWriter json, string name, IReadOnlyList<T> items, Action<Utf8JsonWriter, T> write)
+    {
+        json.WriteStartArray(name);
+        foreach (T item in items)
+        {
+            write(json, item);
+        }
+
+        json.WriteEndArray();
+    }
+
+    private static void WriteNumbers(Utf8JsonWriter json, string name, IEnumerable<double> numbers)
+    {
+        json.WritePropertyName(name);
+        WriteNumbers(json, numbers);
+    }
+
+    private static void WriteNumbers(Utf8JsonWriter json, IEnumerable<double> numbers)
+    {
+        json.WriteStartArray();
+        foreach (double number in numbers)
+        {
+            json.WriteNumberValue(Rounded(number));
+        }
+
+        json.WriteEndArray();
+    }
+
+    private static IEnumerable<double> Parts(Vector3d v) => [v.X, v.Y, v.Z];
+
+    private static IEnumerable<double> Parts(TrackKey key) =>
+    [
+        key.Time, .. Parts(key.Position), .. Parts(key.VelocityBefore), .. Parts(key.Velocity), .. Parts(key.Spin),
+        key.Orientation.X, key.Orientation.Y, key.Orientation.Z, key.Orientation.W, (int)key.Motion,
+    ];
+
+    /// <summary>A hundredth of a millimetre, and no sign of zero.</summary>
+    private static double Rounded(double value) => Math.Round(value, 5) + 0.0;
+}

@@ -1,0 +1,50 @@
+using Football.Scenarios;
+
+namespace Football.Tool.Replay;
+
+/// <summary>Shots in one moving picture, with what stands around them.</summary>
+internal sealed record ReplayPicture
+{
+    /// <summary>Its short name, for links.</summary>
+    public required string Id { get; init; }
+
+    public required string Name { get; init; }
+
+    /// <summary>What is to be seen; may be empty.</summary>
+    public string About { get; init; } = "";
+
+    public required IReadOnlyList<ReplayShot> Shots { get; init; }
+
+    public required IReadOnlyList<SceneShape> Shapes { get; init; }
+
+    /// <summary>The ground; null where there is none.</summary>
+    public required GroundGrid? Ground { get; init; }
+
+    /// <summary>Points that the ball was aimed at, m.</summary>
+    public IReadOnlyList<Vector3d> Targets { get; init; } = [];
+
+    /// <summary>Shots in the scenes they were played in: the ground of the first, the things of all.</summary>
+    public static ReplayPicture Of(string id, string name, IReadOnlyList<(string Name, Scenario Scenario, Outcome Outcome)> played)
+    {
+        var shapes = new List<SceneShape>();
+        var seen = new HashSet<object>();
+        foreach (Scene scene in played.Select(shot => shot.Scenario.Scene))
+        {
+            // Records are equal by what they say: the same goal in two files is one.
+            Scene fresh = scene with { Goals = [.. scene.Goals.Where(seen.Add)], Nets = [.. scene.Nets.Where(seen.Add)] };
+            shapes.AddRange(SceneShapes.Of(fresh).Where(shape => shape.Kind != SceneShapeKind.Obstacle || seen.Add(Text(shape))));
+        }
+
+        ReplayShot[] shots = [.. played.Select(shot => new ReplayShot(shot.Name, KickNumbers.Of(shot.Scenario).Text, new Track(shot.Scenario, shot.Outcome)))];
+        return new ReplayPicture
+        {
+            Id = id,
+            Name = name,
+            Shots = shots,
+            Shapes = shapes,
+            Ground = GroundGrid.Of(played[0].Scenario.Scene.Ground, [.. shots.SelectMany(shot => shot.Track.Keys).Select(key => key.Position), .. shapes.SelectMany(shape => shape.Points)]),
+        };
+    }
+
+    private static string Text(SceneShape shape) => $"{shape.Radius} {shape.Velocity} {string.Join(' ', shape.Points)}";
+}

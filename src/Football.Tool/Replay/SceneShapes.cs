@@ -1,0 +1,123 @@
+using Football.Tool.Gallery;
+namespace Football.Tool.Replay;
+
+/// <summary>What stands and lies in a scene, as shapes to draw: goals, nets, obstacles, and the markings that belong to a goal.</summary>
+internal static class SceneShapes
+{
+    /// <summary>How far a plane, which has no end, is drawn, m.</summary>
+    private const double PlaneReach = 6;
+
+    /// <summary>Meshes of a net are drawn this wide, m, and no more than so many of them.</summary>
+    private const double Mesh = 0.3;
+    private const double MostMeshes = 40;
+
+    /// <summary>Height of markings above the ground, so that they are not hidden by it, m.</summary>
+    private const double OnTheGround = 0.005;
+
+    /// <summary>Everything but the ground.</summary>
+    public static IReadOnlyList<SceneShape> Of(Scene scene) =>
+    [
+        .. scene.Goals.Where(HasMarkings).Select(goal => Markings(goal, scene.Ground)),
+        .. scene.Obstacles.Select(obstacle => Shape(obstacle, SceneShapeKind.Obstacle)),
+        .. scene.Goals.SelectMany(goal => goal.Frame(scene.Forces)).Select(part => Shape(part, SceneShapeKind.Frame)),
+        .. scene.Nets.Concat(scene.Goals.SelectMany(goal => goal.Nets())).Select(Net),
+    ];
+
+    /// <summary>Height of the ground under a place, m.</summary>
+    public static double GroundAt(Ground ground, double x, double z)
+    {
+        Vector3d normal = ground.Normal;
+        return ground.IsNone ? 0
+            : ground.Heights is { } heights ? ground.Height + heights.HeightAt(x, z)
+            : ground.Height - (((normal.X * x) + (normal.Z * z)) / normal.Y);
+    }
+
+    private static SceneShape Shape(Obstacle obstacle, SceneShapeKind kind)
+    {
+        var shape = new SceneShape(obstacle.Name, kind) { Velocity = obstacle.Velocity };
+        return obstacle.Shape switch
+        {
+            CapsuleShape rod => shape with { Lines = [[rod.From, rod.To]], Radius = rod.Radius },
+            SphereShape ball => shape with { Lines = [[ball.Center]], Radius = ball.Radius },
+            BoxShape box => shape with { Faces = Faces(box) },
+            PlaneShape plane => shape with { Faces = [Rectangle(plane.Point, plane.Normal)] },
+            _ => shape,
+        };
+    }
+
+    private static Vector3d[][] Faces(BoxShape box)
+    {
+        Vector3d x = box.Rotation.Rotate(new Vector3d(box.HalfSize.X, 0, 0));
+        Vector3d y = box.Rotation.Rotate(new Vector3d(0, box.HalfSize.Y, 0));
+        Vector3d z = box.Rotation.Rotate(new Vector3d(0, 0, box.HalfSize.Z));
+        Vector3d[] Face(Vector3d outward, Vector3d u, Vector3d v)
+        {
+            Vector3d middle = box.Center + outward;
+            return [middle - u - v, middle + u - v, middle + u + v, middle - u + v];
+        }
+
+        return [Face(x, y, z), Face(-x, z, y), Face(y, z, x), Face(-y, x, z), Face(z, x, y), Face(-z, y, x)];
+    }
+
+    private static Vector3d[] Rectangle(Vector3d middle, Vector3d normal)
+    {
+        Vector3d u = PlaneReach * Vector3d.Cross(Math.Abs(normal.Y) < 0.9 ? Vector3d.Up : new Vector3d(1, 0, 0), normal).Normalized();
+        Vector3d v = Vector3d.Cross(normal, u);
+        return [middle - u - v, middle + u - v, middle + u + v, middle - u + v];
+    }
+
+    private static SceneShape Net(Net net)
+    {
+        Vector3d along = net.Along.Normalized();
+        Vector3d across = Vector3d.Cross(net.Normal.Normalized(), along);
+        Vector3d u = net.HalfLength * along;
+        Vector3d v = net.HalfWidth * across;
+        double Share(int i, int count) => (2.0 * i / count) - 1;
+        int columns = Meshes(net.HalfLength);
+        int rows = Meshes(net.HalfWidth);
+        return new SceneShape(net.Name, SceneShapeKind.Net)
+        {
+            Lines =
+            [
+                .. Enumerable.Range(0, columns + 1).Select(i => net.Center + (Share(i, columns) * u)).Select(at => (Vector3d[])[at - v, at + v]),
+                .. Enumerable.Range(0, rows + 1).Select(i => net.Center + (Share(i, rows) * v)).Select(at => (Vector3d[])[at - u, at + u]),
+            ],
+        };
+    }
+
+    private static int Meshes(double half) => (int)Math.Clamp(Math.Ceiling(2 * half / Mesh), 1, MostMeshes);
+
+    /// <summary>A goal of the game's size on ground that can be drawn on.</summary>
+    private static bool HasMarkings(Goal goal) => Math.Abs(goal.Width - PitchSize.GoalWidth) < 0.1;
+
+    /// <summary>Goal line, areas, mark and arc in front of a goal.</summary>
+    private static SceneShape Markings(Goal goal, Ground ground)
+    {
+        Vector3d At(double right, double outward)
+        {
+            Vector3d flat = goal.Center + (right * goal.Right()) + (outward * goal.Outward());
+            return new Vector3d(flat.X, GroundAt(ground, flat.X, flat.Z) + OnTheGround, flat.Z);
+        }
+
+        // Many points, for the ground may be uneven.
+        Vector3d[] Line(double fromRight, double fromOut, double toRight, double toOut) =>
+            [.. Enumerable.Range(0, 9).Select(i => At(fromRight + (i / 8.0 * (toRight - fromRight)), fromOut + (i / 8.0 * (toOut - fromOut))))];
+
+        Vector3d[][] Area(double half, double depth) => [Line(-half, 0, -half, depth), Line(-half, depth, half, depth), Line(half, depth, half, 0)];
+
+        double widest = Math.Acos((PitchSize.PenaltyAreaDepth - PitchSize.PenaltyMark) / PitchSize.CircleRadius);
+        Vector3d[] arc = [.. Enumerable.Range(0, 17).Select(i => ((i / 8.0) - 1) * widest).Select(
+            angle => At(PitchSize.CircleRadius * Math.Sin(angle), PitchSize.PenaltyMark + (PitchSize.CircleRadius * Math.Cos(angle))))];
+        return new SceneShape("penalty area", SceneShapeKind.Marking)
+        {
+            Lines =
+            [
+                Line(-PitchSize.PenaltyAreaHalfWidth - 4, 0, PitchSize.PenaltyAreaHalfWidth + 4, 0),
+                .. Area(PitchSize.PenaltyAreaHalfWidth, PitchSize.PenaltyAreaDepth),
+                .. Area(PitchSize.GoalAreaHalfWidth, PitchSize.GoalAreaDepth),
+                [At(-0.15, PitchSize.PenaltyMark), At(0.15, PitchSize.PenaltyMark)],
+                arc,
+            ],
+        };
+    }
+}

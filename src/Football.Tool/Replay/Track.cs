@@ -1,0 +1,141 @@
+using Football.Scenarios;
+
+namespace Football.Tool.Replay;
+
+/// <summary>The way of a ball in as few keys as show it: cubics between them stay within a millimetre of every step.</summary>
+internal sealed class Track
+{
+    /// <summary>How far a cubic may be from the path, m.</summary>
+    private const double Tolerance = 1e-3;
+
+    /// <summary>Time between keys at most, s: numbers between them are read off a line.</summary>
+    private const double Longest = 0.2;
+
+    /// <summary>Turn between keys at most, rad: beyond half a turn nobody could tell which way the ball turned.</summary>
+    private const double MostTurn = 2.4;
+
+    /// <summary>Keys at most between two steps: a spin faster than that is shown too slow.</summary>
+    private const int MostBetween = 32;
+
+    /// <summary>The way of a shot whose path was kept.</summary>
+    public Track(Scenario scenario, Outcome outcome)
+    {
+        Radius = scenario.Scene.Ball.Radius;
+        Events = outcome.Events;
+        NameOf = outcome.NameOf;
+        Keys = Thinned(Dense(outcome));
+    }
+
+    public double Radius { get; }
+
+    public IReadOnlyList<TrackKey> Keys { get; }
+
+    public IReadOnlyList<BallEvent> Events { get; }
+
+    /// <summary>The name of what an event tells of; null for none.</summary>
+    public Func<int, string?> NameOf { get; }
+
+    /// <summary>Position between two keys.</summary>
+    public static Vector3d Between(in TrackKey from, in TrackKey to, double time)
+    {
+        double h = to.Time - from.Time;
+        double s = h > 0 ? (time - from.Time) / h : 0;
+        double r = 1 - s;
+        return (r * r * (1 + (2 * s)) * from.Position) + (s * s * (1 + (2 * r)) * to.Position)
+            + (h * s * r * ((r * from.Velocity) - (s * to.VelocityBefore)));
+    }
+
+    /// <summary>Every step and every event, and as many in between as a fast spin needs.</summary>
+    private static List<TrackKey> Dense(Outcome outcome)
+    {
+        IReadOnlyList<Moment> samples = outcome.Samples!;
+        List<TrackKey> keys = [Key(samples[0])];
+        int next = 0;
+        foreach (Moment sample in samples.Skip(1))
+        {
+            for (; next < outcome.Events.Count && outcome.Events[next].Time <= sample.Time; next++)
+            {
+                BallEvent item = outcome.Events[next];
+                TrackKey last = keys[^1];
+                Quaterniond turned = Turned(last, item.Time);
+                var key = new TrackKey(item.Time, item.Position, item.VelocityBefore, item.Velocity, item.Spin, turned, MotionAfter.Of(item.Kind, last.Motion));
+                if (item.Time > last.Time)
+                {
+                    AddTurning(keys, key);
+                }
+                else
+                {
+                    keys[^1] = key with { VelocityBefore = last.VelocityBefore };
+                }
+            }
+
+            if (sample.Time > keys[^1].Time)
+            {
+                AddTurning(keys, Key(sample));
+            }
+        }
+
+        return keys;
+    }
+
+    private static TrackKey Key(in Moment at) => new(at.Time, at.Position, at.Velocity, at.Velocity, at.Spin, at.Orientation, at.State);
+
+    private static Quaterniond Turned(in TrackKey from, double time) =>
+        (Quaterniond.FromRotationVector((time - from.Time) * from.Spin) * from.Orientation).Normalized();
+
+    /// <summary>Adds a key, with others before it where the ball turns too far for one.</summary>
+    private static void AddTurning(List<TrackKey> keys, in TrackKey key)
+    {
+        TrackKey from = keys[^1];
+        double h = key.Time - from.Time;
+        int parts = (int)Math.Clamp(Math.Ceiling(from.Spin.Length * h / MostTurn), 1, MostBetween);
+        for (int i = 1; i < parts; i++)
+        {
+            double time = from.Time + (h * i / parts);
+            double s = (double)i / parts;
+            Vector3d velocity = Vector3d.Lerp(from.Velocity, key.VelocityBefore, s);
+            keys.Add(new TrackKey(
+                time, Between(in from, in key, time), velocity, velocity, Vector3d.Lerp(from.Spin, key.Spin, s), Turned(in from, time), from.Motion));
+        }
+
+        keys.Add(key);
+    }
+
+    private static List<TrackKey> Thinned(List<TrackKey> all)
+    {
+        List<TrackKey> kept = [all[0]];
+        int last = 0;
+        for (int i = 1; i < all.Count; i++)
+        {
+            bool ends = i == all.Count - 1 || all[i].VelocityBefore != all[i].Velocity || all[i].Motion != all[last].Motion;
+            if (ends || !Stands(all, last, i + 1))
+            {
+                kept.Add(all[i]);
+                last = i;
+            }
+        }
+
+        return kept;
+    }
+
+    /// <summary>Whether what is between two keys can be left out.</summary>
+    private static bool Stands(List<TrackKey> all, int from, int to)
+    {
+        TrackKey a = all[from];
+        TrackKey b = all[to];
+        if (b.Time - a.Time > Longest || a.Spin.Length * (b.Time - a.Time) > MostTurn || (b.Spin - a.Spin).Length * (b.Time - a.Time) > 0.05)
+        {
+            return false;
+        }
+
+        for (int i = from + 1; i < to; i++)
+        {
+            if ((Between(in a, in b, all[i].Time) - all[i].Position).Length > Tolerance)
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+}

@@ -1,0 +1,38 @@
+using System.Runtime.InteropServices;
+
+namespace Football.Tool.Sweep.Columns;
+
+/// <summary>The values of a column for some rows.</summary>
+/// <param name="column">The column.</param>
+/// <param name="capacity">How many rows there is room for.</param>
+internal sealed class ColumnData(Column column, int capacity)
+{
+    public Column Column { get; } = column;
+
+    /// <summary>Doubles, row after row.</summary>
+    public double[] Reals { get; } = column.Kind == ColumnKind.Real ? new double[capacity * column.Size] : [];
+
+    /// <summary>Whole numbers, row after row.</summary>
+    public long[] Wholes { get; } = column.Kind == ColumnKind.Whole ? new long[capacity * column.Size] : [];
+
+    /// <summary>Places among the words, row after row.</summary>
+    public byte[] Words { get; } = column.Kind == ColumnKind.Word ? new byte[capacity * column.Size] : [];
+
+    /// <summary>Sets a vector.</summary>
+    /// <param name="place">Which, counted in vectors from the first row on.</param>
+    /// <param name="vector">The vector.</param>
+    public void Set(int place, in Vector3d vector)
+    {
+        Reals[3 * place] = vector.X;
+        Reals[(3 * place) + 1] = vector.Y;
+        Reals[(3 * place) + 2] = vector.Z;
+    }
+
+    /// <summary>The values of the first rows as they lie in memory.</summary>
+    public ReadOnlySpan<byte> Bytes(int rows) => Column.Kind switch
+    {
+        ColumnKind.Real => MemoryMarshal.AsBytes(Reals.AsSpan(0, rows * Column.Size)),
+        ColumnKind.Whole => MemoryMarshal.AsBytes(Wholes.AsSpan(0, rows * Column.Size)),
+        _ => Words.AsSpan(0, rows * Column.Size),
+    };
+}

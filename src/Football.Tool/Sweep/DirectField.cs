@@ -1,0 +1,67 @@
+using Football.Scenarios;
+using Football.Scenarios.Input;
+
+namespace Football.Tool.Sweep;
+
+/// <summary>A number of a launch or of an aim: it may differ from row to row without another scene.</summary>
+/// <param name="Path">The field.</param>
+/// <param name="Column">Its column.</param>
+/// <param name="Unit">Its unit.</param>
+/// <param name="Allowed">What it may be.</param>
+/// <param name="Range">What it is drawn from where nothing is said; null for no range.</param>
+internal sealed record DirectField(string Path, string Column, string Unit, NumberRange Allowed, (double Low, double High)? Range = null)
+{
+    /// <summary>Where in <see cref="OfLaunch"/> the numbers of a kick are: speed, elevation, azimuth, topspin, sidespin.</summary>
+    public const int Kick = 0;
+
+    /// <summary>Numbers of a kick.</summary>
+    public const int KickNumbers = 5;
+
+    /// <summary>Where the place of a launch is.</summary>
+    public const int Position = 5;
+
+    /// <summary>Where the velocity of a launch is.</summary>
+    public const int Velocity = 8;
+
+    /// <summary>Where the spin of a launch is.</summary>
+    public const int Spin = 11;
+
+    /// <summary>Where in <see cref="OfAim"/> the point of the kick is.</summary>
+    public const int From = 3;
+
+    /// <summary>Where the target is.</summary>
+    public const int Target = 6;
+
+    private static readonly NumberRange s_place = new(-Limits.Length, Limits.Length, "m");
+    private static readonly NumberRange s_speed = new(-Limits.Speed, Limits.Speed, "m/s");
+    private static readonly NumberRange s_spin = new(-Limits.Spin, Limits.Spin, "rad/s");
+
+    /// <summary>Those of a launch.</summary>
+    public static IReadOnlyList<DirectField> OfLaunch { get; } =
+    [
+        new("launch.speed", "speed", "m/s", Football.Scenarios.KickNumbers.Speeds, (15, 35)),
+        new("launch.elevation", "elevation", "degrees", Football.Scenarios.KickNumbers.Elevations, (5, 35)),
+        new("launch.azimuth", "azimuth", "degrees", Football.Scenarios.KickNumbers.Azimuths),
+        new("launch.topSpin", "topSpin", "rad/s", Football.Scenarios.KickNumbers.Spins, (-40, 40)),
+        new("launch.sideSpin", "sideSpin", "rad/s", Football.Scenarios.KickNumbers.Spins, (-40, 40)),
+        .. Components("launch.position", "m", s_place),
+        .. Components("launch.velocity", "m/s", s_speed),
+        .. Components("launch.spin", "rad/s", s_spin),
+    ];
+
+    /// <summary>Those of an aim.</summary>
+    public static IReadOnlyList<DirectField> OfAim { get; } =
+    [
+        new("aim.speed", "aim.speed", "m/s", new NumberRange(0, Limits.Speed, "m/s")),
+        new("aim.spin.top", "aim.spin.top", "rad/s", s_spin),
+        new("aim.spin.side", "aim.spin.side", "rad/s", s_spin),
+        .. Components("aim.from", "m", s_place),
+        .. Components("aim.target", "m", s_place),
+    ];
+
+    /// <summary>Three of them as a vector.</summary>
+    public static Vector3d Vector(ReadOnlySpan<double> numbers, int first) => new(numbers[first], numbers[first + 1], numbers[first + 2]);
+
+    private static IEnumerable<DirectField> Components(string path, string unit, NumberRange allowed) =>
+        Enumerable.Range(0, 3).Select(i => new DirectField(FormattableString.Invariant($"{path}.{i}"), FormattableString.Invariant($"{path}.{i}"), unit, allowed));
+}

@@ -1,0 +1,71 @@
+using System.Buffers;
+using System.Buffers.Text;
+using System.Text;
+using Football.Tool.Sweep.Columns;
+
+namespace Football.Tool.Sweep.Formats;
+
+/// <summary>A line of names, and one of values for each row (RFC 4180); nothing where a number is none.</summary>
+internal sealed class CsvFormat(IReadOnlyList<Column> columns) : RowFormat
+{
+    /// <summary>Bytes that a number needs at most.</summary>
+    private const int LongestNumber = 32;
+
+    private readonly byte[][][] _words = [.. columns.Select(column => column.Words.Select(word => Encoding.UTF8.GetBytes(Quoted(word))).ToArray())];
+
+    public override string Name => "csv";
+
+    public override IReadOnlyList<string> Files { get; } = ["rows.csv"];
+
+    public override string FileOf(Column column) => Files[0];
+
+    public override byte[] Header(int file, long rows) =>
+        Encoding.UTF8.GetBytes(string.Join(',', columns.SelectMany(column => column.Labels).Select(Quoted)) + "\n");
+
+    public override long? Bytes(long rows) => null;
+
+    public override void Write(IReadOnlyList<ColumnData> columns, int rows, IReadOnlyList<ArrayBufferWriter<byte>> to)
+    {
+        ArrayBufferWriter<byte> text = to[0];
+        for (int row = 0; row < rows; row++)
+        {
+            for (int c = 0; c < columns.Count; c++)
+            {
+                ColumnData column = columns[c];
+                int size = column.Column.Size;
+                for (int i = 0; i < size; i++)
+                {
+                    text.Write(c == 0 && i == 0 ? ""u8 : ","u8);
+                    Write(text, column, _words[c], (row * size) + i);
+                }
+            }
+
+            text.Write("\n"u8);
+        }
+    }
+
+    private static void Write(ArrayBufferWriter<byte> text, ColumnData column, byte[][] words, int place)
+    {
+        int written = 0;
+        switch (column.Column.Kind)
+        {
+            case ColumnKind.Word:
+                text.Write(words[column.Words[place]]);
+                return;
+            case ColumnKind.Whole:
+                Utf8Formatter.TryFormat(column.Wholes[place], text.GetSpan(LongestNumber), out written);
+                break;
+            default:
+                if (double.IsFinite(column.Reals[place]))
+                {
+                    Utf8Formatter.TryFormat(column.Reals[place], text.GetSpan(LongestNumber), out written);
+                }
+
+                break;
+        }
+
+        text.Advance(written);
+    }
+
+    private static string Quoted(string text) => text.AsSpan().IndexOfAny(",\"\r\n") >= 0 ? $"\"{text.Replace("\"", "\"\"")}\"" : text;
+}

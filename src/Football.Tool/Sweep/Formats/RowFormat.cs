@@ -1,0 +1,44 @@
+using System.Buffers;
+using Football.Scenarios.Input;
+using Football.Tool.Sweep.Columns;
+
+namespace Football.Tool.Sweep.Formats;
+
+/// <summary>How rows are written.</summary>
+internal abstract class RowFormat
+{
+    /// <summary>The formats' names, the default first.</summary>
+    public static IReadOnlyList<string> Names { get; } = ["ndjson", "csv", "npy"];
+
+    /// <summary>The format's name.</summary>
+    public abstract string Name { get; }
+
+    /// <summary>Names of the files.</summary>
+    public abstract IReadOnlyList<string> Files { get; }
+
+    /// <summary>Makes a format by its name.</summary>
+    public static RowFormat Create(string name, IReadOnlyList<Column> columns) => name switch
+    {
+        "ndjson" => new NdjsonFormat(),
+        "csv" => new CsvFormat(columns),
+        "npy" => new NumpyFormat(columns),
+        _ => throw new RefusedException("--format", Quote.Short(name), string.Join(" | ", Names)),
+    };
+
+    /// <summary>The file of a column.</summary>
+    public abstract string FileOf(Column column);
+
+    /// <summary>What a file begins with.</summary>
+    /// <param name="file">Which of <see cref="Files"/>.</param>
+    /// <param name="rows">Rows that will follow.</param>
+    public abstract byte[] Header(int file, long rows);
+
+    /// <summary>Bytes of all files together; null where nobody knows before they are written.</summary>
+    public abstract long? Bytes(long rows);
+
+    /// <summary>Writes rows.</summary>
+    /// <param name="columns">Their values.</param>
+    /// <param name="rows">How many.</param>
+    /// <param name="to">One for each of <see cref="Files"/>.</param>
+    public abstract void Write(IReadOnlyList<ColumnData> columns, int rows, IReadOnlyList<ArrayBufferWriter<byte>> to);
+}

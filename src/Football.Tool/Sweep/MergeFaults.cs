@@ -1,0 +1,94 @@
+using Football.Scenarios.Input;
+using Football.Tool.Sweep.Output;
+
+namespace Football.Tool.Sweep;
+
+/// <summary>Why shards cannot be put together.</summary>
+internal sealed class MergeFaults
+{
+    /// <summary>Faults that are told; of more it is told how many.</summary>
+    private const int MostTold = 20;
+
+    private readonly List<string> _faults = [];
+
+    public bool Any => _faults.Count > 0;
+
+    /// <summary>Looks for what can be seen without reading the rows.</summary>
+    public void Check(IReadOnlyList<ShardFolder> shards)
+    {
+        if (shards.Count == 0)
+        {
+            _faults.Add("there is no shard.");
+            return;
+        }
+
+        ShardFolder first = shards[0];
+        int of = first.Manifest.Shard.Of;
+        foreach (ShardFolder shard in shards)
+        {
+            if (first.Manifest.Identity.Difference(shard.Manifest.Identity) is { } difference)
+            {
+                _faults.Add($"{shard.Name} is of another sweep than {first.Name}: {difference}.");
+            }
+            else if (shard.Manifest.Shard.Of != of)
+            {
+                _faults.Add($"{shard.Name} is {shard.Manifest.Shard}, but {first.Name} is {first.Manifest.Shard}.");
+            }
+        }
+
+        ILookup<int, ShardFolder> byIndex = shards.Where(shard => shard.Manifest.Shard.Of == of).ToLookup(shard => shard.Manifest.Shard.Index);
+        for (int i = 1; i <= of; i++)
+        {
+            ShardFolder[] found = [.. byIndex[i]];
+            if (found.Length == 0)
+            {
+                _faults.Add($"{new Shard(i, of, first.Manifest.Identity.Count)} is missing.");
+            }
+            else if (found.Length > 1)
+            {
+                _faults.Add($"{found[0].Manifest.Shard} is doubled: {string.Join(", ", found.Select(shard => shard.Name))}.");
+            }
+        }
+
+        foreach (ShardFolder shard in shards)
+        {
+            CheckFiles(shard);
+        }
+    }
+
+    /// <summary>A file is not what its manifest says.</summary>
+    public void Torn(ShardFolder shard, FileRecord file, string how) =>
+        _faults.Add($"{shard.Manifest.Shard} is torn: {Quote.Short(shard.Name)}/{file.Name} has {how}.");
+
+    public void Print(TextWriter to)
+    {
+        foreach (string fault in _faults.Take(MostTold))
+        {
+            to.WriteLine($"football: {fault}");
+        }
+
+        if (_faults.Count > MostTold)
+        {
+            to.WriteLine(FormattableString.Invariant($"football: and {_faults.Count - MostTold} more."));
+        }
+    }
+
+    private void CheckFiles(ShardFolder shard)
+    {
+        if (!shard.IsDone)
+        {
+            _faults.Add(FormattableString.Invariant($"{shard.Manifest.Shard} is not finished: {shard.Name} has {shard.Manifest.Rows} of {shard.Manifest.Shard.Rows} rows."));
+            return;
+        }
+
+        foreach (FileRecord record in shard.Manifest.Files)
+        {
+            var file = new FileInfo(Path.Combine(shard.Path, record.Name));
+            long bytes = file.Exists ? file.Length : 0;
+            if (bytes != record.Bytes)
+            {
+                Torn(shard, record, FormattableString.Invariant($"{bytes} bytes of {record.Bytes}"));
+            }
+        }
+    }
+}

@@ -1,0 +1,78 @@
+using System.Security.Cryptography;
+using Football.Scenarios.Input;
+
+namespace Football.Tool.Sweep.Output;
+
+/// <summary>A file that grows, and the hash of what is in it.</summary>
+internal sealed class DataFile : IDisposable
+{
+    private const int Chunk = 1 << 20;
+
+    private readonly FileStream _stream;
+    private readonly IncrementalHash _hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+    private readonly string _name;
+    private readonly int _header;
+
+    private DataFile(FileStream stream, string name, int header)
+    {
+        _stream = stream;
+        _name = name;
+        _header = header;
+    }
+
+    /// <summary>What there is of it.</summary>
+    public FileRecord Record => new(_name, _stream.Position, _header, Convert.ToHexStringLower(_hash.GetCurrentHash()));
+
+    /// <summary>Makes a file, or begins again what there is.</summary>
+    public static DataFile Create(string folder, string name, byte[] header)
+    {
+        var file = new DataFile(Open(folder, name, FileMode.Create), name, header.Length);
+        file.Write(header);
+        return file;
+    }
+
+    /// <summary>Goes on where a record says that all is well; what comes after it is given up.</summary>
+    /// <exception cref="RefusedException">What there should be is not there.</exception>
+    public static DataFile Continue(string folder, FileRecord record)
+    {
+        var file = new DataFile(Open(folder, record.Name, FileMode.OpenOrCreate), record.Name, record.Header);
+        byte[] chunk = new byte[Chunk];
+        long left = record.Bytes;
+        while (left > 0 && file._stream.Read(chunk, 0, (int)Math.Min(chunk.Length, left)) is > 0 and int read)
+        {
+            file._hash.AppendData(chunk, 0, read);
+            left -= read;
+        }
+
+        if (left > 0 || file.Record.Sha256 != record.Sha256)
+        {
+            file.Dispose();
+            throw new RefusedException(
+                Quote.File(Path.Combine(folder, record.Name)),
+                FormattableString.Invariant($"torn: its first {record.Bytes} bytes are not those that were written"),
+                "what was there when the sweep was interrupted; remove the folder to begin again");
+        }
+
+        file._stream.SetLength(record.Bytes);
+        return file;
+    }
+
+    public void Write(ReadOnlySpan<byte> bytes)
+    {
+        _stream.Write(bytes);
+        _hash.AppendData(bytes);
+    }
+
+    /// <summary>Waits until all of it is on the disk.</summary>
+    public void FlushToDisk() => _stream.Flush(flushToDisk: true);
+
+    public void Dispose()
+    {
+        _stream.Dispose();
+        _hash.Dispose();
+    }
+
+    /// <summary>Nobody else writes it meanwhile.</summary>
+    private static FileStream Open(string folder, string name, FileMode mode) =>
+        new(Path.Combine(folder, name), mode, FileAccess.ReadWrite, FileShare.None, bufferSize: 0);
+}

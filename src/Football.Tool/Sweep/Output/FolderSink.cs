@@ -1,0 +1,180 @@
+using System.Buffers;
+using Football.Tool.Commands;
+using Football.Scenarios.Input;
+using Football.Tool.Sweep.Formats;
+
+namespace Football.Tool.Sweep.Output;
+
+/// <summary>
+/// Rows that go to the files of a folder. A checkpoint says how much of each is certain; who comes back after an interruption goes on from there. The
+/// manifest takes its place when all rows are there.
+/// </summary>
+internal sealed class FolderSink : RowSink
+{
+    private static readonly TimeSpan s_untilFirst = TimeSpan.FromSeconds(0.05);
+    private static readonly TimeSpan s_untilLater = TimeSpan.FromSeconds(5);
+
+    private readonly string _folder;
+    private readonly Identity _identity;
+    private readonly Shard _shard;
+    private readonly bool _countsHandedOn;
+    private readonly FileRecord _schema;
+    private readonly List<DataFile> _files = [];
+    private readonly TimeProvider _time;
+    private long _lastCheckpoint;
+    private TimeSpan _untilCheckpoint = s_untilFirst;
+
+    private FolderSink(string folder, Identity identity, Shard shard, bool countsHandedOn, FileRecord schema, TimeProvider time)
+    {
+        _folder = folder;
+        _identity = identity;
+        _shard = shard;
+        _countsHandedOn = countsHandedOn;
+        _schema = schema;
+        _time = time;
+        _lastCheckpoint = time.GetTimestamp();
+    }
+
+    /// <summary>Whether all rows were there before.</summary>
+    public bool WasDone { get; private set; }
+
+    /// <summary>Opens a folder: a new one, or one that an interrupted run of the same sweep has left.</summary>
+    /// <param name="folder">The folder.</param>
+    /// <param name="identity">The sweep.</param>
+    /// <param name="shard">The part of it.</param>
+    /// <param name="format">How rows are written.</param>
+    /// <param name="schema">What the columns are.</param>
+    /// <param name="countsHandedOn">Whether lanes hand rows to the single ball.</param>
+    /// <param name="time">The clock by which checkpoints are due.</param>
+    /// <exception cref="RefusedException">The folder holds something else, or has no room.</exception>
+    public static FolderSink Open(string folder, Identity identity, Shard shard, RowFormat format, byte[] schema, bool countsHandedOn, TimeProvider time)
+    {
+        try
+        {
+            Directory.CreateDirectory(folder);
+        }
+        catch (Exception e) when (OutputFile.IsFileFault(e))
+        {
+            throw new RefusedException("--out", $"{Quote.File(folder)}, which cannot be made", "a folder that can be written");
+        }
+
+        Manifest? done = Manifest.Read(folder, Manifest.Done);
+        Manifest? begun = done ?? Manifest.Read(folder, Manifest.Unfinished);
+        if (begun is not null && (identity.Difference(begun.Identity) ?? (begun.Shard != shard ? $"it is {begun.Shard}" : null)) is { } difference)
+        {
+            throw new RefusedException("--out", $"{Quote.File(folder)}, which holds another sweep ({difference})", "a new folder, or that of an interrupted run of the same sweep");
+        }
+
+        var sink = new FolderSink(folder, identity, shard, countsHandedOn, Schema.Record(schema), time);
+        try
+        {
+            sink.Begin(done, begun, format, schema);
+            return sink;
+        }
+        catch
+        {
+            sink.Dispose();
+            throw;
+        }
+    }
+
+    public override void Finish()
+    {
+        if (WasDone)
+        {
+            return;
+        }
+
+        foreach (DataFile file in _files)
+        {
+            file.FlushToDisk();
+        }
+
+        Now.Write(_folder, Manifest.Done, toDisk: true);
+        File.Delete(Path.Combine(_folder, Manifest.Unfinished));
+    }
+
+    /// <summary>
+    /// Says what there is: an interrupted run goes on from here. Nobody waits for the disk: what a power cut has taken is found by its hash.
+    /// </summary>
+    public void Checkpoint()
+    {
+        Now.Write(_folder, Manifest.Unfinished, toDisk: false);
+        _lastCheckpoint = _time.GetTimestamp();
+    }
+
+    public override void Dispose() => _files.ForEach(file => file.Dispose());
+
+    protected override void Write(IReadOnlyList<ArrayBufferWriter<byte>> files)
+    {
+        for (int f = 0; f < files.Count; f++)
+        {
+            _files[f].Write(files[f].WrittenSpan);
+        }
+    }
+
+    protected override void Added()
+    {
+        if (_time.GetElapsedTime(_lastCheckpoint) >= _untilCheckpoint)
+        {
+            Checkpoint();
+            _untilCheckpoint = 2 * _untilCheckpoint < s_untilLater ? 2 * _untilCheckpoint : s_untilLater;
+        }
+    }
+
+    private Manifest Now => new(_identity, _shard, Rows, _countsHandedOn ? HandedOn : null, [.. _files.Select(file => file.Record), _schema]);
+
+    private void Begin(Manifest? done, Manifest? begun, RowFormat format, byte[] schema)
+    {
+        Rows = begun?.Rows ?? 0;
+        HandedOn = begun?.HandedOn ?? 0;
+        WasDone = done is not null;
+        if (WasDone)
+        {
+            return;
+        }
+
+        if (begun is not null)
+        {
+            // One file after the other: whoever holds the first of them holds all.
+            foreach (FileRecord record in begun.Files.Take(format.Files.Count))
+            {
+                _files.Add(DataFile.Continue(_folder, record));
+            }
+
+            return;
+        }
+
+        RefuseForeign(format);
+        RefuseFull(format);
+        for (int f = 0; f < format.Files.Count; f++)
+        {
+            _files.Add(DataFile.Create(_folder, format.Files[f], format.Header(f, _shard.Rows)));
+        }
+
+        File.WriteAllBytes(Path.Combine(_folder, Schema.Name), schema);
+        Checkpoint();
+    }
+
+    /// <summary>Files of the names that are to be written, but without a checkpoint, are somebody else's; those of a run that ended at once are empty but for headers.</summary>
+    private void RefuseForeign(RowFormat format)
+    {
+        for (int f = 0; f < format.Files.Count; f++)
+        {
+            var file = new FileInfo(Path.Combine(_folder, format.Files[f]));
+            if (file.Exists && (file.ResolveLinkTarget(returnFinalTarget: true) as FileInfo ?? file).Length > format.Header(f, _shard.Rows).Length)
+            {
+                throw new RefusedException("--out", $"{Quote.File(_folder)}, which holds a file {Quote.File(file.Name)} of another origin", "a new folder, or that of an interrupted run of the same sweep");
+            }
+        }
+    }
+
+    private void RefuseFull(RowFormat format)
+    {
+        long free = new DriveInfo(Path.GetFullPath(_folder)).AvailableFreeSpace;
+        if (format.Bytes(_shard.Rows) is { } bytes && bytes > free)
+        {
+            throw new RefusedException("--out", FormattableString.Invariant($"{Quote.File(_folder)} with {free} bytes free"), FormattableString.Invariant($"at least the {bytes} bytes of these rows"));
+        }
+    }
+}

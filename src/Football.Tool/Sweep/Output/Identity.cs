@@ -1,0 +1,39 @@
+using System.Text.Json;
+
+namespace Football.Tool.Sweep.Output;
+
+/// <summary>What says which bytes a data set has: parts that differ in it do not belong together.</summary>
+/// <param name="Program">The program and its version.</param>
+/// <param name="Format">How rows are written.</param>
+/// <param name="Seed">The seed.</param>
+/// <param name="Count">Rows of the whole sweep.</param>
+/// <param name="Sweep">The sweep's own input, on one line.</param>
+internal sealed record Identity(string Program, string Format, long Seed, long Count, string Sweep)
+{
+    /// <summary>Reads it.</summary>
+    public static Identity Read(JsonElement from) => new(
+        from.GetProperty("program").GetString()!,
+        from.GetProperty("format").GetString()!,
+        from.GetProperty("seed").GetInt64(),
+        from.GetProperty("count").GetInt64(),
+        JsonSerializer.Serialize(from.GetProperty("sweep")));
+
+    public void WriteTo(Utf8JsonWriter json)
+    {
+        json.WriteString("program", Program);
+        json.WriteString("format", Format);
+        json.WriteNumber("seed", Seed);
+        json.WriteNumber("count", Count);
+        json.WritePropertyName("sweep");
+        json.WriteRawValue(Sweep);
+    }
+
+    /// <summary>What another one has that this has not; null where they are the same.</summary>
+    public string? Difference(Identity other) =>
+        Program != other.Program ? $"its program is {other.Program}, not {Program}"
+        : Format != other.Format ? $"its format is {other.Format}, not {Format}"
+        : Seed != other.Seed ? FormattableString.Invariant($"its seed is {other.Seed}, not {Seed}")
+        : Count != other.Count ? FormattableString.Invariant($"its count is {other.Count}, not {Count}")
+        : Sweep != other.Sweep ? "its scene, ranges or rows are others"
+        : null;
+}

@@ -1,0 +1,114 @@
+using System.Buffers;
+using System.Text.Encodings.Web;
+using System.Text.Json;
+using Football.Scenarios.Input;
+
+namespace Football.Tool.Sweep.Output;
+
+/// <summary>What a folder holds: of which sweep, which part, how many rows, in which files.</summary>
+/// <param name="Identity">The sweep.</param>
+/// <param name="Shard">The part.</param>
+/// <param name="Rows">Rows that there are; those of the part where it is done.</param>
+/// <param name="HandedOn">How many of them lanes handed to the single ball; null where nothing is flown in lanes.</param>
+/// <param name="Files">The files.</param>
+internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long? HandedOn, IReadOnlyList<FileRecord> Files)
+{
+    /// <summary>Name of the file in a folder that is done.</summary>
+    public const string Done = "manifest.json";
+
+    /// <summary>Name of the file in a folder that is not done.</summary>
+    public const string Unfinished = "checkpoint.json";
+
+    private static readonly JsonWriterOptions s_options = new() { Indented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+
+    /// <summary>Reads it; null where there is none.</summary>
+    /// <param name="folder">The folder.</param>
+    /// <param name="name">Name of the file.</param>
+    /// <exception cref="RefusedException">The file is no manifest.</exception>
+    public static Manifest? Read(string folder, string name)
+    {
+        string path = Path.Combine(folder, name);
+        if (!File.Exists(path))
+        {
+            return null;
+        }
+
+        try
+        {
+            using var document = JsonDocument.Parse(File.ReadAllBytes(path));
+            JsonElement root = document.RootElement;
+            JsonElement shard = root.GetProperty("shard");
+            var identity = Identity.Read(root);
+            return new Manifest(
+                identity,
+                new Shard(shard.GetProperty("index").GetInt32(), shard.GetProperty("of").GetInt32(), identity.Count),
+                root.GetProperty("rows").GetInt64(),
+                root.TryGetProperty("handedOn", out JsonElement handedOn) ? handedOn.GetInt64() : null,
+                [.. root.GetProperty("files").EnumerateArray().Select(ReadFile)]);
+        }
+        catch (Exception e) when (e is JsonException or InvalidOperationException or KeyNotFoundException or FormatException)
+        {
+            throw new RefusedException(Quote.File(path), "no manifest of a sweep", "one that football sweep has written");
+        }
+    }
+
+    /// <summary>Writes it at once: it is there whole, or as it was before.</summary>
+    /// <param name="folder">The folder.</param>
+    /// <param name="name">Name of the file.</param>
+    /// <param name="toDisk">Whether to wait until it is on the disk.</param>
+    public void Write(string folder, string name, bool toDisk)
+    {
+        string path = Path.Combine(folder, name);
+        string whole = path + ".new";
+        using (var file = new FileStream(whole, FileMode.Create, FileAccess.Write))
+        {
+            file.Write(Text());
+            file.Flush(toDisk);
+        }
+
+        File.Move(whole, path, overwrite: true);
+    }
+
+    private static FileRecord ReadFile(JsonElement file) => new(
+        file.GetProperty("name").GetString()!,
+        file.GetProperty("bytes").GetInt64(),
+        file.GetProperty("header").GetInt32(),
+        file.GetProperty("sha256").GetString()!);
+
+    private ReadOnlySpan<byte> Text()
+    {
+        var text = new ArrayBufferWriter<byte>();
+        using (var json = new Utf8JsonWriter(text, s_options))
+        {
+            json.WriteStartObject();
+            Identity.WriteTo(json);
+            json.WriteStartObject("shard");
+            json.WriteNumber("index", Shard.Index);
+            json.WriteNumber("of", Shard.Of);
+            json.WriteNumber("first", Shard.First);
+            json.WriteEndObject();
+            json.WriteNumber("rows", Rows);
+            if (HandedOn is { } handedOn)
+            {
+                json.WriteNumber("handedOn", handedOn);
+            }
+
+            json.WriteStartArray("files");
+            foreach (FileRecord file in Files)
+            {
+                json.WriteStartObject();
+                json.WriteString("name", file.Name);
+                json.WriteNumber("bytes", file.Bytes);
+                json.WriteNumber("header", file.Header);
+                json.WriteString("sha256", file.Sha256);
+                json.WriteEndObject();
+            }
+
+            json.WriteEndArray();
+            json.WriteEndObject();
+        }
+
+        text.Write("\n"u8);
+        return text.WrittenSpan;
+    }
+}

@@ -1,0 +1,27 @@
+using System.Buffers;
+
+namespace Football.Tool.Sweep.Output;
+
+/// <summary>Rows that go to the standard output.</summary>
+internal sealed class StreamSink : RowSink
+{
+    private readonly Stream _output;
+
+    public StreamSink(Stream output, byte[] header)
+    {
+        _output = output;
+        _output.Write(header);
+    }
+
+    public override void Finish() => _output.Flush();
+
+    public override void Dispose()
+    {
+    }
+
+    protected override void Write(IReadOnlyList<ArrayBufferWriter<byte>> files)
+    {
+        _output.Write(files[0].WrittenSpan);
+        _output.Flush();
+    }
+}

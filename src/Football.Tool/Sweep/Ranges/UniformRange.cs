@@ -1,0 +1,9 @@
+namespace Football.Tool.Sweep.Ranges;
+
+/// <summary>Every number between two is as likely as any other.</summary>
+internal sealed class UniformRange(double low, double high) : FieldRange
+{
+    public override IEnumerable<FieldValue> Ends => [new(low), new(high)];
+
+    public override FieldValue Draw(double random, long index) => new(Math.Min(low + ((high - low) * random), high));
+}

@@ -1,0 +1,44 @@
+using Football.Scenarios;
+using Football.Tool.Sweep.Columns;
+
+namespace Football.Tool.Sweep.Rows;
+
+/// <summary>Rows of launches.</summary>
+internal abstract class LaunchRows : RowMaker
+{
+    protected LaunchRows(SweepPlan plan, int capacity)
+        : base(plan, capacity) => Launches = new BatchLaunches(capacity);
+
+    /// <summary>Names of the ends of a flight, those of <see cref="BatchEnd"/> first.</summary>
+    protected static string[] Ends { get; } = ["impact", "time", "ground", "plane", "rest"];
+
+    /// <summary>The launches of the rows.</summary>
+    protected BatchLaunches Launches { get; }
+
+    /// <summary>Prepares the launch of a row.</summary>
+    protected void Prepare(SweepScene scene, int row)
+    {
+        Vector3d velocity;
+        Vector3d spin;
+        if (scene.HasVectors)
+        {
+            velocity = Draws.Vector(scene, DirectField.Velocity, row);
+            spin = Draws.Vector(scene, DirectField.Spin, row);
+        }
+        else
+        {
+            double Kick(int number) => Draws.Number(scene, DirectField.Kick + number, row);
+            new KickNumbers(Kick(0), Kick(1), Kick(2), Kick(3), Kick(4)).Vectors(out velocity, out spin);
+        }
+
+        Launches.Set(row, Draws.Vector(scene, DirectField.Position, row), velocity, spin);
+    }
+
+    /// <summary>The launches as vectors.</summary>
+    protected IEnumerable<ColumnSource> LaunchSources() =>
+    [
+        new(Column.Vector("launch.position", "m", "where the centre of the ball is launched"), Vectors(Launches.Position), IsDefault: false),
+        new(Column.Vector("launch.velocity", "m/s", "velocity of the launch"), Vectors(Launches.Velocity), IsDefault: false),
+        new(Column.Vector("launch.spin", "rad/s", "spin of the launch"), Vectors(Launches.Spin), IsDefault: false),
+    ];
+}

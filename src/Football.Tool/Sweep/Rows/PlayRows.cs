@@ -1,0 +1,212 @@
+using Football.Scenarios.Input;
+using Football.Tool.Sweep.Columns;
+
+namespace Football.Tool.Sweep.Rows;
+
+/// <summary>Flights by the single ball: among things, beyond the first impact, with events and samples.</summary>
+internal sealed class PlayRows : LaunchRows
+{
+    private const string NoThing = "none";
+
+    private static readonly string[] s_outcomes = ["miss", "goal", "post", "save"];
+    private static readonly string[] s_kinds = [.. Enum.GetValues<BallEventKind>().Select(kind => Words.Of(kind)), NoThing];
+
+    private readonly CompiledScenes<CompiledScene> _scenes;
+
+    /// <summary>Names of the things of the scene, the ground first.</summary>
+    private readonly IReadOnlyList<string> _things;
+
+    private Trajectory _path = new();
+    private PlayEnd _end;
+    private int _lastEvent;
+
+    public PlayRows(SweepPlan plan, int capacity)
+        : base(plan, capacity)
+    {
+        _scenes = new CompiledScenes<CompiledScene>(plan, Draws, scene => new CompiledScene(scene));
+        _things = new Simulator(plan.Scene.Scene).Names;
+        foreach (string name in plan.Row.Hits.Where(name => !_things.Contains(name)))
+        {
+            throw new RefusedException("row.hits", Quote.Short(name), string.Join(" | ", _things));
+        }
+    }
+
+    public override long? HandedOn => null;
+
+    protected override void Answer(int count)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            CompiledScene scene = _scenes.Of(i);
+            Prepare(scene.Scene, i);
+            Play(scene, i);
+            Fill(i, 1);
+        }
+    }
+
+    protected override IEnumerable<ColumnSource> AnswerSources() =>
+    [
+        .. LaunchSources(),
+        new(Column.Word("end", "what ended the flight", Ends), (to, row, _) => to.Words[row] = (byte)_end.Kind),
+        new(Column.Real("time", "s", "when, since the launch"), (to, row, _) => to.Reals[row] = _end.Time),
+        new(Column.Vector("position", "m", "where the centre is then"), (to, row, _) => to.Set(row, in _end.Position)),
+        new(Column.Vector("velocity", "m/s", "velocity then; at an impact just before it, at rest as it was when rest was declared"), (to, row, _) => to.Set(row, in _end.Velocity)),
+        new(Column.Vector("spin", "rad/s", "spin then; at a plane that of the end of the step"), (to, row, _) => to.Set(row, in _end.Spin)),
+        new(Column.Vector("velocityAfter", "m/s", "velocity just after"), (to, row, _) => to.Set(row, in _end.VelocityAfter)),
+        new(Column.Vector("spinAfter", "rad/s", "spin just after"), (to, row, _) => to.Set(row, in _end.SpinAfter)),
+        new(Column.Real("apex", "m", "greatest height of the centre"), (to, row, _) => to.Reals[row] = _path.Apex),
+        new(Column.Whole("bounces", "", "impacts, on whatever it was"), (to, row, _) => to.Wholes[row] = Count(happened => happened.Kind == BallEventKind.Impact)),
+        .. OutcomeSources(),
+        .. EventSources(),
+        .. SampleSources(),
+    ];
+
+    private IEnumerable<ColumnSource> OutcomeSources()
+    {
+        Scene scene = Plan.Scene.Scene;
+        if (scene.Goals.Count > 0)
+        {
+            yield return new ColumnSource(
+                Column.Word("outcome", "goal: all of the ball was in one; else save: an obstacle was hit; else post: the frame of a goal was hit; else miss", s_outcomes),
+                (to, row, _) => to.Words[row] = (byte)Outcome(scene.Obstacles.Count));
+        }
+
+        if (Plan.Row.Hits.Count > 0)
+        {
+            yield return new ColumnSource(Column.Whole("hits", "", "how often each of these was hit").Along(Plan.Row.Hits), (to, row, _) =>
+            {
+                for (int k = 0; k < Plan.Row.Hits.Count; k++)
+                {
+                    string name = Plan.Row.Hits[k];
+                    to.Wholes[(row * Plan.Row.Hits.Count) + k] = Count(happened => happened.Kind is BallEventKind.Impact or BallEventKind.Net && NameOf(happened.Thing) == name);
+                }
+            });
+        }
+    }
+
+    private IEnumerable<ColumnSource> EventSources()
+    {
+        int n = Plan.Row.Events;
+        if (n == 0)
+        {
+            return [];
+        }
+
+        string[] places = [.. Enumerable.Range(0, n).Select(k => FormattableString.Invariant($"{k}"))];
+        string[] surfaces = [.. _things.Take(Column.MostWords - 1), NoThing];
+        ColumnSource Vector(string name, string unit, string meaning, Func<BallEvent, Vector3d> of) => new(
+            Column.Vector($"events.{name}", unit, meaning).Along(places),
+            (to, row, _) => Each(row, (k, place) => to.Set(place, k <= _lastEvent ? of(_path.Events[k]) : new Vector3d(double.NaN, double.NaN, double.NaN))));
+        return
+        [
+            new(Column.Whole("events.count", "", "events of the flight, those beyond the first included"), (to, row, _) => to.Wholes[row] = _lastEvent + 1 + _path.Events.Missed),
+            new(Column.Word("events.kind", "what happened", s_kinds).Along(places),
+                (to, row, _) => Each(row, (k, place) => to.Words[place] = (byte)(k <= _lastEvent ? (int)_path.Events[k].Kind : s_kinds.Length - 1))),
+            new(Column.Word("events.surface", "what was hit or met", surfaces).Along(places),
+                (to, row, _) => Each(row, (k, place) => to.Words[place] = (byte)(k <= _lastEvent && _path.Events[k].Thing is >= 0 and int thing && thing < surfaces.Length ? thing : surfaces.Length - 1))),
+            new(Column.Real("events.time", "s", "when").Along(places),
+                (to, row, _) => Each(row, (k, place) => to.Reals[place] = k <= _lastEvent ? _path.Events[k].Time : double.NaN)),
+            Vector("position", "m", "where the centre was", happened => happened.Position),
+            Vector("velocityBefore", "m/s", "velocity just before", happened => happened.VelocityBefore),
+            Vector("spinBefore", "rad/s", "spin just before", happened => happened.SpinBefore),
+            Vector("velocity", "m/s", "velocity just after", happened => happened.Velocity),
+            Vector("spin", "rad/s", "spin just after", happened => happened.Spin),
+        ];
+
+        void Each(int row, Action<int, int> set)
+        {
+            for (int k = 0; k < n; k++)
+            {
+                set(k, (row * n) + k);
+            }
+        }
+    }
+
+    private IEnumerable<ColumnSource> SampleSources()
+    {
+        IReadOnlyList<double> times = Plan.Row.Samples;
+        if (times.Count == 0)
+        {
+            return [];
+        }
+
+        string[] places = [.. times.Select(time => FormattableString.Invariant($"{time:R}"))];
+        Action<ColumnData, int, int> Sampled(Func<double, Vector3d> at) => (to, row, _) =>
+        {
+            for (int k = 0; k < times.Count; k++)
+            {
+                to.Set((row * times.Count) + k, times[k] <= _end.Time ? at(times[k]) : new Vector3d(double.NaN, double.NaN, double.NaN));
+            }
+        };
+        return
+        [
+            new(Column.Vector("samples.position", "m", "where the centre is at these times, s; none after the end").Along(places), Sampled(time => _path.PositionAt(time))),
+            new(Column.Vector("samples.velocity", "m/s", "velocity at these times, s; none after the end").Along(places), Sampled(time => _path.VelocityAt(time))),
+        ];
+    }
+
+    private void Play(CompiledScene scene, int row)
+    {
+        BallState ball = scene.Simulator.Launch(Launches.Position[row], Launches.Velocity[row], Launches.Spin[row], scene.Scene.Orientation ?? Quaterniond.Identity);
+        scene.Simulator.LookAhead(in ball, scene.Request, _path);
+        while (!_path.IsComplete)
+        {
+            // Nothing but its memory ends a path early.
+            _path = new Trajectory(2 * _path.Pieces.Length);
+            scene.Simulator.LookAhead(in ball, scene.Request, _path);
+        }
+
+        _end = PlayEnd.Of(_path, scene.Scene);
+        if (!_end.IsFinite)
+        {
+            throw new RefusedException(FormattableString.Invariant(
+                $"row {Draws.First + row}: the motion is not finite; allowed: a scenario whose places and speeds stay within what a double can hold."));
+        }
+
+        _lastEvent = _path.Events.Count - 1;
+        while (_lastEvent >= 0 && _path.Events[_lastEvent].Time > _end.Time)
+        {
+            _lastEvent--;
+        }
+    }
+
+    private string NameOf(int thing) => thing >= 0 && thing < _things.Count ? _things[thing] : NoThing;
+
+    private int Count(Func<BallEvent, bool> counts)
+    {
+        int count = 0;
+        for (int k = 0; k <= _lastEvent; k++)
+        {
+            count += counts(_path.Events[k]) ? 1 : 0;
+        }
+
+        return count;
+    }
+
+    /// <summary>Place among <see cref="s_outcomes"/>; obstacles follow the ground in the list of things, then come the frames of goals.</summary>
+    private int Outcome(int obstacles)
+    {
+        bool Hit(int first, int last) => Count(happened => happened.Kind == BallEventKind.Impact && happened.Thing >= first && happened.Thing <= last) > 0;
+        return Count(happened => happened.Kind == BallEventKind.Goal) > 0 ? 1 : Hit(1, obstacles) ? 3 : Hit(obstacles + 1, int.MaxValue) ? 2 : 0;
+    }
+
+    private sealed class CompiledScene(SweepScene scene)
+    {
+        public SweepScene Scene { get; } = scene;
+
+        public Simulator Simulator { get; } = new(scene.Scene, scene.Solver);
+
+        public LookAheadRequest Request { get; } = new()
+        {
+            Duration = scene.Duration,
+            TimeStep = scene.TimeStep,
+            StopAt = scene.StopAt switch
+            {
+                SweepStop.Impact => StopAt.Impact,
+                SweepStop.Time => StopAt.Time,
+                _ => StopAt.Rest,
+            },
+            UntilPlane = scene.Plane,
+        };
+    }
+}

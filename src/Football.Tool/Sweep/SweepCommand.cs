@@ -1,0 +1,134 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using System.Globalization;
+using System.Reflection;
+using Football.Tool.Commands;
+using Football.Scenarios.Input;
+using Football.Tool.Sweep.Formats;
+using Football.Tool.Sweep.Output;
+
+namespace Football.Tool.Sweep;
+
+/// <summary>football sweep: draws launches or aims from ranges, flies or finds them, and writes a row each.</summary>
+internal static class SweepCommand
+{
+    /// <summary>Most rows of a sweep: up to there every index is exact.</summary>
+    private const long MostRows = 1_000_000_000_000_000;
+
+    private const int MostShards = 1_000_000;
+
+    /// <summary>The program and its version, which say which bytes it writes.</summary>
+    private static string Program { get; } =
+        $"football {typeof(Simulator).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion ?? "?"}";
+
+    public static Command Create(Terminal terminal)
+    {
+        var file = new Argument<string?>("FILE")
+        {
+            Description = "The scene, the ranges to draw from and what a row says, as JSON; - is the standard input. Without it: the defaults.",
+            Arity = ArgumentArity.ZeroOrOne,
+        };
+        Option<long> count = Arguments.Whole("--count", "Rows of the whole sweep.", 1, MostRows, 1000);
+        Option<long> seed = Arguments.Whole("--seed", "What the rows are drawn from, with the field and the row's index.", 0, long.MaxValue, 1);
+        Option<long> jobs = Arguments.Jobs("Threads; default: one a processor. The rows do not depend on it.");
+        Option<FieldOverride[]> profile = Arguments.Profile();
+        Option<FieldOverride[]> set = Arguments.Set("launch.speed=[20,25]");
+        Option<FieldOverride[]> range = Arguments.Range("air.wind[0]=[-5,5]");
+        var output = new Option<string?>("--out")
+        {
+            HelpName = "DIR",
+            Description = "Writes files, a schema and a manifest to a folder, each shard to one of its own in it. Where it was interrupted, the same command goes on.",
+        };
+        var format = new Option<string>("--format")
+        {
+            HelpName = string.Join('|', RowFormat.Names),
+            Description = "How rows are written: an object a line, a table, or with --out NumPy files, one a column.",
+            DefaultValueFactory = _ => RowFormat.Names[0],
+        };
+        format.AcceptOnlyFromAmong([.. RowFormat.Names]);
+        var shard = new Option<(int Index, int Of)>("--shard")
+        {
+            HelpName = "i/n",
+            Description = "Only the i-th of n parts; all parts one after the other are the whole, byte for byte. Without it: all rows.",
+            CustomParser = ParseShard,
+        };
+        var command = new ExampleCommand(
+            "sweep",
+            "Draws launches or aims from ranges, flies or finds them, and writes a row each.",
+            "football sweep --count 10",
+            "football sweep --count 1000 --seed 7 --set 'launch.speed=[20,30]' --range 'air.wind[0]={\"normal\": [0, 3]}' --shard 1/2",
+            """echo '{"launch": {"speed": [20, 25], "elevation": 12}}' | football sweep - --count 5 --format csv""",
+            "football sweep --count 1000 --format npy --out rows && ls rows")
+        {
+            file, count, seed, shard, jobs, profile, set, range, output, format, SweepMerge.Create(terminal),
+        };
+        command.Validators.Add(result =>
+        {
+            if (result.GetValue(output) is null && result.GetValue(format) == "npy")
+            {
+                result.AddError("--format is npy; allowed: ndjson | csv, or npy with --out DIR.");
+            }
+        });
+        command.SetAction(parsed =>
+        {
+            SweepPlan plan = Read(parsed.GetValue(file), [.. parsed.GetRequiredValue(profile), .. parsed.GetRequiredValue(set), .. parsed.GetRequiredValue(range)], parsed.GetValue(seed), terminal);
+            var run = new SweepRun(plan, parsed.GetRequiredValue(format), (int)parsed.GetValue(jobs));
+            (int index, int of) = parsed.GetValue(shard);
+            return parsed.GetValue(output) is { } folder
+                ? ToFolder(plan, run, of == 0 ? folder : Path.Combine(folder, new Shard(index, of, 0).Folder), new Shard(Math.Max(index, 1), Math.Max(of, 1), parsed.GetValue(count)), terminal)
+                : ToOutput(run, new Shard(Math.Max(index, 1), Math.Max(of, 1), parsed.GetValue(count)), terminal);
+        });
+        return command;
+    }
+
+    private static (int Index, int Of) ParseShard(ArgumentResult result)
+    {
+        string text = result.Tokens[0].Value;
+        string[] parts = text.Split('/');
+        if (parts.Length == 2
+            && int.TryParse(parts[0], NumberStyles.None, CultureInfo.InvariantCulture, out int index)
+            && int.TryParse(parts[1], NumberStyles.None, CultureInfo.InvariantCulture, out int of)
+            && of <= MostShards && index >= 1 && index <= of)
+        {
+            return (index, of);
+        }
+
+        result.AddError($"--shard is {Quote.Short(text)}; allowed: i/n with n from 1 to {MostShards} and i from 1 to n, like 3/8.");
+        return (1, 1);
+    }
+
+    private static SweepPlan Read(string? file, FieldOverride[] overrides, long seed, Terminal terminal)
+    {
+        using Stream input = file is null ? new MemoryStream("{}"u8.ToArray()) : Arguments.OpenInput(file, terminal);
+        InputCase one = InputCase.Read(new LineReader(input).ReadToEnd(), overrides);
+        return SweepInput.Read(one.Scenario ?? throw one.Refusal!, seed);
+    }
+
+    private static int ToOutput(SweepRun run, Shard shard, Terminal terminal) => Progress.Show(
+        terminal,
+        "rows",
+        progress =>
+        {
+            using var sink = new StreamSink(terminal.Output, run.Format.Header(0, shard.Rows));
+            run.RunAsync(shard, sink, rows => progress.Report(rows, shard.Rows)).GetAwaiter().GetResult();
+            return ExitCode.Done;
+        },
+        writes: true);
+
+    private static int ToFolder(SweepPlan plan, SweepRun run, string folder, Shard shard, Terminal terminal)
+    {
+        var identity = new Identity(Program, run.Format.Name, plan.Seed, shard.Count, plan.Text);
+        using var sink = FolderSink.Open(folder, identity, shard, run.Format, Schema.Text(run.Columns, run.Format), run.CountsHandedOn, TimeProvider.System);
+        string line = Progress.Show(
+            terminal,
+            "rows",
+            progress =>
+            {
+                var report = new SweepReport(terminal, progress, sink, shard.Rows);
+                run.RunAsync(shard, sink, report.Show).GetAwaiter().GetResult();
+                return report.Line(folder, run.CountsHandedOn);
+            });
+        terminal.Person.WriteLine(line);
+        return ExitCode.Done;
+    }
+}

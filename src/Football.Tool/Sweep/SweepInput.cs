@@ -1,0 +1,168 @@
+using System.Text.Json;
+using System.Text.Json.Nodes;
+using Football.Scenarios.Input;
+using Football.Tool.Sweep.Ranges;
+
+namespace Football.Tool.Sweep;
+
+/// <summary>Reads a sweep and checks all of it, so that no row is refused that could have been refused before the first.</summary>
+internal static class SweepInput
+{
+    /// <summary>Of a longer list only so many values, the last among them, are tried before the first row.</summary>
+    private const int MostTried = 200;
+
+    private static readonly string[][] s_vectors = [["air", "wind"], ["launch", "position"], ["launch", "velocity"], ["launch", "spin"]];
+
+    /// <summary>Reads a sweep.</summary>
+    /// <param name="input">The input, its overrides in their places.</param>
+    /// <param name="seed">The seed.</param>
+    /// <exception cref="RefusedException">Something in it is not as it should be.</exception>
+    public static SweepPlan Read(InputFields input, long seed)
+    {
+        var document = input.Document.ValueKind == JsonValueKind.Object ? JsonObject.Create(input.Document)! : [];
+        List<DrawnField> drawn = [];
+        bool aims = document.ContainsKey("aim");
+        if (document["launch"] is null or JsonObject && !aims)
+        {
+            TakeKick(document, drawn);
+        }
+
+        TakeRanges(document, drawn, aims ? DirectField.OfAim : DirectField.OfLaunch);
+        var fields = new InputFields(input.Document.ValueKind == JsonValueKind.Object ? JsonSerializer.SerializeToElement(document) : input.Document);
+        (SweepScene scene, RowRequest row) = Refusing(fields, () =>
+        {
+            SweepScene taken = SweepScene.Take(fields.Root);
+            RowRequest request = RowRequest.Take(fields.Root);
+            fields.Check();
+            return (taken, request);
+        });
+        string text = JsonSerializer.Serialize(input.Document);
+
+        // Scenes of rows need neither, and are read again and again.
+        document.Remove("ranges");
+        document.Remove("row");
+        var plan = new SweepPlan(text, seed, document, scene, row, [.. drawn.Where(field => !scene.HasVectors || field.Direct is < DirectField.Kick or >= DirectField.KickNumbers || aims)]);
+        Refusing(fields, () => Try(plan, scene));
+        TryEnds(plan);
+        return plan;
+    }
+
+    /// <summary>What the library says about a number, with the field as it was written.</summary>
+    public static T Refusing<T>(InputFields fields, Func<T> work)
+    {
+        try
+        {
+            return work();
+        }
+        catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields) is { } said)
+        {
+            throw said;
+        }
+    }
+
+    /// <summary>A value that was drawn, as a part of an input.</summary>
+    public static JsonNode? Node(FieldRange range, FieldValue value) =>
+        range is ChoiceRange choice ? FieldPlace.Node(choice.Values[value.Choice]) : JsonValue.Create(value.Number);
+
+    /// <summary>The numbers of a kick: each a number, a range, or the range that it has by default.</summary>
+    private static void TakeKick(JsonObject document, List<DrawnField> drawn)
+    {
+        var launch = (JsonObject?)document["launch"];
+        if (launch is not null && (launch.ContainsKey("velocity") || launch.ContainsKey("spin")))
+        {
+            return;
+        }
+
+        for (int i = DirectField.Kick; i < DirectField.KickNumbers; i++)
+        {
+            DirectField field = DirectField.OfLaunch[i];
+            FieldRange? range = field.Range is { } range0 ? new UniformRange(range0.Low, range0.High) : null;
+            if (launch?[field.Column] is { } given)
+            {
+                JsonElement value = JsonSerializer.SerializeToElement(given);
+                range = RangeInput.Read(field.Path, value, field.Allowed);
+                if (range is not null)
+                {
+                    launch[field.Column] = range.Ends.First().Number;
+                }
+            }
+
+            if (range is not null)
+            {
+                drawn.Add(new DrawnField(field.Path, range, i));
+            }
+        }
+    }
+
+    private static void TakeRanges(JsonObject document, List<DrawnField> drawn, IReadOnlyList<DirectField> direct)
+    {
+        if (document["ranges"] is null)
+        {
+            return;
+        }
+
+        JsonObject ranges = document["ranges"] as JsonObject
+            ?? throw new RefusedException("ranges", Quote.Short(document["ranges"]!.ToJsonString()), """an object of fields and their ranges, like {"air.wind[0]": [-5, 5]}""");
+        foreach ((string name, JsonNode? node) in ranges)
+        {
+            string path = FieldPath.Plain(name);
+            string said = $"ranges.{name}";
+            JsonElement value = JsonSerializer.SerializeToElement(node);
+            int number = direct.ToList().FindIndex(field => field.Path == path);
+            FieldRange? range = RangeInput.Read(said, value, number >= 0 ? direct[number].Allowed : null);
+            drawn.RemoveAll(field => field.Path == path);
+            MakeVector(document, path);
+            JsonNode? first = range is null ? node?.DeepClone() : Node(range, range.Ends.First());
+            FieldPlace.Put(document, FieldPath.Split(path), first, said);
+            if (range is not null)
+            {
+                drawn.Add(new DrawnField(path, range, number));
+            }
+        }
+    }
+
+    /// <summary>A vector that is zero where nothing is said has components all the same.</summary>
+    private static void MakeVector(JsonObject document, string path)
+    {
+        foreach (string[] vector in s_vectors)
+        {
+            if (path.StartsWith(string.Join('.', vector) + '.', StringComparison.Ordinal) && (document[vector[0]] ??= new JsonObject()) is JsonObject parent)
+            {
+                parent[vector[1]] ??= new JsonArray(0.0, 0.0, 0.0);
+            }
+        }
+    }
+
+    /// <summary>Tries the ends of every range in turn, all else as it is for the first.</summary>
+    private static void TryEnds(SweepPlan plan)
+    {
+        for (int i = 0; i < plan.SceneFields.Length; i++)
+        {
+            int tried = i;
+            FieldValue[] ends = [.. plan.Fields[plan.SceneFields[i]].Range.Ends];
+            foreach (FieldValue end in ends.Take(MostTried).Append(ends[^1]))
+            {
+                plan.With(other => other == tried ? end : plan.Fields[plan.SceneFields[other]].Range.Ends.First(), scene => Try(plan, scene));
+            }
+        }
+    }
+
+    /// <summary>No launch flies yet, but everything that is the same for all of them is checked.</summary>
+    private static bool Try(SweepPlan plan, SweepScene scene)
+    {
+        if (scene.Aim is { } aim)
+        {
+            aim.Request.Validate();
+            _ = new ThesisAimer(scene.Scene, scene.Solver, scene.TimeStep);
+            return true;
+        }
+
+        if (plan.FliesInLanes)
+        {
+            new BallBatch(scene.Scene, scene.BatchSettings).Fly(new BatchLaunches(1), new BatchFlights(1), 0, scene.Duration);
+        }
+
+        new Simulator(scene.Scene, scene.Solver).Launch(DirectField.Vector(scene.Numbers, DirectField.Position), Vector3d.Zero, Vector3d.Zero);
+        return true;
+    }
+}

@@ -1,0 +1,125 @@
+using System.CommandLine;
+using System.Security.Cryptography;
+using Football.Tool.Commands;
+using Football.Scenarios.Input;
+using Football.Tool.Sweep.Formats;
+using Football.Tool.Sweep.Output;
+
+namespace Football.Tool.Sweep;
+
+/// <summary>football sweep merge: puts the shards of a folder together to the bytes that one process would have written.</summary>
+internal sealed class SweepMerge
+{
+    private const int Chunk = 1 << 20;
+
+    private readonly string _folder;
+    private readonly MergeFaults _faults = new();
+    private readonly byte[] _chunk = new byte[Chunk];
+
+    private SweepMerge(string folder) => _folder = folder;
+
+    public static Command Create(Terminal terminal)
+    {
+        var folder = new Argument<string>("DIR") { Description = "The folder that --out named for all shards." };
+        var command = new ExampleCommand(
+            "merge",
+            "Checks the shards in a folder, and writes beside them the files that one process would have written; missing, doubled, unfinished and torn shards are named.",
+            "football sweep --count 100 --shard 1/2 --out rows; football sweep --count 100 --shard 2/2 --out rows; football sweep merge rows && cat rows/manifest.json")
+        {
+            folder,
+        };
+        command.SetAction(parsed => new SweepMerge(parsed.GetRequiredValue(folder)).Run(terminal));
+        return command;
+    }
+
+    private int Run(Terminal terminal)
+    {
+        if (!Directory.Exists(_folder))
+        {
+            throw new RefusedException("DIR", $"{Quote.File(_folder)}, which is no folder", "the folder of the shards of a sweep");
+        }
+
+        List<ShardFolder> shards = ShardFolder.All(_folder);
+        _faults.Check(shards);
+        if (!_faults.Any)
+        {
+            Manifest merged = Progress.Show(terminal, "bytes", progress => Merge([.. shards.OrderBy(shard => shard.Manifest.Shard.Index)], progress));
+            if (!_faults.Any)
+            {
+                merged.Write(_folder, Manifest.Done, toDisk: true);
+                terminal.Person.WriteLine(FormattableString.Invariant($"{_folder}: {merged.Rows} rows of {shards.Count} shards"));
+                return ExitCode.Done;
+            }
+        }
+
+        _faults.Print(terminal.Error);
+        return ExitCode.Refused;
+    }
+
+    private Manifest Merge(List<ShardFolder> shards, Progress progress)
+    {
+        Manifest first = shards[0].Manifest;
+        Manifest? before = Manifest.Read(_folder, Manifest.Done);
+        if (before is not null && (first.Identity.Difference(before.Identity) is not null || before.Shard.Of != 1))
+        {
+            throw new RefusedException("DIR", $"{Quote.File(_folder)}, which holds another sweep beside its shards", "a folder of shards alone");
+        }
+
+        File.Delete(Path.Combine(_folder, Manifest.Done));
+        long total = shards.Sum(shard => shard.Manifest.Files.Sum(file => file.Bytes));
+        long done = 0;
+        List<FileRecord> files = [];
+        for (int f = 0; f < first.Files.Count; f++)
+        {
+            using var to = DataFile.Create(_folder, first.Files[f].Name, Header(shards[0], f, first.Identity));
+            foreach (ShardFolder shard in shards)
+            {
+                // The schema is the same in all of them.
+                bool copies = first.Files[f].Name != Schema.Name;
+                Copy(shard, shard.Manifest.Files[f], copies ? to : null);
+                done += shard.Manifest.Files[f].Bytes;
+                progress.Report(done, total);
+            }
+
+            to.FlushToDisk();
+            files.Add(to.Record);
+        }
+
+        return new Manifest(
+            first.Identity,
+            new Shard(1, 1, first.Identity.Count),
+            first.Identity.Count,
+            first.HandedOn is null ? null : shards.Sum(shard => shard.Manifest.HandedOn),
+            files);
+    }
+
+    /// <summary>The header of the whole: that of the first shard, with the number of all rows.</summary>
+    private static byte[] Header(ShardFolder shard, int file, Identity identity)
+    {
+        FileRecord record = shard.Manifest.Files[file];
+        using FileStream from = File.OpenRead(Path.Combine(shard.Path, record.Name));
+        byte[] header = new byte[record.Header];
+        from.ReadExactly(header);
+        return record.Name.EndsWith(".npy", StringComparison.Ordinal) ? NumpyHeader.WithRows(header, identity.Count) : header;
+    }
+
+    /// <summary>Copies what comes after the header, and looks whether all of it is what was written.</summary>
+    private void Copy(ShardFolder shard, FileRecord record, DataFile? to)
+    {
+        using FileStream from = File.OpenRead(Path.Combine(shard.Path, record.Name));
+        using var hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+        long at = 0;
+        while (from.Read(_chunk) is > 0 and int read)
+        {
+            hash.AppendData(_chunk, 0, read);
+            int skipped = (int)Math.Clamp(record.Header - at, 0, read);
+            to?.Write(_chunk.AsSpan(skipped, read - skipped));
+            at += read;
+        }
+
+        if (Convert.ToHexStringLower(hash.GetHashAndReset()) != record.Sha256)
+        {
+            _faults.Torn(shard, record, "other bytes than its manifest says");
+        }
+    }
+}

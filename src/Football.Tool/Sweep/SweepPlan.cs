@@ -1,0 +1,103 @@
+using System.Text.Json;
+using System.Text.Json.Nodes;
+using Football.Scenarios.Input;
+using Football.Tool.Sweep.Ranges;
+
+namespace Football.Tool.Sweep;
+
+/// <summary>A sweep: what its rows have in common, what is drawn for each of them, and what they say.</summary>
+internal sealed class SweepPlan
+{
+    /// <summary>Scenes that are flown in lanes side by side; of more the balls are flown one by one.</summary>
+    private const int MostLaneScenes = 64;
+
+    private const double MostGridPoints = 1e15;
+
+    private readonly JsonObject _document;
+
+    public SweepPlan(string text, long seed, JsonObject document, SweepScene scene, RowRequest row, IReadOnlyList<DrawnField> fields)
+    {
+        Text = text;
+        Seed = seed;
+        _document = document;
+        Scene = scene;
+        Row = row;
+        Fields = fields;
+        SceneFields = [.. Enumerable.Range(0, fields.Count).Where(i => fields[i].Direct < 0)];
+        FieldOf = [.. Enumerable.Range(0, scene.Numbers.Length).Select(number => Array.FindIndex([.. fields], field => field.Direct == number))];
+        Streams = [.. fields.Select(field => CounterRandom.Stream(seed, field.Path))];
+        SetStrides();
+    }
+
+    /// <summary>The input, on one line.</summary>
+    public string Text { get; }
+
+    public long Seed { get; }
+
+    /// <summary>The scene of all rows, or of those with the first value of each range.</summary>
+    public SweepScene Scene { get; }
+
+    public RowRequest Row { get; }
+
+    /// <summary>What is drawn.</summary>
+    public IReadOnlyList<DrawnField> Fields { get; }
+
+    /// <summary>Which of the fields are no numbers of a launch or an aim: rows with other values have other scenes.</summary>
+    public int[] SceneFields { get; }
+
+    /// <summary>Which field draws a number of a launch or an aim; −1 for none.</summary>
+    public int[] FieldOf { get; }
+
+    /// <summary>The random numbers of each field.</summary>
+    public ulong[] Streams { get; }
+
+    /// <summary>How many scenes there are; infinitely many where a field of them is drawn from numbers without gaps.</summary>
+    public double Scenes => SceneFields.Aggregate(1.0, (product, i) => product * ((Fields[i].Range as ChoiceRange)?.Values.Count ?? double.PositiveInfinity));
+
+    /// <summary>Whether the balls are flown many at a time.</summary>
+    public bool FliesInLanes =>
+        Scene.Aim is null && Scene.StopAt == SweepStop.Impact && !Row.WatchesFlight && Scene.Orientation is null && Scenes <= MostLaneScenes
+        && BallBatch.FliesSideBySide(Scene.Scene) && Scene.Solver == SolverSettings.Default with { Integrator = Scene.Solver.Integrator };
+
+    /// <summary>Whether the kicks are found many at a time.</summary>
+    public bool AimsInLanes =>
+        Scene.Aim is { Method: AimMethod.Direct, Request: { Through: null, SpinIsFree: false } request } && SceneFields.Length == 0 && BallBatch.FliesSideBySide(Scene.Scene)
+        && request.MaximumIterations == new AimRequest().MaximumIterations;
+
+    /// <summary>Makes use of a scene that has values of its own in some fields.</summary>
+    /// <param name="value">The value of each of <see cref="SceneFields"/>.</param>
+    /// <param name="use">Makes use of it.</param>
+    /// <exception cref="RefusedException">It is refused.</exception>
+    public T With<T>(Func<int, FieldValue> value, Func<SweepScene, T> use)
+    {
+        JsonNode document = _document.DeepClone();
+        for (int i = 0; i < SceneFields.Length; i++)
+        {
+            DrawnField field = Fields[SceneFields[i]];
+            FieldPlace.Put(document, field.Parts, SweepInput.Node(field.Range, value(i)), field.Path);
+        }
+
+        var fields = new InputFields(JsonSerializer.SerializeToElement(document));
+        return SweepInput.Refusing(fields, () =>
+        {
+            SweepScene scene = SweepScene.Take(fields.Root);
+            fields.Check();
+            return use(scene);
+        });
+    }
+
+    /// <summary>The last grid changes from row to row, each before it whenever all after it have been gone through.</summary>
+    private void SetStrides()
+    {
+        double stride = 1;
+        foreach (ChoiceRange grid in Fields.Select(field => field.Range).OfType<ChoiceRange>().Where(range => range.IsGrid).Reverse())
+        {
+            grid.Stride = (long)stride;
+            stride *= grid.Values.Count;
+            if (stride > MostGridPoints)
+            {
+                throw new RefusedException("ranges", "a grid of too many points", FormattableString.Invariant($"grids whose product has at most {MostGridPoints} points"));
+            }
+        }
+    }
+}

@@ -1,0 +1,42 @@
+using System.Diagnostics;
+using System.Globalization;
+using Football.Tool.Commands;
+using Football.Tool.Sweep.Output;
+
+namespace Football.Tool.Sweep;
+
+/// <summary>Tells how far a sweep is: a bar in a terminal; a line now and then in the log of a job that nobody watches.</summary>
+internal sealed class SweepReport(Terminal terminal, Progress progress, RowSink sink, long rows)
+{
+    private static readonly TimeSpan s_untilLine = TimeSpan.FromSeconds(30);
+
+    private readonly Stopwatch _clock = Stopwatch.StartNew();
+    private readonly long _before = sink.Rows;
+    private TimeSpan _lastLine;
+
+    private double Rate => (sink.Rows - _before) / _clock.Elapsed.TotalSeconds;
+
+    /// <summary>So many rows are there.</summary>
+    public void Show(long done)
+    {
+        progress.Report(done - _before, rows - _before);
+        if (sink is FolderSink && terminal.ErrorRedirected && _clock.Elapsed - _lastLine >= s_untilLine)
+        {
+            _lastLine = _clock.Elapsed;
+            terminal.Error.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{done} of {rows} rows, {Rate:0} rows/s, {(rows - done) / Rate:0} s left"));
+        }
+    }
+
+    /// <summary>What was done, in a line.</summary>
+    /// <param name="folder">Where the rows are.</param>
+    /// <param name="countsHandedOn">Whether lanes hand rows to the single ball.</param>
+    public string Line(string folder, bool countsHandedOn)
+    {
+        string how = sink.Rows == _before
+            ? "all there before"
+            : string.Create(CultureInfo.InvariantCulture, $"{sink.Rows - _before} of them now in {_clock.Elapsed.TotalSeconds:0.0} s, {Rate:0} rows/s");
+        string handedOn = countsHandedOn ? string.Create(CultureInfo.InvariantCulture, $"; {sink.HandedOn} handed to the single ball") : "";
+        using var self = Process.GetCurrentProcess();
+        return string.Create(CultureInfo.InvariantCulture, $"{folder}: {sink.Rows} rows, {how}{handedOn}; at most {self.PeakWorkingSet64 >> 20} MiB of memory");
+    }
+}

@@ -1,0 +1,119 @@
+using Football.Tool.Aim;
+using Football.Scenarios.Input;
+using Football.Scenarios;
+
+namespace Football.Tool.Sweep;
+
+/// <summary>What rows have in common: the scene, what is not drawn of a launch or an aim, how to integrate it and when to stop.</summary>
+internal sealed record SweepScene
+{
+    /// <summary>The members of an input that are no part of a scenario.</summary>
+    private static readonly string[] s_ownMembers = ["ranges", "row"];
+
+    private static readonly string[] s_kick = [.. DirectField.OfLaunch.Take(DirectField.KickNumbers).Select(field => field.Column)];
+
+    public required Scene Scene { get; init; }
+
+    public required SolverSettings Solver { get; init; }
+
+    public required double TimeStep { get; init; }
+
+    public BatchPrecision Precision { get; init; }
+
+    public SweepStop StopAt { get; init; }
+
+    /// <summary>The plane that ends a flight, where one does.</summary>
+    public Plane3d? Plane { get; init; }
+
+    public double Duration { get; init; }
+
+    /// <summary>The numbers of <see cref="DirectField.OfLaunch"/> or <see cref="DirectField.OfAim"/>.</summary>
+    public required double[] Numbers { get; init; }
+
+    /// <summary>Whether a launch is said as velocity and spin, else as a kick.</summary>
+    public bool HasVectors { get; init; }
+
+    /// <summary>How the ball is turned at its launch; null where nothing is said.</summary>
+    public Quaterniond? Orientation { get; init; }
+
+    /// <summary>What kicks are to do; null where balls are flown.</summary>
+    public AimScenario? Aim { get; init; }
+
+    /// <summary>The settings of a batch.</summary>
+    public BatchSettings BatchSettings => new() { Integrator = Solver.Integrator, TimeStep = TimeStep, Precision = Precision, FindApex = true };
+
+    /// <summary>Reads it; the fields are still to be checked.</summary>
+    public static SweepScene Take(InputObject root)
+    {
+        foreach (string member in s_ownMembers)
+        {
+            root.Has(member);
+        }
+
+        return root.Has("aim") ? TakeAim(root) : TakeLaunch(root);
+    }
+
+    private static SweepScene TakeAim(InputObject root)
+    {
+        root.Exclude("launch", "aim");
+        AimScenario aim = AimScenario.Take(root);
+        AimRequest request = aim.Request;
+        return new SweepScene
+        {
+            Scene = aim.Scene,
+            Solver = aim.Settings,
+            TimeStep = aim.TimeStep,
+            Aim = aim,
+            Numbers =
+            [
+                request.Speed, request.TopSpin, request.SideSpin,
+                request.From.X, request.From.Y, request.From.Z, request.Target.X, request.Target.Y, request.Target.Z,
+            ],
+        };
+    }
+
+    private static SweepScene TakeLaunch(InputObject root)
+    {
+        Scene scene = SceneInput.Scene(root);
+        InputObject launch = root.Object("launch");
+        InputObject solver = root.Object("solver");
+        InputObject stop = root.Object("stop");
+        SolverSettings settings = SceneInput.Solver(root, out double timeStep);
+        SweepStop at = stop.Choice("at", SweepStop.Impact);
+        Vector3d position = launch.Vector("position", Vector3d.Zero);
+        double[] kick = [.. DirectField.OfLaunch.Take(DirectField.KickNumbers).Select(field => launch.Within(field.Column, field.Range?.Low ?? 0, field.Allowed))];
+        bool hasVectors = launch.Has("velocity") || launch.Has("spin");
+        Vector3d velocity = hasVectors ? launch.Vector("velocity") : Vector3d.Zero;
+        Vector3d spin = launch.Vector("spin", Vector3d.Zero);
+        foreach (string name in s_kick)
+        {
+            launch.Exclude(name, "velocity");
+            launch.Exclude(name, "spin");
+        }
+
+        Plane3d? plane = at == SweepStop.Plane || stop.Has("plane") ? PlaneOf(stop.Object("plane")) : null;
+        return new SweepScene
+        {
+            Scene = scene,
+            Solver = settings with { Integrator = solver.Choice("integrator", BatchSettings.Default.Integrator) },
+            TimeStep = solver.Has("timeStep") ? timeStep : BatchSettings.Default.TimeStep,
+            Precision = solver.Choice("precision", BatchSettings.Default.Precision),
+            StopAt = at,
+            Plane = at == SweepStop.Plane ? plane : null,
+            Duration = stop.Positive("time", Scenario.DefaultDuration),
+            Numbers = [.. kick, position.X, position.Y, position.Z, velocity.X, velocity.Y, velocity.Z, spin.X, spin.Y, spin.Z],
+            HasVectors = hasVectors,
+            Orientation = launch.Has("orientation") ? Scenario.OrientationOf(launch) : null,
+        };
+    }
+
+    private static Plane3d? PlaneOf(InputObject plane)
+    {
+        Vector3d point = plane.Vector("point");
+        Vector3d normal = plane.Vector("normal");
+        return plane.Make(() => new PlaneBox(new Plane3d(point, normal)))?.Plane;
+    }
+
+    /// <summary>A plane as an object.</summary>
+    private sealed record PlaneBox(Plane3d Plane);
+}

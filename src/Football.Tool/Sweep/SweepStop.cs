@@ -1,0 +1,17 @@
+namespace Football.Tool.Sweep;
+
+/// <summary>What ends a flight before its time is up.</summary>
+internal enum SweepStop
+{
+    /// <summary>The first impact.</summary>
+    Impact,
+
+    /// <summary>A plane.</summary>
+    Plane,
+
+    /// <summary>The ball coming to rest.</summary>
+    Rest,
+
+    /// <summary>Nothing.</summary>
+    Time,
+}

@@ -1,0 +1,41 @@
+using System.Text.RegularExpressions;
+
+namespace Football.Physics.Labs.Tests;
+
+/// <summary>Every input on the pages about the command line and about data sets is accepted by the command that it names.</summary>
+public sealed partial class CommandLinePageTests
+{
+    public static TheoryData<string, string> Inputs()
+    {
+        var data = new TheoryData<string, string>();
+        foreach (Match block in Block().Matches(RepositoryFiles.Text("docs/command-line.md") + RepositoryFiles.Text("docs/data-sets.md")))
+        {
+            data.Add(block.Groups[1].Value, block.Groups[2].Value);
+        }
+
+        return data;
+    }
+
+    [Theory]
+    [MemberData(nameof(Inputs))]
+    public void Every_input_on_the_page_is_answered(string command, string input)
+    {
+        var done = FootballCommand.Run(input, command, "-");
+        Assert.Equal(0, done.ExitCode);
+        var first = done.Lines[0];
+        string? said = command switch
+        {
+            "aim" => first.GetProperty("status").GetString(),
+            "intercept" => first.GetProperty("first").GetString(),
+            "sweep" => first.GetProperty("end").GetString(),
+            _ => first.GetProperty("final").GetProperty("state").GetString(),
+        };
+        Assert.Equal(command switch { "aim" => "hit", "intercept" => "nine", "sweep" => "impact", _ => "airborne" }, said);
+    }
+
+    [Fact]
+    public void There_are_inputs_for_every_command() => Assert.Equal(12, Inputs().Count);
+
+    [GeneratedRegex("^```json (simulate|aim|intercept|sweep)\n(.*?)^```$", RegexOptions.Multiline | RegexOptions.Singleline)]
+    private static partial Regex Block();
+}

@@ -1,0 +1,70 @@
+using System.CommandLine;
+using Football.Tool.Commands;
+
+namespace Football.Physics.Labs.Tests;
+
+/// <summary>Every command tells how it is used, and what it tells works.</summary>
+public sealed class HelpTests
+{
+    public static TheoryData<string> Paths() => [.. PathsBelow(CommandLineEntry.Root(new Terminal(Stream.Null, Stream.Null, Stream.Null, true, true), Laboratories.Create), "")];
+
+    public static TheoryData<string> Examples() => [.. Paths().SelectMany(row => ExamplesOf(row.Data)).Distinct()];
+
+    [Theory]
+    [MemberData(nameof(Paths))]
+    public void Its_help_has_examples(string path) => Assert.NotEmpty(ExamplesOf(path));
+
+    [Theory]
+    [MemberData(nameof(Examples))]
+    public async Task Every_example_works(string example)
+    {
+        Shell done = await Shell.RunAsync("set -o pipefail; " + example);
+        Assert.True(done.ExitCode == 0, $"{example}: {done.ExitCode}\n{done.Error}");
+        Assert.NotEqual("", done.Output);
+    }
+
+    [Theory]
+    [InlineData("help")]
+    [InlineData("lab")]
+    [InlineData("help", "lab")]
+    public void Bare_words_list_what_there_is(params string[] args)
+    {
+        FootballCommand done = FootballCommand.Run("", args);
+        Assert.Equal((0, ""), (done.ExitCode, done.Error));
+        foreach (string name in args.Contains("lab") ? ["vacuum", "consistency", "cost", "precision", "stability", "aim", "fuzz"] : (string[])["kick", "simulate", "aim", "sweep", "replay", "gallery", "lab", "help"])
+        {
+            Assert.Contains($"\n  {name}", done.Output);
+        }
+    }
+
+    [Fact]
+    public void Help_about_a_command_is_its_own() =>
+        Assert.Equal(FootballCommand.Run("", "lab", "vacuum", "--help").Output, FootballCommand.Run("", "help", "lab", "vacuum").Output);
+
+    [Theory]
+    [InlineData("football: simulat is unknown to football; did you mean simulate?", "simulat")]
+    [InlineData("football: labs is unknown to football; did you mean lab?", "labs")]
+    [InlineData("football: vacum is unknown to football lab; did you mean vacuum?", "lab", "vacum")]
+    [InlineData("football: vacum is unknown to football lab; did you mean vacuum?", "help", "lab", "vacum")]
+    [InlineData("football: --bach is unknown to football simulate; did you mean --batch?", "simulate", "-", "--bach")]
+    [InlineData("football: --sped is unknown to football kick; did you mean --speed?", "kick", "--sped", "27")]
+    [InlineData("football: nonsense is unknown to football.", "nonsense")]
+    public void What_is_misspelt_is_guessed(string message, params string[] args)
+    {
+        FootballCommand done = FootballCommand.Run("", args);
+        Assert.Equal((2, ""), (done.ExitCode, done.Output));
+        Assert.StartsWith(message + "\n", done.Error);
+        Assert.EndsWith("--help tells how to use it.\n", done.Error);
+    }
+
+    private static IEnumerable<string> PathsBelow(Command command, string path) =>
+        command.Subcommands.SelectMany(sub => PathsBelow(sub, $"{path} {sub.Name}".Trim())).Prepend(path);
+
+    private static IEnumerable<string> ExamplesOf(string path)
+    {
+        string help = FootballCommand.Run("", [.. path.Split(' ', StringSplitOptions.RemoveEmptyEntries), "--help"]).Output;
+        int examples = help.IndexOf("Examples:\n", StringComparison.Ordinal);
+        Assert.True(examples > 0, help);
+        return help[examples..].Split('\n', StringSplitOptions.RemoveEmptyEntries).Skip(1).Select(line => line.Trim());
+    }
+}

@@ -1,0 +1,10 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics.Labs.Tests;
+
+/// <summary>Gives the command that tests run the laboratories, so that none is started as a process of its own.</summary>
+internal static class LaboratoriesAtHand
+{
+    [ModuleInitializer]
+    internal static void Give() => FootballCommand.Laboratories = Laboratories.Create;
+}

@@ -1,0 +1,155 @@
+using System.Numerics;
+using System.Text.Json;
+using Football.Tool.Replay;
+using Football.Scenarios;
+using Football.Physics.Tests.Support;
+
+namespace Football.Tool.Tests.Replay;
+
+/// <summary>football replay: the page holds the shots as they were played, and nothing from elsewhere.</summary>
+public sealed class ReplayTests
+{
+    private const string Shot = """
+        {"name": "</script><b>post", "scenario": {"launch": {"position": [0, 0.11, 0], "velocity": [3.85, 6, -24], "spin": [30, 40, 0]},
+         "goals": [{"center": [0, 0, -22], "facing": [0, 0, 1]}], "stop": {"at": "time", "time": 3},
+         "obstacles": [{"name": "keeper", "shape": "box", "center": [1, 1, -21], "halfSize": [0.3, 1, 0.2], "velocity": [1, 0, 0]},
+                       {"shape": "sphere", "center": [-3, 0.5, -12], "radius": 0.5}]}}
+        """;
+
+    [Fact]
+    public void The_page_is_one_file_with_every_shot_in_it()
+    {
+        string page = Page(Shot, out FootballCommand done);
+        Assert.Equal("</script><b>post", done.Result.GetProperty("name").GetString());
+        Assert.DoesNotContain("http", page);
+        Assert.DoesNotContain("src=", page);
+        Assert.DoesNotContain("{{", page);
+        Assert.DoesNotContain("</script><b>", page);
+        JsonElement picture = Data(page).GetProperty("pictures")[0];
+        JsonElement shot = Assert.Single(picture.GetProperty("shots").EnumerateArray());
+        Assert.Equal(done.Result.GetProperty("events").GetArrayLength(), shot.GetProperty("events").GetArrayLength());
+        string[] names = [.. picture.GetProperty("shapes").EnumerateArray().Select(shape => shape.GetProperty("name").GetString()!)];
+        Assert.Empty(((string[])["left post", "right post", "crossbar", "back net", "keeper", "penalty area"]).Except(names));
+        Assert.Equal([1, 0, 0], Numbers(picture.GetProperty("shapes").EnumerateArray().Single(shape => shape.GetProperty("name").GetString() == "keeper").GetProperty("velocity")));
+    }
+
+    [Fact]
+    public void Between_its_keys_a_track_is_the_path_and_the_turning_of_the_ball()
+    {
+        foreach (string stop in (string[])["time", "rest"])
+        {
+            var scenario = new Scenario
+            {
+                Position = new Vector3d(0, 0.11, 0),
+                Velocity = new Vector3d(2, 9, -20),
+                Spin = new Vector3d(-20, 70, 5),
+                StopAt = stop == "rest" ? StopAt.Rest : StopAt.Time,
+                Duration = stop == "rest" ? 60 : 2,
+                Samples = true,
+            };
+            Outcome outcome = ScenarioRun.Play(scenario);
+            var track = new Track(scenario, outcome);
+            Assert.InRange(track.Keys.Count, 10, 0.7 * outcome.Samples!.Count);
+            int next = 0;
+            foreach (Moment sample in outcome.Samples.Where(sample => sample.Time < track.Keys[^1].Time))
+            {
+                while (track.Keys[next + 1].Time <= sample.Time)
+                {
+                    next++;
+                }
+
+                (TrackKey a, TrackKey b) = (track.Keys[next], track.Keys[next + 1]);
+                Assert.InRange((Track.Between(in a, in b, sample.Time) - sample.Position).Length, 0, 2e-3);
+                Quaterniond turned = Quaternion.Slerp(a.Orientation.ToQuaternion(), b.Orientation.ToQuaternion(), (float)((sample.Time - a.Time) / (b.Time - a.Time)));
+                Quaterniond q = sample.Orientation;
+                Assert.InRange(Math.Abs((turned.X * q.X) + (turned.Y * q.Y) + (turned.Z * q.Z) + (turned.W * q.W)), 0.9985, 1.001);
+            }
+        }
+    }
+
+    [Fact]
+    public void An_impact_is_a_key_with_two_velocities()
+    {
+        var scenario = new Scenario { Position = new Vector3d(0, 2, 0), Velocity = new Vector3d(0, 0, -5), Duration = 1, StopAt = StopAt.Time, Samples = true };
+        Outcome outcome = ScenarioRun.Play(scenario);
+        BallEvent impact = outcome.Events.First(item => item.Kind == BallEventKind.Impact);
+        TrackKey key = new Track(scenario, outcome).Keys.Single(item => item.Time == impact.Time);
+        Assert.Equal((impact.VelocityBefore, impact.Velocity, impact.Position), (key.VelocityBefore, key.Velocity, key.Position));
+    }
+
+    [Fact]
+    public void Several_files_share_a_picture_and_what_is_the_same_in_both_stands_once()
+    {
+        string folder = Directory.CreateTempSubdirectory("football-replay-").FullName;
+        string[] files = [Path.Combine(folder, "one.json"), Path.Combine(folder, "two.json")];
+        foreach (string file in files)
+        {
+            File.WriteAllText(file, JsonDocument.Parse(Shot).RootElement.GetProperty("scenario").GetRawText());
+        }
+
+        string page = Path.Combine(folder, "page.html");
+        FootballCommand done = FootballCommand.Run("", ["replay", .. files, "-o", page, "--set", "stop.time=1"]);
+        Assert.Equal(0, done.ExitCode);
+        JsonElement picture = Data(File.ReadAllText(page)).GetProperty("pictures")[0];
+        Assert.Equal(["one", "two"], picture.GetProperty("shots").EnumerateArray().Select(shot => shot.GetProperty("name").GetString()));
+        Assert.Single(picture.GetProperty("shapes").EnumerateArray(), shape => shape.GetProperty("name").GetString() == "crossbar");
+        Assert.Single(picture.GetProperty("shapes").EnumerateArray(), shape => shape.GetProperty("name").GetString() == "keeper");
+        Directory.Delete(folder, recursive: true);
+    }
+
+    [Fact]
+    public void Slopes_and_hills_are_drawn_where_they_are()
+    {
+        var tilted = Ground.PublishedTurf with { Normal = new Vector3d(0.1, 1, 0), Height = 0.5 };
+        GroundGrid grid = GroundGrid.Of(tilted, [Vector3d.Zero, new Vector3d(5, 0, 5)])!;
+        for (int i = 0; i < grid.Columns * grid.Rows; i++)
+        {
+            Vector3d at = grid.At(i % grid.Columns, i / grid.Columns);
+            Assert.Equal(0.5 - (0.1 * at.X), at.Y, 1e-12);
+        }
+
+        Assert.Null(GroundGrid.Of(Ground.None, [Vector3d.Zero]));
+    }
+
+    [Fact]
+    public void The_picture_of_the_README_is_what_the_command_draws()
+    {
+        string folder = Directory.CreateTempSubdirectory("football-picture-").FullName;
+        string drawn = Path.Combine(folder, "picture.svg");
+        FootballCommand done = FootballCommand.Run(RepositoryFiles.Text("docs/free-kick.json"), "replay", "-", "-o", Path.Combine(folder, "page.html"), "--svg", drawn);
+        Assert.Equal(0, done.ExitCode);
+        string text = File.ReadAllText(drawn);
+        Assert.True(text == RepositoryFiles.Text("docs/free-kick.svg"), "Look at the picture, then run tests/regenerate.sh.");
+        Assert.Contains("<title>A free kick over the wall</title>", text);
+        Assert.Equal(3, text.Split("<animate ").Length - 1);
+        Directory.Delete(folder, recursive: true);
+    }
+
+    [Fact]
+    public void What_is_wrong_is_refused_before_anything_is_played()
+    {
+        FootballCommand done = FootballCommand.Run(Shot, "replay", "-", "-o", "");
+        Assert.Equal((1, ""), (done.ExitCode, done.Output));
+        Assert.Contains("--output is \"\"", done.Error);
+        Assert.Contains("launch.position is missing", FootballCommand.Run("{}", "replay", "-", "-o", Path.Combine(AppContext.BaseDirectory, "none.html")).Error);
+    }
+
+    private static string Page(string scenario, out FootballCommand done)
+    {
+        string file = Path.Combine(AppContext.BaseDirectory, $"replay-{Guid.NewGuid():N}.html");
+        done = FootballCommand.Run(scenario, "replay", "-", "-o", file);
+        Assert.Equal(0, done.ExitCode);
+        string page = File.ReadAllText(file);
+        File.Delete(file);
+        return page;
+    }
+
+    private static JsonElement Data(string page)
+    {
+        const string begin = "id=\"data\">";
+        int from = page.IndexOf(begin, StringComparison.Ordinal) + begin.Length;
+        return JsonDocument.Parse(page[from..page.IndexOf("</script>", from, StringComparison.Ordinal)]).RootElement;
+    }
+
+    private static double[] Numbers(JsonElement array) => [.. array.EnumerateArray().Select(item => item.GetDouble())];
+}

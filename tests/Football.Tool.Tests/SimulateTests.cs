@@ -1,0 +1,249 @@
+using System.Text.Json;
+
+namespace Football.Tool.Tests;
+
+/// <summary>One scenario in, one result out.</summary>
+public sealed class SimulateTests
+{
+    private const string L = FootballCommand.Launch;
+
+    private const string AllMeasured = """
+        {"profile": "measured",
+         "ball": {"type": "generic", "mass": 0.43, "radius": 0.11, "inertiaFactor": 0.6666666666666666, "knuckleForce": 1.5},
+         "air": {"density": 1.2, "kinematicViscosity": 1.5e-5, "wind": [0, 0, 0]},
+         "gravity": 9.81,
+         "forces": {"buoyancy": true, "drag": "empirical", "magnus": "empirical", "spinDecay": "empirical", "coefficients": "measured",
+                    "dragCoefficient": 0.25, "magnusCoefficient": 0.25, "spinDecayCoefficient": 0.0, "knuckleSeed": null},
+         "ground": {"surface": "dryTurf", "normalRestitution": 0.622, "restitutionSpeed": 30, "tangentialRestitution": [0.2, 0.2], "spinRestitution": 1,
+                    "impactFriction": 1.2, "slidingFriction": 0.5, "rollingFriction": 0.07, "rollingFrictionBySpeed": 0.006, "spinDamping": 0,
+                    "drillingLength": 0.02, "minimumBounceSpeed": 0.2, "restEnergy": 1e-4, "height": 0, "aerodynamics": "full"},
+         "launch": {"position": [0, 0.11, 0], "velocity": [22, 9, 0], "spin": [0, 0, 0], "orientation": [0, 0, 0, 1]},
+         "solver": {"integrator": "rk4", "timeStep": 0.01, "collisionTiming": "exact", "collisionTolerance": 1e-6, "rollingTransition": "exact"},
+         "stop": {"at": "impact", "time": 20},
+         "samples": false}
+        """;
+
+    private const string AllPublished = """
+        {"profile": "published",
+         "ball": {"mass": 0.43, "radius": 0.11, "inertiaFactor": 0.6666666666666666},
+         "air": {"density": 1.2, "kinematicViscosity": 1.5e-5, "wind": [0, 0, 0]},
+         "gravity": 9.81,
+         "forces": {"buoyancy": true, "drag": "empirical", "magnus": "empirical", "spinDecay": "empirical", "coefficients": "published",
+                    "dragCoefficient": 0.25, "magnusCoefficient": 0.25, "spinDecayCoefficient": 0.0},
+         "ground": {"normalRestitution": 0.6, "tangentialRestitution": [0.5, 0.5], "spinRestitution": 0.8, "slidingFriction": 0.5,
+                    "rollingFriction": 0.05, "spinDamping": 0.002, "minimumBounceSpeed": 0.2, "restEnergy": 1e-4, "height": 0,
+                    "aerodynamics": "horizontal"},
+         "launch": {"position": [0, 0.11, 0], "velocity": [22, 9, 0], "spin": [0, 0, 0], "orientation": [0, 0, 0, 1]},
+         "solver": {"integrator": "rk4", "timeStep": 0.01, "collisionTiming": "exact", "collisionTolerance": 1e-6, "rollingTransition": "exact"},
+         "stop": {"at": "impact", "time": 20},
+         "samples": false}
+        """;
+
+    [Theory]
+    [InlineData("measured", "")]
+    [InlineData("measured", ",\"ball\":{},\"air\":{},\"forces\":{},\"ground\":{},\"solver\":{},\"stop\":{}")]
+    [InlineData("published", "")]
+    [InlineData("published", ",\"ball\":{},\"air\":{},\"forces\":{},\"ground\":{},\"solver\":{},\"stop\":{}")]
+    public void Every_member_but_the_launch_has_the_default_of_its_profile(string profile, string more)
+    {
+        string named = profile == "measured" ? "" : $",\"profile\":\"{profile}\"";
+        string plain = $"{{\"launch\":{{\"position\":[0,0.11,0],\"velocity\":[22,9,0]}}{more}{named}}}";
+        foreach (string to in (string[])["impact", "rest"])
+        {
+            JsonElement whole = FootballCommand.Play(profile == "measured" ? AllMeasured : AllPublished, "--set", $"stop.at={to}");
+            JsonElement bare = FootballCommand.Play(plain, "--set", $"stop.at={to}");
+            Assert.Equal(whole.GetRawText(), bare.GetRawText());
+        }
+    }
+
+    [Theory]
+    [InlineData("solver.integrator=euler")]
+    [InlineData("solver.integrator=semiImplicitEuler")]
+    [InlineData("solver.integrator=rk2")]
+    [InlineData("solver.timeStep=0.02")]
+    [InlineData("solver.collisionTiming=bisection")]
+    [InlineData("ball.mass=0.4")]
+    [InlineData("ball.radius=0.1")]
+    [InlineData("ball.inertiaFactor=0.4")]
+    [InlineData("air.density=1")]
+    [InlineData("air.kinematicViscosity=2e-5")]
+    [InlineData("air.wind=[1,0,1]")]
+    [InlineData("gravity=9.8")]
+    [InlineData("forces.buoyancy=false")]
+    [InlineData("forces.drag=none")]
+    [InlineData("forces.drag=constant")]
+    [InlineData("forces.magnus=none")]
+    [InlineData("forces.magnus=constant")]
+    [InlineData("forces.spinDecay=none")]
+    [InlineData("forces.coefficients=regularised")]
+    [InlineData("ground.normalRestitution=0.5")]
+    [InlineData("ground.tangentialRestitution=[0.4,0.5]")]
+    [InlineData("ground.tangentialRestitution=[0.5,0.4]")]
+    [InlineData("ground.spinRestitution=0.7")]
+    [InlineData("ground.slidingFriction=0.4")]
+    [InlineData("ground.rollingFriction=0.04")]
+    [InlineData("ground.spinDamping=0.001")]
+    [InlineData("ground.minimumBounceSpeed=0.5")]
+    [InlineData("ground.restEnergy=1e-3")]
+    [InlineData("ground.height=0.01")]
+    [InlineData("ground.aerodynamics=none")]
+    [InlineData("launch.position=[0,1,1]")]
+    [InlineData("launch.velocity=[22,9,2]")]
+    [InlineData("launch.spin=[1,20,3]")]
+    [InlineData("launch.orientation=[1,0,0,1]")]
+    [InlineData("stop.at=impact")]
+    [InlineData("stop.at=time")]
+    [InlineData("stop.time=3")]
+    [InlineData("samples=true")]
+    public void Every_member_counts(string set)
+    {
+        string scenario = "{\"launch\":{\"position\":[0,0.11,0],\"velocity\":[12,5,1],\"spin\":[3,30,-40]},\"stop\":{\"at\":\"rest\"}}";
+        Assert.NotEqual(FootballCommand.Play(scenario).GetRawText(), FootballCommand.Play(scenario, "--set", set).GetRawText());
+    }
+
+    [Theory]
+    [InlineData("forces.drag=constant", "forces.dragCoefficient=0.3")]
+    [InlineData("forces.magnus=constant", "forces.magnusCoefficient=-0.2")]
+    [InlineData("forces.spinDecay=constant", "forces.spinDecayCoefficient=1e-4")]
+    [InlineData("solver.collisionTiming=bisection", "solver.collisionTolerance=1e-3")]
+    public void A_member_of_a_choice_counts(string choice, string set)
+    {
+        string scenario = "{\"launch\":{\"position\":[0,0.11,0],\"velocity\":[12,5,1],\"spin\":[3,30,-40]}}";
+        string before = FootballCommand.Play(scenario, "--set", choice).GetRawText();
+        Assert.NotEqual(before, FootballCommand.Play(scenario, "--set", choice, "--set", set).GetRawText());
+    }
+
+    [Fact]
+    public void The_rolling_transition_counts()
+    {
+        string scenario = "{\"launch\":{\"position\":[0,0.11,0],\"velocity\":[12,0,1],\"spin\":[3,30,-10]},\"stop\":{\"at\":\"rest\"}}";
+        Assert.NotEqual(
+            FootballCommand.Play(scenario).GetRawText(),
+            FootballCommand.Play(scenario, "--set", "solver.rollingTransition=heuristic").GetRawText());
+    }
+
+    [Fact]
+    public void The_name_is_that_of_the_wrapper()
+    {
+        Assert.Equal(JsonValueKind.Null, FootballCommand.Play($"{{{L}}}").GetProperty("name").ValueKind);
+        Assert.Equal("one", FootballCommand.Play($"{{\"name\":\"one\",\"scenario\":{{{L}}},\"expected\":{{\"x\":[1]}},\"x\":1}}").GetProperty("name").GetString());
+        Assert.Equal("é\n\"", FootballCommand.Play($"{{\"scenario\":{{{L}}},\"name\":\"é\\n\\\"\"}}").GetProperty("name").GetString());
+        Assert.Equal(JsonValueKind.Null, FootballCommand.Play($"{{\"scenario\":{{{L}}}}}").GetProperty("name").ValueKind);
+        Assert.Equal(JsonValueKind.Null, FootballCommand.Play($"{{\"name\":null,\"scenario\":{{{L}}}}}").GetProperty("name").ValueKind);
+    }
+
+    [Fact]
+    public void A_run_that_stops_at_an_impact_ends_just_after_its_impulse()
+    {
+        JsonElement result = FootballCommand.Play($"{{{L}}}");
+        JsonElement final = result.GetProperty("final");
+        JsonElement impact = Assert.Single(result.GetProperty("events").EnumerateArray());
+        Assert.Equal("impact", impact.GetProperty("kind").GetString());
+        Assert.Equal("airborne", final.GetProperty("state").GetString());
+        foreach (string member in (string[])["time", "position", "velocity", "spin"])
+        {
+            Assert.Equal(impact.GetProperty(member).GetRawText(), final.GetProperty(member).GetRawText());
+        }
+
+        double approach = -impact.GetProperty("velocityBefore")[1].GetDouble();
+        double restitution = 0.622 * Math.Sqrt((1 + (36.0 / 900)) / (1 + (approach * approach / 900)));
+        Assert.Equal(restitution * approach, final.GetProperty("velocity")[1].GetDouble(), 1e-12);
+        Assert.Equal(1, result.GetProperty("bounces").GetInt32());
+        Assert.Equal(1.0, result.GetProperty("apex").GetDouble());
+    }
+
+    [Fact]
+    public void A_run_that_stops_at_an_impact_after_which_the_ball_stays_down_keeps_the_impulses_own_upward_speed()
+    {
+        JsonElement final = FootballCommand.Play($"{{{L}}}", "--set", "ground.minimumBounceSpeed=10").GetProperty("final");
+        Assert.Equal("sliding", final.GetProperty("state").GetString());
+        Assert.InRange(final.GetProperty("velocity")[1].GetDouble(), 2, 3);
+    }
+
+    [Fact]
+    public void At_rest_velocity_and_spin_are_the_last_before_it()
+    {
+        foreach (string set in (string[])["stop={\"at\":\"rest\"}", "stop={\"at\":\"time\",\"time\":30}"])
+        {
+            JsonElement result = FootballCommand.Play($"{{{L}}}", "--set", set);
+            JsonElement final = result.GetProperty("final");
+            JsonElement rest = result.GetProperty("events").EnumerateArray().Last();
+            Assert.Equal("rest", rest.GetProperty("kind").GetString());
+            Assert.Equal("stopped", final.GetProperty("state").GetString());
+            Assert.Equal(rest.GetProperty("velocity").GetRawText(), final.GetProperty("velocity").GetRawText());
+            Assert.Equal(rest.GetProperty("spin").GetRawText(), final.GetProperty("spin").GetRawText());
+            Assert.True(rest.GetProperty("velocity")[0].GetDouble() > 0);
+        }
+    }
+
+    [Fact]
+    public void Values_before_belong_to_impacts_only()
+    {
+        JsonElement result = FootballCommand.Play($"{{{L}}}", "--set", "stop.at=rest");
+        var kinds = new HashSet<string>();
+        foreach (JsonElement item in result.GetProperty("events").EnumerateArray())
+        {
+            string kind = item.GetProperty("kind").GetString()!;
+            kinds.Add(kind);
+            Assert.Equal(kind == "impact", item.TryGetProperty("velocityBefore", out _));
+            Assert.Equal(kind == "impact", item.TryGetProperty("spinBefore", out _));
+        }
+
+        Assert.Contains("roll", kinds);
+        Assert.Equal(result.GetProperty("bounces").GetInt32(), result.GetProperty("events").EnumerateArray().Count(item => item.GetProperty("kind").GetString() == "impact"));
+    }
+
+    [Fact]
+    public void The_time_bounds_every_run_and_shortens_the_last_step()
+    {
+        foreach (string at in (string[])["impact", "rest", "time"])
+        {
+            JsonElement result = FootballCommand.Play($"{{{L}}}", "--set", $"stop.at={at}", "--set", "stop.time=0.255");
+            Assert.Equal(0.1, FootballCommand.Play($"{{{L}}}", "--set", $"stop.at={at}", "--set", "stop.time=0.1").GetProperty("final").GetProperty("time").GetDouble());
+            Assert.Equal(0.255, result.GetProperty("final").GetProperty("time").GetDouble());
+            Assert.Equal(26, result.GetProperty("steps").GetInt32());
+            Assert.Empty(result.GetProperty("events").EnumerateArray());
+        }
+    }
+
+    [Fact]
+    public void Samples_are_one_a_step_from_the_launch_to_the_final_state()
+    {
+        JsonElement result = FootballCommand.Play($"{{{L}}}", "--set", "samples=true", "--set", "solver.timeStep=0.1", "--set", "launch.spin=[1,2,3]");
+        List<JsonElement> samples = [.. result.GetProperty("samples").EnumerateArray()];
+        Assert.Equal([0, 0.1, 0.2, 0.3, 0.4], samples.Take(5).Select(sample => Math.Round(sample.GetProperty("time").GetDouble(), 9)));
+        Assert.Equal(6, samples.Count);
+        Assert.Equal("[0,1,0]", samples[0].GetProperty("position").GetRawText());
+        Assert.Equal("[1,0,0]", samples[0].GetProperty("velocity").GetRawText());
+        Assert.Equal("[0,0,0,1]", samples[0].GetProperty("orientation").GetRawText());
+        Assert.Equal(result.GetProperty("final").GetRawText(), samples[^1].GetRawText());
+        Assert.False(FootballCommand.Play($"{{{L}}}").TryGetProperty("samples", out _));
+    }
+
+    [Fact]
+    public void A_result_put_in_again_goes_on_where_it_was()
+    {
+        // Numbers survive the way through text to the last bit: stopping half way and going on gives what one run gives.
+        const string Vacuum = "\"forces\":{\"buoyancy\":false,\"drag\":\"none\",\"magnus\":\"none\",\"spinDecay\":\"none\"},\"stop\":{\"at\":\"time\",\"time\":0.25},\"solver\":{\"timeStep\":0.25}";
+        JsonElement first = FootballCommand.Play($"{{\"launch\":{{\"position\":[0.1,3.3,-0.7],\"velocity\":[1.1,0.3,1e-7],\"spin\":[0.1,0.2,0.3]}},{Vacuum}}}").GetProperty("final");
+        string again = $"{{\"launch\":{{\"position\":{first.GetProperty("position")},\"velocity\":{first.GetProperty("velocity")},\"spin\":{first.GetProperty("spin")}}},{Vacuum}}}";
+        JsonElement launch = FootballCommand.Play(again, "--set", "samples=true").GetProperty("samples")[0];
+        Assert.Equal(first.GetProperty("position").GetRawText(), launch.GetProperty("position").GetRawText());
+        Assert.Equal(first.GetProperty("velocity").GetRawText(), launch.GetProperty("velocity").GetRawText());
+    }
+
+    [Fact]
+    public void An_orientation_of_any_size_is_normalised()
+    {
+        foreach (string orientation in (string[])["[0,3,0,4]", "[0,3e200,0,4e200]", "[0,3e-200,0,4e-200]"])
+        {
+            JsonElement launch = FootballCommand.Play($"{{{L}}}", "--set", $"launch.orientation={orientation}", "--set", "samples=true").GetProperty("samples")[0];
+            Assert.Equal(0.6, launch.GetProperty("orientation")[1].GetDouble(), 1e-15);
+            Assert.Equal(0.8, launch.GetProperty("orientation")[3].GetDouble(), 1e-15);
+        }
+    }
+
+    [Fact]
+    public void A_byte_order_mark_and_line_ends_do_not_matter() =>
+        Assert.Equal(FootballCommand.Play($"{{{L}}}").GetRawText(), FootballCommand.Play($"\uFEFF\r\n{{\r\n{L}\r\n}}\r\n").GetRawText());
+}
