@@ -38,10 +38,11 @@ internal static class CoulombImpact
         }
 
         // J_n/m = (1 + e) (−u·n)
-        double normal = (1.0 + material.RestitutionAt(approach)) * approach;
+        Vector3d along = u + (approach * n);
+        double normal = (1.0 + material.RestitutionAt(approach, in along)) * approach;
 
         // s = u_t + r n × ω;   grip J/m = α/(1 + α) (1 + e_t) s, at most μ J_n/m
-        Vector3d slip = u + (approach * n) + (r * Vector3d.Cross(in n, in w));
+        Vector3d slip = along + (r * Vector3d.Cross(in n, in w));
         double share = alpha / (1.0 + alpha);
         double gripX = share * (1.0 + material.TangentialX);
         var grip = new Vector3d(gripX * slip.X, gripX * slip.Y, share * (1.0 + material.TangentialZ) * slip.Z);

@@ -16,7 +16,12 @@ public sealed class MatchFit
     private const double OtherSpin = 90;
 
     /// <summary>Shorter flights tell of the others nothing, s.</summary>
-    internal const double Told = 0.3;
+    private const double ShortestTold = 0.3;
+
+    /// <summary>What is seen higher over the ground should be in a flight, m.</summary>
+    private const double High = 0.5;
+
+    private static readonly MatchFitRequest Nothing = new() { Wind = false, Drag = false };
 
     private readonly Scene _scene;
 
@@ -29,31 +34,147 @@ public sealed class MatchFit
         _scene.Validate();
     }
 
-    internal List<FlightPath> Flights(TrackPoint[] track, MatchFitRequest request, CancellationToken cancellation, out SharedFit fit, out TrackRuns runs, out FlightFinder finder)
+    /// <summary>Finds what a track tells.</summary>
+    /// <param name="track">Where the ball was seen, in order of time; at least eight points. A point's noise is the least that it is taken for; the track itself tells more.</param>
+    /// <param name="request">What to find beside the flights; default wind, drag, surface and height.</param>
+    /// <param name="progress">Told how much is done, 0 … 1.</param>
+    /// <param name="cancellation">Ends the search.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="track"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="OperationCanceledException">The search was ended.</exception>
+    public MatchFitResult Find(TrackPoint[] track, MatchFitRequest? request = null, IProgress<double>? progress = null, CancellationToken cancellation = default)
     {
-        runs = new TrackRuns(track);
-        double deviation = Math.Sqrt((runs.Noise * runs.Noise) + (LawError * LawError));
-        var system = new FlightEquations(runs.Points, deviation, request.SpinDeviation);
-        finder = new FlightFinder(runs, _scene, system);
+        // 1. The track without spikes, in runs. 2. Its flights. 3. One wind and one ball for all of them. 4. Neighbours that are one flight by that ball, and all again.
+        // 5. The height of the ground, and what happened between the flights. 6. The surface, from the impacts.
+        request ??= new MatchFitRequest();
+        Validate(track, request);
+        var runs = new TrackRuns(track);
+        var equations = new FlightEquations(runs.Points, Math.Sqrt((runs.Noise * runs.Noise) + (LawError * LawError)), request.SpinDeviation);
+        var finder = new FlightFinder(runs, _scene, equations);
         List<FlightPath> flights = finder.Find(cancellation);
-        TrackPoint[] points = runs.Points;
-        List<FlightPath> Long(List<FlightPath> all) => all.FindAll(f => points[f.End - 1].Time - points[f.First].Time >= Told);
-        List<FlightPath> told = Long(flights);
-        double[] shares = SharedFit.Shares(told);
-        fit = Best(system, new MatchModel(_scene, request), told, shares, cancellation);
+        progress?.Report(0.4);
+
+        List<FlightPath> told = Told(runs, flights);
+        var model = new MatchModel(_scene, request);
+        SharedFit fit = Best(equations, model, told, SharedFit.Shares(told), cancellation);
+        progress?.Report(0.7);
         finder.JoinBy(fit, flights, cancellation);
-        told = Long(flights);
-        TryOtherSpins(fit, system, told, cancellation);
-        shares = SharedFit.Shares(told);
+        told = Told(runs, flights);
+        TryOtherSpins(fit, equations, told, cancellation);
+        double[] shares = SharedFit.Shares(told);
         fit.Descend(told, shares, cancellation);
         fit.MeasureUncertainty(told, shares);
-        return flights;
+        FitShort(fit, equations, flights.FindAll(f => !told.Contains(f)), cancellation);
+        progress?.Report(0.95);
+        MatchFitResult result = Result(request, runs, equations, finder, flights, told, model, fit);
+        progress?.Report(1);
+        return result;
+    }
+
+    private static void Validate(TrackPoint[] track, MatchFitRequest request)
+    {
+        Check.Given(nameof(track), track);
+        request.Validate();
+        Check.AtLeast("track's points", track.Length, 8);
+        for (int i = 0; i < track.Length; i++)
+        {
+            string at = Check.Item("track", i);
+            Check.Within(at + ".time", track[i].Time, i > 0 ? track[i - 1].Time : -Limits.Time, Limits.Time);
+            Check.Place(at + ".position", track[i].Position);
+            Check.NotNegative(at + ".noise", track[i].Noise);
+        }
+
+        Check.Within("track's last time", track[track.Length - 1].Time, track[0].Time, Limits.Time, exclusiveLow: true);
+    }
+
+    /// <summary>Flights that are long enough to tell of what they share.</summary>
+    private static List<FlightPath> Told(TrackRuns runs, List<FlightPath> flights) =>
+        flights.FindAll(f => runs.Points[f.End - 1].Time - runs.Points[f.First].Time >= ShortestTold);
+
+    /// <summary>Short flights by the ball and the wind that the others told of.</summary>
+    private void FitShort(SharedFit fit, FlightEquations equations, List<FlightPath> flights, CancellationToken cancellation)
+    {
+        var alone = new SharedFit(equations, new MatchModel(fit.At.Scene, Nothing));
+        foreach (FlightPath flight in flights)
+        {
+            alone.Descend([flight], [1], cancellation);
+            alone.MeasureUncertainty([flight], [1]);
+        }
+    }
+
+    private MatchFitResult Result(
+        MatchFitRequest request, TrackRuns runs, FlightEquations equations, FlightFinder finder, List<FlightPath> flights, List<FlightPath> told, MatchModel model, SharedFit fit)
+    {
+        List<string> names = [.. model.Names];
+        List<double> values = [.. fit.Values];
+        List<double> deviations = [];
+        for (int i = 0; i < model.Count; i++)
+        {
+            deviations.Add(Math.Sqrt(Math.Max(0, fit.Covariance[(i * model.Count) + i])));
+        }
+
+        double radius = _scene.Ball.Radius;
+        double contact = (_scene.Ground.IsNone ? 0 : _scene.Ground.Height) + radius;
+        if (request.Height && GroundHeight.Find(MatchPieces.GroundHeights(runs, finder.Ends, flights, fit.At), out double height, out double deviation))
+        {
+            contact = height;
+            names.Add("groundHeight");
+            values.Add(height - radius);
+            deviations.Add(deviation);
+        }
+
+        List<MatchPiece> pieces = new MatchPieces(runs, equations, fit.At, contact).Make(finder.Ends, flights);
+        Ground ground = (_scene.Ground.IsNone ? new Ground() : _scene.Ground) with { Height = contact - radius };
+        int impacts = 0;
+        if (request.Surface)
+        {
+            var surface = new SurfaceFit(_scene.Ball, ground, pieces);
+            ground = surface.Ground;
+            impacts = surface.Impacts;
+            names.AddRange(surface.Names);
+            values.AddRange(surface.Values);
+            deviations.AddRange(surface.Deviations);
+        }
+
+        double squares = 0;
+        int points = 0;
+        foreach (FlightPath flight in told)
+        {
+            squares += flight.Count * flight.Rms * flight.Rms;
+            points += flight.Count;
+        }
+
+        return new MatchFitResult(pieces, names, [.. values], [.. deviations], fit.At.Scene with { Ground = ground })
+        {
+            Rms = points > 0 ? Math.Sqrt(squares / points) : 0,
+            Flights = told.Count,
+            Covered = Covered(runs.Points, told, contact - radius),
+            Noise = runs.Noise,
+            Impacts = impacts,
+        };
+    }
+
+    private static double Covered(TrackPoint[] track, List<FlightPath> told, double ground)
+    {
+        int high = 0;
+        int covered = 0;
+        for (int i = 0; i < track.Length; i++)
+        {
+            if (track[i].Position.Y > ground + High)
+            {
+                int at = i;
+                high++;
+                covered += told.Exists(f => f.First <= at && at < f.End) ? 1 : 0;
+            }
+        }
+
+        return high > 0 ? (double)covered / high : 1;
     }
 
     /// <summary>Flights that fit poorly are tried from other spins: a heavily spun ball and a hardly spun one slow down alike in different air.</summary>
-    private static void TryOtherSpins(SharedFit fit, FlightEquations system, List<FlightPath> flights, CancellationToken cancellation)
+    private static void TryOtherSpins(SharedFit fit, FlightEquations equations, List<FlightPath> flights, CancellationToken cancellation)
     {
-        var alone = new SharedFit(system, new MatchModel(fit.At.Scene, new MatchFitRequest { Wind = false, Drag = false }));
+        var alone = new SharedFit(equations, new MatchModel(fit.At.Scene, Nothing));
         foreach (FlightPath flight in flights)
         {
             if (flight.Rms < Poor)
@@ -82,12 +203,12 @@ public sealed class MatchFit
             }
 
             flight.Values = best;
-            system.Measure(fit.At, flight);
+            equations.Measure(fit.At, flight);
         }
     }
 
     /// <summary>The best of fits from several crises: with its drag crisis on either side of a flight's speeds a ball may slow down alike.</summary>
-    private static SharedFit Best(FlightEquations system, MatchModel model, List<FlightPath> flights, double[] shares, CancellationToken cancellation)
+    private static SharedFit Best(FlightEquations equations, MatchModel model, List<FlightPath> flights, double[] shares, CancellationToken cancellation)
     {
         SharedFit? best = null;
         var launches = new double[flights.Count][];
@@ -104,7 +225,7 @@ public sealed class MatchFit
                 flights[i].Values = (double[])launches[i].Clone();
             }
 
-            var fit = new SharedFit(system, model, start);
+            var fit = new SharedFit(equations, model, start);
             fit.Descend(flights, shares, cancellation);
             if (best is null || fit.Cost < best.Cost)
             {
@@ -116,7 +237,7 @@ public sealed class MatchFit
         for (int i = 0; i < flights.Count; i++)
         {
             flights[i].Values = found![i];
-            system.Measure(best!.At, flights[i]);
+            equations.Measure(best!.At, flights[i]);
         }
 
         return best!;
