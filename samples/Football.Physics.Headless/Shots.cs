@@ -1,3 +1,6 @@
+using Football.Physics.Aiming;
+using Football.Physics.Shapes;
+
 namespace Football.Physics.Headless;
 
 /// <summary>A kick to play: from where, how, and among what.</summary>

@@ -38,7 +38,7 @@ public static class ScenarioRun
         {
             Final = final,
             Events = log.Events.Span.ToArray(),
-            Missed = log.Events.Missed,
+            Missed = log.Events.Dropped,
             Bounces = log.Events.Impacts,
             Apex = highest.Apex,
             Steps = log.Steps,

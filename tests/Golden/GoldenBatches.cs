@@ -1,3 +1,5 @@
+using Football.Physics.Batch;
+
 // The batches whose bits every runtime must reproduce, whatever the width of its registers: many balls, and many aims.
 
 namespace Football.Physics.Golden;

@@ -1,3 +1,8 @@
+using Football.Physics.Aiming;
+using Football.Physics.Laws;
+using Football.Physics.Netcode;
+using Football.Physics.Shapes;
+
 // What a game gets without asking for anything: the default scene, on its weather, its pitch and among its players.
 
 using System.Globalization;
@@ -176,7 +181,7 @@ public static class GoldenGames
         yield return GoldenShots.Named("aim in time", Mix(aimer.FindAtTime(free, 1.25)));
         AimRequest pass = free with { Target = new Vector3d(4, 0.11, -25), Speed = 15, TopSpin = 0, SideSpin = 0 };
         yield return GoldenShots.Named("aim pass", Mix(aimer.Find(pass)));
-        yield return GoldenShots.Named("aim arriving", Mix(Arrivals.FindAtSpeed(aimer, pass, 6)));
+        yield return GoldenShots.Named("aim arriving", Mix(aimer.FindAtSpeed(pass, 6)));
     }
 
     private static ulong Mix(AimResult aim)

@@ -1,3 +1,6 @@
+using Football.Physics.Laws;
+using Football.Physics.Netcode;
+
 // The shots whose bits every runtime must reproduce. One file, compiled into the tests, the consumer of the package, its NativeAOT
 // program and the program for Mono; golden.txt beside it holds what it must print.
 

@@ -108,12 +108,12 @@ internal static class QueryRows
             Count);
     }
 
-    private static Workload Runners(Action<Trajectory, Interception, Runner[]> ask, Trajectory path)
+    private static Workload Runners(Action<Trajectory, Interception, Player[]> ask, Trajectory path)
     {
         var random = new SeededRandom(5L);
         var query = new Interception();
         Vector3d middle = path.PositionAt(1.5);
-        Runner[] runners = [.. Enumerable.Range(0, 22).Select(_ => new Runner { Position = (middle + (random.Uniform(2, 35) * random.Heading())).Horizontal, Velocity = random.Uniform(0, 5) * random.Heading() })];
+        Player[] runners = [.. Enumerable.Range(0, 22).Select(_ => new Player { Position = (middle + (random.Uniform(2, 35) * random.Heading())).Horizontal, Velocity = random.Uniform(0, 5) * random.Heading() })];
         return new Workload(
             () =>
             {
@@ -127,7 +127,7 @@ internal static class QueryRows
             Count);
     }
 
-    private static void Shares(Trajectory path, Interception query, Runner[] runners)
+    private static void Shares(Trajectory path, Interception query, Player[] runners)
     {
         query.Find(path, runners);
         query.FindShares();
@@ -143,8 +143,8 @@ internal static class QueryRows
             .. Enumerable.Range(0, isNew ? 2 : 1).Select(
                 i => new PassFanRequest { From = Shot.Spot, Direction = new Vector3d(0, 0, -1), MinimumElevationDegrees = lowest, TopSpin = 1e-3 * i }),
         ];
-        Runner[] mates = [new Runner { Position = new Vector3d(5, 0, -30), Velocity = new Vector3d(1, 0, -4) }, new Runner { Position = new Vector3d(-12, 0, -25) }];
-        Runner[] opponents = [.. Enumerable.Range(0, 11).Select(i => new Runner { Position = new Vector3d(-20 + (4 * i), 0, -22 - (i % 3 * 4)) })];
+        Player[] mates = [new Player { Position = new Vector3d(5, 0, -30), Velocity = new Vector3d(1, 0, -4) }, new Player { Position = new Vector3d(-12, 0, -25) }];
+        Player[] opponents = [.. Enumerable.Range(0, 11).Select(i => new Player { Position = new Vector3d(-20 + (4 * i), 0, -22 - (i % 3 * 4)) })];
         int round = 0;
         return new Workload(() => fan.Find(requests[round++ % requests.Length], mates, opponents).Open, 1);
     }

@@ -39,7 +39,7 @@ internal sealed class InterceptCheck(Scene scene)
         BallState ball = _simulator.Launch(new Vector3d(0, random.Chance(0.7) ? 0.11 : random.Uniform(0.11, 2), 0), velocity, spin);
         var request = new LookAheadRequest { Duration = random.Uniform(1.5, 4), TimeStep = TimeStep, StopAt = StopAt.Time };
         _simulator.LookAhead(in ball, request, _path);
-        var runners = new Runner[RunnersOfAFlight];
+        var runners = new Player[RunnersOfAFlight];
         for (int i = 0; i < runners.Length; i++)
         {
             runners[i] = Draw(random);
@@ -48,12 +48,12 @@ internal sealed class InterceptCheck(Scene scene)
         Compare(runners);
     }
 
-    private Runner Draw(SeededRandom random)
+    private Player Draw(SeededRandom random)
     {
         // Near some place of the way, so that windows begin and end in every manner.
         Vector3d place = _path.PositionAt(random.Uniform(_path.StartTime, _path.EndTime));
         double high = random.Any(0.2, 0.6, 1.2, 2.3, 2.7) * random.Uniform(0.9, 1.1);
-        return new Runner
+        return new Player
         {
             Position = (place + (random.Log(0.05, 15) * random.Heading())).Horizontal,
             Velocity = random.Uniform(0, 6) * random.Heading(),
@@ -66,7 +66,7 @@ internal sealed class InterceptCheck(Scene scene)
         };
     }
 
-    private void Compare(Runner[] runners)
+    private void Compare(Player[] runners)
     {
         var scan = new MeetingScan(_path);
         _interception.Find(_path, runners);
@@ -106,7 +106,7 @@ internal sealed class InterceptCheck(Scene scene)
     /// <summary>
     /// What was found, without windows and gaps that the scan steps over: those are right where the ball is met, or is not, in their middle.
     /// </summary>
-    private List<(double From, double To)> Found(int index, Runner runner, MeetingScan scan, List<(double From, double To)> wanted)
+    private List<(double From, double To)> Found(int index, Player runner, MeetingScan scan, List<(double From, double To)> wanted)
     {
         const double Seen = 2.1e-4;
         var found = new List<(double From, double To)>();

@@ -20,7 +20,7 @@ internal sealed class MeetingScan
     }
 
     /// <summary>The windows, those shorter than a step of the scan only by luck; ends to 0.1 ns.</summary>
-    public List<(double From, double To)> Windows(Runner runner)
+    public List<(double From, double To)> Windows(Player runner)
     {
         var windows = new List<(double From, double To)>();
         bool inside = false;
@@ -54,9 +54,9 @@ internal sealed class MeetingScan
     }
 
     /// <summary>Whether he meets the ball at a time: the definition, word by word.</summary>
-    public bool Meets(Runner runner, double time) => Meets(runner, time, _path.PositionAt(time));
+    public bool Meets(Player runner, double time) => Meets(runner, time, _path.PositionAt(time));
 
-    private static bool Meets(Runner runner, double time, Vector3d ball)
+    private static bool Meets(Player runner, double time, Vector3d ball)
     {
         double since = time - runner.Reaction;
         double s = Math.Max(0, since);
@@ -66,7 +66,7 @@ internal sealed class MeetingScan
         return (ball - place).Horizontal.Length <= run + runner.Reach && ball.Y >= runner.LowestHeight - 1e-9 && ball.Y <= runner.HighestHeight + 1e-9;
     }
 
-    private double Change(Runner runner, double low, double high, bool after)
+    private double Change(Player runner, double low, double high, bool after)
     {
         while (high - low > Closeness)
         {

@@ -26,7 +26,7 @@ internal static class ScatterLab
         var table = new LabTable(
             "Scatter of shots", "spread, °", "method", "in", "in, flown", "scores", "scores, flown", "aside σ, m", "flown", "height σ, m", "flown", "off, σ of the count", "verdict");
         var report = new LabReport { Name = "scatter", Seed = seed, Tables = { table } };
-        var scatter = new Scatter(Scene.Measured);
+        var scatter = new GoalChance(Scene.Measured);
         var simulator = new Simulator(Scene.Measured);
         for (int i = 0; i < shots; i++)
         {
@@ -36,12 +36,12 @@ internal static class ScatterLab
             double size = i % 2 == 0 ? 0.35 : random.Uniform(1.5, 4);
             var spread = new KickSpread { SpeedPercent = 3 * size, ElevationDegrees = size, AzimuthDegrees = size, SpinPercent = 10 * size, SpeedWithElevation = -0.4 };
             var goal = new Goal { Center = new Vector3d(0, 0, -random.Uniform(11, 22)), Facing = new Vector3d(0, 0, 1) };
-            var keeper = new Runner { Position = goal.Center, Acceleration = 8, Speed = 5, Reach = 0.9, HighestHeight = 2.5 };
+            var keeper = new Player { Position = goal.Center, Acceleration = 8, Speed = 5, Reach = 0.9, HighestHeight = 2.5 };
             var velocity = new Vector3d(random.Uniform(-5, 5), random.Uniform(3, 5), -random.Uniform(20, 27));
             Vector3d spin = random.Uniform(0, 40) * random.Direction();
             var from = new Vector3d(0, 0.11, 0);
-            ScatterResult found = scatter.Find(from, velocity, spin, spread, goal, keeper);
-            ScatterResult flown = Fly(simulator, from, velocity, spin, spread, goal, keeper, kicks, seed + i);
+            GoalChanceResult found = scatter.Find(from, velocity, spin, spread, goal, keeper);
+            GoalChanceResult flown = Fly(simulator, from, velocity, spin, spread, goal, keeper, kicks, seed + i);
             double Off(double a, double b) => (a - b) / Math.Sqrt(Math.Max(1.0, b * (1 - b) * kicks)) * kicks;
             double off = Math.Max(Math.Abs(Off(found.OnTarget, flown.OnTarget)), Math.Abs(Off(found.Scores, flown.Scores)));
             bool close = Math.Abs(found.OnTarget - flown.OnTarget) < 0.01 && Math.Abs(found.Scores - flown.Scores) < 0.01;
@@ -55,8 +55,8 @@ internal static class ScatterLab
     }
 
     /// <summary>The same by the single ball in double, with numbers of another generator.</summary>
-    private static ScatterResult Fly(
-        Simulator simulator, Vector3d from, Vector3d velocity, Vector3d spin, KickSpread spread, Goal goal, Runner keeper, int kicks, long seed)
+    private static GoalChanceResult Fly(
+        Simulator simulator, Vector3d from, Vector3d velocity, Vector3d spin, KickSpread spread, Goal goal, Player keeper, int kicks, long seed)
     {
         var random = new SeededRandom(SeededRandom.Mix(seed, 77));
         var plane = new GoalPlane(goal, keeper);
@@ -67,7 +67,7 @@ internal static class ScatterLab
         double[] normal = new double[KickSpread.Count];
         var path = new Trajectory();
         var request = new LookAheadRequest { Duration = 15, UntilPlane = plane.Plane };
-        var sum = new ScatterSum();
+        var sum = new GoalChanceSum();
         for (int k = 0; k < kicks; k++)
         {
             for (int i = 0; i < normal.Length; i++)

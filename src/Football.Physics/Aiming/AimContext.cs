@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Aiming;
 
 /// <summary>What the aiming methods share: the scene compiled for each purpose, and the memory of their flights.</summary>
 /// <remarks>

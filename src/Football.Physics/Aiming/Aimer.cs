@@ -1,8 +1,8 @@
-namespace Football.Physics;
+namespace Football.Physics.Aiming;
 
 /// <summary>Finds kicks: which one, at this speed and spin, hits that point; which one passes a wall here and lands there.</summary>
 /// <remarks>Made once for a scene and used again; a search allocates nothing. Not for several threads at once.</remarks>
-public sealed class Aimer
+public sealed partial class Aimer
 {
     /// <summary>A miss that longer steps may have made of a hit, m.</summary>
     private const double NearMiss = 0.05;

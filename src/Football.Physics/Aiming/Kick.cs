@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Aiming;
 
 /// <summary>A kick as the predictors see it: two angles and two spins.</summary>
 internal struct Kick

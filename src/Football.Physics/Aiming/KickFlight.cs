@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Aiming;
 
 /// <summary>Flies a kick, step by step, until its observer has seen enough.</summary>
 internal sealed class KickFlight

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Batch;
 
 /// <summary>Flies thousands of independent balls of one scene, from the launch to the first impact or a time.</summary>
 /// <remarks>
@@ -6,7 +6,7 @@ namespace Football.Physics;
 /// registers. Made once and used again, a run on one thread allocates nothing. Not for several threads at once; <see cref="BatchSettings.Threads"/> is.
 /// Scenes with forces of a game's own, with wind by place and time or a knuckle force, with things that move, ground that is not level or not the same
 /// everywhere, or with constant and fitted laws mixed, and what <see cref="BatchPrecision.Single"/> excepts, are flown ball by ball, in double. So is every
-/// ball that may meet a goal or an obstacle on its way; <see cref="HandedOn"/> counts them.
+/// ball that may meet a goal or an obstacle on its way; <see cref="FlownSingly"/> counts them.
 /// </remarks>
 public sealed class BallBatch
 {
@@ -54,14 +54,14 @@ public sealed class BallBatch
     public static bool FliesSideBySide(Scene scene) => LaneFlight.Covers(scene);
 
     /// <summary>How many of the last balls were flown alone, in double: all where the scene or <see cref="BatchSettings.Precision"/> is not for lanes.</summary>
-    public int HandedOn
+    public int FlownSingly
     {
         get
         {
             int sum = 0;
             foreach (BatchWorker worker in _workers)
             {
-                sum += worker.HandedOn;
+                sum += worker.FlownSingly;
             }
 
             return sum;

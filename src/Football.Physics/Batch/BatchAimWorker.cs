@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Batch;
 
 /// <summary>Finds one group of kicks after the other, on one thread.</summary>
 internal sealed class BatchAimWorker
@@ -34,14 +34,14 @@ internal sealed class BatchAimWorker
         _lanes = LaneFlight.Covers(scene) ? LaneFlight.Create(scene, fourthOrder: true, Step, lanes, upAlongX: true) : null;
     }
 
-    public int HandedOn { get; private set; }
+    public int FlownSingly { get; private set; }
 
     public long Flights { get; private set; }
 
     /// <summary>Prepares for the requests.</summary>
     public void Begin(BatchAims aims)
     {
-        HandedOn = 0;
+        FlownSingly = 0;
         Flights = 0;
         ElevationBounds bounds = ElevationBounds.OfDegrees(aims.MinimumElevationDegrees, aims.MaximumElevationDegrees);
         Elementary.SinCos(bounds.Lowest, out _lowest, out _);
@@ -156,7 +156,7 @@ internal sealed class BatchAimWorker
 
     private void HandOn(BatchAims aims, BatchKicks kicks, int index)
     {
-        HandedOn++;
+        FlownSingly++;
         AimRequest request = aims.Request(index);
 
         // What comes here is hard: also a flight that grazes the drag law's jump, where large steps may miss it. The true miss decides.

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Batch;
 
 /// <summary>Finds many kicks of one scene at once: the same question as <see cref="Aimer"/> answers.</summary>
 /// <remarks>
@@ -42,14 +42,14 @@ public sealed class BatchAimer
     public Scene Scene { get; }
 
     /// <summary>How many of the last requests were handed to the single aimer.</summary>
-    public int HandedOn
+    public int FlownSingly
     {
         get
         {
             int sum = 0;
             foreach (BatchAimWorker worker in _workers)
             {
-                sum += worker.HandedOn;
+                sum += worker.FlownSingly;
             }
 
             return sum;

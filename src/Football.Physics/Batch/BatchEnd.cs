@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Batch;
 
 /// <summary>How a flight of a batch ended.</summary>
 public enum BatchEnd

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Batch;
 
 /// <summary>How a batch of balls is flown.</summary>
 public sealed record BatchSettings

@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace Football.Physics.Batch;
 
 /// <summary>Flies one group of balls after the other, on one thread.</summary>
 internal sealed class BatchWorker
@@ -45,10 +45,10 @@ internal sealed class BatchWorker
     }
 
     /// <summary>Balls of this run that were flown alone, in double.</summary>
-    public int HandedOn { get; private set; }
+    public int FlownSingly { get; private set; }
 
     /// <summary>Prepares for a run.</summary>
-    public void Begin() => HandedOn = 0;
+    public void Begin() => FlownSingly = 0;
 
     /// <summary>Flies some balls.</summary>
     [MethodImpl(Hot.Path)]
@@ -142,7 +142,7 @@ internal sealed class BatchWorker
     /// <summary>By the single ball.</summary>
     private void FlyAlone(BatchFlights flights, int index, in Vector3d position, in Vector3d velocity, in Vector3d spin, double duration)
     {
-        HandedOn++;
+        FlownSingly++;
         BallState state = _simulator.Launch(position, velocity, spin);
         if (state.Motion != MotionState.Airborne)
         {

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Prediction;
 
 /// <summary>What an impact makes of the motion, and how that changes with the motion before it: by the simulation's own impact, and difference quotients of it.</summary>
 internal sealed class ImpactMap

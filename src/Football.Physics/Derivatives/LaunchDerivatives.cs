@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Prediction;
 
 /// <summary>
 /// How what becomes of a ball changes with its launch: derivatives by one run, along plain flight by the variational equation, through impacts and the drag

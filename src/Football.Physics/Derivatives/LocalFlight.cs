@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Prediction;
 
 /// <summary>What moves the ball along a piece of flight: the same system that a step integrates, on the same branch of the drag law.</summary>
 internal sealed class LocalFlight

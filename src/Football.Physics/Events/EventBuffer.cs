@@ -5,7 +5,7 @@ namespace Football.Physics;
 /// <summary>Events in the order in which they happened. Written by a step, read after it.</summary>
 /// <remarks>
 /// It grows up to <see cref="Most"/> events, 80 kB by default, and the memory stays: also where a game forgets to clear it. Where there are more, the first and the last are kept, in order, and
-/// those between are counted in <see cref="Missed"/>: no scene can make it larger.
+/// those between are counted in <see cref="Dropped"/>: no scene can make it larger.
 /// </remarks>
 public sealed class EventBuffer
 {
@@ -36,7 +36,7 @@ public sealed class EventBuffer
     public int Count { get; private set; }
 
     /// <summary>How many more happened than are kept: between the first ones and the <see cref="Last"/> ones.</summary>
-    public long Missed { get; private set; }
+    public long Dropped { get; private set; }
 
     /// <summary>The events, first to last; valid until the next step or <see cref="Clear"/>.</summary>
     public ReadOnlySpan<BallEvent> Span => _events.AsSpan(0, Count);
@@ -57,14 +57,14 @@ public sealed class EventBuffer
         }
     }
 
-    /// <summary>Number of impacts since the last <see cref="Clear"/>, those counted in <see cref="Missed"/> included.</summary>
+    /// <summary>Number of impacts since the last <see cref="Clear"/>, those counted in <see cref="Dropped"/> included.</summary>
     public long Impacts { get; private set; }
 
     /// <summary>Forgets all events; keeps the memory.</summary>
     public void Clear()
     {
         Count = 0;
-        Missed = 0;
+        Dropped = 0;
         Impacts = 0;
     }
 
@@ -103,14 +103,14 @@ public sealed class EventBuffer
             Add(in other._events[i]);
         }
 
-        Missed += other.Missed;
+        Dropped += other.Dropped;
     }
 
     /// <summary>Takes back what was added since there were so many; of those that were missed meanwhile the last ones cannot come back.</summary>
     internal void TakeBack(int count, long missed, long impacts)
     {
-        Count = Missed == missed ? count : Math.Min(count, Most - Last);
-        Missed = missed + (count - Count);
+        Count = Dropped == missed ? count : Math.Min(count, Most - Last);
+        Dropped = missed + (count - Count);
         Impacts = impacts;
     }
 
@@ -125,6 +125,6 @@ public sealed class EventBuffer
 
         Array.Copy(_events, Count - Last + 1, _events, Count - Last, Last - 1);
         Count--;
-        Missed++;
+        Dropped++;
     }
 }

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Netcode;
 
 /// <summary>A stretch of a match that can be sent, stored and played again: its start, its kicks, and a hash of the state after every step.</summary>
 /// <remarks>It grows by 8 bytes a step. The scene is not part of it: whoever plays it again must have the same one.</remarks>

@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Physics;
+namespace Football.Physics.Prediction;
 
 /// <summary>A point of a predicted path.</summary>
 public readonly struct PathPoint : IFormattable

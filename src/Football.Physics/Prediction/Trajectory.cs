@@ -1,7 +1,7 @@
-namespace Football.Physics;
+namespace Football.Physics.Prediction;
 
 /// <summary>A predicted way of the ball, dense in time. Its memory is made once and used again by every look-ahead.</summary>
-public sealed class Trajectory
+public sealed partial class Trajectory
 {
     private readonly PathPiece[] _pieces;
     private readonly Recorder _recorder;

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Engines;
 
 /// <summary>The hits that a sphere cast has found.</summary>
 public sealed class EngineHits

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Laws;
 
 /// <summary>Turns a function into a force.</summary>
 public static class Force

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Laws;
 
 /// <summary>The input of a force: the ball at one instant.</summary>
 public readonly struct ForceInput

@@ -63,7 +63,7 @@ public sealed class StepLog
     }
 
     /// <summary>What it holds now, to come back to.</summary>
-    internal StepLogMark Mark() => new(Events.Count, Events.Missed, Events.Impacts, Steps, Evaluations, Stalled, Untold);
+    internal StepLogMark Mark() => new(Events.Count, Events.Dropped, Events.Impacts, Steps, Evaluations, Stalled, Untold);
 
     /// <summary>Forgets what came after a mark.</summary>
     internal void TakeBack(in StepLogMark mark)

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Thesis;
 
 /// <summary>By which method to find a kick.</summary>
 public enum AimMethod

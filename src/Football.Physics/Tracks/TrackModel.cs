@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Tracks;
 
 /// <summary>The numbers that a fit looks for: the launch, and factors of a scene.</summary>
 internal sealed class TrackModel

@@ -59,7 +59,7 @@ internal static class QueryShots
         Goal goal = Furniture.Goal(Penalty);
         var velocity = new Vector3d(-6.7, 4.6, -23);
         var spread = new KickSpread { SpeedPercent = 3, ElevationDegrees = 1.2, AzimuthDegrees = 1.5 };
-        ScatterResult scatter = new Scatter(Scene.Measured).Find(s_from, velocity, Vector3d.Zero, spread, goal);
+        GoalChanceResult scatter = new GoalChance(Scene.Measured).Find(s_from, velocity, Vector3d.Zero, spread, goal);
         return new GalleryShot
         {
             Id = "penalty-ellipse",
@@ -75,7 +75,7 @@ internal static class QueryShots
     private static GalleryShot Keeper(string id, string name, Vector3d velocity)
     {
         Goal goal = Furniture.Goal(Post);
-        var keeper = new Runner { Position = new Vector3d(0, 0, -Post), Acceleration = 8, Speed = 5, Reach = 0.9, HighestHeight = 2.5 };
+        var keeper = new Player { Position = new Vector3d(0, 0, -Post), Acceleration = 8, Speed = 5, Reach = 0.9, HighestHeight = 2.5 };
         Scene scene = Scene.Measured;
         var simulator = new Simulator(scene);
         var path = new Trajectory();
@@ -121,7 +121,7 @@ internal static class QueryShots
     }
 
     /// <summary>An ellipse of so many standard deviations in the plane of a goal.</summary>
-    private static SceneShape Ring(Goal goal, ScatterResult scatter, double deviations)
+    private static SceneShape Ring(Goal goal, GoalChanceResult scatter, double deviations)
     {
         double angle = scatter.AxisDegrees * Math.PI / 180;
         Vector3d Point(double t)

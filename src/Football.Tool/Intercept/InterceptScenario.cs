@@ -10,7 +10,7 @@ internal sealed record InterceptScenario
 
     public required IReadOnlyList<string> Names { get; init; }
 
-    public required Runner[] Runners { get; init; }
+    public required Player[] Runners { get; init; }
 
     /// <summary>Reads a scenario; what its numbers may be the library says when it is played.</summary>
     /// <exception cref="RefusedException">A field is unknown, missing or of the wrong type.</exception>
@@ -28,11 +28,11 @@ internal sealed record InterceptScenario
         return scenario;
     }
 
-    private static Runner Read(InputObject item)
+    private static Player Read(InputObject item)
     {
-        var defaults = new Runner();
+        var defaults = new Player();
         double[] heights = item.Numbers("heights", "[lowest, highest]", [defaults.LowestHeight, defaults.HighestHeight]);
-        return new Runner
+        return new Player
         {
             Position = item.Vector("position"),
             Velocity = item.Vector("velocity", Vector3d.Zero),

@@ -37,7 +37,7 @@ internal static class InterceptWriter
         foreach (InterceptShare share in outcome.Shares)
         {
             json.WriteStartObject();
-            json.WriteString("name", outcome.Scenario.Names[share.Runner]);
+            json.WriteString("name", outcome.Scenario.Names[share.Player]);
             json.WriteNumber("from", share.From);
             json.WriteNumber("to", share.To);
             WriteLead(json, share.Lead);

@@ -12,5 +12,5 @@ internal sealed class RowChunk(int files)
     public int Rows { get; set; }
 
     /// <summary>How many of them lanes handed to the single ball.</summary>
-    public long HandedOn { get; set; }
+    public long FlownSingly { get; set; }
 }

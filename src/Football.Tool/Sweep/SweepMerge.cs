@@ -89,7 +89,7 @@ internal sealed class SweepMerge
             first.Identity,
             new Shard(1, 1, first.Identity.Count),
             first.Identity.Count,
-            first.HandedOn is null ? null : shards.Sum(shard => shard.Manifest.HandedOn),
+            first.FlownSingly is null ? null : shards.Sum(shard => shard.Manifest.FlownSingly),
             files);
     }
 

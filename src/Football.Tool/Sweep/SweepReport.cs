@@ -35,7 +35,7 @@ internal sealed class SweepReport(Terminal terminal, Progress progress, RowSink 
         string how = sink.Rows == _before
             ? "all there before"
             : string.Create(CultureInfo.InvariantCulture, $"{sink.Rows - _before} of them now in {_clock.Elapsed.TotalSeconds:0.0} s, {Rate:0} rows/s");
-        string handedOn = countsHandedOn ? string.Create(CultureInfo.InvariantCulture, $"; {sink.HandedOn} handed to the single ball") : "";
+        string handedOn = countsHandedOn ? string.Create(CultureInfo.InvariantCulture, $"; {sink.FlownSingly} handed to the single ball") : "";
         using var self = Process.GetCurrentProcess();
         return string.Create(CultureInfo.InvariantCulture, $"{folder}: {sink.Rows} rows, {how}{handedOn}; at most {self.PeakWorkingSet64 >> 20} MiB of memory");
     }

@@ -36,7 +36,7 @@ internal sealed class SweepRun
         _jobs = jobs;
         var first = RowMaker.Create(plan, 1);
         Columns = [.. first.Columns.Select(data => data.Column)];
-        CountsHandedOn = first.HandedOn is not null;
+        CountsHandedOn = first.FlownSingly is not null;
         Format = RowFormat.Create(format, Columns);
         _rows = Math.Clamp(ChunkBytes / Columns.Sum(column => column.Size * sizeof(double)), 1, MostRows);
     }
@@ -64,7 +64,7 @@ internal sealed class SweepRun
         {
             await foreach (RowChunk chunk in work.ReceiveAllAsync().ConfigureAwait(false))
             {
-                sink.Add(chunk.Files, chunk.Rows, chunk.HandedOn);
+                sink.Add(chunk.Files, chunk.Rows, chunk.FlownSingly);
                 _chunks.Add(chunk);
                 report(sink.Rows);
             }
@@ -102,7 +102,7 @@ internal sealed class SweepRun
 
         Format.Write(maker.Columns, count, chunk.Files);
         chunk.Rows = count;
-        chunk.HandedOn = maker.HandedOn ?? 0;
+        chunk.FlownSingly = maker.FlownSingly ?? 0;
         _makers.Add(maker);
         return chunk;
     }

@@ -32,8 +32,8 @@ public sealed class InterceptionTests
         Vector3d side = Vector3d.Cross(path.VelocityAt(0.1), Vector3d.Up);
         foreach (double overlap in new[] { 1e-5, 1e-7, 1e-9 })
         {
-            var runner = new Runner { Position = (place + ((0.5 - overlap) / side.Length * side)).Horizontal, Reaction = 10, Reach = 0.5 };
-            var query = new Physics.Interception();
+            var runner = new Player { Position = (place + ((0.5 - overlap) / side.Length * side)).Horizontal, Reaction = 10, Reach = 0.5 };
+            var query = new Football.Physics.Prediction.Interception();
             query.Find(path, [runner]);
             InterceptWindow window = Assert.Single(query.Windows.ToArray());
             double half = Math.Sqrt((0.25 - ((0.5 - overlap) * (0.5 - overlap))) / path.VelocityAt(0.1).Horizontal.LengthSquared);
@@ -47,11 +47,11 @@ public sealed class InterceptionTests
     {
         var goal = new Goal { Center = new Vector3d(0, 0, -11), Facing = new Vector3d(0, 0, 1) };
         Trajectory path = Path(new Vector3d(0, 0.11, 0), new Vector3d(0, 2, -20), 1);
-        var query = new Physics.Interception();
-        var passed = new Runner { Position = new Vector3d(0, 0, -3), Reaction = 10, Reach = 1 };
+        var query = new Football.Physics.Prediction.Interception();
+        var passed = new Player { Position = new Vector3d(0, 0, -3), Reaction = 10, Reach = 1 };
         Assert.True(query.FindSave(path, in passed, goal).Saves);
         Assert.False(query.FindSave(path, in passed, goal, 0.3).Saves);
-        var there = new Runner { Position = new Vector3d(0, 0, -5), Reach = 3 };
+        var there = new Player { Position = new Vector3d(0, 0, -5), Reach = 3 };
         KeeperAnswer answer = query.FindSave(path, in there, goal, 0.3);
         Assert.Equal((true, 0.3), (answer.Saves, answer.Save.Time));
     }
@@ -61,15 +61,15 @@ public sealed class InterceptionTests
     {
         Trajectory path = Path(new Vector3d(0, 0.11, 0), new Vector3d(0, 2, -20), 1);
         var goal = new Goal { Center = new Vector3d(0, 3, -11), Facing = new Vector3d(0, 0, 1) };
-        var keeper = new Runner { Position = new Vector3d(0, 3, -10.5), HighestHeight = 5 };
-        Assert.Equal(2, new Physics.Interception().FindSave(path, in keeper, goal).CoversUpTo, 1e-12);
+        var keeper = new Player { Position = new Vector3d(0, 3, -10.5), HighestHeight = 5 };
+        Assert.Equal(2, new Football.Physics.Prediction.Interception().FindSave(path, in keeper, goal).CoversUpTo, 1e-12);
     }
 
     [Fact]
     public void Who_is_first_is_found_without_all_windows_too()
     {
-        Runner[] runners = [.. Enumerable.Range(0, 22).Select(i => new Runner { Position = new Vector3d(-12 + (1.7 * (i % 11)), 0, i < 11 ? -25 : -38) })];
-        var query = new Physics.Interception();
+        Player[] runners = [.. Enumerable.Range(0, 22).Select(i => new Player { Position = new Vector3d(-12 + (1.7 * (i % 11)), 0, i < 11 ? -25 : -38) })];
+        var query = new Football.Physics.Prediction.Interception();
         query.Find(s_shot, runners);
         (int first, double lead) = (query.First, query.Lead);
         Assert.InRange(first, 0, 21);
@@ -82,8 +82,8 @@ public sealed class InterceptionTests
     [Fact]
     public void Shares_cover_what_windows_cover_and_are_owned_by_who_could_be_there_first()
     {
-        Runner[] runners = [.. Enumerable.Range(0, 22).Select(i => new Runner { Position = new Vector3d(-12 + (1.7 * (i % 11)), 0, i < 11 ? -25 : -38), Reaction = 0.1 + (0.01 * i) })];
-        var query = new Physics.Interception();
+        Player[] runners = [.. Enumerable.Range(0, 22).Select(i => new Player { Position = new Vector3d(-12 + (1.7 * (i % 11)), 0, i < 11 ? -25 : -38), Reaction = 0.1 + (0.01 * i) })];
+        var query = new Football.Physics.Prediction.Interception();
         query.Find(s_shot, runners);
         InterceptShare[] shares = query.FindShares().ToArray();
         InterceptWindow[] windows = query.Windows.ToArray();
@@ -96,8 +96,8 @@ public sealed class InterceptionTests
             if (covered)
             {
                 double Arrival(int i) => i < 0 ? double.PositiveInfinity : Math.Min(t, new RunnerMotion(in runners[i], 0).ArrivalAt((s_shot.PositionAt(t) - runners[i].Position).Horizontal.Length));
-                int[] here = [.. windows.Where(window => window.From <= t && t < window.To).Select(window => window.Runner)];
-                Assert.Equal(here.Min(Arrival), Arrival(owner[0].Runner), 1e-6);
+                int[] here = [.. windows.Where(window => window.From <= t && t < window.To).Select(window => window.Player)];
+                Assert.Equal(here.Min(Arrival), Arrival(owner[0].Player), 1e-6);
             }
         }
     }
@@ -106,8 +106,8 @@ public sealed class InterceptionTests
     public void A_ball_at_rest_is_met_by_who_comes_later()
     {
         Trajectory path = Path(new Vector3d(0, 0.11, 0), new Vector3d(4, 0, 0), 10, StopAt.Rest);
-        var runner = new Runner { Position = path.Final.Position + new Vector3d(0, 0, 60) };
-        var query = new Physics.Interception();
+        var runner = new Player { Position = path.Final.Position + new Vector3d(0, 0, 60) };
+        var query = new Football.Physics.Prediction.Interception();
         query.Find(path, [runner]);
         Assert.Equal(-1, query.First);
         query.Find(path, [runner], until: 20);
@@ -119,9 +119,9 @@ public sealed class InterceptionTests
     [Fact]
     public void Queries_allocate_nothing_once_there_is_room()
     {
-        Runner[] runners = [.. Enumerable.Range(0, 22).Select(i => new Runner { Position = new Vector3d(-12 + (1.7 * (i % 11)), 0, i < 11 ? -25 : -38) })];
+        Player[] runners = [.. Enumerable.Range(0, 22).Select(i => new Player { Position = new Vector3d(-12 + (1.7 * (i % 11)), 0, i < 11 ? -25 : -38) })];
         var goal = new Goal { Center = new Vector3d(0, 0, -30), Facing = new Vector3d(0, 0, 1) };
-        var query = new Physics.Interception();
+        var query = new Football.Physics.Prediction.Interception();
         Assert.Equal(0, Allocation.Of(() =>
         {
             query.Find(s_shot, runners);
@@ -136,8 +136,8 @@ public sealed class InterceptionTests
     {
         var goal = new Goal { Center = new Vector3d(0, 0, -20), Facing = new Vector3d(0, 0, 1) };
         Trajectory path = Path(new Vector3d(0, 0.11, 0), new Vector3d(3.5, 4, -25), 2);
-        var keeper = new Runner { Position = new Vector3d(3, 0, -19.5), Reaction = 0.2, Acceleration = 5, Speed = 6, Reach = 1.2, HighestHeight = 2.7 };
-        var query = new Physics.Interception();
+        var keeper = new Player { Position = new Vector3d(3, 0, -19.5), Reaction = 0.2, Acceleration = 5, Speed = 6, Reach = 1.2, HighestHeight = 2.7 };
+        var query = new Football.Physics.Prediction.Interception();
         KeeperAnswer answer = query.FindSave(path, in keeper, goal);
         Assert.True(answer.Crosses && answer.IsOnTarget);
         Assert.Equal(-20, answer.Crossing.Position.Z, 1e-9);
@@ -157,9 +157,9 @@ public sealed class InterceptionTests
     [Fact]
     public void A_number_of_a_runner_that_is_out_of_range_is_refused()
     {
-        var query = new Physics.Interception();
-        Assert.Contains("runner.acceleration is 0; allowed: a finite number above 0.", Assert.ThrowsAny<ArgumentException>(() => query.Find(s_shot, [new Runner { Acceleration = 0 }])).Message);
-        Assert.Contains("runner.heights[1]", Assert.ThrowsAny<ArgumentException>(() => query.Find(s_shot, [new Runner { LowestHeight = 3 }])).Message);
+        var query = new Football.Physics.Prediction.Interception();
+        Assert.Contains("runner.acceleration is 0; allowed: a finite number above 0.", Assert.ThrowsAny<ArgumentException>(() => query.Find(s_shot, [new Player { Acceleration = 0 }])).Message);
+        Assert.Contains("runner.heights[1]", Assert.ThrowsAny<ArgumentException>(() => query.Find(s_shot, [new Player { LowestHeight = 3 }])).Message);
     }
 
     private static Trajectory Path(Vector3d position, Vector3d velocity, double duration, StopAt stopAt = StopAt.Time)
@@ -176,17 +176,17 @@ public sealed class InterceptionTests
         // All stand under a high ball and wait until it falls to where they can reach it.
         var simulator = new Simulator(Scene.Measured);
         var path = new Trajectory();
-        var query = new Physics.Interception();
+        var query = new Football.Physics.Prediction.Interception();
         var random = new SeededRandom(8L);
         for (int k = 0; k < 200; k++)
         {
             BallState kicked = simulator.Launch(new Vector3d(0, 0.11, 0), random.Velocity(14, 20, 50, 70), Vector3d.Zero);
             simulator.LookAhead(in kicked, new LookAheadRequest { Duration = 6 }, path);
             Assert.True(path.TryGetTouchdown(0, out BallEvent down));
-            Runner[] runners =
+            Player[] runners =
             [
-                new Runner { Position = new Vector3d(500, 0, 0) },
-                .. Enumerable.Range(0, 6).Select(_ => new Runner { Position = (down.Position + (random.Uniform(0, 2) * random.Heading())).Horizontal, HighestHeight = 2.3 }),
+                new Player { Position = new Vector3d(500, 0, 0) },
+                .. Enumerable.Range(0, 6).Select(_ => new Player { Position = (down.Position + (random.Uniform(0, 2) * random.Heading())).Horizontal, HighestHeight = 2.3 }),
             ];
             query.Find(path, runners);
             Assert.Equal(1, query.First);
@@ -201,12 +201,12 @@ public sealed class InterceptionTests
     {
         var random = new SeededRandom(2L);
         var goal = new Goal { Center = new Vector3d(0, 0, -20), Facing = new Vector3d(0, 0, 1) };
-        var query = new Physics.Interception();
+        var query = new Football.Physics.Prediction.Interception();
         int saves = 0;
         for (int k = 0; k < 300; k++)
         {
             Trajectory path = Path(new Vector3d(random.Uniform(-6, 6), 0.11, 0), new Vector3d(random.Uniform(-5, 5), random.Uniform(1, 6), -random.Uniform(10, 24)), 3);
-            var keeper = new Runner
+            var keeper = new Player
             {
                 Position = new Vector3d(random.Uniform(-5, 5), 0, -20 + random.Uniform(0, 5)),
                 Velocity = random.Uniform(0, 6) * random.Heading(),

@@ -150,7 +150,7 @@ public sealed class GoalTests
     [Fact]
     public void Queries_ask_for_the_same_opening()
     {
-        var scatter = new Scatter(Scene.Measured);
+        var scatter = new GoalChance(Scene.Measured);
         var none = new KickSpread { SpeedPercent = 1e-6, ElevationDegrees = 1e-6, AzimuthDegrees = 1e-6, SpinPercent = 1e-6 };
         double OnTarget(double aside, double height) =>
             scatter.FindByFlights(new Vector3d(0, 1, 0), Towards(aside, height), Vector3d.Zero, none, s_goal, null, 16).OnTarget;
@@ -164,7 +164,7 @@ public sealed class GoalTests
             var simulator = new Simulator(Scene.Measured);
             BallState ball = simulator.Launch(new Vector3d(0, 1, 0), Towards(aside, height), Vector3d.Zero);
             simulator.LookAhead(in ball, new LookAheadRequest(), path);
-            return new Physics.Interception().FindSave(path, new Runner { Position = new Vector3d(9, 0, 9) }, s_goal).IsOnTarget;
+            return new Football.Physics.Prediction.Interception().FindSave(path, new Player { Position = new Vector3d(9, 0, 9) }, s_goal).IsOnTarget;
         }
 
         Assert.True(IsOnTarget(3.6, 1.5) && IsOnTarget(0, 2.4));

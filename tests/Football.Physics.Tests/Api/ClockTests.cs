@@ -46,7 +46,7 @@ public sealed class ClockTests
         BallState state = At(simulator, 1e17);
         var path = new Trajectory();
         Assert.Equal("lookAhead.timeStep", Assert.Throws<ArgumentOutOfRangeException>(() => simulator.LookAhead(in state, new LookAheadRequest(), path)).ParamName);
-        var prediction = new Prediction(simulator, new LookAheadRequest());
+        var prediction = new TrajectoryCache(simulator, new LookAheadRequest());
         Assert.Equal("lookAhead.timeStep", Assert.Throws<ArgumentOutOfRangeException>(() => prediction.Update(in state)).ParamName);
         var runner = new FixedStepRunner(simulator);
         BallState before = runner.State;

@@ -129,8 +129,8 @@ public sealed class GameRefusalTests
         }
 
         Assert.Equal(EventBuffer.DefaultMost, log.Events.Count);
-        Assert.True(log.Events.Missed > 0);
-        Assert.Equal(every.Events.Count, log.Events.Count + log.Events.Missed);
+        Assert.True(log.Events.Dropped > 0);
+        Assert.Equal(every.Events.Count, log.Events.Count + log.Events.Dropped);
         Assert.Equal(every.Events[^1].Time, log.Events[^1].Time);
         Assert.Equal(every.Events[0].Time, log.Events[0].Time);
     }

@@ -50,6 +50,6 @@ public sealed class WarmUpTests
         Assert.Equal(one.Position[2], other.Position[2]);
         var aimer = new BatchAimer(Scene.Published);
         aimer.WarmUp();
-        Assert.Equal(0, aimer.HandedOn);
+        Assert.Equal(0, aimer.FlownSingly);
     }
 }

@@ -14,14 +14,14 @@ public sealed class EventBufferTests
         {
             buffer.Add(Impact(n));
             Assert.Equal(Math.Min(n, most), buffer.Count);
-            Assert.Equal(n - buffer.Count, buffer.Missed);
+            Assert.Equal(n - buffer.Count, buffer.Dropped);
             Assert.Equal(n, buffer.Impacts);
-            int first = buffer.Missed > 0 ? most - EventBuffer.Last : buffer.Count;
+            int first = buffer.Dropped > 0 ? most - EventBuffer.Last : buffer.Count;
             Assert.Equal(Enumerable.Range(1, first).Concat(Enumerable.Range(n - (buffer.Count - first) + 1, buffer.Count - first)).Select(i => (double)i), Times(buffer));
         }
 
         buffer.Clear();
-        Assert.Equal((0, 0L, 0L), (buffer.Count, buffer.Missed, buffer.Impacts));
+        Assert.Equal((0, 0L, 0L), (buffer.Count, buffer.Dropped, buffer.Impacts));
     }
 
     [Fact]
@@ -34,7 +34,7 @@ public sealed class EventBufferTests
             buffer.Add(Impact(n));
         }
 
-        Assert.Equal((EventBuffer.DefaultMost, 1_000_000L - EventBuffer.DefaultMost), (buffer.Count, buffer.Missed));
+        Assert.Equal((EventBuffer.DefaultMost, 1_000_000L - EventBuffer.DefaultMost), (buffer.Count, buffer.Dropped));
         Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 0, 3L * EventBuffer.DefaultMost * System.Runtime.CompilerServices.Unsafe.SizeOf<BallEvent>());
     }
 
@@ -56,7 +56,7 @@ public sealed class EventBufferTests
 
             buffer.TakeBack(30, 0, 30);
             Assert.Equal(30, buffer.Impacts);
-            Assert.Equal(30, buffer.Count + buffer.Missed);
+            Assert.Equal(30, buffer.Count + buffer.Dropped);
             Assert.Equal(Enumerable.Range(1, buffer.Count).Select(i => (double)i), Times(buffer));
             for (int n = buffer.Count + 1; n <= 30; n++)
             {
@@ -89,9 +89,9 @@ public sealed class EventBufferTests
         simulator.Run(ref all, 0.01, 20, StopAt.Time, every);
         simulator.Run(ref few, 0.01, 20, StopAt.Time, some);
         Assert.True(Snapshot.Same(all, few));
-        Assert.Equal(0, every.Events.Missed);
+        Assert.Equal(0, every.Events.Dropped);
         Assert.True(every.Events.Count > 1000);
-        Assert.Equal(every.Events.Count, some.Events.Count + some.Events.Missed);
+        Assert.Equal(every.Events.Count, some.Events.Count + some.Events.Dropped);
         Assert.Equal(every.Events[^1].Time, some.Events[^1].Time);
         Assert.Equal(every.Events[0].Time, some.Events[0].Time);
     }
@@ -108,7 +108,7 @@ public sealed class EventBufferTests
 
         to.Add(from);
         to.Add(from);
-        Assert.Equal((32, 68L), (to.Count, to.Missed));
+        Assert.Equal((32, 68L), (to.Count, to.Dropped));
         Assert.Equal((1.0, 50.0), (to[0].Time, to[31].Time));
     }
 

@@ -110,7 +110,7 @@ public sealed class ThrowingForceTests
         int failures = 0;
         for (int after = 0; after < 2000; after += 31)
         {
-            var prediction = new Prediction(simulator, new LookAheadRequest { TimeStep = 0.02, Duration = 1.5 });
+            var prediction = new TrajectoryCache(simulator, new LookAheadRequest { TimeStep = 0.02, Duration = 1.5 });
             BallState real = simulator.Launch(new Vector3d(0, 0.5, 0), s_velocity, s_spin);
             force.Begin(int.MaxValue);
             if (kept)

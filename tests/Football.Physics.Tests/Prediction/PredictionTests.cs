@@ -12,7 +12,7 @@ public sealed class PredictionTests
     public void With_the_games_own_step_it_is_the_future_bit_for_bit_and_is_never_made_again(Integrator integrator)
     {
         var simulator = new Simulator(Scene.Published, new SolverSettings { Integrator = integrator });
-        var prediction = new Prediction(simulator, new LookAheadRequest { TimeStep = Step, Duration = 2 }, tolerance: 0);
+        var prediction = new TrajectoryCache(simulator, new LookAheadRequest { TimeStep = Step, Duration = 2 }, tolerance: 0);
         var log = new StepLog();
         BallState ball = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(14, 8, 3), new Vector3d(5, 30, -20));
         Assert.True(prediction.Update(in ball));
@@ -47,7 +47,7 @@ public sealed class PredictionTests
     public void With_coarser_steps_it_is_kept_within_its_tolerance()
     {
         var simulator = new Simulator(Scene.Published);
-        var prediction = new Prediction(simulator, new LookAheadRequest { TimeStep = 0.05, Duration = 3 });
+        var prediction = new TrajectoryCache(simulator, new LookAheadRequest { TimeStep = 0.05, Duration = 3 });
         var log = new StepLog();
         BallState ball = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(18, 9, 3), new Vector3d(5, 10, -10));
         int updates = 0;
@@ -66,7 +66,7 @@ public sealed class PredictionTests
     public void A_kick_and_an_invalidation_make_it_anew()
     {
         var simulator = new Simulator(Scene.Published);
-        var prediction = new Prediction(simulator, new LookAheadRequest { TimeStep = Step, Duration = 2 });
+        var prediction = new TrajectoryCache(simulator, new LookAheadRequest { TimeStep = Step, Duration = 2 });
         var log = new StepLog();
         BallState ball = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(14, 8, 3), default);
         Assert.True(prediction.Update(in ball));
@@ -85,7 +85,7 @@ public sealed class PredictionTests
     public void It_ends_at_the_event_asked_for_and_is_made_anew_after_it()
     {
         var simulator = new Simulator(Scene.Published);
-        var prediction = new Prediction(simulator, new LookAheadRequest { TimeStep = Step, Duration = 5, StopAt = StopAt.Impact });
+        var prediction = new TrajectoryCache(simulator, new LookAheadRequest { TimeStep = Step, Duration = 5, StopAt = StopAt.Impact });
         var log = new StepLog();
         BallState ball = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(10, 6, 0), default);
         int impacts = 0;
@@ -105,7 +105,7 @@ public sealed class PredictionTests
     public void It_allocates_nothing_from_kick_to_rest()
     {
         var simulator = new Simulator(Scene.Published);
-        var prediction = new Prediction(simulator, new LookAheadRequest { TimeStep = Step, Duration = 2 });
+        var prediction = new TrajectoryCache(simulator, new LookAheadRequest { TimeStep = Step, Duration = 2 });
         var log = new StepLog();
         void Live()
         {
@@ -126,7 +126,7 @@ public sealed class PredictionTests
     {
         var simulator = new Simulator(Scene.Published);
         BallState ball = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(0, 6, -18), new Vector3d(20, 5, 0));
-        var prediction = new Prediction(simulator, new LookAheadRequest { Duration = 3, TimeStep = 0.01, StopAt = StopAt.Time }, capacity: 60);
+        var prediction = new TrajectoryCache(simulator, new LookAheadRequest { Duration = 3, TimeStep = 0.01, StopAt = StopAt.Time }, capacity: 60);
         var log = new StepLog();
         for (int i = 0; i < 400; i++)
         {

@@ -29,8 +29,8 @@ public sealed class PassFanReferenceTests
         for (int i = 0; i < Fans; i++)
         {
             PassFanRequest request = Request(random, i, alongTheGround);
-            Runner[] mates = Players(random, 1 + (i % 5), 30);
-            Runner[] opponents = Players(random, i % 12, 40);
+            Player[] mates = Players(random, 1 + (i % 5), 30);
+            Player[] opponents = Players(random, i % 12, 40);
             PassChoice choice = fan.Find(request, mates, opponents);
             double earliest = Earliest(scene, request, mates, opponents, out int open);
             Assert.Equal(!double.IsPositiveInfinity(earliest), choice.IsFound);
@@ -59,7 +59,7 @@ public sealed class PassFanReferenceTests
         for (int i = 0; i < Fans; i++)
         {
             PassFanRequest request = Request(random, i, alongTheGround) with { Target = random.Uniform(5, 30) * random.Heading() };
-            Runner[] opponents = Players(random, i % 6, 50);
+            Player[] opponents = Players(random, i % 6, 50);
             PassChoice choice = fan.Find(request, [], opponents);
             double closest = Closest(scene, request, opponents);
             Assert.Equal(!double.IsPositiveInfinity(closest), choice.IsFound);
@@ -78,8 +78,8 @@ public sealed class PassFanReferenceTests
     {
         var random = new SeededRandom(23L);
         PassFanRequest request = Request(random, 0, alongTheGround: true) with { TopSpin = -150, SideSpin = 90 };
-        Runner[] mates = Players(random, 4, 30);
-        Runner[] opponents = Players(random, 3, 40);
+        Player[] mates = Players(random, 4, 30);
+        Player[] opponents = Players(random, 3, 40);
         PassChoice choice = new PassFan(Scene.Measured).Find(request, mates, opponents);
         double earliest = Earliest(Scene.Measured, request, mates, opponents, out _);
         Assert.Equal(earliest, choice.IsFound ? choice.Meeting.Time : double.PositiveInfinity, 1e-9);
@@ -110,9 +110,9 @@ public sealed class PassFanReferenceTests
         Duration = index % 5 == 4 ? random.Uniform(0.5, 3) : 8,
     };
 
-    private static Runner[] Players(SeededRandom random, int count, double within) =>
+    private static Player[] Players(SeededRandom random, int count, double within) =>
     [
-        .. Enumerable.Range(0, count).Select(_ => new Runner
+        .. Enumerable.Range(0, count).Select(_ => new Player
         {
             Position = random.Uniform(6, within) * random.Heading(),
             Velocity = random.Uniform(0, 6) * random.Heading(),
@@ -121,13 +121,13 @@ public sealed class PassFanReferenceTests
         }),
     ];
 
-    private static double Earliest(Scene scene, PassFanRequest request, Runner[] mates, Runner[] opponents, out int open)
+    private static double Earliest(Scene scene, PassFanRequest request, Player[] mates, Player[] opponents, out int open)
     {
         double earliest = double.PositiveInfinity;
         int holding = 0;
         Each(scene, request, path =>
         {
-            var query = new Physics.Interception();
+            var query = new Football.Physics.Prediction.Interception();
             int mate = query.FindFirst(path, mates, out PathPoint at);
             int opponent = query.FindFirst(path, opponents, out PathPoint lost);
             bool holds = mate >= 0 && (opponent < 0 || lost.Time - at.Time >= request.Margin);
@@ -138,13 +138,13 @@ public sealed class PassFanReferenceTests
         return earliest;
     }
 
-    private static double Closest(Scene scene, PassFanRequest request, Runner[] opponents)
+    private static double Closest(Scene scene, PassFanRequest request, Player[] opponents)
     {
         double closest = double.PositiveInfinity;
         Each(scene, request, path =>
         {
             bool ends = path.TryGetRest(out _) || path.TryGetTouchdown(0, out _);
-            if (ends && new Physics.Interception().FindFirst(path, opponents, out _) < 0)
+            if (ends && new Football.Physics.Prediction.Interception().FindFirst(path, opponents, out _) < 0)
             {
                 closest = Math.Min(closest, (path.Final.Position - request.Target!.Value).Horizontal.Length);
             }

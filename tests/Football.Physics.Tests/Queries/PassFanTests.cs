@@ -4,11 +4,11 @@ namespace Football.Physics.Tests.Queries;
 public sealed class PassFanTests
 {
     private static readonly PassFanRequest s_request = new() { From = new Vector3d(0, 0.11, 0), Direction = new Vector3d(0, 0, -1) };
-    private static readonly Runner[] s_mates =
-        [new Runner { Position = new Vector3d(5, 0, -30), Velocity = new Vector3d(1, 0, -4) }, new Runner { Position = new Vector3d(-12, 0, -25), Velocity = new Vector3d(0, 0, -3) }];
+    private static readonly Player[] s_mates =
+        [new Player { Position = new Vector3d(5, 0, -30), Velocity = new Vector3d(1, 0, -4) }, new Player { Position = new Vector3d(-12, 0, -25), Velocity = new Vector3d(0, 0, -3) }];
 
-    private static readonly Runner[] s_opponents =
-        [.. Enumerable.Range(0, 8).Select(i => new Runner { Position = new Vector3d(-21 + (6 * i), 0, -20 - (i % 3 * 5)) })];
+    private static readonly Player[] s_opponents =
+        [.. Enumerable.Range(0, 8).Select(i => new Player { Position = new Vector3d(-21 + (6 * i), 0, -20 - (i % 3 * 5)) })];
 
     [Fact]
     public void Without_team_mates_it_comes_down_near_the_target_out_of_reach_of_all_opponents()
@@ -24,7 +24,7 @@ public sealed class PassFanTests
     [Fact]
     public void Where_opponents_stand_around_the_ball_there_is_none()
     {
-        Runner[] around = [new Runner { Position = new Vector3d(0, 0, -0.3), HighestHeight = 9 }];
+        Player[] around = [new Player { Position = new Vector3d(0, 0, -0.3), HighestHeight = 9 }];
         PassChoice choice = new PassFan(Scene.Measured).Find(s_request, s_mates, around);
         Assert.False(choice.IsFound);
         Assert.InRange(choice.Open, 0, choice.Kicks / 10);

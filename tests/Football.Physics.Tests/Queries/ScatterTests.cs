@@ -4,7 +4,7 @@ namespace Football.Physics.Tests.Queries;
 public sealed class ScatterTests
 {
     private static readonly Goal s_goal = new() { Center = new Vector3d(0, 0, -11), Facing = new Vector3d(0, 0, 1) };
-    private static readonly Runner s_keeper = new() { Position = new Vector3d(0, 0, -11), Reach = 1.5, HighestHeight = 2.5 };
+    private static readonly Player s_keeper = new() { Position = new Vector3d(0, 0, -11), Reach = 1.5, HighestHeight = 2.5 };
     private static readonly Vector3d s_from = new(0, 0.11, 0);
     private static readonly Vector3d s_velocity = new(4, 3, -22);
     private static readonly Vector3d s_spin = new(5, 20, 0);
@@ -12,12 +12,12 @@ public sealed class ScatterTests
     [Fact]
     public void A_small_spread_is_told_by_derivatives_as_flights_tell_it()
     {
-        var scatter = new Scatter(Scene.Measured);
+        var scatter = new GoalChance(Scene.Measured);
         var spread = new KickSpread { SpeedPercent = 1, ElevationDegrees = 0.5, AzimuthDegrees = 0.5, SpinPercent = 5, SpeedWithElevation = -0.5 };
-        ScatterResult told = scatter.Find(s_from, s_velocity, s_spin, spread, s_goal, s_keeper);
-        ScatterResult flown = scatter.FindByFlights(s_from, s_velocity, s_spin, spread, s_goal, s_keeper, 20_000);
-        Assert.Equal(ScatterMethod.Derivatives, told.Method);
-        Assert.Equal(ScatterMethod.Flights, flown.Method);
+        GoalChanceResult told = scatter.Find(s_from, s_velocity, s_spin, spread, s_goal, s_keeper);
+        GoalChanceResult flown = scatter.FindByFlights(s_from, s_velocity, s_spin, spread, s_goal, s_keeper, 20_000);
+        Assert.Equal(GoalChanceMethod.Derivatives, told.Method);
+        Assert.Equal(GoalChanceMethod.Flights, flown.Method);
         Assert.Equal(flown.OnTarget, told.OnTarget, 0.015);
         Assert.Equal(flown.Covered, told.Covered, 0.015);
         Assert.Equal(flown.LongAxis, told.LongAxis, 0.003);
@@ -32,15 +32,15 @@ public sealed class ScatterTests
     [InlineData(-20)]
     public void The_mean_of_kicks_whose_side_spin_spreads_lies_on_the_side_where_there_is_less_of_it(double turning)
     {
-        var scatter = new Scatter(new Scene());
+        var scatter = new GoalChance(new Scene());
         var velocity = new Vector3d(0, 4, -24);
         var spin = new Vector3d(0, turning, 0);
         var spread = new KickSpread { SpeedPercent = 1, ElevationDegrees = 1, AzimuthDegrees = 0.3, SpinPercent = 30 };
         var none = new KickSpread { SpeedPercent = 0.01, ElevationDegrees = 0.01, AzimuthDegrees = 0.01, SpinPercent = 0.01 };
         double meant = scatter.Find(s_from, velocity, spin, none, s_goal).Aside;
-        ScatterResult told = scatter.Find(s_from, velocity, spin, spread, s_goal);
-        ScatterResult flown = scatter.FindByFlights(s_from, velocity, spin, spread, s_goal, null, 100_000);
-        Assert.Equal(ScatterMethod.Derivatives, told.Method);
+        GoalChanceResult told = scatter.Find(s_from, velocity, spin, spread, s_goal);
+        GoalChanceResult flown = scatter.FindByFlights(s_from, velocity, spin, spread, s_goal, null, 100_000);
+        Assert.Equal(GoalChanceMethod.Derivatives, told.Method);
         Assert.InRange(Math.Abs(meant) - Math.Abs(flown.Aside), 0.013, 0.019);
         Assert.Equal(flown.Aside, told.Aside, 2e-3);
     }
@@ -48,9 +48,9 @@ public sealed class ScatterTests
     [Fact]
     public void A_large_spread_is_flown()
     {
-        var scatter = new Scatter(Scene.Measured);
-        ScatterResult told = scatter.Find(s_from, s_velocity, s_spin, new KickSpread { SpeedPercent = 15, ElevationDegrees = 6, AzimuthDegrees = 6 }, s_goal);
-        Assert.Equal((ScatterMethod.Flights, Scatter.Flights), (told.Method, told.Kicks));
+        var scatter = new GoalChance(Scene.Measured);
+        GoalChanceResult told = scatter.Find(s_from, s_velocity, s_spin, new KickSpread { SpeedPercent = 15, ElevationDegrees = 6, AzimuthDegrees = 6 }, s_goal);
+        Assert.Equal((GoalChanceMethod.Flights, GoalChance.Flights), (told.Method, told.Kicks));
         Assert.InRange(told.OnTarget, 0.2, 0.99);
     }
 
@@ -63,8 +63,8 @@ public sealed class ScatterTests
             Nets = [new Net { Center = new Vector3d(900, 5, 0), Normal = new Vector3d(1, 0, 0), Along = new Vector3d(0, 1, 0), HalfLength = 1, HalfWidth = 1 }],
         };
         var spread = new KickSpread { SpeedPercent = 6, ElevationDegrees = 4, AzimuthDegrees = 3 };
-        ScatterResult lanes = new Scatter(Scene.Measured).FindByFlights(s_from, s_velocity, s_spin, spread, s_goal, s_keeper, 600, 5);
-        ScatterResult single = new Scatter(alone).FindByFlights(s_from, s_velocity, s_spin, spread, s_goal, s_keeper, 600, 5);
+        GoalChanceResult lanes = new GoalChance(Scene.Measured).FindByFlights(s_from, s_velocity, s_spin, spread, s_goal, s_keeper, 600, 5);
+        GoalChanceResult single = new GoalChance(alone).FindByFlights(s_from, s_velocity, s_spin, spread, s_goal, s_keeper, 600, 5);
         Assert.Equal(single.Aside, lanes.Aside, 1e-3);
         Assert.Equal(single.HeightDeviation, lanes.HeightDeviation, 1e-3);
         Assert.Equal(single.OnTarget, lanes.OnTarget, 3.0 / 600);
@@ -73,7 +73,7 @@ public sealed class ScatterTests
     [Fact]
     public void Flights_in_lanes_allocate_no_more_than_their_hand_over()
     {
-        var scatter = new Scatter(Scene.Measured);
+        var scatter = new GoalChance(Scene.Measured);
         var spread = new KickSpread { SpeedPercent = 2 };
         Assert.InRange(Allocation.Of(() => scatter.FindByFlights(s_from, s_velocity, s_spin, spread, s_goal, null, 512)), 0, 16384);
     }

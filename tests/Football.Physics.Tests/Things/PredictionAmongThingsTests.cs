@@ -59,7 +59,7 @@ public sealed class PredictionAmongThingsTests
         Assert.Equal(0, foot.Time);
 
         // A kept prediction does the same, and a request without it sees the body go on straight.
-        var kept = new Prediction(simulator, request);
+        var kept = new TrajectoryCache(simulator, request);
         kept.Update(in ball);
         Assert.Equal(hit.Time, kept.Path.TryGetHit(0, out BallEvent again) ? again.Time : 0);
         Assert.Equal(before, foot.Position);
@@ -102,6 +102,6 @@ public sealed class PredictionAmongThingsTests
         }
 
         Assert.InRange(hits, 10, 200);
-        Assert.InRange(batch.HandedOn, hits, (9 * Count) / 10);
+        Assert.InRange(batch.FlownSingly, hits, (9 * Count) / 10);
     }
 }

@@ -225,7 +225,7 @@ public sealed class SweepFolderTests : IDisposable
             ArrayBufferWriter<byte>[] files = [.. run.Format.Files.Select(_ => new ArrayBufferWriter<byte>())];
             maker.Make(first, rows);
             run.Format.Write(maker.Columns, rows, files);
-            sink.Add(files, rows, maker.HandedOn ?? 0);
+            sink.Add(files, rows, maker.FlownSingly ?? 0);
             if (first == 0)
             {
                 sink.Checkpoint();

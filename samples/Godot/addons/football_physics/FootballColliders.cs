@@ -1,3 +1,6 @@
+using Football.Physics.Engines;
+using Football.Physics.Shapes;
+
 #nullable enable
 using System.Collections.Generic;
 using Godot;

@@ -1,3 +1,5 @@
+using Football.Physics.Engines;
+using Football.Physics.Shapes;
 using System;
 using UnityEngine;
 

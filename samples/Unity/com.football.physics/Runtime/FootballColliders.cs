@@ -1,3 +1,4 @@
+using Football.Physics.Engines;
 using System;
 using System.Collections.Generic;
 using UnityEngine;

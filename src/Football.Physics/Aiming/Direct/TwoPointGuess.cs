@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Aiming;
 
 /// <summary>
 /// The start of a two-point kick in closed form. The way bends sideways like a parabola of the time, so the two bearings give azimuth and side

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Aiming;
 
 /// <summary>The least miss distance around three elevations, by successive parabolas; at a bound through the two nearest.</summary>
 internal sealed class ValleySearch

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace Football.Physics.Batch;
 
 /// <summary>What changes in a step, of a group of balls: float and what rounding took from it.</summary>
 internal sealed class LaneState

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace Football.Physics.Batch;
 
 /// <summary>Logarithm, exponential and polynomials of lanes, with errors of a few units in the last place of a float.</summary>
 #if NET8_0_OR_GREATER

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Batch;
 
 /// <summary>What a law in lanes computes of the spin once a step. No more than four fields: the compiler keeps them in registers.</summary>
 #if NET8_0_OR_GREATER

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace Football.Physics.Batch;
 
 /// <summary>No air.</summary>
 #if NET8_0_OR_GREATER

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Batch;
 
 /// <summary>Finds the best of many passes, through the air or along the ground: the earliest that a team mate meets before any opponent can.</summary>
 /// <remarks>
@@ -59,7 +59,7 @@ public sealed class PassFan
     /// <param name="opponents">The opponents at the kick; may be none.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
-    public PassChoice Find(PassFanRequest request, Runner[] mates, Runner[] opponents)
+    public PassChoice Find(PassFanRequest request, Player[] mates, Player[] opponents)
     {
         Check.Given(nameof(request), request);
         Check.Given(nameof(mates), mates);

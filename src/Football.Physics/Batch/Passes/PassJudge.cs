@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Batch;
 
 /// <summary>Judges kicks of a fan on their exact paths.</summary>
 internal sealed class PassJudge
@@ -56,7 +56,7 @@ internal sealed class PassJudge
     /// <param name="score">What it is known to be no better than; then how good it is, infinite where it is lost: when it is met, s, or how far from the target it ends, m.</param>
     /// <param name="choice">The kick, if it holds.</param>
     /// <returns>False where it was not looked at for long enough: it is no better than the score then is.</returns>
-    public bool Judge(PassFanRequest request, int index, Runner[] mates, Runner[] opponents, ref double score, out PassChoice choice)
+    public bool Judge(PassFanRequest request, int index, Player[] mates, Player[] opponents, ref double score, out PassChoice choice)
     {
         double known = mates.Length > 0 ? Math.Min(score + request.Margin + Ahead, _duration) : _duration;
         int seconds = Math.Min(Math.Max(0, (int)Math.Ceiling(known) - 1), _toImpact.Length - 1);
@@ -107,7 +107,7 @@ internal sealed class PassJudge
         BallState ball = _amongThings.Launch(from, velocity, spin);
         _log.Clear();
         _amongThings.Run(ref ball, TimeStep, time, StopAt.Time, _log);
-        bool meets = _log.Events.Missed > 0;
+        bool meets = _log.Events.Dropped > 0;
         foreach (ref readonly BallEvent happened in _log.Events.Span)
         {
             meets |= happened.Kind == BallEventKind.Net || (happened.Kind == BallEventKind.Impact && happened.Thing > 0);
@@ -117,7 +117,7 @@ internal sealed class PassJudge
     }
 
     /// <summary>Says by how much a kick that holds is met before any opponent could meet it: that may be long after.</summary>
-    public PassChoice Completed(PassFanRequest request, int index, Runner[] opponents, in PassChoice choice, int kicks, int open)
+    public PassChoice Completed(PassFanRequest request, int index, Player[] opponents, in PassChoice choice, int kicks, int open)
     {
         double lead = choice.Lead;
         if (double.IsPositiveInfinity(lead) && opponents.Length > 0)

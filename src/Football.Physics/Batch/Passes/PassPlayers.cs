@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace Football.Physics.Batch;
 
 /// <summary>Where the players of a fan can be, step by step: the same for all kicks, so it is worked out once a step.</summary>
 internal sealed class PassPlayers
@@ -30,7 +30,7 @@ internal sealed class PassPlayers
     /// <param name="mates">The team mates.</param>
     /// <param name="opponents">The opponents.</param>
     /// <param name="length">Length of a step, s.</param>
-    public void Begin(Runner[] mates, Runner[] opponents, double length)
+    public void Begin(Player[] mates, Player[] opponents, double length)
     {
         Mates = mates.Length;
         _players = mates.Length + opponents.Length;
@@ -46,7 +46,7 @@ internal sealed class PassPlayers
         Fastest = 0;
         for (int i = 0; i < _players; i++)
         {
-            Runner runner = i < Mates ? mates[i] : opponents[i - Mates];
+            Player runner = i < Mates ? mates[i] : opponents[i - Mates];
             runner.Validate();
             _motions[i] = new RunnerMotion(in runner, 0);
             Lowest = Math.Min(Lowest, _motions[i].Lowest);

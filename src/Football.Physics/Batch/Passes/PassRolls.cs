@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Batch;
 
 /// <summary>Looks at the kicks of a fan that go along the ground.</summary>
 /// <remarks>

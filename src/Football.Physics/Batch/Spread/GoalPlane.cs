@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Batch;
 
 /// <summary>The mouth of a goal, and what a place on its plane is worth.</summary>
 internal readonly struct GoalPlane
@@ -10,7 +10,7 @@ internal readonly struct GoalPlane
     private readonly RunnerMotion _keeper;
     private readonly Vector3d _right;
 
-    public GoalPlane(Goal goal, Runner? keeper)
+    public GoalPlane(Goal goal, Player? keeper)
     {
         goal.Validate("goal");
         _mouth = new GoalMouth(goal);
@@ -23,7 +23,7 @@ internal readonly struct GoalPlane
             given.Validate();
         }
 
-        Runner runner = keeper ?? new Runner();
+        Player runner = keeper ?? new Player();
         _keeper = new RunnerMotion(in runner, 0);
     }
 
@@ -60,7 +60,7 @@ internal readonly struct GoalPlane
     /// <param name="s">The distribution.</param>
     /// <param name="onTarget">That it goes in.</param>
     /// <param name="covered">That it does so where the goalkeeper can be.</param>
-    public void Chances(in ScatterResult s, out double onTarget, out double covered)
+    public void Chances(in GoalChanceResult s, out double onTarget, out double covered)
     {
         onTarget = NormalDistribution.Rectangle(
             s.Aside, s.Height, s.AsideDeviation, s.HeightDeviation, s.Correlation, -_halfWidth, _halfWidth, double.NegativeInfinity, _height);

@@ -1,11 +1,11 @@
-namespace Football.Physics;
+namespace Football.Physics.Prediction;
 
 /// <summary>A time during which a runner can meet the ball.</summary>
 public readonly struct InterceptWindow
 {
     internal InterceptWindow(int runner, double from, double to, in Vector3d position, in Vector3d velocity)
     {
-        Runner = runner;
+        Player = runner;
         From = from;
         To = to;
         Position = position;
@@ -13,7 +13,7 @@ public readonly struct InterceptWindow
     }
 
     /// <summary>Which of the runners, from 0.</summary>
-    public int Runner { get; }
+    public int Player { get; }
 
     /// <summary>When it begins, s since the launch.</summary>
     public double From { get; }
@@ -33,14 +33,14 @@ public readonly struct InterceptShare
 {
     internal InterceptShare(int runner, double from, double to, double lead)
     {
-        Runner = runner;
+        Player = runner;
         From = from;
         To = to;
         Lead = lead;
     }
 
     /// <summary>Which of the runners, from 0.</summary>
-    public int Runner { get; }
+    public int Player { get; }
 
     /// <summary>When it begins, s since the launch.</summary>
     public double From { get; }

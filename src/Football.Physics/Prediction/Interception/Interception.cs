@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Prediction;
 
 /// <summary>Who gets to the ball, and when: answers on a predicted path. Its memory is made once and used again; a query allocates nothing once there is room.</summary>
 /// <remarks>
@@ -47,7 +47,7 @@ public sealed class Interception
     /// <param name="until">When to end, s since the launch; default the path's end.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number of a runner is out of range; the message names field, value and range.</exception>
-    public void Find(Trajectory path, Runner[] runners, double? now = null, double? until = null)
+    public void Find(Trajectory path, Player[] runners, double? now = null, double? until = null)
     {
         double start = Begin(path, runners, now, until);
         _windows.Count = 0;
@@ -71,7 +71,7 @@ public sealed class Interception
     /// <returns>Which of them; −1 where nobody does. <see cref="First"/> and <see cref="Lead"/> tell so too.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number of a runner is out of range; the message names field, value and range.</exception>
-    public int FindFirst(Trajectory path, Runner[] runners, out PathPoint at, double? now = null, double? until = null)
+    public int FindFirst(Trajectory path, Player[] runners, out PathPoint at, double? now = null, double? until = null)
     {
         double start = Begin(path, runners, now, until);
         double first = double.PositiveInfinity;
@@ -110,7 +110,7 @@ public sealed class Interception
     /// <param name="now">When his time begins, s since the launch; default the path's start.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
-    public KeeperAnswer FindSave(Trajectory path, in Runner keeper, Goal goal, double? now = null)
+    public KeeperAnswer FindSave(Trajectory path, in Player keeper, Goal goal, double? now = null)
     {
         Check.Given(nameof(path), path);
         Check.Given(nameof(goal), goal);
@@ -121,7 +121,7 @@ public sealed class Interception
         return new KeeperSearch(_path, _firsts).Run(path, in keeper, goal, start);
     }
 
-    private double Begin(Trajectory path, Runner[] runners, double? now, double? until)
+    private double Begin(Trajectory path, Player[] runners, double? now, double? until)
     {
         Check.Given(nameof(path), path);
         Check.Given(nameof(runners), runners);

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Prediction;
 
 /// <summary>A goalkeeper's answer to a shot.</summary>
 public readonly struct KeeperAnswer

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Prediction;
 
 /// <summary>Finds what a goalkeeper can do about a shot.</summary>
 internal readonly struct KeeperSearch
@@ -19,7 +19,7 @@ internal readonly struct KeeperSearch
     }
 
     /// <summary>Finds it.</summary>
-    public KeeperAnswer Run(Trajectory path, in Runner keeper, Goal goal, double now)
+    public KeeperAnswer Run(Trajectory path, in Player keeper, Goal goal, double now)
     {
         var mouth = new GoalMouth(goal);
         bool crosses = path.TryGetCrossing(new Plane3d(mouth.Center, mouth.Out), out PathPoint crossing) && Vector3d.Dot(crossing.Velocity, mouth.Out) < 0;
@@ -53,7 +53,7 @@ internal readonly struct KeeperSearch
         };
     }
 
-    private bool Meets(in Runner keeper, double now, double begin, double end)
+    private bool Meets(in Player keeper, double now, double begin, double end)
     {
         var motion = new RunnerMotion(in keeper, now);
         _found.Count = 0;
@@ -65,7 +65,7 @@ internal readonly struct KeeperSearch
     /// The latest reaction with which he still meets the ball. Who runs on may come closer by it, so that a later one can do where an earlier one does not: from the
     /// last one back they are tried, and the end of the first that does is halved down to.
     /// </summary>
-    private double Latest(Runner keeper, double now, double begin, double end)
+    private double Latest(Player keeper, double now, double begin, double end)
     {
         double least = keeper.Reaction;
         double step = Math.Max(0, end - now - least) / Tries;
@@ -91,12 +91,12 @@ internal readonly struct KeeperSearch
     private readonly struct TooLate : ICondition
     {
         private readonly KeeperSearch _search;
-        private readonly Runner _keeper;
+        private readonly Player _keeper;
         private readonly double _now;
         private readonly double _begin;
         private readonly double _end;
 
-        public TooLate(KeeperSearch search, Runner keeper, double now, double begin, double end)
+        public TooLate(KeeperSearch search, Player keeper, double now, double begin, double end)
         {
             _search = search;
             _keeper = keeper;

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Prediction;
 
 /// <summary>Where a runner can be at a time: within a circle that is carried along until he reacts, and grows from then on.</summary>
 internal readonly struct RunnerMotion
@@ -14,7 +14,7 @@ internal readonly struct RunnerMotion
     private readonly double _speed;
     private readonly double _rampTime;
 
-    public RunnerMotion(in Runner runner, double now)
+    public RunnerMotion(in Player runner, double now)
     {
         _velocityX = runner.Velocity.X;
         _velocityZ = runner.Velocity.Z;

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Prediction;
 
 /// <summary>Who owns which part of the ball's way, by when each of those who can meet the ball could have been there.</summary>
 internal sealed class ShareSearch
@@ -136,7 +136,7 @@ internal sealed class ShareSearch
 
     private void Add(int runner, double from, double to, double lead)
     {
-        if (Count > 0 && Items[Count - 1].Runner == runner && from - Items[Count - 1].To <= Shortest)
+        if (Count > 0 && Items[Count - 1].Player == runner && from - Items[Count - 1].To <= Shortest)
         {
             InterceptShare before = Items[Count - 1];
             Items[Count - 1] = new InterceptShare(runner, before.From, to, before.Lead);

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Prediction;
 
 /// <summary>Windows as they are found, in memory that is used again.</summary>
 internal sealed class WindowList
@@ -11,7 +11,7 @@ internal sealed class WindowList
 
     /// <summary>Whether a time goes on with the runner's last window.</summary>
     public bool Continues(int runner, double time, double closeness) =>
-        Count > 0 && Items[Count - 1].Runner == runner && time - Items[Count - 1].To <= closeness;
+        Count > 0 && Items[Count - 1].Player == runner && time - Items[Count - 1].To <= closeness;
 
     /// <summary>Begins a window.</summary>
     public void Begin(int runner, double from, in Vector3d position, in Vector3d velocity)
@@ -36,6 +36,6 @@ internal sealed class WindowList
             return;
         }
 
-        Items[Count - 1] = new InterceptWindow(last.Runner, last.From, to, last.Position, last.Velocity);
+        Items[Count - 1] = new InterceptWindow(last.Player, last.From, to, last.Position, last.Velocity);
     }
 }

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Shapes;
 
 /// <summary>What is like a surface near a point of it, the origin: a plane, or a sphere of its curvature.</summary>
 internal sealed class TangentShape : IShape

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Laws;
 
 /// <summary>Wind by place and time.</summary>
 /// <remarks>

@@ -122,12 +122,12 @@ internal sealed class FolderSink : RowSink
         }
     }
 
-    private Manifest Now => new(_identity, _shard, Rows, _countsHandedOn ? HandedOn : null, [.. _files.Select(file => file.Record), _schema]);
+    private Manifest Now => new(_identity, _shard, Rows, _countsHandedOn ? FlownSingly : null, [.. _files.Select(file => file.Record), _schema]);
 
     private void Begin(Manifest? done, Manifest? begun, RowFormat format, byte[] schema)
     {
         Rows = begun?.Rows ?? 0;
-        HandedOn = begun?.HandedOn ?? 0;
+        FlownSingly = begun?.FlownSingly ?? 0;
         WasDone = done is not null;
         if (WasDone)
         {

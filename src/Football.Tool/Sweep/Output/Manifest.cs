@@ -9,9 +9,9 @@ namespace Football.Tool.Sweep.Output;
 /// <param name="Identity">The sweep.</param>
 /// <param name="Shard">The part.</param>
 /// <param name="Rows">Rows that there are; those of the part where it is done.</param>
-/// <param name="HandedOn">How many of them lanes handed to the single ball; null where nothing is flown in lanes.</param>
+/// <param name="FlownSingly">How many of them lanes handed to the single ball; null where nothing is flown in lanes.</param>
 /// <param name="Files">The files.</param>
-internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long? HandedOn, IReadOnlyList<FileRecord> Files)
+internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long? FlownSingly, IReadOnlyList<FileRecord> Files)
 {
     /// <summary>Name of the file in a folder that is done.</summary>
     public const string Done = "manifest.json";
@@ -88,7 +88,7 @@ internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long?
             json.WriteNumber("first", Shard.First);
             json.WriteEndObject();
             json.WriteNumber("rows", Rows);
-            if (HandedOn is { } handedOn)
+            if (FlownSingly is { } handedOn)
             {
                 json.WriteNumber("handedOn", handedOn);
             }

@@ -9,7 +9,7 @@ internal abstract class RowSink : IDisposable
     public long Rows { get; protected set; }
 
     /// <summary>How many of them lanes handed to the single ball.</summary>
-    public long HandedOn { get; protected set; }
+    public long FlownSingly { get; protected set; }
 
     /// <summary>Adds rows.</summary>
     /// <param name="files">What is to be added to each file.</param>
@@ -19,7 +19,7 @@ internal abstract class RowSink : IDisposable
     {
         Write(files);
         Rows += rows;
-        HandedOn += handedOn;
+        FlownSingly += handedOn;
         Added();
     }
 

@@ -12,7 +12,7 @@ internal sealed class AimRows : RowMaker
     public AimRows(SweepPlan plan, int capacity)
         : base(plan, capacity) => _scenes = new CompiledScenes<CompiledScene>(plan, Draws, scene => new CompiledScene(scene));
 
-    public override long? HandedOn => null;
+    public override long? FlownSingly => null;
 
     /// <summary>Names of what becomes of a search; of a kick with a point on the way too a hit is one of the target.</summary>
     public static string[] Statuses { get; } = [.. Enum.GetValues<AimStatus>().Where(status => status != AimStatus.TargetOnly).Select(status => Words.Of(status))];

@@ -23,7 +23,7 @@ internal sealed class BatchAimRows : RowMaker
         };
     }
 
-    public override long? HandedOn => _aimer.HandedOn;
+    public override long? FlownSingly => _aimer.FlownSingly;
 
     protected override void Answer(int count)
     {

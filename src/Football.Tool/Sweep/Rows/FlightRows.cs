@@ -24,7 +24,7 @@ internal sealed class FlightRows : LaunchRows
         _sceneFlights = new BatchFlights(several);
     }
 
-    public override long? HandedOn => _handedOn;
+    public override long? FlownSingly => _handedOn;
 
     protected override void Answer(int count)
     {
@@ -68,7 +68,7 @@ internal sealed class FlightRows : LaunchRows
     private void Fly(CompiledScene scene, BatchLaunches launches, BatchFlights flights, int count)
     {
         scene.Batch.Fly(launches, flights, count, scene.Scene.Duration);
-        _handedOn += scene.Batch.HandedOn;
+        _handedOn += scene.Batch.FlownSingly;
     }
 
     private void FlySeveral(int count)

@@ -31,7 +31,7 @@ internal sealed class PlayRows : LaunchRows
         }
     }
 
-    public override long? HandedOn => null;
+    public override long? FlownSingly => null;
 
     protected override void Answer(int count)
     {
@@ -99,7 +99,7 @@ internal sealed class PlayRows : LaunchRows
             (to, row, _) => Each(row, (k, place) => to.Set(place, k <= _lastEvent ? of(_path.Events[k]) : new Vector3d(double.NaN, double.NaN, double.NaN))));
         return
         [
-            new(Column.Whole("events.count", "", "events of the flight, those beyond the first included"), (to, row, _) => to.Wholes[row] = _lastEvent + 1 + _path.Events.Missed),
+            new(Column.Whole("events.count", "", "events of the flight, those beyond the first included"), (to, row, _) => to.Wholes[row] = _lastEvent + 1 + _path.Events.Dropped),
             new(Column.Word("events.kind", "what happened", s_kinds).Along(places),
                 (to, row, _) => Each(row, (k, place) => to.Words[place] = (byte)(k <= _lastEvent ? (int)_path.Events[k].Kind : s_kinds.Length - 1))),
             new(Column.Word("events.surface", "what was hit or met", surfaces).Along(places),

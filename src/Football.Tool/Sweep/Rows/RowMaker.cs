@@ -25,7 +25,7 @@ internal abstract class RowMaker
     public IReadOnlyList<ColumnData> Columns => _columns ??= [.. Chosen.Select(source => new ColumnData(source.Column, _capacity))];
 
     /// <summary>Of the last rows, how many lanes handed to the single ball; null where nothing is flown in lanes.</summary>
-    public abstract long? HandedOn { get; }
+    public abstract long? FlownSingly { get; }
 
     protected SweepPlan Plan { get; }
 

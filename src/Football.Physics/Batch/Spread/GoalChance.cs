@@ -1,11 +1,11 @@
-namespace Football.Physics;
+namespace Football.Physics.Batch;
 
 /// <summary>Where the kicks of a player cross the plane of a goal, and how surely they go in.</summary>
 /// <remarks>
 /// Where the spread is small, the derivatives of the kick that is meant map it to an ellipse; whether they do is tried with kicks at two standard deviations.
 /// Else a hundred thousand kicks are drawn and flown. Made once for a scene and used again. Not for several threads at once.
 /// </remarks>
-public sealed class Scatter
+public sealed class GoalChance
 {
     /// <summary>Kicks that are flown where the spread is not small.</summary>
     public const int Flights = 100_000;
@@ -33,7 +33,7 @@ public sealed class Scatter
     /// <summary>Compiles a scene.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
-    public Scatter(Scene? scene = null)
+    public GoalChance(Scene? scene = null)
     {
         _simulator = new Simulator(scene);
         _derivatives = new LaunchDerivatives(_simulator);
@@ -49,10 +49,10 @@ public sealed class Scatter
     /// <param name="keeper">Its goalkeeper at the kick, with the reach and heights of his dive; default none.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
-    public ScatterResult Find(Vector3d position, Vector3d velocity, Vector3d spin, KickSpread spread, Goal goal, Runner? keeper = null)
+    public GoalChanceResult Find(Vector3d position, Vector3d velocity, Vector3d spin, KickSpread spread, Goal goal, Player? keeper = null)
     {
         Prepare(position, velocity, spin, spread, goal, keeper, out SpreadKick kick, out GoalPlane plane);
-        return TryDerivatives(in kick, in plane, out ScatterResult result) ? result : Fly(in kick, in plane, Flights, 0);
+        return TryDerivatives(in kick, in plane, out GoalChanceResult result) ? result : Fly(in kick, in plane, Flights, 0);
     }
 
     /// <summary>Finds the scatter of a kick by kicks that are drawn and flown.</summary>
@@ -66,8 +66,8 @@ public sealed class Scatter
     /// <param name="seed">Which kicks are drawn; the same ones for the same seed.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
-    public ScatterResult FindByFlights(
-        Vector3d position, Vector3d velocity, Vector3d spin, KickSpread spread, Goal goal, Runner? keeper = null, int count = Flights, long seed = 0)
+    public GoalChanceResult FindByFlights(
+        Vector3d position, Vector3d velocity, Vector3d spin, KickSpread spread, Goal goal, Player? keeper = null, int count = Flights, long seed = 0)
     {
         Check.Within(nameof(count), count, 2, 100_000_000);
         Prepare(position, velocity, spin, spread, goal, keeper, out SpreadKick kick, out GoalPlane plane);
@@ -75,7 +75,7 @@ public sealed class Scatter
     }
 
     private void Prepare(
-        in Vector3d position, in Vector3d velocity, in Vector3d spin, KickSpread spread, Goal goal, Runner? keeper, out SpreadKick kick, out GoalPlane plane)
+        in Vector3d position, in Vector3d velocity, in Vector3d spin, KickSpread spread, Goal goal, Player? keeper, out SpreadKick kick, out GoalPlane plane)
     {
         Check.Given(nameof(spread), spread);
         Check.Given(nameof(goal), goal);
@@ -86,7 +86,7 @@ public sealed class Scatter
     }
 
     /// <summary>By derivatives: A = M L maps normal numbers to the plane, where kicks at ± two standard deviations are where it says.</summary>
-    private bool TryDerivatives(in SpreadKick kick, in GoalPlane plane, out ScatterResult result)
+    private bool TryDerivatives(in SpreadKick kick, in GoalPlane plane, out GoalChanceResult result)
     {
         result = default;
         PlaneCrossingPoint meant = _flights.Alone(kick.Position, in plane, kick.Velocity, kick.Spin);
@@ -110,9 +110,9 @@ public sealed class Scatter
         }
 
         double product = Math.Sqrt(a * b);
-        result = new ScatterResult
+        result = new GoalChanceResult
         {
-            Method = ScatterMethod.Derivatives,
+            Method = GoalChanceMethod.Derivatives,
             Kicks = 2 + (2 * KickSpread.Count),
             Crosses = 1,
             Aside = aside,
@@ -161,7 +161,7 @@ public sealed class Scatter
 
     /// <summary>Whether kicks two standard deviations off on both sides cross where the derivatives say, and how their way bends: its second derivative.</summary>
     private bool Holds(
-        in SpreadKick kick, in GoalPlane plane, in ScatterResult at, double right, double up, out double bendAside, out double bendHeight)
+        in SpreadKick kick, in GoalPlane plane, in GoalChanceResult at, double right, double up, out double bendAside, out double bendHeight)
     {
         bool crosses = Cross(in kick, in plane, 2.0, out double x1, out double y1);
         crosses &= Cross(in kick, in plane, -2.0, out double x0, out double y0);
@@ -189,9 +189,9 @@ public sealed class Scatter
         return at.Time > 0;
     }
 
-    private ScatterResult Fly(in SpreadKick kick, in GoalPlane plane, int count, long seed)
+    private GoalChanceResult Fly(in SpreadKick kick, in GoalPlane plane, int count, long seed)
     {
-        var sum = new ScatterSum();
+        var sum = new GoalChanceSum();
         int drawn = 0;
         while (drawn < count)
         {

@@ -1,11 +1,11 @@
-namespace Football.Physics;
+namespace Football.Physics.Prediction;
 
 /// <summary>Keeps a prediction of a moving ball up to date, doing as little as it can.</summary>
 /// <remarks>
 /// While the real ball keeps to the predicted path, the past is dropped and the end extended; only a kick, or a path that leaves the
 /// tolerance, starts it again. With the game's own integrator and step the prediction is the future bit for bit.
 /// </remarks>
-public sealed class Prediction
+public sealed class TrajectoryCache
 {
     /// <summary>A velocity may differ by the tolerance times this, 1/s, before the ball counts as kicked.</summary>
     private const double VelocityShare = 100;
@@ -21,7 +21,7 @@ public sealed class Prediction
     /// <param name="capacity">Pieces of path to make room for; default 512.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range.</exception>
-    public Prediction(Simulator simulator, LookAheadRequest request, double tolerance = 1e-5, int capacity = 512)
+    public TrajectoryCache(Simulator simulator, LookAheadRequest request, double tolerance = 1e-5, int capacity = 512)
     {
         _simulator = simulator ?? throw new ArgumentNullException(nameof(simulator));
         _request = request ?? throw new ArgumentNullException(nameof(request));

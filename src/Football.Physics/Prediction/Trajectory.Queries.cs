@@ -1,22 +1,20 @@
-namespace Football.Physics;
+namespace Football.Physics.Prediction;
 
-/// <summary>More questions that a predicted path answers.</summary>
-public static class TrajectoryQueries
+/// <content>Questions that a path answers: the highest point, crossings, closest approaches, places at equal times.</content>
+public sealed partial class Trajectory
 {
     /// <summary>Parts that a piece is looked at in, for the closest of several approaches to a segment.</summary>
     private const int Parts = 8;
     private const int MostHalvings = 60;
 
     /// <summary>The highest point of a path: when and where, and how fast the ball is there.</summary>
-    /// <param name="path">The path.</param>
-    /// <exception cref="ArgumentNullException"><paramref name="path"/> is null.</exception>
-    public static PathPoint ApexPoint(this Trajectory path)
+    public PathPoint ApexPoint()
     {
-        BallState end = (path ?? throw new ArgumentNullException(nameof(path))).Final;
+        BallState end = Final;
         var best = new PathPoint(end.Time, end.Position, end.Velocity, 0);
-        for (int i = 0; i < path.Count; i++)
+        for (int i = 0; i < Count; i++)
         {
-            ref readonly PathPiece piece = ref path.Piece(i);
+            ref readonly PathPiece piece = ref Piece(i);
             if (i == 0 || piece.Apex > best.Position.Y)
             {
                 double time = piece.ApexTime;
@@ -28,27 +26,20 @@ public static class TrajectoryQueries
     }
 
     /// <summary>One of the crossings of a plane.</summary>
-    /// <param name="path">The path.</param>
     /// <param name="plane">The plane.</param>
     /// <param name="index">Which, from 0, of those in the direction.</param>
     /// <param name="direction">Which way.</param>
     /// <param name="crossing">Where and when.</param>
     /// <returns>False where there are not so many.</returns>
-    /// <exception cref="ArgumentNullException"><paramref name="path"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="plane"/> was never made, <paramref name="index"/> is negative, or <paramref name="direction"/> none of the enumeration.</exception>
-    public static bool TryGetCrossing(this Trajectory path, in Plane3d plane, int index, CrossingDirection direction, out PathPoint crossing)
+    public bool TryGetCrossing(in Plane3d plane, int index, CrossingDirection direction, out PathPoint crossing)
     {
-        if (path is null)
-        {
-            throw new ArgumentNullException(nameof(path));
-        }
-
         plane.Validate(nameof(plane));
         Check.AtLeast(nameof(index), index, 0);
         Check.Defined(nameof(direction), direction, (int)direction, 3);
-        for (int i = 0; i < path.Count; i++)
+        for (int i = 0; i < Count; i++)
         {
-            ref readonly PathPiece piece = ref path.Piece(i);
+            ref readonly PathPiece piece = ref Piece(i);
             if (!piece.Crosses(plane.Point, plane.Normal, out double time))
             {
                 continue;
@@ -73,17 +64,15 @@ public static class TrajectoryQueries
     }
 
     /// <summary>The closest approach to a segment: a bar, a leg, a line on the pitch.</summary>
-    /// <param name="path">The path.</param>
     /// <param name="from">One end, m.</param>
     /// <param name="to">The other end, m.</param>
-    /// <exception cref="ArgumentNullException"><paramref name="path"/> is null.</exception>
-    public static PathPoint ClosestApproach(this Trajectory path, Vector3d from, Vector3d to)
+    public PathPoint ClosestApproach(Vector3d from, Vector3d to)
     {
-        BallState end = (path ?? throw new ArgumentNullException(nameof(path))).Final;
+        BallState end = Final;
         var best = new PathPoint(end.Time, end.Position, end.Velocity, Distance(end.Position, in from, in to));
-        for (int i = 0; i < path.Count; i++)
+        for (int i = 0; i < Count; i++)
         {
-            ref readonly PathPiece piece = ref path.Piece(i);
+            ref readonly PathPiece piece = ref Piece(i);
             double part = piece.Length / Parts;
             for (int k = 0; k < Parts; k++)
             {
@@ -100,31 +89,24 @@ public static class TrajectoryQueries
     }
 
     /// <summary>Writes places of the path at equal intervals: for a line that is drawn.</summary>
-    /// <param name="path">The path.</param>
     /// <param name="places">Where they go, m.</param>
     /// <param name="interval">Time between two of them, s; above 0.</param>
     /// <returns>How many were written: the first is the start; none is after the end of the path, which is the last where there is room.</returns>
-    /// <exception cref="ArgumentNullException"><paramref name="path"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="interval"/> is out of range.</exception>
-    public static int Sample(this Trajectory path, Span<Vector3d> places, double interval)
+    public int Sample(Span<Vector3d> places, double interval)
     {
-        if (path is null)
-        {
-            throw new ArgumentNullException(nameof(path));
-        }
-
         Check.Positive(nameof(interval), interval);
         int count = 0;
-        double time = path.StartTime;
-        while (count < places.Length && time < path.EndTime)
+        double time = StartTime;
+        while (count < places.Length && time < EndTime)
         {
-            places[count++] = path.PositionAt(time);
-            time = path.StartTime + (count * interval);
+            places[count++] = PositionAt(time);
+            time = StartTime + (count * interval);
         }
 
         if (count < places.Length)
         {
-            places[count++] = path.Final.Position;
+            places[count++] = Final.Position;
         }
 
         return count;

@@ -1,7 +1,7 @@
-namespace Football.Physics;
+namespace Football.Physics.Batch;
 
 /// <summary>How a scatter was found.</summary>
-public enum ScatterMethod
+public enum GoalChanceMethod
 {
     /// <summary>By the derivatives of one kick: the spread is so small that its ellipse is the kick's own, mapped to the plane.</summary>
     Derivatives,

@@ -1,10 +1,10 @@
-namespace Football.Physics;
+namespace Football.Physics.Batch;
 
 /// <summary>Where the kicks of a player cross the plane of a goal.</summary>
-public readonly record struct ScatterResult
+public readonly record struct GoalChanceResult
 {
     /// <summary>How it was found.</summary>
-    public ScatterMethod Method { get; init; }
+    public GoalChanceMethod Method { get; init; }
 
     /// <summary>Kicks that were flown for it.</summary>
     public int Kicks { get; init; }

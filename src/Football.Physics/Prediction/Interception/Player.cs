@@ -1,14 +1,14 @@
-namespace Football.Physics;
+namespace Football.Physics.Prediction;
 
 /// <summary>
 /// A player who goes for the ball. Until his reaction time he goes on as he does; from there he can be anywhere within
 /// D(s) = ½ a s² while s ≤ v/a, then v (s − v/2a), s being the time since.
 /// </summary>
 /// <remarks>He meets the ball when its horizontal distance from that place is no more than D and his reach together, and its height is within his.</remarks>
-public readonly struct Runner
+public readonly struct Player
 {
     /// <summary>A player with the numbers of a fit adult.</summary>
-    public Runner()
+    public Player()
     {
     }
 
@@ -37,7 +37,7 @@ public readonly struct Runner
     public double HighestHeight { get; init; } = 2.3;
 
     /// <summary>The same with another reaction time, s.</summary>
-    internal Runner Reacting(double reaction) => new()
+    internal Player Reacting(double reaction) => new()
     {
         Position = Position,
         Velocity = Velocity,

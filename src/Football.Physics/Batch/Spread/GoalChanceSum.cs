@@ -1,7 +1,7 @@
-namespace Football.Physics;
+namespace Football.Physics.Batch;
 
 /// <summary>Counts kicks and sums their places.</summary>
-internal struct ScatterSum
+internal struct GoalChanceSum
 {
     private int _crosses;
     private int _in;
@@ -37,7 +37,7 @@ internal struct ScatterSum
     }
 
     /// <summary>What became of so many kicks.</summary>
-    public readonly ScatterResult Result(int count)
+    public readonly GoalChanceResult Result(int count)
     {
         double per = _crosses > 0 ? 1.0 / _crosses : 0;
         double x = per * _x;
@@ -45,9 +45,9 @@ internal struct ScatterSum
         double a = Math.Max(0, (per * _xx) - (x * x));
         double b = Math.Max(0, (per * _yy) - (y * y));
         double product = Math.Sqrt(a * b);
-        return new ScatterResult
+        return new GoalChanceResult
         {
-            Method = ScatterMethod.Flights,
+            Method = GoalChanceMethod.Flights,
             Kicks = count,
             Crosses = (double)_crosses / count,
             Aside = x,
