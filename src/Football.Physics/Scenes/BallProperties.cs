@@ -38,7 +38,7 @@ public sealed record BallProperties
     public static BallProperties Brazuca { get; } = new() { DragCurve = DragCurve.Brazuca, KnuckleForce = 1.5 };
 
     /// <summary>
-    /// A match ball of today as it flies in a match: see <see cref="Football.Physics.DragCurve.Modern"/>. Drag measured on one match; knuckle force 1.5 N guess.
+    /// A match ball of today as it flies in a match: its drag curve is that of roughness 0.86. Drag measured on one match; knuckle force 1.5 N guess.
     /// </summary>
     public static BallProperties Modern { get; } = new() { DragCurve = DragCurve.Modern };
 

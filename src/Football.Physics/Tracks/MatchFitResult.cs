@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Tracks;
 
 /// <summary>What the track of a match told: its pieces in order of time, and the numbers of which one value holds for all of it.</summary>
 public sealed class MatchFitResult

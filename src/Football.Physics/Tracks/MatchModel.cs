@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Tracks;
 
 /// <summary>What all flights of a match share: the wind, the ball's drag and lift. Numbers that are not asked for stay the scene's.</summary>
 internal sealed class MatchModel

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Tracks;
 
 /// <summary>A piece of a match's track: one flight, one impact, one touch, a time on the ground, or what could not be explained. Frame y up, SI units.</summary>
 public sealed record MatchPiece
@@ -15,7 +15,7 @@ public sealed record MatchPiece
     /// <summary>Points of the track in it; none in an impact, a touch or a gap.</summary>
     public int Points { get; init; }
 
-    /// <summary>Root of the mean square of the points' distances from what was fitted, m; 0 without points.</summary>
+    /// <summary>Root of the mean square of the points' distances from <see cref="Fitted"/>, m; 0 without points.</summary>
     public double Rms { get; init; }
 
     /// <summary>The largest of those distances, m.</summary>
@@ -51,7 +51,7 @@ public sealed record MatchPiece
     /// <summary>The points of the track in it.</summary>
     public IReadOnlyList<TrackPoint> Seen { get; init; } = [];
 
-    /// <summary>Where the fit has the ball at each of <see cref="Seen"/>, m; empty where nothing was fitted.</summary>
+    /// <summary>Where the fit has the ball at each of <see cref="Seen"/>, m: by the laws of flight, elsewhere by cubics in time.</summary>
     public IReadOnlyList<Vector3d> Fitted { get; init; } = [];
 
     /// <summary>How long it takes, s.</summary>

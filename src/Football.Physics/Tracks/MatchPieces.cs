@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Tracks;
 
 /// <summary>Makes the pieces of a match from its flights: what is between them, and what happened from one to the next.</summary>
 internal sealed class MatchPieces
@@ -203,7 +203,7 @@ internal sealed class MatchPieces
                 to = next;
             }
 
-            steady.Add(Rest(low ? MatchPieceKind.Ground : MatchPieceKind.Lost, from, to));
+            steady.Add(Rest(low ? MatchPieceKind.Ground : MatchPieceKind.Lost, ends, from, to));
             paths.Add(null);
             from = to;
         }
@@ -279,8 +279,25 @@ internal sealed class MatchPieces
         return change.Length > TouchVelocity + (6 * _runs.Noise / (span * Math.Sqrt(after - at)));
     }
 
-    private MatchPiece Rest(MatchPieceKind kind, int first, int end)
+    /// <summary>A piece that no law of flight describes: by the cubics of the division.</summary>
+    private MatchPiece Rest(MatchPieceKind kind, IReadOnlyList<int> ends, int first, int end)
     {
+        var fitted = new Vector3d[end - first];
+        double squares = 0;
+        double worst = 0;
+        for (int from = first, to; from < end; from = to)
+        {
+            to = PieceEnd(ends, from, end);
+            var cubic = TrackPolynomial.Of(_track, from, to, 3);
+            for (int i = from; i < to; i++)
+            {
+                fitted[i - first] = cubic.At(_track[i].Time);
+                double square = (_track[i].Position - fitted[i - first]).LengthSquared;
+                squares += square;
+                worst = Math.Max(worst, square);
+            }
+        }
+
         int few = Math.Min(end, first + 8);
         double time = _track[first].Time;
         var start = TrackPolynomial.Of(_track, first, few, 1);
@@ -290,9 +307,12 @@ internal sealed class MatchPieces
             From = time,
             To = _track[end - 1].Time,
             Points = end - first,
+            Rms = Math.Sqrt(squares / (end - first)),
+            Worst = Math.Sqrt(worst),
             Position = _track[first].Position,
             Velocity = few - first > 1 ? start.VelocityAt(time) : Vector3d.Zero,
             Seen = Points(first, end),
+            Fitted = fitted,
         };
     }
 

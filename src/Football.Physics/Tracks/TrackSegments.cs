@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace Football.Physics.Tracks;
 
 /// <summary>Divides a track into pieces that a cubic in time describes, so that kicks, bounces and seams lie between them.</summary>
 /// <remarks>
