@@ -4,6 +4,7 @@ using Football.Physics.Labs.Derivatives;
 using Football.Physics.Labs.Goals;
 using Football.Physics.Labs.Intercept;
 using Football.Physics.Labs.Obstacles;
+using Football.Physics.Labs.Play;
 using Football.Physics.Labs.Queries;
 using Football.Tool.Commands;
 
@@ -37,5 +38,6 @@ internal static class Laboratories
         FitLab.Create(terminal),
         ObstaclesLab.Create(terminal),
         GoalsLab.Create(terminal),
+        PlayLab.Create(terminal),
     };
 }

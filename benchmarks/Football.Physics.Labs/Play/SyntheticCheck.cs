@@ -1,0 +1,108 @@
+using Football.Physics.Tracks;
+
+namespace Football.Physics.Labs.Play;
+
+/// <summary>How much of simulated minutes a fit finds, and how often the truth is where it says.</summary>
+internal sealed class SyntheticCheck
+{
+    /// <summary>Flights from this on are counted, s.</summary>
+    private const double Shortest = 0.3;
+
+    /// <summary>An end is found to within so much, s: three frames.</summary>
+    private const double EndError = 0.061;
+
+    /// <summary>An event is found to within so much, s.</summary>
+    private const double EventError = 0.05;
+
+    /// <summary>Six numbers together are within a box of 95 % where each is within so many deviations.</summary>
+    private const double Box = 2.631;
+
+    private const double One = 1.96;
+
+    public int Flights { get; private set; }
+
+    public int FlightsFound { get; private set; }
+
+    public int Impacts { get; private set; }
+
+    public int ImpactsFound { get; private set; }
+
+    public int Launches { get; private set; }
+
+    public int LaunchesWithin { get; private set; }
+
+    /// <summary>Numbers of the whole track, and those within 1.96 deviations.</summary>
+    public int Numbers { get; private set; }
+
+    public int NumbersWithin { get; private set; }
+
+    public double Squares { get; private set; }
+
+    public int Matches { get; private set; }
+
+    public void Run(SyntheticMatch match)
+    {
+        MatchFitResult fit = new MatchFit(SyntheticMatch.Known).Find([.. match.Seen], new MatchFitRequest { Crisis = false });
+        Matches++;
+        Squares += fit.Rms * fit.Rms;
+        CountFlights(match, fit);
+        CountNumbers(match, fit);
+    }
+
+    private void CountFlights(SyntheticMatch match, MatchFitResult fit)
+    {
+        MatchPiece[] flights = [.. fit.Pieces.Where(piece => piece.Kind == MatchPieceKind.Flight)];
+        double from = 0;
+        foreach ((double time, bool impact) in match.Events.Append((match.Truth[^1].Time, false)))
+        {
+            double first = from;
+            from = time;
+
+            // Airborne all the time, and seen all the time: a gap or a seam in it makes two of it.
+            bool flies = time - first >= Shortest && match.Truth.Where(ball => ball.Time > first + 1e-9 && ball.Time < time - 1e-9).All(ball => ball.Motion == MotionState.Airborne);
+            bool isSeen = !match.Gaps.Exists(gap => gap.From < time && gap.To > first) && !Array.Exists(match.Seams, seam => seam > first && seam < time);
+            if (!flies || !isSeen)
+            {
+                continue;
+            }
+
+            Flights++;
+            MatchPiece? found = Array.Find(flights, piece => Math.Abs(piece.From - first) < EndError && Math.Abs(piece.To - time) < EndError);
+            FlightsFound += found is null ? 0 : 1;
+            if (impact && time < match.Truth[^1].Time)
+            {
+                Impacts++;
+                ImpactsFound += fit.Pieces.Any(piece => piece.Kind == MatchPieceKind.Impact && Math.Abs(piece.From - time) < EventError) ? 1 : 0;
+            }
+
+            if (found is not null)
+            {
+                BallState truth = match.Truth.MinBy(ball => Math.Abs(ball.Time - found.From));
+                Launches++;
+                LaunchesWithin += IsWithin(truth.Velocity - found.Velocity, found.VelocityDeviation) && IsWithin(truth.Spin - found.Spin, found.SpinDeviation) ? 1 : 0;
+            }
+        }
+    }
+
+    private void CountNumbers(SyntheticMatch match, MatchFitResult fit)
+    {
+        for (int i = 0; i < fit.Names.Count; i++)
+        {
+            double? truth = fit.Names[i] switch
+            {
+                "wind.x" => match.Wind.X,
+                "wind.z" => match.Wind.Z,
+                "drag" => match.Drag,
+                _ => null,
+            };
+            if (truth is { } number)
+            {
+                Numbers++;
+                NumbersWithin += Math.Abs(fit.Value(i) - number) <= One * fit.Deviation(i) ? 1 : 0;
+            }
+        }
+    }
+
+    private static bool IsWithin(Vector3d off, Vector3d deviation) =>
+        Math.Abs(off.X) <= Box * deviation.X && Math.Abs(off.Y) <= Box * deviation.Y && Math.Abs(off.Z) <= Box * deviation.Z;
+}
