@@ -11,6 +11,9 @@ internal sealed class SyntheticCheck
     /// <summary>An end is found to within so much, s: three frames.</summary>
     private const double EndError = 0.061;
 
+    /// <summary>A hop that rises no higher than so many deviations of a point is not told from a ball that rolls.</summary>
+    private const double RiseShare = 5;
+
     /// <summary>An event is found to within so much, s.</summary>
     private const double EventError = 0.05;
 
@@ -61,7 +64,10 @@ internal sealed class SyntheticCheck
             // Airborne all the time, and seen all the time: a gap or a seam in it makes two of it.
             bool flies = time - first >= Shortest && match.Truth.Where(ball => ball.Time > first + 1e-9 && ball.Time < time - 1e-9).All(ball => ball.Motion == MotionState.Airborne);
             bool isSeen = !match.Gaps.Exists(gap => gap.From < time && gap.To > first) && !Array.Exists(match.Seams, seam => seam > first && seam < time);
-            if (!flies || !isSeen)
+            double rise = match.Truth.Where(ball => ball.Time > first && ball.Time < time).Select(ball => ball.Position.Y).DefaultIfEmpty().Max()
+                - Math.Max(match.Truth.Last(ball => ball.Time <= first + 1e-9).Position.Y, match.Truth.Last(ball => ball.Time <= time + 1e-9).Position.Y);
+            bool canBeTold = !impact || rise > RiseShare * match.Noise;
+            if (!flies || !isSeen || !canBeTold)
             {
                 continue;
             }
@@ -77,11 +83,21 @@ internal sealed class SyntheticCheck
 
             if (found is not null)
             {
-                BallState truth = match.Truth.MinBy(ball => Math.Abs(ball.Time - found.From));
+                (Vector3d velocity, Vector3d spin) = TruthAt(match, found.From, first);
                 Launches++;
-                LaunchesWithin += IsWithin(truth.Velocity - found.Velocity, found.VelocityDeviation) && IsWithin(truth.Spin - found.Spin, found.SpinDeviation) ? 1 : 0;
+                LaunchesWithin += IsWithin(velocity - found.Velocity, found.VelocityDeviation) && IsWithin(spin - found.Spin, found.SpinDeviation) ? 1 : 0;
             }
         }
+    }
+
+    /// <summary>Velocity and spin at the beginning of a flight that was found; where that is a frame too early, as if the flight had begun then.</summary>
+    private static (Vector3d Velocity, Vector3d Spin) TruthAt(SyntheticMatch match, double time, double first)
+    {
+        int at = match.Truth.FindIndex(ball => ball.Time > Math.Max(time - 1e-6, first));
+        BallState next = match.Truth[at];
+        BallState second = match.Truth[Math.Min(match.Truth.Count - 1, at + 1)];
+        Vector3d acceleration = (second.Velocity - next.Velocity) / SyntheticMatch.Interval;
+        return (next.Velocity - ((next.Time - time) * acceleration), next.Spin);
     }
 
     private void CountNumbers(SyntheticMatch match, MatchFitResult fit)

@@ -24,6 +24,9 @@ internal sealed class SyntheticMatch
 
     public double GroundHeight { get; private set; }
 
+    /// <summary>Standard deviation of each coordinate, m.</summary>
+    public double Noise { get; private init; }
+
     /// <summary>The scene that a fit is to begin with: the ball without the factor, no wind.</summary>
     public static Scene Known { get; } = new() { Ball = BallProperties.Modern, Ground = Ground.MatchTurf };
 
@@ -44,7 +47,7 @@ internal sealed class SyntheticMatch
     /// <param name="noise">Standard deviation of each coordinate, m.</param>
     public static SyntheticMatch Play(SeededRandom random, double noise)
     {
-        var match = new SyntheticMatch(random);
+        var match = new SyntheticMatch(random) { Noise = noise };
         match.Play();
         match.See(noise);
         return match;

@@ -7,7 +7,7 @@ internal readonly struct ContactMaterial
     private const double RigSpeed = 6.0;
 
     /// <summary>C: at a speed along the surface of so many times the approach, half of the rise is there (measured on the impacts of one match: 2.5 … 3.5).</summary>
-    private const double HalfRise = 3.0;
+    private const double HalfRise = 2.8;
 
     /// <summary>e₀ = e₆ √(1 + (6/V_e)²).</summary>
     public readonly double SlowRestitution;
@@ -78,7 +78,7 @@ internal readonly struct ContactMaterial
     }
 
     /// <summary>
-    /// e = e_n + η (1 − e_n) v_t²/(v_t² + (C v_n)²), e_n = e₀/√(1 + (v_n/V_e)²): a ball that grazes ploughs less. At most 1.
+    /// e = e_n + η (1 − e_n) v_t⁴/(v_t⁴ + (C v_n)⁴), e_n = e₀/√(1 + (v_n/V_e)²): a ball that grazes ploughs less. At most 1.
     /// </summary>
     /// <param name="approach">v_n, m/s.</param>
     /// <param name="along">v_t, the ball's velocity along the surface, m/s.</param>
@@ -90,9 +90,10 @@ internal readonly struct ContactMaterial
             return e;
         }
 
-        double square = along.LengthSquared;
+        // Of the squares' ratio, so that nothing overflows.
         double steep = HalfRise * approach;
-        double grazing = square > 0 ? square / (square + (steep * steep)) : 0;
+        double square = along.LengthSquared / (steep * steep);
+        double grazing = square < 1e150 ? square * square / (1.0 + (square * square)) : 1;
         return e + (RestitutionRise * (1.0 - e) * grazing);
     }
 

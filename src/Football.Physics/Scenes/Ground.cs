@@ -15,7 +15,7 @@ public sealed record Ground
 
     /// <summary>
     /// Rise η of restitution with obliqueness: the share of what it lacks of 1 that a grazing impact gives back, as the ball ploughs less there,
-    /// e → e + η (1 − e) c²/(c² + 9) with c the speed along the ground by that towards it. 0 … 1; default 0.
+    /// e → e + η (1 − e) c⁴/(c⁴ + 2.8⁴) with c the speed along the ground by that towards it. 0 … 1; default 0.
     /// </summary>
     public double RestitutionRise { get; init; }
 
@@ -99,13 +99,14 @@ public sealed record Ground
     };
 
     /// <summary>
-    /// The turf of a match, mown and watered, as balls bounce on it in play: restitution 0.622 at a vertical drop, rising with obliqueness to 0.8 and more (η 1, measured on the impacts of one
+    /// The turf of a match, mown and watered, as balls bounce on it in play: restitution 0.61 at a vertical drop, rising with obliqueness to 0.8 and more (η 0.85, measured on the impacts of one
     /// minute of one match), impact friction 0.41 (likewise: 0.28 … 0.46). Meets the windows of the rigs for a wet natural pitch (drop 0.60 … 1.00 m, angle 45 … 80 %, roll 4 … 10 m);
     /// the rest guess.
     /// </summary>
     public static Ground MatchTurf { get; } = new()
     {
-        RestitutionRise = 1,
+        NormalRestitution = 0.61,
+        RestitutionRise = 0.85,
         ImpactFriction = 0.41,
         SlidingFriction = 0.35,
     };

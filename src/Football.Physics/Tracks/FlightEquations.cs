@@ -12,6 +12,10 @@ internal sealed class FlightEquations
     /// <summary>Points farther off than this many deviations count less and less (Huber).</summary>
     private const double Huber = 4;
 
+    /// <summary>Heights are wrong by so much at the ground, m, and by less up to so far over it, m: a crowned pitch, and what cameras think of a ball in the grass.</summary>
+    private const double NearGround = 0.05;
+    private const double Low = 0.5;
+
     /// <summary>The longest step, s.</summary>
     private const double LongestStep = 0.04;
 
@@ -33,6 +37,9 @@ internal sealed class FlightEquations
         _deviation = deviation;
         _spinDeviation = spinDeviation;
     }
+
+    /// <summary>Height of the ball's centre on the ground, m, once that is known: near it heights are wrong by more than their noise.</summary>
+    public double Contact { get; set; } = double.NegativeInfinity;
 
     /// <summary>Follows a flight from its launch.</summary>
     /// <param name="simulator">The scene.</param>
@@ -140,25 +147,27 @@ internal sealed class FlightEquations
         {
             ref readonly TrackPoint point = ref _track[flight.First + i];
             Vector3d miss = point.Position - _path[i];
-            double sigma = Deviation(in point);
-            double off = miss.Length / sigma;
-            double weight = (off > Huber ? Huber / off : 1.0) / (sigma * sigma);
+            double across = Deviation(in point);
+            double up = HeightDeviation(in point);
+            double off = Off(in miss, across, up);
+            double weight = off > Huber ? Huber / off : 1.0;
+            var weights = new Vector3d(weight / (across * across), weight / (up * up), weight / (across * across));
             for (int j = 0; j < size; j++)
             {
-                Vector3d left = j < 3 ? Axis(j) : jacobian[j][i];
-                gradient[j] += weight * Vector3d.Dot(in left, in miss);
+                Vector3d left = Weighted(j < 3 ? Axis(j) : jacobian[j][i], in weights);
+                gradient[j] += Vector3d.Dot(in left, in miss);
                 for (int k = 0; k <= j; k++)
                 {
-                    normal[(j * size) + k] += weight * (k < 3 ? Component(in left, k) : Vector3d.Dot(in left, in jacobian[k][i]));
+                    normal[(j * size) + k] += k < 3 ? Component(in left, k) : Vector3d.Dot(in left, in jacobian[k][i]);
                 }
             }
         }
 
-        double perSpin = 1.0 / (_spinDeviation * _spinDeviation);
+        double perSpin = PerSpin(flight);
         for (int j = 6; j < Launch; j++)
         {
             normal[(j * size) + j] += perSpin;
-            gradient[j] -= perSpin * flight.Values[j];
+            gradient[j] += perSpin * (Component(flight.LikelySpin, j - 6) - flight.Values[j]);
         }
 
         for (int j = 0; j < size; j++)
@@ -178,13 +187,33 @@ internal sealed class FlightEquations
     /// <summary>How far a coordinate of a point may be off, m.</summary>
     public double Deviation(in TrackPoint point) => Math.Max(_deviation, point.Noise);
 
+    /// <summary>How far a height may be off, m.</summary>
+    private double HeightDeviation(in TrackPoint point)
+    {
+        double deviation = Deviation(in point);
+        double over = Math.Max(0, point.Position.Y - Contact);
+        double wrong = over < Low ? NearGround * (1 - (over / Low)) : 0;
+        return Math.Sqrt((deviation * deviation) + (wrong * wrong));
+    }
+
+    private double PerSpin(FlightPath flight)
+    {
+        double deviation = flight.LikelySpinDeviation > 0 ? flight.LikelySpinDeviation : _spinDeviation;
+        return 1.0 / (deviation * deviation);
+    }
+
+    private static double Off(in Vector3d miss, double across, double up) =>
+        Math.Sqrt((((miss.X * miss.X) + (miss.Z * miss.Z)) / (across * across)) + (miss.Y * miss.Y / (up * up)));
+
+    private static Vector3d Weighted(in Vector3d v, in Vector3d weights) => new(v.X * weights.X, v.Y * weights.Y, v.Z * weights.Z);
+
     private double Cost(FlightPath flight, double[] values, Vector3d[] path)
     {
-        double cost = ((values[6] * values[6]) + (values[7] * values[7]) + (values[8] * values[8])) / (_spinDeviation * _spinDeviation);
+        double cost = PerSpin(flight) * (new Vector3d(values[6], values[7], values[8]) - flight.LikelySpin).LengthSquared;
         for (int i = 0; i < flight.Count; i++)
         {
             ref readonly TrackPoint point = ref _track[flight.First + i];
-            double off = (point.Position - path[i]).Length / Deviation(in point);
+            double off = Off(point.Position - path[i], Deviation(in point), HeightDeviation(in point));
             cost += off > Huber ? Huber * ((2 * off) - Huber) : off * off;
         }
 

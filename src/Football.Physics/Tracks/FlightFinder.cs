@@ -6,6 +6,9 @@ internal sealed class FlightFinder
     /// <summary>What a cubic does not describe of a flight, m.</summary>
     private const double CubicError = 0.02;
 
+    /// <summary>What a cubic does not describe of a hop, m.</summary>
+    private const double HopError = 0.006;
+
     /// <summary>The longest piece of the division, s.</summary>
     private const double LongestPiece = 1.6;
 
@@ -17,6 +20,10 @@ internal sealed class FlightFinder
     private const double FallError = 2.5;
     private const double MostLift = 0.4;
     private const double FallDeviations = 3;
+
+    /// <summary>What is not so far above the lowest tenth of the track, m, must fall by this share of g.</summary>
+    private const double High = 0.8;
+    private const double LeastFall = -0.3;
 
     /// <summary>Two pieces are one flight where their mean square grows no more than by this share, and this, m.</summary>
     private const double JointShare = 1.3;
@@ -40,6 +47,7 @@ internal sealed class FlightFinder
     private readonly TrackRuns _runs;
     private readonly Scene _scene;
     private readonly FlightEquations _system;
+    private readonly double _low;
     private SharedFit[] _fits;
 
     public FlightFinder(TrackRuns runs, Scene scene, FlightEquations system)
@@ -47,6 +55,14 @@ internal sealed class FlightFinder
         _runs = runs;
         _scene = scene;
         _system = system;
+        double[] heights = new double[runs.Points.Length];
+        for (int i = 0; i < heights.Length; i++)
+        {
+            heights[i] = runs.Points[i].Position.Y;
+        }
+
+        Array.Sort(heights);
+        _low = heights[heights.Length / 10];
         _fits = new SharedFit[Balls.Length];
         for (int i = 0; i < _fits.Length; i++)
         {
@@ -65,8 +81,8 @@ internal sealed class FlightFinder
     public List<FlightPath> Find(CancellationToken cancellation)
     {
         // 1. The best division into cubics. 2. Those that fall. 3. Neighbours that are one flight.
-        double deviation = Math.Sqrt((_runs.Noise * _runs.Noise) + (CubicError * CubicError));
-        var segments = new TrackSegments(_runs.Points, deviation, Math.Max(8, (int)(LongestPiece / _runs.Wait)));
+        int longest = Math.Max(8, (int)(LongestPiece / _runs.Wait));
+        var segments = new TrackSegments(_runs.Points, Math.Sqrt((_runs.Noise * _runs.Noise) + (CubicError * CubicError)), longest);
         int first = 0;
         foreach (int end in _runs.Ends)
         {
@@ -76,8 +92,16 @@ internal sealed class FlightFinder
         }
 
         List<FlightPath> flights = [];
-        first = 0;
-        foreach (int end in Ends)
+        Take(Ends, 0, flights, cancellation);
+        JoinNeighbours(flights, cancellation);
+        FindHops(flights, longest, cancellation);
+        return flights;
+    }
+
+    /// <summary>Takes the pieces that are flights.</summary>
+    private void Take(List<int> ends, int first, List<FlightPath> flights, CancellationToken cancellation)
+    {
+        foreach (int end in ends)
         {
             cancellation.ThrowIfCancellationRequested();
             var flight = new FlightPath(first, end);
@@ -88,9 +112,43 @@ internal sealed class FlightFinder
 
             first = end;
         }
+    }
 
-        JoinNeighbours(flights, cancellation);
-        return flights;
+    /// <summary>Divides what is no flight once more, finely: hops of a ball on the ground, which one cubic describes to some centimetres together.</summary>
+    private void FindHops(List<FlightPath> flights, int longest, CancellationToken cancellation)
+    {
+        var fine = new TrackSegments(_runs.Points, Math.Sqrt((_runs.Noise * _runs.Noise) + (HopError * HopError)), longest);
+        List<int> all = [];
+        List<FlightPath> hops = [];
+        int at = 0;
+        for (int i = 0; i <= flights.Count; i++)
+        {
+            int next = i < flights.Count ? flights[i].First : _runs.Points.Length;
+            int from = at;
+            foreach (int run in _runs.Ends)
+            {
+                int end = Math.Min(run, next);
+                if (end > from)
+                {
+                    List<int> ends = [];
+                    fine.Divide(from, end, ends);
+                    Take(ends, from, hops, cancellation);
+                    all.AddRange(ends);
+                    from = end;
+                }
+            }
+
+            if (i < flights.Count)
+            {
+                at = flights[i].End;
+                all.Add(at);
+            }
+        }
+
+        Ends.Clear();
+        Ends.AddRange(all);
+        flights.AddRange(hops);
+        flights.Sort((a, b) => a.First.CompareTo(b.First));
     }
 
     /// <summary>Puts together neighbours that are one flight by a ball that was found.</summary>
@@ -137,7 +195,10 @@ internal sealed class FlightFinder
         double lift = 0.5 * _scene.Air.Density * area / _scene.Ball.Mass * MostLift * speed * speed;
         double seen = Math.Sqrt(720.0 / (end - first)) * Math.Max(_runs.Noise, 0.25 * CubicError) / (time * time);
         double off = Math.Abs(upward - Weight.UpwardAcceleration(_scene));
-        return off < FallError + lift + (FallDeviations * seen) && upward < -0.3 * _scene.Gravity;
+        
+        // A fast ball with backspin may even rise, but then not along the ground.
+        bool isHigh = parabola.At(0.5 * (track[first].Time + track[end - 1].Time)).Y > _low + High;
+        return off < FallError + lift + (FallDeviations * seen) && (isHigh || upward < LeastFall * _scene.Gravity);
     }
 
     /// <summary>Fits one flight alone, with the drag factor that does best.</summary>

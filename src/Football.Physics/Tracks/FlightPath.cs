@@ -24,6 +24,12 @@ internal sealed class FlightPath
     /// <summary>Position, velocity, spin at the first point.</summary>
     public double[] Values { get; set; } = new double[Launch];
 
+    /// <summary>The spin at the first point that was likely before the points were seen, rad/s: none, or what an impact must have made of it.</summary>
+    public Vector3d LikelySpin { get; set; }
+
+    /// <summary>Standard deviation of each component of that, rad/s; 0 for what is known of any flight.</summary>
+    public double LikelySpinDeviation { get; set; }
+
     /// <summary>Mean square of how far the truth may be from <see cref="Values"/>.</summary>
     public double[] Covariance { get; set; } = new double[Launch * Launch];
 

@@ -63,10 +63,17 @@ public sealed class MatchFit
         TryOtherSpins(fit, equations, told, cancellation);
         double[] shares = SharedFit.Shares(told);
         fit.Descend(told, shares, cancellation);
+        List<FlightPath> brief = flights.FindAll(f => !told.Contains(f));
+        FitShort(fit, equations, brief, cancellation);
         fit.MeasureUncertainty(told, shares);
-        FitShort(fit, equations, flights.FindAll(f => !told.Contains(f)), cancellation);
+        double contact = Contact(request, runs, finder, flights, fit, out double heightDeviation);
+        equations.Contact = contact;
+        new MatchPieces(runs, equations, fit.At, contact).TellSpins(flights, request.SpinDeviation);
+        fit.Descend(told, shares, cancellation);
+        fit.MeasureUncertainty(told, shares);
+        FitShort(fit, equations, brief, cancellation);
         progress?.Report(0.95);
-        MatchFitResult result = Result(request, runs, equations, finder, flights, told, model, fit);
+        MatchFitResult result = Result(request, runs, equations, finder, flights, told, model, fit, contact, heightDeviation);
         progress?.Report(1);
         return result;
     }
@@ -102,8 +109,18 @@ public sealed class MatchFit
         }
     }
 
+    /// <summary>Height of the ball's centre on the ground: as the track tells, where that is asked for and the track does; else the scene's.</summary>
+    private double Contact(MatchFitRequest request, TrackRuns runs, FlightFinder finder, List<FlightPath> flights, SharedFit fit, out double deviation)
+    {
+        deviation = double.PositiveInfinity;
+        return request.Height && GroundHeight.Find(MatchPieces.GroundHeights(runs, finder.Ends, flights, fit.At), out double height, out deviation)
+            ? height
+            : (_scene.Ground.IsNone ? 0 : _scene.Ground.Height) + _scene.Ball.Radius;
+    }
+
     private MatchFitResult Result(
-        MatchFitRequest request, TrackRuns runs, FlightEquations equations, FlightFinder finder, List<FlightPath> flights, List<FlightPath> told, MatchModel model, SharedFit fit)
+        MatchFitRequest request, TrackRuns runs, FlightEquations equations, FlightFinder finder, List<FlightPath> flights, List<FlightPath> told, MatchModel model, SharedFit fit,
+        double contact, double heightDeviation)
     {
         List<string> names = [.. model.Names];
         List<double> values = [.. fit.Values];
@@ -114,13 +131,11 @@ public sealed class MatchFit
         }
 
         double radius = _scene.Ball.Radius;
-        double contact = (_scene.Ground.IsNone ? 0 : _scene.Ground.Height) + radius;
-        if (request.Height && GroundHeight.Find(MatchPieces.GroundHeights(runs, finder.Ends, flights, fit.At), out double height, out double deviation))
+        if (request.Height && double.IsFinite(heightDeviation))
         {
-            contact = height;
             names.Add("groundHeight");
-            values.Add(height - radius);
-            deviations.Add(deviation);
+            values.Add(contact - radius);
+            deviations.Add(heightDeviation);
         }
 
         List<MatchPiece> pieces = new MatchPieces(runs, equations, fit.At, contact).Make(finder.Ends, flights);

@@ -18,15 +18,14 @@ internal sealed class MatchPieces
     /// <summary>On the ground a ball is touched where its velocity changes by more than this, m/s.</summary>
     private const double TouchVelocity = 1.2;
 
-    /// <summary>What an impact on any pitch may do: restitution, what is kept along the ground, the tangential impulse by the normal one, the cosine of the turn.</summary>
+    /// <summary>What an impact on any pitch may do: restitution, the tangential impulse by the normal one, m/s more, and how much faster a spin may make the ball, m/s.</summary>
     private const double MostRestitution = 1.05;
-    private const double LeastKept = 0.2;
-    private const double MostKept = 1.15;
-    private const double MostFriction = 1.3;
-    private const double LeastCosine = 0.94;
+    private const double MostFriction = 0.9;
+    private const double UnsureTurn = 0.5;
+    private const double MostGain = 1.5;
 
-    /// <summary>Slower than this along the ground, m/s, nothing is told of what is kept.</summary>
-    private const double LeastAlong = 1.5;
+    /// <summary>How far the change of a velocity along the ground may be off, m/s.</summary>
+    private const double UnsureChange = 1;
 
     private readonly TrackPoint[] _track;
     private readonly TrackRuns _runs;
@@ -116,6 +115,38 @@ internal sealed class MatchPieces
         }
 
         return pieces;
+    }
+
+    /// <summary>
+    /// What impacts made of the spin: friction at the contact changes both, Δω = n × (−Δv)/(α r), whatever the surface. So a flight that follows an impact has a likely spin, which the
+    /// air would hardly tell of in so short a time.
+    /// </summary>
+    public void TellSpins(List<FlightPath> flights, double spinDeviation)
+    {
+        BallProperties ball = _at.Scene.Ball;
+        double lever = 1.0 / (ball.InertiaFactor * ball.Radius);
+        for (int i = 0; i + 1 < flights.Count; i++)
+        {
+            FlightPath a = flights[i];
+            FlightPath b = flights[i + 1];
+            if (b.First - a.End > Between || HasGap(a.End - 1, b.First))
+            {
+                continue;
+            }
+
+            Meet(_track, a, b, _upward, out double time, out Vector3d place, out Vector3d before, out Vector3d after);
+            if ((after - before).Length < SeamVelocity || ImpactOr(time, place, before, a.Last.Spin, after, b.Spin, b).Kind != MatchPieceKind.Impact)
+            {
+                continue;
+            }
+
+            Vector3d change = (after - before).Horizontal;
+            double unsureBefore = Math.Min(spinDeviation, Deviations(a, 6).Length / Math.Sqrt(3));
+            unsureBefore = unsureBefore > 0 ? unsureBefore : spinDeviation;
+            double unsureChange = lever * UnsureChange;
+            b.LikelySpin = a.Last.Spin - (lever * Vector3d.Cross(Vector3d.Up, in change));
+            b.LikelySpinDeviation = Math.Min(spinDeviation, Math.Sqrt((unsureBefore * unsureBefore) + (unsureChange * unsureChange)));
+        }
     }
 
     /// <summary>Where and when two flights meet: where both paths, as straight as they are there, come closest.</summary>
@@ -383,11 +414,9 @@ internal sealed class MatchPieces
         double speed = along.Length;
         double restitution = before.Y < 0 ? Math.Max(0, after.Y) / -before.Y : double.PositiveInfinity;
         double kept = speed > 0 ? Vector3d.Dot(in along, in left) / (speed * speed) : 1;
-        bool turns = speed > LeastAlong && Vector3d.Dot(in along, in left) < LeastCosine * speed * left.Length;
-        bool slows = speed <= LeastAlong || (kept > LeastKept && kept < MostKept);
         double impulse = after.Y - before.Y;
-        bool isImpact = Math.Abs(place.Y - _contact) < Near && restitution < MostRestitution && !turns && slows
-            && (left - along).Length < (MostFriction * impulse) + 0.5;
+        bool isImpact = Math.Abs(place.Y - _contact) < Near && restitution < MostRestitution
+            && (left - along).Length < (MostFriction * impulse) + UnsureTurn && after.Length < before.Length + MostGain;
         return !isImpact ? touch : touch with
         {
             Kind = MatchPieceKind.Impact,

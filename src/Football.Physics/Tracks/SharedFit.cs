@@ -20,6 +20,9 @@ internal sealed class SharedFit
     /// <summary>A flight that fits so many times worse than the median one tells less of what is shared.</summary>
     private const double Strange = 2.5;
 
+    /// <summary>What the laws do not know is there even where a flight happens to fit better: this share of what was said of a point.</summary>
+    private const double LawShare = 0.4;
+
     private readonly FlightEquations _system;
     private readonly MatchModel _model;
     private readonly int _shared;
@@ -368,7 +371,7 @@ internal sealed class SharedFit
         double correlation = (1 + likeness) / (1 - likeness);
         double variance = squares / freedom * correlation;
         double said = _system.Deviation(in _system.Point(flight.First));
-        return Math.Max(1e-6, variance / (said * said));
+        return Math.Max(LawShare, variance / (said * said));
     }
 
     private void Invert(double[] normal, double[] inverse)
