@@ -89,7 +89,7 @@ internal static class PlayLab
         if (matches > 0)
         {
             report.Tables.Add(table);
-            report.Notes.Add("Minutes of kicks, headers, bounces and rolls at 50 Hz, with gaps, seams of 2 to 10 cm, heights that are up to 8 cm wrong near the ground, and points that jump. To reach: 95 % of the flights of 0.3 s and longer that are seen whole, both ends to three frames; velocity and spin within the box of 95 % in 90 %.");
+            report.Notes.Add("Minutes of kicks, headers, bounces and rolls at 50 Hz, with gaps, seams of 2 to 10 cm, heights that are up to 8 cm wrong near the ground, and points that jump. To reach: 95 % of the flights of 0.3 s and longer that are seen whole and rise by five deviations, 80 % of them in common; velocity and spin within the box of 95 % in 90 %.");
         }
     }
 

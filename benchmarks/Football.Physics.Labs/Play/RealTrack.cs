@@ -74,7 +74,7 @@ internal static class RealTrack
             double bounce = Median(all.Select(piece => piece.Restitution!.Value));
             double kept = Median(all.Select(piece => piece.Kept));
             table.Add(file, Text(from, to), "seen", all.Length, bounce, kept, null, null, "");
-            foreach ((string name, Ground ground, bool rolls) in Grounds)
+            foreach ((string name, Ground ground, bool rolls) in Grounds.Where(row => !row.Rolls || from == 0))
             {
                 var simulator = new Simulator(fit.Scene with { Ground = ground with { Height = 0 }, Forces = new ForceSet() });
                 (double Bounce, double Kept)[] made = [.. all.Select(piece => Bounce(simulator, piece, rolls))];
@@ -84,7 +84,7 @@ internal static class RealTrack
                 string shown = rolls ? name + ", rolling before" : name;
                 table.Add(
                     file, Text(from, to), shown, all.Length, Median(made.Select(shares => shares.Bounce)), Median(made.Select(shares => shares.Kept)), offBounce, offKept,
-                    name == "matchTurf" ? Verdict.Of(within) : "");
+                    name == "matchTurf" && !rolls ? Verdict.Of(within) : "");
             }
         }
     }

@@ -8,8 +8,9 @@ internal sealed class SyntheticCheck
     /// <summary>Flights from this on are counted, s.</summary>
     private const double Shortest = 0.3;
 
-    /// <summary>An end is found to within so much, s: three frames.</summary>
-    private const double EndError = 0.061;
+    /// <summary>A flight is found where what the two have in common is more than this share of what they have together; a flight begins up to a frame before its first point.</summary>
+    private const double Overlap = 0.8;
+    private const double Frame = SyntheticMatch.Interval;
 
     /// <summary>A hop that rises no higher than so many deviations of a point is not told from a ball that rolls.</summary>
     private const double RiseShare = 5;
@@ -73,7 +74,7 @@ internal sealed class SyntheticCheck
             }
 
             Flights++;
-            MatchPiece? found = Array.Find(flights, piece => Math.Abs(piece.From - first) < EndError && Math.Abs(piece.To - time) < EndError);
+            MatchPiece? found = Array.Find(flights, piece => Math.Min(piece.To + Frame, time) - Math.Max(piece.From - Frame, first) > Overlap * (Math.Max(piece.To, time) - Math.Min(piece.From, first)));
             FlightsFound += found is null ? 0 : 1;
             if (impact && time < match.Truth[^1].Time)
             {
