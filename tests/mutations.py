@@ -64,7 +64,7 @@ def main():
     survivors = []
     with tempfile.TemporaryDirectory() as work:
         work = pathlib.Path(work)
-        for name in ["BannedSymbols.txt", "Directory.Build.props", "Directory.Packages.props", "global.json", "README.md", "LICENSE"]:
+        for name in ["BannedSymbols.txt", "Directory.Build.props", "Directory.Build.targets", "Directory.Packages.props", "global.json", "README.md", "LICENSE"]:
             shutil.copy(ROOT / name, work / name)
         shutil.copytree(ROOT / LIBRARY, work / LIBRARY, ignore=shutil.ignore_patterns("bin"))
         shutil.copytree(BUILT, work / "built")

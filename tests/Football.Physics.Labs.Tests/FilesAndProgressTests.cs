@@ -53,7 +53,7 @@ public sealed class FilesAndProgressTests
     {
         using var nothing = new MemoryStream();
         using var error = new MemoryStream();
-        Assert.Equal(0, CommandLineEntry.Run(args, new Terminal(nothing, Stream.Null, error, outputRedirected: true, errorRedirected: false)));
+        Assert.Equal(0, CommandLineEntry.Run(args, new Terminal(nothing, Stream.Null, error, outputRedirected: true, errorRedirected: false), Laboratories.Create));
         return Encoding.UTF8.GetString(error.ToArray());
     }
 }

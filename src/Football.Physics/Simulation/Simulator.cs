@@ -192,7 +192,7 @@ public sealed class Simulator
         }
 
         _world.Bodies?.CheckTimes(state.Time);
-        return RunChecked(ref state, timeStep, duration, stopAt, log, afterStep is null ? null : (in BallState at) => afterStep(at));
+        return RunChecked(ref state, timeStep, duration, stopAt, log, afterStep is null ? null : Shown(afterStep));
     }
 
     /// <summary>All that can be met.</summary>
@@ -256,4 +256,7 @@ public sealed class Simulator
 
     /// <summary>Sees the state after every step of a run.</summary>
     internal delegate void StepCallback(in BallState state);
+
+    // A method of its own: a lambda here would allocate its closure in runs that show nothing too.
+    private static StepCallback Shown(Action<BallState> afterStep) => (in BallState at) => afterStep(at);
 }

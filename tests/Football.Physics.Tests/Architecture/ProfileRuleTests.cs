@@ -28,9 +28,11 @@ public sealed partial class ProfileRuleTests
     [Fact]
     public void Tests_of_the_published_scenes_alone_are_those_that_say_why()
     {
-        string tests = Path.Combine(RepositoryFiles.Root, "tests", "Football.Physics.Tests");
-        var found = from family in s_families
-                    from file in Directory.EnumerateFiles(Path.Combine(tests, family), "*.cs")
+        var found = from project in (string[])["Football.Physics.Tests", "Football.Physics.Labs.Tests"]
+                    from family in s_families
+                    let folder = Path.Combine(RepositoryFiles.Root, "tests", project, family)
+                    where Directory.Exists(folder)
+                    from file in Directory.EnumerateFiles(folder, "*.cs")
                     let count = PublishedAlone(File.ReadAllText(file))
                     where count > 0
                     select (Name: Path.GetFileNameWithoutExtension(file), Count: count);

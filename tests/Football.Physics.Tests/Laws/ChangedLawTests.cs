@@ -58,7 +58,7 @@ public sealed class ChangedLawTests : IDisposable
     /// <summary>The library, and the tests that compare its laws, for this runtime alone.</summary>
     private void CopySources()
     {
-        foreach (string file in (string[])["Directory.Build.props", "Directory.Packages.props", "global.json", "BannedSymbols.txt"])
+        foreach (string file in (string[])["Directory.Build.props", "Directory.Build.targets", "Directory.Packages.props", "global.json", "BannedSymbols.txt"])
         {
             Write(file, RepositoryFiles.Text(file));
         }

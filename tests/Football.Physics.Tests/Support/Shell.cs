@@ -8,6 +8,9 @@ internal sealed record Shell(int ExitCode, string Output, string Error)
     /// <summary>Long enough for every line here on a busy machine; what takes longer does not end.</summary>
     private static readonly TimeSpan Patience = TimeSpan.FromMinutes(3);
 
+    /// <summary>The tool; with the laboratories in it, where the tests have them.</summary>
+    private static string Command => File.Exists(Path.Combine(AppContext.BaseDirectory, "football-lab.dll")) ? "football-lab.dll" : "football.dll";
+
     public static async Task<Shell> RunAsync(string line)
     {
         DirectoryInfo folder = Directory.CreateTempSubdirectory("football-shell-");
@@ -20,7 +23,7 @@ internal sealed record Shell(int ExitCode, string Output, string Error)
                 RedirectStandardOutput = true,
                 RedirectStandardError = true,
                 ArgumentList = { "-c", $"football() {{ dotnet \"$FOOTBALL\" \"$@\"; }}; {line}" },
-                Environment = { ["FOOTBALL"] = Path.Combine(AppContext.BaseDirectory, "football.dll") },
+                Environment = { ["FOOTBALL"] = Path.Combine(AppContext.BaseDirectory, Command) },
             };
             using Process process = Process.Start(start)!;
             process.StandardInput.Close();
