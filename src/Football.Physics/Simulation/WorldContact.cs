@@ -61,7 +61,7 @@ internal sealed class WorldContact
         CoulombImpact.Apply(_world.Ball, in hit.MaterialAt(s.Position), in way, in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin);
         if (hit.Moves)
         {
-            double restitution = hit.MaterialAt(s.Position).RestitutionAt(Vector3d.Dot(surface - v, in n));
+            double restitution = hit.MaterialAt(s.Position).LargestRestitutionAt(Vector3d.Dot(surface - v, in n));
             bool again = Touches(ref s, (1.0 + restitution) * surface.Length);
             velocity = again ? NoFaster(in velocity, in n, s.SqueezeSpeed) : velocity;
         }
@@ -175,7 +175,7 @@ internal sealed class WorldContact
         foreach (ref readonly Contact contact in set)
         {
             double speed = contact.Velocity.Length;
-            fastest = contact.Moves && contact.Load > 0 ? Math.Max(fastest, (1.0 + contact.Material.RestitutionAt(speed)) * speed) : fastest;
+            fastest = contact.Moves && contact.Load > 0 ? Math.Max(fastest, (1.0 + contact.Material.LargestRestitutionAt(speed)) * speed) : fastest;
         }
 
         if (fastest < 0)
