@@ -69,6 +69,17 @@ internal readonly struct ContactMaterial
         DrillingLength = surface.DrillingLength;
     }
 
+    /// <summary>A surface by the three numbers of an impact alone, the same at every speed.</summary>
+    public ContactMaterial(double restitution, double tangentialRestitution, double friction)
+    {
+        this = default;
+        SlowRestitution = restitution;
+        TangentialX = tangentialRestitution;
+        TangentialZ = tangentialRestitution;
+        Spin = 1;
+        ImpactFriction = friction;
+    }
+
     /// <summary>e = e₀/√(1 + (v_n/V_e)²), at most 1.</summary>
     public double RestitutionAt(double approach)
     {
