@@ -6,6 +6,7 @@ using Football.Physics.Labs.Intercept;
 using Football.Physics.Labs.Matches;
 using Football.Physics.Labs.Obstacles;
 using Football.Physics.Labs.People;
+using Football.Physics.Labs.Play;
 using Football.Physics.Labs.Queries;
 using Football.Tool.Commands;
 
@@ -41,5 +42,6 @@ internal static class Laboratories
         GoalsLab.Create(terminal),
         MatchesLab.Create(terminal),
         PeopleLab.Create(terminal),
+        PlayLab.Create(terminal),
     };
 }

@@ -35,6 +35,7 @@ internal sealed class World
         FirstCollider = scene.Ground.IsNone ? 1 : 0;
         IsLevel = scene.Ground.IsLevel;
         IsLevelGroundAlone = IsLevel && IsBare;
+        IsPlaneAlone = IsBare && scene.Ground.Heights is null;
         LevelContact = scene.Ground.IsNone || !scene.Ground.IsLevel ? double.NegativeInfinity : scene.Ground.Height + Ball.Radius;
         if (!IsBare)
         {
@@ -212,6 +213,9 @@ internal sealed class World
 
     /// <summary>Whether there is nothing but the ground, or nothing at all.</summary>
     public bool IsBare { get; }
+
+    /// <summary>Whether there is nothing but flat ground, level or tilted, or nothing at all.</summary>
+    public bool IsPlaneAlone { get; }
 
     /// <summary>Whether there is nothing but level ground, or nothing at all.</summary>
     public bool IsLevelGroundAlone { get; }

@@ -82,7 +82,7 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>The next piece of a slide or a roll.</summary>
     public void Take(ref BallState s, ref StepRun run)
     {
-        if (_guard.HitsAtOnce(ref s, ref run) || _set.Take(ref s, ref run))
+        if (!_world.IsPlaneAlone && (_guard.HitsAtOnce(ref s, ref run) || _set.Take(ref s, ref run)))
         {
             return;
         }
@@ -379,7 +379,7 @@ internal sealed class SurfacePhase<TIntegrator>
     private void Hold(ref BallState s, in SurfaceSystem system, int met)
     {
         Vector3d n = _world.Hold(ref s, system.Carrier);
-        if (met < 0)
+        if (met < 0 && !_world.IsPlaneAlone)
         {
             // Back on the surface it may be in what it was just leaving, or in what it touched and was not pressed on.
             met = NearThings.Deepest(_world, in s, out _);
