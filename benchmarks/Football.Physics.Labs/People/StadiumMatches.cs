@@ -3,7 +3,7 @@ using Football.Physics.Yardsticks;
 namespace Football.Physics.Labs.People;
 
 /// <summary>Plays matches and asks after every step what any match must keep: each millisecond of the way, energy, look-ahead, rewind, rest.</summary>
-internal sealed class Matches
+internal sealed class StadiumMatches
 {
     /// <summary>Deeper, m, is inside.</summary>
     private const double Entered = 1e-6;
