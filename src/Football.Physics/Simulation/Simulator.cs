@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>A scene, checked and compiled for one integrator. Any number of balls and threads can share it; a scene with bodies, or with an engine's colliders, one thread at a time.</summary>
+/// <summary>A scene, checked and compiled for one integrator. Any number of balls and threads can share it; a scene with bodies, obstacles that have a mass, or an engine's colliders, one thread at a time.</summary>
 public sealed class Simulator
 {
     /// <summary>Steps that a run may have: with more of them the clock no longer tells one from the next.</summary>
@@ -14,6 +14,7 @@ public sealed class Simulator
     private readonly int _things;
 
     private readonly bool _hasOwnForces;
+    private ulong? _sceneHash;
 
     /// <summary>Checks a scene and compiles it.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
@@ -148,6 +149,7 @@ public sealed class Simulator
         _world.Bodies?.CheckTimes(state.Time);
         log!.Halted = false;
         log.StopAt = StopAt.Time;
+        log.Pushes = true;
         Take(ref state, dt, log);
     }
 
@@ -216,6 +218,7 @@ public sealed class Simulator
         }
 
         _world.Bodies?.CheckTimes(state.Time);
+        log.Pushes = true;
         return RunChecked(ref state, timeStep, duration, stopAt, log, afterStep is null ? null : Shown(afterStep));
     }
 
@@ -277,6 +280,27 @@ public sealed class Simulator
 
     /// <summary>Advances a ball by one step that its log may end early.</summary>
     internal void Advance(ref BallState state, double dt, StepLog log) => Take(ref state, dt, log);
+
+    /// <inheritdoc cref="Stepper.Struck"/>
+    internal void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, bool presses, StepLog log) =>
+        _stepper.Struck(ref s, in velocity, in spin, in n, presses, log);
+
+    /// <summary>
+    /// A hash of what decides a ball's way: the scene's numbers, the answers of what is code at some places, and the settings. Two machines with the same have the same
+    /// scene; of two scenes that differ in a number it differs. Forces of a game's own count by the names of their types alone.
+    /// </summary>
+    /// <exception cref="InvalidOperationException">A wind of the game's own is not finite.</exception>
+    public ulong SceneHash
+    {
+        get
+        {
+            _sceneHash ??= Physics.SceneHash.Of(Scene, Settings, _world, this);
+            return _sceneHash.Value;
+        }
+    }
+
+    /// <summary>Puts obstacles that have a mass (<see cref="Obstacle.Mass"/>), and that the ball has moved, back to where the scene has them at time 0.</summary>
+    public void ResetObstacles() => _world.Obstacles.Reset();
 
     /// <summary>Sees the state after every step of a run.</summary>
     internal delegate void StepCallback(in BallState state);

@@ -71,6 +71,11 @@ internal static class ReplayCommand
             try
             {
                 var scenario = Scenario.Read(fields);
+                if (scenario.Balls.Count > 0)
+                {
+                    throw new RefusedException("balls is given; allowed: launch: a replay shows one ball a scenario.");
+                }
+
                 string name = read.Name ?? (file == "-" ? KickNumbers.Of(scenario).Text : Path.GetFileNameWithoutExtension(file));
                 played.Add((name, scenario, ScenarioRun.Play(scenario)));
             }
