@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The golden file on ARM64: the program that prints it, published for linux-arm64 and run by qemu-user over Debian's C library for that machine.
+# ARM64: the golden file, by the program that prints it, published for linux-arm64, and kicks through the C library, which is built across; both run by qemu-user over Debian's C library for that machine.
 #   tests/arm64.sh
-# Needs qemu-aarch64-static (Debian: qemu-user-static) and dpkg-deb, and asks apt for six packages of arm64, which are unpacked into a folder and not installed.
+# Needs qemu-aarch64-static (Debian: qemu-user-static), aarch64-linux-gnu-gcc (gcc-aarch64-linux-gnu, libc6-dev-arm64-cross) and dpkg-deb, and asks apt for six packages of arm64, which are unpacked into a folder and not installed.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 MSBUILDTERMINALLOGGER=off MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=false
@@ -35,3 +35,14 @@ start=$SECONDS
 run "$work/golden/consumer" > "$work/hashes" 2> "$log" || fail "the golden program on ARM64"
 diff tests/Golden/golden.txt "$work/hashes" > "$log" || fail "other hashes than tests/Golden/golden.txt ($(grep -c '^>' "$log") of $(wc -l < tests/Golden/golden.txt) lines differ)"
 echo "ok    ARM64 under qemu-user: $(wc -l < "$work/hashes") lines as in golden.txt, published in $published s, run in $(( SECONDS - start )) s"
+
+# --- the C library there: built across, and kicks.c against it
+
+start=$SECONDS
+src/Football.Physics.Native/build.sh "$work/native" linux-arm64 > "$log" 2>&1 || fail "build.sh for linux-arm64"
+aarch64-linux-gnu-gcc -O2 -std=c99 -I"$work/native/include" tests/Native/kicks.c -o "$work/kicks" -L"$work/native/lib" -lfootball_physics > "$log" 2>&1 || fail "kicks.c for ARM64"
+built=$(( SECONDS - start ))
+start=$SECONDS
+run -E LD_LIBRARY_PATH="$work/native/lib" "$work/kicks" 1000 > "$work/hashes" 2> "$log" || fail "kicks.c on ARM64"
+diff <(awk '$2 <= 1000' tests/Native/kicks.txt) "$work/hashes" > "$log" || fail "kicks on ARM64: other hashes than C# has on x64"
+echo "ok    ARM64 under qemu-user: 3 000 kicks to rest through the C library, the hashes of C# on x64, built in $built s, run in $(( SECONDS - start )) s"

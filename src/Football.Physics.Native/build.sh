@@ -13,13 +13,16 @@ here=$(dotnet --info | awk '$1 == "RID:" { print $2; exit }')
 case $here in *-arm64) here=linux-arm64 ;; debian*|ubuntu*|linux*) here=linux-x64 ;; esac
 rid=${2:-$here}
 
-cross=()
-if [[ $rid == linux-arm64 && $here == linux-x64 ]]; then
-  cross=(-p:CppCompilerAndLinker=aarch64-linux-gnu-gcc -p:SysRoot= -p:ObjCopyName=aarch64-linux-gnu-objcopy -p:LinkerFlavor=bfd)
-fi
-
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+cross=()
+if [[ $rid == linux-arm64 && $here == linux-x64 ]]; then
+  # NativeAOT tells its linker the target as clang wants it; gcc's name says it.
+  printf '#!/usr/bin/env bash\nargs=()\nfor arg; do [[ $arg == --target=* ]] || args+=("$arg"); done\nexec aarch64-linux-gnu-gcc "${args[@]}"\n' > "$work/gcc"
+  chmod +x "$work/gcc"
+  cross=("-p:CppCompilerAndLinker=$work/gcc" -p:ObjCopyName=aarch64-linux-gnu-objcopy -p:LinkerFlavor=bfd)
+fi
+
 dotnet publish -c Release "-p:NativeSystem=$rid" --artifacts-path "$work/build" -o "$work" -p:RunAnalyzers=false "${cross[@]}" Football.Physics.Native.csproj >&2
 
 mkdir -p "$out/include" "$out/lib/cmake/football_physics"

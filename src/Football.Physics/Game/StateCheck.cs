@@ -22,12 +22,11 @@ internal static class StateCheck
     /// <summary>Whether it is one: what <see cref="Validate"/> lets through, in a few nanoseconds.</summary>
     public static bool Holds(in BallState state)
     {
-        // A comparison with what is not a number is false. Places and speeds by their components, which are within a factor of their size.
+        // A comparison with what is not a number is false.
         Vector3d p = state.Position;
         Vector3d v = state.Velocity;
         if (!(state.Time >= 0 && state.Time <= LatestTime && (uint)state.Branch < 5 && (ulong)state.Carrier <= int.MaxValue
-            && Math.Abs(p.X) <= Farthest && Math.Abs(p.Y) <= Farthest && Math.Abs(p.Z) <= Farthest
-            && Math.Abs(v.X) <= FastestSpeed && Math.Abs(v.Y) <= FastestSpeed && Math.Abs(v.Z) <= FastestSpeed
+            && p.LengthSquared <= 3 * Farthest * Farthest && v.LengthSquared <= FastestSpeed * FastestSpeed
             && Math.Abs(state.BaseOrientation.LengthSquared - 1) <= Rounding
             && state.ClearUntil >= 0
             && state.SqueezeSpeed >= 0 && state.SqueezeSpeed <= FastestSpeed && state.SqueezeUntil >= 0 && state.SqueezeUntil <= LatestTime))
