@@ -74,22 +74,30 @@ internal readonly struct PathCubic
     public static PathCubic Of<TSweep>(ref TSweep sweep, in Vector3d position, in Vector3d velocity, int order)
         where TSweep : struct, ISweep
     {
-        double h = sweep.Length;
+        return Between(in position, in velocity, sweep.Position, sweep.Velocity, sweep.Length, isQuadratic: order <= 2);
+    }
+
+    /// <summary>The path of a piece that was kept, from its start on.</summary>
+    public static PathCubic Of(in PathPiece piece) =>
+        Between(piece.StartPosition, piece.StartVelocity, piece.EndPosition, piece.EndVelocity, piece.Length, piece.Degree == 2);
+
+    private static PathCubic Between(in Vector3d position, in Vector3d velocity, in Vector3d end, in Vector3d endVelocity, double h, bool isQuadratic)
+    {
         if (!(h > 0))
         {
             return Line(in position, in velocity, 0);
         }
 
-        Vector3d bend = sweep.Position - position - (h * velocity);
+        Vector3d bend = end - position - (h * velocity);
         double perLength = 1.0 / h;
         double perSquared = perLength * perLength;
-        if (order <= 2)
+        if (isQuadratic)
         {
             return new PathCubic(in position, in velocity, perSquared * bend, default, h);
         }
 
         // p₀ + v₀ t + c₂ t² + c₃ t³ with p(h) = p₁ and p'(h) = v₁
-        Vector3d change = h * (sweep.Velocity - velocity);
+        Vector3d change = h * (endVelocity - velocity);
         return new PathCubic(in position, in velocity, perSquared * ((3.0 * bend) - change), perSquared * perLength * (change - (2.0 * bend)), h);
     }
 

@@ -59,7 +59,11 @@ internal sealed class FlightPhase<TIntegrator>
         double asked = run.Next;
         double h = Longest(in s, in u, asked, hasAxis && !_around.Air.Varies, ref run.Spirals);
         run.Keep(h, asked);
-        if (run.Spirals)
+        if (s.Nets != 0)
+        {
+            TakeWithoutAxis<Substeps>(ref s, ref run, h);
+        }
+        else if (run.Spirals)
         {
             // RK4 makes no velocity longer that turns by up to 2.8 rad.
             Take<ClassicalRungeKutta>(ref s, ref run, h, hasAxis ? _classical : null);

@@ -154,10 +154,14 @@ internal sealed class SurfacePhase<TIntegrator>
                 return;
             }
 
-            h = most > 0 && (rolls || _endsSlipExactly) ? Shorten(h, run.Length, system.Direction, size, in rate, s.Nets == 0 && on.Turning == Vector3d.Zero) : h;
+            h = most > 0 && (rolls || _endsSlipExactly) ? Shorten(h, run.Length, system.Direction, size, in rate, on.Turning == Vector3d.Zero) : h;
         }
 
-        if (run.Spirals)
+        if (s.Nets != 0)
+        {
+            TakePiece<Substeps>(ref s, ref run, ref system, in from, h);
+        }
+        else if (run.Spirals)
         {
             // RK4 makes no velocity longer that turns by up to 2.8 rad.
             TakePiece<ClassicalRungeKutta>(ref s, ref run, ref system, in from, h);
