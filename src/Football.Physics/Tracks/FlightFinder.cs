@@ -204,7 +204,8 @@ internal sealed class FlightFinder
     /// <summary>Fits one flight alone, with the drag factor that does best.</summary>
     private bool Fit(FlightPath flight, double[]? start)
     {
-        double[] best = [];
+        double[] best = flight.Values;
+        SharedFit? found = null;
         double least = double.PositiveInfinity;
         foreach (SharedFit fit in _fits)
         {
@@ -212,21 +213,18 @@ internal sealed class FlightFinder
             fit.Descend([flight], [1], CancellationToken.None);
             if (flight.Rms < least)
             {
-                least = flight.Rms;
-                best = flight.Values;
-                _system.Measure(fit.At, flight);
-                (_rms, _worst, _last) = (flight.Rms, flight.Worst, flight.Last);
+                (least, best, found) = (flight.Rms, flight.Values, fit);
             }
         }
 
         flight.Values = best;
-        (flight.Rms, flight.Worst, flight.Last) = (_rms, _worst, _last);
+        if (found is not null)
+        {
+            _system.Measure(found.At, flight);
+        }
+
         return least < Math.Max(MostRms, MostRmsShare * _runs.Noise);
     }
-
-    private double _rms;
-    private double _worst;
-    private BallState _last;
 
     private double[] Start(FlightPath flight)
     {
