@@ -53,7 +53,7 @@ public static class SceneInput
     }
 
     /// <summary>The ball; in the measured profile one of the known ones.</summary>
-    private static BallProperties Ball(InputObject ball, Profile profile)
+    public static BallProperties Ball(InputObject ball, Profile profile)
     {
         BallProperties defaults = profile != Profile.Measured ? BallProperties.Football : ball.Choice("type", BallType.Generic) switch
         {

@@ -77,6 +77,17 @@ internal readonly struct ContactMaterial
         DrillingLength = surface.DrillingLength;
     }
 
+    /// <summary>A surface by the three numbers of an impact alone, the same at every speed.</summary>
+    public ContactMaterial(double restitution, double tangentialRestitution, double friction)
+    {
+        this = default;
+        SlowRestitution = restitution;
+        TangentialX = tangentialRestitution;
+        TangentialZ = tangentialRestitution;
+        Spin = 1;
+        ImpactFriction = friction;
+    }
+
     /// <summary>
     /// e = e_n + η (1 − e_n) v_t⁴/(v_t⁴ + (C v_n)⁴), e_n = e₀/√(1 + (v_n/V_e)²): a ball that grazes ploughs less. At most 1.
     /// </summary>

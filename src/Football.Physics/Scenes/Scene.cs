@@ -62,6 +62,9 @@ public sealed record Scene
     /// <param name="wind">Wind velocity, m/s.</param>
     public static Scene Windy(Vector3d wind) => new() { Air = new Air { Wind = wind } };
 
+    /// <summary>Where its obstacles with a mass are, shared by the scenes of several balls among them; default none of its own.</summary>
+    internal ObstacleMotions? Motions { get; init; }
+
     /// <summary>Checks every number of the scene.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     /// <exception cref="ArgumentNullException">A part is null; the message names it.</exception>

@@ -77,6 +77,15 @@ public sealed record Surface
     /// <summary>A keeper's glove: soft, and it grips. Evidence: guess.</summary>
     public static Surface Glove { get; } = PublishedGoalFrame with { NormalRestitution = 0.25, TangentialRestitution = 0, ImpactFriction = 1, SlidingFriction = 0.9, RollingFriction = 0.1 };
 
+    /// <summary>A football that another football hits. No measurement was found. Evidence: guess (two shells of air bounce about as one off a floor).</summary>
+    public static Surface Ball { get; } = new()
+    {
+        NormalRestitution = 0.78,
+        TangentialRestitution = 0,
+        ImpactFriction = 0.4,
+        SlidingFriction = 0.4,
+    };
+
     /// <summary>Makes the material of a pitch, for a thing of the same: a bank of turf, a ramp.</summary>
     /// <param name="ground">The pitch; of its two tangential restitutions that along x counts.</param>
     /// <exception cref="ArgumentNullException"><paramref name="ground"/> is null.</exception>
