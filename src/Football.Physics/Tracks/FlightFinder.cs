@@ -195,7 +195,7 @@ internal sealed class FlightFinder
         double lift = 0.5 * _scene.Air.Density * area / _scene.Ball.Mass * MostLift * speed * speed;
         double seen = Math.Sqrt(720.0 / (end - first)) * Math.Max(_runs.Noise, 0.25 * CubicError) / (time * time);
         double off = Math.Abs(upward - Weight.UpwardAcceleration(_scene));
-        
+
         // A fast ball with backspin may even rise, but then not along the ground.
         bool isHigh = parabola.At(0.5 * (track[first].Time + track[end - 1].Time)).Y > _low + High;
         return off < FallError + lift + (FallDeviations * seen) && (isHigh || upward < LeastFall * _scene.Gravity);
