@@ -3,7 +3,10 @@ using Football.Physics.Labs.BankShots;
 using Football.Physics.Labs.Derivatives;
 using Football.Physics.Labs.Goals;
 using Football.Physics.Labs.Intercept;
+using Football.Physics.Labs.Matches;
 using Football.Physics.Labs.Obstacles;
+using Football.Physics.Labs.People;
+using Football.Physics.Labs.Play;
 using Football.Physics.Labs.Queries;
 using Football.Tool.Commands;
 
@@ -37,5 +40,8 @@ internal static class Laboratories
         FitLab.Create(terminal),
         ObstaclesLab.Create(terminal),
         GoalsLab.Create(terminal),
+        MatchesLab.Create(terminal),
+        PeopleLab.Create(terminal),
+        PlayLab.Create(terminal),
     };
 }

@@ -7,7 +7,13 @@ public sealed record Outcome
 
     public required IReadOnlyList<BallEvent> Events { get; init; }
 
-    /// <summary>Greatest height of the centre, m.</summary>
+    /// <summary>The ends of several balls; empty where there is one, whose end is <see cref="Final"/>.</summary>
+    public IReadOnlyList<Moment> Balls { get; init; } = [];
+
+    /// <summary>The impulse on the ball of an impact with something that has a mass, or of one ball among several with anything but the ground, N s; null for others.</summary>
+    public Func<BallEvent, Vector3d?> ImpulseOf { get; init; } = _ => null;
+
+    /// <summary>Greatest height of the centre, m; 0 where there are several balls.</summary>
     public required double Apex { get; init; }
 
     public required long Steps { get; init; }

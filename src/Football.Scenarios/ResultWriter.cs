@@ -13,12 +13,11 @@ public static class ResultWriter
     public static ReadOnlyMemory<byte> Result(string? name, Outcome outcome) => Line(json =>
     {
         json.WriteString("name", name);
-        json.WritePropertyName("final");
-        WriteMoment(json, outcome.Final);
+        WriteFinals(json, outcome);
         json.WriteStartArray("events");
         foreach (BallEvent item in outcome.Events)
         {
-            WriteEvent(json, in item, outcome.NameOf(item.Thing));
+            WriteEvent(json, in item, outcome);
         }
 
         json.WriteEndArray();
@@ -27,7 +26,11 @@ public static class ResultWriter
             json.WriteNumber("missed", outcome.Missed);
         }
 
-        json.WriteNumber("apex", outcome.Apex);
+        if (outcome.Balls.Count == 0)
+        {
+            json.WriteNumber("apex", outcome.Apex);
+        }
+
         json.WriteNumber("bounces", outcome.Bounces);
         json.WriteNumber("steps", outcome.Steps);
         json.WriteNumber("evaluations", outcome.Evaluations);
@@ -122,8 +125,30 @@ public static class ResultWriter
         json.WriteEndObject();
     }
 
-    private static void WriteEvent(Utf8JsonWriter json, in BallEvent item, string? surface)
+    private static void WriteFinals(Utf8JsonWriter json, Outcome outcome)
     {
+        if (outcome.Balls.Count == 0)
+        {
+            json.WritePropertyName("final");
+            WriteMoment(json, outcome.Final);
+            return;
+        }
+
+        json.WriteStartArray("balls");
+        foreach (Moment final in outcome.Balls)
+        {
+            json.WriteStartObject();
+            json.WritePropertyName("final");
+            WriteMoment(json, final);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+    }
+
+    private static void WriteEvent(Utf8JsonWriter json, in BallEvent item, Outcome outcome)
+    {
+        string? surface = item.OtherBall >= 0 ? FormattableString.Invariant($"ball {item.OtherBall}") : outcome.NameOf(item.Thing);
         json.WriteStartObject();
         json.WriteString("kind", item.Kind switch
         {
@@ -136,6 +161,11 @@ public static class ResultWriter
             BallEventKind.Squeezed => "squeezed",
             _ => "rest",
         });
+        if (outcome.Balls.Count > 0)
+        {
+            json.WriteNumber("ball", item.Ball);
+        }
+
         json.WriteNumber("time", item.Time);
         if (surface is not null)
         {
@@ -154,6 +184,11 @@ public static class ResultWriter
         if (item.Normal != Vector3d.Zero)
         {
             WriteVector(json, "normal", item.Normal);
+        }
+
+        if (outcome.ImpulseOf(item) is { } impulse)
+        {
+            WriteVector(json, "impulse", impulse);
         }
 
         json.WriteEndObject();

@@ -20,6 +20,12 @@ public sealed record Scenario
 
     public double TimeStep { get; init; } = DefaultTimeStep;
 
+    /// <summary>Several balls instead of one; empty where there is one. Then place, velocity and spin are theirs.</summary>
+    public IReadOnlyList<BallLaunch> Balls { get; init; } = [];
+
+    /// <summary>What two balls are to each other.</summary>
+    public Surface BallContact { get; init; } = Surface.Ball;
+
     public required Vector3d Position { get; init; }
 
     public required Vector3d Velocity { get; init; }
@@ -55,18 +61,28 @@ public sealed record Scenario
     public static Scenario Take(InputObject root)
     {
         Scene scene = SceneInput.Scene(root);
+        bool several = root.Has("balls");
+        IReadOnlyList<BallLaunch> balls = several ? BallLaunch.All(root, scene.Ball) : [];
         InputObject launch = root.Object("launch");
         SolverSettings settings = SceneInput.Solver(root, out double timeStep);
+        if (several)
+        {
+            root.Demand("samples", !root.Flag("samples", false), "false where there are several balls");
+            root.Demand("derivatives", !root.Flag("derivatives", false), "false where there are several balls");
+        }
+
         (StopAt stopAt, double duration, bool samples) = SceneInput.Stop(root);
         return new Scenario
         {
             Scene = scene,
             Settings = settings,
             TimeStep = timeStep,
-            Position = launch.Vector("position"),
-            Velocity = launch.Vector("velocity"),
-            Spin = launch.Vector("spin", Vector3d.Zero),
-            Orientation = OrientationOf(launch),
+            Balls = balls,
+            BallContact = WorldInput.Material(root.Object("ballContact"), Surface.Ball),
+            Position = several ? Vector3d.Zero : launch.Vector("position"),
+            Velocity = several ? Vector3d.Zero : launch.Vector("velocity"),
+            Spin = several ? Vector3d.Zero : launch.Vector("spin", Vector3d.Zero),
+            Orientation = several ? Quaterniond.Identity : OrientationOf(launch),
             StopAt = stopAt,
             Duration = duration,
             Samples = samples,

@@ -13,6 +13,11 @@ public static class ScenarioRun
     /// <exception cref="RefusedException">Its numbers, though each allowed, grew beyond what a double can hold.</exception>
     public static Outcome Play(Scenario scenario)
     {
+        if (scenario.Balls.Count > 0)
+        {
+            return PlaySeveral(scenario);
+        }
+
         var simulator = new Simulator(scenario.Scene, scenario.Settings);
         BallState state = simulator.Launch(scenario.Position, scenario.Velocity, scenario.Spin, scenario.Orientation);
         var highest = new HighestPoint(state.Position.Y);
@@ -45,13 +50,48 @@ public static class ScenarioRun
             Evaluations = log.Evaluations,
             Samples = samples,
             NameOf = simulator.NameOf,
+            ImpulseOf = ImpulseOf(scenario, _ => scenario.Scene.Ball, several: false),
             Derivatives = scenario.Derivatives ? DerivativesOf(scenario, simulator) : null,
         };
         return IsFinite(outcome)
             ? outcome
-            : throw new RefusedException(FormattableString.Invariant(
-                $"the motion is not finite up to {scenario.Duration} s; allowed: a scenario whose places and speeds stay within what a double can hold."));
+            : throw NotFinite(scenario);
     }
+
+    /// <summary>Several balls, to the end of all.</summary>
+    private static Outcome PlaySeveral(Scenario scenario)
+    {
+        var group = new BallGroup(scenario.Scene, [.. scenario.Balls.Select(ball => ball.Ball)], scenario.Settings, scenario.BallContact);
+        BallState[] states = [.. scenario.Balls.Select((ball, i) => group.SimulatorOf(i).Launch(ball.Position, ball.Velocity, ball.Spin, ball.Orientation))];
+        var log = new StepLog(mostEvents: MostEvents);
+        bool ended = group.Run(states, scenario.TimeStep, scenario.Duration, scenario.StopAt, log);
+        Moment[] finals = [.. states.Select(state => ended ? Moment.Of(in state) : Moment.Of(in state) with { Time = scenario.Duration })];
+        var outcome = new Outcome
+        {
+            Final = finals[0],
+            Balls = finals,
+            Events = log.Events.Span.ToArray(),
+            Missed = log.Events.Dropped,
+            Bounces = log.Events.Impacts,
+            Apex = 0,
+            Steps = log.Steps,
+            Evaluations = log.Evaluations,
+            NameOf = group.SimulatorOf(0).NameOf,
+            ImpulseOf = ImpulseOf(scenario, ball => scenario.Balls[ball].Ball, several: true),
+        };
+        return IsFinite(outcome) ? outcome : throw NotFinite(scenario);
+    }
+
+    /// <summary>Impulses are told of what has a mass, and among several balls of all but the ground: things are numbered from it on, the obstacles first.</summary>
+    private static Func<BallEvent, Vector3d?> ImpulseOf(Scenario scenario, Func<int, BallProperties> ballOf, bool several)
+    {
+        IReadOnlyList<Obstacle> obstacles = scenario.Scene.Obstacles;
+        bool Tells(int thing) => thing > 0 && (several || (thing <= obstacles.Count && double.IsFinite(obstacles[thing - 1].Mass)));
+        return item => item.Kind == BallEventKind.Impact && Tells(item.Thing) ? item.Impulse(ballOf(item.Ball)) : null;
+    }
+
+    private static RefusedException NotFinite(Scenario scenario) => new(FormattableString.Invariant(
+        $"the motion is not finite up to {scenario.Duration} s; allowed: a scenario whose places and speeds stay within what a double can hold."));
 
     /// <summary>
     /// At the event that ended the run the state is the event's: an impact's own upward speed, the last motion before rest.
@@ -94,6 +134,7 @@ public static class ScenarioRun
 
     private static bool IsFinite(Outcome outcome) =>
         outcome.Final.IsFinite
+        && outcome.Balls.All(final => final.IsFinite)
         && double.IsFinite(outcome.Apex)
         && outcome.Events.All(item => double.IsFinite(item.Time) && item.Position.IsFinite && item.Velocity.IsFinite && item.Spin.IsFinite
             && item.VelocityBefore.IsFinite && item.SpinBefore.IsFinite)

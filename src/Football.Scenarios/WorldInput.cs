@@ -39,7 +39,8 @@ public static class WorldInput
         Vector3d velocity = item.Vector("velocity", Vector3d.Zero);
         Vector3d spin = item.Vector("spin", Vector3d.Zero);
         Vector3d pivot = item.Vector("pivot", Vector3d.Zero);
-        return shape is null ? null : new Obstacle { Name = name, Shape = shape, Surface = surface, Velocity = velocity, Spin = spin, Pivot = pivot };
+        double mass = item.Limit("mass", double.PositiveInfinity);
+        return shape is null ? null : new Obstacle { Name = name, Shape = shape, Surface = surface, Velocity = velocity, Spin = spin, Pivot = pivot, Mass = mass };
     }
 
     private static IShape? Shape(InputObject item)
@@ -67,13 +68,16 @@ public static class WorldInput
         }
     }
 
-    private static Surface Surface(InputObject item, Surface defaults)
+    private static Surface Surface(InputObject item, Surface defaults) => Material(item.Object("surface"), defaults);
+
+    /// <summary>The numbers of a material.</summary>
+    public static Surface Material(InputObject surface, Surface defaults)
     {
-        InputObject surface = item.Object("surface");
         return new Surface
         {
             NormalRestitution = surface.Number("normalRestitution", defaults.NormalRestitution),
             RestitutionSpeed = surface.Limit("restitutionSpeed", defaults.RestitutionSpeed),
+            RestitutionRise = surface.Number("restitutionRise", defaults.RestitutionRise),
             TangentialRestitution = surface.Number("tangentialRestitution", defaults.TangentialRestitution),
             SpinRestitution = surface.Number("spinRestitution", defaults.SpinRestitution),
             ImpactFriction = surface.Limit("impactFriction", defaults.ImpactFriction),

@@ -76,7 +76,7 @@ internal sealed class KickLogFuzz : FuzzTarget
         {
             ref readonly KickInput kick = ref log[i];
             Must(kick is { Tick: >= 0, Player: >= 0 } && kick.Velocity.Length <= Limits.Speed && kick.Spin.Length <= Limits.Spin, "a kick is beyond its limits");
-            Must(i == 0 || log[i - 1].Order(kick.Tick, kick.Player) < 0, "kicks are out of order");
+            Must(i == 0 || log[i - 1].Order(kick.Tick, kick.Player, kick.Ball) < 0, "kicks are out of order");
             Must(log.FirstAt(kick.Tick) <= i, "a kick is not found");
         }
 

@@ -4,7 +4,10 @@ namespace Football.Physics;
 internal sealed class Collider
 {
     private readonly RigidMotion _motion;
+    private readonly ObstacleMotions? _obstacles;
+    private readonly Body? _body;
     private IShape _shape;
+    private PlaneShape? _plane;
     private Bounds3d _bounds;
     private ContactMaterial _material;
     private Placement? _placement;
@@ -15,6 +18,7 @@ internal sealed class Collider
     {
         Name = name;
         _shape = shape;
+        _plane = shape as PlaneShape;
         _bounds = shape.Bounds;
         _material = material;
     }
@@ -26,16 +30,24 @@ internal sealed class Collider
         _patches = _pattern is null ? [] : PatchesOf(_pattern);
     }
 
-    public Collider(Obstacle obstacle)
+    public Collider(Obstacle obstacle, ObstacleMotions? all = null, Placement? placement = null)
         : this(obstacle.Name, obstacle.Shape, new ContactMaterial(obstacle.Surface))
     {
+        Mass = obstacle.Mass;
+        _obstacles = all;
+        _placement = placement;
         _motion.Velocity = obstacle.Velocity;
         _motion.Spin = obstacle.Spin;
         _motion.Pivot = obstacle.Pivot;
     }
 
     public Collider(Body body)
-        : this(body.Name, body.Shape, new ContactMaterial(body.Surface)) => _placement = body.Placement;
+        : this(body.Name, body.Shape, new ContactMaterial(body.Surface))
+    {
+        Mass = body.Mass;
+        _body = body;
+        _placement = body.Placement;
+    }
 
     /// <summary>A place for one that an engine finds.</summary>
     public Collider(Placement none)
@@ -58,11 +70,23 @@ internal sealed class Collider
     /// <summary>V, m/s.</summary>
     public Vector3d Velocity => Motion.Velocity;
 
+    /// <summary>Mass behind its surface, kg; infinite where the ball does not move it.</summary>
+    public double Mass { get; private set; } = double.PositiveInfinity;
+
+    /// <summary>Whether the ball moves it.</summary>
+    public bool GivesWay => Mass < double.PositiveInfinity;
+
+    /// <summary>The velocity that the scene gives it, m/s; 0 for what the game, or an engine, moves.</summary>
+    public Vector3d GivenVelocity => _motion.Velocity;
+
     /// <summary>Whether the game, or an engine, moves it.</summary>
-    public bool IsBody => _placement is not null;
+    public bool IsBody => _placement is not null && _obstacles is null;
 
     /// <summary>Whether it may be elsewhere at another time.</summary>
     public bool Moves => _placement is not null || _motion.Velocity != Vector3d.Zero;
+
+    /// <summary>The plane that it is, where it stands still; else null: a path's distance from it is one cubic.</summary>
+    public PlaneShape? StandingPlane => Moves ? null : _plane;
 
     /// <summary>The strongest curvature of its hollows, 1/m; 0 where it is convex.</summary>
     public double HollowCurvature => _shape.HollowCurvature;
@@ -89,9 +113,29 @@ internal sealed class Collider
         Engine = collider;
         Name = collider.Name;
         _shape = collider.Shape;
+        _plane = _shape as PlaneShape;
         _bounds = _shape.Bounds;
         _material = new ContactMaterial(collider.Surface);
         _placement = collider.Placement;
+        Mass = collider.Mass;
+    }
+
+    /// <summary>An impact of the ball gives it an impulse, N s: it goes on with V + J/M.</summary>
+    public void Push(in Vector3d impulse, double time)
+    {
+        Vector3d velocity = Velocity + (impulse / Mass);
+        if (_body is not null)
+        {
+            _body.Push(in velocity, time);
+        }
+        else if (Engine is not null)
+        {
+            Engine.Push(in velocity, time);
+        }
+        else
+        {
+            _obstacles?.Push(_placement!, in velocity, time);
+        }
     }
 
     private static ContactMaterial[] PatchesOf(ISurfacePattern pattern) => [.. pattern.Surfaces.Select(surface => new ContactMaterial(surface))];

@@ -6,9 +6,23 @@ namespace Football.Physics;
 /// </summary>
 internal static class CoulombImpact
 {
-    /// <summary>Velocity and spin just after an impact.</summary>
+    /// <summary>Velocity and spin just after an impact with something that nothing moves.</summary>
+    /// <inheritdoc cref="Apply(BallProperties, in ContactMaterial, in GivingWay, in Vector3d, in Vector3d, in Vector3d, in Vector3d, out Vector3d, out Vector3d)"/>
+    public static void Apply(
+        BallProperties ball,
+        in ContactMaterial material,
+        in Vector3d n,
+        in Vector3d surface,
+        in Vector3d v,
+        in Vector3d w,
+        out Vector3d velocity,
+        out Vector3d spin) =>
+        Apply(ball, in material, default, in n, in surface, in v, in w, out velocity, out spin);
+
+    /// <summary>Velocity and spin just after an impact; the impulse on the ball is m (v' − v), that on what it hits the opposite.</summary>
     /// <param name="ball">The ball.</param>
     /// <param name="material">What it hits.</param>
+    /// <param name="other">How easily that gives way.</param>
     /// <param name="n">Normal of the contact.</param>
     /// <param name="surface">Velocity of the surface there, m/s.</param>
     /// <param name="v">Velocity before, m/s; towards the surface.</param>
@@ -18,6 +32,7 @@ internal static class CoulombImpact
     public static void Apply(
         BallProperties ball,
         in ContactMaterial material,
+        in GivingWay other,
         in Vector3d n,
         in Vector3d surface,
         in Vector3d v,
@@ -37,12 +52,13 @@ internal static class CoulombImpact
             return;
         }
 
-        // J_n/m = (1 + e) (−u·n)
-        double normal = (1.0 + material.RestitutionAt(approach)) * approach;
+        // J_n/m = (1 + e) (−u·n)/(1 + m/M)
+        Vector3d along = u + (approach * n);
+        double normal = (1.0 + material.RestitutionAt(approach, in along)) * approach / (1.0 + other.Normal);
 
-        // s = u_t + r n × ω;   grip J/m = α/(1 + α) (1 + e_t) s, at most μ J_n/m
-        Vector3d slip = u + (approach * n) + (r * Vector3d.Cross(in n, in w));
-        double share = alpha / (1.0 + alpha);
+        // s = u_t + r n × ω;   grip J/m = (1 + e_t) s/(1 + 1/α + m/M), at most μ J_n/m
+        Vector3d slip = along + (r * Vector3d.Cross(in n, in w));
+        double share = alpha / (1.0 + alpha + (alpha * other.Tangential));
         double gripX = share * (1.0 + material.TangentialX);
         var grip = new Vector3d(gripX * slip.X, gripX * slip.Y, share * (1.0 + material.TangentialZ) * slip.Z);
         double size = grip.Length;
@@ -56,5 +72,35 @@ internal static class CoulombImpact
         double drilled = material.DrillingLength * material.SlidingFriction * normal / (alpha * r * r);
         kept = kept > 0 ? Math.Max(0, kept - drilled) : Math.Min(0, kept + drilled);
         spin = w + (1.0 / (alpha * r) * Vector3d.Cross(in n, in friction)) + ((kept - about) * n);
+    }
+}
+
+/// <summary>How easily the other thing of an impact gives way, by how easily the ball does; 0 for what nothing moves.</summary>
+internal readonly struct GivingWay
+{
+    /// <summary>m/M₂, along the normal.</summary>
+    public readonly double Normal;
+
+    /// <summary>m/M₂, and m r₂²/I₂ more where it turns too, along the surface.</summary>
+    public readonly double Tangential;
+
+    private GivingWay(double normal, double tangential)
+    {
+        Normal = normal;
+        Tangential = tangential;
+    }
+
+    /// <summary>Something with a mass behind its surface, which moves without turning.</summary>
+    /// <param name="ball">The ball.</param>
+    /// <param name="mass">M₂, kg; infinite for what nothing moves.</param>
+    public static GivingWay Of(BallProperties ball, double mass) => new(ball.Mass / mass, ball.Mass / mass);
+
+    /// <summary>Another ball: r₂²/I₂ = 1/(α₂ m₂).</summary>
+    /// <param name="ball">The ball.</param>
+    /// <param name="other">The one that it hits.</param>
+    public static GivingWay Of(BallProperties ball, BallProperties other)
+    {
+        double ratio = ball.Mass / other.Mass;
+        return new GivingWay(ratio, ratio * (1.0 + (1.0 / other.InertiaFactor)));
     }
 }

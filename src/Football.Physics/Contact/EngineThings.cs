@@ -79,6 +79,37 @@ internal sealed class EngineThings
         }
     }
 
+    /// <summary>Remembers what has pushed the colliders, for a look at what would come.</summary>
+    public void KeepPushes()
+    {
+        foreach (EngineCollider collider in _places.Keys)
+        {
+            collider.KeepPush();
+        }
+    }
+
+    /// <summary>Puts that back.</summary>
+    public void PutPushesBack()
+    {
+        foreach (EngineCollider collider in _places.Keys)
+        {
+            collider.PutPushBack();
+        }
+
+        _isKnown = false;
+    }
+
+    /// <summary>The engine has placed its colliders anew: what pushed them before is over.</summary>
+    public void ForgetPushes()
+    {
+        foreach (EngineCollider collider in _places.Keys)
+        {
+            collider.ForgetPush();
+        }
+
+        _isKnown = false;
+    }
+
     /// <summary>Whether nothing can be met on a straight way.</summary>
     public bool IsFree(in StraightWay way)
     {
@@ -119,7 +150,7 @@ internal sealed class EngineThings
         for (int i = 0; i < _hits.Count; i++)
         {
             EngineCollider hit = _hits.At(i);
-            hit.Placement.Motion.Time = now;
+            hit.FoundAt(now);
             int place = PlaceOf(hit);
             _foundAt[place] = _casts;
             _found[Count++] = _first + place;

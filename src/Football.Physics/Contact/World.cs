@@ -5,12 +5,17 @@ namespace Football.Physics;
 /// </summary>
 internal sealed class World
 {
+    /// <summary>Nets change the motion in a part of a step by no more than this share.</summary>
+    private const double LargestChangeInNets = 0.03;
+
     private readonly string[] _names;
     /// <summary>Around what moves by itself: the first of <see cref="Moving"/>, for bodies are its last.</summary>
     private readonly MovingSpheres _movers = new();
+    private long _known;
 
     public World(Scene scene)
     {
+        Obstacles = scene.Motions ?? new ObstacleMotions(scene.Obstacles);
         Ball = scene.Ball;
         MinimumBounceSpeed = scene.Ground.MinimumBounceSpeed;
         RestEnergy = scene.Ground.RestEnergy;
@@ -30,12 +35,13 @@ internal sealed class World
         FirstCollider = scene.Ground.IsNone ? 1 : 0;
         IsLevel = scene.Ground.IsLevel;
         IsLevelGroundAlone = IsLevel && IsBare;
+        IsPlaneAlone = IsBare && scene.Ground.Heights is null;
         LevelContact = scene.Ground.IsNone || !scene.Ground.IsLevel ? double.NegativeInfinity : scene.Ground.Height + Ball.Radius;
         if (!IsBare)
         {
             Bodies = scene.Bodies is { Count: > 0 } ? scene.Bodies : null;
             Bodies?.Use();
-            AddThings(scene, colliders);
+            AddThings(scene, Obstacles, colliders);
             Engine = scene.EngineColliders is null ? null : new EngineThings(scene.EngineColliders, Ball.Radius, colliders.Count);
             colliders.AddRange(Engine?.Colliders ?? []);
             Nets = NetsOf(scene);
@@ -52,6 +58,7 @@ internal sealed class World
             }
         }
 
+        GivesWay = Colliders.Any(collider => collider.GivesWay);
         var moving = new List<int>();
         var unbounded = new List<int>();
         var leaves = new List<int>();
@@ -67,7 +74,7 @@ internal sealed class World
                 moving.Add(i);
                 if (!collider.IsBody)
                 {
-                    _movers.Add(in collider.Bounds, collider.Velocity);
+                    _movers.Add(collider.BoundsAt(0), collider.Velocity);
                 }
             }
         }
@@ -141,6 +148,63 @@ internal sealed class World
     /// <summary>What the game moves; null where that is nothing.</summary>
     public Bodies? Bodies { get; }
 
+    /// <summary>Where the obstacles are that have a mass.</summary>
+    public ObstacleMotions Obstacles { get; }
+
+    /// <summary>Whether the ball moves anything: the game's bodies, or obstacles. What an engine finds is not known before.</summary>
+    public bool GivesWay { get; }
+
+    /// <summary>How many motions there are to keep: of the bodies, then of the obstacles that have a mass.</summary>
+    public int Movers => (Bodies?.Count ?? 0) + Obstacles.Count;
+
+    /// <summary>Reads the motions of all that is moved.</summary>
+    public void ReadMotions(Span<RigidMotion> into)
+    {
+        int bodies = Bodies?.Count ?? 0;
+        for (int i = 0; i < bodies; i++)
+        {
+            into[i] = Bodies![i].Motion;
+        }
+
+        Obstacles.Read(into.Slice(bodies));
+    }
+
+    /// <summary>Remembers where all is that is moved, for a look ahead.</summary>
+    public void KeepMotions()
+    {
+        Bodies?.Keep();
+        Obstacles.Keep();
+    }
+
+    /// <summary>Puts all back to where it was when that was remembered.</summary>
+    public void PutMotionsBack()
+    {
+        Bodies?.PutBack();
+        Obstacles.PutBack();
+    }
+
+    /// <summary>A box around one of what is moved, at a time.</summary>
+    public Bounds3d BoundsOfMover(int mover, double time)
+    {
+        int bodies = Bodies?.Count ?? 0;
+        return mover < bodies ? Bodies![mover].BoundsAt(time) : Obstacles.BoundsAt(mover - bodies, time);
+    }
+
+    /// <summary>Puts all that is moved where it was.</summary>
+    public void WriteMotions(Span<RigidMotion> from)
+    {
+        int bodies = Bodies?.Count ?? 0;
+        for (int i = 0; i < bodies; i++)
+        {
+            Bodies![i].Motion = from[i];
+        }
+
+        if (Obstacles.Count > 0)
+        {
+            Obstacles.Write(from.Slice(bodies));
+        }
+    }
+
     /// <summary>What an engine finds; null where none is asked.</summary>
     public EngineThings? Engine { get; }
 
@@ -149,6 +213,9 @@ internal sealed class World
 
     /// <summary>Whether there is nothing but the ground, or nothing at all.</summary>
     public bool IsBare { get; }
+
+    /// <summary>Whether there is nothing but flat ground, level or tilted, or nothing at all.</summary>
+    public bool IsPlaneAlone { get; }
 
     /// <summary>Whether there is nothing but level ground, or nothing at all.</summary>
     public bool IsLevelGroundAlone { get; }
@@ -178,9 +245,9 @@ internal sealed class World
     public bool AirActs { get; }
 
     // What a bare pitch does not need stands by itself: its first use costs a game nothing.
-    private static void AddThings(Scene scene, List<Collider> colliders)
+    private static void AddThings(Scene scene, ObstacleMotions motions, List<Collider> colliders)
     {
-        colliders.AddRange(scene.Obstacles.Select(obstacle => new Collider(obstacle)));
+        colliders.AddRange(scene.Obstacles.Select((obstacle, i) => motions.Of(i) is { } placement ? new Collider(obstacle, motions, placement) : new Collider(obstacle)));
         colliders.AddRange(scene.Goals.SelectMany(goal => goal.Frame(scene.Forces)).Select(obstacle => new Collider(obstacle)));
         colliders.AddRange((scene.Bodies ?? Enumerable.Empty<Body>()).Select(body => new Collider(body)));
     }
@@ -224,6 +291,7 @@ internal sealed class World
             }
         }
 
+        KnowObstacles();
         for (int i = 0; _movers.Next(in middle, reach, way.Time + half, half, ref i); i++)
         {
             Collider collider = Colliders[Moving[i]];
@@ -231,6 +299,21 @@ internal sealed class World
         }
 
         return free;
+    }
+
+    /// <summary>What a quick look needs of obstacles that were pushed.</summary>
+    private void KnowObstacles()
+    {
+        if (_known == Obstacles.Version)
+        {
+            return;
+        }
+
+        _known = Obstacles.Version;
+        for (int i = 0; i < Moving.Length && !Colliders[Moving[i]].IsBody; i++)
+        {
+            _movers.Set(i, Colliders[Moving[i]].BoundsAt(0), Colliders[Moving[i]].Velocity);
+        }
     }
 
     /// <summary>Adds all numbers of what stands still, or moves by itself.</summary>
@@ -252,7 +335,7 @@ internal sealed class World
             key.Add(high.Distance);
             key.Add(high.Normal);
             key.Add(in collider.Bounds);
-            key.Add(collider.Velocity);
+            key.Add(collider.GivenVelocity);
         }
     }
 
@@ -355,6 +438,25 @@ internal sealed class World
         }
 
         return new MotionRates(in acceleration, in spinAcceleration);
+    }
+
+    /// <summary>The longest part of a step in which nets change the motion by no more than a small share, s.</summary>
+    public double LongestPartInNets(ulong nets, ulong sides, in Motion at, double h)
+    {
+        double longest = h;
+        double speed = at.Velocity.Length;
+        for (int i = 0; i < Nets.Length && nets >> i != 0; i++)
+        {
+            if ((nets >> i & 1) != 0)
+            {
+                // As deep as it may come within the part.
+                double depth = Math.Max(0, Nets[i].Depth(at.Position, SideOf(sides, i)));
+                double part = LargestChangeInNets / Nets[i].RateAt(depth + (longest * speed));
+                longest = Math.Min(longest, LargestChangeInNets / Nets[i].RateAt(depth + (Math.Min(longest, part) * speed)));
+            }
+        }
+
+        return longest;
     }
 
     /// <summary>σ of a net.</summary>

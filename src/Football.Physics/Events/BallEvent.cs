@@ -10,6 +10,7 @@ namespace Football.Physics;
 public readonly struct BallEvent : IFormattable
 {
     private readonly int _kind;
+    private readonly int _other; // 0 for none, so that a default event has none
 
     internal BallEvent(
         BallEventKind kind,
@@ -33,6 +34,19 @@ public readonly struct BallEvent : IFormattable
         Spin = spin;
     }
 
+    /// <summary>The same event, of one of several balls.</summary>
+    /// <param name="happened">The event.</param>
+    /// <param name="ball">Index of the ball.</param>
+    internal BallEvent(in BallEvent happened, int ball)
+    {
+        this = happened;
+        Ball = ball;
+    }
+
+    /// <summary>An impact between two balls, of one of them.</summary>
+    internal BallEvent(int otherBall, in Vector3d normal, double time, in BallState before, in Vector3d velocity, in Vector3d spin)
+        : this(BallEventKind.Impact, -1, in normal, time, before.Position, before.Velocity, before.Spin, in velocity, in spin) => _other = otherBall + 1;
+
     /// <summary>The kind of the event.</summary>
     public BallEventKind Kind => (BallEventKind)_kind;
 
@@ -41,6 +55,12 @@ public readonly struct BallEvent : IFormattable
     /// come the obstacles in their order, the posts and bars of the goals, all nets, the goals. the simulator gives its name.
     /// </summary>
     public int Thing { get; }
+
+    /// <summary>Which ball it happened to: its index among several that are stepped together; 0 where there is one.</summary>
+    public int Ball { get; }
+
+    /// <summary>The ball that was hit, where that is one of several; −1 for none. <see cref="Thing"/> is then −1.</summary>
+    public int OtherBall => _other - 1;
 
     /// <summary>Normal of the contact, from the thing to the ball, of length 1; of a net or a goal that of its plane, towards where the ball came from. Zero for a rest or a leave.</summary>
     public Vector3d Normal { get; }
@@ -85,6 +105,15 @@ public readonly struct BallEvent : IFormattable
         // v + ω × (−r n), without its part along n.
         Vector3d surface = VelocityBefore - (radius * Vector3d.Cross(SpinBefore, Normal));
         return surface - (Vector3d.Dot(in surface, Normal) * Normal);
+    }
+
+    /// <summary>Impulse on the ball, m (v' − v), N s; what was hit got the opposite. Zero for what is no impact.</summary>
+    /// <param name="ball">The ball.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="ball"/> is null.</exception>
+    public Vector3d Impulse(BallProperties ball)
+    {
+        Check.Given(nameof(ball), ball);
+        return Kind == BallEventKind.Impact ? ball.Mass * (Velocity - VelocityBefore) : Vector3d.Zero;
     }
 
     /// <summary>Energy that the event took away, of motion and of rotation, J.</summary>

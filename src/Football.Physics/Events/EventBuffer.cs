@@ -84,6 +84,9 @@ public sealed class EventBuffer
         Count -= gone;
     }
 
+    /// <summary>Whose events are added, where there are several balls.</summary>
+    internal int Ball { get; set; }
+
     internal void Add(in BallEvent item)
     {
         Impacts += item.Kind == BallEventKind.Impact ? 1 : 0;
@@ -92,7 +95,7 @@ public sealed class EventBuffer
             MakeRoom();
         }
 
-        _events[Count++] = item;
+        _events[Count++] = Ball == 0 ? item : new BallEvent(in item, Ball);
     }
 
     /// <summary>Adds all of another buffer's.</summary>

@@ -1,8 +1,9 @@
 namespace Football.Physics;
 
-/// <summary>Plays a ball in fixed steps under a game's irregular frames, and says where to draw it in between.</summary>
+/// <summary>Plays a ball, or several, in fixed steps under a game's irregular frames, and says where to draw it in between.</summary>
 /// <remarks>
-/// Every step has the same length, so the trajectory is the same bits whatever the frame rate; kicks belong to ticks, not to frames.
+/// Every step has the same length, so the trajectory is the same bits whatever the frame rate; kicks belong to ticks, not to frames. Bodies do so where
+/// <see cref="BodiesAt"/> puts them there for every step: a game that moves them once a frame moves them at other times for another frame rate.
 /// Games with a fixed update of their own call <see cref="Step"/> there and draw <see cref="PoseAt"/>; others call
 /// <see cref="Advance"/> once a frame and draw <see cref="Position"/> and <see cref="Orientation"/>. A <see cref="Rollback"/> keeps its
 /// last states and plays them again where a kick of the past was not known: the kicks in <see cref="Kicks"/> are applied again.
@@ -13,14 +14,31 @@ public sealed class FixedStepRunner
     /// <summary>Steps that a frame can have at most.</summary>
     internal const double MostSteps = 1e6;
 
-    private readonly Ball _ball;
-    private BallState _previous;
+    private readonly StepLog _log = new();
+    private readonly BallGroup? _group;
+    private readonly BallState[] _states;
+    private readonly BallState[] _previous;
+    private readonly BallState[] _before;
+    private readonly RigidMotion[] _motions;
+    private Simulator _simulator;
+    private long _kickTicks = 36_000;
     private double _left;
 
     /// <summary>A ball at rest on the ground at the origin, at tick 0, in <see cref="Scene.Default"/> with <see cref="SolverSettings.Default"/>.</summary>
     /// <inheritdoc cref="FixedStepRunner(Simulator, double, double)"/>
     public FixedStepRunner(double timeStep = 0.01, double maximumFrameTime = 0.25)
         : this(new Simulator(), timeStep, maximumFrameTime)
+    {
+    }
+
+    /// <summary>Several balls at rest on the ground, side by side from the origin on along x, at tick 0.</summary>
+    /// <param name="group">The balls; for this runner alone.</param>
+    /// <param name="timeStep">Length of a step, s; at least a millionth of <paramref name="maximumFrameTime"/>, at most that; default 0.01.</param>
+    /// <param name="maximumFrameTime">The longest frame that is made up for, s; above 0, at most 1e12; default 0.25. What a longer one has beyond it is dropped, and reported.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="group"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public FixedStepRunner(BallGroup group, double timeStep = 0.01, double maximumFrameTime = 0.25)
+        : this(Given(group).SimulatorOf(0), group, timeStep, maximumFrameTime)
     {
     }
 
@@ -31,30 +49,86 @@ public sealed class FixedStepRunner
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public FixedStepRunner(Simulator simulator, double timeStep = 0.01, double maximumFrameTime = 0.25)
+        : this(simulator ?? throw new ArgumentNullException(nameof(simulator)), null, timeStep, maximumFrameTime)
+    {
+    }
+
+    private FixedStepRunner(Simulator simulator, BallGroup? group, double timeStep, double maximumFrameTime)
     {
         Check.Within(nameof(maximumFrameTime), maximumFrameTime, 0, Limits.Time, exclusiveLow: true);
         Check.Within(nameof(timeStep), timeStep, maximumFrameTime / MostSteps, maximumFrameTime);
         TimeStep = timeStep;
         MaximumFrameTime = maximumFrameTime;
-        _ball = new Ball(simulator);
-        _previous = _ball.State;
+        _simulator = simulator;
+        _group = group;
+        _states = new BallState[group?.Count ?? 1];
+        _previous = new BallState[_states.Length];
+        _before = new BallState[_states.Length];
+        _motions = new RigidMotion[simulator.World.GivesWay ? simulator.World.Movers : 0];
+        double x = 0;
+        for (int i = 0; i < _states.Length; i++)
+        {
+            _states[i] = Ball.AtRest(SimulatorOf(i), new Vector3d(x, SimulatorOf(i).ContactHeight, 0));
+            x += 2.5 * SimulatorOf(i).Scene.Ball.Radius;
+        }
+
+        Array.Copy(_states, _previous, _states.Length);
     }
+
+    private static BallGroup Given(BallGroup group) => group ?? throw new ArgumentNullException(nameof(group));
 
     /// <summary>The compiled scene. Setting it between steps goes on in another one, as <see cref="Ball.Simulator"/> does; a recording ends, for it is of one scene.</summary>
     /// <exception cref="ArgumentNullException">The simulator that is set is null; nothing has changed.</exception>
+    /// <exception cref="InvalidOperationException">It is set where there are several balls; nothing has changed.</exception>
     public Simulator Simulator
     {
-        get => _ball.Simulator;
+        get => _simulator;
         set
         {
-            if (ReferenceEquals(value, _ball.Simulator))
+            if (ReferenceEquals(value ?? throw new ArgumentNullException(nameof(value)), _simulator))
             {
                 return;
             }
 
-            _ball.Simulator = value;
+            if (_group is not null)
+            {
+                throw new InvalidOperationException("simulator: several balls have one for the whole match.");
+            }
+
+            if (value.World.Movers != _simulator.World.Movers && History is not null)
+            {
+                throw new InvalidOperationException("simulator: a rollback follows the runner; allowed: a scene with as many bodies, and obstacles that have a mass.");
+            }
+
+            var ball = new Ball(_simulator) { State = _states[0] };
+            ball.Simulator = value;
+            _simulator = value;
             StopRecording();
-            Restore(Tick, _ball.State);
+            Restore(Tick, ball.State);
+        }
+    }
+
+    /// <summary>Several balls; null where there is one.</summary>
+    public BallGroup? Group => _group;
+
+    /// <summary>How many balls there are.</summary>
+    public int Balls => _states.Length;
+
+    /// <summary>
+    /// Puts the game's bodies (<see cref="Scene.Bodies"/>), and its engine's colliders, to where they are at a time of the ball's clock, s: asked once a step, at its start, also
+    /// where steps are played again. Default none: bodies stay where the game has put them last, going on as they go; then a <see cref="Rollback"/> keeps where they were.
+    /// </summary>
+    public Action<double>? BodiesAt { get; set; }
+
+    /// <summary>Kicks of so many ticks ago are forgotten; those that a rollback or a recording may need are kept. 1 … 1e15; default 36 000.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The number that is set is out of range; nothing has changed.</exception>
+    public long KickTicks
+    {
+        get => _kickTicks;
+        set
+        {
+            Check.Within(nameof(KickTicks), value, 1, Limits.Tick);
+            _kickTicks = value;
         }
     }
 
@@ -67,20 +141,20 @@ public sealed class FixedStepRunner
     /// <summary>How many steps have been made: the state is the one at the start of this tick.</summary>
     public long Tick { get; private set; }
 
-    /// <summary>The ball at the start of this tick. Copying it is the snapshot.</summary>
-    public BallState State => _ball.State;
+    /// <summary>The ball at the start of this tick, the first of several. Copying it is the snapshot.</summary>
+    public BallState State => _states[0];
 
     /// <summary>Velocity at the start of this tick, m/s.</summary>
-    public Vector3d Velocity => _ball.State.Velocity;
+    public Vector3d Velocity => _states[0].Velocity;
 
     /// <summary>Angular velocity at the start of this tick, rad/s, world frame.</summary>
-    public Vector3d Spin => _ball.State.Spin;
+    public Vector3d Spin => _states[0].Spin;
 
     /// <summary>The motion of the ball: in the air, sliding, rolling or at rest.</summary>
-    public MotionState Motion => _ball.Motion;
+    public MotionState Motion => _states[0].Motion;
 
     /// <summary>Time since the ball was placed, s.</summary>
-    public double Time => _ball.Time;
+    public double Time => _states[0].Time;
 
     /// <summary>The kicks by tick, those to come included. What is added for an earlier tick counts when the game rolls back that far.</summary>
     public KickLog Kicks { get; } = new();
@@ -112,11 +186,42 @@ public sealed class FixedStepRunner
     /// <summary>What keeps its last states; null where nothing does.</summary>
     internal Rollback? History { get; set; }
 
+    /// <summary>Where the bodies are to be put, of a segment that is played again; null where the game puts them.</summary>
+    internal PlacementLog? Script { get; set; }
+
+    /// <summary>The last tick in which an engine's colliders moved; −1 for none.</summary>
+    internal long EngineMoved { get; private set; } = -1;
+
+    /// <summary>All balls at the start of this tick.</summary>
+    internal BallState[] States => _states;
+
+    /// <summary>The compiled scene of a ball.</summary>
+    internal Simulator SimulatorOf(int ball) => _group is null ? _simulator : _group.SimulatorOf(ball);
+
+    /// <summary>One of several balls at the start of this tick.</summary>
+    /// <param name="ball">Which, from 0.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
+    public BallState StateOf(int ball)
+    {
+        Check.Index(nameof(ball), ball, _states.Length);
+        return _states[ball];
+    }
+
+    /// <summary>Where to draw one of several balls after <see cref="Advance"/>.</summary>
+    /// <param name="ball">Which, from 0.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
+    public BallPose PoseOf(int ball) => PoseAt(Fraction, ball);
+
     /// <summary>Has the ball kicked when this tick's step begins, as player 0. <see cref="Ball.Kick(Vector3d, Vector3d)"/> kicks at once; this waits for the step.</summary>
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
     /// <param name="spin">Spin, rad/s, world frame; at most 10 000.</param>
+    /// <param name="ball">Which of several balls; default the first.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
-    public void QueueKick(Vector3d velocity, Vector3d spin) => Kicks.Add(new KickInput(Tick, velocity, spin));
+    public void QueueKick(Vector3d velocity, Vector3d spin, int ball = 0)
+    {
+        Check.Index(nameof(ball), ball, _states.Length);
+        Kicks.Add(new KickInput(Tick, velocity, spin, ball: ball));
+    }
 
     /// <summary>Has the ball kicked when this tick's step begins: speed, direction, and spin relative to the direction.</summary>
     /// <param name="speed">Speed, m/s; 0 … 1000.</param>
@@ -135,15 +240,29 @@ public sealed class FixedStepRunner
     /// <param name="kick">The kick.</param>
     public void QueueKick(in AimResult kick) => QueueKick(kick.Velocity, kick.Spin);
 
-    /// <summary>Puts the ball down without motion at this tick, at time 0. Above the ground it will fall.</summary>
+    /// <summary>Puts the ball down without motion at this tick, at time 0; one of several goes on at the time of all. Above the ground it will fall.</summary>
     /// <remarks>Kicks that wait for this tick or later ones were for the ball where it was: they are forgotten.</remarks>
     /// <param name="position">Position of the centre, m; components within ±1e6. Below contact height it is raised to it.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A component is out of range; nothing has changed.</exception>
-    public void Place(Vector3d position)
+    /// <param name="ball">Which of several balls; default the first.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A component, or the ball, is out of range; nothing has changed.</exception>
+    public void Place(Vector3d position, int ball = 0)
     {
-        BallState placed = Ball.AtRest(Simulator, in position);
-        Kicks.RemoveFrom(Tick);
-        Restore(Tick, in placed);
+        Check.Index(nameof(ball), ball, _states.Length);
+        BallState placed = Ball.AtRest(SimulatorOf(ball), in position);
+        for (int i = Kicks.FirstAt(Tick); i < Kicks.Count;)
+        {
+            KickInput kick = Kicks[i];
+            i += kick.Ball == ball && Kicks.Remove(kick.Tick, kick.Player, ball) ? 0 : 1;
+        }
+
+        if (_group is not null)
+        {
+            placed.Time = _states[ball].Time;
+        }
+
+        Array.Copy(_states, _before, _states.Length);
+        _before[ball] = placed;
+        RestoreAll(Tick, _before);
     }
 
     /// <summary>Makes as many steps as a frame's time asks for; the rest is kept for the next frame.</summary>
@@ -191,24 +310,33 @@ public sealed class FixedStepRunner
     /// ball is seen to touch the ground; the orientation turns the shorter way at constant speed, which is right below half a turn a step.
     /// </remarks>
     /// <param name="fraction">0 is the last step's start, 1 its end; what is beyond is limited to it.</param>
-    public BallPose PoseAt(double fraction)
+    /// <param name="ball">Which of several balls; default the first.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
+    public BallPose PoseAt(double fraction, int ball = 0)
     {
-        BallState state = _ball.State;
-        double span = state.Time - _previous.Time;
+        Check.Index(nameof(ball), ball, _states.Length);
+        BallState state = _states[ball];
+        ref readonly BallState previous = ref _previous[ball];
+        double span = state.Time - previous.Time;
         if (!(fraction < 1) || !(span > 0))
         {
             return new BallPose(state.Position, state.Orientation);
         }
 
         fraction = fraction > 0 ? fraction : 0;
-        double time = _previous.Time + (fraction * span);
-        double t0 = _previous.Time;
+        double time = previous.Time + (fraction * span);
+        double t0 = previous.Time;
         double t1 = state.Time;
-        Vector3d p0 = _previous.Position;
+        Vector3d p0 = previous.Position;
         Vector3d p1 = state.Position;
-        for (int i = 0; i < _ball.Events.Count; i++)
+        for (int i = 0; i < _log.Events.Count; i++)
         {
-            ref readonly BallEvent happened = ref _ball.Events[i];
+            ref readonly BallEvent happened = ref _log.Events[i];
+            if (happened.Ball != ball)
+            {
+                continue;
+            }
+
             if (happened.Time > time)
             {
                 t1 = happened.Time;
@@ -221,7 +349,7 @@ public sealed class FixedStepRunner
         }
 
         double part = t1 > t0 ? (time - t0) / (t1 - t0) : 1;
-        Quaterniond orientation = Slerp.Between(_previous.Orientation, state.Orientation, fraction);
+        Quaterniond orientation = Slerp.Between(previous.Orientation, state.Orientation, fraction);
         return new BallPose(p0 + (part * (p1 - p0)), in orientation);
     }
 
@@ -233,14 +361,40 @@ public sealed class FixedStepRunner
     /// <exception cref="ArgumentException"><paramref name="state"/> was never launched; nothing has changed.</exception>
     public void Restore(long tick, in BallState state)
     {
+        _before[0] = state;
+        RestoreAll(tick, _states.Length == 1 ? _before : throw new ArgumentException($"state is of one ball; allowed: {_states.Length}, one each.", nameof(state)));
+    }
+
+    /// <summary>Goes to a tick with the states of all balls.</summary>
+    /// <inheritdoc cref="Restore(long, in BallState)"/>
+    /// <param name="tick">The tick; 0 … 1e15.</param>
+    /// <param name="states">The states at its start, one each, of one time.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="states"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="tick"/> is out of range, or the clock stands so high that a step would not move it; nothing has changed.</exception>
+    /// <exception cref="ArgumentException">The states are not as many as the balls, or not of one time, or one was never launched; nothing has changed.</exception>
+    public void RestoreAll(long tick, BallState[] states)
+    {
         Check.Within(nameof(tick), tick, 0, Limits.Tick);
-        Check.Advances(nameof(TimeStep), TimeStep, state.Time);
-        _ball.State = state;
+        Check.Given(nameof(states), states);
+        if (states.Length != _states.Length)
+        {
+            throw new ArgumentException($"states has {states.Length} balls; allowed: {_states.Length}, one each.", nameof(states));
+        }
+
+        foreach (ref readonly BallState state in states.AsSpan())
+        {
+            Check.Advances(nameof(TimeStep), TimeStep, state.Time);
+            BallState.Launched(in state);
+            Check.Within("states' time", state.Time, states[0].Time, states[0].Time);
+        }
+
+        Array.Copy(states, _states, _states.Length);
+        Array.Copy(states, _previous, _states.Length);
         Tick = tick;
-        _previous = state;
+        _log.Clear();
         Events.Clear();
-        History?.Begin(tick, in state);
-        if (Recording is { } recording && !recording.TryRewind(tick, in state))
+        History?.Begin(tick);
+        if (Recording is { } recording && !recording.TryRewind(tick, Snapshot.Hash(_states)))
         {
             Recording = null;
         }
@@ -250,7 +404,7 @@ public sealed class FixedStepRunner
     /// <remarks>A rollback within it rewinds it too; going to a state that is not its own ends it.</remarks>
     public MatchSegment Record()
     {
-        Recording = new MatchSegment(TimeStep, Tick, _ball.State, Kicks);
+        Recording = new MatchSegment(this);
         return Recording;
     }
 
@@ -268,27 +422,93 @@ public sealed class FixedStepRunner
 
     private void StepOnce()
     {
-        BallState before = _ball.State;
+        Array.Copy(_states, _before, _states.Length);
+        World world = _simulator.World;
+        if (_motions.Length > 0)
+        {
+            world.ReadMotions(_motions);
+        }
+
         try
         {
+            // 1. The bodies are where they are at this tick. 2. Its kicks. 3. The step.
+            MoveBodies(world);
             for (int i = Kicks.FirstAt(Tick); i < Kicks.Count && Kicks[i].Tick == Tick; i++)
             {
-                _ball.Kick(Kicks[i].Velocity, Kicks[i].Spin);
+                ref readonly KickInput kick = ref Kicks[i];
+                Check.Index("kick.ball", kick.Ball, _states.Length);
+                SimulatorOf(kick.Ball).Kick(ref _states[kick.Ball], kick.Velocity, kick.Spin);
             }
 
-            BallState start = _ball.State;
-            _ball.Step(TimeStep);
-            _previous = start;
+            Array.Copy(_states, _previous, _states.Length);
+            _log.Clear();
+            if (_group is null)
+            {
+                _simulator.Step(ref _states[0], TimeStep, _log);
+            }
+            else
+            {
+                _group.Step(_states, TimeStep, _log);
+            }
         }
         catch
         {
-            _ball.State = before;
+            Array.Copy(_before, _states, _states.Length);
+            if (_motions.Length > 0)
+            {
+                world.WriteMotions(_motions);
+            }
+
             throw;
         }
 
         Tick++;
-        Events.Add(_ball.Events);
-        Recording?.Add(Snapshot.Hash(_ball.State));
-        History?.Keep(Tick, _ball.State);
+        Events.Add(_log.Events);
+        if (Recording is not null || History is not null)
+        {
+            ulong hash = Recording is null ? 0 : Snapshot.Hash(_states);
+            Recording?.Add(hash);
+            History?.Keep(Tick);
+        }
+
+        ForgetKicks();
+    }
+
+    /// <summary>The bodies are put where they are at this tick, and who plays it again is told.</summary>
+    private void MoveBodies(World world)
+    {
+        if (BodiesAt is { } bodiesAt)
+        {
+            bodiesAt(Time);
+            world.Engine?.ForgetPushes();
+        }
+        else if (world.Bodies is { } bodies)
+        {
+            Script?.Apply(Tick, bodies);
+            History?.PutBodies(Tick, bodies);
+        }
+
+        if (world.Bodies is { } moved)
+        {
+            History?.KeepBodies(Tick, moved);
+            Recording?.Bodies.Record(Tick, moved);
+        }
+
+        if (world.Engine is { GreatestSpeed: > 0 })
+        {
+            EngineMoved = Tick;
+            Recording?.MovesEngine();
+        }
+    }
+
+    /// <summary>Kicks that nobody can play again are forgotten.</summary>
+    private void ForgetKicks()
+    {
+        if (Kicks.Count > 0 && Kicks[0].Tick < Tick - _kickTicks)
+        {
+            long oldest = Tick - _kickTicks;
+            oldest = Math.Min(oldest, History?.OldestTick ?? oldest);
+            Kicks.RemoveBefore(Math.Min(oldest, Recording?.StartTick ?? oldest));
+        }
     }
 }

@@ -45,24 +45,15 @@ public sealed record Foot
         Validate(ball, in velocity, in spin);
         Check.Size("foot.velocity", footVelocity, Limits.Speed, "m/s");
         Vector3d n = Direction(normal);
-        double r = ball.Radius;
-        Vector3d approach = velocity - footVelocity;
-        double along = Vector3d.Dot(in approach, in n);
+        CoulombImpact.Apply(ball, Material, GivingWay.Of(ball, Mass), in n, in footVelocity, in velocity, in spin, out Vector3d after, out Vector3d spinAfter);
 
-        // J_n = −(1 + e) m_n (c·n),  s = c_t + r n × ω,  J_t = min(μ J_n, (1 + e_t) m_t |s|)
-        double pressed = Math.Max(0, -(1.0 + Restitution) * NormalMass(ball) * along);
-        Vector3d slip = approach - (along * n) + (r * Vector3d.Cross(in n, in spin));
-        double slipping = slip.Length;
-        double rubbed = Math.Min(Friction * pressed, (1.0 + TangentialRestitution) * TangentialMass(ball) * slipping);
-        Vector3d impulse = (pressed * n) - (slipping > 0 ? rubbed / slipping * slip : Vector3d.Zero);
-
-        // v' = v + J/m,  ω' = ω − (r/I) n × J,  U' = U − J/M
+        // U' = U − J/M
         return new FootStrike(
             in footVelocity,
             in n,
-            footVelocity - (impulse / Mass),
-            velocity + (impulse / ball.Mass),
-            spin - (r / ball.MomentOfInertia * Vector3d.Cross(in n, in impulse)),
+            footVelocity - (ball.Mass / Mass * (after - velocity)),
+            in after,
+            in spinAfter,
             enoughFriction: true,
             spinAlongImpulse: 0);
     }
@@ -158,6 +149,8 @@ public sealed record Foot
         double length = normal.Length;
         return length > 0 && double.IsFinite(length) ? normal / length : throw Check.Refusal("foot.normal", normal.ToString(), "finite components, not all zero");
     }
+
+    private ContactMaterial Material => new(Restitution, TangentialRestitution, Friction);
 
     /// <summary>m_n.</summary>
     private double NormalMass(BallProperties ball) => 1.0 / ((1.0 / ball.Mass) + (1.0 / Mass));

@@ -10,9 +10,11 @@ public readonly struct KickInput : IFormattable
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
     /// <param name="spin">Spin, rad/s, world frame; at most 10 000.</param>
     /// <param name="player">Who kicks, 0 or more; default 0. Of two kicks at one tick the higher number is applied last, and so wins on every machine.</param>
+    /// <param name="ball">Which of several balls is kicked, from 0, below 10 000; default 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
-    public KickInput(long tick, Vector3d velocity, Vector3d spin, int player = 0)
+    public KickInput(long tick, Vector3d velocity, Vector3d spin, int player = 0, int ball = 0)
     {
+        Check.Within("kick.ball", ball, 0, 9_999);
         Check.Within("kick.tick", tick, 0, Limits.Tick);
         Check.NotNegative("kick.player", player);
         Check.Size("kick.velocity", velocity, Limits.Speed, "m/s");
@@ -21,6 +23,7 @@ public readonly struct KickInput : IFormattable
         Velocity = velocity;
         Spin = spin;
         Player = player;
+        Ball = ball;
     }
 
     /// <summary>The tick whose step begins with the kick.</summary>
@@ -34,6 +37,9 @@ public readonly struct KickInput : IFormattable
 
     /// <summary>Who kicks.</summary>
     public int Player { get; }
+
+    /// <summary>Which of several balls is kicked; 0 where there is one.</summary>
+    public int Ball { get; }
 
     /// <inheritdoc/>
     public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
@@ -49,9 +55,10 @@ public readonly struct KickInput : IFormattable
     }
 
     /// <summary>Whether this kick is applied before, with or after another one.</summary>
-    internal int Order(long tick, int player)
+    internal int Order(long tick, int player, int ball)
     {
         int byTick = Tick.CompareTo(tick);
-        return byTick != 0 ? byTick : Player.CompareTo(player);
+        int byPlayer = Player.CompareTo(player);
+        return byTick != 0 ? byTick : byPlayer != 0 ? byPlayer : Ball.CompareTo(ball);
     }
 }

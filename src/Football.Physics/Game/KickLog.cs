@@ -4,7 +4,7 @@ namespace Football.Physics.Netcode;
 
 /// <summary>Kicks by tick, past and to come: the schedule of a <see cref="FixedStepRunner"/> and the input log of a match.</summary>
 /// <remarks>
-/// Sorted by tick, then player, whatever the order of arrival. It allocates only when it outgrows its memory. As bytes a kick takes
+/// Sorted by tick, then player, then ball, whatever the order of arrival. It allocates only when it outgrows its memory. As bytes a kick takes
 /// about 28 where all its numbers are single-precision ones, about 52 otherwise, and less where some are 0; the whole ends with a checksum of 4.
 /// </remarks>
 public sealed class KickLog
@@ -39,12 +39,12 @@ public sealed class KickLog
         }
     }
 
-    /// <summary>Puts a kick in its place; one of the same player at the same tick is replaced.</summary>
+    /// <summary>Puts a kick in its place; one of the same player at the same tick, of the same ball, is replaced.</summary>
     /// <param name="kick">The kick.</param>
     public void Add(in KickInput kick)
     {
-        int index = First(kick.Tick, kick.Player);
-        if (index < Count && _kicks[index].Order(kick.Tick, kick.Player) == 0)
+        int index = First(kick.Tick, kick.Player, kick.Ball);
+        if (index < Count && _kicks[index].Order(kick.Tick, kick.Player, kick.Ball) == 0)
         {
             _kicks[index] = kick;
             return;
@@ -63,11 +63,12 @@ public sealed class KickLog
     /// <summary>Takes a kick out, for instance one that was only guessed.</summary>
     /// <param name="tick">Its tick.</param>
     /// <param name="player">Its player; default 0.</param>
+    /// <param name="ball">Its ball; default 0.</param>
     /// <returns>True when there was such a kick.</returns>
-    public bool Remove(long tick, int player = 0)
+    public bool Remove(long tick, int player = 0, int ball = 0)
     {
-        int index = First(tick, player);
-        if (index == Count || _kicks[index].Order(tick, player) != 0)
+        int index = First(tick, player, ball);
+        if (index == Count || _kicks[index].Order(tick, player, ball) != 0)
         {
             return false;
         }
@@ -82,8 +83,11 @@ public sealed class KickLog
     public void RemoveBefore(long tick)
     {
         int index = FirstAt(tick);
-        Count -= index;
-        Array.Copy(_kicks, index, _kicks, 0, Count);
+        if (index > 0)
+        {
+            Count -= index;
+            Array.Copy(_kicks, index, _kicks, 0, Count);
+        }
     }
 
     /// <summary>Forgets the kicks at a tick and later, for instance where the ball is put elsewhere.</summary>
@@ -92,7 +96,7 @@ public sealed class KickLog
 
     /// <summary>The index of the first kick at a tick or later; <see cref="Count"/> when there is none.</summary>
     /// <param name="tick">The tick.</param>
-    public int FirstAt(long tick) => First(tick, 0);
+    public int FirstAt(long tick) => First(tick, 0, 0);
 
     /// <summary>Forgets all kicks; keeps the memory.</summary>
     public void Clear() => Count = 0;
@@ -139,10 +143,10 @@ public sealed class KickLog
         {
             tick += reader.Long();
             KickInput kick = KickBytes.Read(tick, reader.Int(), ref reader);
-            if (i > 0 && log._kicks[i - 1].Order(kick.Tick, kick.Player) >= 0)
+            if (i > 0 && log._kicks[i - 1].Order(kick.Tick, kick.Player, kick.Ball) >= 0)
             {
                 // To sort them would take as long as their number squared.
-                throw ByteReader.Broken("two kicks are not in order, or of one player at one tick");
+                throw ByteReader.Broken("two kicks are not in order, or of one player and one ball at one tick");
             }
 
             log._kicks[log.Count++] = kick;
@@ -151,15 +155,15 @@ public sealed class KickLog
         return log;
     }
 
-    /// <summary>The first kick that is not before (tick, player).</summary>
-    private int First(long tick, int player)
+    /// <summary>The first kick that is not before (tick, player, ball).</summary>
+    private int First(long tick, int player, int ball)
     {
         int low = 0;
         int high = Count;
         while (low < high)
         {
             int middle = (low + high) >>> 1;
-            if (_kicks[middle].Order(tick, player) < 0)
+            if (_kicks[middle].Order(tick, player, ball) < 0)
             {
                 low = middle + 1;
             }

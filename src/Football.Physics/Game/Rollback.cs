@@ -3,32 +3,52 @@ namespace Football.Physics.Netcode;
 /// <summary>Keeps the last states of a runner, and plays them again when a kick of the past becomes known, or was guessed wrongly.</summary>
 /// <remarks>
 /// It follows every step that the runner makes, in <see cref="FixedStepRunner.Step"/> as in <see cref="FixedStepRunner.Advance"/>; where the
-/// runner goes elsewhere by itself, it begins anew from there. Nothing is allocated but where events or kicks outgrow their memory.
+/// runner goes elsewhere by itself, it begins anew from there. Steps that are played again have the game's bodies where they were: by
+/// <see cref="FixedStepRunner.BodiesAt"/>, or by the places that it keeps of the last ticks. An engine's colliders that moved need the former; without it they are refused.
+/// Nothing is allocated but where events, kicks or places outgrow their memory.
 /// </remarks>
 public sealed class Rollback
 {
     private readonly BallState[] _states;
+    private readonly RigidMotion[] _motions;
+    private readonly PlacementLog? _bodies;
+    private readonly PlacementLog _waiting = new();
+    private readonly BallState[] _from;
+    private readonly int _balls;
+    private readonly int _movers;
+    private readonly int _ticks;
+    private long _bodiesMoved = -1;
+    /// <summary>Where the last steps that were played again first came out otherwise.</summary>
+    private StateDifference? _difference;
+
     private bool _replays;
 
     /// <summary>Begins to follow a runner, from its present tick on.</summary>
     /// <param name="runner">The runner; one rollback follows it, the last that was made.</param>
     /// <param name="ticks">How many ticks back it can go. 1 … 1 000 000; default 32.</param>
+    /// <param name="keepsBodies">Whether it keeps where the game has put its bodies at each tick; default it does. A game that sets <see cref="FixedStepRunner.BodiesAt"/> need not.</param>
     /// <exception cref="ArgumentNullException"><paramref name="runner"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="ticks"/> is out of range.</exception>
-    public Rollback(FixedStepRunner runner, int ticks = 32)
+    public Rollback(FixedStepRunner runner, int ticks = 32, bool keepsBodies = true)
     {
         Runner = runner ?? throw new ArgumentNullException(nameof(runner));
         Check.Within(nameof(ticks), ticks, 1, 1_000_000);
-        _states = new BallState[ticks + 1];
+        _ticks = ticks;
+        _balls = runner.Balls;
+        _movers = runner.Simulator.World.Movers;
+        _bodies = keepsBodies ? new PlacementLog() : null;
+        _states = new BallState[(ticks + 1) * _balls];
+        _motions = new RigidMotion[(ticks + 1) * _movers];
+        _from = new BallState[_balls];
         runner.History = this;
-        Begin(runner.Tick, runner.State);
+        Begin(runner.Tick);
     }
 
     /// <summary>The runner that it follows.</summary>
     public FixedStepRunner Runner { get; }
 
     /// <summary>How many ticks back it can go.</summary>
-    public int Ticks => _states.Length - 1;
+    public int Ticks => _ticks;
 
     /// <summary>The oldest tick that it can go back to.</summary>
     public long OldestTick { get; private set; }
@@ -38,25 +58,35 @@ public sealed class Rollback
 
     /// <summary>The state at the start of a tick.</summary>
     /// <param name="tick">From <see cref="OldestTick"/> to the runner's tick.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The tick is not kept.</exception>
-    public BallState StateAt(long tick)
+    /// <param name="ball">Which of several balls; default the first.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The tick is not kept, or there is no such ball.</exception>
+    public BallState StateAt(long tick, int ball = 0)
     {
         Check.Within(nameof(tick), tick, OldestTick, Runner.Tick);
-        return _states[tick % _states.Length];
+        Check.Index(nameof(ball), ball, _balls);
+        return _states[PlaceOf(tick) + ball];
     }
 
-    /// <summary>The hash of the state at the start of a tick: what two machines compare.</summary>
+    /// <summary>The hash of the states of all balls at the start of a tick: what two machines compare.</summary>
     /// <param name="tick">From <see cref="OldestTick"/> to the runner's tick.</param>
     /// <exception cref="ArgumentOutOfRangeException">The tick is not kept.</exception>
-    public ulong HashAt(long tick) => Snapshot.Hash(StateAt(tick));
+    public ulong HashAt(long tick)
+    {
+        Check.Within(nameof(tick), tick, OldestTick, Runner.Tick);
+        Array.Copy(_states, PlaceOf(tick), _from, 0, _balls);
+        return Snapshot.Hash(_from);
+    }
 
-    /// <summary>Puts a kick in its place, or in the place of one of the same player and tick, and plays what followed again.</summary>
+    /// <summary>Puts a kick in its place, or in the place of one of the same player, tick and ball, and plays what followed again.</summary>
     /// <param name="kick">The kick; of a tick not before <see cref="OldestTick"/>. One to come only waits.</param>
     /// <returns>The first tick whose state is not what it was, to the last bit; null where all are.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The tick is not kept any more; nothing has changed.</exception>
+    /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and nothing says where they were; nothing has changed.</exception>
     public long? Correct(in KickInput kick)
     {
         Check.AtLeast(nameof(kick), kick.Tick, OldestTick);
+        Check.Index("kick.ball", kick.Ball, _balls);
+        RefuseUnknownPlaces(kick.Tick);
         Runner.Kicks.Add(in kick);
         return PlayAgain(kick.Tick);
     }
@@ -64,51 +94,150 @@ public sealed class Rollback
     /// <summary>Takes a kick back that was only guessed, and plays what followed again.</summary>
     /// <param name="tick">Its tick; not before <see cref="OldestTick"/>.</param>
     /// <param name="player">Its player; default 0.</param>
+    /// <param name="ball">Its ball; default 0.</param>
     /// <returns>The first tick whose state is not what it was, to the last bit; null where all are, or there was no such kick.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The tick is not kept any more; nothing has changed.</exception>
-    public long? Remove(long tick, int player = 0)
+    /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and nothing says where they were; nothing has changed.</exception>
+    public long? Remove(long tick, int player = 0, int ball = 0)
     {
         Check.AtLeast(nameof(tick), tick, OldestTick);
-        return Runner.Kicks.Remove(tick, player) ? PlayAgain(tick) : null;
+        RefuseUnknownPlaces(tick);
+        return Runner.Kicks.Remove(tick, player, ball) ? PlayAgain(tick) : null;
     }
 
     /// <summary>Sets the state at a tick, for instance a server's, and plays what followed again.</summary>
     /// <param name="tick">From <see cref="OldestTick"/> to the runner's tick.</param>
     /// <param name="state">The state at its start.</param>
+    /// <param name="ball">Which of several balls; default the first.</param>
     /// <returns>The first tick whose state is not what it was, to the last bit; null where all are.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">The tick is not kept; nothing has changed.</exception>
-    /// <exception cref="ArgumentException"><paramref name="state"/> was never launched; nothing has changed.</exception>
-    public long? Correct(long tick, in BallState state)
+    /// <exception cref="ArgumentOutOfRangeException">The tick is not kept, or there is no such ball; nothing has changed.</exception>
+    /// <exception cref="ArgumentException"><paramref name="state"/> was never launched, or is of another time than the other balls; nothing has changed.</exception>
+    /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and nothing says where they were; nothing has changed.</exception>
+    public long? Correct(long tick, in BallState state, int ball = 0)
     {
-        BallState before = StateAt(tick);
+        BallState before = StateAt(tick, ball);
         if (Snapshot.Same(in before, in state))
         {
             return null;
         }
 
         BallState.Launched(in state);
-        _states[tick % _states.Length] = state;
+        if (_balls > 1 && state.Time != before.Time)
+        {
+            throw new ArgumentException(FormattableString.Invariant($"state.time is {state.Time:R}; allowed: {before.Time:R}, the time of the other balls."), nameof(state));
+        }
+
+        RefuseUnknownPlaces(tick);
+        _states[PlaceOf(tick) + ball] = state;
+        if (tick == Runner.Tick)
+        {
+            _replays = true;
+            Array.Copy(_states, PlaceOf(tick), _from, 0, _balls);
+            Runner.RestoreAll(tick, _from);
+            _replays = false;
+        }
+
         PlayAgain(tick);
         return tick;
     }
 
+    /// <summary>
+    /// Plays the last ticks again from the state that was kept, and compares: for tests, in every tick of a match. A difference means that something is not
+    /// in the state: a force or a body of the game's that depends on more than the time, or an engine's collider that moved.
+    /// </summary>
+    /// <param name="ticks">How many ticks to go back; 1 … <see cref="Ticks"/>. Fewer where fewer are kept.</param>
+    /// <returns>The first tick, ball and field that came out otherwise; null where all are the same to the last bit.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The number of ticks is out of range.</exception>
+    /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and nothing says where they were; nothing has changed.</exception>
+    public StateDifference? SyncTest(int ticks)
+    {
+        Check.Within(nameof(ticks), ticks, 1, Ticks);
+        long from = Math.Max(OldestTick, Runner.Tick - ticks);
+        RefuseUnknownPlaces(from);
+        PlayAgain(from);
+        return _difference;
+    }
+
     /// <summary>Begins anew where the runner went.</summary>
-    internal void Begin(long tick, in BallState state)
+    internal void Begin(long tick)
     {
         if (!_replays)
         {
             OldestTick = tick;
-            _states[tick % _states.Length] = state;
+            _bodies?.RemoveFrom(0);
+            _bodiesMoved = -1;
+            Keep(tick);
         }
     }
 
-    /// <summary>Keeps the state after a step.</summary>
-    internal void Keep(long tick, in BallState state)
+    /// <summary>Keeps the states after a step.</summary>
+    internal void Keep(long tick)
     {
-        if (!_replays)
+        if (_replays)
         {
-            OldestTick = Math.Max(OldestTick, tick - Ticks);
-            _states[tick % _states.Length] = state;
+            return;
+        }
+
+        OldestTick = Math.Max(OldestTick, tick - Ticks);
+        Array.Copy(Runner.States, 0, _states, PlaceOf(tick), _balls);
+        KeepMotions(tick);
+        _bodies?.RemoveBefore(OldestTick);
+    }
+
+    /// <summary>Keeps where the game has put its bodies for a tick's step.</summary>
+    internal void KeepBodies(long tick, Bodies bodies)
+    {
+        if (_replays)
+        {
+            return;
+        }
+
+        _bodies?.Record(tick, bodies);
+        for (int i = 0; i < bodies.Count && _bodiesMoved < tick; i++)
+        {
+            _bodiesMoved = bodies.IsTold(i) ? tick : _bodiesMoved;
+        }
+    }
+
+    /// <summary>Puts the bodies where they were for a step that is played again.</summary>
+    internal void PutBodies(long tick, Bodies bodies)
+    {
+        if (_replays)
+        {
+            _bodies?.Apply(tick, bodies);
+        }
+    }
+
+    private int PlaceOf(long tick) => (int)(tick % (_ticks + 1)) * _balls;
+
+    private Span<RigidMotion> MotionsAt(long tick) => _motions.AsSpan((int)(tick % (_ticks + 1)) * _movers, _movers);
+
+    private void KeepMotions(long tick)
+    {
+        if (_movers > 0)
+        {
+            Runner.Simulator.World.ReadMotions(MotionsAt(tick));
+        }
+    }
+
+    /// <summary>Refuses to play steps again in which something moved of which nobody says where it was.</summary>
+    private void RefuseUnknownPlaces(long from)
+    {
+        if (Runner.BodiesAt is not null || from >= Runner.Tick)
+        {
+            return;
+        }
+
+        if (Runner.EngineMoved >= from)
+        {
+            throw new InvalidOperationException(
+                $"engineColliders: they moved at tick {Runner.EngineMoved}, which is to be played again; allowed: BodiesAt of the runner, which puts them where they were.");
+        }
+
+        if (_bodies is null && _bodiesMoved >= from)
+        {
+            throw new InvalidOperationException(
+                $"bodies: they moved at tick {_bodiesMoved}, which is to be played again; allowed: BodiesAt of the runner, or a rollback that keeps where they were.");
         }
     }
 
@@ -116,6 +245,7 @@ public sealed class Rollback
     private long? PlayAgain(long from)
     {
         Events.Clear();
+        _difference = null;
         long now = Runner.Tick;
         long? first = null;
         if (from >= now)
@@ -123,29 +253,54 @@ public sealed class Rollback
             return null;
         }
 
-        // The bodies were moved for the present, not for the ticks that are played again.
-        Runner.Simulator.World.Bodies?.ForgetTimes();
+        // Bodies that the game has moved for the step to come are put there again afterwards.
+        World world = Runner.Simulator.World;
+        _waiting.RemoveFrom(0);
+        if (world.Bodies is { } bodies)
+        {
+            _waiting.Record(now, bodies);
+            bodies.ForgetTimes();
+        }
+
         _replays = true;
         try
         {
-            Runner.Restore(from, in _states[from % _states.Length]);
+            if (_movers > 0)
+            {
+                world.WriteMotions(MotionsAt(from));
+            }
+
+            Array.Copy(_states, PlaceOf(from), _from, 0, _balls);
+            Runner.RestoreAll(from, _from);
             while (Runner.Tick < now)
             {
                 Runner.Step();
                 Events.Add(Runner.Events);
-                BallState state = Runner.State;
-                ref BallState kept = ref _states[Runner.Tick % _states.Length];
-                if (first is null && !Snapshot.Same(in kept, in state))
+                bool same = true;
+                for (int i = 0; i < _balls; i++)
                 {
-                    first = Runner.Tick;
+                    ref BallState kept = ref _states[PlaceOf(Runner.Tick) + i];
+                    if (!Snapshot.Same(in kept, in Runner.States[i]))
+                    {
+                        same = false;
+                        _difference ??= Snapshot.Difference(in kept, in Runner.States[i])?.At(Runner.Tick, i);
+                    }
+
+                    kept = Runner.States[i];
                 }
 
-                kept = state;
+                KeepMotions(Runner.Tick);
+                first ??= same ? null : Runner.Tick;
             }
         }
         finally
         {
             _replays = false;
+        }
+
+        if (world.Bodies is { } moved)
+        {
+            _waiting.Apply(now, moved);
         }
 
         return first;

@@ -21,6 +21,22 @@ public static class Snapshot
         return hasher.Result;
     }
 
+    /// <summary>The hash of several states: that of the one where there is one.</summary>
+    /// <param name="states">The states.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="states"/> is null.</exception>
+    public static ulong Hash(BallState[] states)
+    {
+        Check.Given(nameof(states), states);
+        ulong hash = 0;
+        for (int i = 0; i < states.Length; i++)
+        {
+            ulong own = Hash(in states[i]);
+            hash = i == 0 ? own : ((hash ^ own) * 0x9FB21C651E98DF25UL) ^ (hash >> 32);
+        }
+
+        return hash;
+    }
+
     /// <summary>True when two states are the same to the last bit; unlike ==, 0 and −0 differ and NaN equals itself.</summary>
     /// <param name="a">One state.</param>
     /// <param name="b">The other state.</param>
@@ -31,6 +47,27 @@ public static class Snapshot
         StateFields.Read(in a, left);
         StateFields.Read(in b, right);
         return left.SequenceEqual(right);
+    }
+
+    /// <summary>Tells in which field two states differ first, to the last bit.</summary>
+    /// <param name="expected">One state.</param>
+    /// <param name="actual">The other state.</param>
+    /// <returns>The field and both values; null where the states are the same.</returns>
+    public static StateDifference? Difference(in BallState expected, in BallState actual)
+    {
+        Span<ulong> left = stackalloc ulong[StateFields.Count];
+        Span<ulong> right = stackalloc ulong[StateFields.Count];
+        StateFields.Read(in expected, left);
+        StateFields.Read(in actual, right);
+        for (int i = 0; i < StateFields.Count; i++)
+        {
+            if (left[i] != right[i])
+            {
+                return new StateDifference(-1, 0, i, left[i], right[i]);
+            }
+        }
+
+        return null;
     }
 
     /// <summary>Writes a state as bytes, little-endian on every machine.</summary>

@@ -43,6 +43,57 @@ public static class LookAheads
         }
     }
 
+    /// <summary>Looks ahead with several balls, each among the others as they will be.</summary>
+    /// <param name="group">The balls.</param>
+    /// <param name="from">Where they are; unchanged.</param>
+    /// <param name="request">How far to look: to the first impact of any of them, to the rest of all, or for a time; not to a plane, nor past a point.</param>
+    /// <param name="into">Where the path and the events of each go; a path whose memory is full is not complete, and the ball goes on without.</param>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">The states, or the trajectories, are not as many as the balls; or the states are not of one time, or one was never launched.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="InvalidOperationException">A force of the game's own is not finite.</exception>
+    public static void LookAhead(this BallGroup group, BallState[] from, LookAheadRequest request, Trajectory[] into)
+    {
+        Check.Given(nameof(group), group);
+        Check.Given(nameof(from), from);
+        Check.Given(nameof(request), request);
+        Check.Given(nameof(into), into);
+        request.Validate();
+        if (from.Length != group.Count || into.Length != group.Count)
+        {
+            throw new ArgumentException($"from has {from.Length} balls, into {into.Length} trajectories; allowed: {group.Count} of both, as many as the group.");
+        }
+
+        if (request.UntilPlane is not null || request.UntilPassing is not null)
+        {
+            throw Check.Refusal(request.UntilPlane is null ? "lookAhead.untilPassing" : "lookAhead.untilPlane", "given", "none where there are several balls");
+        }
+
+        request.CheckClock(in from[0]);
+        double step = group.SimulatorOf(0).Scene.Forces.Custom.Count > 0 ? Math.Min(request.TimeStep, LongestOwnStep) : request.TimeStep;
+        BallState[] states = [.. from];
+        for (int i = 0; i < into.Length; i++)
+        {
+            Check.GivenItem(nameof(into), i, into[i], "a trajectory");
+            into[i].Begin(group.SimulatorOf(i), in from[i], request, endsWhenFull: false);
+        }
+
+        BeginMoving(group.SimulatorOf(0), into[0], in states[0]);
+        try
+        {
+            group.Run(states, step, request.Duration, request.StopAt, [.. into.Select(path => path.Log)], into[0].OnStep);
+        }
+        finally
+        {
+            EndMoving(group.SimulatorOf(0), into[0]);
+            for (int i = 0; i < into.Length; i++)
+            {
+                into[i].End(in states[i]);
+                into[i].EndFull();
+            }
+        }
+    }
+
     private static void Run(Simulator simulator, in BallState from, LookAheadRequest request, Trajectory into, bool endsWhenFull)
     {
         into.Begin(simulator, in from, request, endsWhenFull);
@@ -77,22 +128,25 @@ public static class LookAheads
         into.End(in state);
     }
 
-    /// <summary>The bodies of the game begin to move along their own paths.</summary>
+    /// <summary>The bodies of the game begin to move along their own paths, and what the ball pushes goes on.</summary>
     private static void BeginMoving(Simulator simulator, Trajectory path, in BallState from)
     {
-        if (path.OnStep is { } move)
+        // What has a mass is pushed in the look-ahead too, and put back.
+        World world = simulator.World;
+        path.Log.Pushes = world.GivesWay;
+        if (path.OnStep is not null || world.GivesWay)
         {
-            simulator.Scene.Bodies?.Keep();
-            move(in from);
+            world.KeepMotions();
+            path.OnStep?.Invoke(in from);
         }
     }
 
     /// <summary>They are put back.</summary>
     private static void EndMoving(Simulator simulator, Trajectory path)
     {
-        if (path.OnStep is not null)
+        if (path.OnStep is not null || simulator.World.GivesWay)
         {
-            simulator.Scene.Bodies?.PutBack();
+            simulator.World.PutMotionsBack();
         }
     }
 

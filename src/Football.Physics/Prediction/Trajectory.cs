@@ -198,6 +198,7 @@ public sealed partial class Trajectory
         }
 
         Log.Clear();
+        Log.Events.Ball = 0;
         Count = 0;
         IsComplete = true;
         StartTime = from.Time;
@@ -206,6 +207,9 @@ public sealed partial class Trajectory
     }
 
     internal void End(in BallState final) => _final = final;
+
+    /// <summary>It is not complete where a piece had no room.</summary>
+    internal void EndFull() => IsComplete &= !_recorder.Overflows;
 
     /// <summary>Whether a path that is to be extended ends with whole steps, not where an event or its memory ended it within one.</summary>
     internal bool EndsWhole => IsComplete ? !Log.Halted : Count < _pieces.Length && !Log.Halted;

@@ -6,7 +6,8 @@ namespace Football.Physics;
 /// <summary>The things of a scene that the game moves: players' feet, legs and heads, a keeper's hands.</summary>
 /// <remarks>
 /// All are added before the first simulator of the scene is built. A scene with bodies is for one match: they are where the game has put them last, and
-/// its simulators are not for several threads at once. Snapshots and logs do not hold them: who steps again puts them there again.
+/// its simulators are not for several threads at once. A snapshot of the ball does not hold them: a <see cref="Rollback"/> and a <see cref="MatchSegment"/> keep where they were, or ask
+/// <see cref="FixedStepRunner.BodiesAt"/>.
 /// </remarks>
 public sealed class Bodies : IReadOnlyList<Body>
 {
@@ -35,23 +36,39 @@ public sealed class Bodies : IReadOnlyList<Body>
     /// <param name="name">Its name, for events and messages.</param>
     /// <param name="shape">Its shape, in its own frame.</param>
     /// <param name="surface">What it is made of; default <see cref="Surface.Boot"/>.</param>
+    /// <param name="mass">Mass behind its surface, kg; above 0; default infinite: the ball does not move it.</param>
     /// <returns>The body, at the origin, for the game to move.</returns>
     /// <exception cref="ArgumentNullException">Name or shape is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="mass"/> is not above 0.</exception>
     /// <exception cref="InvalidOperationException">A simulator uses the bodies already.</exception>
-    public Body Add(string name, IShape shape, Surface? surface = null)
+    public Body Add(string name, IShape shape, Surface? surface = null, double mass = double.PositiveInfinity)
     {
         Check.Given(nameof(name), name);
         Check.Given(nameof(shape), shape);
+        Check.Within(nameof(mass), mass, 0, double.PositiveInfinity, exclusiveLow: true);
         if (_inUse)
         {
             throw new InvalidOperationException("bodies: a simulator uses them already; add all of them before it is built.");
         }
 
-        var body = new Body(this, _bodies.Count, name, shape, surface ?? Surface.Boot);
+        var body = new Body(this, _bodies.Count, name, shape, surface ?? Surface.Boot, mass);
         _bodies.Add(body);
         Array.Resize(ref _kept, _bodies.Count);
         _movers.Add(body.BoundsAt(0), body.Velocity);
         return body;
+    }
+
+    /// <summary>Adds a body of a kind.</summary>
+    /// <param name="name">Its name, for events and messages.</param>
+    /// <param name="kind">Its shape, surface and mass: <see cref="BodyKind.Boot"/>, <see cref="BodyKind.Player"/> and others.</param>
+    /// <returns>The body, at the origin, for the game to move.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The mass of the kind is not above 0.</exception>
+    /// <exception cref="InvalidOperationException">A simulator uses the bodies already.</exception>
+    public Body Add(string name, BodyKind kind)
+    {
+        Check.Given(nameof(kind), kind);
+        return Add(name, kind.Shape, kind.Surface, kind.Mass);
     }
 
     /// <inheritdoc/>
@@ -119,6 +136,16 @@ public sealed class Bodies : IReadOnlyList<Body>
         body.ToldAt = _steps;
     }
 
+    /// <summary>Whether the game has moved a body since the last step.</summary>
+    internal bool IsTold(int body) => _bodies[body].ToldAt == _steps;
+
+    /// <summary>The game has put a body there for the step to come.</summary>
+    internal void Tell(int body, in RigidMotion motion)
+    {
+        _bodies[body].Motion = motion;
+        _bodies[body].ToldAt = _steps;
+    }
+
     private void RefuseTime(double now)
     {
         for (int i = 0; i < Count; i++)
@@ -149,8 +176,7 @@ public sealed class Bodies : IReadOnlyList<Body>
     {
         for (int i = 0; i < _kept.Length; i++)
         {
-            ref readonly RigidMotion was = ref _kept[i];
-            _bodies[i].MoveTo(was.Origin, was.Orientation, was.Velocity, was.Spin, was.Time);
+            _bodies[i].Motion = _kept[i];
         }
 
         _lookAhead = false;

@@ -2,10 +2,10 @@ namespace Football.Physics;
 
 /// <summary>
 /// A thing that the game moves: a foot, a leg, a head, a keeper's hand. The game says before a step where it is and how fast it goes; within the step
-/// it goes on so, and hits the ball exactly when it is hit.
+/// it goes on so, and hits the ball exactly when it is hit. One with a mass goes on with what the impact left it, until the game moves it again.
 /// </summary>
 /// <remarks>
-/// Made by <see cref="Bodies.Add"/>. Where a body is put over the ball, the next step pushes the ball out along the shortest way, without giving it a
+/// Made by <see cref="Bodies.Add(string, IShape, Surface?, double)"/>. Where a body is put over the ball, the next step pushes the ball out along the shortest way, without giving it a
 /// speed; what hits it then is the body's own velocity. To a look-ahead a body goes on for ever as it goes now.
 /// </remarks>
 public sealed class Body
@@ -13,13 +13,14 @@ public sealed class Body
     private readonly Bodies _all;
     private readonly double _extent;
 
-    internal Body(Bodies all, int index, string name, IShape shape, Surface surface)
+    internal Body(Bodies all, int index, string name, IShape shape, Surface surface, double mass)
     {
         _all = all;
         Index = index;
         Name = name;
         Shape = shape;
         Surface = surface;
+        Mass = mass;
         Bounds3d own = shape.Bounds;
         _extent = Math.Max(own.Min.Length, own.Max.Length);
         Placement = new Placement(in own);
@@ -33,6 +34,11 @@ public sealed class Body
 
     /// <summary>The material of its surface.</summary>
     public Surface Surface { get; }
+
+    /// <summary>
+    /// Mass behind its surface, kg: an impact of the ball changes its <see cref="Velocity"/> by the impulse, without turning it. Infinite where nothing moves it.
+    /// </summary>
+    public double Mass { get; }
 
     /// <summary>Where it is at <see cref="Time"/>, m. Default the origin.</summary>
     public Vector3d Position => Placement.Motion.Origin;
@@ -94,6 +100,33 @@ public sealed class Body
         _all.Moved(jump, time, again);
         _all.Update(this);
         _all.Told(this, time);
+    }
+
+    /// <summary>An impact changes its velocity.</summary>
+    internal void Push(in Vector3d velocity, double time)
+    {
+        _all.Moved(Bodies.Foresight * (velocity - Velocity).Length, time, again: true);
+        Placement.Motion.GoOn(in velocity, time);
+        _all.Update(this);
+    }
+
+    /// <summary>Where it is and how it goes; set from what was read there, and what a quick look needs is kept.</summary>
+    internal RigidMotion Motion
+    {
+        get => Placement.Motion;
+        set
+        {
+            double jump = (value.GoneBy(value.Time) - Placement.Motion.GoneBy(value.Time)).Length + (Bodies.Foresight * (value.Velocity - Velocity).Length);
+            bool turns = value.Orientation != Orientation;
+            _all.Moved(jump + (turns ? 2.0 * _extent : 0), value.Time, again: true);
+            Placement.Motion = value;
+            if (turns)
+            {
+                Placement.Turn(in value.Orientation);
+            }
+
+            _all.Update(this);
+        }
     }
 
     /// <summary>The count of checked steps when it was last moved.</summary>

@@ -7,6 +7,12 @@ namespace Football.Physics.Engines;
 public sealed class EngineCollider
 {
     private readonly bool _hasShape;
+    private readonly double _mass = double.PositiveInfinity;
+    private Vector3d _pushed;
+    private Vector3d _gone;
+    private double _pushedAt = double.NaN;
+    private bool _isAsPlaced = true;
+    private (RigidMotion Motion, Vector3d Pushed, Vector3d Gone, double At, bool IsAsPlaced)? _kept;
 
     /// <summary>A collider of a known shape.</summary>
     /// <param name="name">Its name, for events.</param>
@@ -44,6 +50,21 @@ public sealed class EngineCollider
     /// <summary>The material of its surface.</summary>
     public Surface Surface { get; }
 
+    /// <summary>
+    /// Mass behind its surface, kg; above 0. Infinite, the default, where the ball does not move it. Else an impact changes its velocity by the impulse
+    /// (<see cref="BallEvent.Impulse"/>) until the engine's time goes on: then it is where, and as fast as, the engine says, who applies the impulse to its body.
+    /// </summary>
+    /// <exception cref="ArgumentOutOfRangeException">The mass is not above 0.</exception>
+    public double Mass
+    {
+        get => _mass;
+        init
+        {
+            Check.Within("engineCollider.mass", value, 0, double.PositiveInfinity, exclusiveLow: true);
+            _mass = value;
+        }
+    }
+
     internal IShape Shape { get; }
 
     internal Placement Placement { get; }
@@ -71,6 +92,7 @@ public sealed class EngineCollider
         Placement.Motion.Pivot = position;
         Placement.Motion.Velocity = velocity;
         Placement.Motion.Spin = spin;
+        _isAsPlaced = true;
     }
 
     /// <summary>Says what a collider without a known shape is like where the ball would touch it.</summary>
@@ -91,6 +113,67 @@ public sealed class EngineCollider
         Placement.Motion.Origin = point;
         Placement.Motion.Pivot = point;
         Placement.Motion.Velocity = velocity;
+        _isAsPlaced = true;
+    }
+
+    /// <summary>An impact changes its velocity.</summary>
+    internal void Push(in Vector3d velocity, double time)
+    {
+        // Told of the engine's own time, at which it is placed anew whenever it is found again: as if it had always gone so.
+        ref RigidMotion motion = ref Placement.Motion;
+        bool isFirst = _pushedAt != motion.Time;
+        Vector3d change = velocity - motion.Velocity;
+        Vector3d back = (motion.Time - time) * change;
+        _pushed = isFirst ? change : _pushed + change;
+        _gone = isFirst ? back : _gone + back;
+        _pushedAt = motion.Time;
+        motion.Origin += back;
+        motion.Pivot += back;
+        motion.Velocity = velocity;
+    }
+
+    internal void KeepPush() => _kept = (Placement.Motion, _pushed, _gone, _pushedAt, _isAsPlaced);
+
+    internal void PutPushBack()
+    {
+        // One that was found meanwhile for the first time is not pushed.
+        if (_kept is { } kept)
+        {
+            (Placement.Motion, _pushed, _gone, _pushedAt, _isAsPlaced) = kept;
+            _kept = null;
+        }
+        else
+        {
+            ForgetPush();
+        }
+    }
+
+    /// <summary>What pushed it is over.</summary>
+    internal void ForgetPush()
+    {
+        if (_pushedAt == Placement.Motion.Time && !_isAsPlaced)
+        {
+            Placement.Motion.Origin -= _gone;
+            Placement.Motion.Pivot -= _gone;
+            Placement.Motion.Velocity -= _pushed;
+        }
+
+        _pushedAt = double.NaN;
+    }
+
+    /// <summary>It was found at the engine's time: what pushed it since that was reached counts again.</summary>
+    internal void FoundAt(double time)
+    {
+        ref RigidMotion motion = ref Placement.Motion;
+        motion.Time = time;
+        if (_isAsPlaced && _pushedAt == time)
+        {
+            motion.Origin += _gone;
+            motion.Pivot += _gone;
+            motion.Velocity += _pushed;
+        }
+
+        _isAsPlaced = false;
     }
 
     private void RequireShape(bool required)

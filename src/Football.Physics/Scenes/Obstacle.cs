@@ -18,6 +18,12 @@ public sealed record Obstacle
     /// <summary>Spin of its surface about <see cref="Pivot"/>, rad/s; at most 10 000. It moves the surface, not the shape. Default 0.</summary>
     public Vector3d Spin { get; init; }
 
+    /// <summary>
+    /// Mass, kg; above 0. Infinite, the default, for what nothing moves, or moves by its <see cref="Velocity"/> alone; else an impact of the ball changes its velocity by
+    /// the impulse, and it goes on so.
+    /// </summary>
+    public double Mass { get; init; } = double.PositiveInfinity;
+
     /// <summary>The pivot that its surface turns about, at time 0, m; components within ±1e6. Moves with it. Default the origin.</summary>
     public Vector3d Pivot { get; init; }
 
@@ -31,5 +37,6 @@ public sealed record Obstacle
         Check.Size(field + ".velocity", Velocity, Limits.Speed, "m/s");
         Check.Size(field + ".spin", Spin, Limits.Spin, "rad/s");
         Check.Place(field + ".pivot", Pivot);
+        Check.Within(field + ".mass", Mass, 0, double.PositiveInfinity, exclusiveLow: true);
     }
 }

@@ -27,6 +27,16 @@ internal struct RigidMotion
     /// <summary>How far it has gone since it was at its origin, m.</summary>
     public readonly Vector3d GoneBy(double time) => Origin + ((time - Time) * Velocity);
 
+    /// <summary>It goes on from a time with another velocity.</summary>
+    public void GoOn(in Vector3d velocity, double time)
+    {
+        Vector3d gone = (time - Time) * Velocity;
+        Origin += gone;
+        Pivot += gone;
+        Velocity = velocity;
+        Time = time;
+    }
+
     /// <summary>A vector of the world in the axes of its shape.</summary>
     public readonly Vector3d ToOwn(in Vector3d vector) =>
         IsTurned ? new Quaterniond(-Orientation.X, -Orientation.Y, -Orientation.Z, Orientation.W).Rotate(in vector) : vector;

@@ -62,6 +62,9 @@ public sealed record Scene
     /// <param name="wind">Wind velocity, m/s.</param>
     public static Scene Windy(Vector3d wind) => new() { Air = new Air { Wind = wind } };
 
+    /// <summary>Where its obstacles with a mass are, shared by the scenes of several balls among them; default none of its own.</summary>
+    internal ObstacleMotions? Motions { get; init; }
+
     /// <summary>Checks every number of the scene.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     /// <exception cref="ArgumentNullException">A part is null; the message names it.</exception>
@@ -107,6 +110,7 @@ public sealed record Scene
         Check.Within("ground.minimumBounceSpeed", Ground.MinimumBounceSpeed, 0.001, 10);
         Check.Within("ground.restEnergy", Ground.RestEnergy, 1e-12, 100);
         Check.Within("ground.restitutionSpeed", Ground.RestitutionSpeed, 0, double.PositiveInfinity, exclusiveLow: true);
+        Check.Within("ground.restitutionRise", Ground.RestitutionRise, 0, 1);
         Check.Within("ground.impactFriction", Ground.ImpactFriction, 0, double.PositiveInfinity);
         Check.Within("ground.rollingFrictionBySpeed", Ground.RollingFrictionBySpeed, 0, 1);
         Check.Within("ground.drillingLength", Ground.DrillingLength, 0, 1);

@@ -29,6 +29,9 @@ internal sealed class BodyTube
         _ballRadius = ballRadius;
     }
 
+    /// <summary>How wide a tube is in which a ball may go so far from a straight line, m.</summary>
+    public static double Width(double bend) => LeastWidth + (0.5 * bend);
+
     /// <summary>Whether a ball stays in it during a step.</summary>
     /// <param name="s">The ball.</param>
     /// <param name="dt">Length of the step, s.</param>
@@ -56,14 +59,15 @@ internal sealed class BodyTube
     /// <param name="dt">Length of its step, s.</param>
     /// <param name="longest">Length of the longest step that it is good for, s.</param>
     /// <param name="ahead">How far to look, s.</param>
+    /// <param name="spare">What is free around it besides, m: as much as a look at one step alone asks for; 0 for that look, which is good for no other step.</param>
     /// <param name="airSpeed">The air speed up to which the ball goes no farther from a straight line than that, m/s.</param>
     /// <param name="bendOfStep">How far the ball may go from a straight line in the longest step, m.</param>
     /// <param name="bend">How far in all the time ahead, m; half of that is the more usual.</param>
     /// <returns>Whether it is long enough for the step.</returns>
-    public bool Renew(in BallState s, double spinRate, double dt, double longest, double ahead, double airSpeed, double bendOfStep, double bend)
+    public bool Renew(in BallState s, double spinRate, double dt, double longest, double ahead, double spare, double airSpeed, double bendOfStep, double bend)
     {
-        _width = LeastWidth + (0.5 * bend);
-        var way = new StraightWay(s.Position, s.Velocity, s.Time, ahead, _ballRadius + _width + bendOfStep);
+        _width = Width(bend);
+        var way = new StraightWay(s.Position, s.Velocity, s.Time, ahead, _ballRadius + _width + spare + bendOfStep);
         _from = s.Position;
         _velocity = s.Velocity;
         _spinRate = spinRate;
@@ -71,7 +75,8 @@ internal sealed class BodyTube
         _time = s.Time;
         _longestStep = longest;
         _strayed = _bodies.Strayed;
-        _duration = _bodies.FreeFor(in way);
-        return dt <= _duration;
+        double free = _bodies.FreeFor(in way);
+        _duration = spare > 0 ? free : -1;
+        return dt <= free;
     }
 }

@@ -116,7 +116,7 @@ internal sealed class ClearFlight
         // The way ahead is a straight line, and as much around it as forces can bend it.
         double steps = dt * RateAtMost(push.AirSpeed, push.SpinRate) <= SmallChange ? Ahead : 1.0;
         return (isKnown || IsFree(ref s, dt, steps, in push) || (steps > 1.0 && (IsFree(ref s, dt, Nearer, in push) || IsFree(ref s, dt, 1.0, in push))))
-            && (_tube is null || Renew(in s, dt, Math.Min(steps, AheadOfBodies), in push) || (steps > 1.0 && Renew(in s, dt, 1.0, in push)));
+            && (_tube is null || IsFreeOfBodies(in s, dt, steps, in push));
     }
 
     /// <inheritdoc cref="Stepper.FliesClear"/>
@@ -139,12 +139,31 @@ internal sealed class ClearFlight
         return dt <= free;
     }
 
-    private bool Renew(in BallState s, double dt, double steps, in Push push)
+    /// <summary>
+    /// Whether no body is near in the next step: for that step alone, so that the answer is the same whatever was found before. Where it is so, a tube is looked for in which
+    /// it stays so for some time.
+    /// </summary>
+    private bool IsFreeOfBodies(in BallState s, double dt, double steps, in Push push)
+    {
+        if (!Renew(in s, dt, 1.0, 0, in push))
+        {
+            return false;
+        }
+
+        if (steps > 1.0)
+        {
+            Renew(in s, dt, Math.Min(steps, AheadOfBodies), BodyTube.Width(Bend(in push, dt, dt)), in push);
+        }
+
+        return true;
+    }
+
+    private bool Renew(in BallState s, double dt, double steps, double spare, in Push push)
     {
         double ahead = Math.Min(steps * dt, Math.Max(dt, Bodies.Foresight));
         double longest = LongestStep * dt;
         return _tube!.Renew(
-            in s, push.SpinRate, dt, longest, ahead, SpeedLater(in push, ahead), Bend(in push, ahead + longest, longest), Bend(in push, ahead, ahead));
+            in s, push.SpinRate, dt, longest, ahead, spare, SpeedLater(in push, ahead), Bend(in push, ahead + longest, longest), Bend(in push, ahead, ahead));
     }
 
     /// <summary>A bound of how far the ball goes off a straight line, m: c a t², which is ½ a t² for most methods, with all that the air can do to the speed that the ball may have then.</summary>

@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>A scene, checked and compiled for one integrator. Any number of balls and threads can share it; a scene with bodies, or with an engine's colliders, one thread at a time.</summary>
+/// <summary>A scene, checked and compiled for one integrator. Any number of balls and threads can share it; a scene with bodies, obstacles that have a mass, or an engine's colliders, one thread at a time.</summary>
 public sealed class Simulator
 {
     /// <summary>Steps that a run may have: with more of them the clock no longer tells one from the next.</summary>
@@ -9,7 +9,12 @@ public sealed class Simulator
     private readonly Stepper _stepper;
     private readonly double _contact;
     private readonly World _world;
+
+    /// <summary>How many things may carry a ball; those of an engine come and go.</summary>
+    private readonly int _things;
+
     private readonly bool _hasOwnForces;
+    private ulong? _sceneHash;
 
     /// <summary>Checks a scene and compiles it.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
@@ -29,6 +34,7 @@ public sealed class Simulator
         _stepper = StepperFactory.Create(Scene, Settings);
         _contact = Scene.Ground.Height + Scene.Ball.Radius;
         _world = _stepper.World;
+        _things = _world.Engine is null ? _world.Names.Count : int.MaxValue;
         _hasOwnForces = Scene.Forces.Custom.Count > 0;
     }
 
@@ -92,6 +98,19 @@ public sealed class Simulator
     /// <exception cref="ArgumentOutOfRangeException">The scene has nothing of that index.</exception>
     public string? NameOf(int thing) => thing < 0 ? null : _world.NameOf(thing);
 
+    /// <summary>Refuses a state that no ball of this scene can have: for states that come from elsewhere, from C or from a file. A few nanoseconds.</summary>
+    /// <param name="state">The state.</param>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// It was never launched, a number of it is not finite or beyond where a ball can get, or the ball lies on a thing that the scene does not have.
+    /// </exception>
+    public void Validate(in BallState state)
+    {
+        if (!StateCheck.Holds(in state) || state.Carrier >= _things)
+        {
+            RefuseState(in state);
+        }
+    }
+
     /// <summary>Kicks a ball where it is: new velocity and spin, same place, time and orientation.</summary>
     /// <param name="state">The ball; unchanged when an exception is thrown.</param>
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
@@ -130,6 +149,7 @@ public sealed class Simulator
         _world.Bodies?.CheckTimes(state.Time);
         log!.Halted = false;
         log.StopAt = StopAt.Time;
+        log.Pushes = true;
         Take(ref state, dt, log);
     }
 
@@ -151,6 +171,12 @@ public sealed class Simulator
         BallState next = state;
         _stepper.Step(ref next, dt, log);
         state = next;
+    }
+
+    private void RefuseState(in BallState state)
+    {
+        StateCheck.Validate(in state);
+        Check.Index("state.carrier", (int)state.Carrier, _things);
     }
 
     private static void RefuseStep(double dt, StepLog? log)
@@ -192,6 +218,7 @@ public sealed class Simulator
         }
 
         _world.Bodies?.CheckTimes(state.Time);
+        log.Pushes = true;
         return RunChecked(ref state, timeStep, duration, stopAt, log, afterStep is null ? null : Shown(afterStep));
     }
 
@@ -253,6 +280,27 @@ public sealed class Simulator
 
     /// <summary>Advances a ball by one step that its log may end early.</summary>
     internal void Advance(ref BallState state, double dt, StepLog log) => Take(ref state, dt, log);
+
+    /// <inheritdoc cref="Stepper.Struck"/>
+    internal void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, bool presses, StepLog log) =>
+        _stepper.Struck(ref s, in velocity, in spin, in n, presses, log);
+
+    /// <summary>
+    /// A hash of what decides a ball's way: the scene's numbers, the answers of what is code at some places, and the settings. Two machines with the same have the same
+    /// scene; of two scenes that differ in a number it differs. Forces of a game's own count by the names of their types alone.
+    /// </summary>
+    /// <exception cref="InvalidOperationException">A wind of the game's own is not finite.</exception>
+    public ulong SceneHash
+    {
+        get
+        {
+            _sceneHash ??= Physics.SceneHash.Of(Scene, Settings, _world, this);
+            return _sceneHash.Value;
+        }
+    }
+
+    /// <summary>Puts obstacles that have a mass (<see cref="Obstacle.Mass"/>), and that the ball has moved, back to where the scene has them at time 0.</summary>
+    public void ResetObstacles() => _world.Obstacles.Reset();
 
     /// <summary>Sees the state after every step of a run.</summary>
     internal delegate void StepCallback(in BallState state);

@@ -36,6 +36,12 @@ public sealed class StepLog
     /// <summary>The event at which steps end early.</summary>
     internal StopAt StopAt { get; set; }
 
+    /// <summary>Whether what has a mass goes on with what an impact left it: in the steps of a game, not where one only looks what would come.</summary>
+    internal bool Pushes { get; set; }
+
+    /// <summary>Whether a step ends early after an impact that pushes something.</summary>
+    internal bool HaltsAtPush { get; set; }
+
     /// <summary>Watches every piece of motion: a step is one piece, or several where something happens in it. Default null, which costs nothing.</summary>
     public PieceObserver? Observer { get; set; }
 

@@ -15,6 +15,15 @@ internal abstract class Stepper
     /// <summary>Sets a ball that is placed on a surface sliding or rolling, where it touches something slowly enough.</summary>
     public abstract void Settle(ref BallState s);
 
+    /// <summary>Another ball has hit the ball, which goes on by what carries it.</summary>
+    /// <param name="s">The ball.</param>
+    /// <param name="velocity">Its velocity by the impact, m/s.</param>
+    /// <param name="spin">Its spin by the impact, rad/s.</param>
+    /// <param name="n">Normal of the contact, towards the ball.</param>
+    /// <param name="presses">Whether the two press each other, too gently for an impact to be told.</param>
+    /// <param name="log">Where events go.</param>
+    public abstract void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, bool presses, StepLog log);
+
     /// <summary>Whether a flight from one place to another can have met nothing that stands still but level ground, however it bent.</summary>
     /// <param name="from">Where it started, m.</param>
     /// <param name="to">Where it ended, m.</param>

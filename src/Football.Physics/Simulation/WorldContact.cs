@@ -23,10 +23,12 @@ internal sealed class WorldContact
 
     private readonly Surroundings _around;
     private readonly World _world;
+    private readonly RateBound _ofAir;
 
     public WorldContact(Surroundings around)
     {
         _around = around;
+        _ofAir = around.Air.Bound;
         _world = around.World;
     }
 
@@ -55,12 +57,19 @@ internal sealed class WorldContact
         Vector3d w = s.Spin;
         int thing = collider + _world.FirstCollider;
         Vector3d surface = hit.SurfaceVelocity(s.Position - (_world.Ball.Radius * n), s.Time);
-        CoulombImpact.Apply(_world.Ball, in hit.MaterialAt(s.Position), in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin);
+        GivingWay way = hit.GivesWay ? GivingWay.Of(_world.Ball, hit.Mass) : default;
+        CoulombImpact.Apply(_world.Ball, in hit.MaterialAt(s.Position), in way, in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin);
         if (hit.Moves)
         {
-            double restitution = hit.MaterialAt(s.Position).RestitutionAt(Vector3d.Dot(surface - v, in n));
+            double restitution = hit.MaterialAt(s.Position).LargestRestitutionAt(Vector3d.Dot(surface - v, in n));
             bool again = Touches(ref s, (1.0 + restitution) * surface.Length);
             velocity = again ? NoFaster(in velocity, in n, s.SqueezeSpeed) : velocity;
+        }
+
+        if (hit.GivesWay && run.Log.Pushes)
+        {
+            hit.Push(_world.Ball.Mass * (v - velocity), s.Time);
+            run.Log.Halted |= run.Log.HaltsAtPush;
         }
 
         run.Log.Events.Add(new BallEvent(BallEventKind.Impact, thing, in n, s.Time, s.Position, in v, in w, in velocity, in spin));
@@ -78,8 +87,7 @@ internal sealed class WorldContact
         double off = Vector3d.Dot(velocity - hit.Velocity, in n);
 
         // What would be back within a microsecond stays down: so an impact takes time, however strong the ball is pressed.
-        bool bounces = may && off >= _world.MinimumBounceSpeed
-            && off >= 0.5 * StabilityLimit.ShortestHop * Load(in s, velocity - (off * n), in spin, hit, in at);
+        bool bounces = may && off >= _world.MinimumBounceSpeed && !IsBackAtOnce(in s, off, velocity - (off * n), in spin, hit, in at);
         velocity = bounces ? velocity : velocity - (off * n);
         if (carried && s.Carrier != thing)
         {
@@ -167,7 +175,7 @@ internal sealed class WorldContact
         foreach (ref readonly Contact contact in set)
         {
             double speed = contact.Velocity.Length;
-            fastest = contact.Moves && contact.Load > 0 ? Math.Max(fastest, (1.0 + contact.Material.RestitutionAt(speed)) * speed) : fastest;
+            fastest = contact.Moves && contact.Load > 0 ? Math.Max(fastest, (1.0 + contact.Material.LargestRestitutionAt(speed)) * speed) : fastest;
         }
 
         if (fastest < 0)
@@ -359,6 +367,35 @@ internal sealed class WorldContact
         Stay(ref s, (int)s.Carrier, in kept, in spin, ref run);
     }
 
+    /// <summary>Another ball has hit this one: it keeps its carrier unless the impulse lifts it. One that is pressed goes on as it went, but for its speed.</summary>
+    public void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, bool presses, ref StepRun run)
+    {
+        s.ClearUntil = 0;
+        s.Branch = DragBranch.Unknown;
+        s.SqueezeSpeed = Math.Max(s.SqueezeSpeed, velocity.Length);
+        if (s.Motion == MotionState.Airborne)
+        {
+            Fly(ref s, in velocity, in spin);
+            return;
+        }
+
+        if (!presses && s.Motion != MotionState.Squeezed)
+        {
+            KeepCarrier(ref s, in velocity, in spin, Vector3d.Zero, in n, bounces: true, ref run);
+            return;
+        }
+
+        // Friction holds what rolls, and the pressure is not what lifts a ball off.
+        Collider carrier = _world.CarrierOf(in s);
+        s.Velocity = velocity;
+        Vector3d up = _world.Hold(ref s, carrier);
+        s.Motion = s.Motion == MotionState.Stopped ? MotionState.Rolling : s.Motion;
+        if (s.Motion == MotionState.Rolling)
+        {
+            s.SetGroundSpin(Slip.RollingSpin(s.Velocity - carrier.Velocity, Vector3d.Dot(s.Spin, in up), in up, _world.Ball.Radius));
+        }
+    }
+
     /// <summary>The ball stays on a thing, and is put onto it: it slides, or rolls.</summary>
     private void Stay(ref BallState s, int thing, in Vector3d velocity, in Vector3d spin, ref StepRun run)
     {
@@ -387,6 +424,17 @@ internal sealed class WorldContact
         SurfaceForces on = system.ForcesOn(s.Time, new Motion(s.Position, s.Velocity, s.Spin));
         run.Log.Evaluations++;
         return system.Grips(in on);
+    }
+
+    /// <summary>Whether a ball that leaves a surface is back within a microsecond.</summary>
+    private bool IsBackAtOnce(in BallState s, double off, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
+    {
+        // Few are: what the air can do at most says so without asking it.
+        Vector3d along = velocity - collider.Velocity;
+        double airSpeed = (velocity - _around.Wind).Length;
+        double most = Math.Abs(_around.Upward) + Math.Abs(Vector3d.Dot(in along, at.Curvature * along)) + (airSpeed * _ofAir.At(airSpeed, spin.Length));
+        return (_around.Air.Varies || off < 0.5 * StabilityLimit.ShortestHop * most)
+            && off < 0.5 * StabilityLimit.ShortestHop * Load(in s, in velocity, in spin, collider, in at);
     }
 
     /// <summary>N/m, m/s², were the ball to follow the surface.</summary>

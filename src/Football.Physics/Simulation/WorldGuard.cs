@@ -77,6 +77,11 @@ internal sealed class WorldGuard
     {
         int carrier = s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - _world.FirstCollider;
         met = default;
+        if (carrier >= 0 && _world.IsPlaneAlone)
+        {
+            return false;
+        }
+
         for (int i = 0; i < MostSearches; i++)
         {
             var path = PathCubic.Of(ref sweep, s.Position, s.Velocity, order);
@@ -110,8 +115,9 @@ internal sealed class WorldGuard
             }
 
             met = found;
-            if (!(sweep.Length > 0))
+            if (!(sweep.Length > 0) || _world.IsPlaneAlone)
             {
+                // Nothing else can be met before.
                 break;
             }
         }

@@ -11,10 +11,18 @@ public sealed class TrackFit
     /// <summary>The velocity to begin with is that of the points of so many seconds.</summary>
     private const double Beginning = 0.25;
 
-    /// <summary>χ² by its expectation from which on a fit is poor; then it is tried from so many other spins, rad/s.</summary>
+    /// <summary>χ² by its expectation from which on a fit is poor.</summary>
     private const double Poor = 1.2;
-    private const int OtherStarts = 4;
+
+    /// <summary>Spins, rad/s, from which a poor fit is tried again, and one in which the ball bounces: another bounce may fit as well.</summary>
     private const double OtherSpin = 35;
+    private const int OtherStarts = 5;
+
+    /// <summary>What fits worse by no more than this, in the cost, is another answer to the same track: three deviations of one number.</summary>
+    private const double AsGood = 9;
+
+    /// <summary>Minima that are closer than this, in deviations of the spin, are one.</summary>
+    private const double Apart = 3;
 
     private readonly Scene _scene;
 
@@ -30,11 +38,12 @@ public sealed class TrackFit
     /// <summary>Finds the launch that a track tells of.</summary>
     /// <param name="track">Where the ball was seen, in order of time; at least four points. The launch is at the first of them.</param>
     /// <param name="request">What to find beside the launch, and what is known before; default nothing.</param>
-    /// <exception cref="ArgumentNullException"><paramref name="track"/> is null.</exception>
+    /// <exception cref="ArgumentNullException"><paramref name="track"/> is null, or a ball of the request.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public TrackFitResult Find(TrackPoint[] track, TrackFitRequest? request = null)
     {
-        // 1. A start by the first points. 2. Downhill for the launch, then for the factors too. 3. From other spins where that fits poorly. 4. The uncertainty, measured.
+        // 1. A start by the first points. 2. Downhill for the launch, then for the factors too. 3. From other spins where that fits poorly, or the ball bounces.
+        // 4. The uncertainty, measured. 5. With other balls, where it may have been one.
         request ??= new TrackFitRequest();
         Validate(track, request);
         TrackFitRequest launch = request with { Drag = false, Lift = false, Restitution = false, Friction = false };
@@ -42,24 +51,94 @@ public sealed class TrackFit
         double[] values = Start(track, launch);
         TrackSearch best = Descend(track, launch, request, ref values, ref steps);
 
-        // A poor fit may be that of another bounce: from other spins.
+        int freedom = (3 * track.Length) - best.Model.Count;
         Vector3d across = Vector3d.Cross(Vector3d.Up, new Vector3d(values[3], 0, values[5]));
         across = across.Length > 0 ? across / across.Length : Vector3d.Zero;
-        int freedom = (3 * track.Length) - best.Model.Count;
-        for (int i = 0; i < OtherStarts && best.ChiSquared(values) > Poor * freedom; i++)
+        bool bounces = Bounces(values, track[track.Length - 1].Time - track[0].Time);
+        TrackSearch? rival = null;
+        double[]? rivals = null;
+        for (int i = 0; i < OtherStarts && (best.ChiSquared(values) > Poor * freedom || (bounces && i < 3)); i++)
         {
-            Vector3d spin = request.Spin + ((i % 2 == 0 ? OtherSpin : -OtherSpin) * (i < 2 ? across : Vector3d.Up));
             double[] other = Start(track, launch);
+            Vector3d spin = OtherSpinOf(i, values, request, across);
             (other[6], other[7], other[8]) = (spin.X, spin.Y, spin.Z);
             TrackSearch found = Descend(track, launch, request, ref other, ref steps);
             if (found.Cost < best.Cost)
             {
-                (best, values) = (found, other);
+                (best, found) = (found, best);
+                (values, other) = (other, values);
+            }
+
+            if (rival is null || found.Cost < rival.Cost)
+            {
+                (rival, rivals) = (found, other);
             }
         }
 
         bool converged = best.Measure(values);
-        return new TrackFitResult(best.Model, values, best.Covariance, track[0].Time, best.ChiSquared(values), freedom, steps + best.Steps, converged);
+        return new TrackFitResult(best.Model, values, best.Covariance, track[0].Time, best.ChiSquared(values), freedom, steps + best.Steps, converged)
+        {
+            OtherSpin = rival is not null && rivals is not null && rival.Cost - best.Cost < AsGood && AreApart(values, rivals, best.Covariance)
+                ? new Vector3d(rivals[6], rivals[7], rivals[8])
+                : null,
+            ByBall = WithOtherBalls(track, request, best.Cost, values),
+        };
+    }
+
+    /// <summary>A spin to begin with again: that found with its topspin the other way, then much of it each way, then much about the vertical.</summary>
+    private static Vector3d OtherSpinOf(int i, double[] values, TrackFitRequest request, in Vector3d across)
+    {
+        var found = new Vector3d(values[6], values[7], values[8]);
+        return i switch
+        {
+            0 => found - (2.0 * Vector3d.Dot(in found, in across) * across),
+            1 => request.Spin + (OtherSpin * across),
+            2 => request.Spin - (OtherSpin * across),
+            3 => request.Spin + (OtherSpin * Vector3d.Up),
+            _ => request.Spin - (OtherSpin * Vector3d.Up),
+        };
+    }
+
+    /// <summary>Whether two answers differ in the spin by more than their uncertainty.</summary>
+    private static bool AreApart(double[] values, double[] others, double[] covariance)
+    {
+        int n = values.Length;
+        for (int i = 6; i < 9; i++)
+        {
+            double off = values[i] - others[i];
+            if (off * off > Apart * Apart * covariance[(i * n) + i])
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>Whether the ball bounces in the time of the track.</summary>
+    private bool Bounces(double[] values, double duration)
+    {
+        var simulator = new Simulator(_scene with { Bodies = null, EngineColliders = null });
+        var log = new StepLog();
+        BallState state = simulator.LaunchAt(
+            new Vector3d(values[0], values[1], values[2]), new Vector3d(values[3], values[4], values[5]), new Vector3d(values[6], values[7], values[8]), 0);
+        simulator.RunChecked(ref state, 0.02, duration, StopAt.Impact, log, null);
+        return log.Events.Impacts > 0;
+    }
+
+    /// <summary>What the numbers are where it was another ball: only as far as that fits.</summary>
+    private List<TrackFitByBall> WithOtherBalls(TrackPoint[] track, TrackFitRequest request, double cost, double[] values)
+    {
+        var all = new List<TrackFitByBall>();
+        foreach (BallProperties ball in request.OtherBalls)
+        {
+            var other = new TrackSearch(track, request, new TrackModel(_scene with { Ball = ball }, request));
+            double[] found = [.. values];
+            other.Descend(found);
+            all.Add(new TrackFitByBall(ball, found, other.ChiSquared(found), other.Cost - cost));
+        }
+
+        return all;
     }
 
     /// <summary>Goes downhill from a launch: with the launch alone, then with the factors too.</summary>

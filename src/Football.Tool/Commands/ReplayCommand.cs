@@ -35,6 +35,11 @@ internal static class ReplayCommand
         };
         command.SetAction(parsed =>
         {
+            OutputFile.RefuseSame(
+                parsed.GetRequiredValue(files),
+                ("--output", parsed.GetRequiredValue(page)),
+                ("--gltf", parsed.GetValue(gltf)),
+                ("--svg", parsed.GetValue(svg)));
             using OutputFile written = OutputFile.Open("--output", parsed.GetRequiredValue(page))!;
             using var scene = OutputFile.Open("--gltf", parsed.GetValue(gltf));
             using var drawing = OutputFile.Open("--svg", parsed.GetValue(svg));
@@ -66,6 +71,11 @@ internal static class ReplayCommand
             try
             {
                 var scenario = Scenario.Read(fields);
+                if (scenario.Balls.Count > 0)
+                {
+                    throw new RefusedException("balls is given; allowed: launch: a replay shows one ball a scenario.");
+                }
+
                 string name = read.Name ?? (file == "-" ? KickNumbers.Of(scenario).Text : Path.GetFileNameWithoutExtension(file));
                 played.Add((name, scenario, ScenarioRun.Play(scenario)));
             }

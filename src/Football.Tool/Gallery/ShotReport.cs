@@ -47,9 +47,39 @@ internal sealed class ShotReport
         return table;
     }
 
+    /// <summary>Where several balls ended.</summary>
+    private static Table Finals(IReadOnlyList<Moment> balls)
+    {
+        Table table = new Table().Border(TableBorder.Simple);
+        foreach (string column in (ReadOnlySpan<string>)["ball", "time", "state", "place, m", "velocity, m/s", "spin, rad/s"])
+        {
+            table.AddColumn(new TableColumn(column));
+        }
+
+        for (int i = 0; i < balls.Count; i++)
+        {
+            Moment at = balls[i];
+            table.AddRow(
+                i.ToString(CultureInfo.InvariantCulture),
+                at.Time.ToString("F3", CultureInfo.InvariantCulture),
+                at.State.ToString().ToLowerInvariant(),
+                at.Position.ToString("F2", CultureInfo.InvariantCulture),
+                at.Velocity.ToString("F2", CultureInfo.InvariantCulture),
+                at.Spin.ToString("F1", CultureInfo.InvariantCulture));
+        }
+
+        return table;
+    }
+
     /// <summary>Shows what was played; the path is drawn where there is room for one.</summary>
     public void Print(IAnsiConsole console, Outcome outcome)
     {
+        if (outcome.Balls.Count > 0)
+        {
+            console.Write(Finals(outcome.Balls));
+            return;
+        }
+
         if (outcome.Samples is null && _scenario.CanKeepPath)
         {
             Print(console, new Flight(_scenario).Outcome);

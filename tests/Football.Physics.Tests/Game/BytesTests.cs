@@ -112,7 +112,7 @@ public sealed class BytesTests
     public void A_segment_whose_step_is_none_or_would_not_move_its_clock_is_refused(double timeStep)
     {
         byte[] bytes = Segment().ToBytes();
-        BitConverter.TryWriteBytes(bytes.AsSpan(5), timeStep);
+        BitConverter.TryWriteBytes(bytes.AsSpan(13), timeStep);
         Crc32.Seal(bytes);
         Assert.StartsWith("The bytes are broken: timeStep is ", Refused(() => MatchSegment.FromBytes(bytes)));
     }

@@ -1,0 +1,99 @@
+using Football.Tool.Commands;
+
+namespace Football.Physics.Labs.Matches;
+
+/// <summary>Players who dribble along ways with turns: where the ball is all the while.</summary>
+internal static class DribbleCounts
+{
+    private const int TouchesOfOne = 8;
+    private const double Farthest = 1.5;
+
+    public static (LabTable Table, bool Holds) Table(long seed, int count, Progress progress)
+    {
+        var simulator = new Simulator();
+        var touches = new Touches(spread: new TouchSpread { Draws = 0 });
+        int made = 0;
+        int far = 0;
+        int behind = 0;
+        int lost = 0;
+        double farthest = 0;
+        double chances = 0;
+        var misses = new List<double>();
+        var paces = new List<double>();
+        var log = new StepLog();
+        var sure = new Touches();
+        for (int i = 0; i < count; i++)
+        {
+            int at = i;
+            progress.Report(i, count, () => FormattableString.Invariant($"dribble {at}"));
+            var random = new LabRandom(LabRandom.Mix(seed, i));
+            double pace = random.Uniform(2, 8);
+            double angle = random.Uniform(0, 6.28);
+            Vector3d player = Vector3d.Zero;
+            Vector3d way = Heading(angle);
+
+            // It comes to his feet somehow: rolling, sliding, skipping, with spin of its own.
+            BallState ball = simulator.Launch(
+                player + (0.5 * way) + new Vector3d(0, random.Chance(0.3) ? random.Uniform(0.11, 0.4) : 0.11, 0),
+                new Vector3d(random.Uniform(-6, 6), random.Chance(0.3) ? random.Uniform(-2, 1) : 0, random.Uniform(-6, 6)),
+                new Vector3d(random.Uniform(-30, 30), random.Uniform(-30, 30), random.Uniform(-30, 30)));
+            bool isFar = false;
+            bool isBehind = false;
+            bool isLost = false;
+            for (int k = 0; k < TouchesOfOne && !isLost; k++)
+            {
+                // A turn of up to 90°, and shorter touches at sharper turns.
+                double turn = k == 0 ? 0 : random.Uniform(-Math.PI / 2, Math.PI / 2);
+                angle += turn;
+                way = Heading(angle);
+                var request = new DribbleRequest { Position = player, Way = way, Pace = pace, After = random.Uniform(0.3, 0.6), Lead = 0.6 };
+                Touch touch = touches.Dribble(in ball, request);
+                made++;
+                misses.Add(touch.Miss);
+                paces.Add(touch.PaceMiss);
+                if (k == 1 && i % 10 == 0)
+                {
+                    chances += sure.Dribble(in ball, request).Chance;
+                }
+
+                isLost = !touch.Succeeds;
+                simulator.Kick(ref ball, touch.Velocity, touch.Spin);
+                int steps = (int)Math.Ceiling(request.After / 0.01);
+                for (int n = 0; n < steps; n++)
+                {
+                    double h = request.After / steps;
+                    simulator.Step(ref ball, h, log);
+                    log.Clear();
+                    player += h * pace * way;
+                    Vector3d apart = (ball.Position - player).Horizontal;
+                    farthest = Math.Max(farthest, apart.Length);
+                    isFar |= apart.Length > Farthest;
+
+                    // Ahead once he has turned: from the middle of a touch on; at a turn of 90° the ball lies beside him when he touches it.
+                    isBehind |= Vector3d.Dot(apart, way) <= 0 && (n > steps / 2 || Math.Abs(turn) < 0.5);
+                }
+            }
+
+            far += isFar ? 1 : 0;
+            behind += isBehind ? 1 : 0;
+            lost += isLost ? 1 : 0;
+        }
+
+        var miss = new Spread([.. misses]);
+        var off = new Spread([.. paces]);
+        var table = new LabTable("Dribbles at 2 to 8 m/s, turns of up to 90°", "of the dribbles", "count", "verdict");
+        table.Add("dribbles", count, null);
+        table.Add("touches", made, null);
+        table.Add("ball farther than 1.5 m from the player", far, Verdict.Of(far == 0));
+        table.Add("ball behind the player", behind, Verdict.Of(behind == 0));
+        table.Add("lost: a touch that did not come off", lost, Verdict.Of(lost == 0));
+        table.Add("farthest that the ball was, m", farthest, null);
+        table.Add("where he wanted it, p95, m", miss.P95, null);
+        table.Add("pace off, mean, m/s", off.Mean, null);
+        table.Add("pace off, p95, m/s", off.P95, null);
+        table.Add("chance of a second touch with errors, mean", chances / Math.Max(1, (count + 9) / 10), null);
+        return (table, far == 0 && behind == 0 && lost == 0);
+    }
+
+    private static Vector3d Heading(double angle) => new(Math.Sin(angle), 0, -Math.Cos(angle));
+}

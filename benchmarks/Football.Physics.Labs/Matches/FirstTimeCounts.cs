@@ -1,0 +1,78 @@
+using Football.Tool.Commands;
+
+namespace Football.Physics.Labs.Matches;
+
+/// <summary>Moving balls struck to a target as they come: whether what is said to hit does so in the game.</summary>
+internal static class FirstTimeCounts
+{
+    private const double Near = 0.01;
+
+    public static (LabTable Table, bool Holds) Table(long seed, int count, Progress progress)
+    {
+        var simulator = new Simulator();
+        var touches = new Touches(spread: new TouchSpread { Draws = 0 });
+        var sure = new Touches();
+        var path = new Trajectory(4096);
+        int said = 0;
+        int wrong = 0;
+        int slow = 0;
+        int outOf = 0;
+        double worst = 0;
+        double chances = 0;
+        int asked = 0;
+        for (int i = 0; i < count; i++)
+        {
+            int at = i;
+            progress.Report(i, count, () => FormattableString.Invariant($"shot {at}"));
+            var random = new LabRandom(LabRandom.Mix(seed, i));
+            bool high = random.Chance(0.5);
+            Vector3d from = new(random.Uniform(-12, 12), high ? random.Uniform(0.15, 1.2) : 0.11, random.Uniform(8, 24));
+            double speed = random.Uniform(0, 15);
+            double angle = random.Uniform(0, 6.28);
+            Vector3d velocity = speed * new Vector3d(Math.Cos(angle), 0, Math.Sin(angle));
+            Vector3d spin = high ? random.Uniform(0, 40) * random.Direction() : new Vector3d(velocity.Z / 0.11, random.Uniform(-20, 20), -velocity.X / 0.11);
+            BallState ball = simulator.Launch(from, high ? velocity + new Vector3d(0, random.Uniform(-4, 2), 0) : velocity, spin);
+            var request = new FirstTimeRequest
+            {
+                Target = new Vector3d(random.Uniform(-3.5, 3.5), random.Uniform(0.2, 2.3), 0),
+                Speed = random.Uniform(16, 28),
+                TopSpin = random.Uniform(-20, 20),
+                SideSpin = random.Uniform(-30, 30),
+            };
+            Touch touch = touches.FirstTime(in ball, request);
+            if (i % 20 == 0)
+            {
+                double chance = sure.FirstTime(in ball, request).Chance;
+                chances += double.IsNaN(chance) ? 0 : chance;
+                asked++;
+            }
+
+            if (!touch.Succeeds)
+            {
+                slow += touch.Status == TouchStatus.FootTooSlow ? 1 : 0;
+                outOf += touch.Status != TouchStatus.FootTooSlow ? 1 : 0;
+                continue;
+            }
+
+            // In the game's own steps, with the foot itself.
+            said++;
+            FootStrike strike = touches.Foot.Strike(simulator.Scene.Ball, ball.Velocity, ball.Spin, touch.Strike.FootVelocity, touch.Strike.Normal);
+            BallState kicked = ball;
+            simulator.Kick(ref kicked, strike.Velocity, strike.Spin);
+            simulator.LookAhead(in kicked, new LookAheadRequest { Duration = 5, TimeStep = 1 / 60.0 }, path);
+            double miss = (path.ClosestApproach(request.Target).Position - request.Target).Length;
+            worst = Math.Max(worst, miss);
+            wrong += miss <= Near ? 0 : 1;
+        }
+
+        var table = new LabTable("First-time shots at balls of up to 15 m/s", "of the shots", "count", "verdict");
+        table.Add("shots", count, null);
+        table.Add("said to hit", said, null);
+        table.Add("said to hit, and more than 1 cm off in the game", wrong, Verdict.Of(wrong == 0));
+        table.Add("worst of those that are said to hit, m", worst, null);
+        table.Add("the foot is too slow", slow, null);
+        table.Add("no touch does", outOf, null);
+        table.Add("chance within half a metre with the foot's errors, mean", chances / Math.Max(1, asked), null);
+        return (table, wrong == 0);
+    }
+}

@@ -1,0 +1,110 @@
+using Football.Tool.Commands;
+
+namespace Football.Physics.Labs.Matches;
+
+/// <summary>Random impacts of two balls, and of a ball with what has a mass: momentum, angular momentum, energy, and what an infinite mass gives.</summary>
+internal static class ImpactBalances
+{
+    private const double Rounding = 1e-12;
+
+    public static (LabTable Table, bool Holds) Table(long seed, long count, Progress progress)
+    {
+        double worstMomentum = 0;
+        double worstAngular = 0;
+        double worstGain = double.NegativeInfinity;
+        long other = 0;
+        var random = new LabRandom(LabRandom.Mix(seed, 77));
+        for (long i = 0; i < count; i++)
+        {
+            if (i % 4096 == 0)
+            {
+                long at = i;
+                progress.Report((int)(i / 4096), (int)(count / 4096) + 1, () => FormattableString.Invariant($"impact {at}"));
+            }
+
+            BallProperties ball = Ball(random);
+            ContactMaterial material = new(new Surface
+            {
+                NormalRestitution = random.Next(),
+                RestitutionSpeed = random.Chance(0.5) ? double.PositiveInfinity : random.Log(3, 300),
+                TangentialRestitution = random.Uniform(-1, 1),
+                ImpactFriction = random.Uniform(0, 1.5),
+            });
+            Vector3d n = random.Direction();
+            Vector3d v = random.Uniform(0, 40) * random.Direction();
+            Vector3d w = random.Uniform(0, 100) * random.Direction();
+            Vector3d v2 = random.Uniform(0, 40) * random.Direction();
+            if (!(Vector3d.Dot(v - v2, n) < 0))
+            {
+                (v, v2) = (v2, v);
+            }
+
+            BallState first = State(v, w, 0.2 * n);
+            double scale;
+            double angular;
+            double gain;
+            Vector3d momentum;
+            if (i % 2 == 0)
+            {
+                BallProperties second = Ball(random);
+                Vector3d w2 = random.Uniform(0, 100) * random.Direction();
+                BallState its = State(v2, w2, Vector3d.Zero);
+                BallContact.Impact(ball, second, in material, in n, in first, in its, out Motion a, out Motion b);
+                momentum = (ball.Mass * (a.Velocity - v)) + (second.Mass * (b.Velocity - v2));
+                scale = (ball.Mass * v.Length) + (second.Mass * v2.Length);
+
+                // About the contact: the levers are r₁ n and −r₂ n.
+                Vector3d turned = (ball.MomentOfInertia * (a.Spin - w)) + Vector3d.Cross(ball.Radius * n, ball.Mass * (a.Velocity - v));
+                Vector3d itsTurned = (second.MomentOfInertia * (b.Spin - w2)) + Vector3d.Cross(-second.Radius * n, second.Mass * (b.Velocity - v2));
+                angular = Math.Max(turned.Length, itsTurned.Length) / ((ball.Radius * ball.Mass * v.Length) + (ball.MomentOfInertia * w.Length) + (second.Radius * second.Mass * v2.Length) + (second.MomentOfInertia * w2.Length));
+                double before = Energy(ball, v, w) + Energy(second, v2, w2);
+                gain = (Energy(ball, a.Velocity, a.Spin) + Energy(second, b.Velocity, b.Spin) - before) / before;
+            }
+            else
+            {
+                double mass = random.Log(0.05, 500);
+                CoulombImpact.Apply(ball, in material, GivingWay.Of(ball, mass), in n, in v2, in v, in w, out Vector3d after, out Vector3d spin);
+                Vector3d impulse = ball.Mass * (after - v);
+                Vector3d thing = v2 - (impulse / mass);
+                momentum = impulse + (mass * (thing - v2));
+                scale = (ball.Mass * v.Length) + (mass * v2.Length);
+                angular = ((ball.MomentOfInertia * (spin - w)) + Vector3d.Cross(ball.Radius * n, impulse)).Length / ((ball.Radius * ball.Mass * (v.Length + v2.Length)) + (ball.MomentOfInertia * w.Length));
+                double before = Energy(ball, v, w) + (0.5 * mass * v2.LengthSquared);
+                gain = (Energy(ball, after, spin) + (0.5 * mass * thing.LengthSquared) - before) / before;
+                CoulombImpact.Apply(ball, in material, GivingWay.Of(ball, double.PositiveInfinity), in n, in v2, in v, in w, out Vector3d fixedV, out Vector3d fixedW);
+                CoulombImpact.Apply(ball, in material, in n, in v2, in v, in w, out Vector3d oldV, out Vector3d oldW);
+                other += fixedV == oldV && fixedW == oldW ? 0 : 1;
+            }
+
+            worstMomentum = Math.Max(worstMomentum, momentum.Length / scale);
+            worstAngular = Math.Max(worstAngular, angular);
+            worstGain = Math.Max(worstGain, gain);
+        }
+
+        var table = new LabTable("Impacts of two balls, and of a ball with what has a mass", "balance, by what came", "worst", "verdict");
+        table.Add("impacts", count, null);
+        table.Add("momentum", worstMomentum, Verdict.Of(worstMomentum <= Rounding));
+        table.Add("angular momentum about the contact", worstAngular, Verdict.Of(worstAngular <= Rounding));
+        table.Add("energy gained", worstGain, Verdict.Of(worstGain <= Rounding));
+        table.Add("an infinite mass that gives other bits than none", other, Verdict.Of(other == 0));
+        return (table, worstMomentum <= Rounding && worstAngular <= Rounding && worstGain <= Rounding && other == 0);
+    }
+
+    private static BallProperties Ball(LabRandom random) => new()
+    {
+        Mass = random.Log(0.1, 3),
+        Radius = random.Uniform(0.05, 0.25),
+        InertiaFactor = random.Uniform(0.4, 0.667),
+    };
+
+    private static BallState State(Vector3d velocity, Vector3d spin, Vector3d position)
+    {
+        BallState state = default;
+        state.Position = position;
+        state.Velocity = velocity;
+        state.SetGroundSpin(spin);
+        return state;
+    }
+
+    private static double Energy(BallProperties ball, Vector3d v, Vector3d w) => 0.5 * ((ball.Mass * v.LengthSquared) + (ball.MomentOfInertia * w.LengthSquared));
+}

@@ -1,0 +1,47 @@
+using System.CommandLine;
+using Football.Tool.Commands;
+
+namespace Football.Physics.Labs.Matches;
+
+/// <summary>football lab matches: players in time, touches at a player's feet, impacts between what has a mass, several balls.</summary>
+internal static class MatchesLab
+{
+    public static Command Create(Terminal terminal)
+    {
+        Option<long> count = Arguments.Whole("--count", "Matches, dribbles, first-time shots, traps.", 1, 1_000_000, 1000);
+        Option<long> impacts = Arguments.Whole("--impacts", "Impacts whose balances are drawn up.", 1, 1_000_000_000, 1_000_000);
+        var only = new Option<string?>("--only") { HelpName = "PART", Description = "One part: rollbacks, dribbles, shots, traps, impacts, cost." };
+        only.AcceptOnlyFromAmong("rollbacks", "dribbles", "shots", "traps", "impacts", "cost");
+        return LabOptions.Create(
+            "matches",
+            "Late kicks among moving players, at four frame rates; dribbles, first-time shots and traps; balances of impacts; what fifty balls cost.",
+            ["football lab matches", "football lab matches --only dribbles --count 200 --seed 7"],
+            terminal,
+            (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(count), parsed.GetValue(impacts), parsed.GetValue(only), progress),
+            count,
+            impacts,
+            only);
+    }
+
+    private static LabReport Run(long seed, int count, long impacts, string? only, Progress progress)
+    {
+        var report = new LabReport { Name = "matches", Seed = seed };
+        Add("rollbacks", () => RollbackCounts.Table(seed, count, progress));
+        Add("dribbles", () => DribbleCounts.Table(seed, count, progress));
+        Add("shots", () => FirstTimeCounts.Table(seed, count, progress));
+        Add("traps", () => TrapCounts.Table(seed, count, progress));
+        Add("impacts", () => ImpactBalances.Table(seed, impacts, progress));
+        Add("cost", () => SeveralCost.Table(seed));
+        return report;
+
+        void Add(string part, Func<(LabTable Table, bool Holds)> make)
+        {
+            if (only is null || only == part)
+            {
+                (LabTable table, bool holds) = make();
+                report.Tables.Add(table);
+                report.Failed |= !holds;
+            }
+        }
+    }
+}

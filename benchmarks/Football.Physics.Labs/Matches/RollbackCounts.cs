@@ -1,0 +1,191 @@
+using Football.Tool.Commands;
+
+namespace Football.Physics.Labs.Matches;
+
+/// <summary>Matches whose kicks come late, at frames of several lengths, against the same matches with all kicks in time.</summary>
+internal static class RollbackCounts
+{
+    private const int Ticks = 200;
+    private const int MostLate = 8;
+    private const int MostSteps = 12;
+    private static readonly double[] Frames = [0.01, 1 / 30.0, 0.1, 0];
+
+    /// <summary>What moves, and who says where it is.</summary>
+    private enum Kind
+    {
+        AskedBodies,
+        KeptBodies,
+        AskedEngine,
+        SeveralBalls,
+    }
+
+    public static (LabTable Table, bool Holds) Table(long seed, int count, Progress progress)
+    {
+        var table = new LabTable("Late kicks among 22 moving players: balls that end elsewhere than in time", "what moves", "matches", "runs", "kicks", "late", "balls apart", "verdict");
+        bool holds = true;
+        Kind[] kinds = [Kind.AskedBodies, Kind.KeptBodies, Kind.AskedEngine, Kind.SeveralBalls];
+        for (int k = 0; k < kinds.Length; k++)
+        {
+            int apart = 0;
+            int runs = 0;
+            int kicks = 0;
+            int late = 0;
+
+            // Of bodies all matches, of the rest a quarter each.
+            int matches = k == 0 ? count : Math.Max(1, count / 4);
+            for (int i = 0; i < matches; i++)
+            {
+                int at = i;
+                int kind = k;
+                progress.Report((k * count) + i, kinds.Length * count, () => FormattableString.Invariant($"{Name(kinds[kind])}, match {at}"));
+                Play(kinds[k], new LabRandom(LabRandom.Mix(seed, (k * 1_000_003L) + i)), ref runs, ref kicks, ref late, ref apart);
+            }
+
+            holds &= apart == 0;
+            table.Add(Name(kinds[k]), matches, runs, kicks, late, apart, Verdict.Of(apart == 0));
+        }
+
+        bool refused = RefusesUnknown(engine: false) & RefusesUnknown(engine: true);
+        table.Add("nobody says where: refused by name", 2, 2, null, null, null, Verdict.Of(refused));
+        return (table, holds && refused);
+    }
+
+    private static string Name(Kind kind) => kind switch
+    {
+        Kind.AskedBodies => "bodies, by BodiesAt",
+        Kind.KeptBodies => "bodies, as the rollback kept them",
+        Kind.AskedEngine => "an engine's colliders, by BodiesAt",
+        _ => "bodies and three balls, by BodiesAt",
+    };
+
+    private static void Play(Kind kind, LabRandom random, ref int runs, ref int kicks, ref int late, ref int apart)
+    {
+        var squad = new Squad(random);
+        KickInput[] all = Kicks(random, kind == Kind.SeveralBalls ? 3 : 1);
+        int[] delays = [.. all.Select(_ => 1 + random.Below(MostLate))];
+        kicks += all.Length;
+
+        // In time, a tick at a time.
+        FixedStepRunner inTime = Runner(kind, squad);
+        foreach (KickInput kick in all)
+        {
+            inTime.Kicks.Add(in kick);
+        }
+
+        // A frame may take the others some ticks further.
+        var states = new BallState[Ticks + MostSteps + 1][];
+        while (inTime.Tick < states.Length)
+        {
+            states[inTime.Tick] = [.. Enumerable.Range(0, inTime.Balls).Select(inTime.StateOf)];
+            Step(kind, squad, inTime);
+        }
+
+        foreach (double frame in Frames)
+        {
+            // Bodies that the rollback keeps are moved by the game itself, once a tick: it has one frame rate.
+            if (kind == Kind.KeptBodies && frame != Frames[0])
+            {
+                continue;
+            }
+
+            FixedStepRunner runner = Runner(kind, squad);
+            var rollback = new Rollback(runner, MostLate + 20);
+            int next = 0;
+            while (runner.Tick < Ticks)
+            {
+                for (int i = next; i < all.Length && all[i].Tick <= runner.Tick + 20; i++)
+                {
+                    if (all[i].Tick + delays[i] > runner.Tick)
+                    {
+                        break;
+                    }
+
+                    late += rollback.Correct(in all[i]) is not null ? 1 : 0;
+                    next = i + 1;
+                }
+
+                if (frame == Frames[0] || kind == Kind.KeptBodies)
+                {
+                    Step(kind, squad, runner);
+                }
+                else
+                {
+                    runner.Advance(frame > 0 ? frame : random.Uniform(0.001, 0.12));
+                }
+            }
+
+            for (; next < all.Length; next++)
+            {
+                late += rollback.Correct(in all[next]) is not null ? 1 : 0;
+            }
+
+            runs++;
+            for (int ball = 0; ball < runner.Balls; ball++)
+            {
+                BallState one = runner.StateOf(ball);
+                apart += Snapshot.Same(in one, in states[runner.Tick][ball]) ? 0 : 1;
+            }
+        }
+    }
+
+    private static void Step(Kind kind, Squad squad, FixedStepRunner runner)
+    {
+        if (kind == Kind.KeptBodies)
+        {
+            squad.MoveTo(runner.Time);
+        }
+
+        runner.Step();
+    }
+
+    private static FixedStepRunner Runner(Kind kind, Squad squad)
+    {
+        Scene scene = Pitch.Standard.On(Scene.Default);
+        scene = kind == Kind.AskedEngine ? scene with { EngineColliders = squad.NewEngine() } : scene with { Bodies = squad.NewBodies() };
+        var simulator = new Simulator(scene);
+        FixedStepRunner runner = kind == Kind.SeveralBalls ? new FixedStepRunner(new BallGroup(simulator, 3)) : new FixedStepRunner(simulator);
+        if (kind != Kind.KeptBodies)
+        {
+            Action<double> move = squad.Mover();
+            runner.BodiesAt = move;
+        }
+
+        return runner;
+    }
+
+    /// <summary>A kick at every second tick.</summary>
+    private static KickInput[] Kicks(LabRandom random, int balls) =>
+    [
+        .. Enumerable.Range(0, (Ticks / 2) - 1).Select(i => new KickInput(
+            2 * i,
+            new Vector3d(random.Uniform(-9, 9), random.Uniform(0, 4), random.Uniform(-9, 9)),
+            new Vector3d(random.Uniform(-40, 40), random.Uniform(-40, 40), 0),
+            random.Below(22),
+            random.Below(balls))),
+    ];
+
+    /// <summary>A rollback in which something moved of which nobody says where it was.</summary>
+    private static bool RefusesUnknown(bool engine)
+    {
+        var squad = new Squad(new LabRandom(5));
+        Scene scene = engine ? Scene.Default with { EngineColliders = squad.NewEngine() } : Scene.Default with { Bodies = squad.NewBodies() };
+        var runner = new FixedStepRunner(new Simulator(scene));
+        var rollback = new Rollback(runner, 16, keepsBodies: engine);
+        Action<double> move = squad.Mover();
+        for (int i = 0; i < 12; i++)
+        {
+            move(runner.Time);
+            runner.Step();
+        }
+
+        try
+        {
+            rollback.Correct(new KickInput(4, new Vector3d(0, 3, -9), Vector3d.Zero));
+            return false;
+        }
+        catch (InvalidOperationException refusal)
+        {
+            return refusal.Message.StartsWith(engine ? "engineColliders" : "bodies", StringComparison.Ordinal);
+        }
+    }
+}

@@ -1,0 +1,100 @@
+namespace Football.Physics.Labs.Matches;
+
+/// <summary>Twenty-two players who run in curves, as bodies or as the colliders of an engine.</summary>
+internal sealed class Squad
+{
+    private const int Players = 22;
+    private readonly Vector3d[] _middle = new Vector3d[Players];
+    private readonly double[] _radius = new double[Players];
+    private readonly double[] _rate = new double[Players];
+    private readonly double[] _phase = new double[Players];
+    private Bodies? _bodies;
+    private Engine? _engine;
+
+    public Squad(LabRandom random)
+    {
+        for (int i = 0; i < Players; i++)
+        {
+            _middle[i] = new Vector3d(random.Uniform(-7, 7), 0, random.Uniform(-7, 7));
+            _radius[i] = random.Uniform(0.3, 3);
+            _rate[i] = random.Uniform(0.3, 7) / _radius[i] * (random.Chance(0.5) ? 1 : -1);
+            _phase[i] = random.Uniform(0, 6.28);
+        }
+    }
+
+    /// <summary>Bodies of their own for a scene: half of them with a mass.</summary>
+    public Bodies NewBodies()
+    {
+        _bodies = new Bodies();
+        for (int i = 0; i < Players; i++)
+        {
+            _bodies.Add("player", i % 2 == 0 ? BodyKind.Player : BodyKind.Player with { Mass = double.PositiveInfinity });
+        }
+
+        MoveTo(0);
+        return _bodies;
+    }
+
+    /// <summary>Colliders of their own for a scene.</summary>
+    public IEngineColliders NewEngine()
+    {
+        _engine = new Engine(this);
+        return _engine;
+    }
+
+    /// <summary>Moves what was made last to a time.</summary>
+    public void MoveTo(double time) => Mover()(time);
+
+    /// <summary>What moves the bodies, or the colliders, that were made last.</summary>
+    public Action<double> Mover()
+    {
+        Bodies? bodies = _bodies;
+        Engine? engine = _engine;
+        return time =>
+        {
+            for (int i = 0; i < Players && bodies is not null; i++)
+            {
+                (Vector3d place, Vector3d velocity) = At(i, time);
+                bodies[i].MoveTo(place, velocity, time);
+            }
+
+            if (engine is not null)
+            {
+                engine.Time = time;
+            }
+        };
+    }
+
+    private (Vector3d Place, Vector3d Velocity) At(int player, double time)
+    {
+        double angle = _phase[player] + (_rate[player] * time);
+        var out_ = new Vector3d(Math.Cos(angle), 0, Math.Sin(angle));
+        return (_middle[player] + (_radius[player] * out_), _radius[player] * _rate[player] * new Vector3d(-out_.Z, 0, out_.X));
+    }
+
+    /// <summary>An engine that has every player as a capsule, and is asked for those near a way.</summary>
+    private sealed class Engine(Squad squad) : IEngineColliders
+    {
+        private readonly EngineCollider[] _colliders =
+            [.. Enumerable.Range(0, Players).Select(i => new EngineCollider("player", BodyKind.Player.Shape, Surface.Boot) { Mass = i % 2 == 0 ? 75 : double.PositiveInfinity })];
+
+        public double Time { get; set; }
+
+        public double GreatestSpeed => 8;
+
+        public void Cast(in SphereCast cast, EngineHits hits)
+        {
+            for (int i = 0; i < Players; i++)
+            {
+                (Vector3d place, Vector3d velocity) = squad.At(i, Time);
+                Vector3d way = cast.Distance * cast.Direction;
+                double share = way.LengthSquared > 0 ? Math.Clamp(Vector3d.Dot(place - cast.From, way) / way.LengthSquared, 0, 1) : 0;
+                if ((place - (cast.From + (share * way))).Horizontal.Length < cast.Radius + 2.0)
+                {
+                    _colliders[i].MoveTo(place, Quaterniond.Identity, velocity, Vector3d.Zero);
+                    hits.Add(_colliders[i]);
+                }
+            }
+        }
+    }
+}

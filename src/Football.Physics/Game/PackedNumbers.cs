@@ -1,0 +1,57 @@
+namespace Football.Physics;
+
+/// <summary>Numbers as bytes: each is left out when it is 0, and takes 4 bytes when single precision holds it. Which it is takes two bits, told before.</summary>
+internal static class PackedNumbers
+{
+    private const int Zero = 0;
+    private const int Single = 1;
+    private const int Double = 2;
+
+    /// <summary>The forms of a vector's numbers, six bits.</summary>
+    public static ulong Forms(in Vector3d vector) => Form(vector.X) | (Form(vector.Y) << 2) | (Form(vector.Z) << 4);
+
+    /// <summary>The form of a number, two bits.</summary>
+    public static ulong Form(double value)
+    {
+        long bits = BitConverter.DoubleToInt64Bits(value);
+        return bits == 0 ? Zero : BitConverter.DoubleToInt64Bits((double)(float)value) == bits ? (ulong)Single : Double;
+    }
+
+    public static void Write(in Vector3d vector, ref ByteWriter writer)
+    {
+        Write(vector.X, ref writer);
+        Write(vector.Y, ref writer);
+        Write(vector.Z, ref writer);
+    }
+
+    public static void Write(double value, ref ByteWriter writer)
+    {
+        switch (Form(value))
+        {
+            case Single:
+                writer.Bits((uint)BitConverter.SingleToInt32Bits((float)value), 4);
+                break;
+            case Double:
+                writer.Bits((ulong)BitConverter.DoubleToInt64Bits(value), 8);
+                break;
+            default:
+                break;
+        }
+    }
+
+    public static Vector3d Vector(ulong forms, ref ByteReader reader)
+    {
+        double x = Number(forms, ref reader);
+        double y = Number(forms >> 2, ref reader);
+        double z = Number(forms >> 4, ref reader);
+        return new Vector3d(x, y, z);
+    }
+
+    public static double Number(ulong form, ref ByteReader reader) => (form & 3) switch
+    {
+        Zero => 0,
+        Single => BitConverter.Int32BitsToSingle((int)(uint)reader.Bits(4)),
+        Double => BitConverter.Int64BitsToDouble((long)reader.Bits(8)),
+        _ => throw ByteReader.Broken("an unknown form of a number"),
+    };
+}

@@ -1,0 +1,193 @@
+namespace Football.Physics;
+
+/// <summary>Where the game has put its bodies, by tick: what steps that are played again put there again.</summary>
+internal sealed class PlacementLog
+{
+    private Entry[] _entries = new Entry[64];
+    private int _first;
+    private int _end;
+
+    /// <summary>How many there are.</summary>
+    public int Count => _end - _first;
+
+    /// <summary>Adds the bodies that the game has moved for a tick's step.</summary>
+    public void Record(long tick, Bodies bodies)
+    {
+        for (int i = 0; i < bodies.Count; i++)
+        {
+            if (bodies.IsTold(i))
+            {
+                Add(new Entry(tick, i, bodies[i].Motion));
+            }
+        }
+    }
+
+    /// <summary>Adds what another log has of a tick.</summary>
+    public void Copy(PlacementLog other, long tick)
+    {
+        for (int i = other.FirstAt(tick); i < other._end && other._entries[i].Tick == tick; i++)
+        {
+            Add(other._entries[i]);
+        }
+    }
+
+    /// <summary>Puts the bodies where they were for a tick's step.</summary>
+    public void Apply(long tick, Bodies bodies)
+    {
+        for (int i = FirstAt(tick); i < _end && _entries[i].Tick == tick; i++)
+        {
+            bodies.Tell(_entries[i].Body, in _entries[i].Motion);
+        }
+    }
+
+    /// <summary>Forgets what is before a tick.</summary>
+    public void RemoveBefore(long tick)
+    {
+        while (_first < _end && _entries[_first].Tick < tick)
+        {
+            _first++;
+        }
+
+        if (2 * _first > _entries.Length)
+        {
+            Array.Copy(_entries, _first, _entries, 0, Count);
+            _end -= _first;
+            _first = 0;
+        }
+    }
+
+    /// <summary>Forgets what is at a tick or later.</summary>
+    public void RemoveFrom(long tick) => _end = FirstAt(tick);
+
+    /// <summary>Writes what is from one tick to another, that excluded.</summary>
+    public void Write(long from, long to, ref ByteWriter writer)
+    {
+        int start = FirstAt(from);
+        int end = FirstAt(to);
+        writer.Integer((ulong)(end - start));
+        long last = 0;
+        for (int i = start; i < end; i++)
+        {
+            writer.Integer((ulong)(_entries[i].Tick - last));
+            writer.Integer((ulong)_entries[i].Body);
+            Write(in _entries[i].Motion, ref writer);
+            last = _entries[i].Tick;
+        }
+    }
+
+    /// <summary>Reads what <see cref="Write(long, long, ref ByteWriter)"/> wrote.</summary>
+    public static PlacementLog Read(ref ByteReader reader)
+    {
+        var log = new PlacementLog();
+        int count = reader.Count(6);
+        long tick = 0;
+        for (int i = 0; i < count; i++)
+        {
+            tick += reader.Long();
+            int body = reader.Int();
+            log.Add(new Entry(tick, body, ReadMotion(ref reader)));
+        }
+
+        return log;
+    }
+
+    /// <summary>The highest index of a body in it; −1 where it is empty.</summary>
+    public int HighestBody()
+    {
+        int highest = -1;
+        for (int i = _first; i < _end; i++)
+        {
+            highest = Math.Max(highest, _entries[i].Body);
+        }
+
+        return highest;
+    }
+
+    /// <summary>A motion as bytes: the forms of its numbers, then those.</summary>
+    public static void Write(in RigidMotion motion, ref ByteWriter writer)
+    {
+        Quaterniond q = motion.Orientation;
+        ulong forms = PackedNumbers.Forms(motion.Origin) | (PackedNumbers.Forms(motion.Velocity) << 6) | (PackedNumbers.Forms(motion.Spin) << 12)
+            | (PackedNumbers.Forms(new Vector3d(q.X, q.Y, q.Z)) << 18) | (PackedNumbers.Form(q.W) << 24) | (PackedNumbers.Form(motion.Time) << 26)
+            | (PackedNumbers.Forms(motion.Pivot - motion.Origin) << 28);
+        writer.Bits(forms, 5);
+        PackedNumbers.Write(motion.Origin, ref writer);
+        PackedNumbers.Write(motion.Velocity, ref writer);
+        PackedNumbers.Write(motion.Spin, ref writer);
+        PackedNumbers.Write(new Vector3d(q.X, q.Y, q.Z), ref writer);
+        PackedNumbers.Write(q.W, ref writer);
+        PackedNumbers.Write(motion.Time, ref writer);
+        PackedNumbers.Write(motion.Pivot - motion.Origin, ref writer);
+    }
+
+    /// <summary>Reads a motion.</summary>
+    public static RigidMotion ReadMotion(ref ByteReader reader)
+    {
+        ulong forms = reader.Bits(5);
+        var motion = new RigidMotion
+        {
+            Origin = PackedNumbers.Vector(forms, ref reader),
+            Velocity = PackedNumbers.Vector(forms >> 6, ref reader),
+            Spin = PackedNumbers.Vector(forms >> 12, ref reader),
+        };
+        Vector3d q = PackedNumbers.Vector(forms >> 18, ref reader);
+        motion.Orientation = new Quaterniond(q.X, q.Y, q.Z, PackedNumbers.Number(forms >> 24, ref reader));
+        motion.IsTurned = motion.Orientation != Quaterniond.Identity;
+        motion.Time = PackedNumbers.Number(forms >> 26, ref reader);
+        motion.Pivot = motion.Origin + PackedNumbers.Vector(forms >> 28, ref reader);
+        try
+        {
+            // A pushed thing may have gone farther, and faster, than the game may put one.
+            Check.Size("body.position", motion.Origin, double.MaxValue, "m");
+            Check.Size("body.velocity", motion.Velocity, double.MaxValue, "m/s");
+            Check.Size("body.spin", motion.Spin, Limits.Spin, "rad/s");
+            Check.Within("body.orientation", motion.Orientation.LengthSquared, 1 - 1e-6, 1 + 1e-6);
+            Check.Within("body.time", motion.Time, -Limits.Time, Limits.Time);
+            Check.Size("body.pivot", motion.Pivot, double.MaxValue, "m");
+        }
+        catch (ArgumentOutOfRangeException refusal)
+        {
+            throw ByteReader.Broken(refusal);
+        }
+
+        return motion;
+    }
+
+    private void Add(in Entry entry)
+    {
+        if (_end == _entries.Length)
+        {
+            Array.Resize(ref _entries, 2 * _end);
+        }
+
+        _entries[_end++] = entry;
+    }
+
+    /// <summary>The first that is not before a tick.</summary>
+    private int FirstAt(long tick)
+    {
+        int low = _first;
+        int high = _end;
+        while (low < high)
+        {
+            int middle = (low + high) >>> 1;
+            if (_entries[middle].Tick < tick)
+            {
+                low = middle + 1;
+            }
+            else
+            {
+                high = middle;
+            }
+        }
+
+        return low;
+    }
+
+    private readonly struct Entry(long tick, int body, in RigidMotion motion)
+    {
+        public readonly long Tick = tick;
+        public readonly int Body = body;
+        public readonly RigidMotion Motion = motion;
+    }
+}

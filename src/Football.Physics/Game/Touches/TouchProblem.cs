@@ -1,0 +1,288 @@
+namespace Football.Physics.Aiming;
+
+/// <summary>A touch as a problem of least squares: what the foot is to give the ball is sought, and what becomes of the ball then is looked at.</summary>
+internal abstract class TouchProblem : ILeastSquares
+{
+    /// <summary>Step in which the ball is followed, s.</summary>
+    private const double TimeStep = 0.01;
+
+    private const int MostFlights = 120;
+
+    private readonly Foot _foot;
+    private readonly LeastSquares _solver;
+    private int _flights;
+
+    protected TouchProblem(Simulator simulator, Foot foot, int equations)
+    {
+        Simulator = simulator;
+        _foot = foot;
+        Equations = equations;
+        _solver = new LeastSquares(this, equations);
+    }
+
+    /// <summary>The ball as it comes.</summary>
+    public BallState Ball;
+
+    /// <summary>The strike that was flown last.</summary>
+    public FootStrike Strike { get; private set; }
+
+    /// <summary>The ball after it, when it was looked at.</summary>
+    public BallState End;
+
+    public abstract int Unknowns { get; }
+
+    public int Equations { get; protected set; }
+
+    public bool IsSpent => _flights >= MostFlights;
+
+    protected Simulator Simulator { get; }
+
+    protected StepLog Log { get; } = new();
+
+    public virtual bool IsFree(int unknown) => true;
+
+    public abstract double Clamp(int unknown, double value);
+
+    public abstract double LargestChange(int unknown);
+
+    public abstract double Difference(int unknown);
+
+    public void KnownColumns(double[] x, double[] j)
+    {
+    }
+
+    public bool Fly(double[] x, double[] r)
+    {
+        _flights++;
+        Wanted(x, out Vector3d velocity, out Vector3d spin);
+        if (!((velocity - Ball.Velocity).Length > 1e-9))
+        {
+            // The foot need not touch what moves so already: it barely does.
+            velocity += 1e-6 * Vector3d.Up;
+        }
+
+        Strike = _foot.StrikeFor(Simulator.Scene.Ball, Ball.Velocity, Ball.Spin, velocity, spin);
+        return Follow(Strike.Velocity, Strike.Spin, r);
+    }
+
+    public abstract bool IsHit(double[] r);
+
+    /// <summary>Solves from a start, which becomes the best that was found; that is what was flown last.</summary>
+    public bool Solve(double[] x)
+    {
+        _flights = 0;
+        bool hit = _solver.Solve(x);
+        _flights = 0;
+        bool flies = Fly(x, _solver.Residuals);
+        return hit && flies;
+    }
+
+    /// <summary>Residuals of the solution.</summary>
+    public double[] Residuals => _solver.Residuals;
+
+    /// <summary>Follows the ball after a touch.</summary>
+    /// <returns>False where there is nothing to compare.</returns>
+    public abstract bool Follow(in Vector3d velocity, in Vector3d spin, double[] r);
+
+    /// <summary>What the foot is to give the ball.</summary>
+    protected abstract void Wanted(double[] x, out Vector3d velocity, out Vector3d spin);
+
+    /// <summary>Runs the ball on for a time after a touch.</summary>
+    protected void Run(in Vector3d velocity, in Vector3d spin, double duration)
+    {
+        End = Ball;
+        Simulator.Kick(ref End, KickVectors.Limited(in velocity, Limits.Speed), KickVectors.Limited(in spin, Limits.Spin));
+        Log.Clear();
+        Simulator.Run(ref End, TimeStep, duration, StopAt.Time, Log, null);
+    }
+
+    /// <summary>The spin of a ball that rolls so on level ground, rad/s.</summary>
+    protected Vector3d Rolling(in Vector3d velocity) => Vector3d.Cross(Vector3d.Up, velocity.Horizontal) / Simulator.Scene.Ball.Radius;
+}
+
+/// <summary>A dribbling touch: the velocity over the ground, and once that is known the topspin too, by where the ball is and how fast.</summary>
+internal sealed class DribbleProblem : TouchProblem
+{
+    private const double Close = 2e-4;
+    private bool _spins;
+    private double _after;
+    private Vector3d _place;
+    private double _pace;
+
+    public DribbleProblem(Simulator simulator, Foot foot)
+        : base(simulator, foot, 3)
+    {
+    }
+
+    public override int Unknowns => 3;
+
+    /// <summary>Sets what is wanted.</summary>
+    public void Set(in BallState ball, DribbleRequest request)
+    {
+        Ball = ball;
+        _after = request.After;
+        _place = request.Wanted;
+        _pace = request.Pace;
+        Free(spin: false);
+    }
+
+    /// <summary>Whether the topspin is free, for the pace.</summary>
+    public void Free(bool spin)
+    {
+        _spins = spin;
+        Equations = spin ? 3 : 2;
+    }
+
+    public override bool IsFree(int unknown) => unknown < 2 || _spins;
+
+    public override double Clamp(int unknown, double value) => unknown < 2 ? Math.Clamp(value, -40, 40) : Math.Clamp(value, -120, 120);
+
+    public override double LargestChange(int unknown) => unknown < 2 ? 5 : 40;
+
+    public override double Difference(int unknown) => unknown < 2 ? 0.02 : 2;
+
+    public override bool IsHit(double[] r) => Math.Abs(r[0]) < Close && Math.Abs(r[1]) < Close && (!_spins || Math.Abs(r[2]) < 0.01);
+
+    public override bool Follow(in Vector3d velocity, in Vector3d spin, double[] r)
+    {
+        Run(in velocity, in spin, _after);
+        Vector3d off = (End.Position - _place).Horizontal;
+        r[0] = off.X;
+        r[1] = off.Z;
+        r[2] = End.Velocity.Horizontal.Length - _pace;
+        return true;
+    }
+
+    protected override void Wanted(double[] x, out Vector3d velocity, out Vector3d spin)
+    {
+        velocity = new Vector3d(x[0], 0, x[1]);
+        Vector3d rolling = Rolling(in velocity);
+        double rate = rolling.Length;
+        spin = rolling + (rate > 0 ? x[2] / rate * rolling : Vector3d.Zero);
+    }
+}
+
+/// <summary>A trap: the velocity over the ground after which the ball, with what spin the foot cannot take, settles as it should.</summary>
+internal sealed class TrapProblem : TouchProblem
+{
+    private const double Close = 1e-3;
+    private Vector3d _velocity;
+    private double _after;
+
+    public TrapProblem(Simulator simulator, Foot foot)
+        : base(simulator, foot, 2)
+    {
+    }
+
+    public override int Unknowns => 2;
+
+    /// <summary>Sets what is wanted.</summary>
+    public void Set(in BallState ball, TrapRequest request)
+    {
+        Ball = ball;
+        _velocity = request.Velocity.Horizontal;
+        _after = request.After;
+    }
+
+    public override double Clamp(int unknown, double value) => Math.Clamp(value, -40, 40);
+
+    public override double LargestChange(int unknown) => 3;
+
+    public override double Difference(int unknown) => 0.02;
+
+    public override bool IsHit(double[] r) => Math.Abs(r[0]) < Close && Math.Abs(r[1]) < Close;
+
+    public override bool Follow(in Vector3d velocity, in Vector3d spin, double[] r)
+    {
+        Run(in velocity, in spin, _after);
+        Vector3d off = (End.Velocity - _velocity).Horizontal;
+        r[0] = off.X;
+        r[1] = off.Z;
+        return true;
+    }
+
+    protected override void Wanted(double[] x, out Vector3d velocity, out Vector3d spin)
+    {
+        velocity = new Vector3d(x[0], 0, x[1]);
+        spin = Rolling(in velocity);
+    }
+}
+
+/// <summary>A first-time shot: elevation and azimuth of a speed, by where the ball passes the plane of the target.</summary>
+internal sealed class FirstTimeProblem : TouchProblem
+{
+    private const double Degree = Math.PI / 180.0;
+    private const double Longest = 6;
+    private readonly Trajectory _path = new(2048);
+    private readonly double _tolerance = 1e-4;
+    private LookAheadRequest _look = new();
+    private FirstTimeRequest _request = new();
+    private Plane3d _plane;
+    private Vector3d _aside;
+    private double _speed;
+
+    public FirstTimeProblem(Simulator simulator, Foot foot)
+        : base(simulator, foot, 2)
+    {
+    }
+
+    public override int Unknowns => 2;
+
+    /// <summary>The closest approach of what was flown last.</summary>
+    public PathPoint Closest { get; private set; }
+
+    /// <summary>Its distance from the target, m.</summary>
+    public double Miss { get; private set; }
+
+    /// <summary>Sets what is wanted.</summary>
+    public void Set(in BallState ball, FirstTimeRequest request, double speed)
+    {
+        Ball = ball;
+        _request = request;
+        _speed = speed;
+        Vector3d flat = (request.Target - ball.Position).Horizontal;
+        Vector3d forward = flat / flat.Length;
+        _plane = new Plane3d(request.Target, forward);
+        _aside = Vector3d.Cross(Vector3d.Up, in forward);
+
+        // To the plane, and a little beyond: the closest approach of a ball that comes down may be behind it.
+        _look = new LookAheadRequest
+        {
+            Duration = Longest,
+            TimeStep = 0.02,
+            StopAt = StopAt.Rest,
+            UntilPlane = new Plane3d(request.Target + (0.5 * forward), forward),
+        };
+    }
+
+    public override double Clamp(int unknown, double value) => unknown == 0 ? Math.Clamp(value, -5, _request.MaximumElevationDegrees) : Math.Clamp(value, -350, 350);
+
+    public override double LargestChange(int unknown) => 8;
+
+    public override double Difference(int unknown) => 0.02;
+
+    public override bool IsHit(double[] r) => Math.Abs(r[0]) < _tolerance && Math.Abs(r[1]) < _tolerance;
+
+    public override bool Follow(in Vector3d velocity, in Vector3d spin, double[] r)
+    {
+        End = Ball;
+        Simulator.Kick(ref End, KickVectors.Limited(in velocity, Limits.Speed), KickVectors.Limited(in spin, Limits.Spin));
+        Simulator.LookAhead(in End, _look, _path);
+        End = _path.Final;
+        Closest = _path.ClosestApproach(_request.Target);
+        Miss = (Closest.Position - _request.Target).Length;
+        if (!_path.TryGetCrossing(in _plane, out PathPoint at))
+        {
+            return false;
+        }
+
+        r[0] = at.Position.Y - _request.Target.Y;
+        r[1] = Vector3d.Dot(at.Position - _request.Target, in _aside);
+        return true;
+    }
+
+    protected override void Wanted(double[] x, out Vector3d velocity, out Vector3d spin)
+    {
+        KickVectors.FromAngles(_speed, x[0], x[1], _request.TopSpin, _request.SideSpin, out velocity, out spin);
+    }
+}

@@ -1,0 +1,88 @@
+namespace Football.Physics;
+
+/// <summary>Where the obstacles of a scene that have a mass have got to: what an impact pushes does not stay where the scene has it.</summary>
+internal sealed class ObstacleMotions
+{
+    private readonly Placement?[] _placements;
+    private readonly int[] _movable;
+    private readonly RigidMotion[] _start;
+    private readonly RigidMotion[] _kept;
+
+    public ObstacleMotions(IReadOnlyList<Obstacle> obstacles)
+    {
+        _placements = new Placement?[obstacles.Count];
+        var movable = new List<int>();
+        for (int i = 0; i < _placements.Length; i++)
+        {
+            Obstacle obstacle = obstacles[i];
+            if (obstacle.Mass < double.PositiveInfinity)
+            {
+                var placement = new Placement(obstacle.Shape.Bounds);
+                placement.Motion.Velocity = obstacle.Velocity;
+                placement.Motion.Spin = obstacle.Spin;
+                placement.Motion.Pivot = obstacle.Pivot;
+                _placements[i] = placement;
+                movable.Add(i);
+            }
+        }
+
+        _movable = movable.ToArray();
+        _start = new RigidMotion[_movable.Length];
+        _kept = new RigidMotion[_movable.Length];
+        Read(_start);
+    }
+
+    /// <summary>How many have a mass.</summary>
+    public int Count => _movable.Length;
+
+    /// <summary>Changes whenever one of them is pushed, or put elsewhere.</summary>
+    public long Version { get; private set; }
+
+    /// <summary>The place of an obstacle; null where nothing moves that.</summary>
+    public Placement? Of(int obstacle) => _placements[obstacle];
+
+    /// <summary>An impact changes the velocity of one.</summary>
+    public void Push(Placement placement, in Vector3d velocity, double time)
+    {
+        placement.Motion.GoOn(in velocity, time);
+        Version++;
+    }
+
+    /// <summary>Reads where all are.</summary>
+    public void Read(Span<RigidMotion> into)
+    {
+        for (int i = 0; i < _movable.Length; i++)
+        {
+            into[i] = _placements[_movable[i]]!.Motion;
+        }
+    }
+
+    /// <summary>A box around one of those that have a mass, at a time.</summary>
+    public Bounds3d BoundsAt(int movable, double time) => _placements[_movable[movable]]!.BoundsAt(time);
+
+    /// <summary>Puts all where they were.</summary>
+    public void Write(Span<RigidMotion> from)
+    {
+        for (int i = 0; i < _movable.Length; i++)
+        {
+            _placements[_movable[i]]!.Motion = from[i];
+        }
+
+        Version++;
+    }
+
+    /// <summary>Remembers where all are.</summary>
+    public void Keep() => Read(_kept);
+
+    /// <summary>Puts all back to where they were when that was remembered.</summary>
+    public void PutBack()
+    {
+        if (Count > 0)
+        {
+            Write(_kept);
+        }
+    }
+
+    /// <summary>Puts all back to where the scene has them.</summary>
+    public void Reset() => Write(_start);
+}

@@ -1,0 +1,176 @@
+namespace Football.Physics;
+
+/// <summary>
+/// A hash of what decides a ball's way in a scene: its numbers, and of what is code (laws of the air, winds, shapes) the answers at some places. Scenes that are the same
+/// have the same on every machine; of two that differ in a number it differs.
+/// </summary>
+internal static class SceneHash
+{
+    private const int Places = 16;
+
+    public static ulong Of(Scene scene, SolverSettings settings, World world, Simulator simulator)
+    {
+        var key = new SceneKey();
+        AddSettings(ref key, settings);
+        AddBall(ref key, scene);
+        AddAir(ref key, scene, simulator);
+        AddGround(ref key, scene.Ground);
+        AddColliders(ref key, world);
+        foreach (NetSheet net in world.Nets)
+        {
+            key.Add(net.Bounds);
+            key.Add(net.Normal);
+            MotionRates push = net.Push(new Motion(net.Bounds.Min, new Vector3d(1, 2, 3), new Vector3d(3, 2, 1)), 1);
+            key.Add(push.Acceleration);
+            key.Add(push.SpinAcceleration);
+        }
+
+        foreach (GoalMouth goal in world.Goals)
+        {
+            key.Add(goal.Bounds);
+            key.Add(goal.Out);
+        }
+
+        key.Add(world.Engine is null ? 0 : 1);
+        return key.Value;
+    }
+
+    /// <summary>A hash of what two things are to each other.</summary>
+    public static ulong Of(Surface surface)
+    {
+        var key = new SceneKey();
+        AddMaterial(ref key, new ContactMaterial(surface));
+        return key.Value;
+    }
+
+    private static void AddSettings(ref SceneKey key, SolverSettings settings)
+    {
+        key.Add((double)(int)settings.Integrator);
+        key.Add((double)(int)settings.CollisionTiming);
+        key.Add(settings.CollisionTolerance);
+        key.Add((double)(int)settings.RollingTransition);
+        key.Add(settings.LocateJump ? 1 : 0);
+    }
+
+    private static void AddBall(ref SceneKey key, Scene scene)
+    {
+        key.Add(scene.Ball.Mass);
+        key.Add(scene.Ball.Radius);
+        key.Add(scene.Ball.InertiaFactor);
+        key.Add(scene.Ball.KnuckleForce);
+        key.Add(Weight.UpwardAcceleration(scene));
+    }
+
+    private static void AddAir(ref SceneKey key, Scene scene, Simulator simulator)
+    {
+        key.Add(scene.Air.Density);
+        key.Add(scene.Air.KinematicViscosity);
+        key.Add(scene.Air.Wind);
+        for (int i = 0; i < Places && scene.Air.WindField is not null; i++)
+        {
+            key.Add(scene.Air.WindField.At(0.7 * i, Place(i)));
+        }
+
+        for (int i = 0; i < Places; i++)
+        {
+            simulator.AirFactors(2 + (2.5 * i), 6.0 * ((7 * i) % Places), out double drag, out double lift, out double decay);
+            key.Add(drag);
+            key.Add(lift);
+            key.Add(decay);
+        }
+
+        key.Add(scene.Forces.KnuckleSeed is { } seed ? seed : -0.5);
+        foreach (IForce force in scene.Forces.Custom)
+        {
+            // What such a force does is its own business: it may remember what it was asked.
+            foreach (char letter in force.GetType().FullName ?? "")
+            {
+                key.Add(letter);
+            }
+        }
+    }
+
+    private static void AddGround(ref SceneKey key, Ground ground)
+    {
+        key.Add(ground.MinimumBounceSpeed);
+        key.Add(ground.RestEnergy);
+        key.Add((double)(int)ground.Aerodynamics);
+        key.Add(ground.IsNone ? 1 : 0);
+    }
+
+    private static void AddColliders(ref SceneKey key, World world)
+    {
+        foreach (Collider collider in world.Colliders.Where(collider => world.Engine is null || !world.Engine.Colliders.Contains(collider)))
+        {
+            key.Add(collider.Mass);
+            key.Add(collider.GivenVelocity);
+            key.Add(in collider.Bounds);
+            for (int i = 0; i < Places; i++)
+            {
+                // Of a shape in its own frame, near it as well as far.
+                Vector3d place = (i % 2 == 0 ? 0.02 : 1.0) * Place(i);
+                ShapePoint at = collider.At(in place);
+                key.Add(at.Distance);
+                key.Add(at.Normal);
+                key.Add(collider.PatchAt(in place));
+            }
+
+            foreach (ContactMaterial material in collider.Materials)
+            {
+                AddMaterial(ref key, in material);
+            }
+        }
+    }
+
+    private static void AddMaterial(ref SceneKey key, in ContactMaterial material)
+    {
+        key.Add(material.SlowRestitution);
+        key.Add(material.PerRestitutionSpeed);
+        key.Add(material.TangentialX);
+        key.Add(material.TangentialZ);
+        key.Add(material.Spin);
+        key.Add(material.ImpactFriction);
+        key.Add(material.SlidingFriction);
+        key.Add(material.RollingFriction);
+        key.Add(material.RollingFrictionBySpeed);
+        key.Add(material.SpinDamping);
+        key.Add(material.DrillingLength);
+    }
+
+    /// <summary>A place of the pitch and above it, m.</summary>
+    private static Vector3d Place(int i) => new(-52 + (7 * i), 0.11 + (0.9 * ((5 * i) % Places)), -33 + (4.3 * ((3 * i) % Places)));
+}
+
+/// <summary>A hash of numbers in which every bit of each reaches every bit of the value.</summary>
+internal struct SceneKey
+{
+    private ulong _hash;
+
+    /// <summary>The hash so far.</summary>
+    public readonly ulong Value => _hash;
+
+    /// <summary>Adds a number.</summary>
+    public void Add(double value)
+    {
+        // The finaliser of MurmurHash3 on each, so that numbers that differ in their last or first bits alone do not cancel.
+        ulong h = _hash ^ (ulong)BitConverter.DoubleToInt64Bits(value) ^ 0x9E3779B97F4A7C15UL;
+        h = (h ^ (h >> 33)) * 0xFF51AFD7ED558CCDUL;
+        h = (h ^ (h >> 33)) * 0xC4CEB9FE1A85EC53UL;
+        _hash = (h ^ (h >> 33)) + 0x9FB21C651E98DF25UL;
+    }
+
+    /// <summary>Adds a vector.</summary>
+    public void Add(in Vector3d value)
+    {
+        Add(value.X);
+        Add(value.Y);
+        Add(value.Z);
+    }
+
+    /// <summary>Adds a box.</summary>
+    public void Add(in Bounds3d value)
+    {
+        Add(value.Min);
+        Add(value.Max);
+    }
+}

@@ -1,0 +1,397 @@
+namespace Football.Physics;
+
+/// <summary>Several balls among the same things, stepped together: they hit one another at exact times, in exact order. A training ground's fifty, or two.</summary>
+/// <remarks>
+/// Balls far from one another cost a step each, and a comparison. A group keeps what it has found of them between steps, so it is for one thread; groups that share a
+/// <see cref="Simulator"/> may step at the same time where that may be shared. What a ball does depends on the others only where they meet: the bits are the same in any group.
+/// Two balls that come together slower than 1 cm/s press each other without a bounce, and are put apart once a millisecond; what a ball presses for longer it presses as if
+/// nothing moved that.
+/// </remarks>
+public sealed class BallGroup
+{
+    /// <summary>So many events a ball are kept of a step without playing it again.</summary>
+    private const int EventsOfBall = 16;
+
+    private readonly Simulator[] _simulators;
+    private readonly bool _givesWay;
+    private readonly BallNeighbours _neighbours;
+    private readonly BallState[] _before;
+    private readonly StepLog[] _logs;
+    private readonly double[] _reaches;
+    private readonly BallTrial _measure = new();
+    private readonly StepLog _flown;
+    private readonly int[] _firstEvent;
+    private BallEvent[] _told = new BallEvent[16];
+    private readonly RigidMotion[] _motionsBefore;
+    private readonly BallCluster _cluster;
+
+    /// <summary>A group of equal balls in one scene.</summary>
+    /// <param name="simulator">The compiled scene.</param>
+    /// <param name="count">How many balls; 1 … 10 000.</param>
+    /// <param name="contact">What two balls are to each other; default <see cref="Surface.Ball"/>.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public BallGroup(Simulator simulator, int count, Surface? contact = null)
+        : this(Repeat(simulator, count), contact)
+    {
+    }
+
+    /// <summary>A group of balls that differ.</summary>
+    /// <param name="scene">The scene of all of them; its own ball is none of them.</param>
+    /// <param name="balls">The balls; 1 … 10 000.</param>
+    /// <param name="settings">How to integrate; default <see cref="SolverSettings.Default"/>.</param>
+    /// <param name="contact">What two balls are to each other; default <see cref="Surface.Ball"/>.</param>
+    /// <exception cref="ArgumentNullException">The scene, the balls or one of them is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public BallGroup(Scene scene, IReadOnlyList<BallProperties> balls, SolverSettings? settings = null, Surface? contact = null)
+        : this(Compile(scene, balls, settings), contact)
+    {
+    }
+
+    private BallGroup(Simulator[] simulators, Surface? contact)
+    {
+        Contact = contact ?? Surface.Ball;
+        Contact.Validate("ballContact");
+        int count = simulators.Length;
+        _simulators = simulators;
+        World world = simulators[0].World;
+        _givesWay = world.GivesWay || world.Engine is not null;
+        _neighbours = new BallNeighbours([.. simulators.Select(simulator => simulator.Scene.Ball.Radius)]);
+        _before = new BallState[count];
+        _reaches = new double[count];
+        _firstEvent = new int[count + 1];
+        _flown = new StepLog(mostEvents: Math.Max(EventBuffer.DefaultMost, EventsOfBall * count));
+        _logs = new StepLog[count];
+        for (int i = 0; i < count; i++)
+        {
+            _logs[i] = new StepLog();
+        }
+
+        _motionsBefore = new RigidMotion[world.Movers];
+        _cluster = new BallCluster(simulators, new ContactMaterial(Contact), Contact.ImpactFriction, _before, _reaches, _logs);
+    }
+
+    /// <summary>How many balls there are.</summary>
+    public int Count => _simulators.Length;
+
+    /// <summary>What two balls are to each other.</summary>
+    public Surface Contact { get; }
+
+    /// <summary>Advances all balls.</summary>
+    /// <param name="states">The balls, as many as the group has, all of one time; unchanged where an exception is thrown.</param>
+    /// <param name="dt">Time to advance by, s: 0 … 1e12.</param>
+    /// <param name="log">Where the events of all are added, in order of time, then of the balls, and the counts.</param>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">The states are not as many as the balls, or not of one time, or one was never launched; or the log has an observer.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is out of range, or a body was moved since the last step for a time more than 0.25 s from the balls'.</exception>
+    public void Step(BallState[] states, double dt, StepLog log) => Step(states, dt, log, StopAt.Time, null);
+
+    /// <summary>Advances all balls in equal steps until an event or a time.</summary>
+    /// <param name="states">The balls, as many as the group has, all of one time. After an early end they are as they were just after the event.</param>
+    /// <param name="timeStep">Length of a step, s; above 0, at most 1e12, at least 1e-12 of the duration. The last one is shortened.</param>
+    /// <param name="duration">How long to go on at most, s; above 0, at most 1e12.</param>
+    /// <param name="stopAt">The event that ends the run: the first impact of any ball; or rest, of all of them, at the end of a step.</param>
+    /// <param name="log">Where the events of all are added, in order of time, then of the balls, and the counts.</param>
+    /// <returns>True when the event ended the run, false when its time did.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">The states are not as many as the balls, or not of one time, or one was never launched; or the log has an observer.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public bool Run(BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog log)
+    {
+        Check.Given(nameof(states), states);
+        Check.Given(nameof(log), log);
+        if (states.Length > 0)
+        {
+            Simulator.CheckRun(in states[0], timeStep, duration, stopAt);
+        }
+
+        return Run(states, timeStep, duration, stopAt, log, null, null);
+    }
+
+    /// <summary>The same for who watches the paths, with a callback after every step.</summary>
+    internal bool Run(BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog[] watched, Simulator.StepCallback? onStep) =>
+        Run(states, timeStep, duration, stopAt, null, watched, onStep);
+
+    private bool Run(
+        BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog? log, StepLog[]? watched, Simulator.StepCallback? onStep)
+    {
+        // At least one step is asked for, which refuses what is wrong with the states.
+        double end = (states.Length > 0 ? states[0].Time : 0) + duration;
+        double last = end - (1e-9 * timeStep);
+        do
+        {
+            double left = end - (states.Length > 0 ? states[0].Time : 0);
+            bool ended = Step(states, Math.Min(timeStep, left), log, stopAt == StopAt.Impact ? StopAt.Impact : StopAt.Time, watched);
+            onStep?.Invoke(in states[0]);
+            if (ended || (stopAt == StopAt.Rest && Array.TrueForAll(states, state => state.Motion == MotionState.Stopped)))
+            {
+                return true;
+            }
+        }
+        while (states[0].Time < last);
+        return false;
+    }
+
+    /// <summary>The compiled scene of a ball.</summary>
+    /// <param name="ball">Which, from 0.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
+    public Simulator SimulatorOf(int ball)
+    {
+        Check.Index(nameof(ball), ball, Count);
+        return _simulators[ball];
+    }
+
+    /// <summary>Advances all balls up to the first event that ends the step.</summary>
+    /// <param name="states">The balls.</param>
+    /// <param name="dt">Time to advance by, s.</param>
+    /// <param name="log">Where events and counts are added.</param>
+    /// <param name="stopAt">The impact of any ball may end it.</param>
+    /// <param name="watched">Logs of the balls, one each, whose observers see their pieces; null where nobody watches.</param>
+    /// <returns>Whether an event ended it.</returns>
+    internal bool Step(BallState[] states, double dt, StepLog? log, StopAt stopAt, StepLog[]? watched)
+    {
+        Check.Given(nameof(states), states);
+        if (watched is null)
+        {
+            Check.Given(nameof(log), log);
+        }
+
+        if (log?.Observer is not null)
+        {
+            throw new ArgumentException("log has an observer; allowed: none, it would not know whose pieces it sees. Look ahead for paths.", nameof(log));
+        }
+
+        Check.Within(nameof(dt), dt, 0, Limits.Time);
+        if (states.Length != Count)
+        {
+            throw new ArgumentException($"states has {states.Length} balls; allowed: {Count}, as many as the group.", nameof(states));
+        }
+
+        World world = _simulators[0].World;
+        world.Bodies?.CheckTimes(states[0].Time);
+        world.ReadMotions(_motionsBefore);
+        bool ended;
+        Array.Copy(states, _before, Count);
+        try
+        {
+            // 1. Every ball as if there were no other. 2. The neighbours that may have met. 3. Those again, meeting by meeting.
+            world.Engine?.KeepPushes();
+            bool pushes = Fly(states, dt, stopAt, out bool holds);
+            if (!holds)
+            {
+                RenewNeighbours(dt);
+            }
+
+            FindCluster(all: pushes || stopAt == StopAt.Impact || watched is not null);
+            ended = _cluster.Count > 0 && _cluster.Play(states, dt, stopAt, watched, _motionsBefore);
+        }
+        catch
+        {
+            Array.Copy(_before, states, Count);
+            if (_motionsBefore.Length > 0)
+            {
+                world.WriteMotions(_motionsBefore);
+            }
+
+            throw;
+        }
+
+        if (log is not null)
+        {
+            Tell(log);
+        }
+
+        return ended;
+    }
+
+    private static Simulator[] Repeat(Simulator simulator, int count)
+    {
+        Check.Given(nameof(simulator), simulator);
+        Check.Within(nameof(count), count, 1, 10_000);
+        var all = new Simulator[count];
+        all.AsSpan().Fill(simulator);
+        return all;
+    }
+
+    private static Simulator[] Compile(Scene scene, IReadOnlyList<BallProperties> balls, SolverSettings? settings)
+    {
+        Check.Given(nameof(scene), scene);
+        Check.Given(nameof(balls), balls);
+        Check.Within("balls", balls.Count, 1, 10_000);
+        var all = new Simulator[balls.Count];
+        for (int i = 0; i < all.Length; i++)
+        {
+            Check.GivenItem(nameof(balls), i, balls[i], "a ball");
+            int same = 0;
+            while (same < i && !balls[same].Equals(balls[i]))
+            {
+                same++;
+            }
+
+            // What an impact moves is one thing to all of them.
+            Scene its = scene with { Ball = balls[i], Motions = i > 0 ? all[0].World.Obstacles : null };
+            all[i] = same < i ? all[same] : new Simulator(its, settings);
+        }
+
+        return all;
+    }
+
+    /// <summary>Every ball takes its step as if there were no other.</summary>
+    /// <returns>Whether one of them pushed something, which the others then find elsewhere, or something ended its step; or not all events had room.</returns>
+    private bool Fly(BallState[] states, double dt, StopAt stopAt, out bool holds)
+    {
+        holds = true;
+        double time = states[0].Time;
+        StepLog log = _flown;
+        log.Clear();
+        log.StopAt = stopAt;
+        log.Pushes = true;
+        log.HaltsAtPush = _givesWay;
+        bool halts = false;
+        for (int i = 0; i < states.Length; i++)
+        {
+            ref BallState s = ref states[i];
+            if (s.Time != time || s.BaseOrientation == default)
+            {
+                Refuse(in s, i, time);
+            }
+
+            ref readonly BallState before = ref _before[i];
+            int first = log.Events.Count;
+            _firstEvent[i] = first;
+            log.Events.Ball = i;
+            _simulators[i].Advance(ref s, dt, log);
+            halts |= log.Halted;
+            log.Halted = false;
+            bool keeps = _neighbours.Holds(i, in before, in s, dt) && (first == log.Events.Count || KeepsPace(i, first));
+            _reaches[i] = keeps ? _neighbours.ReachOf(i) : double.PositiveInfinity;
+            holds &= keeps;
+        }
+
+        _firstEvent[states.Length] = log.Events.Count;
+        return halts || log.Events.Dropped > 0;
+    }
+
+    private static void Refuse(in BallState state, int ball, double time)
+    {
+        BallState.Launched(in state);
+        throw new ArgumentException(
+            FormattableString.Invariant($"states[{ball}].time is {state.Time:R}; allowed: {time:R}, the time of the first ball."), "states");
+    }
+
+    /// <summary>How far those balls got that did not keep to what was expected; and the neighbours anew where one left its sphere.</summary>
+    private void RenewNeighbours(double dt)
+    {
+        bool holds = true;
+        for (int i = 0; i < Count; i++)
+        {
+            if (_reaches[i] < double.PositiveInfinity)
+            {
+                continue;
+            }
+
+            _measure.Run(_simulators[i], in _before[i], dt, StopAt.Time);
+            _reaches[i] = _measure.Reach;
+            holds &= _neighbours.Holds(i, in _before[i], _reaches[i], dt);
+        }
+
+        if (!holds)
+        {
+            _neighbours.Renew(_before, _reaches, dt);
+        }
+    }
+
+    /// <summary>Whether a ball was never faster in its step than its sphere was made for: before and after each event.</summary>
+    private bool KeepsPace(int ball, int first)
+    {
+        for (int k = first; k < _flown.Events.Count; k++)
+        {
+            ref readonly BallEvent happened = ref _flown.Events[k];
+            if (happened.Kind == BallEventKind.Squeezed
+                || !_neighbours.Allows(ball, happened.VelocityBefore.LengthSquared) || !_neighbours.Allows(ball, happened.Velocity.LengthSquared))
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>The balls that may meet another in this step.</summary>
+    private void FindCluster(bool all)
+    {
+        _cluster.Clear();
+        if (!all)
+        {
+            for (int k = 0; k < _neighbours.Count && !all; k++)
+            {
+                (int i, int j) = _neighbours[k];
+                if (_cluster.MayMeet(i, _reaches[i], j, _reaches[j]))
+                {
+                    // What one of them then pushes may be met by any.
+                    all = _givesWay;
+                    _cluster.Join(i);
+                    _cluster.Join(j);
+                }
+            }
+        }
+
+        for (int i = 0; all && i < Count; i++)
+        {
+            _cluster.Join(i);
+        }
+    }
+
+    /// <summary>Adds the events of all balls in order of time, then of the balls; and the counts.</summary>
+    private void Tell(StepLog log)
+    {
+        log.Steps += _flown.Steps;
+        log.Evaluations += _flown.Evaluations;
+        log.Stalled += _flown.Stalled;
+        log.Untold += _flown.Untold;
+        int told = 0;
+        for (int i = 0; i < Count; i++)
+        {
+            // Of a ball that was played again counts what it did then.
+            for (int k = _firstEvent[i]; k < _firstEvent[i + 1] && !_cluster.Has(i); k++)
+            {
+                Insert(in _flown.Events[k], told++);
+            }
+        }
+
+        for (int k = 0; k < _cluster.Count; k++)
+        {
+            StepLog own = _logs[_cluster[k]];
+            log.Steps += own.Steps;
+            log.Evaluations += own.Evaluations;
+            log.Stalled += own.Stalled;
+            log.Untold += own.Untold;
+            for (int e = 0; e < own.Events.Count; e++)
+            {
+                Insert(in own.Events[e], told++);
+            }
+        }
+
+        for (int k = 0; k < told; k++)
+        {
+            log.Events.Add(in _told[k]);
+        }
+    }
+
+    /// <summary>Puts an event in its place among those of the step: by time, then by ball, then as they happened to it.</summary>
+    private void Insert(in BallEvent happened, int count)
+    {
+        if (count == _told.Length)
+        {
+            Array.Resize(ref _told, 2 * count);
+        }
+
+        int place = count;
+        for (; place > 0 && (_told[place - 1].Time > happened.Time || (_told[place - 1].Time == happened.Time && _told[place - 1].Ball > happened.Ball)); place--)
+        {
+            _told[place] = _told[place - 1];
+        }
+
+        _told[place] = happened;
+    }
+}

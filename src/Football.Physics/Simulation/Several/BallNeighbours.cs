@@ -1,0 +1,156 @@
+namespace Football.Physics;
+
+/// <summary>
+/// Which of several balls may meet in a step. Around each is a sphere that it does not leave for some steps; balls whose spheres touch are neighbours, and only
+/// neighbours are looked at. Until a ball leaves its sphere a step asks each ball one comparison.
+/// </summary>
+internal sealed class BallNeighbours
+{
+    /// <summary>How many steps a sphere is made for.</summary>
+    private const double Ahead = 16;
+
+    /// <summary>A sphere is at least so much larger than the ball, m: what lies still may be nudged.</summary>
+    private const double LeastRoom = 0.25;
+
+    /// <summary>In the time of a sphere a ball may fall, m/s².</summary>
+    private const double Fall = 10;
+
+    private readonly Sphere[] _spheres;
+    private readonly int[] _order;
+    private (int First, int Second)[] _pairs = new (int, int)[16];
+    private int _count;
+    private double _step;
+
+    public BallNeighbours(double[] radii)
+    {
+        _spheres = new Sphere[radii.Length];
+        _order = new int[radii.Length];
+        for (int i = 0; i < radii.Length; i++)
+        {
+            _order[i] = i;
+            _spheres[i].Radius = radii[i];
+        }
+    }
+
+    /// <summary>How many pairs of neighbours there are.</summary>
+    public int Count => _count;
+
+    /// <summary>A pair of neighbours, the lower index first.</summary>
+    public (int First, int Second) this[int index] => _pairs[index];
+
+    /// <summary>How far a ball that keeps within what its sphere was made for gets in a step, m.</summary>
+    public double ReachOf(int ball) => _spheres[ball].Reach;
+
+    /// <summary>Whether a step that a ball has taken without an event is within what its sphere was made for.</summary>
+    /// <param name="ball">Which.</param>
+    /// <param name="before">The ball before the step.</param>
+    /// <param name="after">The ball after it.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    public bool Holds(int ball, in BallState before, in BallState after, double dt)
+    {
+        ref readonly Sphere sphere = ref _spheres[ball];
+        double x = before.Position.X - sphere.Center.X;
+        double y = before.Position.Y - sphere.Center.Y;
+        double z = before.Position.Z - sphere.Center.Z;
+
+        // In a net, and squeezed, a ball may go faster within a step than at its ends.
+        return (before.Nets | after.Nets) == 0 && before.Motion != MotionState.Squeezed && dt <= _step && (x * x) + (y * y) + (z * z) <= sphere.RoomSquared
+            && (after.Position - before.Position).LengthSquared <= sphere.Reach * sphere.Reach
+            && before.Flight.Velocity.LengthSquared <= sphere.SpeedSquared && after.Flight.Velocity.LengthSquared <= sphere.SpeedSquared;
+    }
+
+    /// <summary>Whether a ball's sphere was made for such a speed, of which this is the square, m²/s².</summary>
+    public bool Allows(int ball, double speedSquared) => speedSquared <= _spheres[ball].SpeedSquared;
+
+    /// <summary>Whether a step in which a ball got so far, m, is within its sphere.</summary>
+    public bool Holds(int ball, in BallState before, double reach, double dt) =>
+        dt <= _step && (before.Position - _spheres[ball].Center).Length + reach + _spheres[ball].Radius <= _spheres[ball].Outer;
+
+    /// <summary>Makes the spheres anew around where the balls were before a step.</summary>
+    /// <param name="before">The balls before the step.</param>
+    /// <param name="reaches">Not less than how far each got from there in it, m.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    public void Renew(BallState[] before, double[] reaches, double dt)
+    {
+        _step = dt;
+        for (int i = 0; i < _spheres.Length; i++)
+        {
+            ref Sphere sphere = ref _spheres[i];
+            double ahead = Ahead * dt;
+            double most = before[i].Velocity.Length + (Fall * ahead) + (LeastRoom / ahead);
+            double reach = Math.Max(1.1 * most * dt, reaches[i]);
+            double room = Math.Max(LeastRoom + ((before[i].Velocity.Length + (0.5 * Fall * ahead)) * ahead), reach);
+            sphere.Center = before[i].Position;
+            sphere.SpeedSquared = most * most;
+            sphere.Reach = reach;
+            sphere.RoomSquared = (room - reach) * (room - reach);
+            sphere.Outer = sphere.Radius + room;
+        }
+
+        FindPairs();
+    }
+
+    /// <summary>Sweep and prune along x; the order hardly changes from one time to the next.</summary>
+    private void FindPairs()
+    {
+        for (int i = 1; i < _order.Length; i++)
+        {
+            int ball = _order[i];
+            double key = _spheres[ball].Center.X - _spheres[ball].Outer;
+            int j = i - 1;
+            for (; j >= 0 && _spheres[_order[j]].Center.X - _spheres[_order[j]].Outer > key; j--)
+            {
+                _order[j + 1] = _order[j];
+            }
+
+            _order[j + 1] = ball;
+        }
+
+        _count = 0;
+        for (int i = 0; i < _order.Length; i++)
+        {
+            int a = _order[i];
+            double end = _spheres[a].Center.X + _spheres[a].Outer;
+            for (int j = i + 1; j < _order.Length && _spheres[_order[j]].Center.X - _spheres[_order[j]].Outer <= end; j++)
+            {
+                int b = _order[j];
+                double reach = _spheres[a].Outer + _spheres[b].Outer;
+                if ((_spheres[a].Center - _spheres[b].Center).LengthSquared <= reach * reach)
+                {
+                    Add(Math.Min(a, b), Math.Max(a, b));
+                }
+            }
+        }
+    }
+
+    private void Add(int first, int second)
+    {
+        if (_count == _pairs.Length)
+        {
+            Array.Resize(ref _pairs, 2 * _count);
+        }
+
+        _pairs[_count++] = (first, second);
+    }
+
+    private struct Sphere
+    {
+        /// <summary>Where the ball was, m.</summary>
+        public Vector3d Center;
+
+        /// <summary>A ball no farther from there than this at the start of a step stays within the sphere in it: the square, m².</summary>
+        public double RoomSquared;
+
+        /// <summary>... where it is no faster than this: the square, m²/s².</summary>
+        public double SpeedSquared;
+
+        /// <summary>In a step it gets no farther than this, m.</summary>
+        public double Reach;
+
+        /// <summary>From the center its surface gets no farther than this, m.</summary>
+        public double Outer;
+
+        /// <summary>Radius of the ball, m.</summary>
+        public double Radius;
+    }
+}

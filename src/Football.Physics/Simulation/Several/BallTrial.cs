@@ -1,0 +1,131 @@
+namespace Football.Physics;
+
+/// <summary>A ball's way from where it has got to within a step to the step's end, or to where it pushes something, as if there were no other ball.</summary>
+internal sealed class BallTrial : PieceObserver
+{
+    private PathCubic[] _paths = new PathCubic[8];
+    private double[] _times = new double[8];
+    private int _count;
+    private BallState _start;
+
+    /// <summary>Events and counts of the trial.</summary>
+    public StepLog Log { get; } = new();
+
+    /// <summary>The ball at its end.</summary>
+    public BallState End;
+
+    /// <summary>When it begins, s.</summary>
+    public double From => _start.Time;
+
+    /// <summary>When it pushes something, or meets what ends the step, s; infinite where it comes to the end.</summary>
+    public double HaltsAt { get; private set; }
+
+    /// <summary>Not less than how far the ball gets from where it begins, m.</summary>
+    public double Reach { get; private set; }
+
+    /// <inheritdoc/>
+    public override bool WantsEndAcceleration => false;
+
+    /// <summary>Takes the way.</summary>
+    /// <param name="simulator">The ball's scene.</param>
+    /// <param name="start">Where it has got to.</param>
+    /// <param name="duration">How long it goes on, s.</param>
+    /// <param name="stopAt">The event that ends it.</param>
+    public void Run(Simulator simulator, in BallState start, double duration, StopAt stopAt)
+    {
+        _start = start;
+        _count = 0;
+        Log.Clear();
+        Log.Observer = this;
+        Log.StopAt = stopAt;
+        Log.Pushes = true;
+        Log.HaltsAtPush = true;
+        End = start;
+        Reach = 0;
+        simulator.Advance(ref End, duration, Log);
+        HaltsAt = Log.Halted ? End.Time : double.PositiveInfinity;
+        Vector3d last = _count > 0 ? _paths[_count - 1].At(_paths[_count - 1].Length) : start.Position;
+        Reach += (End.Position - last).Length;
+    }
+
+    /// <inheritdoc/>
+    public override bool Add(in PathPiece piece)
+    {
+        if (_count == _paths.Length)
+        {
+            Array.Resize(ref _paths, 2 * _count);
+            Array.Resize(ref _times, 2 * _count);
+        }
+
+        PathCubic path = PathCubic.Of(in piece);
+        Vector3d last = _count > 0 ? _paths[_count - 1].At(_paths[_count - 1].Length) : _start.Position;
+        Reach += (path.FastestSpeed * path.Length) + (piece.StartPosition - last).Length;
+        _paths[_count] = path;
+        _times[_count++] = piece.Time;
+        return false;
+    }
+
+    /// <summary>The path at a time, and until when it is that one.</summary>
+    /// <param name="time">When, s.</param>
+    /// <param name="index">Where to look first; then which piece it is.</param>
+    /// <param name="start">When the piece begins, s.</param>
+    /// <param name="until">When it ends, s; infinite after the last.</param>
+    public PathCubic At(double time, ref int index, out double start, out double until)
+    {
+        while (index < _count && _times[index] + _paths[index].Length <= time)
+        {
+            index++;
+        }
+
+        bool isOn = index < _count && time >= _times[index];
+        start = isOn ? _times[index] : time;
+        until = isOn ? _times[index] + _paths[index].Length : index < _count ? _times[index] : double.PositiveInfinity;
+        return isOn ? _paths[index] : PathCubic.Line(index < _count ? _paths[index].At(0) : End.Position, Vector3d.Zero, 0);
+    }
+
+    /// <summary>The first time at which two balls touch and come closer; infinite where they do not. Walked as one thing is met by a ball, by conservative advancement.</summary>
+    /// <param name="other">The other ball's way.</param>
+    /// <param name="distance">Between their centers where they touch, m.</param>
+    /// <param name="from">Where to begin, s.</param>
+    /// <param name="until">Where to end, s.</param>
+    public double Meets(BallTrial other, double distance, double from, double until)
+    {
+        int i = 0;
+        int j = 0;
+        double time = from;
+        while (time < until)
+        {
+            PathCubic mine = At(time, ref i, out double start, out double end);
+            PathCubic its = other.At(time, ref j, out double otherStart, out double otherEnd);
+            double last = Math.Min(until, Math.Min(end, otherEnd));
+            double bend = mine.GreatestAcceleration + its.GreatestAcceleration;
+            while (time < last)
+            {
+                Vector3d apart = mine.At(time - start) - its.At(time - otherStart);
+                double length = apart.Length;
+                double gap = length - distance;
+                double rate = length > 0 ? Vector3d.Dot(in apart, mine.VelocityAt(time - start) - its.VelocityAt(time - otherStart)) / length : -1;
+                if (gap <= ContactSearch.Touching && (rate < -ContactSearch.Approaching || gap < -Overlap))
+                {
+                    return time;
+                }
+
+                // The gap bends down by the relative acceleration at most: nothing can happen before f + f' s − ½ M s² = 0.
+                double room = Math.Max(0, gap);
+                double root = rate + Math.Sqrt((rate * rate) + (2.0 * bend * room));
+                double ahead = bend > 0 ? root / bend : rate < 0 ? -room / rate : double.PositiveInfinity;
+                time += Math.Max(ahead, ShortestAdvance);
+            }
+
+            time = Math.Max(last, Math.Min(time, Math.Min(end, otherEnd)));
+        }
+
+        return double.PositiveInfinity;
+    }
+
+    /// <summary>Where two balls touch without coming closer, the search goes on after this, s.</summary>
+    private const double ShortestAdvance = 1e-7;
+
+    /// <summary>Balls that overlap by more than this, m, are put apart whether they come closer or not.</summary>
+    private const double Overlap = 1e-6;
+}
