@@ -63,17 +63,17 @@ public sealed class Ball
     /// <summary>Time since the ball was placed, s.</summary>
     public double Time => _state.Time;
 
-    /// <summary>Position of the centre, m.</summary>
-    public Vector3 Position => _state.Position.ToVector3();
+    /// <summary>Position of the centre, m; <see cref="Vector3d.ToVector3"/> rounds it for an engine.</summary>
+    public Vector3d Position => _state.Position;
 
     /// <summary>Velocity, m/s.</summary>
-    public Vector3 Velocity => _state.Velocity.ToVector3();
+    public Vector3d Velocity => _state.Velocity;
 
     /// <summary>Angular velocity, rad/s, world frame.</summary>
-    public Vector3 Spin => _state.Spin.ToVector3();
+    public Vector3d Spin => _state.Spin;
 
     /// <summary>Orientation.</summary>
-    public Quaternion Orientation => _state.Orientation.ToQuaternion();
+    public Quaterniond Orientation => _state.Orientation;
 
     /// <summary>The motion of the ball: in the air, sliding, rolling or at rest.</summary>
     public MotionState Motion => _state.Motion;

@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace Football.Physics;
 
 /// <summary>Plays a ball, or several, in fixed steps under a game's irregular frames, and says where to draw it in between.</summary>
@@ -177,10 +175,10 @@ public sealed class FixedStepRunner
     public BallPose Pose => PoseAt(Fraction);
 
     /// <summary>Position to draw the ball at after <see cref="Advance"/>, m.</summary>
-    public Vector3 Position => Pose.Position.ToVector3();
+    public Vector3d Position => Pose.Position;
 
     /// <summary>Orientation to draw the ball with after <see cref="Advance"/>.</summary>
-    public Quaternion Orientation => Pose.Orientation.ToQuaternion();
+    public Quaterniond Orientation => Pose.Orientation;
 
     /// <summary>Where the start, the hashes and the kicks of a match segment go; null when nothing is recorded.</summary>
     public MatchSegment? Recording { get; private set; }

@@ -52,4 +52,7 @@ public readonly struct FootStrike
 
     /// <summary>Wanted change of spin about the direction of the impulse, rad/s: no touch gives that.</summary>
     public double SpinAlongImpulse { get; }
+
+    /// <inheritdoc/>
+    public override string ToString() => FormattableString.Invariant($"foot at {FootVelocity:0.###} m/s against {Normal:0.###}: ball {Velocity:0.###} m/s, {Spin:0.###} rad/s");
 }

@@ -18,4 +18,7 @@ public readonly struct NetBulge
 
     /// <summary>How deep it is, m; 0 where the net hangs as it was made.</summary>
     public double Depth { get; }
+
+    /// <inheritdoc/>
+    public override string ToString() => FormattableString.Invariant($"{Depth:0.###} m deep at {Position:0.###}");
 }

@@ -347,4 +347,8 @@ public sealed partial class Trajectory
             return full || (_untilPlane && piece.Crosses(_plane.Point, _plane.Normal, out _)) || (_untilPassing && _passing!.HasPassed(in piece));
         }
     }
+
+    /// <inheritdoc/>
+    public override string ToString() => Count == 0 ? "no path"
+        : FormattableString.Invariant($"{StartTime:0.###} … {EndTime:0.###} s in {Count} pieces, {Events.Count} events, ends at {Final.Position:0.###}");
 }

@@ -169,6 +169,10 @@ public sealed class TrackFitResult
         Check.Index(nameof(column), column, _values.Length);
         return _covariance[(row * _values.Length) + column];
     }
+
+    /// <inheritdoc/>
+    public override string ToString() => FormattableString.Invariant(
+        $"{(Converged ? "converged" : "not converged")}: {Velocity:0.###} m/s, {Spin:0.###} rad/s from {Position:0.###}, χ² {ChiSquared:0.##} of {Freedom}");
 }
 
 /// <summary>What a fit says of itself.</summary>

@@ -206,7 +206,7 @@ public sealed class BallTests
         Assert.Equal(kinds, hitch.Events.Span.ToArray().Select(item => item.Kind));
         Assert.True(kinds.Count > 3);
         Assert.Equal(smooth.Time, hitch.Time, 1e-9);
-        Assert.InRange(Vector3.Distance(smooth.Position, hitch.Position), 0, 0.5f);
+        Assert.InRange(Vector3d.Distance(smooth.Position, hitch.Position), 0, 0.5);
     }
 
     [Fact]

@@ -26,4 +26,9 @@ public readonly struct PassChoice
 
     /// <summary>Those of them that a team mate seems to meet before any opponent; without team mates those that no opponent seems to meet.</summary>
     public int Open { get; init; }
+
+    /// <inheritdoc/>
+    public override string ToString() => IsFound
+        ? FormattableString.Invariant($"pass to player {Receiver}: {Velocity:0.###} m/s, met at {Meeting.Position:0.###} after {Meeting.Time:0.###} s")
+        : FormattableString.Invariant($"no pass among {Kicks} kicks");
 }

@@ -26,6 +26,9 @@ public readonly struct InterceptWindow
 
     /// <summary>The ball's velocity when it begins, m/s: how fast it comes, and which way.</summary>
     public Vector3d Velocity { get; }
+
+    /// <inheritdoc/>
+    public override string ToString() => FormattableString.Invariant($"player {Player}: {From:0.###} … {To:0.###} s, first at {Position:0.###}");
 }
 
 /// <summary>A part of the ball's way that one runner owns: of those who can meet the ball there, he could be there first.</summary>
@@ -50,4 +53,7 @@ public readonly struct InterceptShare
 
     /// <summary>By how much he could be where the ball is when it begins before the second of them, s; infinite where no one else can.</summary>
     public double Lead { get; }
+
+    /// <inheritdoc/>
+    public override string ToString() => FormattableString.Invariant($"player {Player}: {From:0.###} … {To:0.###} s, {Lead:0.###} s before others");
 }

@@ -32,4 +32,8 @@ public readonly struct KeeperAnswer
 
     /// <summary>The latest moment at which he may react, or dive, and still meets it, s since the launch; before that he goes on as he does. NaN where he cannot meet it. Of reactions that would do again after ones that would not, by less than a 64th of the time that is left, one may be missed.</summary>
     public double LatestReaction { get; init; }
+
+    /// <inheritdoc/>
+    public override string ToString() => !Crosses ? "no shot at the goal" : FormattableString.Invariant(
+        $"crosses at {Crossing.Position:0.###} after {Crossing.Time:0.###} s, {(IsOnTarget ? "on" : "off")} target, {(Saves ? "saved" : "not saved")}");
 }

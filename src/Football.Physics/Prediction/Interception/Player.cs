@@ -61,4 +61,7 @@ public readonly struct Player
         Check.Within("runner.heights[0]", LowestHeight, -Limits.Length, Limits.Length);
         Check.Within("runner.heights[1]", HighestHeight, LowestHeight, Limits.Length);
     }
+
+    /// <inheritdoc/>
+    public override string ToString() => FormattableString.Invariant($"player at {Position:0.###}, {Velocity:0.###} m/s, up to {Speed:0.###} m/s");
 }
