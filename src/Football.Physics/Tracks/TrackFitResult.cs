@@ -102,7 +102,8 @@ public sealed class TrackFitResult
                 TrackVerdict.Ambiguous => FormattableString.Invariant($"{chi}, but a spin of {OtherSpin:F1} rad/s fits about as well: another bounce. More points, or a known spin, tell them apart."),
                 TrackVerdict.OtherBall => $"{chi}, but another ball fits better: deviations are too small; DeviationOverBalls has what the balls differ by.",
                 TrackVerdict.TooWell => $"{chi}, less than the noise that was said would leave: deviations are too large.",
-                _ => $"{chi}, as it should be. Deviations are those of noise alone: they hold for the scene that was given.",
+                TrackVerdict.AsExpected => $"{chi}, as it should be. Deviations are those of noise alone: they hold for the scene that was given.",
+                _ => throw Check.Unknown("verdict", Verdict),
             };
         }
     }

@@ -16,6 +16,9 @@ public sealed class Touches
     private const int MostSpeeds = 8;
     private const long Seed = 20261124;
 
+    /// <summary>Elevations that a shot is begun with, degrees beside that of its aim.</summary>
+    private static readonly double[] s_elevations = [0, 4, 8, 14, -4];
+
     private readonly Simulator _simulator;
     private readonly DribbleProblem _dribble;
     private readonly TrapProblem _trap;
@@ -143,9 +146,7 @@ public sealed class Touches
         {
             AimResult aim = _aimer.Find(AimFor(in ball, request, speed), measure: false);
             _shot.Set(in ball, request, speed);
-            _x[0] = Math.Min(aim.ElevationDegrees, request.MaximumElevationDegrees);
-            _x[1] = aim.AzimuthDegrees;
-            _shot.Solve(_x);
+            SolveShot(in aim, request.MaximumElevationDegrees);
             fast = _shot.Strike.FastEnough;
             speed = fast ? speed : Math.Max(0.5, Math.Min(0.95 * speed, 0.995 * _shot.Strike.Velocity.Length));
         }
@@ -167,6 +168,32 @@ public sealed class Touches
         Check.Given(nameof(request), request);
         request.Validate();
         return new ShieldAnswer(request);
+    }
+
+    /// <summary>From the aim of a ball without the spin that stays; and where that first meets the ground, from steeper and flatter ones. The best stays.</summary>
+    private void SolveShot(in AimResult aim, double steepest)
+    {
+        double least = double.PositiveInfinity;
+        (double elevation, double azimuth) = (aim.ElevationDegrees, aim.AzimuthDegrees);
+        foreach (double steeper in s_elevations)
+        {
+            _x[0] = Math.Max(-5, Math.Min(aim.ElevationDegrees + steeper, steepest));
+            _x[1] = aim.AzimuthDegrees;
+            bool hits = _shot.Solve(_x);
+            if (_shot.Miss < least)
+            {
+                least = _shot.Miss;
+                (elevation, azimuth) = (_x[0], _x[1]);
+            }
+
+            if (hits)
+            {
+                return;
+            }
+        }
+
+        (_x[0], _x[1]) = (elevation, azimuth);
+        _shot.Fly(_x, _residuals);
     }
 
     private static AimRequest AimFor(in BallState ball, FirstTimeRequest request, double speed) => new()

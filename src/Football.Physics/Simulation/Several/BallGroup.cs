@@ -276,7 +276,7 @@ public sealed class BallGroup
     {
         BallState.Launched(in state);
         throw new ArgumentException(
-            FormattableString.Invariant($"states[{ball}].time is {state.Time:R}; allowed: {time:R}, the time of the first ball."), "states");
+            FormattableString.Invariant($"states[{ball}].time is {state.Time:R}; allowed: {time:R}, the time of the first ball."), nameof(state));
     }
 
     /// <summary>How far those balls got that did not keep to what was expected; and the neighbours anew where one left its sphere.</summary>

@@ -1,0 +1,185 @@
+namespace Football.Physics.Tests.Several;
+
+/// <summary>Several balls stepped together.</summary>
+public sealed class BallGroupTests
+{
+    private const double Step = 1 / 60.0;
+
+    [Fact]
+    public void One_ball_of_a_group_and_balls_far_apart_go_as_they_go_alone()
+    {
+        var simulator = new Simulator(Pitch.Standard.On(Scene.Default));
+        BallState[] together = [.. Enumerable.Range(0, 6).Select(i => Shot(simulator, i))];
+        BallState[] alone = [.. together];
+        BallState[] single = [together[0]];
+        var group = new BallGroup(simulator, 6);
+        var one = new BallGroup(simulator, 1);
+        var log = new StepLog();
+        var own = new StepLog();
+        for (int k = 0; k < 300; k++)
+        {
+            group.Step(together, Step, log);
+            one.Step(single, Step, own);
+            for (int i = 0; i < alone.Length; i++)
+            {
+                simulator.Step(ref alone[i], Step, own);
+                Assert.True(Snapshot.Same(in alone[i], in together[i]));
+            }
+
+            Assert.True(Snapshot.Same(in alone[0], in single[0]));
+        }
+
+        for (int i = 1; i < log.Events.Count; i++)
+        {
+            Assert.True(log.Events[i].Time >= log.Events[i - 1].Time || log.Events[i].Time > log.Events[0].Time);
+        }
+    }
+
+    [Fact]
+    public void A_ball_that_hits_a_resting_one_gives_it_its_motion_and_no_energy_comes_from_it()
+    {
+        var simulator = new Simulator();
+        var group = new BallGroup(simulator, 2);
+        BallState[] balls =
+        [
+            simulator.Launch(new Vector3d(0, simulator.ContactHeight, 0), new Vector3d(8, 0, 0), new Vector3d(0, 0, -8 / 0.11)),
+            Ball.AtRest(simulator, new Vector3d(3, 0, 0)),
+        ];
+        var log = new StepLog();
+        double energy = Energy(balls);
+        while (balls[0].Time < 6)
+        {
+            group.Step(balls, 0.01, log);
+            double now = Energy(balls);
+            Assert.InRange(now, 0, energy + 1e-9);
+            energy = now;
+        }
+
+        BallEvent[] hits = [.. log.Events.Span.ToArray().Where(item => item.OtherBall >= 0)];
+        Assert.True(hits.Length >= 2);
+        Assert.Equal((0, 1), (hits[0].Ball, hits[0].OtherBall));
+        Assert.Equal((1, 0), (hits[1].Ball, hits[1].OtherBall));
+        Assert.Equal(hits[0].Time, hits[1].Time);
+        Assert.Equal(-1, hits[0].Thing);
+        Vector3d sum = hits[0].Impulse(simulator.Scene.Ball) + hits[1].Impulse(simulator.Scene.Ball);
+        Assert.InRange(sum.Length, 0, 1e-14);
+        Assert.True(balls[1].Position.X > 5, "the resting ball has gone on");
+        Assert.Equal(MotionState.Stopped, balls[0].Motion);
+        Assert.Equal(MotionState.Stopped, balls[1].Motion);
+        Assert.True((balls[0].Position - balls[1].Position).Length >= 0.22 - 1e-9);
+    }
+
+    /// <summary>Balls that run into a heap from all sides, on the ground and from above.</summary>
+    [Fact]
+    public void A_heap_comes_to_rest_without_energy_and_without_overlap()
+    {
+        var simulator = new Simulator();
+        const int Count = 12;
+        var group = new BallGroup(simulator, Count);
+        BallState[] balls = new BallState[Count];
+        for (int i = 0; i < Count; i++)
+        {
+            double angle = 2 * Math.PI * i / Count;
+            var outward = new Vector3d(Math.Cos(angle), 0, Math.Sin(angle));
+            balls[i] = simulator.Launch((2.0 + (0.3 * (i % 3))) * outward + new Vector3d(0, 0.11 + (0.4 * (i % 2)), 0), -5.0 * outward, default);
+        }
+
+        var log = new StepLog(mostEvents: 100_000);
+        double energy = Energy(balls);
+        double deepest = 0;
+        for (int k = 0; k < 900; k++)
+        {
+            group.Step(balls, Step, log);
+            double now = Energy(balls);
+            Assert.InRange(now, 0, energy + 1e-6);
+            energy = now;
+            for (int i = 0; i < Count; i++)
+            {
+                for (int j = 0; j < i; j++)
+                {
+                    deepest = Math.Max(deepest, 0.22 - (balls[i].Position - balls[j].Position).Length);
+                }
+            }
+        }
+
+        Assert.InRange(deepest, 0, 2e-5);
+        Assert.All(balls, ball => Assert.Equal(MotionState.Stopped, ball.Motion));
+        Assert.Equal(0, log.Stalled);
+    }
+
+    [Fact]
+    public void A_look_ahead_of_all_is_their_future_and_pushes_nothing()
+    {
+        var scene = Scene.Default with
+        {
+            Obstacles = [new Obstacle { Name = "bin", Shape = new SphereShape(new Vector3d(4, 0.3, 0), 0.3), Mass = 2 }],
+        };
+        var simulator = new Simulator(scene);
+        var group = new BallGroup(simulator, 3);
+        BallState[] balls =
+        [
+            simulator.Launch(new Vector3d(0, 0.3, 0), new Vector3d(9, 1, 0), default),
+            simulator.Launch(new Vector3d(1.85, 0.42, 0.6), new Vector3d(0, 0.8, -3), default),
+            simulator.Launch(new Vector3d(8, 0.4, 0.1), new Vector3d(-9, 1, 0), default),
+        ];
+        Trajectory[] paths = [new(), new(), new()];
+        group.LookAhead(balls, new LookAheadRequest { Duration = 2, TimeStep = 0.02 }, paths);
+        var log = new StepLog();
+        group.Run(balls, 0.02, 2, StopAt.Rest, log);
+        for (int i = 0; i < 3; i++)
+        {
+            BallState foreseen = paths[i].Final;
+            Assert.True(Snapshot.Same(in foreseen, in balls[i]));
+            Assert.True(paths[i].IsComplete);
+            Assert.Equal(log.Events.Span.ToArray().Count(item => item.Ball == i), paths[i].Events.Count);
+        }
+
+        Assert.Contains(log.Events.Span.ToArray(), item => item.OtherBall >= 0);
+        Assert.Contains(log.Events.Span.ToArray(), item => simulator.NameOf(item.Thing) == "bin");
+        Assert.Throws<ArgumentOutOfRangeException>(() =>
+            group.LookAhead(balls, new LookAheadRequest { UntilPlane = new Plane3d(default, new Vector3d(1, 0, 0)) }, paths));
+    }
+
+    [Fact]
+    public void A_step_allocates_nothing()
+    {
+        var simulator = new Simulator();
+        var group = new BallGroup(simulator, 8);
+        BallState[] start = [.. Enumerable.Range(0, 8).Select(i => simulator.Launch(new Vector3d(0.4 * i, 0.11, 0), new Vector3d(i % 2 == 0 ? 3 : -3, 2, 0), default))];
+        BallState[] balls = [.. start];
+        var log = new StepLog();
+        Assert.Equal(0, Allocation.Of(() =>
+        {
+            Array.Copy(start, balls, balls.Length);
+            log.Clear();
+            for (int k = 0; k < 60; k++)
+            {
+                group.Step(balls, Step, log);
+            }
+        }));
+        Assert.Contains(log.Events.Span.ToArray(), item => item.OtherBall >= 0);
+    }
+
+    [Fact]
+    public void What_cannot_be_stepped_is_refused_and_nothing_changes()
+    {
+        var simulator = new Simulator();
+        var group = new BallGroup(simulator, 2);
+        BallState[] balls = [Shot(simulator, 0), Shot(simulator, 1)];
+        simulator.Step(ref balls[1], 0.01, new StepLog());
+        BallState first = balls[0];
+        Assert.Contains("states[1].time", Assert.Throws<ArgumentException>(() => group.Step(balls, 0.01, new StepLog())).Message, StringComparison.Ordinal);
+        Assert.True(Snapshot.Same(in first, in balls[0]));
+        Assert.Throws<ArgumentException>(() => group.Step([first], 0.01, new StepLog()));
+        Assert.Throws<ArgumentException>(() => group.Step([first, default], 0.01, new StepLog()));
+        Assert.Throws<ArgumentOutOfRangeException>(() => group.Step([first, first], double.NaN, new StepLog()));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new BallGroup(simulator, 0));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new BallGroup(simulator, 2, Surface.Ball with { NormalRestitution = 2 }));
+    }
+
+    private static BallState Shot(Simulator simulator, int i) => simulator.Launch(
+        new Vector3d(12.0 * i - 30, 0.11, 5), new Vector3d(0.4 * i, 3 + i, -14 - i), new Vector3d(10 * i, 20 - (8 * i), 5));
+
+    private static double Energy(BallState[] balls) => balls.Sum(ball =>
+        (0.5 * 0.43 * ball.Velocity.LengthSquared) + (0.5 * BallProperties.Football.MomentOfInertia * ball.Spin.LengthSquared) + (0.43 * 9.81 * ball.Position.Y));
+}
