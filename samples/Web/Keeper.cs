@@ -1,4 +1,3 @@
-using Football.Physics;
 using Football.Physics.Prediction;
 using Football.Physics.Shapes;
 

@@ -158,7 +158,9 @@ int? Play(int mutant, string[] chosen, TimeSpan limit)
 {
     var start = new ProcessStartInfo(Path.Combine(work, "Football.Physics.Tests"))
     {
-        WorkingDirectory = work, RedirectStandardOutput = true, RedirectStandardError = true,
+        WorkingDirectory = work,
+        RedirectStandardOutput = true,
+        RedirectStandardError = true,
         Environment = { ["FOOTBALL_MUTANT"] = mutant.ToString(CultureInfo.InvariantCulture), ["FOOTBALL_MUTANTS_REACHED"] = reachedIn },
     };
     foreach (string argument in (string[])["-maxThreads", "1", "-noColor", "-stopOnFail",

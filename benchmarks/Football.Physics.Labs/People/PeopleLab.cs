@@ -138,8 +138,8 @@ internal static class PeopleLab
 
         private void Match(int count, double seconds)
         {
-            var matches = new Matches();
-            new Matches().Play(WarmUpSeed, 0, Math.Min(seconds, WarmUps), _ => { });
+            var matches = new StadiumMatches();
+            new StadiumMatches().Play(WarmUpSeed, 0, Math.Min(seconds, WarmUps), _ => { });
             for (int i = 0; i < count; i++)
             {
                 int index = i;

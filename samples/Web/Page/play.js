@@ -558,7 +558,7 @@ globalThis.playground = { set, stage, get flights() { return flights; }, get way
 
 // ---- beginning
 
-if (matchMedia("(max-width: 720px)").matches) $("fold").setAttribute("aria-expanded", "false");
+if (matchMedia("(max-width: 720px), (max-height: 560px)").matches) $("fold").setAttribute("aria-expanded", "false");
 const begun = performance.now();
 Engine.start().then(async started => {
   engine = started;

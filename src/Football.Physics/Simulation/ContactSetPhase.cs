@@ -174,7 +174,9 @@ internal sealed class ContactSetPhase
             // Out of the way of what moves whatever friction does, as fast as it may be; and never into what stands still.
             KeepOff(set, h, movers: true, ref v);
             _contact.IsTooFast(ref s, set, in v);
-            double worked = h * Vector3d.Dot(free.Acceleration, from.Velocity + v);
+            Vector3d kept = v;
+            KeepOff(set, h, movers: false, ref kept);
+            double worked = h * Vector3d.Dot(free.Acceleration, from.Velocity + kept);
             double fastest = Math.Max(s.SqueezeSpeed, Math.Sqrt(Math.Max(0, (came * came) + worked)));
             double speed = v.Length;
             v = speed > fastest ? fastest / speed * v : v;

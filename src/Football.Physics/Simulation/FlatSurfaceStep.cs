@@ -160,9 +160,9 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
 
     [MethodImpl(MethodImplOptions.NoInlining)]
     private bool TryWhole<TMotion>(ref BallState s, double dt, double end, StepLog log)
-        where TMotion : struct
+        where TMotion : struct, ISurfaceMotion
     {
-        bool rolls = typeof(TMotion) == typeof(Roll);
+        bool rolls = default(TMotion).Rolls;
 
         // The motion in the plane's axes, number by number: what was written so in the step before is not read back as a whole without a wait.
         // What a roll leaves of the spin is that about the normal.
@@ -356,7 +356,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         double end,
         double alongX,
         double alongZ)
-        where TMotion : struct
+        where TMotion : struct, ISurfaceMotion
     {
         BallState before = s;
         Move(ref s, in on, in position, in turn, in last, end);
@@ -395,7 +395,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     /// </remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private void RatesOf<TMotion>(in StepOn on, in Material material, in PlaneMotion at, double after, double wayX, double wayZ, out PlaneRates rates)
-        where TMotion : struct
+        where TMotion : struct, ISurfaceMotion
     {
         double vx = at.VX;
         double vz = at.VZ;
@@ -439,7 +439,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         double slowing = spins ? decay : 0;
         rates.Load = load;
         rates.BY = -(((material.Damping + slowing) * wy) + (on.SpinSign * material.Drilling * load));
-        if (typeof(TMotion) == typeof(Roll))
+        if (default(TMotion).Rolls)
         {
             double speed = Math.Sqrt((vx * vx) + (vz * vz));
             bool goesOn = (vx * on.X) + (vz * on.Z) > 0;
@@ -560,9 +560,17 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     }
 
     /// <summary>A ball that rolls, and one that slides: the steps of each are compiled apart.</summary>
-    private readonly struct Roll;
+    private interface ISurfaceMotion { bool Rolls { get; } }
 
-    private readonly struct Slide;
+    private readonly struct Roll : ISurfaceMotion
+    {
+        public bool Rolls => true;
+    }
+
+    private readonly struct Slide : ISurfaceMotion
+    {
+        public bool Rolls => false;
+    }
 
     /// <summary>Velocity along the plane and spin, in the plane's axes: x and z along it, y its normal.</summary>
     private struct PlaneMotion

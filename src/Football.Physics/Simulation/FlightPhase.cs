@@ -188,7 +188,11 @@ internal sealed class FlightPhase<TIntegrator>
         sweep.MoveTo(ref s);
         s.Branch = sweep.Length < length ? s.Branch : next;
         run.Advance(ref s, sweep.Length);
-        if (!meets)
+        if (meets)
+        {
+            _guard.PutOnto(ref s, in met);
+        }
+        else
         {
             // What it touched at the start, and was not pressed on, it may be in by now.
             ContactSet.Separate(_world, ref s);

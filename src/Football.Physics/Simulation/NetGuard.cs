@@ -4,7 +4,7 @@ namespace Football.Physics;
 internal sealed class NetGuard
 {
     /// <summary>So far, m, the path of a piece may be off the one that its ends tell.</summary>
-    private const double LargestBend = 1e-6;
+    private const double LargestBend = 3e-7;
 
     /// <summary>By what a piece is shortened that bends too much.</summary>
     private const double Shorter = 0.8;

@@ -155,6 +155,15 @@ internal sealed class WorldGuard
         }
     }
 
+    /// <summary>The end of a piece that meets level ground is on it to the last bit, and so the path there crosses a plane at that height.</summary>
+    public void PutOnto(ref BallState s, in Separation met)
+    {
+        if (IsLevelGround(in met))
+        {
+            s.Position = new Vector3d(s.Position.X, _world.LevelContact, s.Position.Z);
+        }
+    }
+
     private bool IsLevelGround(in Separation met) => met.What == SeparationKind.Contact && _world.IsLevel && _world.Colliders[met.Index] == _world.Ground;
 
     private static void Report(in BallState s, BallEventKind kind, int thing, in Vector3d normal, ref StepRun run) =>

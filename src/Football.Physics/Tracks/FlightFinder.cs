@@ -195,7 +195,7 @@ internal sealed class FlightFinder
         double lift = 0.5 * _scene.Air.Density * area / _scene.Ball.Mass * MostLift * speed * speed;
         double seen = Math.Sqrt(720.0 / (end - first)) * Math.Max(_runs.Noise, 0.25 * CubicError) / (time * time);
         double off = Math.Abs(upward - Weight.UpwardAcceleration(_scene));
-        
+
         // A fast ball with backspin may even rise, but then not along the ground.
         bool isHigh = parabola.At(0.5 * (track[first].Time + track[end - 1].Time)).Y > _low + High;
         return off < FallError + lift + (FallDeviations * seen) && (isHigh || upward < LeastFall * _scene.Gravity);
@@ -204,7 +204,8 @@ internal sealed class FlightFinder
     /// <summary>Fits one flight alone, with the drag factor that does best.</summary>
     private bool Fit(FlightPath flight, double[]? start)
     {
-        double[] best = [];
+        double[] best = flight.Values;
+        SharedFit? found = null;
         double least = double.PositiveInfinity;
         foreach (SharedFit fit in _fits)
         {
@@ -212,21 +213,18 @@ internal sealed class FlightFinder
             fit.Descend([flight], [1], CancellationToken.None);
             if (flight.Rms < least)
             {
-                least = flight.Rms;
-                best = flight.Values;
-                _system.Measure(fit.At, flight);
-                (_rms, _worst, _last) = (flight.Rms, flight.Worst, flight.Last);
+                (least, best, found) = (flight.Rms, flight.Values, fit);
             }
         }
 
         flight.Values = best;
-        (flight.Rms, flight.Worst, flight.Last) = (_rms, _worst, _last);
+        if (found is not null)
+        {
+            _system.Measure(found.At, flight);
+        }
+
         return least < Math.Max(MostRms, MostRmsShare * _runs.Noise);
     }
-
-    private double _rms;
-    private double _worst;
-    private BallState _last;
 
     private double[] Start(FlightPath flight)
     {

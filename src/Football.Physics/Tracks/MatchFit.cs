@@ -159,7 +159,8 @@ public sealed class MatchFit
             points += flight.Count;
         }
 
-        return new MatchFitResult(pieces, names, [.. values], [.. deviations], fit.At.Scene with { Ground = ground })
+        Scene at = fit.At.Scene;
+        return new MatchFitResult(pieces, names, [.. values], [.. deviations], _scene with { Air = at.Air, Ball = at.Ball, Forces = at.Forces, Ground = ground })
         {
             Rms = points > 0 ? Math.Sqrt(squares / points) : 0,
             Flights = told.Count,

@@ -27,6 +27,7 @@ internal sealed class SharedFit
     private readonly MatchModel _model;
     private readonly int _shared;
     private readonly int _size;
+    private readonly double[] _scratch = new double[Launch * Launch];
 
     public SharedFit(FlightEquations system, MatchModel model, double[]? start = null)
     {
@@ -41,7 +42,7 @@ internal sealed class SharedFit
             Values[i] = start is null ? model.Likely(i) : start[i];
         }
 
-        _at = new Simulator(model.Scene(Values));
+        At = new Simulator(model.Scene(Values));
     }
 
     /// <summary>The shared numbers.</summary>
@@ -51,8 +52,7 @@ internal sealed class SharedFit
     public double[] Covariance { get; }
 
     /// <summary>The scene of the shared numbers.</summary>
-    public Simulator At { get => _at; private set => _at = value; }
-    private Simulator _at;
+    public Simulator At { get; private set; }
 
     /// <summary>The cost at the end.</summary>
     public double Cost { get; private set; }
@@ -192,8 +192,6 @@ internal sealed class SharedFit
             Array.Copy(_scratch, covariance, covariance.Length);
         }
     }
-
-    private readonly double[] _scratch = new double[Launch * Launch];
 
     private double Evaluate(IReadOnlyList<FlightPath> flights, double[] shares, double[][] normals, double[][] gradients)
     {

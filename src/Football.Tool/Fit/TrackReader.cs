@@ -59,7 +59,7 @@ internal static class TrackReader
 
             string[] cells = Split(text);
             string Cell(int at) => at < cells.Length ? cells[at] : "";
-            if (IsMissing(Cell(x)) || IsMissing(Cell(y)) || IsMissing(Cell(z)) || IsMissing(Cell(time)))
+            if (IsMissing(Cell(time)))
             {
                 continue;
             }
@@ -78,6 +78,11 @@ internal static class TrackReader
             }
 
             last = t;
+            if (IsMissing(Cell(x)) || IsMissing(Cell(y)) || IsMissing(Cell(z)))
+            {
+                continue;
+            }
+
             double px = perX * Place(Cell(x), line, header[x]);
             double py = perY * Place(Cell(y), line, header[y]);
             double pz = perZ * Place(Cell(z), line, header[z]);

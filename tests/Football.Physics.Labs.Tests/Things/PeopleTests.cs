@@ -69,7 +69,7 @@ public sealed class PeopleTests
     [Fact]
     public void A_minute_of_a_match_keeps_what_any_match_must()
     {
-        var matches = new Matches();
+        var matches = new StadiumMatches();
         matches.Play(Seed, 0, 60, _ => { });
         matches.Play(Seed, 1, 60, _ => { });
         Assert.Equal((0, 0, 0, 0, 0, 0), (matches.Inside, matches.Left, matches.Made, matches.Elsewhere, matches.RewoundElsewhere, matches.Restless));

@@ -3,7 +3,7 @@ using Football.Physics.Yardsticks;
 namespace Football.Physics.Labs.People;
 
 /// <summary>Plays matches and asks after every step what any match must keep: each millisecond of the way, energy, look-ahead, rewind, rest.</summary>
-internal sealed class Matches
+internal sealed class StadiumMatches
 {
     /// <summary>Deeper, m, is inside.</summary>
     private const double Entered = 1e-6;
@@ -209,8 +209,8 @@ internal sealed class Matches
             return false;
         }
 
-        // On the roof of a net, which carries nothing, it hangs still.
-        bool hangs = ball.Motion == MotionState.Airborne && Stadium.IsInGoal(ball.State.Position) && ball.State.Velocity.Length < Hanging;
+        // On the roof of a net, which carries nothing, it hangs still, also against the bar.
+        bool hangs = ball.Motion != MotionState.Stopped && Stadium.IsInGoal(ball.State.Position) && ball.State.Velocity.Length < Hanging;
         bool rests = ball.Motion == MotionState.Stopped || hangs;
         Dead++;
         Hung += hangs ? 1 : 0;
