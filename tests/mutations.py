@@ -7,6 +7,7 @@ Each is a file, a text that stands in it exactly once (or, where the file has an
 What those do not see all the others are asked for, but for those that run the command line or read files of the repository; golden bits (tests/Package.Tests) are
 not asked. Needs the tests to be built:
 dotnet build -c Release tests/Football.Physics.Tests
+dotnet build -c Release tests/Football.Physics.Labs.Tests
 """
 import json
 import os
@@ -18,7 +19,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-BUILT = ROOT / "tests/Football.Physics.Tests/bin/Release/net10.0"
+PROJECTS = ["Football.Physics.Tests", "Football.Physics.Labs.Tests"]
 LIBRARY = "src/Football.Physics"
 OTHERS = "FullyQualifiedName!~Football.Tool.Tests.&FullyQualifiedName!~.Architecture.&FullyQualifiedName!~.Api.&FullyQualifiedName!~ChangedLawTests&FullyQualifiedName!~ProfileTests&FullyQualifiedName!~ReferenceBoundTests"
 ENVIRONMENT = {**os.environ, "DOTNET_CLI_TELEMETRY_OPTOUT": "1", "MSBUILDDISABLENODEREUSE": "1"}
@@ -28,12 +29,19 @@ def run(command, folder):
     return subprocess.run(command, cwd=folder, env=ENVIRONMENT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
 
 
-def failures(work, name, chosen):
-    """The tests that fail, of those that are chosen."""
-    test = run(["dotnet", "vstest", str(work / "built/Football.Physics.Tests.dll"), "--TestCaseFilter:" + chosen], work)
+def project_of(test):
+    """The project that has a class of tests."""
+    has = re.compile(rf"class {test.split('.')[0]}\b")
+    found = [name for name in PROJECTS if any(has.search(path.read_text()) for path in (ROOT / "tests" / name).rglob("*.cs"))]
+    return found[0] if found else sys.exit(f"there are no tests {test}")
+
+
+def failures(work, name, project, chosen):
+    """The tests of a project that fail, of those that are chosen."""
+    test = run(["dotnet", "vstest", str(work / project / (project + ".dll")), "--TestCaseFilter:" + chosen], work)
     if "Total:" not in test.stdout or "No test matches" in test.stdout:
         sys.exit(f"{name}: no tests ran:\n" + test.stdout[-2000:])
-    return re.findall(r"^\s*Failed Football\.Physics\.Tests\.(?:\w+\.)*(\w+\.\w+)", test.stdout, re.MULTILINE) or (["?"] if test.returncode else [])
+    return re.findall(r"^\s*Failed Football\.Physics\.(?:\w+\.)*(\w+\.\w+)", test.stdout, re.MULTILINE) or (["?"] if test.returncode else [])
 
 
 def named(tests):
@@ -67,9 +75,14 @@ def main():
         for name in ["BannedSymbols.txt", "Directory.Build.props", "Directory.Build.targets", "Directory.Packages.props", "global.json", "README.md", "LICENSE"]:
             shutil.copy(ROOT / name, work / name)
         shutil.copytree(ROOT / LIBRARY, work / LIBRARY, ignore=shutil.ignore_patterns("bin"))
-        shutil.copytree(BUILT, work / "built")
+        for project in PROJECTS:
+            shutil.copytree(ROOT / "tests" / project / "bin/Release/net10.0", work / project)
         (work / "Football.Physics.sln").write_text("")
-        plain = failures(work, "unchanged", named(sorted({test for m in wanted for test in m["tests"]})))
+        concerned = sorted({test for m in wanted for test in m["tests"]})
+        projects = {test: project_of(test) for test in concerned}
+        plain = []
+        for project in sorted(set(projects.values())):
+            plain += failures(work, "unchanged", project, named([test for test in concerned if projects[test] == project]))
         if plain:
             sys.exit("without any mistake these fail: " + ", ".join(sorted(set(plain))))
 
@@ -83,9 +96,11 @@ def main():
             if build.returncode != 0:
                 sys.exit(f"{m['name']} does not compile:\n" + build.stdout[-2000:])
 
-            shutil.copy(work / "mutant/Football.Physics.dll", work / "built/Football.Physics.dll")
-            failed = failures(work, m["name"], named(m["tests"]))
-            others = [] if failed else failures(work, m["name"], OTHERS)
+            for project in PROJECTS:
+                shutil.copy(work / "mutant/Football.Physics.dll", work / project / "Football.Physics.dll")
+            failed = [test for project in sorted({projects[test] for test in m["tests"]})
+                      for test in failures(work, m["name"], project, named([test for test in m["tests"] if projects[test] == project]))]
+            others = [] if failed else failures(work, m["name"], PROJECTS[0], OTHERS)
             survivors += [] if failed or others else [m["name"]]
             seen = "  " + ", ".join(sorted(set(failed))[:3]) if failed else "  by others: " + ", ".join(sorted(set(others))[:6]) if others else ""
             print(("caught    " if failed or others else "SURVIVED  ") + m["name"] + " " + m["what"] + seen, flush=True)

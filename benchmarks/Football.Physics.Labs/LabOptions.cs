@@ -47,6 +47,7 @@ internal sealed class LabOptions
     private int Run(string name, ParseResult parsed, Terminal terminal, Func<ParseResult, long, Progress, LabReport> run)
     {
         using PlotFile? plot = parsed.GetValue(_plot) is { } picture ? PlotFile.For(picture) : null;
+        OutputFile.RefuseSame([], ("--json", parsed.GetValue(_json)), ("--csv", parsed.GetValue(_csv)));
         using var json = OutputFile.Open("--json", parsed.GetValue(_json));
         using var csv = OutputFile.Open("--csv", parsed.GetValue(_csv));
         LabReport report = Progress.Show(terminal, name, progress => run(parsed, parsed.GetValue(_seed), progress));

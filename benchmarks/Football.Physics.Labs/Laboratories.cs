@@ -5,6 +5,8 @@ using Football.Physics.Labs.Goals;
 using Football.Physics.Labs.Intercept;
 using Football.Physics.Labs.Matches;
 using Football.Physics.Labs.Obstacles;
+using Football.Physics.Labs.People;
+using Football.Physics.Labs.Play;
 using Football.Physics.Labs.Queries;
 using Football.Tool.Commands;
 
@@ -39,5 +41,7 @@ internal static class Laboratories
         ObstaclesLab.Create(terminal),
         GoalsLab.Create(terminal),
         MatchesLab.Create(terminal),
+        PeopleLab.Create(terminal),
+        PlayLab.Create(terminal),
     };
 }

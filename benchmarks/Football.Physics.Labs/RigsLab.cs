@@ -30,6 +30,7 @@ internal static class RigsLab
         Measured("dryTurf", Ground.DryTurf, Natural),
         Measured("artificialTurf", Ground.ArtificialTurf, QualityPro),
         Measured("wetTurf", Ground.WetTurf, Wet),
+        Measured("matchTurf", Ground.MatchTurf, Wet),
         Measured("hardGround", Ground.HardGround, null),
         Measured("longGrass", Ground.LongGrass, null),
         Measured("indoor", Ground.Indoor, null),

@@ -12,14 +12,18 @@ internal sealed class SitePage
     private static readonly MarkdownPipeline Pipeline = new MarkdownPipelineBuilder().UsePipeTables().UseAutoIdentifiers(AutoIdentifierOptions.GitHub).Build();
 
     private readonly MarkdownDocument _document;
+    private readonly IReadOnlySet<string> _types;
 
     /// <summary>Reads a page.</summary>
     /// <param name="source">Its path in the repository, with slashes.</param>
     /// <param name="text">Its Markdown.</param>
-    public SitePage(string source, string text)
+    /// <param name="types">The headings of the API reference, as addresses, each of which has a page of its own.</param>
+    /// <param name="file">Its name in the site; null for that of the source.</param>
+    public SitePage(string source, string text, IReadOnlySet<string> types, string? file = null)
     {
+        _types = types;
         Source = source;
-        File = FileOf(source);
+        File = file ?? FileOf(source);
         _document = Markdown.Parse(text, Pipeline);
         Title = Words(_document.Descendants<HeadingBlock>().First().Inline!);
         foreach (LinkInline link in _document.Descendants<LinkInline>())
@@ -27,6 +31,12 @@ internal sealed class SitePage
             Turn(link);
         }
     }
+
+    /// <summary>The API reference, which is one page of Markdown and many of the site.</summary>
+    public const string Api = "docs/api.md";
+
+    /// <summary>The page of a type of the API.</summary>
+    public static string TypePage(string address) => $"api-{address}.html";
 
     public string Source { get; }
 
@@ -37,6 +47,13 @@ internal sealed class SitePage
 
     /// <summary>Files of the repository that it shows, by their paths.</summary>
     public List<string> Pictures { get; } = [];
+
+    /// <summary>Its sections of the second level: address within the page, and heading.</summary>
+    public IEnumerable<(string Address, string Heading)> Contents => _document.OfType<HeadingBlock>().Where(heading => heading.Level == 2)
+        .Select(heading => ("#" + heading.GetAttributes().Id, Words(heading.Inline!)));
+
+    /// <summary>The address of a heading, as in a link to it.</summary>
+    public static string AddressOf(string heading) => Markdown.Parse("# " + heading, Pipeline).Descendants<HeadingBlock>().First().GetAttributes().Id!;
 
     /// <summary>What stands in it, as HTML.</summary>
     public string Html => _document.ToHtml(Pipeline);
@@ -88,6 +105,11 @@ internal sealed class SitePage
     private void Turn(LinkInline link)
     {
         string url = link.Url!;
+        if (url.StartsWith('#') && Source == Api && _types.Contains(url[1..]))
+        {
+            link.Url = TypePage(url[1..]);
+        }
+
         if (url.Contains("://", StringComparison.Ordinal) || url.StartsWith('#'))
         {
             return;
@@ -99,6 +121,10 @@ internal sealed class SitePage
         {
             Pictures.Add(target);
             link.Url = Path.GetFileName(target);
+        }
+        else if (target == Api && parts.Length > 1 && _types.Contains(parts[1]))
+        {
+            link.Url = TypePage(parts[1]);
         }
         else
         {

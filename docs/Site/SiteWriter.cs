@@ -17,14 +17,24 @@ internal static partial class SiteWriter
         string readme = Read(repository, "README.md");
         // In the order of the README's last list, which is for readers; what stands in a sentence before it has its place there too.
         string[] sources = ["README.md", .. Linked().Matches(readme).Select(match => match.Groups[1].Value).Reverse().Distinct().Reverse()];
-        SitePage[] pages = [.. sources.Select(source => new SitePage(source, Read(repository, source)))];
+        string[] reference = Read(repository, SitePage.Api).Split("\n## ");
+        var types = reference.Skip(1).Select(part => SitePage.AddressOf(part.Split('\n')[0])).ToHashSet();
+        SitePage[] pages = [.. sources.Select(source => new SitePage(source, source == SitePage.Api ? reference[0] : Read(repository, source), types))];
+        SitePage[] all =
+        [
+            .. pages,
+            .. reference.Skip(1).Select(part => new SitePage(SitePage.Api, "# " + part, types, SitePage.TypePage(SitePage.AddressOf(part.Split('\n')[0])))),
+        ];
         Directory.CreateDirectory(folder);
         string frame = Asset("page.html");
-        foreach (SitePage page in pages)
+        foreach (SitePage page in all)
         {
             string written = frame
                 .Replace("{{title}}", WebUtility.HtmlEncode(page.Title), StringComparison.Ordinal)
                 .Replace("{{pages}}", string.Concat(pages.Select(other => Entry(other, page))), StringComparison.Ordinal)
+                .Replace("{{first}}", page.File == "index.html" ? Asset("first.html") : "", StringComparison.Ordinal)
+                .Replace("{{contents}}", Contents(page), StringComparison.Ordinal)
+                .Replace("{{version}}", typeof(Ball).Assembly.GetName().Version!.ToString(3), StringComparison.Ordinal)
                 .Replace("{{content}}", page.Html, StringComparison.Ordinal);
             File.WriteAllText(Path.Combine(folder, page.File), written);
             foreach (string picture in page.Pictures)
@@ -33,13 +43,24 @@ internal static partial class SiteWriter
             }
         }
 
+        File.WriteAllText(Path.Combine(folder, Tool.Playground.File), Tool.Playground.Html);
+        File.WriteAllText(Path.Combine(folder, "pages.js"), Asset("pages.js"));
         File.WriteAllText(Path.Combine(folder, "style.css"), Asset("style.css"));
-        File.WriteAllText(Path.Combine(folder, "search.js"), $"const SECTIONS = {Index(pages)};\n{Asset("search.js")}");
+        File.WriteAllText(Path.Combine(folder, "search.js"), $"const SECTIONS = {Index(all)};\n{Asset("search.js")}");
         return [.. pages.Select(page => page.File)];
     }
 
     private static string Entry(SitePage page, SitePage current) =>
-        $"<a href=\"{page.File}\"{(page == current ? " aria-current=\"page\"" : "")}>{WebUtility.HtmlEncode(page.Title)}</a>\n";
+        $"<a href=\"{page.File}\"{(page.Source == current.Source ? " aria-current=\"page\"" : "")}>{WebUtility.HtmlEncode(page.Title)}</a>\n";
+
+    /// <summary>What is on a page, where that is more than fits on a screen.</summary>
+    private static string Contents(SitePage page)
+    {
+        (string Address, string Heading)[] sections = [.. page.Contents];
+        return sections.Length < 3 ? ""
+            : "<aside aria-label=\"On this page\"><b>On this page</b>\n"
+                + string.Concat(sections.Select(section => $"<a href=\"{section.Address}\">{WebUtility.HtmlEncode(section.Heading)}</a>\n")) + "</aside>\n";
+    }
 
     private static string Index(SitePage[] pages) => JsonSerializer.Serialize(
         from page in pages

@@ -61,14 +61,30 @@ public static class SceneInput
             BallType.Teamgeist => BallProperties.Teamgeist,
             BallType.Jabulani => BallProperties.Jabulani,
             BallType.Brazuca => BallProperties.Brazuca,
+            BallType.Telstar18 => BallProperties.Telstar18,
+            BallType.Flight2020 => BallProperties.Flight2020,
+            BallType.AlRihla => BallProperties.AlRihla,
+            BallType.Fussballliebe => BallProperties.Fussballliebe,
+            BallType.Trionda => BallProperties.Trionda,
+            BallType.Modern => BallProperties.Modern,
             BallType.YouthFootball => BallProperties.YouthFootball,
             BallType.Futsal => BallProperties.Futsal,
             BallType.BeachBall => BallProperties.BeachBall,
             BallType.MedicineBall => BallProperties.MedicineBall,
             _ => BallProperties.Football,
         };
+        DragCurve curve = defaults.DragCurve;
+        if (profile == Profile.Measured && ball.Has("roughness"))
+        {
+            // A dial of its own; only of a ball of no make
+            ball.Exclude("roughness", "type");
+            double roughness = ball.Number("roughness", 0);
+            curve = ball.Make(() => DragCurve.OfRoughness(roughness)) ?? curve;
+        }
+
         return defaults with
         {
+            DragCurve = curve,
             Mass = ball.Number("mass", defaults.Mass),
             Radius = ball.Number("radius", defaults.Radius),
             InertiaFactor = ball.Number("inertiaFactor", defaults.InertiaFactor),
@@ -95,6 +111,7 @@ public static class SceneInput
         {
             SurfaceType.ArtificialTurf => Physics.Ground.ArtificialTurf,
             SurfaceType.WetTurf => Physics.Ground.WetTurf,
+            SurfaceType.MatchTurf => Physics.Ground.MatchTurf,
             SurfaceType.HardGround => Physics.Ground.HardGround,
             SurfaceType.LongGrass => Physics.Ground.LongGrass,
             SurfaceType.Indoor => Physics.Ground.Indoor,
@@ -114,6 +131,7 @@ public static class SceneInput
         {
             NormalRestitution = ground.Number("normalRestitution", defaults.NormalRestitution),
             RestitutionSpeed = ground.Limit("restitutionSpeed", defaults.RestitutionSpeed),
+            RestitutionRise = ground.Number("restitutionRise", defaults.RestitutionRise),
             ImpactFriction = ground.Limit("impactFriction", defaults.ImpactFriction),
             RollingFrictionBySpeed = ground.Number("rollingFrictionBySpeed", defaults.RollingFrictionBySpeed),
             DrillingLength = ground.Number("drillingLength", defaults.DrillingLength),

@@ -6,6 +6,7 @@ public enum SurfaceType
     DryTurf,
     ArtificialTurf,
     WetTurf,
+    MatchTurf,
     HardGround,
     LongGrass,
     Indoor,

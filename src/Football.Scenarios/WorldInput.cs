@@ -77,6 +77,7 @@ public static class WorldInput
         {
             NormalRestitution = surface.Number("normalRestitution", defaults.NormalRestitution),
             RestitutionSpeed = surface.Limit("restitutionSpeed", defaults.RestitutionSpeed),
+            RestitutionRise = surface.Number("restitutionRise", defaults.RestitutionRise),
             TangentialRestitution = surface.Number("tangentialRestitution", defaults.TangentialRestitution),
             SpinRestitution = surface.Number("spinRestitution", defaults.SpinRestitution),
             ImpactFriction = surface.Limit("impactFriction", defaults.ImpactFriction),

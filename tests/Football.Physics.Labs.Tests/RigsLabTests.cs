@@ -20,7 +20,7 @@ public sealed class RigsLabTests
         FootballCommand done = FootballCommand.Run("", "lab", "rigs");
         Assert.Equal(0, done.ExitCode);
         JsonElement[] rows = [.. done.Result.GetProperty("tables")[0].GetProperty("rows").EnumerateArray()];
-        Assert.Equal(12, rows.Length);
+        Assert.Equal(13, rows.Length);
         foreach (JsonElement row in rows.Where(row => row.GetProperty("profile").GetString() == "measured" && row.GetProperty("test").ValueKind != JsonValueKind.Null))
         {
             Assert.All((string[])["drop is", "angle is", "roll is"], column => Assert.NotEqual("FAIL", row.GetProperty(column).GetString()));

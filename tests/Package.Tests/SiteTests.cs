@@ -9,6 +9,8 @@ public sealed partial class SiteTests
     private static readonly string s_folder = Directory.CreateTempSubdirectory("football-site-").FullName;
     private static readonly IReadOnlyList<string> s_pages = SiteWriter.Write(Repository.Root, s_folder);
 
+    private static readonly string[] s_all = [.. Directory.GetFiles(s_folder, "*.html").Select(file => Path.GetFileName(file)!).Where(file => file != Tool.Playground.File)];
+
     [Fact]
     public void It_has_every_page_and_each_names_all_others()
     {
@@ -21,8 +23,8 @@ public sealed partial class SiteTests
     [Fact]
     public void No_link_is_dead_to_the_last_heading()
     {
-        Dictionary<string, HashSet<string>> anchors = s_pages.ToDictionary(page => page, page => Id().Matches(Text(page)).Select(match => match.Groups[1].Value).ToHashSet());
-        foreach (string page in s_pages)
+        Dictionary<string, HashSet<string>> anchors = s_all.ToDictionary(page => page, page => Id().Matches(Text(page)).Select(match => match.Groups[1].Value).ToHashSet());
+        foreach (string page in s_all)
         {
             foreach (string url in Url().Matches(Text(page)).Select(match => match.Groups[1].Value).Where(url => !url.Contains("://", StringComparison.Ordinal)))
             {
@@ -32,6 +34,16 @@ public sealed partial class SiteTests
                 Assert.True(parts.Length == 1 || anchors[file].Contains(parts[1]), $"{page}: {url} is no heading of {file}");
             }
         }
+    }
+
+    [Fact]
+    public void The_reference_has_a_page_a_type_and_the_page_to_play_with_comes_first()
+    {
+        Assert.Contains("<a href=\"api-ball.html\">", Text("api.html"));
+        Assert.Contains("<h1 id=\"ball\">Ball</h1>", Text("api-ball.html"));
+        Assert.All(s_all, page => Assert.Contains("<a class=\"play\" href=\"play.html\"", Text(page)));
+        Assert.Contains("<iframe src=\"play.html\"", Text("index.html"));
+        Assert.Equal(Tool.Playground.Html, Text(Tool.Playground.File));
     }
 
     [Fact]

@@ -2,19 +2,43 @@ const search = document.getElementById("search");
 const found = document.getElementById("found");
 const words = text => text.toLowerCase().split(/[^\p{L}\p{N}_.]+/u).filter(w => w.length > 0);
 
-// A section counts for how often the words stand in it; in a heading they count more, and all of them must be there.
+// What everybody writes in a question says nothing of where the answer is.
+const COMMON = new Set("a an the i my me you your we it its is are be can could do does did how what when where which who why will would should to of in on at for with by from and or not no so as that this there have has get make use want need".split(" "));
+
+// Words are the same whatever their ending.
+const stem = w => w.length > 4 ? w.replace(/(ies)$/, "y").replace(/(ings?|ers?|ed|es|s|ly)$/, "").replace(/([bdglmnprt])\1$/, "$1") : w.replace(/s$/, "");
+const INDEX = SECTIONS.map(([page, heading, address, text]) => {
+  const counts = new Map();
+  const count = (from, weight) => words(from).forEach(w => counts.set(stem(w), (counts.get(stem(w)) || 0) + weight));
+  count(heading, 100);
+  count(page, 4);
+  count(text, 1);
+  return { page, heading, address, text, counts, length: words(text).length };
+});
+const KNOWN = new Map();
+for (const { counts } of INDEX) for (const w of counts.keys()) KNOWN.set(w, (KNOWN.get(w) || 0) + 1);
+
+// How much a word counts in a section: rare words more than common ones, in a heading more than below it, and again and again only a little more.
+function weight(section, w) {
+  let n = section.counts.get(w) || 0;
+  if (n === 0 && w.length > 3) for (const [k, c] of section.counts) if (k.startsWith(w) || (k.length > 4 && w.startsWith(k))) n = Math.max(n, 0.4 * c);
+  if (n === 0) return 0;
+  const body = n % 100, rare = Math.log(1 + INDEX.length / (KNOWN.get(w) || 3));
+  return rare * ((n >= 40 ? 3 : 0) + body / (body + 0.6 + section.length / 400));
+}
+
 function look(query) {
-  const wanted = words(query);
+  const all = words(query).map(stem), telling = words(query).filter(w => !COMMON.has(w)).map(stem), wanted = telling.length > 0 ? telling : all;
   if (wanted.length === 0) return [];
-  return SECTIONS.map(([page, heading, address, text]) => {
-    const [head, body] = [`${page} ${heading}`.toLowerCase(), text.toLowerCase()];
-    const counts = wanted.map(w => 8 * (head.split(w).length - 1) + Math.min(5, body.split(w).length - 1));
-    return { page, heading, address, text, score: counts.includes(0) ? 0 : counts.reduce((a, b) => a + b) };
+  return INDEX.map(section => {
+    const each = wanted.map(w => weight(section, w)), met = each.filter(x => x > 0).length;
+    return { ...section, score: each.reduce((a, b) => a + b, 0) * (met / wanted.length) ** 2 };
   }).filter(s => s.score > 0).sort((a, b) => b.score - a.score).slice(0, 12);
 }
 
 function snippet(text, query) {
-  const at = Math.max(0, text.toLowerCase().indexOf(words(query)[0]) - 40);
+  const first = words(query).filter(w => !COMMON.has(w)).map(w => text.toLowerCase().indexOf(stem(w))).find(i => i >= 0);
+  const at = Math.max(0, (first ?? 0) - 40);
   return (at > 0 ? "…" : "") + text.slice(at, at + 160);
 }
 

@@ -7,6 +7,7 @@ internal sealed class Collider
     private readonly ObstacleMotions? _obstacles;
     private readonly Body? _body;
     private IShape _shape;
+    private PlaneShape? _plane;
     private Bounds3d _bounds;
     private ContactMaterial _material;
     private Placement? _placement;
@@ -17,6 +18,7 @@ internal sealed class Collider
     {
         Name = name;
         _shape = shape;
+        _plane = shape as PlaneShape;
         _bounds = shape.Bounds;
         _material = material;
     }
@@ -83,6 +85,9 @@ internal sealed class Collider
     /// <summary>Whether it may be elsewhere at another time.</summary>
     public bool Moves => _placement is not null || _motion.Velocity != Vector3d.Zero;
 
+    /// <summary>The plane that it is, where it stands still; else null: a path's distance from it is one cubic.</summary>
+    public PlaneShape? StandingPlane => Moves ? null : _plane;
+
     /// <summary>The strongest curvature of its hollows, 1/m; 0 where it is convex.</summary>
     public double HollowCurvature => _shape.HollowCurvature;
 
@@ -108,6 +113,7 @@ internal sealed class Collider
         Engine = collider;
         Name = collider.Name;
         _shape = collider.Shape;
+        _plane = _shape as PlaneShape;
         _bounds = _shape.Bounds;
         _material = new ContactMaterial(collider.Surface);
         _placement = collider.Placement;

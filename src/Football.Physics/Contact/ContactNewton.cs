@@ -14,7 +14,7 @@ internal static class ContactNewton
     /// <param name="set">The contacts.</param>
     /// <param name="ball">The ball.</param>
     /// <param name="duration">The time, s.</param>
-    /// <param name="resistance">What resists the rolling on one of them.</param>
+    /// <param name="resistance">What resists the turning on one of them.</param>
     /// <param name="v">Velocity, m/s.</param>
     /// <param name="w">Spin, rad/s.</param>
     public static void Step(Span<Contact> set, BallProperties ball, double duration, ref TurningResistance resistance, ref Vector3d v, ref Vector3d w)
@@ -24,7 +24,7 @@ internal static class ContactNewton
         double grip = ball.InertiaFactor / (1.0 + ball.InertiaFactor);
         int contacts = set.Length;
         int bearer = resistance.Bearer;
-        int size = (3 * contacts) + (bearer < 0 ? 0 : 2);
+        int size = (3 * contacts) + (bearer < 0 ? 0 : 3);
         Span<Row> rows = stackalloc Row[size];
         Span<double> system = stackalloc double[size * (size + 1)];
 
@@ -37,7 +37,7 @@ internal static class ContactNewton
             Vector3d t2 = Vector3d.Cross(in n, in t1);
             double closing = ContactSolver.Closing(in contact, duration, in v);
             bool bears = contact.Load - closing > 0;
-            rows[3 * i] = new Row { AlongV = n, PushV = n, Residual = bears ? closing : contact.Load, IsFree = bears, LoadRow = -1 };
+            rows[3 * i] = new Row { AlongV = n, PushV = n, Residual = bears ? closing : contact.Load, OfMotion = bears ? 1 : 0, OfItself = bears ? 0 : 1, LoadRow = -1 };
 
             // s = u_t + r n × ω, a push F turns by −n × F/(α r).
             Vector3d relative = v - contact.Velocity;
@@ -60,6 +60,7 @@ internal static class ContactNewton
                 new Slipping(r * Vector3d.Dot(in w, in t1), r * Vector3d.Dot(in w, in t2)),
                 new Slipping(r * Vector3d.Dot(in resistance.Rolling, in t1), r * Vector3d.Dot(in resistance.Rolling, in t2)),
                 1.0, share, contact.Load, 3 * bearer);
+            rows[size - 1] = Drilling(in contact, ball, duration, resistance.Drilling, in w, 3 * bearer);
         }
 
         Fill(system, rows, size);
@@ -84,11 +85,37 @@ internal static class ContactNewton
             {
                 set[i / 3].Friction += change * rows[i].PushV;
             }
-            else
+            else if (i < size - 1)
             {
                 resistance.Rolling += change * rows[i].PushW;
             }
+            else
+            {
+                resistance.Drilling += change;
+            }
         }
+    }
+
+    /// <summary>What resists the spin about the normal: it ends it, or damps it and takes what the load allows.</summary>
+    private static Row Drilling(in Contact contact, BallProperties ball, double duration, double drilling, in Vector3d w, int loadRow)
+    {
+        // ω_n = (ω_n − D)/(1 + k) ∓ c N
+        double about = Vector3d.Dot(in w, in contact.Normal);
+        double damping = TurningResistance.Damping(in contact, ball, duration);
+        double perLoad = TurningResistance.DrillingPerLoad(in contact, ball);
+        double damped = (about - drilling) / (1.0 + damping);
+        bool ends = Math.Abs(damped) <= perLoad * contact.Load;
+        double resisted = damped > 0 ? perLoad : -perLoad;
+        return new Row
+        {
+            AlongW = contact.Normal,
+            PushW = contact.Normal,
+            Residual = ends ? about : about - damped + (resisted * contact.Load),
+            OfMotion = ends ? 1.0 : damping / (1.0 + damping),
+            OfItself = ends ? 0 : 1.0 / (1.0 + damping),
+            LoadRow = ends ? -1 : loadRow,
+            PerLoad = resisted,
+        };
     }
 
     /// <summary>A pair of unknowns that are bounded together: they end a slip, or are at their bound μ N against it.</summary>
@@ -111,7 +138,8 @@ internal static class ContactNewton
             PushV = pushV1,
             PushW = pushW1,
             Residual = grips ? slip.First : push.First - (most * x),
-            IsFree = grips,
+            OfMotion = grips ? 1 : 0,
+            OfItself = grips ? 0 : 1,
             LoadRow = grips ? -1 : loadRow,
             PerLoad = -friction * x,
             Turns = turns,
@@ -126,7 +154,8 @@ internal static class ContactNewton
             PushV = pushV2,
             PushW = pushW2,
             Residual = grips ? slip.Second : push.Second - (most * y),
-            IsFree = grips,
+            OfMotion = grips ? 1 : 0,
+            OfItself = grips ? 0 : 1,
             LoadRow = grips ? -1 : loadRow,
             PerLoad = -friction * y,
             Turns = turns,
@@ -145,14 +174,15 @@ internal static class ContactNewton
             for (int j = 0; j < size; j++)
             {
                 ref readonly Row by = ref rows[j];
-                double value = row.IsFree ? Vector3d.Dot(in row.AlongV, in by.PushV) + Vector3d.Dot(in row.AlongW, in by.PushW) : i == j ? 1.0 : 0;
-                if (!row.IsFree && row.LoadRow >= 0)
+                double motion = Vector3d.Dot(in row.AlongV, in by.PushV) + Vector3d.Dot(in row.AlongW, in by.PushW);
+                double value = (row.OfMotion * motion) + (i == j ? row.OfItself : 0) + (j == row.LoadRow ? row.PerLoad : 0);
+                if (row.Turns > 0)
                 {
                     // −μ dN T/|T| − (μ N/|T|)(1 − T Tᵀ/|T|²)(dF − g ds): of the change of T only what is across it counts.
                     ref readonly Row other = ref rows[i + row.Other];
-                    double changeOwn = (i == j ? 1.0 : 0) - (row.Grip * (Vector3d.Dot(in row.AlongV, in by.PushV) + Vector3d.Dot(in row.AlongW, in by.PushW)));
+                    double changeOwn = (i == j ? 1.0 : 0) - (row.Grip * motion);
                     double changeOther = (i + row.Other == j ? 1.0 : 0) - (row.Grip * (Vector3d.Dot(in other.AlongV, in by.PushV) + Vector3d.Dot(in other.AlongW, in by.PushW)));
-                    value += (j == row.LoadRow ? row.PerLoad : 0) - (row.Turns * row.Across * ((row.Across * changeOwn) + (other.Across * changeOther)));
+                    value -= row.Turns * row.Across * ((row.Across * changeOwn) + (other.Across * changeOther));
                 }
 
                 system[(i * (size + 1)) + j] = value + (i == j ? Least : 0);
@@ -162,7 +192,7 @@ internal static class ContactNewton
         }
     }
 
-    /// <summary>Gauss–Jordan elimination with pivots from the column; the solution replaces the right-hand side.</summary>
+    /// <summary>Gaussian elimination with pivots from the column; the solution replaces the right-hand side.</summary>
     /// <returns>False where there is none.</returns>
     private static bool Eliminate(Span<double> system, int size)
     {
@@ -175,26 +205,38 @@ internal static class ContactNewton
                 pivot = Math.Abs(system[(i * width) + column]) > Math.Abs(system[(pivot * width) + column]) ? i : pivot;
             }
 
-            double largest = system[(pivot * width) + column];
+            Span<double> own = system.Slice(column * width, width);
+            Span<double> best = system.Slice(pivot * width, width);
+            double largest = best[column];
             if (!(Math.Abs(largest) > 1e-14))
             {
                 return false;
             }
 
-            for (int j = column; j <= size; j++)
+            for (int j = column; j < width; j++)
             {
-                double value = system[(pivot * width) + j] / largest;
-                system[(pivot * width) + j] = system[(column * width) + j];
-                system[(column * width) + j] = value;
+                double value = best[j] / largest;
+                best[j] = own[j];
+                own[j] = value;
             }
 
-            for (int i = 0; i < size; i++)
+            for (int i = column + 1; i < size; i++)
             {
-                double factor = system[(i * width) + column];
-                for (int j = column; i != column && factor != 0 && j <= size; j++)
+                Span<double> row = system.Slice(i * width, width);
+                double factor = row[column];
+                for (int j = column; factor != 0 && j < width; j++)
                 {
-                    system[(i * width) + j] -= factor * system[(column * width) + j];
+                    row[j] -= factor * own[j];
                 }
+            }
+        }
+
+        for (int i = size - 2; i >= 0; i--)
+        {
+            Span<double> row = system.Slice(i * width, width);
+            for (int j = i + 1; j < size; j++)
+            {
+                row[size] -= row[j] * system[(j * width) + size];
             }
         }
 
@@ -235,8 +277,9 @@ internal static class ContactNewton
         /// <summary>What is asked for to be zero.</summary>
         public double Residual;
 
-        /// <summary>Whether the motion is asked for; else the unknown itself.</summary>
-        public bool IsFree;
+        /// <summary>How much of it is the motion, and how much the unknown itself.</summary>
+        public double OfMotion;
+        public double OfItself;
 
         /// <summary>The load that bounds it, by how much, and the row of the other of its pair.</summary>
         public int LoadRow;

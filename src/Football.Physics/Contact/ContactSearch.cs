@@ -41,7 +41,7 @@ internal readonly struct ContactSearch
     {
         _world = world;
         _path = path;
-        _bounds = path.Bounds;
+        _bounds = world.IsBare ? Bounds3d.Everywhere : path.Bounds;
         _time = time;
         _bend = path.GreatestAcceleration;
     }
@@ -63,6 +63,11 @@ internal readonly struct ContactSearch
     {
         first = default;
         double best = double.PositiveInfinity;
+        if (carrier >= 0 && _world.IsPlaneAlone)
+        {
+            return best;
+        }
+
         _world.Engine?.LookAlong(in _path, _time);
         var near = new NearThings(_world, _bounds.Grown(_world.Ball.Radius), _time, _path.Length);
         while (near.NextCollider(out int thing))
@@ -216,6 +221,11 @@ internal readonly struct ContactSearch
     private double FirstContact(Collider collider, double until)
     {
         double r = _world.Ball.Radius;
+        if (collider.StandingPlane is { } plane)
+        {
+            return FirstContact(_path.DistanceTo(plane, r), until);
+        }
+
         PathCubic path = _path;
         Bounds3d bounds = _bounds;
         if (collider.Moves)
@@ -257,6 +267,29 @@ internal readonly struct ContactSearch
                 step = gap < NearHollow * r ? Math.Max(bySpeed, Math.Min(step, ((NearHollow * r) - gap) / speed)) : bySpeed;
             }
 
+            if (!Advance(ref t, step, shortest, until))
+            {
+                return double.PositiveInfinity;
+            }
+        }
+    }
+
+    /// <summary>When the ball touches a plane first, coming closer; infinite where it does not.</summary>
+    private double FirstContact(in PathDistance distance, double until)
+    {
+        double bend = distance.GreatestFall;
+        double shortest = ShortestOf(in _path);
+        double t = 0;
+        while (true)
+        {
+            double gap = distance.At(t);
+            double rate = distance.RateAt(t);
+            if (gap <= Touching && rate < -Approaching)
+            {
+                return t;
+            }
+
+            double step = gap > Touching ? Safe(gap, rate, bend) : Along(rate, bend);
             if (!Advance(ref t, step, shortest, until))
             {
                 return double.PositiveInfinity;

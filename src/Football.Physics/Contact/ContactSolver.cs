@@ -19,11 +19,17 @@ internal static class ContactSolver
     /// <summary>Where impulses change by less than this share of themselves and the speeds, they are found.</summary>
     private const double Settled = 1e-13;
 
-    /// <summary>Where they still change by no more than this after the last round, they are known well enough.</summary>
-    private const double Known = 1e-9;
+    /// <summary>
+    /// Where they still change by no more than this after the last round, or where Newton's method gains little, they are known well enough: loads that are not
+    /// determined, as those of a ball that a player holds against a post, creep.
+    /// </summary>
+    private const double Known = 1e-8;
+
+    /// <summary>Little: the change is more than this share of what it was.</summary>
+    private const double Little = 0.1;
 
     /// <summary>So often, in rounds, what bears, grips and slips is taken for known.</summary>
-    private const int RoundsBetween = 4;
+    private const int RoundsBetween = 2;
 
     /// <summary>Velocity and spin after the time, m/s and rad/s, where without contacts they would be what is handed over.</summary>
     /// <param name="set">The contacts; they take the impulses, and have those of the time before, or none, to begin with.</param>
@@ -56,6 +62,11 @@ internal static class ContactSolver
                 resistance = before.Resistance;
                 before.Change = double.PositiveInfinity;
                 continue;
+            }
+
+            if (change <= Known && change > Little * before.Change)
+            {
+                return true;
             }
 
             before.Change = double.PositiveInfinity;
@@ -197,13 +208,10 @@ internal struct TurningResistance
         }
 
         ref readonly Contact contact = ref set[heaviest];
-        ref readonly ContactMaterial material = ref contact.Material;
-        double alpha = ball.InertiaFactor;
-        double r = ball.Radius;
         Vector3d n = contact.Normal;
         double about = Vector3d.Dot(in w, in n);
-        double damped = (about - Drilling) / (1.0 + (duration * material.SpinDamping / ball.MomentOfInertia));
-        double most = material.DrillingLength * material.SlidingFriction * contact.Load / (alpha * r * r);
+        double damped = (about - Drilling) / (1.0 + Damping(in contact, ball, duration));
+        double most = DrillingPerLoad(in contact, ball) * contact.Load;
         double kept = damped > 0 ? Math.Max(0, damped - most) : Math.Min(0, damped + most);
         double drilled = kept - about;
         Drilling += drilled;
@@ -218,6 +226,13 @@ internal struct TurningResistance
         Rolling = resisted;
         return Math.Max(Math.Abs(drilled), more.Length);
     }
+
+    /// <summary>c_ω h/I.</summary>
+    public static double Damping(in Contact contact, BallProperties ball, double duration) => duration * contact.Material.SpinDamping / ball.MomentOfInertia;
+
+    /// <summary>How much drilling friction may take of the spin about the normal, rad/s, for each m/s of load: b μ_s/(α r²).</summary>
+    public static double DrillingPerLoad(in Contact contact, BallProperties ball) =>
+        contact.Material.DrillingLength * contact.Material.SlidingFriction / (ball.InertiaFactor * ball.Radius * ball.Radius);
 
     /// <summary>How much it may take of the rolling, rad/s: nothing where the contact slipped before.</summary>
     public static double MostRolling(in Contact contact, BallProperties ball, in Vector3d v)

@@ -53,10 +53,11 @@ internal static class CoulombImpact
         }
 
         // J_n/m = (1 + e) (−u·n)/(1 + m/M)
-        double normal = (1.0 + material.RestitutionAt(approach)) * approach / (1.0 + other.Normal);
+        Vector3d along = u + (approach * n);
+        double normal = (1.0 + material.RestitutionAt(approach, in along)) * approach / (1.0 + other.Normal);
 
         // s = u_t + r n × ω;   grip J/m = (1 + e_t) s/(1 + 1/α + m/M), at most μ J_n/m
-        Vector3d slip = u + (approach * n) + (r * Vector3d.Cross(in n, in w));
+        Vector3d slip = along + (r * Vector3d.Cross(in n, in w));
         double share = alpha / (1.0 + alpha + (alpha * other.Tangential));
         double gripX = share * (1.0 + material.TangentialX);
         var grip = new Vector3d(gripX * slip.X, gripX * slip.Y, share * (1.0 + material.TangentialZ) * slip.Z);

@@ -67,6 +67,23 @@ internal sealed class NetSheet
     public double RateAt(double depth) =>
         (depth * ((_stiffness * _damping) + _tangential + _spin)) + Math.Sqrt(_stiffness);
 
+    /// <summary>
+    /// How far the path of a piece may be off the quintic through its ends' places, velocities and accelerations, m: |x⁽⁶⁾| h⁶/46080, with a force that settles at
+    /// the rate λ, |x⁽⁶⁾| ≤ λ⁴ |a|, the net's pull off the sheet and its drag along it each at its own rate.
+    /// </summary>
+    public double Bends(in Vector3d position, in Vector3d velocity, double side, double h)
+    {
+        double depth = Math.Max(0, Depth(in position, side)) + (h * velocity.Length);
+        double off = Vector3d.Dot(in velocity, Normal);
+        double pull = _stiffness * depth * Math.Max(0, Tension(in velocity, side));
+        double drag = _tangential * depth * (velocity - (off * Normal)).Length;
+        double pulls = h * ((_stiffness * _damping * depth) + Math.Sqrt(_stiffness));
+        double drags = h * _tangential * depth;
+        pulls *= pulls;
+        drags *= drags;
+        return h * h * Math.Max(pull * pulls * pulls, drag * drags * drags) / 46080.0;
+    }
+
     /// <summary>What it does to a ball in it: F/m = σ k δ max(0, 1 + b δ̇) n − k_t δ v_t, T/I = −k_ω δ ω.</summary>
     public MotionRates Push(in Motion at, double side)
     {

@@ -54,6 +54,13 @@ internal readonly struct Separation
         {
             case SeparationKind.Contact:
                 Collider collider = _world.Colliders[_index];
+                if (collider.StandingPlane is { } plane)
+                {
+                    value = plane.DistanceTo(in position) - _world.Ball.Radius;
+                    rate = Vector3d.Dot(in velocity, plane.Normal);
+                    break;
+                }
+
                 ShapePoint at = collider.At(in position, time);
                 value = at.Distance - _world.Ball.Radius;
                 rate = Vector3d.Dot(velocity - collider.Velocity, at.Normal);

@@ -63,6 +63,8 @@ internal struct SurfaceSystem : IMotionSystem
         return Sliding(time, in at, in on);
     }
 
+    public readonly double LongestPart(in Motion at, double h) => World.LongestPartInNets(Nets, NetSides, in at, h);
+
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
     {
         s.BaseOrientation = s.BaseOrientation.Turned(in step.Rotation);

@@ -5,6 +5,9 @@ namespace Football.Physics;
 /// </summary>
 internal sealed class World
 {
+    /// <summary>Nets change the motion in a part of a step by no more than this share.</summary>
+    private const double LargestChangeInNets = 0.03;
+
     private readonly string[] _names;
     /// <summary>Around what moves by itself: the first of <see cref="Moving"/>, for bodies are its last.</summary>
     private readonly MovingSpheres _movers = new();
@@ -32,6 +35,7 @@ internal sealed class World
         FirstCollider = scene.Ground.IsNone ? 1 : 0;
         IsLevel = scene.Ground.IsLevel;
         IsLevelGroundAlone = IsLevel && IsBare;
+        IsPlaneAlone = IsBare && scene.Ground.Heights is null;
         LevelContact = scene.Ground.IsNone || !scene.Ground.IsLevel ? double.NegativeInfinity : scene.Ground.Height + Ball.Radius;
         if (!IsBare)
         {
@@ -209,6 +213,9 @@ internal sealed class World
 
     /// <summary>Whether there is nothing but the ground, or nothing at all.</summary>
     public bool IsBare { get; }
+
+    /// <summary>Whether there is nothing but flat ground, level or tilted, or nothing at all.</summary>
+    public bool IsPlaneAlone { get; }
 
     /// <summary>Whether there is nothing but level ground, or nothing at all.</summary>
     public bool IsLevelGroundAlone { get; }
@@ -431,6 +438,25 @@ internal sealed class World
         }
 
         return new MotionRates(in acceleration, in spinAcceleration);
+    }
+
+    /// <summary>The longest part of a step in which nets change the motion by no more than a small share, s.</summary>
+    public double LongestPartInNets(ulong nets, ulong sides, in Motion at, double h)
+    {
+        double longest = h;
+        double speed = at.Velocity.Length;
+        for (int i = 0; i < Nets.Length && nets >> i != 0; i++)
+        {
+            if ((nets >> i & 1) != 0)
+            {
+                // As deep as it may come within the part.
+                double depth = Math.Max(0, Nets[i].Depth(at.Position, SideOf(sides, i)));
+                double part = LargestChangeInNets / Nets[i].RateAt(depth + (longest * speed));
+                longest = Math.Min(longest, LargestChangeInNets / Nets[i].RateAt(depth + (Math.Min(longest, part) * speed)));
+            }
+        }
+
+        return longest;
     }
 
     /// <summary>σ of a net.</summary>

@@ -18,6 +18,9 @@ public sealed class Rollback
     private readonly int _movers;
     private readonly int _ticks;
     private long _bodiesMoved = -1;
+    /// <summary>Where the last steps that were played again first came out otherwise.</summary>
+    private StateDifference? _difference;
+
     private bool _replays;
 
     /// <summary>Begins to follow a runner, from its present tick on.</summary>
@@ -138,6 +141,23 @@ public sealed class Rollback
         return tick;
     }
 
+    /// <summary>
+    /// Plays the last ticks again from the state that was kept, and compares: for tests, in every tick of a match. A difference means that something is not
+    /// in the state: a force or a body of the game's that depends on more than the time, or an engine's collider that moved.
+    /// </summary>
+    /// <param name="ticks">How many ticks to go back; 1 … <see cref="Ticks"/>. Fewer where fewer are kept.</param>
+    /// <returns>The first tick, ball and field that came out otherwise; null where all are the same to the last bit.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The number of ticks is out of range.</exception>
+    /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and nothing says where they were; nothing has changed.</exception>
+    public StateDifference? SyncTest(int ticks)
+    {
+        Check.Within(nameof(ticks), ticks, 1, Ticks);
+        long from = Math.Max(OldestTick, Runner.Tick - ticks);
+        RefuseUnknownPlaces(from);
+        PlayAgain(from);
+        return _difference;
+    }
+
     /// <summary>Begins anew where the runner went.</summary>
     internal void Begin(long tick)
     {
@@ -225,6 +245,7 @@ public sealed class Rollback
     private long? PlayAgain(long from)
     {
         Events.Clear();
+        _difference = null;
         long now = Runner.Tick;
         long? first = null;
         if (from >= now)
@@ -259,7 +280,12 @@ public sealed class Rollback
                 for (int i = 0; i < _balls; i++)
                 {
                     ref BallState kept = ref _states[PlaceOf(Runner.Tick) + i];
-                    same &= Snapshot.Same(in kept, in Runner.States[i]);
+                    if (!Snapshot.Same(in kept, in Runner.States[i]))
+                    {
+                        same = false;
+                        _difference ??= Snapshot.Difference(in kept, in Runner.States[i])?.At(Runner.Tick, i);
+                    }
+
                     kept = Runner.States[i];
                 }
 

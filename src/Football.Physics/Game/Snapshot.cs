@@ -49,6 +49,27 @@ public static class Snapshot
         return left.SequenceEqual(right);
     }
 
+    /// <summary>Tells in which field two states differ first, to the last bit.</summary>
+    /// <param name="expected">One state.</param>
+    /// <param name="actual">The other state.</param>
+    /// <returns>The field and both values; null where the states are the same.</returns>
+    public static StateDifference? Difference(in BallState expected, in BallState actual)
+    {
+        Span<ulong> left = stackalloc ulong[StateFields.Count];
+        Span<ulong> right = stackalloc ulong[StateFields.Count];
+        StateFields.Read(in expected, left);
+        StateFields.Read(in actual, right);
+        for (int i = 0; i < StateFields.Count; i++)
+        {
+            if (left[i] != right[i])
+            {
+                return new StateDifference(-1, 0, i, left[i], right[i]);
+            }
+        }
+
+        return null;
+    }
+
     /// <summary>Writes a state as bytes, little-endian on every machine.</summary>
     /// <param name="state">The state.</param>
     /// <param name="destination">Where to; at least <see cref="Size"/> bytes.</param>

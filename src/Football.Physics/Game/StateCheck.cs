@@ -19,6 +19,32 @@ internal static class StateCheck
     /// <summary>How far a square of the length of a unit vector or quaternion may be off 1.</summary>
     private const double Rounding = 1e-6;
 
+    /// <summary>Whether it is one: what <see cref="Validate"/> lets through, in a few nanoseconds.</summary>
+    public static bool Holds(in BallState state)
+    {
+        // A comparison with what is not a number is false.
+        Vector3d p = state.Position;
+        Vector3d v = state.Velocity;
+        if (!(state.Time >= 0 && state.Time <= LatestTime && (uint)state.Branch < 5 && (ulong)state.Carrier <= int.MaxValue
+            && p.LengthSquared <= 3 * Farthest * Farthest && v.LengthSquared <= FastestSpeed * FastestSpeed
+            && Math.Abs(state.BaseOrientation.LengthSquared - 1) <= Rounding
+            && state.ClearUntil >= 0
+            && state.SqueezeSpeed >= 0 && state.SqueezeSpeed <= FastestSpeed && state.SqueezeUntil >= 0 && state.SqueezeUntil <= LatestTime))
+        {
+            return false;
+        }
+
+        double axis = state.SpinAxis.LengthSquared;
+        return state.Motion switch
+        {
+            MotionState.Airborne => Math.Abs(axis - 1) <= Rounding && state.SpinRate >= 0 && state.SpinRate <= FastestSpin && Math.Abs(state.Angle) <= LargestAngle,
+            MotionState.Stopped => axis == 0 && state.SpinRate == 1 && state.Angle == 0
+                && v.LengthSquared <= (state.Carrier > 0 ? Limits.Speed * Limits.Speed : 0),
+            MotionState.Sliding or MotionState.Rolling or MotionState.Squeezed => axis <= FastestSpin * FastestSpin && state.SpinRate == 1 && state.Angle == 0,
+            _ => false,
+        };
+    }
+
     /// <summary>Refuses what is none.</summary>
     /// <exception cref="ArgumentOutOfRangeException">It is none; the message names field, value and range.</exception>
     public static void Validate(in BallState state)

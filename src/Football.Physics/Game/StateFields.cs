@@ -19,6 +19,22 @@ internal static class StateFields
     /// <summary>How many scalars there are; a test compares it with the struct itself.</summary>
     public const int Count = 28;
 
+    // In the order of Visit. ClearUntil, AirDistance and the squeeze's numbers are visited as bits, since they are 0 for a plain ball, but are numbers too.
+    private static readonly (string Name, bool IsNumber)[] s_names =
+    [
+        ("time", true), ("position.x", true), ("position.y", true), ("position.z", true), ("velocity.x", true), ("velocity.y", true), ("velocity.z", true),
+        ("motion", false), ("spinAxis.x", true), ("spinAxis.y", true), ("spinAxis.z", true), ("spinRate", true), ("angle", true),
+        ("orientation.x", true), ("orientation.y", true), ("orientation.z", true), ("orientation.w", true),
+        ("dragRegion", false), ("carrier", false), ("nets", false), ("netSides", false), ("goalsPassed", false), ("clearUntil", true), ("clearIn", false),
+        ("airDistance", true), ("goalsEntered", false), ("squeezeSpeed", true), ("squeezeUntil", true),
+    ];
+
+    /// <summary>The name of a scalar, and whether it is a number rather than flags or an index.</summary>
+    public static (string Name, bool IsNumber) NameOf(int field) => s_names[field];
+
+    /// <summary>The place of a name.</summary>
+    public static int IndexOf(string name) => Array.FindIndex(s_names, field => field.Name == name);
+
     /// <summary>Visits every scalar, in a fixed order.</summary>
     public static void Visit<TVisitor>(ref BallState state, ref TVisitor visitor)
         where TVisitor : struct, IFieldVisitor

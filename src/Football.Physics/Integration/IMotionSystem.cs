@@ -6,6 +6,9 @@ internal interface IMotionSystem
     /// <summary>v̇ and ω̇.</summary>
     void Rates(double time, in Motion at, out MotionRates rates);
 
+    /// <summary>How long a part of a step may be that <see cref="Substeps"/> takes, s; all of it where nothing asks for parts.</summary>
+    double LongestPart(in Motion at, double h);
+
     /// <summary>Moves the ball to the end of a step, orientation and all.</summary>
     /// <param name="s">The ball at the step's start.</param>
     /// <param name="from">Where the step started.</param>

@@ -89,14 +89,23 @@ internal readonly struct PathCubic
         }
 
         Vector3d bend = end - position - (h * velocity);
+        double perLength = 1.0 / h;
+        double perSquared = perLength * perLength;
         if (isQuadratic)
         {
-            return new PathCubic(in position, in velocity, bend / (h * h), default, h);
+            return new PathCubic(in position, in velocity, perSquared * bend, default, h);
         }
 
         // p₀ + v₀ t + c₂ t² + c₃ t³ with p(h) = p₁ and p'(h) = v₁
         Vector3d change = h * (endVelocity - velocity);
-        return new PathCubic(in position, in velocity, ((3.0 * bend) - change) / (h * h), (change - (2.0 * bend)) / (h * h * h), h);
+        return new PathCubic(in position, in velocity, perSquared * ((3.0 * bend) - change), perSquared * perLength * (change - (2.0 * bend)), h);
+    }
+
+    /// <summary>Its distance from a plane, less another distance, as a function of time.</summary>
+    public PathDistance DistanceTo(PlaneShape plane, double less)
+    {
+        Vector3d n = plane.Normal;
+        return new PathDistance(plane.DistanceTo(in _c0) - less, Vector3d.Dot(in _c1, in n), Vector3d.Dot(in _c2, in n), Vector3d.Dot(in _c3, in n), Length);
     }
 
     /// <summary>The place at a time, m.</summary>
@@ -117,4 +126,17 @@ internal readonly struct PathCubic
     private static double Least(double a, double b, double c, double d) => Math.Min(Math.Min(a, b), Math.Min(c, d));
 
     private static double Most(double a, double b, double c, double d) => Math.Max(Math.Max(a, b), Math.Max(c, d));
+}
+
+/// <summary>The distance between a path and a plane: a cubic in time.</summary>
+internal readonly struct PathDistance(double c0, double c1, double c2, double c3, double length)
+{
+    /// <summary>How fast it may begin to fall faster at most, m/s²: its second derivative is linear in time.</summary>
+    public double GreatestFall => Math.Max(0, -2.0 * Math.Min(c2, c2 + (3.0 * length * c3)));
+
+    /// <summary>The distance at a time, m.</summary>
+    public double At(double t) => c0 + (t * (c1 + (t * (c2 + (t * c3)))));
+
+    /// <summary>Its rate, m/s.</summary>
+    public double RateAt(double t) => c1 + (t * ((2.0 * c2) + ((3.0 * t) * c3)));
 }

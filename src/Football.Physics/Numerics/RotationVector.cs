@@ -20,4 +20,14 @@ internal static class RotationVector
         Vector3d c2 = (-1.0 / 60.0) * Vector3d.Cross(in a1, (2.0 * a3) + c1);
         return a1 + ((1.0 / 12.0) * a3) + ((1.0 / 240.0) * Vector3d.Cross((-20.0 * a1) - a3 + c1, a2 + c2));
     }
+
+    /// <summary>One rotation after the other, both small: Baker, Campbell and Hausdorff's series to the third order.</summary>
+    /// <param name="first">The first, rad.</param>
+    /// <param name="second">The one after it, rad.</param>
+    public static Vector3d Then(in Vector3d first, in Vector3d second)
+    {
+        // a + b + [b, a]/2 + [b − a, [b, a]]/12
+        Vector3d c = Vector3d.Cross(in second, in first);
+        return first + second + (0.5 * c) + ((1.0 / 12.0) * Vector3d.Cross(second - first, c));
+    }
 }

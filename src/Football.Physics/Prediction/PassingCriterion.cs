@@ -41,7 +41,7 @@ internal sealed class PassingCriterion
         _upward = Weight.UpwardAcceleration(scene);
         _spinRate = from.Spin.Length;
         _closest = double.PositiveInfinity;
-        _restitution = scene.Ground.NormalRestitution;
+        _restitution = scene.Ground.LargestRestitution;
         _untilImpact = request.StopAt == StopAt.Impact;
 
         // Things throw a ball back, and what a game's own forces and winds that change may do is not known.

@@ -110,6 +110,7 @@ public sealed record Scene
         Check.Within("ground.minimumBounceSpeed", Ground.MinimumBounceSpeed, 0.001, 10);
         Check.Within("ground.restEnergy", Ground.RestEnergy, 1e-12, 100);
         Check.Within("ground.restitutionSpeed", Ground.RestitutionSpeed, 0, double.PositiveInfinity, exclusiveLow: true);
+        Check.Within("ground.restitutionRise", Ground.RestitutionRise, 0, 1);
         Check.Within("ground.impactFriction", Ground.ImpactFriction, 0, double.PositiveInfinity);
         Check.Within("ground.rollingFrictionBySpeed", Ground.RollingFrictionBySpeed, 0, 1);
         Check.Within("ground.drillingLength", Ground.DrillingLength, 0, 1);

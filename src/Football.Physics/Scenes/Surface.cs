@@ -12,6 +12,9 @@ public sealed record Surface
     /// <summary>Approach speed V_e at which restitution has fallen, e ∝ 1/√(1 + (v_n/V_e)²), m/s. Above 0; infinite for the same at every speed; default 30.</summary>
     public double RestitutionSpeed { get; init; } = 30;
 
+    /// <summary>Rise η of restitution with obliqueness, as in <see cref="Ground.RestitutionRise"/>. 0 … 1; default 0.</summary>
+    public double RestitutionRise { get; init; }
+
     /// <summary>Tangential restitution e_t: where the contact grips, the slip after is −e_t times the slip before. −1 … 1; default 0.1.</summary>
     public double TangentialRestitution { get; init; } = 0.1;
 
@@ -93,6 +96,7 @@ public sealed record Surface
         {
             NormalRestitution = ground.NormalRestitution,
             RestitutionSpeed = ground.RestitutionSpeed,
+            RestitutionRise = ground.RestitutionRise,
             TangentialRestitution = ground.TangentialRestitutionX,
             SpinRestitution = ground.SpinRestitution,
             ImpactFriction = ground.ImpactFriction,
@@ -112,6 +116,7 @@ public sealed record Surface
     {
         Check.Within(field + ".normalRestitution", NormalRestitution, 0, 1);
         Check.Within(field + ".restitutionSpeed", RestitutionSpeed, 0, double.PositiveInfinity, exclusiveLow: true);
+        Check.Within(field + ".restitutionRise", RestitutionRise, 0, 1);
         Check.Within(field + ".tangentialRestitution", TangentialRestitution, -1, 1);
         Check.Within(field + ".spinRestitution", SpinRestitution, 0, 1);
         Check.Within(field + ".impactFriction", ImpactFriction, 0, double.PositiveInfinity);

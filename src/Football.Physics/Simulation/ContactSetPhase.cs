@@ -26,8 +26,14 @@ internal sealed class ContactSetPhase
     /// <summary>How often a step tells so: a ball that what pushes it makes slip and grip in turn does it at every part.</summary>
     private const int MostNames = 2;
 
+    /// <summary>A contact that bears this share of what another does bears about as much.</summary>
+    private const double AboutAsMuch = 0.5;
+
     /// <summary>Out of what squeezes it a ball is put by no more than this, m/s.</summary>
     private const double OutOfTheWay = 5.0;
+
+    /// <summary>A way off all contacts goes off each by at least this share.</summary>
+    private const double Room = 0.1;
 
     /// <summary>A ball that is so slow, m/s and rad/s times its radius, stands still.</summary>
     private const double Still = 1e-12;
@@ -119,7 +125,7 @@ internal sealed class ContactSetPhase
             v = from.Velocity + (share * (v - from.Velocity));
             w = from.Spin + (share * (w - from.Spin));
             Move(ref s, length, 0.5 * (from.Velocity + v), in v, in w, in start, ref run);
-            ContactSet.Hold(_world, ref s, set);
+            Hold(ref s, set);
             Show(in at0, in s, at0.Velocity, s.Velocity, ref run);
             Name(ref s, set, ref named, ref run);
             set.CopyTo(last);
@@ -141,7 +147,7 @@ internal sealed class ContactSetPhase
 
     /// <summary>
     /// Takes what is left of a step for a ball that is squeezed: what stands still is never entered, what moves pushes the ball as far as it can go at the speed
-    /// that it may have, and nothing bounces. When nothing that moves presses it against anything any more, it is free.
+    /// that it may have, and nothing bounces. When nothing that moves presses it against anything any more, or there is a way off all that does, it is free.
     /// </summary>
     public void TakeSqueezed(ref BallState s, ref StepRun run)
     {
@@ -157,18 +163,21 @@ internal sealed class ContactSetPhase
             Vector3d w = from.Spin + (h * free.SpinAcceleration);
             run.Log.Evaluations++;
 
-            // As fast as it is, or as what presses it: how it came is over.
-            s.SqueezeSpeed = v.Length;
-            double fastest = v.Length;
+            // As fast as it is, with what the forces give it on its way, or as what presses it: how it came is over.
+            double came = from.Velocity.Length;
+            s.SqueezeSpeed = came;
             // All that it may come to in this part: by itself, at twice the speed of what hits it, which comes too, and by being put out of that.
-            double reach = ContactSearch.Touching + (h * (fastest + (3.0 * _world.FastestMover) + OutOfTheWay));
+            double reach = ContactSearch.Touching + (h * (v.Length + (3.0 * _world.FastestMover) + OutOfTheWay));
             Span<Contact> set = room.Slice(0, ContactSet.Near(_world, in s, reach, room));
             ContactSolver.Try(set, _world.Ball, h, ref v, ref w);
 
             // Out of the way of what moves whatever friction does, as fast as it may be; and never into what stands still.
             KeepOff(set, h, movers: true, ref v);
             _contact.IsTooFast(ref s, set, in v);
-            fastest = Math.Max(fastest, s.SqueezeSpeed);
+            Vector3d kept = v;
+            KeepOff(set, h, movers: false, ref kept);
+            double worked = h * Vector3d.Dot(free.Acceleration, from.Velocity + kept);
+            double fastest = Math.Max(s.SqueezeSpeed, Math.Sqrt(Math.Max(0, (came * came) + worked)));
             double speed = v.Length;
             v = speed > fastest ? fastest / speed * v : v;
             KeepOff(set, h, movers: false, ref v);
@@ -188,7 +197,7 @@ internal sealed class ContactSetPhase
             }
         }
 
-        if (isFree && !run.Log.Halted)
+        if ((isFree || HasRoom(in s)) && !run.Log.Halted)
         {
             _contact.EndSqueeze(ref s, ref run);
         }
@@ -319,20 +328,20 @@ internal sealed class ContactSetPhase
         run.Log.Show(in start, in end, in acceleration, in acceleration, 4);
     }
 
-    /// <summary>The contact that bears most names the carrier, as long as the one before bears nothing; whether that slips says whether the ball slides or rolls.</summary>
+    /// <summary>The contact that bears most names the carrier; the one before does as long as it bears about as much. Whether that slips says whether the ball slides or rolls.</summary>
     private void Name(ref BallState s, scoped Span<Contact> set, ref int told, ref StepRun run)
     {
         int carrier = (int)s.Carrier - _world.FirstCollider;
-        int named = -1;
-        for (int i = 0; i < set.Length; i++)
-        {
-            named = set[i].Collider == carrier && set[i].Load > 0 ? i : named;
-        }
-
-        named = named < 0 ? ContactSet.Heaviest(set) : named;
+        int named = ContactSet.Heaviest(set);
         if (named < 0)
         {
             return;
+        }
+
+        double most = set[named].Load;
+        for (int i = 0; i < set.Length; i++)
+        {
+            named = set[i].Collider == carrier && set[i].Load > AboutAsMuch * most ? i : named;
         }
 
         ref readonly Contact contact = ref set[named];
@@ -375,6 +384,17 @@ internal sealed class ContactSetPhase
         }
     }
 
+    /// <summary>Puts a ball onto the contacts that bear it; what moves among them puts it into nothing else that stands still.</summary>
+    private void Hold(ref BallState s, scoped Span<Contact> set)
+    {
+        ContactSet.Hold(_world, ref s, set);
+        if (ContactSet.HasMover(set))
+        {
+            Span<Contact> room = stackalloc Contact[ContactSet.Most];
+            ContactSet.KeepOut(_world, ref s, room.Slice(0, ContactSet.Near(_world, in s, 0, room)));
+        }
+    }
+
     /// <summary>Whether nothing that moves presses the ball against anything, or overlaps it.</summary>
     private bool IsFree(in BallState s, Span<Contact> set)
     {
@@ -389,6 +409,41 @@ internal sealed class ContactSetPhase
         }
 
         return !overlaps && (!pushed || pressing < 2);
+    }
+
+    /// <summary>Whether there is a way off all that the ball touches, and it overlaps nothing: d · n > 0 for all of them.</summary>
+    private bool HasRoom(in BallState s)
+    {
+        Span<Contact> room = stackalloc Contact[ContactSet.Most];
+        Span<Contact> set = room.Slice(0, ContactSet.Near(_world, in s, ContactSearch.Touching, room));
+        Vector3d way = Vector3d.Zero;
+        for (int round = 0; round < SqueezedRounds; round++)
+        {
+            int nearest = -1;
+            double least = Room;
+            for (int i = 0; i < set.Length; i++)
+            {
+                double off = Vector3d.Dot(in way, in set[i].Normal);
+                if (set[i].Gap < -ContactSearch.Touching)
+                {
+                    return false;
+                }
+
+                nearest = off < least ? i : nearest;
+                least = Math.Min(least, off);
+            }
+
+            if (nearest < 0)
+            {
+                return true;
+            }
+
+            // Perceptron: towards the normal of the one that it goes off least.
+            way += set[nearest].Normal;
+            way = 1.0 / Math.Max(1.0, way.Length) * way;
+        }
+
+        return false;
     }
 
     /// <summary>Puts a squeezed ball out of what moves, by no more than a distance, and then out of what stands still: where there is no such place, back.</summary>

@@ -6,8 +6,12 @@ namespace Football.Physics;
 internal abstract class FlatSurfaceStep
 {
     /// <summary>A whole step, done if nothing happens in it.</summary>
+    /// <param name="s">The ball, on the ground.</param>
+    /// <param name="dt">Its length, s.</param>
+    /// <param name="end">When it ends, s.</param>
+    /// <param name="log">Where counts are added.</param>
     /// <returns>False where something may happen; then nothing is done.</returns>
-    public abstract bool TryWhole(ref BallState s, double dt, StepLog log);
+    public abstract bool TryWhole(ref BallState s, double dt, double end, StepLog log);
 }
 
 /// <summary>
@@ -31,6 +35,9 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     /// <summary>A rolling ball that needs more than this share of the friction that it has, or a load that has less than this of the weight left, is looked at closely.</summary>
     private const double Ample = 0.9;
     private const double Slight = 0.05;
+
+    /// <summary>A slip that friction ends in this share of a step is taken in pieces without asking.</summary>
+    private const double SoonOver = 0.5;
 
     private readonly Surroundings _around;
     private readonly World _world;
@@ -141,13 +148,21 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         }
     }
 
-    public override bool TryWhole(ref BallState s, double dt, StepLog log)
+    public override bool TryWhole(ref BallState s, double dt, double end, StepLog log)
     {
-        bool rolls = s.Motion == MotionState.Rolling;
-        if (!_acts || s.Carrier != 0 || s.Nets != 0 || !(rolls || _slides))
+        if (!_acts || s.Carrier != 0 || s.Nets != 0)
         {
             return false;
         }
+
+        return s.Motion == MotionState.Rolling ? TryWhole<Roll>(ref s, dt, end, log) : _slides && TryWhole<Slide>(ref s, dt, end, log);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private bool TryWhole<TMotion>(ref BallState s, double dt, double end, StepLog log)
+        where TMotion : struct, ISurfaceMotion
+    {
+        bool rolls = default(TMotion).Rolls;
 
         // The motion in the plane's axes, number by number: what was written so in the step before is not read back as a whole without a wait.
         // What a roll leaves of the spin is that about the normal.
@@ -177,32 +192,36 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         double airSpeedSquared = (airX * airX) + (_windUp * _windUp) + (airZ * airZ);
         int patch = _materials.Length > 1 ? _world.Ground!.PatchAt(s.Position) : -1;
         StepOn on;
-        on.Material = _materials[patch + 1];
+        ref readonly Material material = ref _materials[patch + 1];
         double airSpeed = Math.Abs(airX) + Math.Abs(_windUp) + Math.Abs(airZ) + _fastestWind;
         double spinAtMost = Math.Abs(start.WX) + Math.Abs(start.WY) + Math.Abs(start.WZ);
-        if (!(size >= Slip.Rolling) || !(dt * (_limit.RateAtMost(airSpeed, spinAtMost) + on.Material.Damping) <= StabilityLimit.LargestChange)
-            || (rolls && Energy(in start) <= _restEnergy * 1.001)
+        if (!(size >= Slip.Rolling) || !(dt * (_limit.RateAtMost(airSpeed, spinAtMost) + material.Damping) <= StabilityLimit.LargestChange)
+            || (!rolls && size < SoonOver * dt * material.SlipFriction * _weight)
             || (_materials.Length > 1 && !(_world.Ground!.LeastWidth >= 2.0 * dt * size))
             || (_clear is not null && !_clear.HoldsOnSurface(ref s, dt, Math.Sqrt(airSpeedSquared) + _fastestWind, Math.Sqrt(spinSquared))))
         {
             return false;
         }
 
-        on.Rolls = rolls;
         on.X = x * perSize;
         on.Z = z * perSize;
         on.SpinSign = start.WY > Slip.Rolling ? 1.0 : start.WY < -Slip.Rolling ? -1.0 : 0.0;
+        Unsafe.SkipInit(out on.From);
         on.Time = s.Time;
-        on.From = s.Position;
+        if (_air.HasField)
+        {
+            on.From = s.Position;
+        }
+
         bool known = _locatesJump && s.Branch is DragBranch.NoSpin or DragBranch.Spinning;
         on.Branch = !_around.Air.Jumps || known ? s.Branch : DragJump.At(airSpeedSquared, _radiusSquared * spinSquared).Branch;
 
         // The first stage tells whether the direction turns too much on the way, by size at the end: then the step is taken in pieces.
-        RatesOf(in on, start.VX, start.VZ, start.WX, start.WY, start.WZ, 0, 0, 0, out PlaneRates first);
+        RatesOf<TMotion>(in on, in material, in start, 0, 0, 0, out PlaneRates first);
         double rateX = rolls ? first.AX : first.AX + (_radius * first.BZ);
         double rateZ = rolls ? first.AZ : first.AZ - (_radius * first.BX);
         double across = Math.Abs((rateX * on.Z) - (rateZ * on.X));
-        double turning = Ample * on.Material.SlidingTorque * first.Load;
+        double turning = Ample * material.SlidingTorque * first.Load;
         if (!TurnLimit.Allows(size, dt * ((rateX * on.X) + (rateZ * on.Z)), dt * across) || !(first.BrakingSquared <= turning * turning))
         {
             return false;
@@ -212,14 +231,14 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         double weight = _weights[0];
         double sumVX = weight * start.VX;
         double sumVZ = weight * start.VZ;
-        double sumWX = weight * start.WX;
+        double sumWX = rolls ? 0 : weight * start.WX;
         double sumWY = weight * start.WY;
-        double sumWZ = weight * start.WZ;
+        double sumWZ = rolls ? 0 : weight * start.WZ;
         double sumAX = weight * first.AX;
         double sumAZ = weight * first.AZ;
-        double sumBX = weight * first.BX;
+        double sumBX = rolls ? 0 : weight * first.BX;
         double sumBY = weight * first.BY;
-        double sumBZ = weight * first.BZ;
+        double sumBZ = rolls ? 0 : weight * first.BZ;
         PlaneRates stageRates;
         ref PlaneRates rates = ref first;
         PlaneMotion at;
@@ -238,46 +257,51 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             at.WX = rolls ? at.VZ * _perRadius : start.WX + (h * rates.BX);
             at.WY = start.WY + (h * rates.BY);
             at.WZ = rolls ? -at.VX * _perRadius : start.WZ + (h * rates.BZ);
-            RatesOf(in on, at.VX, at.VZ, at.WX, at.WY, at.WZ, h, wayX, wayZ, out stageRates);
+            RatesOf<TMotion>(in on, in material, in at, h, wayX, wayZ, out stageRates);
             rates = ref stageRates;
             weight = _weights[stage];
             sumVX += weight * at.VX;
             sumVZ += weight * at.VZ;
-            sumWX += weight * at.WX;
             sumWY += weight * at.WY;
-            sumWZ += weight * at.WZ;
             sumAX += weight * rates.AX;
             sumAZ += weight * rates.AZ;
-            sumBX += weight * rates.BX;
             sumBY += weight * rates.BY;
-            sumBZ += weight * rates.BZ;
+            if (!rolls)
+            {
+                sumWX += weight * at.WX;
+                sumWZ += weight * at.WZ;
+                sumBX += weight * rates.BX;
+                sumBZ += weight * rates.BZ;
+            }
         }
 
         // A roll has the spin of its speed: ω_t = n × v / r.
-        PlaneMotion end;
-        end.VX = start.VX + (dt * sumAX);
-        end.VZ = start.VZ + (dt * sumAZ);
-        end.WX = rolls ? end.VZ * _perRadius : start.WX + (dt * sumBX);
-        end.WY = start.WY + (dt * sumBY);
-        end.WZ = rolls ? -end.VX * _perRadius : start.WZ + (dt * sumBZ);
+        PlaneMotion last;
+        last.VX = start.VX + (dt * sumAX);
+        last.VZ = start.VZ + (dt * sumAZ);
+        last.WX = rolls ? last.VZ * _perRadius : start.WX + (dt * sumBX);
+        last.WY = start.WY + (dt * sumBY);
+        last.WZ = rolls ? -last.VX * _perRadius : start.WZ + (dt * sumBZ);
 
         // Guards: the slip ends, the roll ends or needs more than friction gives, the load ends, the spin about the normal ends, another surface begins, the drag law jumps.
         // The load and the traction at the end are what the stages lead to.
-        double endX = rolls ? end.VX : end.VX + (_radius * end.WZ);
-        double endZ = rolls ? end.VZ : end.VZ - (_radius * end.WX);
+        double endX = rolls ? last.VX : last.VX + (_radius * last.WZ);
+        double endZ = rolls ? last.VZ : last.VZ - (_radius * last.WX);
         double endLoad = rates.Load + Math.Min(0, rates.Load - first.Load);
-        double friction = Ample * on.Material.Sliding * endLoad;
+        double friction = Ample * material.Sliding * endLoad;
         if (!((endX * on.X) + (endZ * on.Z) > 0) || !(first.Load > Slight * _weight) || !(endLoad > Slight * _weight)
-            || (rolls && (Energy(in end) <= _restEnergy * 1.001 || !(Math.Max(first.TractionSquared, rates.TractionSquared) <= friction * friction)))
-            || start.WY * end.WY < 0
-            || (_locatesJump && MayCrossJump(in on, in start, in first, in end, dt)))
+            || (rolls && (Energy(in last) <= _restEnergy * 1.001 || !(Math.Max(first.TractionSquared, rates.TractionSquared) <= friction * friction)))
+            || start.WY * last.WY < 0
+            || (_locatesJump && MayCrossJump(in on, in start, in first, in last, dt)))
         {
             return false;
         }
 
-        double alongX = dt * (_semiImplicit ? end.VX : sumVX);
-        double alongZ = dt * (_semiImplicit ? end.VZ : sumVZ);
-        Vector3d position = s.Position + (alongX * _axisX) + (alongZ * _axisZ);
+        double alongX = dt * (_semiImplicit ? last.VX : sumVX);
+        double alongZ = dt * (_semiImplicit ? last.VZ : sumVZ);
+        Vector3d position = _isLevel
+            ? new Vector3d(s.Position.X + alongX, s.Position.Y, s.Position.Z + alongZ)
+            : s.Position + (alongX * _axisX) + (alongZ * _axisZ);
         if (_materials.Length > 1 && _world.Ground!.PatchAt(in position) != patch)
         {
             return false;
@@ -288,57 +312,62 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         log.Steps++;
 
         // The axis turns as well: ∫ω dt + h²/12 ω(h) × ω(0), Magnus' series to the fourth order; where it turns much, to the sixth.
-        var mean = new Vector3d(_semiImplicit ? end.WX : sumWX, _semiImplicit ? end.WY : sumWY, _semiImplicit ? end.WZ : sumWZ);
-        Vector3d commutator = dt * dt * Vector3d.Cross(end.Spin, start.Spin);
+        sumWX = rolls ? sumVZ * _perRadius : sumWX;
+        sumWZ = rolls ? -sumVX * _perRadius : sumWZ;
+        var mean = new Vector3d(_semiImplicit ? last.WX : sumWX, _semiImplicit ? last.WY : sumWY, _semiImplicit ? last.WZ : sumWZ);
+        Vector3d commutator = dt * dt * Vector3d.Cross(last.Spin, start.Spin);
         Vector3d turned = commutator.LengthSquared <= LittleTurn * LittleTurn || _order < 4
             ? (dt * mean) + ((1.0 / 12.0) * commutator)
-            : RotationVector.Of(start.Spin, 0.25 * ((6.0 * mean) - start.Spin - at.Spin), end.Spin, dt);
+            : RotationVector.Of(start.Spin, 0.25 * ((6.0 * mean) - start.Spin - at.Spin), last.Spin, dt);
         Vector3d turn = InWorld(turned.X, turned.Y, turned.Z);
         if (log.Observer is not null)
         {
-            MoveAndShow(log, ref s, in on, in position, in turn, in first, in end, dt, alongX, alongZ);
+            MoveAndShow<TMotion>(log, ref s, in on, in material, in position, in turn, in first, in last, dt, end, alongX, alongZ);
             return true;
         }
 
-        Move(ref s, in on, in position, in turn, in end, dt);
+        Move(ref s, in on, in position, in turn, in last, end);
         return true;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Move(ref BallState s, in StepOn on, in Vector3d position, in Vector3d turn, in PlaneMotion end, double dt)
+    private void Move(ref BallState s, in StepOn on, in Vector3d position, in Vector3d turn, in PlaneMotion last, double end)
     {
         s.BaseOrientation = s.BaseOrientation.Turned(in turn);
         s.Position = position;
-        s.Flight.Velocity = InWorld(end.VX, 0, end.VZ);
-        s.Flight.Axis = InWorld(end.WX, end.WY, end.WZ);
+        s.Flight.Velocity = InWorld(last.VX, 0, last.VZ);
+        s.Flight.Axis = InWorld(last.WX, last.WY, last.WZ);
         s.Branch = on.Branch;
-        s.Time += dt;
+        s.Time = end;
     }
 
     /// <summary>Moves the ball, and shows the piece to the observer.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void MoveAndShow(
+    private void MoveAndShow<TMotion>(
         StepLog log,
         ref BallState s,
         in StepOn on,
+        in Material material,
         in Vector3d position,
         in Vector3d turn,
         in PlaneRates first,
-        in PlaneMotion end,
+        in PlaneMotion last,
         double dt,
+        double end,
         double alongX,
         double alongZ)
+        where TMotion : struct, ISurfaceMotion
     {
         BallState before = s;
-        Move(ref s, in on, in position, in turn, in end, dt);
-        PlaneRates last = default;
+        Move(ref s, in on, in position, in turn, in last, end);
+        PlaneRates rates = default;
         if (log.Observer!.WantsEndAcceleration)
         {
-            RatesOf(in on, end.VX, end.VZ, end.WX, end.WY, end.WZ, dt, alongX, alongZ, out last);
+            RatesOf<TMotion>(in on, in material, in last, dt, alongX, alongZ, out rates);
             log.Evaluations++;
         }
 
-        log.Show(in before, in s, InWorld(first.AX, 0, first.AZ), InWorld(last.AX, 0, last.AZ), _order);
+        log.Show(in before, in s, InWorld(first.AX, 0, first.AZ), InWorld(rates.AX, 0, rates.AZ), _order);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -365,9 +394,15 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     /// friction, in B and C.
     /// </remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void RatesOf(
-        in StepOn on, double vx, double vz, double wx, double wy, double wz, double after, double wayX, double wayZ, out PlaneRates rates)
+    private void RatesOf<TMotion>(in StepOn on, in Material material, in PlaneMotion at, double after, double wayX, double wayZ, out PlaneRates rates)
+        where TMotion : struct, ISurfaceMotion
     {
+        double vx = at.VX;
+        double vz = at.VZ;
+        double wx = at.WX;
+        double wy = at.WY;
+        double wz = at.WZ;
+
         // The flow, and ω × u.
         double ux = vx - _windX;
         double uy = -_windUp;
@@ -398,14 +433,13 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             out double decay);
 
         // a_air = L (ω × u) − D u;  N/m = −a_b·n − a_air·n where the air loads
-        ref readonly Material material = ref on.Material;
         double upByLift = _airInLoad * crossUp;
         double upByDrag = _airInLoad * uy;
         double load = _weight - ((lift * upByLift) - (drag * upByDrag));
         double slowing = spins ? decay : 0;
         rates.Load = load;
         rates.BY = -(((material.Damping + slowing) * wy) + (on.SpinSign * material.Drilling * load));
-        if (on.Rolls)
+        if (default(TMotion).Rolls)
         {
             double speed = Math.Sqrt((vx * vx) + (vz * vz));
             bool goesOn = (vx * on.X) + (vz * on.Z) > 0;
@@ -494,6 +528,9 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         /// <summary>μ_s/(α r), 1/m: the angular acceleration for a load per mass.</summary>
         public readonly double SlidingTorque = of.SlidingFriction / (ball.InertiaFactor * ball.Radius);
 
+        /// <summary>(1 + 1/α) μ_s: how fast friction alone ends the slip, for a load per mass.</summary>
+        public readonly double SlipFriction = (1.0 + (1.0 / ball.InertiaFactor)) * of.SlidingFriction;
+
         /// <summary>c₀.</summary>
         public readonly double Rolling = of.RollingFriction;
 
@@ -510,7 +547,6 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     /// <summary>What stays the same in a step.</summary>
     private struct StepOn
     {
-        public Material Material;
         public Vector3d From;
         public double Time;
 
@@ -521,7 +557,19 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         /// <summary>Which way it spins about the normal: drilling friction keeps to it.</summary>
         public double SpinSign;
         public DragBranch Branch;
-        public bool Rolls;
+    }
+
+    /// <summary>A ball that rolls, and one that slides: the steps of each are compiled apart.</summary>
+    private interface ISurfaceMotion { bool Rolls { get; } }
+
+    private readonly struct Roll : ISurfaceMotion
+    {
+        public bool Rolls => true;
+    }
+
+    private readonly struct Slide : ISurfaceMotion
+    {
+        public bool Rolls => false;
     }
 
     /// <summary>Velocity along the plane and spin, in the plane's axes: x and z along it, y its normal.</summary>

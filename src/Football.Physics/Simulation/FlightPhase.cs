@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>
@@ -57,7 +59,11 @@ internal sealed class FlightPhase<TIntegrator>
         double asked = run.Next;
         double h = Longest(in s, in u, asked, hasAxis && !_around.Air.Varies, ref run.Spirals);
         run.Keep(h, asked);
-        if (run.Spirals)
+        if (s.Nets != 0)
+        {
+            TakeWithoutAxis<Substeps>(ref s, ref run, h);
+        }
+        else if (run.Spirals)
         {
             // RK4 makes no velocity longer that turns by up to 2.8 rad.
             Take<ClassicalRungeKutta>(ref s, ref run, h, hasAxis ? _classical : null);
@@ -71,9 +77,9 @@ internal sealed class FlightPhase<TIntegrator>
     /// <summary>The first piece of a step, already taken as a whole step, which is found to have something in it.</summary>
     public void Finish(ref BallState s, ref StepRun run, in FlightStep taken, double h)
     {
-        if (s.Velocity.Y <= ContactSearch.Leaving && s.Position.Y <= _world.LevelContact + ContactSearch.Touching)
+        if (IsHeld(in s))
         {
-            // It touches the ground and does not leave it: what keeps it there is asked first, by the next piece.
+            // What keeps it there is asked first, by the next piece.
             return;
         }
 
@@ -81,6 +87,9 @@ internal sealed class FlightPhase<TIntegrator>
         sweep.Take(in taken, h);
         Finish(ref s, ref run, ref sweep);
     }
+
+    /// <summary>Whether the ball touches level ground, and does not leave it.</summary>
+    public bool IsHeld(in BallState s) => s.Velocity.Y <= ContactSearch.Leaving && s.Position.Y <= _world.LevelContact + ContactSearch.Touching;
 
     /// <summary>A piece by a method: along a constant axis of the spin where there is a flight along one, else with the whole spin vector.</summary>
     private void Take<TMethod>(ref BallState s, ref StepRun run, double h, IFlight? flight)
@@ -170,17 +179,30 @@ internal sealed class FlightPhase<TIntegrator>
         }
 
         run.Log.Evaluations += sweep.Evaluations;
-        BallState before = s;
+        Unsafe.SkipInit(out BallState before);
+        if (run.Log.Observer is not null)
+        {
+            before = s;
+        }
+
         sweep.MoveTo(ref s);
-        s.Branch = sweep.Length < length ? before.Branch : next;
+        s.Branch = sweep.Length < length ? s.Branch : next;
         run.Advance(ref s, sweep.Length);
-        if (!meets)
+        if (meets)
+        {
+            _guard.PutOnto(ref s, in met);
+        }
+        else
         {
             // What it touched at the start, and was not pressed on, it may be in by now.
             ContactSet.Separate(_world, ref s);
         }
 
-        run.Show(in before, in s, ref sweep, order);
+        if (run.Log.Observer is not null)
+        {
+            run.Show(in before, in s, ref sweep, order);
+        }
+
         if (meets && !run.Log.Halted)
         {
             _guard.Meet(ref s, in met, ref run);

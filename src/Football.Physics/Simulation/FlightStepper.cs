@@ -46,6 +46,19 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
             return;
         }
 
+        WholeFlight whole = Whole(ref s, dt, s.Time + dt, log, out FlightStep step);
+        if (whole != WholeFlight.Done)
+        {
+            TakePieces(ref s, dt, log, whole, in step);
+        }
+    }
+
+    protected override WholeFlight TryWhole(ref BallState s, double dt, double end, StepLog log, out FlightStep step) => Whole(ref s, dt, end, log, out step);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private WholeFlight Whole(ref BallState s, double dt, double end, StepLog log, out FlightStep step)
+    {
+        Unsafe.SkipInit(out step);
         double vx = s.Flight.Velocity.X;
         double vy = s.Flight.Velocity.Y;
         double vz = s.Flight.Velocity.Z;
@@ -55,8 +68,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         DragBranch branch = s.Branch;
         if (branch >= DragBranch.AlongCriticalSpeed || (y <= _contactHeight && vy < 0))
         {
-            TakePieces(ref s, dt, log);
-            return;
+            return WholeFlight.NotTaken;
         }
 
         // Propose: the whole step, locked to one branch of the drag law, if it is short enough for the forces here.
@@ -82,18 +94,15 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
             || (_integrator.GainsByHops && _limit.WithinHop(dt, y - _contactHeight, vy) < dt)
             || !IsClear(ref s, dt, mostSquared))
         {
-            TakePieces(ref s, dt, log);
-            return;
+            return WholeFlight.NotTaken;
         }
 
         if (!_air.Acts)
         {
-            Fall(ref s, dt, log);
-            return;
+            return Fall(ref s, dt, end, log);
         }
 
         // Take it: by the fast form of the laws where that holds, else point by point.
-        FlightStep step;
         if (covered)
         {
             _integrator.Fly(ref _air, in s, ref s.Flight, in _wind, branch, _upward, dt, out step);
@@ -114,8 +123,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         {
             s.Flight.Velocity = new Vector3d(vx, vy, vz);
             s.Flight.SpinRate = spin;
-            FinishPieces(ref s, dt, log, in step);
-            return;
+            return WholeFlight.Ends;
         }
 
         // Nothing happened: move the ball.
@@ -127,12 +135,14 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         }
 
         double time = s.Time;
-        s.Time = time + dt;
+        s.Time = end;
         log.Steps++;
         if (log.Observer is not null)
         {
             Show(log, in s, time, in position, new Vector3d(vx, vy, vz), spin, in step);
         }
+
+        return WholeFlight.Done;
     }
 
     public override void Fly(in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
@@ -164,7 +174,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
 
     /// <summary>A step in vacuum: what the method makes of a constant acceleration, p + h (v + c h g), v + h g.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Fall(ref BallState s, double h, StepLog log)
+    private WholeFlight Fall(ref BallState s, double h, double end, StepLog log)
     {
         double vy = s.Velocity.Y;
         double gained = h * _upward;
@@ -172,15 +182,15 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         double height = s.Position.Y + (h * (vy + (_integrator.ShareInPath * gained)));
         if (height < _contactHeight || (vy < 0 && climb > 0) || log.Observer is not null)
         {
-            TakePieces(ref s, h, log);
-            return;
+            return WholeFlight.NotTaken;
         }
 
         s.Position = new Vector3d(s.Position.X + (h * s.Velocity.X), height, s.Position.Z + (h * s.Velocity.Z));
         s.Velocity = new Vector3d(s.Velocity.X, climb, s.Velocity.Z);
         s.Angle += h * s.SpinRate;
-        s.Time += h;
+        s.Time = end;
         log.Steps++;
         log.Evaluations += _integrator.Stages;
+        return WholeFlight.Done;
     }
 }

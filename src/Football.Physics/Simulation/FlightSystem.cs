@@ -26,6 +26,8 @@ internal struct FlightSystem : IMotionSystem
             noSpin.SpinAcceleration + (share * (spinning.SpinAcceleration - noSpin.SpinAcceleration)));
     }
 
+    public readonly double LongestPart(in Motion at, double h) => Around.World.LongestPartInNets(Nets, NetSides, in at, h);
+
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
     {
         s.Position = step.End.Position;

@@ -1,32 +1,33 @@
 namespace Football.Physics;
 
-/// <summary>Keeps the pieces of a ball in a net short enough for it, and ends them where a net becomes slack or tight: there its force has a kink.</summary>
+/// <summary>Keeps the pieces of a ball in a net short enough for their paths, and ends them where a net becomes slack or tight: there its force has a kink.</summary>
 internal sealed class NetGuard
 {
-    /// <summary>A net changes the motion in a piece by no more than this share.</summary>
-    private const double LargestChange = 0.04;
+    /// <summary>So far, m, the path of a piece may be off the one that its ends tell.</summary>
+    private const double LargestBend = 3e-7;
+
+    /// <summary>By what a piece is shortened that bends too much.</summary>
+    private const double Shorter = 0.8;
 
     private readonly World _world;
 
     public NetGuard(World world) => _world = world;
 
-    /// <summary>The longest piece that the nets allow which the ball is in, s.</summary>
+    /// <summary>The longest piece whose path between its ends is known from those, in the nets that the ball is in, s.</summary>
     public double LongestPiece(in BallState s, double h)
     {
-        double longest = h;
         for (int i = 0; i < _world.Nets.Length && s.Nets != 0; i++)
         {
             if ((s.Nets >> i & 1) != 0)
             {
-                // As deep as it may come within the piece.
-                double depth = Math.Max(0, _world.Nets[i].Depth(s.Position, World.SideOf(s.NetSides, i))) + (longest * s.Velocity.Length);
-                longest = Math.Min(longest, LargestChange / _world.Nets[i].RateAt(depth));
-                depth = Math.Max(0, _world.Nets[i].Depth(s.Position, World.SideOf(s.NetSides, i))) + (longest * s.Velocity.Length);
-                longest = Math.Min(h, LargestChange / _world.Nets[i].RateAt(depth));
+                while (_world.Nets[i].Bends(s.Position, s.Velocity, World.SideOf(s.NetSides, i), h) > LargestBend)
+                {
+                    h *= Shorter;
+                }
             }
         }
 
-        return longest;
+        return h;
     }
 
     /// <summary>How fast the nets that the ball is in change its motion at a place, 1/s.</summary>

@@ -75,9 +75,9 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
     public override void Step(ref BallState s, double dt, StepLog log)
     {
-        if (!(s.Motion is MotionState.Rolling or MotionState.Sliding && _flat is not null && _flat.TryWhole(ref s, dt, log)))
+        if (!(s.Motion is MotionState.Rolling or MotionState.Sliding && _flat is not null && _flat.TryWhole(ref s, dt, s.Time + dt, log)))
         {
-            TakePieces(ref s, dt, log);
+            TakePieces(ref s, dt, log, WholeFlight.NotTaken, default);
         }
     }
 
@@ -136,29 +136,38 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         log.Show(in before, in s, in step.StartAcceleration, in acceleration, _integrator.Order);
     }
 
-    /// <summary>A step, piece by piece.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    protected void TakePieces(ref BallState s, double dt, StepLog log)
+    /// <summary>A whole step of flight, done if nothing happens in it.</summary>
+    /// <param name="s">The ball, in the air.</param>
+    /// <param name="dt">Its length, s.</param>
+    /// <param name="end">When it ends, s.</param>
+    /// <param name="log">Where counts are added.</param>
+    /// <param name="step">What was taken, where something happens in it.</param>
+    protected virtual WholeFlight TryWhole(ref BallState s, double dt, double end, StepLog log, out FlightStep step)
     {
-        if (_air.Varies)
+        step = default;
+        return WholeFlight.NotTaken;
+    }
+
+    /// <summary>A step, piece by piece. A force of the game's own may throw, or take the ball beyond what a number can hold: then nothing has happened.</summary>
+    /// <param name="s">The ball.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="log">Where events and counts are added.</param>
+    /// <param name="whole">Whether the whole step has been taken as flight already, and something was found in it.</param>
+    /// <param name="taken">Then that.</param>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    protected void TakePieces(ref BallState s, double dt, StepLog log, WholeFlight whole, in FlightStep taken)
+    {
+        if (!_air.Varies)
         {
-            TakePiecesOrNone(ref s, dt, log);
+            TakeAll(ref s, dt, log, whole, in taken);
             return;
         }
 
-        var run = new StepRun(dt, s.Time, log);
-        TakePieces(ref s, ref run);
-    }
-
-    /// <summary>The same with forces of the game's own, which may throw, or take the ball beyond what a number can hold: then nothing has happened.</summary>
-    private void TakePiecesOrNone(ref BallState s, double dt, StepLog log)
-    {
         BallState before = s;
         StepLogMark mark = log.Mark();
         try
         {
-            var run = new StepRun(dt, s.Time, log);
-            TakePieces(ref s, ref run);
+            TakeAll(ref s, dt, log, WholeFlight.NotTaken, in taken);
             OwnForces.CheckOutcome(in s);
         }
         catch
@@ -169,42 +178,38 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         }
     }
 
-    /// <summary>The same, where the whole step has been taken as flight already and something was found in it.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    protected void FinishPieces(ref BallState s, double dt, StepLog log, in FlightStep taken)
+    private void TakeAll(ref BallState s, double dt, StepLog log, WholeFlight whole, in FlightStep taken)
     {
-        if (_air.Varies)
+        var run = new StepRun(dt, s.Time, log);
+        if (whole == WholeFlight.Ends)
         {
-            TakePieces(ref s, dt, log);
-            return;
+            _flight.Finish(ref s, ref run, in taken, dt);
         }
 
-        var run = new StepRun(dt, s.Time, log);
-        _flight.Finish(ref s, ref run, in taken, dt);
         if (!log.Halted)
         {
-            TakePieces(ref s, ref run);
+            s.ClearUntil = 0;
+            _contact.Raise(ref s);
+            _bodies?.Apply(ref s, ref run);
         }
-    }
 
-    private void TakePieces(ref BallState s, ref StepRun run)
-    {
-        s.ClearUntil = 0;
-        _contact.Raise(ref s);
-        _bodies?.Apply(ref s, ref run);
-        while (run.Left > 0 && (s.Motion != MotionState.Stopped || World.Moves))
+        // The first piece was tried as a whole step already where it is not one's end.
+        bool isTried = whole == WholeFlight.NotTaken;
+        while (!log.Halted && run.Left > 0 && (s.Motion != MotionState.Stopped || World.Moves))
         {
             if (!run.Begin())
             {
                 // So that every step ends: the ball stays where it is for the rest of it.
-                run.Log.Stalled++;
+                log.Stalled++;
                 break;
             }
 
+            // What was free ahead was so before this.
+            s.ClearUntil = 0;
             switch (s.Motion)
             {
                 case MotionState.Airborne:
-                    _flight.Take(ref s, ref run);
+                    TakeFlight(ref s, ref run, isTried);
                     break;
                 case MotionState.Stopped:
                     _rest.Take(ref s, ref run);
@@ -213,16 +218,61 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
                     _set.TakeSqueezed(ref s, ref run);
                     break;
                 default:
-                    _surface.Take(ref s, ref run);
+                    TakeSurface(ref s, ref run, isTried);
                     break;
             }
 
-            if (run.Log.Halted)
-            {
-                return;
-            }
+            isTried = false;
         }
 
-        s.Time = run.End;
+        if (!log.Halted)
+        {
+            s.Time = run.End;
+        }
     }
+
+    /// <summary>The next piece of a flight: what is left of the step is a whole step again, if nothing happens in it.</summary>
+    private void TakeFlight(ref BallState s, ref StepRun run, bool isTried)
+    {
+        FlightStep taken = default;
+        WholeFlight whole = isTried || run.Part > 0 || _flight.IsHeld(in s) ? WholeFlight.NotTaken : TryWhole(ref s, run.Left, run.End, run.Log, out taken);
+        switch (whole)
+        {
+            case WholeFlight.Done:
+                run.Left = 0;
+                break;
+            case WholeFlight.Ends:
+                _flight.Finish(ref s, ref run, in taken, run.Left);
+                break;
+            default:
+                _flight.Take(ref s, ref run);
+                break;
+        }
+    }
+
+    /// <summary>The next piece of a slide or a roll: on flat ground what is left of the step is a whole step again, if nothing happens in it.</summary>
+    private void TakeSurface(ref BallState s, ref StepRun run, bool isTried)
+    {
+        if (!isTried && !(run.Part > 0) && _flat is not null && _flat.TryWhole(ref s, run.Left, run.End, run.Log))
+        {
+            run.Left = 0;
+        }
+        else
+        {
+            _surface.Take(ref s, ref run);
+        }
+    }
+}
+
+/// <summary>What became of a step of flight that was to be taken whole.</summary>
+internal enum WholeFlight
+{
+    /// <summary>It was not taken: it may have to be divided, or something is near.</summary>
+    NotTaken,
+
+    /// <summary>It was taken, and something happens in it: the ball is where it was.</summary>
+    Ends,
+
+    /// <summary>Nothing happened in it, and the ball has moved.</summary>
+    Done,
 }

@@ -9,6 +9,10 @@ public sealed class Simulator
     private readonly Stepper _stepper;
     private readonly double _contact;
     private readonly World _world;
+
+    /// <summary>How many things may carry a ball; those of an engine come and go.</summary>
+    private readonly int _things;
+
     private readonly bool _hasOwnForces;
     private ulong? _sceneHash;
 
@@ -30,6 +34,7 @@ public sealed class Simulator
         _stepper = StepperFactory.Create(Scene, Settings);
         _contact = Scene.Ground.Height + Scene.Ball.Radius;
         _world = _stepper.World;
+        _things = _world.Engine is null ? _world.Names.Count : int.MaxValue;
         _hasOwnForces = Scene.Forces.Custom.Count > 0;
     }
 
@@ -93,6 +98,19 @@ public sealed class Simulator
     /// <exception cref="ArgumentOutOfRangeException">The scene has nothing of that index.</exception>
     public string? NameOf(int thing) => thing < 0 ? null : _world.NameOf(thing);
 
+    /// <summary>Refuses a state that no ball of this scene can have: for states that come from elsewhere, from C or from a file. A few nanoseconds.</summary>
+    /// <param name="state">The state.</param>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// It was never launched, a number of it is not finite or beyond where a ball can get, or the ball lies on a thing that the scene does not have.
+    /// </exception>
+    public void Validate(in BallState state)
+    {
+        if (!StateCheck.Holds(in state) || state.Carrier >= _things)
+        {
+            RefuseState(in state);
+        }
+    }
+
     /// <summary>Kicks a ball where it is: new velocity and spin, same place, time and orientation.</summary>
     /// <param name="state">The ball; unchanged when an exception is thrown.</param>
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
@@ -153,6 +171,12 @@ public sealed class Simulator
         BallState next = state;
         _stepper.Step(ref next, dt, log);
         state = next;
+    }
+
+    private void RefuseState(in BallState state)
+    {
+        StateCheck.Validate(in state);
+        Check.Index("state.carrier", (int)state.Carrier, _things);
     }
 
     private static void RefuseStep(double dt, StepLog? log)

@@ -21,6 +21,11 @@ internal static class SurfacePath
     public static void Shorten<TSweep>(ref TSweep sweep, in BallState s, Collider carrier, double radius, int order)
         where TSweep : struct, ISweep
     {
+        if (carrier.StandingPlane is not null)
+        {
+            return;
+        }
+
         double farthest = Farthest * radius;
         for (int i = 0; i < MostTries; i++)
         {

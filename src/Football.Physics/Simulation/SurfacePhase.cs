@@ -82,7 +82,7 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>The next piece of a slide or a roll.</summary>
     public void Take(ref BallState s, ref StepRun run)
     {
-        if (_guard.HitsAtOnce(ref s, ref run) || _set.Take(ref s, ref run))
+        if (!_world.IsPlaneAlone && (_guard.HitsAtOnce(ref s, ref run) || _set.Take(ref s, ref run)))
         {
             return;
         }
@@ -154,10 +154,14 @@ internal sealed class SurfacePhase<TIntegrator>
                 return;
             }
 
-            h = most > 0 && (rolls || _endsSlipExactly) ? Shorten(h, run.Length, system.Direction, size, in rate, s.Nets == 0 && on.Turning == Vector3d.Zero) : h;
+            h = most > 0 && (rolls || _endsSlipExactly) ? Shorten(h, run.Length, system.Direction, size, in rate, on.Turning == Vector3d.Zero) : h;
         }
 
-        if (run.Spirals)
+        if (s.Nets != 0)
+        {
+            TakePiece<Substeps>(ref s, ref run, ref system, in from, h);
+        }
+        else if (run.Spirals)
         {
             // RK4 makes no velocity longer that turns by up to 2.8 rad.
             TakePiece<ClassicalRungeKutta>(ref s, ref run, ref system, in from, h);
@@ -375,7 +379,7 @@ internal sealed class SurfacePhase<TIntegrator>
     private void Hold(ref BallState s, in SurfaceSystem system, int met)
     {
         Vector3d n = _world.Hold(ref s, system.Carrier);
-        if (met < 0)
+        if (met < 0 && !_world.IsPlaneAlone)
         {
             // Back on the surface it may be in what it was just leaving, or in what it touched and was not pressed on.
             met = NearThings.Deepest(_world, in s, out _);

@@ -23,10 +23,12 @@ internal sealed class WorldContact
 
     private readonly Surroundings _around;
     private readonly World _world;
+    private readonly RateBound _ofAir;
 
     public WorldContact(Surroundings around)
     {
         _around = around;
+        _ofAir = around.Air.Bound;
         _world = around.World;
     }
 
@@ -59,7 +61,7 @@ internal sealed class WorldContact
         CoulombImpact.Apply(_world.Ball, in hit.MaterialAt(s.Position), in way, in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin);
         if (hit.Moves)
         {
-            double restitution = hit.MaterialAt(s.Position).RestitutionAt(Vector3d.Dot(surface - v, in n));
+            double restitution = hit.MaterialAt(s.Position).LargestRestitutionAt(Vector3d.Dot(surface - v, in n));
             bool again = Touches(ref s, (1.0 + restitution) * surface.Length);
             velocity = again ? NoFaster(in velocity, in n, s.SqueezeSpeed) : velocity;
         }
@@ -85,8 +87,7 @@ internal sealed class WorldContact
         double off = Vector3d.Dot(velocity - hit.Velocity, in n);
 
         // What would be back within a microsecond stays down: so an impact takes time, however strong the ball is pressed.
-        bool bounces = may && off >= _world.MinimumBounceSpeed
-            && off >= 0.5 * StabilityLimit.ShortestHop * Load(in s, velocity - (off * n), in spin, hit, in at);
+        bool bounces = may && off >= _world.MinimumBounceSpeed && !IsBackAtOnce(in s, off, velocity - (off * n), in spin, hit, in at);
         velocity = bounces ? velocity : velocity - (off * n);
         if (carried && s.Carrier != thing)
         {
@@ -174,7 +175,7 @@ internal sealed class WorldContact
         foreach (ref readonly Contact contact in set)
         {
             double speed = contact.Velocity.Length;
-            fastest = contact.Moves && contact.Load > 0 ? Math.Max(fastest, (1.0 + contact.Material.RestitutionAt(speed)) * speed) : fastest;
+            fastest = contact.Moves && contact.Load > 0 ? Math.Max(fastest, (1.0 + contact.Material.LargestRestitutionAt(speed)) * speed) : fastest;
         }
 
         if (fastest < 0)
@@ -423,6 +424,17 @@ internal sealed class WorldContact
         SurfaceForces on = system.ForcesOn(s.Time, new Motion(s.Position, s.Velocity, s.Spin));
         run.Log.Evaluations++;
         return system.Grips(in on);
+    }
+
+    /// <summary>Whether a ball that leaves a surface is back within a microsecond.</summary>
+    private bool IsBackAtOnce(in BallState s, double off, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
+    {
+        // Few are: what the air can do at most says so without asking it.
+        Vector3d along = velocity - collider.Velocity;
+        double airSpeed = (velocity - _around.Wind).Length;
+        double most = Math.Abs(_around.Upward) + Math.Abs(Vector3d.Dot(in along, at.Curvature * along)) + (airSpeed * _ofAir.At(airSpeed, spin.Length));
+        return (_around.Air.Varies || off < 0.5 * StabilityLimit.ShortestHop * most)
+            && off < 0.5 * StabilityLimit.ShortestHop * Load(in s, in velocity, in spin, collider, in at);
     }
 
     /// <summary>N/m, m/s², were the ball to follow the surface.</summary>

@@ -77,6 +77,11 @@ internal sealed class WorldGuard
     {
         int carrier = s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - _world.FirstCollider;
         met = default;
+        if (carrier >= 0 && _world.IsPlaneAlone)
+        {
+            return false;
+        }
+
         for (int i = 0; i < MostSearches; i++)
         {
             var path = PathCubic.Of(ref sweep, s.Position, s.Velocity, order);
@@ -110,8 +115,9 @@ internal sealed class WorldGuard
             }
 
             met = found;
-            if (!(sweep.Length > 0))
+            if (!(sweep.Length > 0) || _world.IsPlaneAlone)
             {
+                // Nothing else can be met before.
                 break;
             }
         }
@@ -146,6 +152,15 @@ internal sealed class WorldGuard
                 s.GoalsPassed |= 1UL << met.Index;
                 Report(in s, BallEventKind.Goal, _world.ThingOfGoal(met.Index), _world.Goals[met.Index].Out, ref run);
                 break;
+        }
+    }
+
+    /// <summary>The end of a piece that meets level ground is on it to the last bit, and so the path there crosses a plane at that height.</summary>
+    public void PutOnto(ref BallState s, in Separation met)
+    {
+        if (IsLevelGround(in met))
+        {
+            s.Position = new Vector3d(s.Position.X, _world.LevelContact, s.Position.Z);
         }
     }
 

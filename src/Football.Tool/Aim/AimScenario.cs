@@ -59,7 +59,7 @@ internal sealed record AimScenario
             // The direct method's steps are its own.
             TimeStep = method == AimMethod.Direct ? Scenario.DefaultTimeStep : timeStep,
             Method = method,
-            Request = ReadRequest(aim),
+            Request = AimInput.Request(aim),
             Slowest = aim.Flag("slowest", false),
             ArrivalTime = arrival.OptionalPositive("time"),
             ArrivalSpeed = arrival.OptionalPositive("speed"),
@@ -67,33 +67,5 @@ internal sealed record AimScenario
         };
         aim.Demand("method", method == AimMethod.Direct || !(scenario.Slowest || scenario.After is not null || aim.Has("arrival")), "direct, with slowest, arrival or after");
         return scenario;
-    }
-
-    private static AimRequest ReadRequest(InputObject aim)
-    {
-        var request = new AimRequest();
-        InputObject spin = aim.Object("spin");
-        InputObject elevation = aim.Object("elevation");
-        InputObject maxSpin = aim.Object("maxSpin");
-        return new AimRequest
-        {
-            From = aim.Vector("from"),
-            Target = aim.Vector("target"),
-            Through = aim.OptionalVector("through"),
-            Speed = aim.Number("speed"),
-            TargetVelocity = aim.Vector("targetVelocity", request.TargetVelocity),
-            KickTime = aim.Number("kickTime", request.KickTime),
-            Arc = aim.Choice("arc", request.Arc),
-            TopSpin = spin.Number("top", request.TopSpin),
-            SideSpin = spin.Number("side", request.SideSpin),
-            MinimumElevationDegrees = elevation.Number("min", request.MinimumElevationDegrees),
-            MaximumElevationDegrees = elevation.Number("max", request.MaximumElevationDegrees),
-            SpinIsFree = spin.Flag("free", request.SpinIsFree),
-            MaximumTopSpin = maxSpin.Number("top", request.MaximumTopSpin),
-            MaximumSideSpin = maxSpin.Number("side", request.MaximumSideSpin),
-            Tolerance = aim.Number("tolerance", request.Tolerance),
-            ThroughTolerance = aim.Number("throughTolerance", request.ThroughTolerance),
-            MaximumIterations = aim.Whole("maxIterations", request.MaximumIterations),
-        };
     }
 }

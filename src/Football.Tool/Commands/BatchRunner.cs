@@ -25,7 +25,10 @@ internal sealed class BatchRunner<T>(Func<InputFields, T> work, Func<string?, T,
     private readonly Option<FieldOverride[]> _set = Arguments.Set("solver.timeStep=0.04");
 
     /// <summary>Makes it what a command does.</summary>
-    public Command Of(ExampleCommand command, Terminal terminal)
+    /// <param name="command">The command.</param>
+    /// <param name="terminal">Where it reads and writes.</param>
+    /// <param name="instead">What else the command can do, that needs no FILE: the option that asks for it, and how it is done with overrides, in JSON or not.</param>
+    public Command Of(ExampleCommand command, Terminal terminal, (Option<string?> Option, Func<ParseResult, FieldOverride[], bool, int> Run)? instead = null)
     {
         command.Add(_file);
         command.Add(_batch);
@@ -33,19 +36,40 @@ internal sealed class BatchRunner<T>(Func<InputFields, T> work, Func<string?, T,
         command.Add(_jobs);
         command.Add(_profile);
         command.Add(_set);
-        command.SetAction(parsed => Run(parsed, terminal));
+        if (instead is not { } other)
+        {
+            command.SetAction(parsed => Run(parsed, terminal));
+            return command;
+        }
+
+        _file.Arity = ArgumentArity.ZeroOrOne;
+        command.Validators.Add(result =>
+        {
+            bool isGiven = result.GetResult(_file) is { Tokens.Count: > 0 };
+            if (isGiven == result.GetResult(other.Option) is not null)
+            {
+                result.AddError($"Either FILE or {other.Option.Name} is needed, and not both.");
+            }
+        });
+        command.SetAction(parsed =>
+        {
+            bool json = parsed.GetValue(_json) || terminal.OutputRedirected;
+            return parsed.GetValue(other.Option) is not null ? other.Run(parsed, Overrides(parsed), json) : Run(parsed, terminal);
+        });
         return command;
     }
 
     private int Run(ParseResult parsed, Terminal terminal)
     {
-        FieldOverride[] overrides = [.. parsed.GetRequiredValue(_profile), .. parsed.GetRequiredValue(_set)];
+        FieldOverride[] overrides = Overrides(parsed);
         using Stream input = Arguments.OpenInput(parsed.GetRequiredValue(_file), terminal);
         var reader = new LineReader(input);
         return parsed.GetValue(_batch)
             ? RunBatch(reader, input.CanSeek ? input.Length : null, overrides, (int)parsed.GetValue(_jobs), terminal)
             : RunOne(reader.ReadToEnd(), overrides, terminal, parsed.GetValue(_json) || terminal.OutputRedirected);
     }
+
+    private FieldOverride[] Overrides(ParseResult parsed) => [.. parsed.GetRequiredValue(_profile), .. parsed.GetRequiredValue(_set)];
 
     private int RunOne(InputLine text, FieldOverride[] overrides, Terminal terminal, bool json)
     {

@@ -66,6 +66,7 @@ internal static class CommandLineEntry
             InterceptCommand.Create(terminal),
             FitCommand.Create(terminal),
             SweepCommand.Create(terminal),
+            PlayCommand.Create(terminal),
             ReplayCommand.Create(terminal),
             GalleryCommand.Create(terminal),
             lab,

@@ -10,15 +10,19 @@ internal static class FitCommand
     private const string Example =
         """{"track": [{"time": 0, "position": [0, 0.11, 0]}, {"time": 0.2, "position": [0.6, 1.31, -4.2]}, {"time": 0.4, "position": [1.2, 2.12, -8.1]}, {"time": 0.6, "position": [1.8, 2.57, -11.8]}]}""";
 
-    public static Command Create(Terminal terminal) =>
-        new BatchRunner<TrackFitResult>(Find, FitWriter.Result, FitTable.Print)
-        .Of(
-            new ExampleCommand(
-                "fit",
-                "Finds the launch of a ball, with uncertainties, from where a camera saw it, and writes it as JSON; a single track in a terminal as a table.",
-                $"echo '{Example}' | football fit -",
-                $"echo '{Example}' | football fit - --set fit.noise=0.05"),
-            terminal);
+    public static Command Create(Terminal terminal)
+    {
+        var match = new MatchCommand();
+        var command = new ExampleCommand(
+            "fit",
+            "Finds the launch of a ball, with uncertainties, from where a camera saw it, and writes it as JSON; with --match all flights, impacts and touches of a match's track, a line each.",
+            $"echo '{Example}' | football fit -",
+            $"echo '{Example}' | football fit - --set fit.noise=0.05",
+            "football fit --match TRACK.csv --ball modern --plot match.svg");
+        match.AddTo(command);
+        return new BatchRunner<TrackFitResult>(Find, FitWriter.Result, FitTable.Print)
+            .Of(command, terminal, (match.Option, (parsed, overrides, json) => match.Run(parsed, overrides, json, terminal)));
+    }
 
     private static TrackFitResult Find(InputFields fields)
     {

@@ -35,7 +35,7 @@ internal static class GalleryCommand
     {
         string full = Create(folder);
         IReadOnlyList<GalleryShot> shots = GalleryShots.All;
-        string[] names = [.. shots.Select(shot => shot.Id + ".svg"), ContactSheet.Moving, "index.html"];
+        string[] names = [.. shots.Select(shot => shot.Id + ".svg"), Playground.File, ContactSheet.Moving, "index.html"];
         terminal.Person.WriteLine($"Plays {shots.Count} shots from the foot to rest, and draws them into {folder}.");
         OutputFile[] files = [.. names.Select(name => OutputFile.Open("--out", Path.Combine(full, name))!)];
         ShownShot[] shown = Progress.Show(terminal, "shots", progress => shots.Select((shot, i) =>
@@ -45,6 +45,7 @@ internal static class GalleryCommand
             files[i].Write(made.Drawing);
             return made;
         }).ToArray());
+        files[^3].Write(Playground.Html);
         files[^2].Write(ReplayPage.Html("Football.Physics: gallery", [.. shown.Select(made => made.Moving)]));
         files[^1].Write(ContactSheet.Html(shown));
         foreach (OutputFile file in files)
@@ -53,8 +54,9 @@ internal static class GalleryCommand
         }
 
         terminal.PersonConsole.Write(ShotReport.Figures([.. shown.Select(made => ((string?)made.Shot.Name, made.Figures))]));
-        terminal.Person.WriteLine($"To watch: {files[^2].Path}");
         terminal.Person.WriteLine($"Drawings: {files[^1].Path}");
+        terminal.Person.WriteLine($"To watch: {files[^2].Path}");
+        terminal.Person.WriteLine($"To play, open in a browser: {files[^3].Path}");
         if (terminal.OutputRedirected)
         {
             foreach (ShownShot made in shown)

@@ -38,6 +38,42 @@ internal sealed class OutputFile : IDisposable
         }
     }
 
+    /// <summary>Refuses outputs of which two go to one file, or one to a file that is read.</summary>
+    /// <param name="inputs">Names of what is read; - is the standard input.</param>
+    /// <param name="outputs">Who asks for each file, and its name; null where none was asked for.</param>
+    /// <exception cref="RefusedException">Two are the same file.</exception>
+    public static void RefuseSame(IEnumerable<string> inputs, params IReadOnlyList<(string Option, string? Path)> outputs)
+    {
+        var taken = inputs.Where(path => path != "-").Select(path => (By: "the input", File: Identity(path))).ToList();
+        foreach ((string option, string path) in outputs.Where(output => output.Path is not null).Select(output => (output.Option, output.Path!)))
+        {
+            // A device takes what it is given, from however many.
+            if (Identity(path) is { } file && !file.StartsWith("/dev/", StringComparison.Ordinal))
+            {
+                if (taken.FirstOrDefault(other => other.File == file) is { By: { } by })
+                {
+                    throw new RefusedException(option, $"{Quote.File(path)}, which is {by}'s file too", "a file of its own");
+                }
+
+                taken.Add((option, file));
+            }
+        }
+    }
+
+    /// <summary>The file behind a name; null where the name cannot be one, which whoever opens it says.</summary>
+    private static string? Identity(string path)
+    {
+        try
+        {
+            string full = System.IO.Path.GetFullPath(path);
+            return File.Exists(full) ? File.ResolveLinkTarget(full, returnFinalTarget: true)?.FullName ?? full : full;
+        }
+        catch (Exception e) when (IsFileFault(e))
+        {
+            return null;
+        }
+    }
+
     /// <summary>Whether the exception is about the name or the rights of a file.</summary>
     public static bool IsFileFault(Exception e) => e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException;
 

@@ -35,6 +35,11 @@ internal static class ReplayCommand
         };
         command.SetAction(parsed =>
         {
+            OutputFile.RefuseSame(
+                parsed.GetRequiredValue(files),
+                ("--output", parsed.GetRequiredValue(page)),
+                ("--gltf", parsed.GetValue(gltf)),
+                ("--svg", parsed.GetValue(svg)));
             using OutputFile written = OutputFile.Open("--output", parsed.GetRequiredValue(page))!;
             using var scene = OutputFile.Open("--gltf", parsed.GetValue(gltf));
             using var drawing = OutputFile.Open("--svg", parsed.GetValue(svg));

@@ -1,6 +1,7 @@
 using System.Text;
 using System.Text.RegularExpressions;
 using System.Xml.Linq;
+using Football.Tool.Replay;
 using Football.Drawing;
 using Football.Scenarios;
 
@@ -31,6 +32,10 @@ internal static class ContactSheet
         article { background: var(--card); border: 1px solid var(--edge); border-radius: 8px; padding: 12px 14px; margin-bottom: 18px; break-inside: avoid; }
         article p { margin: 0 0 8px; }
         .kick { color: var(--faint); font-size: 14px; }
+        .first { display: flex; gap: 10px; flex-wrap: wrap; margin: 14px 0; }
+        .big { background: #0b6e4f; color: #ffffff; font-weight: 700; font-size: 18px; padding: 12px 22px; border-radius: 10px; text-decoration: none; }
+        .second { background: var(--card); color: var(--link); border: 1px solid var(--edge); }
+        summary { cursor: pointer; color: var(--link); padding: 2px 0; }
         svg { width: 100%; height: auto; display: block; }
         pre span { white-space: nowrap; }
         pre { font: 12px/1.5 ui-monospace, Consolas, monospace; background: var(--page); border: 1px solid var(--edge); border-radius: 6px; margin: 6px 0; padding: 8px 64px 8px 10px; white-space: pre-wrap; }
@@ -62,10 +67,13 @@ internal static class ContactSheet
                 new XElement("h1", "Football.Physics: gallery"),
                 new XElement(
                     "p",
-                    "Every shot is played to rest with RK4 at 10 ms. Dots are whole seconds. ",
-                    new XElement("a", new XAttribute("href", Moving), "All of them in motion"),
-                    "; ",
-                    new XElement("a", new XAttribute("href", "#numbers"), "all in numbers"),
+                    new XAttribute("class", "first"),
+                    new XElement("a", new XAttribute("class", "big"), new XAttribute("href", Playground.File), "Kick the ball yourself"),
+                    new XElement("a", new XAttribute("class", "big second"), new XAttribute("href", Moving), "Watch all shots, from all sides")),
+                new XElement(
+                    "p",
+                    "Each picture moves as the library says, from behind the ball; its code plays just that. ",
+                    new XElement("a", new XAttribute("href", "#numbers"), "All in numbers"),
                     "."),
                 new XElement("main", new XAttribute("class", "shots"), shots.Select(Card)),
                 new XElement("h2", new XAttribute("id", "numbers"), "All in numbers"),
@@ -97,10 +105,13 @@ internal static class ContactSheet
                 new XAttribute("class", "kick"),
                 kick.Text + ". ",
                 new XElement("a", new XAttribute("href", $"{Moving}#picture={shown.Shot.Id}"), "Watch it move")),
-            new XElement(shown.Drawing),
+            new XElement("a", new XAttribute("href", $"{Moving}#picture={shown.Shot.Id}"), new XAttribute("aria-label", "Watch it move"), MovingDrawing.Draw(shown.Moving)),
             new XElement("p", $"{shown.Shot.About} {shown.Remark.Trim()}".TrimEnd()),
-            new XElement("div", Copied(shown.Shot.Code), Copied(shown.Shot.Command)));
+            Folded("Plots", new XElement(shown.Drawing)),
+            Folded("Code and command", Copied(shown.Shot.Code), Copied(shown.Shot.Command)));
     }
+
+    private static XElement Folded(string what, params XElement[] content) => new("details", new XElement("summary", what), content);
 
     private static XElement Copied(string code) => new(
         "div",

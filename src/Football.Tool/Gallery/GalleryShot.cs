@@ -16,25 +16,17 @@ internal sealed record GalleryShot
 
     public required Scenario Scenario { get; init; }
 
-    /// <summary>The scene in C#, without goals and walls, which a shot does not need to be kicked; empty for the default.</summary>
-    public string SceneCode { get; init; } = "";
+    /// <summary>The scene in C#, without goals and obstacles.</summary>
+    public string SceneCode { get; init; } = "new Scene()";
 
-    /// <summary>The shot in C#.</summary>
-    public string Code
-    {
-        get
-        {
-            Vector3d from = Scenario.Position;
-            string place = from.Y > Scenario.Scene.Ball.Radius || from.Horizontal.Length > 0 ? FormattableString.Invariant($"ball.Place(new Vector3d({from.X:0.##}, {from.Y:0.##}, {from.Z:0.##}));\n") : "";
-            return $"var ball = new Ball({SceneCode});\n{place}{KickNumbers.Of(Scenario).Code}";
-        }
-    }
+    /// <summary>A program that plays the shot as it is drawn.</summary>
+    public string Code => ShotCode.Program(Scenario, SceneCode);
 
-    /// <summary>The scene as fields of a scenario, path=value, without goals and walls; empty for the default.</summary>
+    /// <summary>The scene as fields of a scenario, path=value, without goals and obstacles; empty for the default.</summary>
     public IReadOnlyList<string> SceneFields { get; init; } = [];
 
-    /// <summary>The command that kicks so.</summary>
-    public string Command => string.Join(" --set ", [KickNumbers.Of(Scenario).Command, .. SceneFields]);
+    /// <summary>A command that plays the shot as it is drawn.</summary>
+    public string Command => ShotCode.Command(Scenario, SceneFields, Id);
 
     /// <summary>The same with something changed, drawn beside it; null for none.</summary>
     public Scenario? Comparison { get; init; }

@@ -118,7 +118,6 @@ internal static class GalleryShots
     {
         Id = "dropped-with-topspin",
         Name = "Dropped with topspin",
-        SceneFields = ["launch.position=[0,3,0]"],
         About = "Let go at 3 m with 70 rad/s of topspin: each bounce turns spin into speed forwards.",
         Scenario = Shot(new Vector3d(0, 3, 0), Vector3d.Zero, KickVectors.Spin(ViewFrame.Direction(1, 0, 0), 70, 0)),
     };
@@ -143,7 +142,7 @@ internal static class GalleryShots
             About = "Rolling from the start on an indoor court, across a side wind of 2 m/s that carries it to the left.",
             Scenario = Shot(new Vector3d(0, Radius, 0), velocity, KickVectors.Spin(velocity, 11 / Radius, 0)) with
             {
-                Scene = Scene.Measured with { Ground = Ground.Indoor, Air = new Air { Wind = ViewFrame.Direction(2, 90, 0) } },
+                Scene = Scene.Measured with { Ground = Ground.Indoor, Air = new Air { Wind = new Vector3d(-2, 0, 0) } },
             },
         };
     }
@@ -160,7 +159,7 @@ internal static class GalleryShots
             About = "A high ball into a wind of 11 m/s, against it and from the right; dashed in still air. The wind's push on the ground is switched off here: it would roll the ball on for ever.",
             Scenario = kick with
             {
-                Scene = Scene.Windy(ViewFrame.Direction(11, 135, 0)) with { Ground = Ground.DryTurf with { Aerodynamics = GroundAerodynamics.None } },
+                Scene = Scene.Windy(new Vector3d(-7.778, 0, 7.778)) with { Ground = Ground.DryTurf with { Aerodynamics = GroundAerodynamics.None } },
             },
             Comparison = kick,
             ComparisonName = "in still air",
@@ -171,7 +170,7 @@ internal static class GalleryShots
     {
         Id = "beach-ball",
         SceneCode = "new Scene { Ball = BallProperties.BeachBall, Ground = Ground.PublishedSand }",
-        SceneFields = ["launch.position=[0,1,0]", "ball.type=beachBall", "ground.surface=publishedSand"],
+        SceneFields = ["ball.type=beachBall", "ground.surface=publishedSand"],
         Name = "Beach ball",
         About = "Large and light: the air stops it within metres, the sidespin throws it aside, and it stays where it lands on sand.",
         Scenario = Shot(new Vector3d(0, 1, 0), ViewFrame.Direction(16, 0, 30), KickVectors.Spin(ViewFrame.Direction(1, 0, 0), 0, 25)) with

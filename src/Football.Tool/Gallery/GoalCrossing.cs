@@ -17,9 +17,14 @@ internal static class GoalCrossing
         double right = Vector3d.Dot(crossing.Value - goal.Center, Vector3d.Cross(-goal.Outward(), Vector3d.Up));
         double post = (0.5 * goal.Width) - Math.Abs(right);
         string side = right > 0 ? "right" : "left";
-        return scored is not null
-            ? FormattableString.Invariant($"A goal: over the line {post:0.00} m inside the {side} post, {crossing.Value.Y:0.00} m high.")
-            : FormattableString.Invariant($"No goal: {Math.Max(0, -post):0.00} m outside the {side} post, {crossing.Value.Y:0.00} m high.");
+        string where = Math.Abs(right) < 0.2 * goal.Width ? "in the middle of the goal"
+            : post < 1 ? FormattableString.Invariant($"{100 * Math.Max(0, post):0} cm inside the {side} post")
+            : $"in the {side} half of the goal";
+        string height = FormattableString.Invariant($"{crossing.Value.Y:0.0} m high");
+        return scored is not null ? $"A goal, {where}, {height}."
+            : post < 0 ? FormattableString.Invariant($"No goal: {-post:0.0} m wide of the {side} post, {height}.")
+            : crossing.Value.Y > goal.Height ? FormattableString.Invariant($"No goal: {crossing.Value.Y - goal.Height:0.0} m over the bar.")
+            : $"No goal: it comes to the line {where}, {height}, and not over it.";
     }
 
     /// <summary>Where the ball first passes the plane of the line from before it.</summary>

@@ -98,15 +98,15 @@ internal static class ThingShots
     {
         Obstacle wall = new()
         {
-            Name = "wall",
+            Name = "board",
             Shape = new BoxShape(new Vector3d(2, -1.2, -13), new Vector3d(4, 1, 0.2), Quaterniond.FromAxisAngle(Vector3d.Up, 0.35)),
             Surface = Surface.Wood,
         };
         return new GalleryShot
         {
             Id = "down-the-slope",
-            Name = "Down a slope into a wall",
-            About = "Pushed down a slope of one in ten: it rolls on hardly slower, into a wall that stands askew, and from there up and to the side until it rests.",
+            Name = "Down a slope into a board",
+            About = "Pushed down a slope of one in ten: it rolls on hardly slower, into a board that stands askew, and from there up and to the side until it rests.",
             SceneFields = ["ground.normal=[0,1,-0.1]"],
             SceneCode = "Scene.Measured with { Ground = Ground.DryTurf with { Normal = new Vector3d(0, 1, -0.1) } }",
             Scenario = Shot(new Vector3d(0, 0, 0), new Vector3d(1.2, -0.7, -7), 0, 0) with

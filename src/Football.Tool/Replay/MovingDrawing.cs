@@ -43,7 +43,8 @@ internal static class MovingDrawing
                 Height,
                 Svg.Element("rect", [("width", Width), ("height", Height), ("fill", Sky)]),
                 Svg.Element("rect", [("y", Math.Max(0, eye.Horizon)), ("width", Width), ("height", Height - Math.Max(0, eye.Horizon)), ("fill", Grass)]),
-                picture.Shapes.OrderBy(Order).SelectMany(shape => Shape(eye, shape)),
+                Stripes(eye, ways[0][0], to),
+                picture.Shapes.OrderBy(Order).SelectMany(shape => shape.People is { } people ? People(eye, shape.Name, people) : Shape(eye, shape)),
                 ways.SelectMany((way, i) => Ball(eye, way, picture.Shots[i], Palette.Series[i % Palette.Series.Count], total)),
                 Svg.Text(Width - 12, Height - 12, picture.Shots[0].Kick, "end", 13, "#ffffff")),
             Dark);
@@ -59,6 +60,56 @@ internal static class MovingDrawing
         SceneShapeKind.Guide => 4,
         _ => throw new ArgumentOutOfRangeException(nameof(shape), shape.Kind, null),
     };
+
+    /// <summary>Stripes of the mower across the way, as on a pitch.</summary>
+    private static IEnumerable<XElement> Stripes(Eye eye, Vector3d from, Vector3d to)
+    {
+        const double wide = 5.5;
+        Vector3d along = (to - from).Horizontal.Normalized();
+        Vector3d across = 60 * Vector3d.Cross(along, Vector3d.Up);
+        Vector3d start = from.Horizontal;
+        for (int i = -1; i < 10; i += 2)
+        {
+            Vector3d near = start + (Math.Max(-5, i * wide) * along);
+            Vector3d far = start + ((i + 1) * wide * along);
+            if (eye.On(near) is not null)
+            {
+                yield return Svg.Element("polygon", [("points", Points(eye, [near - across, near + across, far + across, far - across])), ("fill", "#ffffff"), ("fill-opacity", 0.09)]);
+            }
+        }
+    }
+
+    /// <summary>People from far to near, each limb the hull of two discs: a polygon between two circles.</summary>
+    private static IEnumerable<XElement> People(Eye eye, string kit, IReadOnlyList<Vector3d[]> people)
+    {
+        for (int who = 0; who < people.Count; who++)
+        {
+            if (eye.On(people[who][0].Horizontal) is { } feet)
+            {
+                yield return Svg.Element("ellipse", [("cx", feet.X), ("cy", feet.Y), ("rx", 0.45 * feet.Metre), ("ry", 0.12 * feet.Metre), ("fill", "#06120a"), ("fill-opacity", 0.3)]);
+            }
+
+            foreach (PersonLimbs limb in PersonLimbs.Of(people[who], kit, who).OrderBy(limb => (eye.On(0.5 * (limb.From + limb.To))?.Metre) ?? 0))
+            {
+                if (eye.On(limb.From) is not { } a || eye.On(limb.To) is not { } b)
+                {
+                    continue;
+                }
+
+                (double ra, double rb) = (limb.FromRadius * a.Metre, limb.ToRadius * b.Metre);
+                double angle = Math.Atan2(b.Y - a.Y, b.X - a.X);
+                (double x, double y) = (-Math.Sin(angle), Math.Cos(angle));
+                string corners = string.Join(' ', new[] { (a.X + (ra * x), a.Y + (ra * y)), (b.X + (rb * x), b.Y + (rb * y)), (b.X - (rb * x), b.Y - (rb * y)), (a.X - (ra * x), a.Y - (ra * y)) }
+                    .Select(at => $"{Svg.Number(at.Item1)},{Svg.Number(at.Item2)}"));
+                yield return Svg.Element(
+                    "g",
+                    [("fill", limb.Colour)],
+                    Svg.Element("polygon", [("points", corners)]),
+                    Svg.Element("circle", [("cx", a.X), ("cy", a.Y), ("r", ra)]),
+                    Svg.Element("circle", [("cx", b.X), ("cy", b.Y), ("r", rb)]));
+            }
+        }
+    }
 
     private static Vector3d[] Way(Track track, double end)
     {

@@ -10,7 +10,7 @@ namespace Football.Tool.Replay;
 internal static class ReplayPage
 {
     /// <summary>The parts of the program in the page, in the order in which they need each other.</summary>
-    private static readonly string[] Scripts = ["vectors.js", "track.js", "camera.js", "ball.js", "stage.js", "player.js"];
+    private static readonly string[] Scripts = ["vectors.js", "track.js", "camera.js", "ball.js", "figures.js", "stadium.js", "stage.js", "player.js"];
 
     /// <summary>The page.</summary>
     public static string Html(string title, IReadOnlyList<ReplayPicture> pictures)
@@ -20,6 +20,7 @@ internal static class ReplayPage
         return Part("page.html")
             .Replace("{{title}}", System.Net.WebUtility.HtmlEncode(title), StringComparison.Ordinal)
             .Replace("{{style}}", Part("style.css"), StringComparison.Ordinal)
+            .Replace("{{figures}}", Part("figures.json"), StringComparison.Ordinal)
             .Replace("{{script}}", script, StringComparison.Ordinal)
             .Replace("{{data}}", data, StringComparison.Ordinal);
     }
@@ -65,25 +66,13 @@ internal static class ReplayPage
             json.WriteNumber("cell", ground.Cell);
             json.WriteNumber("columns", ground.Columns);
             json.WriteNumber("rows", ground.Rows);
-            WriteNumbers(json, "heights", ground.Heights);
+            SceneShapeJson.WriteNumbers(json, "heights", ground.Heights);
             json.WriteEndObject();
         }
 
-        WriteAll(json, "shapes", picture.Shapes, Write);
+        SceneShapeJson.Write(json, picture.Shapes, picture.Goals);
         WriteAll(json, "shots", picture.Shots, Write);
-        WriteNumbers(json, "targets", picture.Targets.SelectMany(Parts));
-        json.WriteEndObject();
-    }
-
-    private static void Write(Utf8JsonWriter json, SceneShape shape)
-    {
-        json.WriteStartObject();
-        json.WriteString("name", shape.Name);
-        json.WriteString("kind", Words.Of(shape.Kind));
-        json.WriteNumber("radius", shape.Radius);
-        WriteNumbers(json, "velocity", Parts(shape.Velocity));
-        WriteAll(json, "lines", shape.Lines, static (to, line) => WriteNumbers(to, line.SelectMany(Parts)));
-        WriteAll(json, "faces", shape.Faces, static (to, face) => WriteNumbers(to, face.SelectMany(Parts)));
+        SceneShapeJson.WriteNumbers(json, "targets", picture.Targets.SelectMany(Parts));
         json.WriteEndObject();
     }
 
@@ -94,14 +83,14 @@ internal static class ReplayPage
         json.WriteString("kick", shot.Kick);
         json.WriteBoolean("compares", shot.Compares);
         json.WriteNumber("radius", shot.Track.Radius);
-        WriteNumbers(json, "keys", shot.Track.Keys.SelectMany(Parts));
+        SceneShapeJson.WriteNumbers(json, "keys", shot.Track.Keys.SelectMany(Parts));
         WriteAll(json, "events", shot.Track.Events, (to, item) =>
         {
             to.WriteStartObject();
             to.WriteString("kind", Words.Of(item.Kind));
             to.WriteString("surface", shot.Track.NameOf(item.Thing));
             to.WriteNumber("time", Rounded(item.Time));
-            WriteNumbers(to, "position", Parts(item.Position));
+            SceneShapeJson.WriteNumbers(to, "position", Parts(item.Position));
             to.WriteNumber("before", Rounded(item.VelocityBefore.Length));
             to.WriteNumber("after", Rounded(item.Velocity.Length));
             to.WriteNumber("spin", Rounded(item.Spin.Length));
@@ -116,23 +105,6 @@ internal static class ReplayPage
         foreach (T item in items)
         {
             write(json, item);
-        }
-
-        json.WriteEndArray();
-    }
-
-    private static void WriteNumbers(Utf8JsonWriter json, string name, IEnumerable<double> numbers)
-    {
-        json.WritePropertyName(name);
-        WriteNumbers(json, numbers);
-    }
-
-    private static void WriteNumbers(Utf8JsonWriter json, IEnumerable<double> numbers)
-    {
-        json.WriteStartArray();
-        foreach (double number in numbers)
-        {
-            json.WriteNumberValue(Rounded(number));
         }
 
         json.WriteEndArray();

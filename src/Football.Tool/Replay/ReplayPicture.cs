@@ -17,6 +17,9 @@ internal sealed record ReplayPicture
 
     public required IReadOnlyList<SceneShape> Shapes { get; init; }
 
+    /// <summary>The goals, which say where the pitch is.</summary>
+    public IReadOnlyList<Goal> Goals { get; init; } = [];
+
     /// <summary>The ground; null where there is none.</summary>
     public required GroundGrid? Ground { get; init; }
 
@@ -42,6 +45,7 @@ internal sealed record ReplayPicture
             Name = name,
             Shots = shots,
             Shapes = shapes,
+            Goals = [.. played.SelectMany(shot => shot.Scenario.Scene.Goals).Distinct()],
             Ground = GroundGrid.Of(played[0].Scenario.Scene.Ground, [.. shots.SelectMany(shot => shot.Track.Keys).Select(key => key.Position), .. shapes.SelectMany(shape => shape.Points)]),
         };
     }

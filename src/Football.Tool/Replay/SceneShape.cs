@@ -14,6 +14,12 @@ internal sealed record SceneShape(string Name, SceneShapeKind Kind)
     /// <summary>Convex polygons, counter-clockwise seen from outside.</summary>
     public IReadOnlyList<Vector3d[]> Faces { get; init; } = [];
 
+    /// <summary>The four corners of a net, between which pages make its meshes; null for what is no net.</summary>
+    public IReadOnlyList<Vector3d>? Corners { get; init; }
+
+    /// <summary>Who it is: feet, shoulders, hands and the direction faced of each, which pictures draw in its place; null where it is nobody.</summary>
+    public IReadOnlyList<Vector3d[]>? People { get; init; }
+
     /// <summary>Its velocity, m/s.</summary>
     public Vector3d Velocity { get; init; }
 

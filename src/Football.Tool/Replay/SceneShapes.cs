@@ -1,3 +1,4 @@
+using Football.Physics.Shapes;
 using Football.Tool.Gallery;
 namespace Football.Tool.Replay;
 
@@ -18,9 +19,10 @@ internal static class SceneShapes
     public static IReadOnlyList<SceneShape> Of(Scene scene) =>
     [
         .. scene.Goals.Where(HasMarkings).Select(goal => Markings(goal, scene.Ground)),
-        .. scene.Obstacles.Select(obstacle => Shape(obstacle, SceneShapeKind.Obstacle)),
+        .. scene.Obstacles.Select(obstacle => Shape(obstacle, SceneShapeKind.Obstacle) with { People = People.Of(obstacle) }),
         .. scene.Goals.SelectMany(goal => goal.Frame(scene.Forces)).Select(part => Shape(part, SceneShapeKind.Frame)),
-        .. scene.Nets.Concat(scene.Goals.SelectMany(goal => goal.Nets())).Select(Net),
+        .. scene.Nets.Select(Net),
+        .. scene.Goals.SelectMany(Nets),
     ];
 
     /// <summary>Height of the ground under a place, m.</summary>
@@ -66,26 +68,45 @@ internal static class SceneShapes
         return [middle - u - v, middle + u - v, middle + u + v, middle - u + v];
     }
 
+    /// <summary>The nets of a goal, the sides only as far as back and roof.</summary>
+    private static IEnumerable<SceneShape> Nets(Goal goal)
+    {
+        foreach (Net net in goal.Nets())
+        {
+            double side = Vector3d.Dot(net.Center - goal.Center, goal.Right());
+            Vector3d line = goal.Center + (side * goal.Right());
+            Vector3d top = new(0, goal.Height + goal.PostRadius, 0);
+            yield return Math.Abs(side) < 0.1 * goal.Width ? Net(net)
+                : Meshes(net.Name, line, line - (goal.DepthOnGround * goal.Outward()), line + top - (goal.DepthAtBar * goal.Outward()), line + top);
+        }
+    }
+
     private static SceneShape Net(Net net)
     {
         Vector3d along = net.Along.Normalized();
         Vector3d across = Vector3d.Cross(net.Normal.Normalized(), along);
         Vector3d u = net.HalfLength * along;
         Vector3d v = net.HalfWidth * across;
-        double Share(int i, int count) => (2.0 * i / count) - 1;
-        int columns = Meshes(net.HalfLength);
-        int rows = Meshes(net.HalfWidth);
-        return new SceneShape(net.Name, SceneShapeKind.Net)
+        return Meshes(net.Name, net.Center - u - v, net.Center + u - v, net.Center + u + v, net.Center - u + v);
+    }
+
+    /// <summary>A net between four corners.</summary>
+    private static SceneShape Meshes(string name, Vector3d a, Vector3d b, Vector3d c, Vector3d d)
+    {
+        int columns = Meshes((b - a).Length);
+        int rows = Meshes((d - a).Length);
+        return new SceneShape(name, SceneShapeKind.Net)
         {
             Lines =
             [
-                .. Enumerable.Range(0, columns + 1).Select(i => net.Center + (Share(i, columns) * u)).Select(at => (Vector3d[])[at - v, at + v]),
-                .. Enumerable.Range(0, rows + 1).Select(i => net.Center + (Share(i, rows) * v)).Select(at => (Vector3d[])[at - u, at + u]),
+                .. Enumerable.Range(0, columns + 1).Select(i => (double)i / columns).Select(s => (Vector3d[])[Vector3d.Lerp(a, b, s), Vector3d.Lerp(d, c, s)]),
+                .. Enumerable.Range(0, rows + 1).Select(i => (double)i / rows).Select(s => (Vector3d[])[Vector3d.Lerp(a, d, s), Vector3d.Lerp(b, c, s)]),
             ],
+            Corners = [a, b, c, d],
         };
     }
 
-    private static int Meshes(double half) => (int)Math.Clamp(Math.Ceiling(2 * half / Mesh), 1, MostMeshes);
+    private static int Meshes(double length) => (int)Math.Clamp(Math.Ceiling(length / Mesh), 1, MostMeshes);
 
     /// <summary>A goal of the game's size on ground that can be drawn on.</summary>
     private static bool HasMarkings(Goal goal) => Math.Abs(goal.Width - PitchSize.GoalWidth) < 0.1;

@@ -42,7 +42,7 @@ internal static class SweepCommand
         var format = new Option<string>("--format")
         {
             HelpName = string.Join('|', RowFormat.Names),
-            Description = "How rows are written: an object a line, a table, or with --out NumPy files, one a column.",
+            Description = "How rows are written: an object a line, a table, or with --out NumPy files, one a column, or a Parquet file.",
             DefaultValueFactory = _ => RowFormat.Names[0],
         };
         format.AcceptOnlyFromAmong([.. RowFormat.Names]);
@@ -52,6 +52,10 @@ internal static class SweepCommand
             Description = "Only the i-th of n parts; all parts one after the other are the whole, byte for byte. Without it: all rows.",
             CustomParser = ParseShard,
         };
+        var verify = new Option<bool>("--verify")
+        {
+            Description = "Of a folder that is done, reads all files and looks whether they have the bytes that were written; without it, whether they are there and as long.",
+        };
         var command = new ExampleCommand(
             "sweep",
             "Draws launches or aims from ranges, flies or finds them, and writes a row each.",
@@ -60,13 +64,18 @@ internal static class SweepCommand
             """echo '{"launch": {"speed": [20, 25], "elevation": 12}}' | football sweep - --count 5 --format csv""",
             "football sweep --count 1000 --format npy --out rows && ls rows")
         {
-            file, count, seed, shard, jobs, profile, set, range, output, format, SweepMerge.Create(terminal),
+            file, count, seed, shard, jobs, profile, set, range, output, format, verify, SweepMerge.Create(terminal),
         };
         command.Validators.Add(result =>
         {
-            if (result.GetValue(output) is null && result.GetValue(format) == "npy")
+            if (result.GetValue(output) is null && result.GetValue(verify))
             {
-                result.AddError("--format is npy; allowed: ndjson | csv, or npy with --out DIR.");
+                result.AddError("--verify is given; allowed: with --out DIR.");
+            }
+
+            if (result.GetValue(output) is null && result.GetValue(format) is "npy" or "parquet")
+            {
+                result.AddError($"--format is {result.GetValue(format)}; allowed: ndjson | csv, or npy | parquet with --out DIR.");
             }
         });
         command.SetAction(parsed =>
@@ -75,7 +84,7 @@ internal static class SweepCommand
             var run = new SweepRun(plan, parsed.GetRequiredValue(format), (int)parsed.GetValue(jobs));
             (int index, int of) = parsed.GetValue(shard);
             return parsed.GetValue(output) is { } folder
-                ? ToFolder(plan, run, of == 0 ? folder : Path.Combine(folder, new Shard(index, of, 0).Folder), new Shard(Math.Max(index, 1), Math.Max(of, 1), parsed.GetValue(count)), terminal)
+                ? ToFolder(plan, run, of == 0 ? folder : Path.Combine(folder, new Shard(index, of, 0).Folder), new Shard(Math.Max(index, 1), Math.Max(of, 1), parsed.GetValue(count)), parsed.GetValue(verify), terminal)
                 : ToOutput(run, new Shard(Math.Max(index, 1), Math.Max(of, 1), parsed.GetValue(count)), terminal);
         });
         return command;
@@ -115,10 +124,10 @@ internal static class SweepCommand
         },
         writes: true);
 
-    private static int ToFolder(SweepPlan plan, SweepRun run, string folder, Shard shard, Terminal terminal)
+    private static int ToFolder(SweepPlan plan, SweepRun run, string folder, Shard shard, bool verifies, Terminal terminal)
     {
         var identity = new Identity(Program, run.Format.Name, plan.Seed, shard.Count, plan.Text);
-        using var sink = FolderSink.Open(folder, identity, shard, run.Format, Schema.Text(run.Columns, run.Format), run.CountsHandedOn, TimeProvider.System);
+        using var sink = FolderSink.Open(folder, identity, shard, run.Format, Schema.Text(run.Columns, run.Format), run.CountsHandedOn, TimeProvider.System, verifies);
         string line = Progress.Show(
             terminal,
             "rows",

@@ -68,6 +68,7 @@ internal sealed class SweepMerge
         File.Delete(Path.Combine(_folder, Manifest.Done));
         long total = shards.Sum(shard => shard.Manifest.Files.Sum(file => file.Bytes));
         long done = 0;
+        RowFormat format = RowFormat.Create(first.Identity.Format, Schema.Read(Path.Combine(shards[0].Path, Schema.Name)));
         List<FileRecord> files = [];
         for (int f = 0; f < first.Files.Count; f++)
         {
@@ -76,9 +77,14 @@ internal sealed class SweepMerge
             {
                 // The schema is the same in all of them.
                 bool copies = first.Files[f].Name != Schema.Name;
-                Copy(shard, shard.Manifest.Files[f], copies ? to : null);
+                Copy(shard, shard.Manifest.Files[f], copies ? format.Footer(f, [shard.Manifest.Rows]).Length : 0, copies ? to : null);
                 done += shard.Manifest.Files[f].Bytes;
                 progress.Report(done, total);
+            }
+
+            if (first.Files[f].Name != Schema.Name)
+            {
+                to.Write(format.Footer(f, [.. shards.Select(shard => shard.Manifest.Rows)]));
             }
 
             to.FlushToDisk();
@@ -103,8 +109,8 @@ internal sealed class SweepMerge
         return record.Name.EndsWith(".npy", StringComparison.Ordinal) ? NumpyHeader.WithRows(header, identity.Count) : header;
     }
 
-    /// <summary>Copies what comes after the header, and looks whether all of it is what was written.</summary>
-    private void Copy(ShardFolder shard, FileRecord record, DataFile? to)
+    /// <summary>Copies what lies between header and footer, and looks whether all of it is what was written.</summary>
+    private void Copy(ShardFolder shard, FileRecord record, int footer, DataFile? to)
     {
         using FileStream from = File.OpenRead(Path.Combine(shard.Path, record.Name));
         using var hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
@@ -113,7 +119,8 @@ internal sealed class SweepMerge
         {
             hash.AppendData(_chunk, 0, read);
             int skipped = (int)Math.Clamp(record.Header - at, 0, read);
-            to?.Write(_chunk.AsSpan(skipped, read - skipped));
+            int end = (int)Math.Clamp(record.Bytes - footer - at, skipped, read);
+            to?.Write(_chunk.AsSpan(skipped, end - skipped));
             at += read;
         }
 

@@ -11,12 +11,6 @@ namespace Football.Tool.Sweep;
 /// <summary>Makes the rows of a sweep on several threads, and hands them on in order; however many there are, only a few are in memory.</summary>
 internal sealed class SweepRun
 {
-    /// <summary>Most rows that a thread makes at a time.</summary>
-    private const int MostRows = 4096;
-
-    /// <summary>Bytes of rows that a thread makes at a time, about.</summary>
-    private const int ChunkBytes = 1 << 20;
-
     /// <summary>Chunks that may wait for one before them, per thread.</summary>
     private const int Ahead = 2;
 
@@ -38,7 +32,7 @@ internal sealed class SweepRun
         Columns = [.. first.Columns.Select(data => data.Column)];
         CountsHandedOn = first.FlownSingly is not null;
         Format = RowFormat.Create(format, Columns);
-        _rows = Math.Clamp(ChunkBytes / Columns.Sum(column => column.Size * sizeof(double)), 1, MostRows);
+        _rows = Format.RowsAtOnce(Columns.Sum(column => column.Size * sizeof(double)));
     }
 
     /// <summary>The columns.</summary>

@@ -36,7 +36,7 @@ public sealed class MeasuredImpactTests
     public void No_impact_gains_energy()
     {
         var random = new Shots(77);
-        Ground[] grounds = [Ground.DryTurf, Ground.WetTurf, Ground.Concrete, Ground.LongGrass, Ground.Snow, Ground.DryTurf with { ImpactFriction = 0.01 }];
+        Ground[] grounds = [Ground.DryTurf, Ground.WetTurf, Ground.Concrete, Ground.LongGrass, Ground.Snow, Ground.DryTurf with { ImpactFriction = 0.01 }, Ground.MatchTurf, Ground.Concrete with { RestitutionRise = 1 }];
         BallProperties ball = BallProperties.Football;
         for (int i = 0; i < 2000; i++)
         {
@@ -48,6 +48,19 @@ public sealed class MeasuredImpactTests
             Assert.True(after <= before * (1 + 1e-14), $"{v}, {w}: {before / 2} J to {after / 2} J");
             Assert.True(velocity.Y > 0);
         }
+    }
+
+    /// <summary>e + η (1 − e) c⁴/(c⁴ + 2.8⁴): nothing of it head-on, half of it where the speed along is 2.8 times that towards the ground, all of it at last.</summary>
+    [Theory]
+    [InlineData(0, 0)]
+    [InlineData(2.8, 0.5)]
+    [InlineData(1e9, 1)]
+    public void Restitution_rises_with_obliqueness(double slope, double share)
+    {
+        Ground ground = Ground.DryTurf with { RestitutionRise = 0.8 };
+        double before = After(Ground.DryTurf, new Vector3d(slope * 4, -4, 0), Vector3d.Zero).Velocity.Y / 4;
+        double after = After(ground, new Vector3d(slope * 4, -4, 0), Vector3d.Zero).Velocity.Y / 4;
+        Assert.Equal(before + (0.8 * share * (1 - before)), after, 1e-12);
     }
 
     private static (Vector3d Velocity, Vector3d Spin) After(Ground ground, Vector3d velocity, Vector3d spin)

@@ -33,6 +33,19 @@ public sealed class TrajectoryQueryTests
     }
 
     [Fact]
+    public void Every_ball_that_touches_down_crosses_the_height_of_the_contact()
+    {
+        var random = new Shots(43);
+        for (int i = 0; i < 60; i++)
+        {
+            Trajectory path = Path(random.Velocity(5, 25, 20, 80), random.Uniform(0, 30) * random.Direction());
+            Assert.True(path.TryGetTouchdown(0, out BallEvent touchdown));
+            Assert.True(path.TryGetCrossing(new Plane3d(touchdown.Position, Vector3d.Up), 0, CrossingDirection.AgainstNormal, out PathPoint crossing));
+            Assert.Equal(touchdown.Time, crossing.Time, 1e-9);
+        }
+    }
+
+    [Fact]
     public void Every_crossing_of_a_plane_is_found_in_its_direction()
     {
         var random = new Shots(41);

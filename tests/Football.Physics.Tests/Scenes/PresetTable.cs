@@ -43,6 +43,12 @@ internal static class PresetTable
         [
             ("ball", DragCurve.Generic, "derived", "mean of Tango 12, Teamgeist and Brazuca, rounded"), ("Tango 12", DragCurve.Tango12, "measured", Tunnel),
             ("Teamgeist", DragCurve.Teamgeist, "measured", Tunnel), ("Jabulani", DragCurve.Jabulani, "measured", Tunnel), ("Brazuca", DragCurve.Brazuca, "measured", Tunnel),
+            ("modern", DragCurve.Modern, "measured", "roughness 0.86: the flights of one minute of one match at 2 600 m, 2024; crisis 85 000 … 110 000"),
+            ("Telstar 18", BallProperties.Telstar18.DragCurve, "derived", "Brazuca's, long kicks 8 … 9 % shorter (Goff, Hong and Asai 2018, as told)"),
+            ("Flight 2020", BallProperties.Flight2020.DragCurve, "guess", "roughness 0.25 … 0.5"),
+            ("Al Rihla", BallProperties.AlRihla.DragCurve, "derived", "roughness 0.31: crisis later than Trionda's, near Brazuca's, as told"),
+            ("Fussballliebe", BallProperties.Fussballliebe.DragCurve, "guess", "roughness 0.25 … 0.45"),
+            ("Trionda", BallProperties.Trionda.DragCurve, "derived", "roughness 0.35: crisis at 12.1 m/s, measured (University of Tsukuba, as reported); more drag at speed, guess"),
         ];
         foreach ((string name, DragCurve curve, string tag, string source) in curves)
         {
@@ -84,6 +90,12 @@ internal static class PresetTable
             ("dry turf", Ground.DryTurf, OfTurf("drop 0.60 … 1.00 m, angle 45 … 60 %, roll 4 … 10 m")),
             ("artificial turf", Ground.ArtificialTurf, OfTurf("FIFA Quality Pro: drop 0.60 … 0.85 m, angle 45 … 60 %, roll 4 … 8 m")),
             ("watered turf", Ground.WetTurf, new() { ["e₆"] = ("measured", Rigs + ": drop 0.60 … 1.00 m") }),
+            ("match turf", Ground.MatchTurf, new()
+            {
+                ["e₆"] = ("measured", "impacts of one minute of one match: 0.60 ± 0.05; FIFA's rigs: drop 0.60 … 1.00 m"),
+                ["η"] = ("measured", "the same impacts: 0.6 … 1"),
+                ["μ_i"] = ("measured", "the same impacts: 0.34 ± 0.05, scatter 0.28 … 0.46; the angle of a wet pitch, 45 … 80 %, asks for 0.40"),
+            }),
             ("hard ground", Ground.HardGround, new()),
             ("long grass", Ground.LongGrass, new()),
             ("indoor", Ground.Indoor, new()),
@@ -133,7 +145,7 @@ internal static class PresetTable
 
     private static IEnumerable<(string Number, double Value)> NumbersOf(Ground ground) =>
     [
-        ("e₆", ground.NormalRestitution), ("e_t", ground.TangentialRestitutionX), ("μ_i", ground.ImpactFriction), ("μ_s", ground.SlidingFriction),
+        ("e₆", ground.NormalRestitution), ("η", ground.RestitutionRise), ("e_t", ground.TangentialRestitutionX), ("μ_i", ground.ImpactFriction), ("μ_s", ground.SlidingFriction),
         ("c₀", ground.RollingFriction), ("c₁, s/m", ground.RollingFrictionBySpeed), ("b, m", ground.DrillingLength),
     ];
 

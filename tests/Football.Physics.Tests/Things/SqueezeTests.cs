@@ -123,6 +123,31 @@ public sealed class SqueezeTests
         }
     }
 
+    /// <summary>One of two who pinched a ball runs on, and drives it along the ground before him: it has room there, and is squeezed no longer.</summary>
+    [Theory]
+    [ProfileData]
+    public void It_has_room_before_one_who_runs_on(Profile profile)
+    {
+        var bodies = new Bodies();
+        Body one = bodies.Add("one", s_player);
+        Body other = bodies.Add("other", s_player);
+        var ball = new Ball(profile.Scene() with { Bodies = bodies });
+        ball.Place(new Vector3d(0, Radius, 0));
+        int squeezed = 0;
+        for (int frame = 0; frame < 180; frame++)
+        {
+            // They meet, and he who came from the left turns back as fast as he came.
+            double x = 0.9 - (frame * Frame * 2);
+            one.MoveTo(new Vector3d(x > 0.33 ? -x : -0.33 - (2 * (0.33 - x)), 0, 0), new Vector3d(x > 0.33 ? 2 : -4, 0, 0), ball.Time);
+            other.MoveTo(new Vector3d(x, 0, 0), new Vector3d(-2, 0, 0), ball.Time);
+            ball.Step(Frame);
+            squeezed += ball.Motion == MotionState.Squeezed ? 1 : 0;
+            Assert.True(x > 0 || ball.Motion != MotionState.Squeezed, $"frame {frame}");
+        }
+
+        Assert.InRange(squeezed, 0, 30);
+    }
+
     /// <summary>While it is squeezed a look-ahead goes where the steps go, to the bit, a snapshot brings it back, and a step allocates nothing.</summary>
     [Fact]
     public void It_is_looked_ahead_restored_and_stepped_without_memory_while_it_lasts()

@@ -28,6 +28,12 @@ public partial class FootballPreset : Resource
         BeachBall,
         MedicineBall,
         Custom,
+        Modern,
+        Telstar18,
+        Flight2020,
+        AlRihla,
+        Fussballliebe,
+        Trionda,
     }
 
     /// <summary>Grounds to choose from: that of the profile, the presets of <see cref="Ground"/>, and one of your own.</summary>
@@ -47,6 +53,7 @@ public partial class FootballPreset : Resource
         PublishedCourt,
         PublishedSand,
         Custom,
+        MatchTurf,
     }
 
     /// <summary>Laws of the air to choose from: those of the profile, and the presets of <see cref="ForceSet"/>.</summary>
@@ -131,6 +138,7 @@ public partial class FootballPreset : Resource
             GroundChoice.DryTurf => Ground.DryTurf,
             GroundChoice.ArtificialTurf => Ground.ArtificialTurf,
             GroundChoice.WetTurf => Ground.WetTurf,
+            GroundChoice.MatchTurf => Ground.MatchTurf,
             GroundChoice.HardGround => Ground.HardGround,
             GroundChoice.LongGrass => Ground.LongGrass,
             GroundChoice.Indoor => Ground.Indoor,
@@ -157,6 +165,12 @@ public partial class FootballPreset : Resource
                 BallChoice.Teamgeist => BallProperties.Teamgeist,
                 BallChoice.Jabulani => BallProperties.Jabulani,
                 BallChoice.Brazuca => BallProperties.Brazuca,
+                BallChoice.Modern => BallProperties.Modern,
+                BallChoice.Telstar18 => BallProperties.Telstar18,
+                BallChoice.Flight2020 => BallProperties.Flight2020,
+                BallChoice.AlRihla => BallProperties.AlRihla,
+                BallChoice.Fussballliebe => BallProperties.Fussballliebe,
+                BallChoice.Trionda => BallProperties.Trionda,
                 BallChoice.YouthFootball => BallProperties.YouthFootball,
                 BallChoice.Futsal => BallProperties.Futsal,
                 BallChoice.BeachBall => BallProperties.BeachBall,

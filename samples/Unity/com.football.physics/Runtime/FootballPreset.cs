@@ -90,6 +90,12 @@ namespace Football.Physics.Unity
             BeachBall,
             MedicineBall,
             Custom,
+            Modern,
+            Telstar18,
+            Flight2020,
+            AlRihla,
+            Fussballliebe,
+            Trionda,
         }
 
         /// <summary>Grounds to choose from: that of the profile, the presets of <see cref="Physics.Ground"/>, and one of your own.</summary>
@@ -109,6 +115,7 @@ namespace Football.Physics.Unity
             PublishedCourt,
             PublishedSand,
             Custom,
+            MatchTurf,
         }
 
         /// <summary>Laws of the air to choose from: those of the profile, and the presets of <see cref="ForceSet"/>.</summary>
@@ -171,6 +178,12 @@ namespace Football.Physics.Unity
                 BallChoice.Teamgeist => BallProperties.Teamgeist,
                 BallChoice.Jabulani => BallProperties.Jabulani,
                 BallChoice.Brazuca => BallProperties.Brazuca,
+                BallChoice.Modern => BallProperties.Modern,
+                BallChoice.Telstar18 => BallProperties.Telstar18,
+                BallChoice.Flight2020 => BallProperties.Flight2020,
+                BallChoice.AlRihla => BallProperties.AlRihla,
+                BallChoice.Fussballliebe => BallProperties.Fussballliebe,
+                BallChoice.Trionda => BallProperties.Trionda,
                 BallChoice.YouthFootball => BallProperties.YouthFootball,
                 BallChoice.Futsal => BallProperties.Futsal,
                 BallChoice.BeachBall => BallProperties.BeachBall,
@@ -193,6 +206,7 @@ namespace Football.Physics.Unity
                 GroundChoice.DryTurf => Physics.Ground.DryTurf,
                 GroundChoice.ArtificialTurf => Physics.Ground.ArtificialTurf,
                 GroundChoice.WetTurf => Physics.Ground.WetTurf,
+                GroundChoice.MatchTurf => Physics.Ground.MatchTurf,
                 GroundChoice.HardGround => Physics.Ground.HardGround,
                 GroundChoice.LongGrass => Physics.Ground.LongGrass,
                 GroundChoice.Indoor => Physics.Ground.Indoor,

@@ -32,5 +32,8 @@ public sealed class PlaneShape : IShape
         : Bounds3d.Everywhere;
 
     /// <inheritdoc/>
-    public ShapePoint At(in Vector3d point) => new(Vector3d.Dot(in point, Normal) - _offset, Normal, SymmetricMatrix3d.Zero);
+    public ShapePoint At(in Vector3d point) => new(DistanceTo(in point), Normal, SymmetricMatrix3d.Zero);
+
+    /// <summary>Signed distance of a point, m.</summary>
+    internal double DistanceTo(in Vector3d point) => Vector3d.Dot(in point, Normal) - _offset;
 }

@@ -14,7 +14,7 @@ CORNERS.forEach((c, i) => {
   near.filter(j => j > i).forEach(j => SEAMS.push([unit(add(mul(2, c), CORNERS[j])), unit(add(c, mul(2, CORNERS[j])))]));
 });
 
-// Draws a ball of a radius in pixels, turned as it is, seen by a camera.
+// Draws a ball of a radius in pixels, turned as it is, seen by a camera; a rim of a colour tells balls apart.
 function drawBall(g, camera, q, x, y, r, colour) {
   const seen = d => {
     const w = rotate(q, d);
@@ -26,17 +26,19 @@ function drawBall(g, camera, q, x, y, r, colour) {
     const s = c[2] < 0 ? 1 / flat : 1;
     return [x + r * s * c[0], y - r * s * c[1]];
   };
-  const light = g.createRadialGradient(x - 0.35 * r, y - 0.4 * r, 0.1 * r, x, y, r);
-  light.addColorStop(0, "#ffffff");
-  light.addColorStop(0.7, "#e3e7eb");
-  light.addColorStop(1, "#aab3bc");
+  if (colour) {
+    g.beginPath();
+    g.arc(x, y, r + Math.max(1.2, r / 9), 0, 2 * Math.PI);
+    g.fillStyle = colour;
+    g.fill();
+  }
   g.beginPath();
   g.arc(x, y, r, 0, 2 * Math.PI);
-  g.fillStyle = light;
+  g.fillStyle = "#fbfcfd";
   g.fill();
   g.save();
   g.clip();
-  g.fillStyle = "#22282e";
+  g.fillStyle = "#1b2027";
   PENTAGONS.forEach((pentagon, i) => {
     if (seen(CORNER_UNITS[i])[2] < -0.35) return;
     g.beginPath();
@@ -44,22 +46,24 @@ function drawBall(g, camera, q, x, y, r, colour) {
     g.fill();
   });
   if (r > 9) {
-    g.strokeStyle = "#8b959f";
+    g.strokeStyle = "#7d8791";
     g.lineWidth = Math.max(0.6, r / 40);
+    g.beginPath();
     for (const [a, b] of SEAMS) {
       const [ca, cb] = [seen(a), seen(b)];
       if (ca[2] < 0 && cb[2] < 0) continue;
       const [pa, pb] = [place(ca), place(cb)];
-      g.beginPath();
       g.moveTo(pa[0], pa[1]);
       g.lineTo(pb[0], pb[1]);
-      g.stroke();
     }
+    g.stroke();
   }
+  const light = g.createRadialGradient(x - 0.38 * r, y - 0.45 * r, 0.05 * r, x, y, 1.05 * r);
+  light.addColorStop(0, "rgba(255,255,255,0.55)");
+  light.addColorStop(0.35, "rgba(255,255,255,0)");
+  light.addColorStop(0.72, "rgba(20,30,45,0.12)");
+  light.addColorStop(1, "rgba(15,20,35,0.5)");
+  g.fillStyle = light;
+  g.fillRect(x - r, y - r, 2 * r, 2 * r);
   g.restore();
-  g.beginPath();
-  g.arc(x, y, r, 0, 2 * Math.PI);
-  g.strokeStyle = colour;
-  g.lineWidth = Math.max(1.4, r / 16);
-  g.stroke();
 }

@@ -2,12 +2,16 @@
 const FIELD = 40 * Math.PI / 180;
 const NEAR = 0.15;
 
+// The eye is at least so high above the ground, m.
+const LOWEST = 0.35;
+
 class Camera {
   constructor() {
     this.target = [0, 0, 0];
     this.yaw = 0;
     this.pitch = 0.2;
     this.distance = 20;
+    this.groundAt = () => 0;
     this.size(100, 100);
     this.update();
   }
@@ -19,11 +23,36 @@ class Camera {
   }
 
   update() {
+    // Never under the grass.
+    const least = this.groundAt(this.target[0], this.target[2]) + LOWEST - this.target[1];
+    this.pitch = clamp(Math.max(this.pitch, Math.asin(clamp(least / this.distance, -1, 1))), -1.55, 1.55);
     const [sy, cy, sp, cp] = [Math.sin(this.yaw), Math.cos(this.yaw), Math.sin(this.pitch), Math.cos(this.pitch)];
     this.forward = [-sy * cp, -sp, -cy * cp];
     this.right = [cy, 0, -sy];
     this.up = cross(this.right, this.forward);
     this.eye = sub(this.target, mul(this.distance, this.forward));
+  }
+
+  // Looks from one place to another.
+  lookFrom(eye, target) {
+    const d = sub(eye, target);
+    this.target = target;
+    this.distance = Math.max(0.3, len(d));
+    this.yaw = Math.atan2(d[0], d[2]);
+    this.pitch = Math.asin(clamp(d[1] / this.distance, -1, 1));
+    this.update();
+  }
+
+  // What the camera sees changes with this.
+  get key() {
+    return [...this.eye, ...this.forward, this.width, this.height, this.focus].map(x => x.toFixed(4)).join(" ");
+  }
+
+  // Where the way through a pixel crosses a plane of one z; null where it does not.
+  onPlane(x, y, z) {
+    const d = add(add(mul(this.focus, this.forward), mul(x - 0.5 * this.width, this.right)), mul(this.middle() - y, this.up));
+    const s = (z - this.eye[2]) / d[2];
+    return s > 0 ? add(this.eye, mul(s, d)) : null;
   }
 
   // Right, up and forward of the eye, m.

@@ -4,7 +4,7 @@ const data = JSON.parse($("data").textContent);
 const begin = new URLSearchParams(location.hash.slice(1));
 const stage = new Stage($("stage"));
 const camera = stage.camera;
-let shots = [], time = 0, end = 1, playing = false, speed = 1, view = "behind", hover = null, last = 0;
+let shots = [], time = 0, end = 1, story = 1, ended = 0, playing = false, speed = 1, view = "behind", hover = null, last = 0;
 
 const shown = () => shots.filter(s => s.visible);
 const redraw = () => stage.draw(shown(), time, hover);
@@ -51,6 +51,7 @@ function recolour() {
 
 function limits() {
   end = Math.max(0.01, ...shown().map(s => s.track.end));
+  story = Math.min(end, Math.max(0.01, ...shown().map(storyEnd)));
   $("time").max = end;
   $("events").replaceChildren(...shown().filter(s => !s.compares).flatMap(shot => shot.events.map(happened => {
     const mark = document.createElement("b");
@@ -58,6 +59,13 @@ function limits() {
     mark.style.background = EVENT_COLOURS[happened.kind];
     return mark;
   })));
+}
+
+// A story is over a moment after the goal or what was hit; else where the ball only rolls on.
+function storyEnd(shot) {
+  const last = kind => shot.events.filter(kind).reduce((t, e) => Math.max(t, e.time), -1);
+  const goal = shot.events.find(e => e.kind === "goal"), hit = last(e => e.kind === "impact" && e.surface && e.surface !== "ground"), rolls = last(e => e.kind === "roll");
+  return goal ? goal.time + 1.6 : hit >= 0 ? hit + 2 : rolls >= 0 ? rolls + 2 : shot.track.end;
 }
 
 function go(t) {
@@ -93,10 +101,37 @@ function look(name) {
   if (name === "ball") {
     camera.distance = 3;
     follow();
+  } else if (name === "behind" && (shown()[0] || shots[0])) {
+    behind(unit([along[0], 0, along[2]]), margin);
   } else {
     camera.fit(focus(), margin);
   }
   redraw();
+}
+
+// Behind the ball, as near to it as all of the picture fits between the panels: the ball lies in the foreground with nothing over it.
+function behind(way, margin) {
+  const start = (shown()[0] || shots[0]).track.keys[0].p, places = [start, ...focus()];
+  const low = [0, 1, 2].map(i => Math.min(...places.map(p => p[i]))), high = [0, 1, 2].map(i => Math.max(...places.map(p => p[i])));
+  const far = Math.max(2, dot(sub(lerp(low, high, 0.5), start), way));
+  const inside = p => {
+    const s = camera.project(p);
+    return s && s[0] > margin.left && s[0] < camera.width - margin.right && s[1] > margin.top && s[1] < camera.height - margin.bottom;
+  };
+  for (let back = 4; back < 400; back *= 1.07) {
+    // Looked at so that what is to be seen lies in the middle of what is free.
+    const eye = add(sub(start, mul(back, way)), [0, 0.9 + 0.27 * back, 0]);
+    let target = add(add(start, mul(far, way)), [0, 0.3 * (high[1] - low[1]), 0]);
+    for (let round = 0; round < 4; round++) {
+      camera.lookFrom(eye, target);
+      const seen = places.map(p => camera.project(p)).filter(s => s);
+      const middle = i => 0.5 * (Math.min(...seen.map(s => s[i])) + Math.max(...seen.map(s => s[i])));
+      const s = camera.distance / camera.focus;
+      target = add(target, add(mul(s * (middle(0) - 0.5 * (margin.left + camera.width - margin.right)), camera.right), mul(-s * (middle(1) - 0.5 * (margin.top + camera.height - margin.bottom)), camera.up)));
+    }
+    camera.lookFrom(eye, target);
+    if (places.every(inside)) return;
+  }
 }
 
 // What is to be in view: the paths up to where the rolling begins to be long, and the frames of goals near them.
@@ -122,16 +157,20 @@ function play(on) {
   $("play").textContent = on ? "❚❚" : "▶";
   $("play").setAttribute("aria-label", on ? "Pause" : "Play");
   if (!on) return;
-  if (time >= end) go(0);
+  if (time >= story) go(0);
+  ended = 0;
   last = performance.now();
   requestAnimationFrame(frame);
 }
 
 function frame(now) {
   if (!playing) return;
-  go(time + speed * Math.min(0.1, Math.max(0, now - last) / 1000));
+  const passed = Math.min(0.1, Math.max(0, now - last) / 1000);
   last = now;
-  if (time >= end) play(false); else requestAnimationFrame(frame);
+  // At the end of the story it waits for a moment, and begins again.
+  if (time < story) go(time + speed * passed);
+  else if ((ended += passed) > 0.9) { ended = 0; go(0); }
+  requestAnimationFrame(frame);
 }
 
 function faster(by) {
@@ -175,7 +214,7 @@ function point(x, y) {
 
 function turn(yaw, pitch) {
   camera.yaw -= yaw;
-  camera.pitch = clamp(camera.pitch + pitch, -0.2, 1.55);
+  camera.pitch = clamp(camera.pitch + pitch, -0.4, 1.55);
   camera.update();
   redraw();
 }
@@ -235,7 +274,7 @@ $("speed").addEventListener("change", () => { speed = Number($("speed").value); 
 $("views").addEventListener("click", e => { if (e.target.dataset.view) look(e.target.dataset.view); });
 $("theme").addEventListener("click", () => toggleTheme());
 $("help").addEventListener("click", () => { $("keys").hidden = !$("keys").hidden; });
-$("picture").addEventListener("change", () => { play(false); choose($("picture").value); });
+$("picture").addEventListener("change", () => { choose($("picture").value); play(true); });
 
 function toggleTheme() {
   const now = document.documentElement.dataset.theme || (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");

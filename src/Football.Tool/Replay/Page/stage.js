@@ -1,38 +1,60 @@
 // Draws a picture at a time. What was drawn is told in the canvas' data-drawn, for whoever checks it.
-const LEAST_BALL = 7;
+const LEAST_BALL = 5;
 const COLOURS = ["#0072b2", "#e07b00", "#009e73", "#c8382b", "#9b5fa8", "#56b4e9", "#b58900", "#d55e9c"];
 const COLOURS_IN_THE_DARK = ["#56b4e9", "#f2a33a", "#2ec795", "#ef6a5e", "#cf98dc", "#a5dcff", "#d9b44a", "#f08cc8"];
 const EVENT_COLOURS = { impact: "#ffd23f", slide: "#e07b00", roll: "#4fd1a5", rest: "#e5484d", net: "#9ad0f5", goal: "#ff5ad1", leave: "#c9a5ff" };
+// How wide a bulge of a net is, m, and its meshes.
+const BULGE_WIDTH = 0.75, MESH = 0.24;
 
 class Stage {
   constructor(canvas) {
     this.canvas = canvas;
     this.g = canvas.getContext("2d");
     this.camera = new Camera();
+    this.back = document.createElement("canvas");
+    this.backKey = "";
+    this.figures = [];
+    this.ahead = [];
+    this.bulges = new Map();
   }
 
   resize() {
-    const scale = window.devicePixelRatio || 1;
+    const scale = Math.min(2, window.devicePixelRatio || 1);
     const [w, h] = [this.canvas.clientWidth, this.canvas.clientHeight];
-    this.canvas.width = Math.round(w * scale);
-    this.canvas.height = Math.round(h * scale);
-    this.g.setTransform(scale, 0, 0, scale, 0, 0);
+    for (const canvas of [this.canvas, this.back]) {
+      canvas.width = Math.round(w * scale);
+      canvas.height = Math.round(h * scale);
+      canvas.getContext("2d").setTransform(scale, 0, 0, scale, 0, 0);
+    }
+    this.backKey = "";
     this.camera.size(w, h);
   }
 
   theme() {
     const style = getComputedStyle(document.documentElement);
-    this.series = style.getPropertyValue("--dark").trim() === "1" ? COLOURS_IN_THE_DARK : COLOURS;
+    this.dark = style.getPropertyValue("--dark").trim() === "1";
+    this.series = this.dark ? COLOURS_IN_THE_DARK : COLOURS;
     this.colour = {};
-    for (const name of ["ink", "sky", "grass", "grass2", "marking", "frame", "net", "obstacle", "obstacle-edge", "shadow"]) {
+    for (const name of ["ink", "sky", "marking", "frame", "net", "obstacle", "obstacle-edge", "shadow"]) {
       this.colour[name] = style.getPropertyValue("--" + name).trim();
     }
+    this.backKey = "";
   }
 
   show(picture) {
     this.picture = picture;
     this.shapes = picture.shapes.map(s => ({ ...s, lines: s.lines.map(points), faces: s.faces.map(points) }));
-    this.targets = points(picture.targets);
+    this.nets = this.shapes.filter(s => s.kind === "net").flatMap(s => s.faces.map(face => new NetSheet(face)));
+    this.people = this.shapes.filter(s => s.kind === "people").flatMap((s, i) => s.lines.map((l, j) => ({ limbs: limbsOf(l[0], l[1], l[2], l[3], s.name, i + j), feet: l[0] })));
+    this.targets = points(picture.targets || []);
+    this.stadium = new Stadium(this.level ? picture.goals : null);
+    this.camera.groundAt = (x, z) => this.groundAt(x, z);
+    this.backKey = "";
+  }
+
+  get level() {
+    const g = this.picture.ground;
+    return !!g && Math.max(...g.heights) - Math.min(...g.heights) < 1e-9;
   }
 
   groundAt(x, z) {
@@ -46,37 +68,46 @@ class Stage {
 
   // Draws all shots that are shown, at a time; hover is a place on a path under the pointer.
   draw(shots, time, hover) {
-    const { g, camera } = this;
-    this.drawn = { time: Math.round(time * 1e4) / 1e4, shots: shots.length, pieces: 0, balls: 0, marks: 0, faces: 0, lines: 0, ground: 0 };
-    g.fillStyle = this.colour.sky;
-    g.fillRect(0, 0, camera.width, camera.height);
-    this.drawGround();
-    this.shapes.filter(s => s.kind === "marking").forEach(s => s.lines.forEach(line => this.line(line, this.colour.marking, 0.06)));
+    const { camera } = this;
+    this.paintBack();
+    this.drawn = { time: Math.round(time * 1e4) / 1e4, shots: shots.length, pieces: 0, balls: 0, marks: 0, faces: 0, figures: 0, lines: this.backDrawn.lines, ground: this.backDrawn.ground };
+    this.g.drawImage(this.back, 0, 0, camera.width, camera.height);
     const balls = shots.map(shot => ({ shot, at: shot.track.at(time) }));
     shots.forEach(shot => this.drawPathShadow(shot));
+    [...this.people, ...this.figures].forEach(p => this.blob(p.feet, 0.42, 0.34, this.groundAt(p.feet[0], p.feet[2])));
     balls.forEach(ball => this.drawShadow(ball));
 
     // From far to near.
     const items = [];
     const item = (p, paint) => { const z = camera.see(p)[2]; if (z > NEAR) items.push({ z, paint }); };
-    this.shapes.filter(s => s.kind !== "marking" && s.kind !== "guide").forEach(s => this.addShape(s, time, item));
-    shots.forEach(shot => this.addPath(shot, time, item));
+    this.shapes.filter(s => s.kind === "frame" || s.kind === "obstacle").forEach(s => this.addShape(s, time, item));
+    this.nets.forEach((net, i) => item(net.middle, () => this.drawn.lines += net.paint(this.g, camera, this.bulges.get(i), this.colour.net)));
+    [...this.people, ...this.figures].forEach(p => item(add(p.feet, [0, 0.9, 0]), () => { paintFigure(this.g, camera, p.limbs, this.dark ? "rgba(4,10,30,0.22)" : null); this.drawn.figures++; }));
+    shots.forEach(shot => { this.addPath(shot, time, item); this.addMarks(shot, time, item); });
+    this.ahead.forEach((dot, i) => item(dot.p, () => this.drawAhead(dot, i)));
     balls.forEach(ball => item(ball.at.p, () => this.drawBallOf(ball)));
     items.sort((a, b) => b.z - a.z).forEach(i => i.paint());
-    this.shapes.filter(s => s.kind === "guide").forEach(s => s.lines.forEach(line => this.line(line, this.series[1], 0, 2)));
+    this.shapes.filter(s => s.kind === "guide").forEach(s => s.lines.forEach(line => this.drawn.lines += this.line(this.g, line, this.series[1], 0, 2)));
     this.targets.forEach(p => this.drawTarget(p));
-    shots.forEach(shot => this.drawMarks(shot, time));
     if (hover) this.ring(hover.p, this.colour.ink, 6);
     this.canvas.dataset.drawn = JSON.stringify(this.drawn);
   }
 
-  drawGround() {
-    const ground = this.picture.ground, { g, camera } = this;
-    if (!ground) return;
-    if (Math.max(...ground.heights) - Math.min(...ground.heights) < 1e-9) {
-      this.drawLevel(ground);
-      return;
-    }
+  // What stands still is painted anew only when the camera has moved.
+  paintBack() {
+    const key = this.camera.key;
+    if (key === this.backKey) return;
+    this.backKey = key;
+    this.backDrawn = { lines: 0, ground: 0 };
+    const g = this.back.getContext("2d");
+    this.stadium.paint(g, this.camera, this.dark);
+    if (this.level) this.stadium.grass(g, this.camera, this.dark, this.picture.ground.heights[0], this.backDrawn);
+    else if (this.picture.ground) this.uneven(g, this.picture.ground);
+    this.shapes.filter(s => s.kind === "marking").forEach(s => s.lines.forEach(line => this.backDrawn.lines += this.line(g, line, this.colour.marking, 0.11)));
+  }
+
+  uneven(g, ground) {
+    const { camera } = this, look = this.dark ? NIGHT : LIGHT;
     const cells = [];
     const at = (i, j) => [ground.x + i * ground.cell, ground.heights[j * ground.columns + i], ground.z + j * ground.cell];
     for (let j = 0; j + 1 < ground.rows; j++) {
@@ -89,8 +120,8 @@ class Stage {
     for (const cell of cells) {
       const screen = camera.clipped(cell.corners, true);
       if (screen.length < 3) continue;
-      this.trace(screen);
-      g.fillStyle = Math.floor((cell.j * ground.cell + 1e-9) / Math.max(5, ground.cell)) % 2 ? this.colour.grass : this.colour.grass2;
+      trace(g, screen);
+      g.fillStyle = Math.floor((cell.j * ground.cell + 1e-9) / Math.max(5, ground.cell)) % 2 ? look.grass : look.grass2;
       g.fill();
       g.strokeStyle = g.fillStyle;
       g.lineWidth = 0.8;
@@ -100,45 +131,22 @@ class Stage {
       const shade = dot(n, unit([-0.8, 1, 0.3])) - unit([-0.8, 1, 0.3])[1];
       g.fillStyle = shade > 0 ? `rgba(255,255,255,${clamp(0.9 * shade, 0, 0.5)})` : `rgba(0,0,0,${clamp(-1.2 * shade, 0, 0.6)})`;
       g.fill();
-      this.drawn.ground++;
+      this.backDrawn.ground++;
     }
   }
 
-  // Level ground has no end; its stripes are five metres wide.
-  drawLevel(ground) {
-    const y = ground.heights[0], x = ground.x, middle = 10 * Math.round((ground.z + 0.5 * ground.rows * ground.cell) / 10);
-    const strip = (from, to, colour) => {
-      const screen = this.camera.clipped([[x - 900, y, from], [x + 900, y, from], [x + 900, y, to], [x - 900, y, to]], true);
-      if (screen.length < 3) return;
-      this.trace(screen);
-      this.g.fillStyle = colour;
-      this.g.fill();
-      this.drawn.ground++;
-    };
-    strip(middle - 900, middle + 900, this.colour.grass2);
-    for (let z = middle - 200; z < middle + 200; z += 10) strip(z, z + 5, this.colour.grass);
-  }
-
-  trace(screen) {
-    this.g.beginPath();
-    screen.forEach((s, i) => { if (i) this.g.lineTo(s[0], s[1]); else this.g.moveTo(s[0], s[1]); });
-    this.g.closePath();
-  }
-
-  // A line through places, as wide as it is in metres but always to be seen.
-  line(places, colour, width, least = 1, dash = []) {
-    const screen = this.camera.clipped(places, false), { g } = this;
-    if (screen.length < 2) return;
+  // A line through places, as wide as it is in metres but always to be seen; how many were drawn.
+  line(g, places, colour, width, least = 1) {
+    const screen = this.camera.clipped(places, false);
+    if (screen.length < 2) return 0;
     g.beginPath();
     screen.forEach((s, i) => { if (i) g.lineTo(s[0], s[1]); else g.moveTo(s[0], s[1]); });
     g.strokeStyle = colour;
-    g.lineWidth = Math.max(least, width * screen[0][2]);
+    g.lineWidth = Math.max(least, Math.min(14, width * screen[0][2]));
     g.lineCap = "round";
     g.lineJoin = "round";
-    g.setLineDash(dash);
     g.stroke();
-    g.setLineDash([]);
-    this.drawn.lines++;
+    return 1;
   }
 
   addShape(shape, time, item) {
@@ -149,10 +157,10 @@ class Stage {
         item(line[0], () => this.disc(line[0], shape.radius, colour));
         continue;
       }
-      const parts = Math.ceil(len(sub(line[1], line[0])) / (shape.kind === "net" ? 2 : 0.8));
+      const parts = Math.ceil(len(sub(line[1], line[0])) / 1.3);
       for (let i = 0; i < parts; i++) {
-        const piece = [lerp(line[0], line[1], i / parts), lerp(line[0], line[1], (i + 1) / parts)];
-        item(lerp(piece[0], piece[1], 0.5), () => this.line(piece, colour, 2 * shape.radius, shape.kind === "net" ? 0.7 : 1.5));
+        const [a, b] = [lerp(line[0], line[1], i / parts), lerp(line[0], line[1], (i + 1) / parts)];
+        item(lerp(a, b, 0.5), () => this.rod(a, b, shape.radius, colour));
       }
     }
     for (const face of shape.faces.map(f => f.map(moved))) {
@@ -163,8 +171,8 @@ class Stage {
       item(middle, () => {
         const screen = this.camera.clipped(face, true);
         if (screen.length < 3) return;
-        this.trace(screen);
-        this.g.globalAlpha = shape.faces.length > 1 ? 0.9 : 0.6;
+        trace(this.g, screen);
+        this.g.globalAlpha = shape.faces.length > 1 ? 0.95 : 0.6;
         this.g.fillStyle = colour;
         this.g.fill();
         const light = dot(unit(normal), unit([-0.4, 0.8, 0.5]));
@@ -179,80 +187,139 @@ class Stage {
     }
   }
 
+  // A round rod, lit from the left and above.
+  rod(from, to, radius, colour) {
+    const [a, b] = [this.camera.project(from), this.camera.project(to)];
+    if (!a || !b) return;
+    const { g } = this, [ra, rb] = [Math.max(0.9, radius * a[2]), Math.max(0.9, radius * b[2])];
+    hull(g, a, ra, b, rb);
+    g.fillStyle = colour;
+    g.fill();
+    g.fillStyle = "rgba(20,30,50,0.28)";
+    g.fill();
+    hull(g, [a[0] - 0.2 * ra, a[1] - 0.15 * ra], 0.72 * ra, [b[0] - 0.2 * rb, b[1] - 0.15 * rb], 0.72 * rb);
+    g.fillStyle = colour;
+    g.fill();
+    this.drawn.faces++;
+  }
+
   addPath(shot, time, item) {
     const path = shot.track.path;
     for (let i = 0; i + 1 < path.length; i++) {
       const [a, b] = [path[i], path[i + 1]];
       const past = a.t <= time;
+      if (!past && shot.unfolds) break;
       item(lerp(a.p, b.p, 0.5), () => {
         const [s, e] = [this.camera.project(a.p), this.camera.project(b.p)];
-        if (!s || !e) return;
+        if (!s || !e || (shot.compares && Math.floor(a.t / 0.08) % 2)) return;
         const { g } = this;
-        g.globalAlpha = past ? 0.95 : 0.4;
+        g.globalAlpha = past ? 0.95 : 0.45;
         g.beginPath();
         g.moveTo(s[0], s[1]);
         g.lineTo(e[0], e[1]);
         g.strokeStyle = shot.colour;
-        g.lineWidth = shot.compares ? 1.6 : 2.6;
-        g.lineCap = "round";
-        if (!shot.compares || Math.floor(a.t / 0.08) % 2 === 0) g.stroke();
+        g.lineWidth = clamp(0.05 * s[2], shot.compares ? 1.6 : 2.4, shot.compares ? 3 : 5);
+        g.lineCap = shot.compares ? "butt" : "round";
+        g.stroke();
         g.globalAlpha = 1;
         this.drawn.pieces++;
       });
     }
   }
 
-  drawPathShadow(shot) {
-    const places = shot.track.path.map(k => [k.p[0], this.groundAt(k.p[0], k.p[2]) + 0.01, k.p[2]]);
-    if (this.picture.ground) this.line(places, this.colour.shadow, 0, 1.2);
+  // The way ahead: dots that grow faint.
+  drawAhead(dot, i) {
+    const s = this.camera.project(dot.p);
+    if (!s) return;
+    const { g } = this;
+    g.globalAlpha = clamp(1 - dot.t / (dot.until || 2.2), 0.15, 1);
+    g.beginPath();
+    g.arc(s[0], s[1], clamp(0.075 * s[2], 1.7, 6), 0, 2 * Math.PI);
+    g.fillStyle = dot.colour || "#fff36b";
+    g.fill();
+    g.globalAlpha = 1;
+    this.drawn.ahead = i + 1;
   }
 
+  drawPathShadow(shot) {
+    if (!this.picture.ground) return;
+    const places = shot.track.path.filter(k => !shot.unfolds || k.t <= this.drawn.time).map(k => [k.p[0], this.groundAt(k.p[0], k.p[2]) + 0.01, k.p[2]]);
+    this.g.globalAlpha = 0.5;
+    this.drawn.lines += this.line(this.g, places, this.colour.shadow, 0, 1.4);
+    this.g.globalAlpha = 1;
+  }
+
+  // A soft round shadow on the ground.
+  blob(p, radius, strength, ground) {
+    if (!this.picture.ground) return;
+    const { g } = this;
+    for (const [size, alpha] of [[1.25, 0.35], [1, 0.4], [0.7, 0.45]]) {
+      const rim = Array.from({ length: 16 }, (_, i) => [p[0] + size * radius * Math.cos(i * Math.PI / 8), ground + 0.01, p[2] + size * radius * Math.sin(i * Math.PI / 8)]);
+      const screen = this.camera.clipped(rim, true);
+      if (screen.length < 3) continue;
+      trace(g, screen);
+      g.globalAlpha = alpha * strength;
+      g.fillStyle = "#06120a";
+      g.fill();
+    }
+    g.globalAlpha = 1;
+  }
+
+  // The shadow tells the height: straight below, wider and fainter the higher the ball, with a plumb line up to it.
   drawShadow({ shot, at }) {
     if (!this.picture.ground) return;
-    const r = Math.max(shot.radius, LEAST_BALL / Math.max(1e-9, this.camera.pixelsAt(at.p)));
-    const rim = Array.from({ length: 18 }, (_, i) => {
-      const [x, z] = [at.p[0] + r * Math.cos(i * Math.PI / 9), at.p[2] + r * Math.sin(i * Math.PI / 9)];
-      return [x, this.groundAt(x, z) + 0.01, z];
-    });
-    const screen = this.camera.clipped(rim, true);
-    if (screen.length < 3) return;
-    this.trace(screen);
-    this.g.fillStyle = this.colour.shadow;
-    this.g.fill();
+    const ground = this.groundAt(at.p[0], at.p[2]), height = Math.max(0, at.p[1] - ground - shot.radius);
+    const least = LEAST_BALL / Math.max(1e-9, this.camera.pixelsAt(at.p));
+    this.blob(at.p, Math.max(shot.radius, least) * (1.15 + 0.16 * height), 1.5 / (1 + 0.22 * height), ground);
+    if (height < 0.5) return;
+    const [a, b] = [this.camera.project([at.p[0], ground, at.p[2]]), this.camera.project(at.p)];
+    if (!a || !b) return;
+    this.g.beginPath();
+    this.g.moveTo(a[0], a[1]);
+    this.g.lineTo(b[0], b[1]);
+    this.g.setLineDash([2, 5]);
+    this.g.strokeStyle = "rgba(255,255,255,0.5)";
+    this.g.lineWidth = 1;
+    this.g.stroke();
+    this.g.setLineDash([]);
   }
 
   drawBallOf({ shot, at }) {
     const s = this.camera.project(at.p);
     if (!s) return;
-    const r = Math.max(LEAST_BALL, shot.radius * s[2]);
-    drawBall(this.g, this.camera, at.q, s[0], s[1], r, shot.colour);
+    drawBall(this.g, this.camera, at.q, s[0], s[1], Math.max(LEAST_BALL, shot.radius * s[2]), shot.colour);
     this.drawn.balls++;
   }
 
-  // Whole seconds along a path, and what happened on it.
-  drawMarks(shot, time) {
+  // Whole seconds along a path, and what happened on it; behind what they are behind.
+  addMarks(shot, time, item) {
+    if (shot.plain) return;
     const { g } = this;
-    g.font = "600 11px system-ui, sans-serif";
-    g.textAlign = "center";
     let last = null;
     for (let t = 1; t < shot.track.end && !shot.compares; t++) {
-      const s = this.camera.project(shot.track.at(t).p);
+      const p = shot.track.at(t).p, s = this.camera.project(p);
       if (!s || (last && Math.hypot(s[0] - last[0], s[1] - last[1]) < 34)) continue;
       last = s;
-      this.dot(s, 2.4, shot.colour, this.colour.sky);
-      g.strokeStyle = this.colour.sky;
-      g.lineWidth = 3;
-      g.strokeText(t + " s", s[0], s[1] - 8);
-      g.fillStyle = this.colour.ink;
-      g.fillText(t + " s", s[0], s[1] - 8);
+      item(p, () => {
+        this.dot(s, 2.6, "#ffffff", shot.colour);
+        g.font = "600 11px system-ui, sans-serif";
+        g.textAlign = "center";
+        g.strokeStyle = this.dark ? "#0a1420" : "#ffffff";
+        g.lineWidth = 3;
+        g.strokeText(t + " s", s[0], s[1] - 8);
+        g.fillStyle = this.colour.ink;
+        g.fillText(t + " s", s[0], s[1] - 8);
+      });
     }
     for (const happened of shot.events) {
       const s = this.camera.project(happened.position);
       if (!s) continue;
-      g.globalAlpha = happened.time <= time ? 1 : 0.5;
-      this.dot(s, happened.kind === "goal" ? 6 : 4, EVENT_COLOURS[happened.kind], shot.colour);
-      g.globalAlpha = 1;
-      this.drawn.marks++;
+      item(happened.position, () => {
+        g.globalAlpha = happened.time <= time ? 1 : 0.5;
+        this.dot(s, happened.kind === "goal" ? 6 : 4, EVENT_COLOURS[happened.kind], shot.colour);
+        g.globalAlpha = 1;
+        this.drawn.marks++;
+      });
     }
   }
 
@@ -280,11 +347,7 @@ class Stage {
   }
 
   drawTarget(p) {
-    const s = this.camera.project(p), { g } = this;
-    if (!s) return;
-    g.strokeStyle = "#ff5ad1";
-    g.lineWidth = 2;
-    for (const r of [4, 8]) { g.beginPath(); g.arc(s[0], s[1], r, 0, 2 * Math.PI); g.stroke(); }
+    for (const r of [4, 8]) this.ring(p, "#ff5ad1", r);
   }
 
   ring(p, colour, r) {
@@ -295,5 +358,44 @@ class Stage {
     this.g.strokeStyle = colour;
     this.g.lineWidth = 2;
     this.g.stroke();
+  }
+}
+
+// A net between four corners, the second along the first half side, the fourth along the other.
+class NetSheet {
+  constructor([a, b, c, d]) {
+    this.middle = mul(0.25, [a, b, c, d].reduce(add));
+    this.columns = clamp(Math.ceil(len(sub(b, a)) / MESH), 2, 60);
+    this.rows = clamp(Math.ceil(len(sub(d, a)) / MESH), 2, 40);
+    this.nodes = [];
+    for (let j = 0; j <= this.rows; j++) {
+      for (let i = 0; i <= this.columns; i++) this.nodes.push(lerp(lerp(a, b, i / this.columns), lerp(d, c, i / this.columns), j / this.rows));
+    }
+  }
+
+  // With a bulge { depth, position, direction }, if there is one.
+  paint(g, camera, bulge, colour) {
+    const base = bulge && sub(bulge.position, mul(bulge.depth, bulge.direction));
+    const seen = this.nodes.map(p => {
+      if (!bulge) return camera.project(p);
+      const d = sub(p, base), far = (dot(d, d) - dot(d, bulge.direction) ** 2) / (BULGE_WIDTH * BULGE_WIDTH);
+      return camera.project(far > 9 ? p : add(p, mul(bulge.depth * Math.exp(-far), bulge.direction)));
+    });
+    g.beginPath();
+    const join = (from, step, count) => {
+      let on = false;
+      for (let k = 0, n = from; k <= count; k++, n += step) {
+        const s = seen[n];
+        if (s && on) g.lineTo(s[0], s[1]); else if (s) g.moveTo(s[0], s[1]);
+        on = !!s;
+      }
+    };
+    for (let j = 0; j <= this.rows; j++) join(j * (this.columns + 1), 1, this.columns);
+    for (let i = 0; i <= this.columns; i++) join(i, this.columns + 1, this.rows);
+    const near = camera.project(this.middle);
+    g.strokeStyle = colour;
+    g.lineWidth = clamp(near ? 0.016 * near[2] : 0.7, 0.55, 1.6);
+    g.stroke();
+    return this.rows + this.columns + 2;
   }
 }

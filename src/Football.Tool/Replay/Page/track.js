@@ -3,17 +3,22 @@ const WIDTH = 18;
 const MOTIONS = ["flies", "slides", "rolls", "rests"];
 
 class Track {
-  constructor(shot) {
-    const k = shot.keys;
-    this.keys = [];
+  // From rows of numbers, or from keys.
+  constructor({ keys }) {
+    this.keys = typeof keys[0] === "number" ? Track.unrolled(keys) : keys;
+    this.end = this.keys[this.keys.length - 1].t;
+    this.path = this.sampled();
+  }
+
+  static unrolled(k) {
+    const keys = [];
     for (let i = 0; i < k.length; i += WIDTH) {
-      this.keys.push({
+      keys.push({
         t: k[i], p: k.slice(i + 1, i + 4), before: k.slice(i + 4, i + 7), v: k.slice(i + 7, i + 10),
         spin: k.slice(i + 10, i + 13), q: k.slice(i + 13, i + 17), motion: k[i + 17],
       });
     }
-    this.end = this.keys[this.keys.length - 1].t;
-    this.path = this.sampled();
+    return keys;
   }
 
   index(t) {
@@ -36,11 +41,13 @@ class Track {
     return { t, p, v: lerp(a.v, b.before, s), spin: lerp(a.spin, b.spin, s), q: slerp(a.q, b.q, s), motion: a.motion };
   }
 
-  // Points for drawing: close in time, and every key.
+  // Points for drawing: close in time, and every key where the velocity jumps.
   sampled() {
     const path = [];
     for (let i = 0; i + 1 < this.keys.length; i++) {
       const a = this.keys[i], b = this.keys[i + 1];
+      const jumps = a.before.some((x, j) => x !== a.v[j]);
+      if (!jumps && path.length > 0 && a.t - path[path.length - 1].t < 0.035) continue;
       const parts = Math.max(1, Math.ceil((b.t - a.t) / 0.04));
       for (let j = 0; j < parts; j++) path.push(this.at(a.t + (j / parts) * (b.t - a.t)));
     }

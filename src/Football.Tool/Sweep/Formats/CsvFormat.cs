@@ -67,5 +67,10 @@ internal sealed class CsvFormat(IReadOnlyList<Column> columns) : RowFormat
         text.Advance(written);
     }
 
-    private static string Quoted(string text) => text.AsSpan().IndexOfAny(",\"\r\n") >= 0 ? $"\"{text.Replace("\"", "\"\"")}\"" : text;
+    /// <summary>A word as a cell. One that a spreadsheet would take for a formula has an apostrophe before it, as spreadsheets write it themselves.</summary>
+    private static string Quoted(string word)
+    {
+        string text = word.Length > 0 && "=+-@\t\r".Contains(word[0], StringComparison.Ordinal) ? "'" + word : word;
+        return text.AsSpan().IndexOfAny(",\"\r\n") >= 0 ? $"\"{text.Replace("\"", "\"\"")}\"" : text;
+    }
 }

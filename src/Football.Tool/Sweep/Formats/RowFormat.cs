@@ -8,7 +8,7 @@ namespace Football.Tool.Sweep.Formats;
 internal abstract class RowFormat
 {
     /// <summary>The formats' names, the default first.</summary>
-    public static IReadOnlyList<string> Names { get; } = ["ndjson", "csv", "npy"];
+    public static IReadOnlyList<string> Names { get; } = ["ndjson", "csv", "npy", "parquet"];
 
     /// <summary>The format's name.</summary>
     public abstract string Name { get; }
@@ -22,6 +22,7 @@ internal abstract class RowFormat
         "ndjson" => new NdjsonFormat(),
         "csv" => new CsvFormat(columns),
         "npy" => new NumpyFormat(columns),
+        "parquet" => new ParquetFormat(columns),
         _ => throw new RefusedException("--format", Quote.Short(name), string.Join(" | ", Names)),
     };
 
@@ -32,6 +33,15 @@ internal abstract class RowFormat
     /// <param name="file">Which of <see cref="Files"/>.</param>
     /// <param name="rows">Rows that will follow.</param>
     public abstract byte[] Header(int file, long rows);
+
+    /// <summary>How many rows a thread makes and writes at a time: about a megabyte, and at most 4 096.</summary>
+    /// <param name="bytes">Bytes of a row.</param>
+    public virtual int RowsAtOnce(int bytes) => Math.Clamp((1 << 20) / bytes, 1, 4096);
+
+    /// <summary>What a file ends with when all rows are there.</summary>
+    /// <param name="file">Which of <see cref="Files"/>.</param>
+    /// <param name="parts">Rows of each part that the file was put together of: one, but for merged shards.</param>
+    public virtual byte[] Footer(int file, IReadOnlyList<long> parts) => [];
 
     /// <summary>Bytes of all files together; null where nobody knows before they are written.</summary>
     public abstract long? Bytes(long rows);

@@ -57,6 +57,13 @@ internal sealed class DataFile : IDisposable
         return file;
     }
 
+    /// <summary>The SHA-256 of a file, in hexadecimal digits.</summary>
+    public static string HashOf(string path)
+    {
+        using FileStream from = File.OpenRead(path);
+        return Convert.ToHexStringLower(SHA256.HashData(from));
+    }
+
     public void Write(ReadOnlySpan<byte> bytes)
     {
         _stream.Write(bytes);

@@ -19,18 +19,20 @@ internal sealed class FolderSink : RowSink
     private readonly Shard _shard;
     private readonly bool _countsHandedOn;
     private readonly FileRecord _schema;
+    private readonly RowFormat _format;
     private readonly List<DataFile> _files = [];
     private readonly TimeProvider _time;
     private long _lastCheckpoint;
     private TimeSpan _untilCheckpoint = s_untilFirst;
 
-    private FolderSink(string folder, Identity identity, Shard shard, bool countsHandedOn, FileRecord schema, TimeProvider time)
+    private FolderSink(string folder, Identity identity, Shard shard, bool countsHandedOn, FileRecord schema, RowFormat format, TimeProvider time)
     {
         _folder = folder;
         _identity = identity;
         _shard = shard;
         _countsHandedOn = countsHandedOn;
         _schema = schema;
+        _format = format;
         _time = time;
         _lastCheckpoint = time.GetTimestamp();
     }
@@ -46,8 +48,9 @@ internal sealed class FolderSink : RowSink
     /// <param name="schema">What the columns are.</param>
     /// <param name="countsHandedOn">Whether lanes hand rows to the single ball.</param>
     /// <param name="time">The clock by which checkpoints are due.</param>
+    /// <param name="verifies">Whether the bytes of a folder that is done are read and hashed.</param>
     /// <exception cref="RefusedException">The folder holds something else, or has no room.</exception>
-    public static FolderSink Open(string folder, Identity identity, Shard shard, RowFormat format, byte[] schema, bool countsHandedOn, TimeProvider time)
+    public static FolderSink Open(string folder, Identity identity, Shard shard, RowFormat format, byte[] schema, bool countsHandedOn, TimeProvider time, bool verifies = false)
     {
         try
         {
@@ -65,10 +68,10 @@ internal sealed class FolderSink : RowSink
             throw new RefusedException("--out", $"{Quote.File(folder)}, which holds another sweep ({difference})", "a new folder, or that of an interrupted run of the same sweep");
         }
 
-        var sink = new FolderSink(folder, identity, shard, countsHandedOn, Schema.Record(schema), time);
+        var sink = new FolderSink(folder, identity, shard, countsHandedOn, Schema.Record(schema), format, time);
         try
         {
-            sink.Begin(done, begun, format, schema);
+            sink.Begin(done, begun, format, schema, verifies);
             return sink;
         }
         catch
@@ -85,9 +88,10 @@ internal sealed class FolderSink : RowSink
             return;
         }
 
-        foreach (DataFile file in _files)
+        for (int f = 0; f < _files.Count; f++)
         {
-            file.FlushToDisk();
+            _files[f].Write(_format.Footer(f, [_shard.Rows]));
+            _files[f].FlushToDisk();
         }
 
         Now.Write(_folder, Manifest.Done, toDisk: true);
@@ -124,13 +128,18 @@ internal sealed class FolderSink : RowSink
 
     private Manifest Now => new(_identity, _shard, Rows, _countsHandedOn ? FlownSingly : null, [.. _files.Select(file => file.Record), _schema]);
 
-    private void Begin(Manifest? done, Manifest? begun, RowFormat format, byte[] schema)
+    private void Begin(Manifest? done, Manifest? begun, RowFormat format, byte[] schema, bool verifies)
     {
         Rows = begun?.Rows ?? 0;
         FlownSingly = begun?.FlownSingly ?? 0;
         WasDone = done is not null;
-        if (WasDone)
+        if (done is not null)
         {
+            foreach (FileRecord record in done.Files)
+            {
+                CheckThere(record, verifies);
+            }
+
             return;
         }
 
@@ -154,6 +163,21 @@ internal sealed class FolderSink : RowSink
 
         File.WriteAllBytes(Path.Combine(_folder, Schema.Name), schema);
         Checkpoint();
+    }
+
+    /// <summary>A file of a folder that is done is there, as long as it was, and with the bytes that it had where that is asked for.</summary>
+    private void CheckThere(FileRecord record, bool verifies)
+    {
+        string path = Path.Combine(_folder, record.Name);
+        var file = new FileInfo(path);
+        string? fault = !file.Exists ? "missing"
+            : file.Length != record.Bytes ? FormattableString.Invariant($"torn: it has {file.Length} bytes of {record.Bytes}")
+            : verifies && DataFile.HashOf(path) != record.Sha256 ? "changed: it has other bytes than were written"
+            : null;
+        if (fault is not null)
+        {
+            throw new RefusedException(Quote.File(path), fault, "what the manifest says; remove the folder to begin again");
+        }
     }
 
     /// <summary>Files of the names that are to be written, but without a checkpoint, are somebody else's; those of a run that ended at once are empty but for headers.</summary>

@@ -2,6 +2,7 @@ using System.Buffers;
 using System.Security.Cryptography;
 using System.Text.Encodings.Web;
 using System.Text.Json;
+using Football.Scenarios.Input;
 using Football.Tool.Sweep.Columns;
 using Football.Tool.Sweep.Formats;
 
@@ -38,6 +39,34 @@ internal static class Schema
         text.Write("\n"u8);
         return text.WrittenSpan.ToArray();
     }
+
+    /// <summary>The columns that a file tells of.</summary>
+    /// <exception cref="RefusedException">It is no schema.</exception>
+    public static IReadOnlyList<Column> Read(string path)
+    {
+        try
+        {
+            using var document = JsonDocument.Parse(File.ReadAllBytes(path));
+            return [.. document.RootElement.GetProperty("columns").EnumerateArray().Select(Column)];
+        }
+        catch (Exception e) when (e is IOException or JsonException or InvalidOperationException or KeyNotFoundException)
+        {
+            throw new RefusedException(Quote.File(path), "no schema of a sweep", "one that football sweep has written");
+        }
+    }
+
+    private static Column Column(JsonElement from)
+    {
+        ColumnKind kind = Enum.GetValues<ColumnKind>().First(kind => NumpyHeader.TypeOf(kind) == from.GetProperty("type").GetString());
+        IReadOnlyList<string>[] axes = from.TryGetProperty("axes", out JsonElement along) ? [.. along.EnumerateArray().Select(Names)] : [];
+        var column = new Column(from.GetProperty("name").GetString()!, kind, from.GetProperty("unit").GetString()!, from.GetProperty("meaning").GetString()!)
+        {
+            Words = from.TryGetProperty("words", out JsonElement words) ? Names(words) : [],
+        };
+        return axes.Reverse().Aggregate(column, (inner, axis) => inner.Along(axis));
+    }
+
+    private static IReadOnlyList<string> Names(JsonElement from) => [.. from.EnumerateArray().Select(name => name.GetString()!)];
 
     private static void Write(Utf8JsonWriter json, Column column, RowFormat format)
     {

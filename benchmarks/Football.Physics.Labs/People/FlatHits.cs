@@ -1,0 +1,145 @@
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Labs.People;
+
+/// <summary>A ball goes into the edge of board and ground at a flat angle, as along a touchline: when it rests, against the same kick on open ground.</summary>
+internal sealed class FlatHits
+{
+    private const double Radius = 0.11;
+    private const double Frame = 1.0 / 60;
+
+    /// <summary>So long is waited for a rest, s.</summary>
+    private const double Longest = 90;
+
+    /// <summary>A slide in the edge that lasts longer is no slide, s.</summary>
+    private const double LongSlide = 2;
+
+    private readonly (Simulator Simulator, double Board)[] _pitches =
+    [
+        On(Pitch.Cage),
+        On(Pitch.Stadium),
+        (new Simulator(new Scene { Obstacles = [new Obstacle { Name = "right board", Shape = new BoxShape(new Vector3d(5.05, 0.5, 0), new Vector3d(0.05, 0.5, 400)), Surface = Surface.Board }] }), 5),
+    ];
+
+    private readonly Simulator _open = new(new Scene());
+    private readonly StepLog _log = new();
+
+    public StepMeter Meter { get; } = new();
+
+    /// <summary>Hits of the board.</summary>
+    public int Cases { get; private set; }
+
+    /// <summary>That slid in the edge for long.</summary>
+    public int SlidLong { get; private set; }
+
+    /// <summary>Not at rest when no more was waited.</summary>
+    public int Restless { get; private set; }
+
+    public string SlidLongAt { get; private set; } = "";
+
+    /// <summary>
+    /// At rest later than it would be on open ground from where a board hit it last, or let it down, as it was and were all its energy in its rolling: a board on which
+    /// it spins may drive it on with that.
+    /// </summary>
+    public int Later { get; private set; }
+
+    /// <summary>The latest of them, s.</summary>
+    public double Latest { get; private set; }
+
+    public string LatestAt { get; private set; } = "";
+
+    /// <summary>At rest later than it would be from there as it was.</summary>
+    public int SpinLater { get; private set; }
+
+    public double MostSpinLater { get; private set; }
+
+    /// <summary>At rest later than the same kick on open ground: a board that sends a spinning ball back has made topspin of its backspin.</summary>
+    public int Turned { get; private set; }
+
+    public double MostTurned { get; private set; }
+
+    public string MostTurnedAt { get; private set; } = "";
+
+    /// <summary>Of the latest rest, s.</summary>
+    public double Longer { get; private set; }
+
+    /// <summary>Plays one kick; those that miss the board are not counted.</summary>
+    public void Play(long seed, int index)
+    {
+        var random = new SeededRandom(SeededRandom.Mix(seed, index));
+        (Simulator simulator, double board) = _pitches[index % _pitches.Length];
+        double speed = random.Chance(0.5) ? random.Uniform(2, 20) : random.Uniform(0.5, 12);
+        double aside = random.Uniform(0, 0.6) * random.Uniform(0, 1);
+        double up = random.Chance(0.5) ? 0 : random.Uniform(0, 0.35);
+        Vector3d velocity = speed * new Vector3d(Math.Cos(up) * Math.Sin(aside), Math.Sin(up), -Math.Cos(up) * Math.Cos(aside));
+        Vector3d spin = random.Below(3) switch
+        {
+            0 => Vector3d.Zero,
+            1 => new Vector3d(velocity.Z / Radius, random.Uniform(-40, 40), -velocity.X / Radius),
+            _ => new Vector3d(random.Uniform(-60, 60), random.Uniform(-60, 60), random.Uniform(-60, 60)),
+        };
+        var from = new Vector3d(board - Radius - random.Uniform(0, 1.2 * random.Next()), Radius, random.Uniform(0, 8));
+        var ball = new Ball(simulator) { State = simulator.Launch(from, velocity, spin) };
+        bool hit = false;
+        double slid = 0;
+        BallState last = ball.State;
+        while (ball.Motion != MotionState.Stopped && ball.Time < Longest)
+        {
+            Meter.Step(ball, Frame, $"hit {index}, {ball.Time} s");
+            foreach (ref readonly BallEvent item in ball.Events)
+            {
+                hit |= item.Thing > 0 && simulator.NameOf(item.Thing) == "right board";
+                last = item.Kind == BallEventKind.Impact && item.Thing > 0 ? ball.State : last;
+            }
+
+            Vector3d place = ball.State.Position;
+            bool touches = Math.Abs(board - Radius - place.X) < 1e-6;
+            bool isDown = place.Y < Radius + 1e-4;
+            last = touches && !isDown ? ball.State : last;
+            slid += ball.Motion == MotionState.Sliding && isDown && touches ? Frame : 0;
+        }
+
+        if (!hit)
+        {
+            return;
+        }
+
+        Cases++;
+        string at = FormattableString.Invariant($"hit {index}: rests after {ball.Time:0.00} s, velocity {velocity}, spin {spin}, from {from}");
+        SlidLong += slid > LongSlide ? 1 : 0;
+        SlidLongAt = slid > LongSlide ? at : SlidLongAt;
+        Restless += ball.Motion != MotionState.Stopped ? 1 : 0;
+        Longer = Math.Max(Longer, ball.Time);
+        double spinLater = ball.Time - OnOpenGround(last.Position, last.Velocity, last.Spin, last.Time);
+        SpinLater += spinLater > Frame ? 1 : 0;
+        MostSpinLater = Math.Max(MostSpinLater, spinLater);
+        Vector3d rolling = Rolling(simulator.Scene.Ball, in last);
+        double later = Math.Min(spinLater, ball.Time - OnOpenGround(last.Position, rolling, new Vector3d(rolling.Z / Radius, 0, -rolling.X / Radius), last.Time));
+        Later += later > Frame ? 1 : 0;
+        LatestAt = later > Math.Max(Frame, Latest) ? at : LatestAt;
+        Latest = Math.Max(Latest, later);
+        double turned = ball.Time - OnOpenGround(from, velocity, spin, 0);
+        Turned += turned > Frame ? 1 : 0;
+        MostTurnedAt = turned > Math.Max(Frame, MostTurned) ? at : MostTurnedAt;
+        MostTurned = Math.Max(MostTurned, turned);
+    }
+
+    /// <summary>How fast it would roll with all its energy, m (1 + α) v²/2 = m v²/2 + I ω²/2.</summary>
+    private static Vector3d Rolling(BallProperties ball, in BallState s)
+    {
+        double energy = s.Velocity.LengthSquared + (ball.InertiaFactor * ball.Radius * ball.Radius * s.Spin.LengthSquared);
+        Vector3d along = s.Velocity.Horizontal;
+        return along.Length > 0 ? Math.Sqrt(energy / (1 + ball.InertiaFactor)) / along.Length * along : Vector3d.Zero;
+    }
+
+    /// <summary>When a ball rests on open ground, s.</summary>
+    private double OnOpenGround(Vector3d from, Vector3d velocity, Vector3d spin, double time)
+    {
+        BallState state = _open.Launch(from, velocity, spin);
+        _log.Clear();
+        _open.Run(ref state, Frame, Longest, StopAt.Rest, _log);
+        return time + state.Time;
+    }
+
+    private static (Simulator Simulator, double Board) On(Pitch pitch) => (new Simulator(pitch.On()), (0.5 * pitch.Width) + pitch.BoardDistance);
+}

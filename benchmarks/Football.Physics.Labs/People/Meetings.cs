@@ -1,0 +1,82 @@
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Labs.People;
+
+/// <summary>One thing that moves and a ball on open ground: a player whose foot is on the ground, a leg, a boot, a head that comes down.</summary>
+internal sealed class Meetings
+{
+    private const double Radius = 0.11;
+    private const int Frames = 150;
+    private static readonly IShape[] s_shapes =
+    [
+        new CapsuleShape(new Vector3d(0, 0.25, 0), new Vector3d(0, 1.55, 0), 0.25),
+        new CapsuleShape(new Vector3d(0, -1, 0), new Vector3d(0, 1.55, 0), 0.25),
+        new BoxShape(new Vector3d(0, 0.06, 0), new Vector3d(0.05, 0.06, 0.14)),
+        new SphereShape(new Vector3d(0, 0.3, 0), 0.12),
+    ];
+
+    public StepMeter Meter { get; } = new();
+
+    public int Cases { get; private set; }
+
+    /// <summary>Frames that end faster than a hit by something rigid explains.</summary>
+    public int TooFast { get; private set; }
+
+    /// <summary>How deep the ball was in the ground at most, m.</summary>
+    public double Deepest { get; private set; }
+
+    /// <summary>How deep in what moves, at the end of a frame, m.</summary>
+    public double Overlap { get; private set; }
+
+    public string OverlapAt { get; private set; } = "";
+
+    /// <summary>Plays one meeting.</summary>
+    public void Play(long seed, int index)
+    {
+        var random = new SeededRandom(SeededRandom.Mix(seed, index));
+        int which = index % s_shapes.Length;
+        var bodies = new Bodies();
+        Body body = bodies.Add("mover", s_shapes[which], Surface.Boot);
+        var ball = new Ball(new Scene { Bodies = bodies });
+        double frame = random.Chance(0.7) ? 1.0 / 60 : random.Uniform(0.005, 0.04);
+        ball.Place(new Vector3d(0, random.Chance(0.7) ? Radius : random.Uniform(Radius, 1), 0));
+        Vector3d heading = random.Heading();
+        Vector3d place = (-random.Uniform(0.4, 1.2) * heading) + new Vector3d(random.Uniform(-0.12, 0.12), 0, random.Uniform(-0.12, 0.12));
+        double speed = random.Uniform(0.2, 8);
+        double faster = random.Uniform(-2, 2);
+        if (random.Chance(0.5))
+        {
+            ball.Kick(new Vector3d(random.Uniform(-5, 5), random.Uniform(0, 3), random.Uniform(-5, 5)), random.Uniform(0, 45) * random.Direction());
+        }
+
+        double kicked = ball.State.Velocity.Length;
+        double most = speed;
+        for (int i = 0; i < Frames; i++)
+        {
+            body.MoveTo(place, speed * heading, ball.Time);
+            Meter.Step(ball, frame, $"meeting {index}, frame {i}");
+            place += frame * speed * heading;
+            speed = Math.Clamp(speed + (frame * faster), -8.5, 8.5);
+            most = Math.Max(most, Math.Abs(speed));
+            Vector3d at = ball.State.Position;
+            TooFast += ball.State.Velocity.Length > 1.05 * ((1.5 * most) + Math.Max(kicked, 1) + 3) ? 1 : 0;
+            Deepest = Math.Max(Deepest, Radius - at.Y);
+            double overlap = Radius - Distance(which, at - place);
+            if (overlap > Overlap)
+            {
+                Overlap = overlap;
+                OverlapAt = FormattableString.Invariant($"meeting {index}, frame {i}: {ball.Motion}");
+            }
+        }
+
+        Cases++;
+    }
+
+    private static double Distance(int which, Vector3d place) => which switch
+    {
+        0 => Solid.Capsule(place, new Vector3d(0, 0.25, 0), new Vector3d(0, 1.55, 0), 0.25),
+        1 => Solid.Capsule(place, new Vector3d(0, -1, 0), new Vector3d(0, 1.55, 0), 0.25),
+        2 => Solid.Box(place, new Vector3d(0, 0.06, 0), new Vector3d(0.05, 0.06, 0.14)),
+        _ => (place - new Vector3d(0, 0.3, 0)).Length - 0.12,
+    };
+}

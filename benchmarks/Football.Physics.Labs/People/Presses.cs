@@ -1,0 +1,158 @@
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Labs.People;
+
+/// <summary>What a ball is pressed against.</summary>
+internal enum PressKind
+{
+    Board,
+    Corner,
+    Post,
+    Net,
+}
+
+/// <summary>A player presses the ball against a board, into a corner of two, against a post, into a net: he stops where he touches them, or walks on.</summary>
+internal sealed class Presses(PressKind kind)
+{
+    private const double Radius = 0.11;
+    private const double Thick = 0.05;
+    private const int Frames = 200;
+    private const double Entered = 1e-6;
+    private static readonly Vector3d s_half = new(2000, 0.5, Thick);
+    private static readonly Vector3d s_end = new(0, 0.5, -5 - Thick);
+    private static readonly Vector3d s_side = new(-5 - Thick, 0.5, 0);
+    private static readonly Vector3d s_foot = new(0, 0, -5);
+    private static readonly Vector3d s_tip = new(0, 2.5, -5);
+
+    public StepMeter Meter { get; } = new();
+
+    public int Cases { get; private set; }
+
+    /// <summary>With a frame that ends inside something that stands still.</summary>
+    public int Inside { get; private set; }
+
+    /// <summary>The deepest of them, m.</summary>
+    public double Deepest { get; private set; }
+
+    /// <summary>The ball ends behind a board.</summary>
+    public int Behind { get; private set; }
+
+    public string DeepestAt { get; private set; } = "";
+
+    /// <summary>Plays one press.</summary>
+    public void Play(long seed, int index)
+    {
+        var random = new SeededRandom(SeededRandom.Mix(seed, index));
+        var bodies = new Bodies();
+        var player = new WalkingPlayer(bodies, "player");
+        bool walksOn = random.Chance(0.5);
+        double frame = random.Chance(0.7) ? 1.0 / 60 : random.Uniform(0.005, 0.04);
+        var ball = new Ball(Scene(kind, bodies));
+        Vector3d from = kind switch
+        {
+            PressKind.Board => new Vector3d(0, Radius, -5 + Radius + 0.0001 + random.Uniform(0, 0.3)),
+            PressKind.Corner => new Vector3d(-5 + Radius + 0.0001 + random.Uniform(0, 0.3), Radius, -5 + Radius + 0.0001 + random.Uniform(0, 0.3)),
+            PressKind.Post => new Vector3d(random.Uniform(-0.1, 0.1), Radius, -4.6),
+            _ => new Vector3d(random.Uniform(-3.4, 3.4), Radius, -5 - random.Uniform(0.5, 1.7)),
+        };
+        ball.Place(from);
+        Vector3d heading = kind == PressKind.Corner
+            ? new Vector3d(-random.Uniform(0.2, 1), 0, -random.Uniform(0.2, 1)).Normalized()
+            : new Vector3d(random.Uniform(-0.4, 0.4), 0, -1).Normalized();
+        player.Place = from.Horizontal - (random.Uniform(0.5, 1) * heading) + new Vector3d(random.Uniform(-0.1, 0.1), 0, random.Uniform(-0.1, 0.1));
+        player.Velocity = random.Uniform(0.3, 5) * heading;
+        double slowing = random.Uniform(0, 1.5);
+        double deepest = 0;
+        for (int i = 0; i < Frames; i++)
+        {
+            player.Put(ball.Time);
+            Meter.Step(ball, frame, $"{kind}, press {index}, frame {i}");
+            player.Walk(frame);
+            double speed = player.Velocity.Length;
+            player.Velocity = speed > slowing * frame ? (1 - (slowing * frame / speed)) * player.Velocity : player.Velocity;
+            if (!walksOn)
+            {
+                Stop(player);
+            }
+
+            double deep = Depth(ball.State.Position);
+            if (deep > Deepest)
+            {
+                DeepestAt = FormattableString.Invariant($"{kind}, press {index}, frame {i}");
+            }
+
+            deepest = Math.Max(deepest, deep);
+            Deepest = Math.Max(Deepest, deep);
+        }
+
+        Vector3d end = ball.State.Position;
+        Cases++;
+        Inside += deepest > Entered ? 1 : 0;
+        Behind += end.Y < 1.2 && ((kind is PressKind.Board or PressKind.Corner && end.Z < s_end.Z - Thick) || (kind == PressKind.Corner && end.X < s_side.X - Thick)) ? 1 : 0;
+    }
+
+    /// <summary>How deep the ball is in what stands still, m.</summary>
+    private double Depth(Vector3d place)
+    {
+        double gap = place.Y;
+        if (kind is PressKind.Board or PressKind.Corner)
+        {
+            gap = Math.Min(gap, Solid.Box(place, s_end, s_half));
+        }
+
+        if (kind == PressKind.Corner)
+        {
+            gap = Math.Min(gap, Solid.Box(place, s_side, new Vector3d(Thick, 0.5, 2000)));
+        }
+
+        if (kind == PressKind.Post)
+        {
+            gap = Math.Min(gap, Solid.Capsule(place, s_foot, s_tip, 0.06));
+        }
+
+        return Radius - gap;
+    }
+
+    /// <summary>He stops where he touches what the ball is pressed against.</summary>
+    private void Stop(WalkingPlayer player)
+    {
+        Vector3d place = player.Place;
+        Vector3d velocity = player.Velocity;
+        double nearest = kind == PressKind.Net ? -6.7 : -5 + WalkingPlayer.Radius;
+        if (kind == PressKind.Post)
+        {
+            player.Velocity = (place - s_foot).Length < WalkingPlayer.Radius + 0.06 ? Vector3d.Zero : velocity;
+            return;
+        }
+
+        if (place.Z < nearest)
+        {
+            place = new Vector3d(place.X, 0, nearest);
+            velocity = new Vector3d(velocity.X, 0, Math.Max(0, velocity.Z));
+        }
+
+        if (kind == PressKind.Corner && place.X < nearest)
+        {
+            place = new Vector3d(nearest, 0, place.Z);
+            velocity = new Vector3d(Math.Max(0, velocity.X), 0, velocity.Z);
+        }
+
+        player.Place = place;
+        player.Velocity = velocity;
+    }
+
+    private static Scene Scene(PressKind kind, Bodies bodies)
+    {
+        Obstacle end = new() { Name = "end", Shape = new BoxShape(s_end, s_half), Surface = Surface.Board };
+        Obstacle side = new() { Name = "side", Shape = new BoxShape(s_side, new Vector3d(Thick, 0.5, 2000)), Surface = Surface.Board };
+        Obstacle post = new() { Name = "post", Shape = new CapsuleShape(s_foot, s_tip, 0.06) };
+        Scene scene = new() { Bodies = bodies };
+        return kind switch
+        {
+            PressKind.Board => scene with { Obstacles = [end] },
+            PressKind.Corner => scene with { Obstacles = [end, side] },
+            PressKind.Post => scene with { Obstacles = [post] },
+            _ => scene with { Goals = [new Goal { Center = s_foot, Facing = new Vector3d(0, 0, 1) }] },
+        };
+    }
+}

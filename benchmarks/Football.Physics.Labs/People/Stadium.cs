@@ -1,0 +1,283 @@
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Labs.People;
+
+/// <summary>
+/// A stadium closed by boards as high as a house: two goals with nets, flags, 22 players who run like players, four swinging feet, an engine's spheres. A match
+/// is a function of its seed alone. In the last third of each minute nobody touches the ball, and at its end all stand still.
+/// </summary>
+internal sealed class Stadium
+{
+    public const double BallRadius = 0.11;
+    public const int Players = 22;
+    public const int Feet = 4;
+
+    /// <summary>Half the width and half the length of the pitch, m, and how far behind the lines the boards stand.</summary>
+    private const double HalfWidth = 34;
+    private const double HalfLength = 52.5;
+    private const double Behind = 4;
+    private const double Thick = 0.05;
+    private const double High = 60;
+    private const double PostRadius = 0.06;
+
+    private static readonly Vector3d s_footCenter = new(0, 0, -0.1);
+    private static readonly Vector3d s_footHalf = new(0.05, 0.05, 0.15);
+
+    private readonly SeededRandom _random;
+    private readonly WalkingPlayer[] _players = new WalkingPlayer[Players];
+    private readonly Vector3d[] _homes = new Vector3d[Players];
+    private readonly double[] _waits = new double[Players];
+    private readonly Body[] _feet = new Body[Feet];
+    private readonly double[] _swings = new double[Feet];
+    private readonly Quaterniond[] _turns = new Quaterniond[Feet];
+    private readonly List<(Vector3d From, Vector3d To, double Radius)> _rods = [];
+    private readonly List<(Vector3d Center, Vector3d Half)> _boards = [];
+
+    public Stadium(ulong seed)
+    {
+        _random = new SeededRandom(seed);
+        var pitch = new Pitch { BoardHeight = High, BoardDistance = Behind, BoardHalfThickness = Thick };
+        var flags = new List<Obstacle>();
+        foreach ((int x, int z) in new[] { (-1, -1), (-1, 1), (1, -1), (1, 1) })
+        {
+            var foot = new Vector3d(x * HalfWidth, 0, z * HalfLength);
+            var tip = new Vector3d(foot.X, 1.5, foot.Z);
+            flags.Add(new Obstacle { Name = "flag", Shape = new CapsuleShape(foot, tip, 0.025) });
+            _rods.Add((foot, tip, 0.025));
+        }
+
+        foreach (int end in new[] { -1, 1 })
+        {
+            double x = 3.66 + PostRadius;
+            var up = new Vector3d(0, 2.44 + PostRadius, 0);
+            var left = new Vector3d(-x, 0, end * HalfLength);
+            var right = new Vector3d(x, 0, end * HalfLength);
+            _rods.AddRange([(left, left + up, PostRadius), (right, right + up, PostRadius), (left + up, right + up, PostRadius)]);
+            _boards.Add((new Vector3d(end * (HalfWidth + Behind + Thick), 0.5 * High, 0), new Vector3d(Thick, 0.5 * High, HalfLength + Behind + Thick)));
+            _boards.Add((new Vector3d(0, 0.5 * High, end * (HalfLength + Behind + Thick)), new Vector3d(HalfWidth + Behind + (2 * Thick), 0.5 * High, Thick)));
+        }
+
+        var bodies = new Bodies();
+        for (int i = 0; i < Players; i++)
+        {
+            int side = i < 11 ? -1 : 1;
+            int line = i % 11;
+            _homes[i] = line == 0 ? new Vector3d(0, 0, side * 51) : new Vector3d((((line - 1) % 4) - 1.5) * 14, 0, side * (8 + ((line - 1) / 4 * 14)));
+            _players[i] = new WalkingPlayer(bodies, FormattableString.Invariant($"player {i}"), line == 0 ? Surface.Glove : Surface.Boot)
+            {
+                Place = _homes[i] + (_random.Uniform(0, 2) * _random.Heading()),
+            };
+        }
+
+        for (int i = 0; i < Feet; i++)
+        {
+            _feet[i] = bodies.Add(FormattableString.Invariant($"foot {i}"), new BoxShape(s_footCenter, s_footHalf), Surface.Boot);
+        }
+
+        Spheres = new StadiumSpheres(8, _random);
+        Scene scene = pitch.On();
+        Scene = scene with { Obstacles = [.. scene.Obstacles, .. flags], Bodies = bodies, EngineColliders = Spheres };
+        Ball = new Ball(Scene);
+        Ball.Place(new Vector3d(0, BallRadius, 0));
+    }
+
+    public Scene Scene { get; }
+
+    public Ball Ball { get; }
+
+    public StadiumSpheres Spheres { get; }
+
+    public int Kicks { get; private set; }
+
+    /// <summary>Whether nobody is to touch the ball.</summary>
+    public bool IsDead => Ball.Time % 60 > 38;
+
+    /// <summary>Whether the dead time is nearly over: a ball that was left alone has come to rest.</summary>
+    public bool HasHadTime => Ball.Time % 60 > 57;
+
+    /// <summary>Decides how everybody goes on, and whether somebody kicks.</summary>
+    public (Vector3d Velocity, Vector3d Spin)? Decide(double duration)
+    {
+        Vector3d ball = Ball.State.Position;
+        int ours = Nearest(0, ball);
+        int theirs = Nearest(11, ball);
+        for (int i = 0; i < Players; i++)
+        {
+            Run(i, i == ours || i == theirs, ball, duration);
+            _waits[i] -= duration;
+        }
+
+        for (int k = 0; k < Feet; k++)
+        {
+            _swings[k] += duration * (k % 2 == 0 ? 5 : -7);
+            double swing = (_swings[k] % 2) - 1;
+            Vector3d beside = new(k % 2 == 0 ? -0.4 : 0.4, 0.12 + (0.1 * (k / 2)), 0);
+            WalkingPlayer owner = _players[k < 2 ? ours : theirs];
+            _turns[k] = new Quaterniond(swing * (1 - (swing * swing)), 0, 0, 1).Normalized();
+            _feet[k].MoveTo(owner.Place + beside, _turns[k], owner.Velocity, new Vector3d(3, 0, 0), Ball.Time);
+        }
+
+        double first = (_players[ours].Place - ball).Horizontal.Length;
+        double second = (_players[theirs].Place - ball).Horizontal.Length;
+        int who = first < second ? ours : theirs;
+        if (IsDead || Math.Min(first, second) >= 0.75 || _waits[who] > 0 || ball.Y >= 2.2)
+        {
+            return null;
+        }
+
+        _waits[who] = 0.6;
+        Kicks++;
+        return Kick(who < 11 ? 1 : -1, ball);
+    }
+
+    /// <summary>Puts all that moves where the next step is to find it.</summary>
+    public void Put()
+    {
+        foreach (WalkingPlayer player in _players)
+        {
+            player.Put(Ball.Time);
+        }
+
+        Spheres.Time = Ball.Time;
+    }
+
+    /// <summary>After a step.</summary>
+    public void Walk(double duration)
+    {
+        foreach (WalkingPlayer player in _players)
+        {
+            player.Walk(duration);
+        }
+
+        Spheres.Move(duration);
+    }
+
+    /// <summary>From the nearest surface of what stands still, in closed form; negative inside.</summary>
+    public double ToStanding(Vector3d place)
+    {
+        double nearest = place.Y;
+        foreach ((Vector3d from, Vector3d to, double radius) in _rods)
+        {
+            nearest = Math.Min(nearest, Solid.Capsule(place, from, to, radius));
+        }
+
+        foreach ((Vector3d center, Vector3d half) in _boards)
+        {
+            nearest = Math.Min(nearest, Solid.Box(place, center, half));
+        }
+
+        return nearest;
+    }
+
+    /// <summary>From the nearest surface of what moves, a time after the frame began.</summary>
+    public double ToMoving(Vector3d place, double after)
+    {
+        double nearest = Spheres.Distance(place, after);
+        foreach (WalkingPlayer player in _players)
+        {
+            nearest = Math.Min(nearest, player.Distance(place, after));
+        }
+
+        foreach (Body foot in _feet)
+        {
+            nearest = Math.Min(nearest, Solid.Box(place, foot.Position + (after * foot.Velocity), foot.Orientation, s_footCenter, s_footHalf));
+        }
+
+        return nearest;
+    }
+
+    /// <summary>Whether a place is outside the boards, or above them.</summary>
+    public static bool IsOutside(Vector3d place) => Math.Abs(place.X) > HalfWidth + Behind || Math.Abs(place.Z) > HalfLength + Behind || place.Y > High;
+
+    /// <summary>Whether a place is in a goal or close to one, where nets take energy from a ball and give it back.</summary>
+    public static bool IsInGoal(Vector3d place) => Math.Abs(place.X) < 5 && Math.Abs(place.Z) > HalfLength - 1 && place.Y < 3.5;
+
+    /// <summary>All that moves, to be put there again.</summary>
+    public Placement Keep() => new(
+        [.. _players.Select(player => (player.Place, player.Velocity))],
+        [.. _feet.Select((foot, k) => (foot.Position, _turns[k], foot.Velocity, foot.Spin))],
+        Spheres.Keep());
+
+    /// <summary>Puts all that moves where it was at a time.</summary>
+    public void Restore(Placement kept, double time)
+    {
+        for (int i = 0; i < Players; i++)
+        {
+            (_players[i].Place, _players[i].Velocity) = kept.Players[i];
+            _players[i].Put(time);
+        }
+
+        for (int k = 0; k < Feet; k++)
+        {
+            (Vector3d place, Quaterniond turned, Vector3d velocity, Vector3d spin) = kept.Feet[k];
+            _feet[k].MoveTo(place, turned, velocity, spin, time);
+        }
+
+        Spheres.Restore(kept.Spheres);
+        Spheres.Time = time;
+    }
+
+    private int Nearest(int first, Vector3d ball)
+    {
+        int nearest = first + 1;
+        for (int i = first + 1; i < first + 11; i++)
+        {
+            nearest = (_players[i].Place - ball).Horizontal.Length < (_players[nearest].Place - ball).Horizontal.Length ? i : nearest;
+        }
+
+        return nearest;
+    }
+
+    /// <summary>A player runs to where he wants to be, at 7 m/s² and 8 m/s at most.</summary>
+    private void Run(int index, bool isNearest, Vector3d ball, double duration)
+    {
+        WalkingPlayer player = _players[index];
+        Vector3d place = player.Place;
+        Vector3d away = (place - ball).Horizontal;
+        bool stands = IsDead && Ball.Time % 60 > 46;
+        bool leaves = IsDead && !stands && away.Length < 6;
+        int side = index < 11 ? -1 : 1;
+        Vector3d goal = IsDead ? (leaves ? place + (3 / Math.Max(away.Length, 1e-6) * away) : place)
+            : index % 11 == 0 ? new Vector3d(Math.Clamp(ball.X, -3.5, 3.5), 0, side * 51)
+            : isNearest ? ball.Horizontal
+            : _homes[index] + (0.35 * ball.Horizontal);
+        Vector3d way = (goal - place).Horizontal;
+        double far = way.Length;
+        Vector3d wanted = stands || far < 1e-9 ? Vector3d.Zero : Math.Min(IsDead ? 4 : 8, 2.5 * far) / far * way;
+        Vector3d change = wanted - player.Velocity;
+        double most = 7 * duration;
+        Vector3d velocity = player.Velocity + (change.Length > most ? most / change.Length * change : change);
+        player.Velocity = velocity.Length < 1e-3 ? Vector3d.Zero : velocity;
+    }
+
+    /// <summary>A pass, a cross, a drive, a lob, a shot, a touch.</summary>
+    private (Vector3d Velocity, Vector3d Spin) Kick(int towards, Vector3d ball)
+    {
+        Vector3d to = new Vector3d(_random.Uniform(-6, 6), 0, towards * HalfLength) - ball.Horizontal;
+        Vector3d ahead = to.Length < 1 ? new Vector3d(0, 0, towards) : to.Normalized();
+        Vector3d atGoal = new Vector3d(_random.Uniform(-4, 4), 0, (_random.Chance(0.5) ? -1 : 1) * HalfLength) - ball.Horizontal;
+        Vector3d anywhere = _random.Heading();
+        (double slow, double fast, double low, double high, Vector3d heading) = _random.Below(8) switch
+        {
+            0 => (3.0, 6.0, 0.0, 0.0, ahead),
+            1 => (8, 18, 0, 8, anywhere),
+            2 => (20, 30, 20, 50, anywhere),
+            3 => (22, 36, 2, 20, ahead),
+            4 => (15, 25, 0, 25, anywhere),
+            5 => (10, 16, 45, 65, ahead),
+            6 => (20, 34, 3, 14, atGoal.Length > 0.1 ? atGoal.Normalized() : ahead),
+            _ => (1, 4, 0, 80, anywhere),
+        };
+        double speed = _random.Uniform(slow, fast);
+        double elevation = _random.Uniform(low, high) * Math.PI / 180;
+        double top = _random.Chance(0.4) ? 0 : _random.Uniform(-70, 70);
+        double aside = _random.Chance(0.4) ? 0 : _random.Uniform(-70, 70);
+        return (speed * ((Math.Cos(elevation) * heading) + new Vector3d(0, Math.Sin(elevation), 0)), new Vector3d(top * heading.Z, aside, -top * heading.X));
+    }
+
+    /// <summary>Where all that moves was, and how it moved.</summary>
+    internal sealed record Placement(
+        (Vector3d Place, Vector3d Velocity)[] Players,
+        (Vector3d Place, Quaterniond Turned, Vector3d Velocity, Vector3d Spin)[] Feet,
+        (Vector3d[] Places, Vector3d[] Velocities) Spheres);
+}

@@ -1,0 +1,250 @@
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Labs.People;
+
+/// <summary>Plays matches and asks after every step what any match must keep: each millisecond of the way, energy, look-ahead, rewind, rest.</summary>
+internal sealed class StadiumMatches
+{
+    /// <summary>Deeper, m, is inside.</summary>
+    private const double Entered = 1e-6;
+
+    /// <summary>Energy that grows by more than this share is made.</summary>
+    private const double EnergyRounding = 1e-8;
+
+    /// <summary>What moves and is farther than this, m, has no part in a step.</summary>
+    private const double Apart = 2e-3;
+
+    /// <summary>A ball in a net that is slower, m/s, hangs still.</summary>
+    private const double Hanging = 1e-6;
+
+    /// <summary>So many steps are played again at once.</summary>
+    private const int RewindLength = 120;
+
+    private readonly Trajectory _ahead = new(4096);
+    private readonly StepLog _log = new();
+    private readonly byte[] _bytes = new byte[Snapshot.Size];
+
+    public StepMeter Meter { get; } = new();
+
+    public int Cases { get; private set; }
+
+    public long Kicks { get; private set; }
+
+    public long Goals { get; private set; }
+
+    public long Squeezes { get; private set; }
+
+    /// <summary>Places looked at, and how many of them inside something that stands still.</summary>
+    public long Places { get; private set; }
+
+    public long Inside { get; private set; }
+
+    public double Deepest { get; private set; }
+
+    public string DeepestAt { get; private set; } = "";
+
+    /// <summary>Matches in which the ball left the stadium.</summary>
+    public int Left { get; private set; }
+
+    /// <summary>Steps without a body near, and how many of them made energy.</summary>
+    public long Alone { get; private set; }
+
+    public long Made { get; private set; }
+
+    public double MostMade { get; private set; }
+
+    public string MostMadeAt { get; private set; } = "";
+
+    /// <summary>Steps where the look-ahead of one step goes elsewhere.</summary>
+    public long Elsewhere { get; private set; }
+
+    public string ElsewhereAt { get; private set; } = "";
+
+    /// <summary>Steps played again, and how many went elsewhere.</summary>
+    public long Rewound { get; private set; }
+
+    public long RewoundElsewhere { get; private set; }
+
+    public string RewoundElsewhereAt { get; private set; } = "";
+
+    /// <summary>Dead balls, and how many did not rest in 19 s.</summary>
+    public int Dead { get; private set; }
+
+    public int Restless { get; private set; }
+
+    /// <summary>Dead balls that hung in a net.</summary>
+    public int Hung { get; private set; }
+
+    public string RestlessAt { get; private set; } = "";
+
+    /// <summary>Plays one match; every second one with frames from a tenth of a millisecond to a quarter of a second.</summary>
+    public void Play(long seed, int index, double seconds, Action<double> progress)
+    {
+        var stadium = new Stadium(SeededRandom.Mix(seed, index));
+        var frames = new SeededRandom(SeededRandom.Mix(seed, ~index));
+        var played = new List<PlayedStep>(RewindLength);
+        bool left = false;
+        bool judged = false;
+        double rested = 0;
+        Ball ball = stadium.Ball;
+        for (int i = 0; ball.Time < seconds; i++)
+        {
+            double frame = index % 2 == 0 ? 1.0 / 60
+                : frames.Chance(0.1) ? frames.Log(1e-4, 0.25)
+                : frames.Chance(0.5) ? frames.Uniform(0.014, 0.019)
+                : frames.Uniform(0.004, 0.05);
+            (Vector3d Velocity, Vector3d Spin)? kick = stadium.Decide(frame);
+            stadium.Put();
+            Stadium.Placement kept = stadium.Keep();
+            BallState unkicked = ball.State;
+            if (kick is { } given)
+            {
+                ball.Kick(given.Velocity, given.Spin);
+            }
+
+            BallState before = ball.State;
+            ball.Simulator.LookAhead(in before, new LookAheadRequest { TimeStep = frame, Duration = 1.5 * frame, StopAt = StopAt.Time }, _ahead);
+            FormattableString at = $"match {index}, {before.Time} s";
+            Meter.Step(ball, frame, at);
+            BallState after = ball.State;
+            Count(ball);
+            LookAt(stadium, in before, in after, frame, at);
+            left |= Stadium.IsOutside(after.Position);
+            Energy(stadium, in before, in after, frame, at);
+            judged = stadium.HasHadTime && (judged || Judge(ball, rested, at));
+            rested = !stadium.IsDead ? ball.Time : rested;
+            played.Add(new PlayedStep(unkicked, kept, kick, frame, Snapshot.Hash(in after)));
+            if (played.Count == RewindLength)
+            {
+                Stadium.Placement now = stadium.Keep();
+                Rewind(stadium, played, i % 3 == 0 ? new Simulator(stadium.Scene) : ball.Simulator, at);
+                stadium.Restore(now, ball.Time);
+                played.Clear();
+            }
+
+            stadium.Walk(frame);
+            progress(ball.Time);
+        }
+
+        Cases++;
+        Kicks += stadium.Kicks;
+        Left += left ? 1 : 0;
+    }
+
+    private void Count(Ball ball)
+    {
+        foreach (ref readonly BallEvent item in ball.Events)
+        {
+            Goals += item.Kind == BallEventKind.Goal ? 1 : 0;
+            Squeezes += item.Kind == BallEventKind.Squeezed && item.Thing >= 0 ? 1 : 0;
+        }
+    }
+
+    /// <summary>Each millisecond of a step, against what stands still; and whether the look-ahead ends where the step did.</summary>
+    private void LookAt(Stadium stadium, in BallState before, in BallState after, double frame, FormattableString at)
+    {
+        if (_ahead.PositionAt(after.Time) != after.Position)
+        {
+            Elsewhere++;
+            ElsewhereAt = FormattableString.Invariant(at);
+        }
+
+        int parts = Math.Max(1, (int)(frame / 0.001));
+        for (int i = 0; i <= parts; i++)
+        {
+            Vector3d place = i == parts ? after.Position : _ahead.PositionAt(before.Time + (frame * i / parts));
+            double deep = Stadium.BallRadius - stadium.ToStanding(place);
+            Places++;
+            Inside += deep > Entered ? 1 : 0;
+            if (deep > Deepest)
+            {
+                Deepest = deep;
+                DeepestAt = FormattableString.Invariant($"{FormattableString.Invariant(at)}, {i} ms of {1000 * frame:0.00}, {before.Motion} to {after.Motion}");
+            }
+        }
+    }
+
+    /// <summary>A ball with nothing that moves near it, outside the goals, gains nothing.</summary>
+    private void Energy(Stadium stadium, in BallState before, in BallState after, double frame, FormattableString at)
+    {
+        if (Stadium.IsInGoal(before.Position) || Stadium.IsInGoal(after.Position)
+            || stadium.ToMoving(before.Position, 0) < Stadium.BallRadius + Apart || stadium.ToMoving(after.Position, frame) < Stadium.BallRadius + Apart)
+        {
+            return;
+        }
+
+        foreach (ref readonly BallEvent item in stadium.Ball.Events)
+        {
+            string name = item.Thing > 0 ? stadium.Ball.Simulator.NameOf(item.Thing) ?? "" : "";
+            if (name.StartsWith("player", StringComparison.Ordinal) || name.StartsWith("foot", StringComparison.Ordinal) || name.StartsWith("sphere", StringComparison.Ordinal))
+            {
+                return;
+            }
+        }
+
+        Alone++;
+        double had = Of(stadium.Scene, in before);
+        double made = (Of(stadium.Scene, in after) - had) / Math.Abs(had);
+        Made += made > EnergyRounding ? 1 : 0;
+        if (made > MostMade)
+        {
+            MostMade = made;
+            MostMadeAt = FormattableString.Invariant($"{FormattableString.Invariant(at)}, {before.Motion} to {after.Motion}");
+        }
+    }
+
+    /// <summary>m v²/2 + I ω²/2 + m g′ y, g′ less what the air bears.</summary>
+    private static double Of(Scene scene, in BallState s)
+    {
+        BallProperties ball = scene.Ball;
+        double air = scene.Forces.Buoyancy ? 4.0 / 3.0 * Math.PI * Math.Pow(ball.Radius, 3) * scene.Air.Density / ball.Mass : 0;
+        return (0.5 * ball.Mass * s.Velocity.LengthSquared) + (0.5 * ball.MomentOfInertia * s.Spin.LengthSquared)
+            + (ball.Mass * scene.Gravity * (1 - air) * s.Position.Y);
+    }
+
+    private bool Judge(Ball ball, double since, FormattableString at)
+    {
+        if (ball.Time - since < 18)
+        {
+            return false;
+        }
+
+        // On the roof of a net, which carries nothing, it hangs still, also against the bar.
+        bool hangs = ball.Motion != MotionState.Stopped && Stadium.IsInGoal(ball.State.Position) && ball.State.Velocity.Length < Hanging;
+        bool rests = ball.Motion == MotionState.Stopped || hangs;
+        Dead++;
+        Hung += hangs ? 1 : 0;
+        Restless += rests ? 0 : 1;
+        RestlessAt = rests ? RestlessAt
+            : FormattableString.Invariant($"{FormattableString.Invariant(at)}: {ball.Motion} at {ball.State.Position}, {ball.State.Velocity.Length:0.000} m/s");
+        return true;
+    }
+
+    /// <summary>Steps again what was played, from a snapshot's bytes, all that moves put where it was.</summary>
+    private void Rewind(Stadium stadium, List<PlayedStep> played, Simulator simulator, FormattableString at)
+    {
+        BallState first = played[0].Before;
+        Snapshot.Write(in first, _bytes);
+        BallState state = Snapshot.Read(_bytes);
+        foreach (PlayedStep step in played)
+        {
+            stadium.Restore(step.Kept, state.Time);
+            if (step.Kick is { } kick)
+            {
+                simulator.Kick(ref state, kick.Velocity, kick.Spin);
+            }
+
+            _log.Clear();
+            simulator.Step(ref state, step.Frame, _log);
+            Rewound++;
+            if (Snapshot.Hash(in state) != step.Hash)
+            {
+                RewoundElsewhere++;
+                RewoundElsewhereAt = FormattableString.Invariant($"{FormattableString.Invariant(at)}, step of {step.Before.Time} s, {step.Before.Motion} to {state.Motion}");
+                return;
+            }
+        }
+    }
+
+    private sealed record PlayedStep(BallState Before, Stadium.Placement Kept, (Vector3d Velocity, Vector3d Spin)? Kick, double Frame, ulong Hash);
+}

@@ -1,0 +1,85 @@
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Labs.People;
+
+/// <summary>Spheres of an engine that lie about a pitch, every second of them on its way.</summary>
+internal sealed class StadiumSpheres : IEngineColliders
+{
+    private const double Fastest = 6;
+    private readonly EngineCollider[] _colliders;
+    private readonly double[] _radii;
+    private readonly Vector3d[] _velocities;
+    private readonly Vector3d[] _places;
+
+    public StadiumSpheres(int count, SeededRandom random)
+    {
+        _colliders = new EngineCollider[count];
+        _radii = new double[count];
+        _velocities = new Vector3d[count];
+        _places = new Vector3d[count];
+        for (int i = 0; i < count; i++)
+        {
+            _radii[i] = random.Uniform(0.1, 0.6);
+            _colliders[i] = new EngineCollider(FormattableString.Invariant($"sphere {i}"), new SphereShape(Vector3d.Zero, _radii[i]), Surface.Wood);
+            _places[i] = new Vector3d(random.Uniform(-30, 30), (_radii[i] * random.Uniform(0.8, 1)) + random.Uniform(0, 2.2), random.Uniform(-45, 45));
+            _velocities[i] = i % 2 == 0 ? Vector3d.Zero : random.Uniform(0.5, 5) * random.Heading();
+        }
+    }
+
+    /// <inheritdoc/>
+    public double Time { get; set; }
+
+    /// <inheritdoc/>
+    public double GreatestSpeed => Fastest;
+
+    /// <inheritdoc/>
+    public void Cast(in SphereCast cast, EngineHits hits)
+    {
+        for (int i = 0; i < _colliders.Length; i++)
+        {
+            Vector3d way = _places[i] - cast.From;
+            double along = Math.Clamp(Vector3d.Dot(way, cast.Direction), 0, cast.Distance);
+            if ((way - (along * cast.Direction)).Length <= _radii[i] + cast.Radius)
+            {
+                _colliders[i].MoveTo(_places[i], Quaterniond.Identity, _velocities[i], Vector3d.Zero);
+                hits.Add(_colliders[i]);
+            }
+        }
+    }
+
+    /// <summary>On by a frame, and back from the boards.</summary>
+    public void Move(double duration)
+    {
+        for (int i = 0; i < _places.Length; i++)
+        {
+            Vector3d to = _places[i] + (duration * _velocities[i]);
+            Vector3d v = _velocities[i];
+            double x = Math.Abs(to.X) > 34 ? -Math.Sign(to.X) * Math.Abs(v.X) : v.X;
+            double z = Math.Abs(to.Z) > 52 ? -Math.Sign(to.Z) * Math.Abs(v.Z) : v.Z;
+            _velocities[i] = new Vector3d(x, 0, z);
+            _places[i] = to;
+        }
+    }
+
+    /// <summary>From the nearest of their surfaces, a time after the frame began.</summary>
+    public double Distance(Vector3d place, double after)
+    {
+        double nearest = double.PositiveInfinity;
+        for (int i = 0; i < _places.Length; i++)
+        {
+            nearest = Math.Min(nearest, (place - (_places[i] + (after * _velocities[i]))).Length - _radii[i]);
+        }
+
+        return nearest;
+    }
+
+    /// <summary>Where they are and how they move, to be put there again.</summary>
+    public (Vector3d[] Places, Vector3d[] Velocities) Keep() => ([.. _places], [.. _velocities]);
+
+    /// <summary>Puts them where they were.</summary>
+    public void Restore((Vector3d[] Places, Vector3d[] Velocities) kept)
+    {
+        kept.Places.CopyTo(_places, 0);
+        kept.Velocities.CopyTo(_velocities, 0);
+    }
+}

@@ -1,0 +1,31 @@
+namespace Football.Physics.Labs.People;
+
+/// <summary>A footballer as a game has one: a capsule on the ground, in a scene of his own.</summary>
+internal sealed class WalkingPlayer
+{
+    public const double Radius = 0.25;
+    private const double Top = 1.55;
+    private readonly Body _body;
+
+    public WalkingPlayer(Bodies bodies, string name, Surface? surface = null) =>
+        _body = bodies.Add(name, new CapsuleShape(new Vector3d(0, Radius, 0), new Vector3d(0, Top, 0), Radius), surface ?? Surface.Boot);
+
+    /// <summary>On the ground, m.</summary>
+    public Vector3d Place { get; set; }
+
+    /// <summary>Along the ground, m/s.</summary>
+    public Vector3d Velocity { get; set; }
+
+    /// <summary>Where the ball's next step is to find him.</summary>
+    public void Put(double time) => _body.MoveTo(Place, Velocity, time);
+
+    /// <summary>On by a frame.</summary>
+    public void Walk(double duration) => Place += duration * Velocity;
+
+    /// <summary>From his surface, a time after the frame began; negative inside.</summary>
+    public double Distance(Vector3d place, double after)
+    {
+        Vector3d foot = Place + (after * Velocity);
+        return Solid.Capsule(place, foot + new Vector3d(0, Radius, 0), foot + new Vector3d(0, Top, 0), Radius);
+    }
+}

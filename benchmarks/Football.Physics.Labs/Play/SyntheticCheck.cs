@@ -1,0 +1,125 @@
+using Football.Physics.Tracks;
+
+namespace Football.Physics.Labs.Play;
+
+/// <summary>How much of simulated minutes a fit finds, and how often the truth is where it says.</summary>
+internal sealed class SyntheticCheck
+{
+    /// <summary>Flights from this on are counted, s.</summary>
+    private const double Shortest = 0.3;
+
+    /// <summary>A flight is found where what the two have in common is more than this share of what they have together; a flight begins up to a frame before its first point.</summary>
+    private const double Overlap = 0.8;
+    private const double Frame = SyntheticMatch.Interval;
+
+    /// <summary>A hop that rises no higher than so many deviations of a point is not told from a ball that rolls.</summary>
+    private const double RiseShare = 5;
+
+    /// <summary>An event is found to within so much, s.</summary>
+    private const double EventError = 0.05;
+
+    /// <summary>Six numbers together are within a box of 95 % where each is within so many deviations.</summary>
+    private const double Box = 2.631;
+
+    private const double One = 1.96;
+
+    public int Flights { get; private set; }
+
+    public int FlightsFound { get; private set; }
+
+    public int Impacts { get; private set; }
+
+    public int ImpactsFound { get; private set; }
+
+    public int Launches { get; private set; }
+
+    public int LaunchesWithin { get; private set; }
+
+    /// <summary>Numbers of the whole track, and those within 1.96 deviations.</summary>
+    public int Numbers { get; private set; }
+
+    public int NumbersWithin { get; private set; }
+
+    public double Squares { get; private set; }
+
+    public int Matches { get; private set; }
+
+    public void Run(SyntheticMatch match)
+    {
+        MatchFitResult fit = new MatchFit(SyntheticMatch.Known).Find([.. match.Seen], new MatchFitRequest { Crisis = false });
+        Matches++;
+        Squares += fit.Rms * fit.Rms;
+        CountFlights(match, fit);
+        CountNumbers(match, fit);
+    }
+
+    private void CountFlights(SyntheticMatch match, MatchFitResult fit)
+    {
+        MatchPiece[] flights = [.. fit.Pieces.Where(piece => piece.Kind == MatchPieceKind.Flight)];
+        double from = 0;
+        foreach ((double time, bool impact) in match.Events.Append((match.Truth[^1].Time, false)))
+        {
+            double first = from;
+            from = time;
+
+            // Airborne all the time, and seen all the time: a gap or a seam in it makes two of it.
+            bool flies = time - first >= Shortest && match.Truth.Where(ball => ball.Time > first + 1e-9 && ball.Time < time - 1e-9).All(ball => ball.Motion == MotionState.Airborne);
+            bool isSeen = !match.Gaps.Exists(gap => gap.From < time && gap.To > first) && !Array.Exists(match.Seams, seam => seam > first && seam < time);
+            double rise = match.Truth.Where(ball => ball.Time > first && ball.Time < time).Select(ball => ball.Position.Y).DefaultIfEmpty().Max()
+                - Math.Max(match.Truth.Last(ball => ball.Time <= first + 1e-9).Position.Y, match.Truth.Last(ball => ball.Time <= time + 1e-9).Position.Y);
+            bool canBeTold = !impact || rise > RiseShare * match.Noise;
+            if (!flies || !isSeen || !canBeTold)
+            {
+                continue;
+            }
+
+            Flights++;
+            MatchPiece? found = Array.Find(flights, piece => Math.Min(piece.To + Frame, time) - Math.Max(piece.From - Frame, first) > Overlap * (Math.Max(piece.To, time) - Math.Min(piece.From, first)));
+            FlightsFound += found is null ? 0 : 1;
+            if (impact && time < match.Truth[^1].Time)
+            {
+                Impacts++;
+                ImpactsFound += fit.Pieces.Any(piece => piece.Kind == MatchPieceKind.Impact && Math.Abs(piece.From - time) < EventError) ? 1 : 0;
+            }
+
+            if (found is not null)
+            {
+                (Vector3d velocity, Vector3d spin) = TruthAt(match, found.From, first);
+                Launches++;
+                LaunchesWithin += IsWithin(velocity - found.Velocity, found.VelocityDeviation) && IsWithin(spin - found.Spin, found.SpinDeviation) ? 1 : 0;
+            }
+        }
+    }
+
+    /// <summary>Velocity and spin at the beginning of a flight that was found; where that is a frame too early, as if the flight had begun then.</summary>
+    private static (Vector3d Velocity, Vector3d Spin) TruthAt(SyntheticMatch match, double time, double first)
+    {
+        int at = match.Truth.FindIndex(ball => ball.Time > Math.Max(time - 1e-6, first));
+        BallState next = match.Truth[at];
+        BallState second = match.Truth[Math.Min(match.Truth.Count - 1, at + 1)];
+        Vector3d acceleration = (second.Velocity - next.Velocity) / SyntheticMatch.Interval;
+        return (next.Velocity - ((next.Time - time) * acceleration), next.Spin);
+    }
+
+    private void CountNumbers(SyntheticMatch match, MatchFitResult fit)
+    {
+        for (int i = 0; i < fit.Names.Count; i++)
+        {
+            double? truth = fit.Names[i] switch
+            {
+                "wind.x" => match.Wind.X,
+                "wind.z" => match.Wind.Z,
+                "drag" => match.Drag,
+                _ => null,
+            };
+            if (truth is { } number)
+            {
+                Numbers++;
+                NumbersWithin += Math.Abs(fit.Value(i) - number) <= One * fit.Deviation(i) ? 1 : 0;
+            }
+        }
+    }
+
+    private static bool IsWithin(Vector3d off, Vector3d deviation) =>
+        Math.Abs(off.X) <= Box * deviation.X && Math.Abs(off.Y) <= Box * deviation.Y && Math.Abs(off.Z) <= Box * deviation.Z;
+}

@@ -1,0 +1,34 @@
+// Code in colours, and a button that copies it.
+const KEYWORDS = "using|var|new|foreach|for|while|if|else|in|is|and|or|not|return|class|sealed|record|struct|public|private|internal|static|readonly|const|double|int|bool|string|byte|long|ulong|null|true|false|with|switch|break|continue|out|ref|default|get|set|init|namespace|void|this|base|override";
+const TOKENS = new RegExp(`(//[^\\n]*)|(\\$?"(?:\\\\.|[^"\\\\])*")|\\b(${KEYWORDS})\\b|\\b(\\d[\\d_]*(?:\\.\\d+)?(?:e-?\\d+)?)\\b|\\b([A-Z][A-Za-z0-9]*)\\b`, "g");
+const KINDS = ["comment", "string", "keyword", "number", "type"];
+
+for (const code of document.querySelectorAll("pre > code")) {
+  const text = code.textContent;
+  if (code.className.includes("csharp")) {
+    const parts = [];
+    let at = 0;
+    for (const match of text.matchAll(TOKENS)) {
+      parts.push(text.slice(at, match.index));
+      const span = document.createElement("span");
+      span.className = KINDS[match.slice(1).findIndex(x => x !== undefined)];
+      span.textContent = match[0];
+      parts.push(span);
+      at = match.index + match[0].length;
+    }
+    parts.push(text.slice(at));
+    code.replaceChildren(...parts);
+  }
+  if (code.className.includes("language-text")) continue;
+  const button = Object.assign(document.createElement("button"), { type: "button", className: "copy", textContent: "copy" });
+  button.addEventListener("click", async () => {
+    await navigator.clipboard.writeText(text);
+    button.textContent = "copied";
+    setTimeout(() => { button.textContent = "copy"; }, 1500);
+  });
+  const frame = document.createElement("div");
+  frame.className = "code";
+  const block = code.parentElement;
+  block.replaceWith(frame);
+  frame.append(block, button);
+}

@@ -1,0 +1,101 @@
+using Football.Physics.Prediction;
+using Football.Physics.Shapes;
+
+/// <summary>A goalkeeper: two bodies that the ball can hit, trunk and gloves, and one dive towards where the library says that the ball crosses the line.</summary>
+internal sealed class Keeper
+{
+    /// <summary>From his feet to his gloves when he is stretched, m.</summary>
+    private const double Length = 2.2;
+
+    /// <summary>From his feet to his shoulders, m.</summary>
+    private const double Shoulders = 1.4;
+
+    private readonly Player _player;
+    private readonly Goal _goal;
+    private readonly Body _trunk;
+    private readonly Body _gloves;
+    private readonly Vector3d _feet;
+    private readonly Vector3d _ready;
+    private Vector3d _reached;
+    private Vector3d _landing;
+    private double _from = double.PositiveInfinity;
+    private double _until = double.PositiveInfinity;
+
+    /// <summary>A goalkeeper in the middle of a goal, half a metre before its line.</summary>
+    /// <param name="goal">The goal.</param>
+    /// <param name="reaction">How long he takes to react, s.</param>
+    /// <param name="speed">How fast his gloves get, m/s.</param>
+    public Keeper(Goal goal, double reaction, double speed)
+    {
+        _goal = goal;
+        _feet = goal.Center + new Vector3d(0, 0, 0.5);
+        _ready = _feet + new Vector3d(0, 1.2, 0.25);
+        _player = new Player { Position = _feet, Reaction = reaction, Acceleration = 14, Speed = speed, Reach = 0.6, HighestHeight = 2.6 };
+        _trunk = Bodies.Add("keeper", new CapsuleShape(new Vector3d(0, -0.6, 0), new Vector3d(0, 0.6, 0), 0.2), Surface.Boot);
+        _gloves = Bodies.Add("gloves", new SphereShape(Vector3d.Zero, 0.17), Surface.Glove);
+        MoveTo(0);
+    }
+
+    /// <summary>What the ball can hit of him; for the scene.</summary>
+    public Bodies Bodies { get; } = [];
+
+    /// <summary>The library's answer to the shot he dives for.</summary>
+    public KeeperAnswer Answer { get; private set; }
+
+    /// <summary>Sees a shot, and makes up his mind.</summary>
+    /// <param name="path">Where the ball goes if he does nothing, from now on.</param>
+    public void Watch(Trajectory path)
+    {
+        Answer = new Interception().FindSave(path, _player, _goal);
+        (_from, _until) = (double.PositiveInfinity, double.PositiveInfinity);
+        double aside = Answer.Crossing.Position.X - _feet.X;
+        if (!Answer.Crosses || Math.Abs(aside) > (0.5 * _goal.Width) + 1 || Answer.Crossing.Position.Y > _goal.Height + 0.8)
+        {
+            return;                                        // he lets it go
+        }
+
+        _from = path.StartTime + _player.Reaction;
+        _until = Math.Max(Answer.Crossing.Time, _from + 0.25);
+
+        // All the way where he gets there in time; else as far as he covers.
+        double covers = Math.Max(Math.Abs(Answer.CoversFrom), Math.Abs(Answer.CoversTo)) - _player.Reach;
+        double share = Answer.Saves ? 1 : Math.Clamp(covers / Math.Max(Math.Abs(aside), 1e-9), 0.2, 0.9);
+        var target = new Vector3d(Answer.Crossing.Position.X, Math.Max(0.15, Answer.Crossing.Position.Y), _feet.Z - 0.1);
+        _reached = Vector3d.Lerp(_ready, target, share);
+        _landing = new Vector3d(_reached.X, Math.Min(_reached.Y, 0.25), _reached.Z);
+    }
+
+    /// <summary>Puts him where he is at a time, before a step that begins then.</summary>
+    public void MoveTo(double time)
+    {
+        const double moment = 1e-4;
+        (Vector3d feet, Vector3d shoulders, Vector3d gloves) = At(time);
+        (Vector3d feetNext, Vector3d shouldersNext, Vector3d glovesNext) = At(time + moment);
+        Vector3d up = (shoulders - feet).Normalized();
+        Vector3d upNext = (shouldersNext - feetNext).Normalized();
+        Vector3d middle = feet + (0.75 * up);
+        Vector3d middleNext = feetNext + (0.75 * upNext);
+        double half = Math.Sqrt(Math.Max(1e-9, 0.5 * (1 + up.Y)));
+        var turn = new Quaterniond(0.5 * up.Z / half, 0, -0.5 * up.X / half, half);
+        _trunk.MoveTo(middle, turn, (middleNext - middle) / moment, Vector3d.Cross(up, upNext - up) / moment, time);
+        _gloves.MoveTo(gloves, (glovesNext - gloves) / moment, time);
+    }
+
+    /// <summary>Feet, shoulders and gloves at a time.</summary>
+    public (Vector3d Feet, Vector3d Shoulders, Vector3d Gloves) At(double time)
+    {
+        double dived = Math.Clamp((time - _from) / (_until - _from), 0, 1);
+        double fallen = Math.Clamp((time - _until - 0.1) / 0.4, 0, 1);
+        Vector3d gloves = double.IsPositiveInfinity(_from) || dived <= 0 ? _ready
+            : Vector3d.Lerp(Vector3d.Lerp(_ready, _reached, dived * (2 - dived)), _landing, fallen * fallen);
+
+        // He leans as far as his gloves are aside; what lean does not give, his feet do.
+        double aside = gloves.X - _feet.X;
+        double lean = Math.Clamp(aside / Length, -0.97, 0.97);
+        double height = Math.Sqrt(1 - (lean * lean));
+        double lifted = Math.Max(0, gloves.Y - (Length * height) - 0.2);
+        var feet = new Vector3d(_feet.X + aside - (Length * lean), Math.Max(0.1, lifted), _feet.Z);
+        var up = new Vector3d(lean, height, 0);
+        return (feet, feet + (Shoulders * up), gloves);
+    }
+}

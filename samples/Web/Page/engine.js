@@ -1,0 +1,45 @@
+// Calls the library in its worker; each answer is a promise, undefined where a newer call took its place.
+class Engine {
+  static async start() {
+    const packed = JSON.parse(document.getElementById("resources").textContent), files = {};
+    await Promise.all(Object.entries(packed).map(async ([name, text]) => {
+      const bytes = Uint8Array.from(atob(text), c => c.charCodeAt(0));
+      files[name] = await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+    }));
+    const source = new Blob([document.getElementById("worker").textContent], { type: "text/javascript" });
+    const engine = new Engine(new Worker(URL.createObjectURL(source)));
+    await engine.ready(files);
+    return engine;
+  }
+
+  constructor(worker) {
+    this.worker = worker;
+    this.calls = new Map();
+    this.last = 0;
+  }
+
+  ready(files) {
+    return new Promise((done, failed) => {
+      this.worker.onerror = e => failed(new Error(e.message));
+      this.worker.onmessage = e => {
+        if (e.data.ready) done();
+        else if (e.data.failed) failed(new Error(e.data.failed));
+        else this.answered(e.data);
+      };
+      this.worker.postMessage({ files }, Object.values(files));
+    });
+  }
+
+  answered({ id, value, error }) {
+    const call = this.calls.get(id);
+    this.calls.delete(id);
+    if (error) call.failed(new Error(error)); else call.done(value);
+  }
+
+  call(name, args, latest) {
+    return new Promise((done, failed) => {
+      this.calls.set(++this.last, { done, failed });
+      this.worker.postMessage({ id: this.last, call: name, args, latest });
+    });
+  }
+}

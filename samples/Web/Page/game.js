@@ -1,0 +1,71 @@
+// A ball under way: what the library tells of it, in rows, as a track that is drawn while it still grows.
+const ROWS = [19, 9, 11, 10];
+const KINDS = ["impact", "slide", "roll", "rest", "net", "goal", "leave", "squeezed"];
+
+class Flown {
+  constructor(number, colour, radius) {
+    Object.assign(this, { number, colour, radius, events: [], keeper: [], bulges: [], keys: [], track: null, isOver: false, unfolds: true, plain: true });
+  }
+
+  // What there is of it so far, s.
+  get end() { return this.keys.length > 0 ? this.keys[this.keys.length - 1].t : 0; }
+
+  take(told, nameOf) {
+    const rows = Array.from(told);
+    for (let i = 0; i < rows.length; i += ROWS[rows[i]]) {
+      const row = rows.slice(i + 1, i + ROWS[rows[i]]);
+      switch (rows[i]) {
+        case 0:
+          this.key({ t: row[0], p: row.slice(1, 4), before: row.slice(4, 7), v: row.slice(7, 10), spin: row.slice(10, 13), q: row.slice(13, 17), motion: row[17] });
+          break;
+        case 1:
+          this.events.push({ kind: KINDS[row[0]], thing: row[1], surface: nameOf(row[1]), time: row[2], position: row.slice(3, 6), before: row[6], after: row[7] });
+          break;
+        case 2:
+          this.keeper.push({ t: row[0], feet: row.slice(1, 4), shoulders: row.slice(4, 7), hands: row.slice(7, 10) });
+          break;
+        default:
+          this.bulges.push({ t: row[0], net: row[1], depth: row[2], position: row.slice(3, 6), direction: row.slice(6, 9) });
+      }
+    }
+    this.track = new Track({ keys: this.keys });
+  }
+
+  // At one instant there is one key, whose velocities before and after differ.
+  key(key) {
+    const last = this.keys[this.keys.length - 1];
+    if (last && key.t - last.t < 1e-9) {
+      if (key.before.some((x, i) => x !== key.v[i])) this.keys[this.keys.length - 1] = { ...key, before: last.before };
+      return;
+    }
+    this.keys.push(key);
+  }
+
+  keeperAt(t) {
+    if (this.keeper.length === 0) return null;
+    const i = clamp(Math.round(t / 0.01), 0, this.keeper.length - 1);
+    return this.keeper[i];
+  }
+
+  bulgesAt(t) {
+    const now = new Map();
+    for (const b of this.bulges) if (b.t <= t + 1e-9 && b.t > t - 0.0101) now.set(b.net, b);
+    return now;
+  }
+
+  first(...kinds) { return this.events.find(e => kinds.includes(e.kind)); }
+
+  // The sentence that a spectator would say, as soon as it is clear.
+  verdict(t) {
+    const seen = this.events.filter(e => e.time <= t);
+    const goal = seen.find(e => e.kind === "goal");
+    const touched = name => seen.some(e => e.kind === "impact" && (!goal || e.time < goal.time) && name.test(e.surface));
+    if (goal) return touched(/keeper|gloves/) ? "In off the keeper!" : touched(/post|bar/) ? "In off the woodwork!" : "GOAL!";
+    if (touched(/keeper|gloves/)) return "Saved!";
+    if (touched(/bar/)) return "Off the bar!";
+    if (touched(/post/)) return "Off the post!";
+    if (touched(/wall|head/)) return "Into the wall.";
+    if (seen.some(e => e.kind === "net")) return "Side netting.";
+    return this.isOver && t >= this.end - 0.02 || t > 3.5 ? "Wide." : "";
+  }
+}

@@ -1,0 +1,32 @@
+namespace Football.Physics.Native;
+
+/// <summary>What a handle of C stands for.</summary>
+internal sealed class CompiledScene
+{
+    /// <summary>An aimer that no thread uses now: it belongs to one at a time.</summary>
+    private Aimer? _aimer;
+
+    /// <summary>One that no thread uses now.</summary>
+    private LaunchDerivatives? _derivatives;
+
+    /// <summary>Compiles a scene.</summary>
+    public CompiledScene(Scene scene, SolverSettings settings) => Simulator = new Simulator(scene, settings);
+
+    /// <summary>The scene as C# steps it.</summary>
+    public Simulator Simulator { get; }
+
+    /// <summary>The handle; 0 until there is one.</summary>
+    public nuint Handle { get; set; }
+
+    /// <summary>An aimer, to be given back.</summary>
+    public Aimer TakeAimer() => Interlocked.Exchange(ref _aimer, null) ?? new Aimer(Simulator);
+
+    /// <summary>What finds derivatives, to be given back.</summary>
+    public LaunchDerivatives TakeDerivatives() => Interlocked.Exchange(ref _derivatives, null) ?? new LaunchDerivatives(Simulator);
+
+    /// <summary>Keeps an aimer for the next call.</summary>
+    public void GiveBack(Aimer aimer) => Volatile.Write(ref _aimer, aimer);
+
+    /// <summary>Keeps it for the next call.</summary>
+    public void GiveBack(LaunchDerivatives derivatives) => Volatile.Write(ref _derivatives, derivatives);
+}

@@ -1,0 +1,67 @@
+using System.Text.Json;
+using Football.Scenarios;
+using Football.Scenarios.Input;
+
+namespace Football.Physics.Native;
+
+/// <summary>Scenes and requests for kicks that come as text; their members are those of a scenario.</summary>
+internal static unsafe class Requests
+{
+    /// <summary>The caller's text, where it lies.</summary>
+    public static ReadOnlySpan<byte> Text(byte* json, long bytes, string name)
+    {
+        Guard.Given(json, name);
+        if (bytes < 0 || bytes > LineReader.LongestInput)
+        {
+            throw Guard.Refusal(name + "_bytes", bytes.ToString(System.Globalization.CultureInfo.InvariantCulture), $"0 … {LineReader.LongestInput}");
+        }
+
+        return new ReadOnlySpan<byte>(json, (int)bytes);
+    }
+
+    /// <summary>Reads, checks and compiles a scene.</summary>
+    /// <exception cref="RefusedException">A member is unknown, of the wrong type or out of range.</exception>
+    public static CompiledScene Scene(ReadOnlySpan<byte> json)
+    {
+        InputFields fields = Fields(json);
+        Scene scene = SceneInput.Scene(fields.Root);
+        SolverSettings settings = SceneInput.Solver(fields.Root, out _);
+        fields.Check();
+        try
+        {
+            return new CompiledScene(scene, settings);
+        }
+        catch (ArgumentException e) when (LibraryRefusal.Of(e, fields) is { } refusal)
+        {
+            throw refusal;
+        }
+    }
+
+    /// <summary>Reads a request, and finds the kick.</summary>
+    /// <exception cref="RefusedException">A member is unknown, missing, of the wrong type or out of range.</exception>
+    public static AimResult Aim(CompiledScene scene, ReadOnlySpan<byte> json)
+    {
+        InputFields fields = Fields(json);
+        AimRequest request = AimInput.Request(fields.Root);
+        fields.Check();
+        Aimer aimer = scene.TakeAimer();
+        try
+        {
+            return aimer.Find(request);
+        }
+        catch (ArgumentException e) when (LibraryRefusal.Of(e, fields) is { } refusal)
+        {
+            throw refusal;
+        }
+        finally
+        {
+            scene.GiveBack(aimer);
+        }
+    }
+
+    private static InputFields Fields(ReadOnlySpan<byte> json)
+    {
+        JsonFault? fault = JsonText.Parse(json, out JsonElement root);
+        return fault is null ? new InputFields(root) : throw new RefusedException(fault.Path.Length > 0 ? fault.Path : "the input", fault.Value, fault.Expected);
+    }
+}

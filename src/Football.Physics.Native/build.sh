@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# Builds the C library and lays it out as it is installed: lib, include, and what CMake's find_package reads.
+#   src/Football.Physics.Native/build.sh DIR [RID]       RID: that of this machine, or linux-x64, linux-arm64, win-x64, osx-arm64
+# NativeAOT links for the system it runs on: Windows' library is made on Windows, Apple's on a Mac. For linux-arm64 on x64 Debian's gcc-aarch64-linux-gnu links.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 MSBUILDTERMINALLOGGER=off MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=false
+
+(( $# >= 1 && $# <= 2 )) || { sed -n '2,4s/^# \{0,1\}//p' "$0" >&2; exit 2; }
+mkdir -p "$1"
+out=$(cd "$1" && pwd)
+here=$(dotnet --info | awk '$1 == "RID:" { print $2; exit }')
+case $here in *-arm64) here=linux-arm64 ;; debian*|ubuntu*|linux*) here=linux-x64 ;; esac
+rid=${2:-$here}
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cross=()
+if [[ $rid == linux-arm64 && $here == linux-x64 ]]; then
+  # NativeAOT tells its linker the target as clang wants it; gcc's name says it.
+  printf '#!/usr/bin/env bash\nargs=()\nfor arg; do [[ $arg == --target=* ]] || args+=("$arg"); done\nexec aarch64-linux-gnu-gcc "${args[@]}"\n' > "$work/gcc"
+  chmod +x "$work/gcc"
+  cross=("-p:CppCompilerAndLinker=$work/gcc" -p:ObjCopyName=aarch64-linux-gnu-objcopy -p:LinkerFlavor=bfd)
+fi
+
+dotnet publish -c Release "-p:NativeSystem=$rid" --artifacts-path "$work/build" -o "$work" -p:RunAnalyzers=false "${cross[@]}" Football.Physics.Native.csproj >&2
+
+mkdir -p "$out/include" "$out/lib/cmake/football_physics"
+cp include/football_physics.h "$out/include/"
+cp cmake/football_physics-config.cmake "$out/lib/cmake/football_physics/"
+case $rid in
+  win-*) mkdir -p "$out/bin" && cp "$work/football_physics.dll" "$out/bin/" && cp "$work"/build/bin/Football.Physics.Native/release_"$rid"/native/football_physics.lib "$out/lib/" ;;
+  osx-*) cp "$work/libfootball_physics.dylib" "$out/lib/" ;;
+  *) cp "$work/libfootball_physics.so" "$out/lib/" ;;
+esac

@@ -1,0 +1,356 @@
+/* Football.Physics: the flight, bounce and roll of a football. Made of the exports by tests/regenerate.sh; not to be edited. */
+#ifndef FOOTBALL_PHYSICS_H
+#define FOOTBALL_PHYSICS_H
+
+#include <stdint.h>
+
+#if defined(_WIN32)
+#define FP_API __declspec(dllimport)
+#else
+#define FP_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define FP_ABI_VERSION 1
+#define FP_STATE_BYTES 216
+#define FP_SNAPSHOT_BYTES 228
+
+/* The outcome of a call. */
+typedef enum {
+    /* Done. */
+    FP_OK = 0,
+    /* An argument is null or out of range, or a state is none that the library made; nothing has changed. */
+    FP_ARGUMENT = 1,
+    /* The text of a scene or of a request is refused: no JSON, an unknown member, a number out of range. */
+    FP_SCENE = 2,
+    /* The caller's buffer is too short: it holds as much as it has room for, and the call says how much there is. */
+    FP_BUFFER = 3,
+    /* The handle is none of a scene: it is null, was freed, or never was one. */
+    FP_HANDLE = 4,
+    /* Header and library do not belong together. */
+    FP_ABI = 5,
+    /* A fault of the library, or no memory left; what the call was to write is not to be used. */
+    FP_INTERNAL = 6
+} fp_status;
+
+/* The motion of the ball, which decides which forces act. */
+typedef enum {
+    /* In the air, between bounces included. */
+    FP_MOTION_AIRBORNE = 0,
+    /* On the ground, its contact point slipping. */
+    FP_MOTION_SLIDING = 1,
+    /* On the ground without slip. */
+    FP_MOTION_ROLLING = 2,
+    /* At rest until the next kick; costs nothing. */
+    FP_MOTION_STOPPED = 3,
+    /* Between things of which some move, and which leave it no room: it is not bounced, and not faster than they are. */
+    FP_MOTION_SQUEEZED = 4
+} fp_motion;
+
+/* The kind of an event of the ball. At one instant an impact comes first, then what follows from it. */
+typedef enum {
+    /* The ball hit the ground, or another thing. */
+    FP_EVENT_IMPACT = 0,
+    /* After an impact the ball stayed down, slipping. */
+    FP_EVENT_SLIDE = 1,
+    /* The slip ended, or the ball stayed down without any: pure rolling. */
+    FP_EVENT_ROLL = 2,
+    /* The ball came to rest. */
+    FP_EVENT_REST = 3,
+    /* The ball met a net. */
+    FP_EVENT_NET = 4,
+    /* All of the ball is over the line of a goal, which is as wide as its posts: the centre has come through the mouth, the plane of the
+       posts' axes, between the posts and below the bar, has not gone back through it, and is now the radii of post and ball behind the
+       line's middle, wherever on that plane. Once for each goal, until the ball is kicked or placed. */
+    FP_EVENT_GOAL = 5,
+    /* The ball left what carried it without an impact with it: over a crest, or lifted by a hit. */
+    FP_EVENT_LEAVE = 6,
+    /* Things that move leave the ball no room, and the thing is one of them: until the next such event, which has no thing, nothing bounces
+       it, and what it hits is not told one by one. The ball is then Squeezed. */
+    FP_EVENT_SQUEEZED = 7
+} fp_event_kind;
+
+/* The event that ends a run before its time is up. */
+typedef enum {
+    /* Nothing: the run goes on until its time. */
+    FP_STOP_TIME = 0,
+    /* The first impact with the ground, just after the impulse. */
+    FP_STOP_IMPACT = 1,
+    /* The ball coming to rest. */
+    FP_STOP_REST = 2
+} fp_stop;
+
+/* The outcome of a search for a kick. */
+typedef enum {
+    /* The kick passes the target within the tolerance, and the point on the way, where there is one, within its own. */
+    FP_AIM_HIT = 0,
+    /* No kick within the bounds does; the one returned comes closest, as far as the method can tell. */
+    FP_AIM_OUT_OF_REACH = 1,
+    /* The method ended at its bound, MaximumIterations, or a miss is too small for its own steps; the kick returned is the best it found. */
+    FP_AIM_NOT_CONVERGED = 2,
+    /* The request has no direction: the target is where the ball is. */
+    FP_AIM_DEGENERATE = 3,
+    /* The kick passes the target within the tolerance, but not the point on the way: the spins allowed do not bend it enough. */
+    FP_AIM_TARGET_ONLY = 4,
+    /* The kick returned would hit, but something of the scene is in its way: BlockedBy says what. */
+    FP_AIM_BLOCKED = 5
+} fp_aim_status;
+
+/* A scene, checked and compiled; nothing changes it, and any number of threads may use it at once, also while one of them frees it. The
+   pointer is a handle, not an address. */
+typedef struct fp_scene fp_scene;
+
+/* The whole state of a ball, plain: copy it to save, to restore and to roll back; balls in the same state have the same bytes. fp_launch
+   makes one; all zero bytes are none. */
+typedef struct { unsigned char bytes[FP_STATE_BYTES]; } fp_state;
+
+/* What there is to see of a ball. Right-handed, y up, SI. */
+typedef struct {
+    /* Position of the centre, m. */
+    double position[3];
+    /* Velocity, m/s. */
+    double velocity[3];
+    /* Angular velocity in the world frame, rad/s. */
+    double spin[3];
+    /* Orientation, body to world, a unit quaternion x, y, z, w. */
+    double orientation[4];
+    /* Time since the launch, s. */
+    double time;
+    /* The motion, one of fp_motion. */
+    int32_t motion;
+    /* 0. */
+    int32_t reserved;
+} fp_ball;
+
+/* Something that happened inside a step, at its exact time and place. */
+typedef struct {
+    /* The kind, one of fp_event_kind. */
+    int32_t kind;
+    /* What was hit, met or passed, or carries the ball: its index among the things of the scene, whose name fp_name tells; -1 for none. */
+    int32_t thing;
+    /* When, s since the launch. */
+    double time;
+    /* Where the centre was, m. */
+    double position[3];
+    /* Velocity just before, m/s. */
+    double velocity_before[3];
+    /* Velocity just after, m/s. */
+    double velocity[3];
+    /* Spin just before, rad/s. */
+    double spin_before[3];
+    /* Spin just after, rad/s. */
+    double spin[3];
+    /* Normal of the contact, from the thing to the ball, of length 1; zero where there is none. */
+    double normal[3];
+} fp_event;
+
+/* How the end of a run changes with its launch. Matrices by rows: the row is the component of the place, the column that of the launch. */
+typedef struct {
+    /* The place at the end by the velocity of the launch, s; at an event the place is that at the event, whose time moves too. */
+    double position_by_velocity[9];
+    /* The place at the end by the spin of the launch, m s/rad. */
+    double position_by_spin[9];
+    /* The velocity at the end, before the event there, by the velocity of the launch. */
+    double velocity_by_velocity[9];
+    /* The velocity at the end, before the event there, by the spin of the launch, m/rad. */
+    double velocity_by_spin[9];
+    /* The time of the end by the velocity of the launch, s^2/m; zero where its time ended the run. */
+    double time_by_velocity[3];
+    /* The time of the end by the spin of the launch, s^2/rad; zero where its time ended the run. */
+    double time_by_spin[3];
+} fp_derivatives;
+
+/* Checks that header and library belong together. Call it once, as FP_CHECK_ABI().
+   version: FP_ABI_VERSION.
+   state_bytes: sizeof(fp_state).
+   ball_bytes: sizeof(fp_ball).
+   event_bytes: sizeof(fp_event).
+   Returns FP_OK, or FP_ABI. */
+FP_API fp_status fp_check_abi(int32_t version, int32_t state_bytes, int32_t ball_bytes, int32_t event_bytes);
+
+/* The version of the library, like "0.1.0".
+   Returns a text in UTF-8, for as long as the library is loaded. */
+FP_API const char* fp_version(void);
+
+/* The sentence of the last call of this thread that failed: field, value and range. No call that succeeds changes it.
+   Returns a text in UTF-8, until the thread's next call that fails; "" where none has. */
+FP_API const char* fp_last_error(void);
+
+/* Reads, checks and compiles a scene.
+   json: An object in UTF-8 with members of a scenario: profile, ball, air, gravity, forces, ground, goals, obstacles, nets, solver; {} is
+     the default scene.
+   json_bytes: Its length in bytes, without a zero at its end; at most 1 048 576.
+   scene: Where the handle goes; null there where the call fails.
+   Returns FP_OK, FP_SCENE where the text is refused, or FP_ARGUMENT. */
+FP_API fp_status fp_scene_create(const char* json, int64_t json_bytes, fp_scene** scene);
+
+/* Frees a scene. A call of another thread that uses it goes on to its end.
+   scene: The scene; a handle that is freed twice is refused, and so is null.
+   Returns FP_OK, or FP_HANDLE. */
+FP_API fp_status fp_scene_free(fp_scene* scene);
+
+/* The name of what an event tells of: "ground", "left post", an obstacle's.
+   scene: The scene.
+   thing: The event's thing; -1 has the name "".
+   name: Where it goes, UTF-8 with a zero at its end.
+   capacity: Bytes there, at least 1; where they are too few, the name is cut, and the call returns FP_BUFFER.
+   Returns FP_OK, FP_BUFFER, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_name(const fp_scene* scene, int32_t thing, char* name, int32_t capacity);
+
+/* A hash of a state, of 64 bits: the one that Snapshot.Hash has in C#, on every machine.
+   state: The state.
+   Returns the hash; 0 where the state is null. */
+FP_API uint64_t fp_hash(const fp_state* state);
+
+/* A ball at the start of its way. Below the ground it is raised to it; where it lies on the ground without speed, it stays.
+   scene: The scene.
+   position: Position of the centre, m; components within +-1e6.
+   velocity: Velocity, m/s; speed at most 1000.
+   spin: Spin, rad/s, world frame; at most 10 000.
+   out: Where the state goes.
+   Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_launch(const fp_scene* scene, const double position[3], const double velocity[3], const double spin[3], fp_state* out);
+
+/* Kicks a ball where it is: new velocity and spin, same place, time and orientation.
+   scene: The scene.
+   state: The ball.
+   velocity: Velocity, m/s; speed at most 1000.
+   spin: Spin, rad/s, world frame; at most 10 000.
+   Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_kick(const fp_scene* scene, fp_state* state, const double velocity[3], const double spin[3]);
+
+/* Advances a ball, and tells what happened on the way. Allocates nothing.
+   scene: The scene.
+   state: The ball.
+   dt: Time to advance by, s; 0 ... 1e12. All of it is one step of the integrator, split only at events.
+   events: Where the events go, in order of time; null where they are not wanted.
+   capacity: How many there is room for, 0 or more.
+   count: Where the number of events goes, those without room included; null where it is not wanted.
+   Returns FP_OK; FP_BUFFER where there are more events than capacity, which are asked for or counted: the step is taken, and the first ones
+   are there; FP_ARGUMENT or FP_HANDLE, and the ball is as it was. */
+FP_API fp_status fp_step(const fp_scene* scene, fp_state* state, double dt, fp_event* events, int32_t capacity, int32_t* count);
+
+/* What there is to see of a ball.
+   scene: The scene.
+   state: The ball.
+   out: Where it goes.
+   Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_read(const fp_scene* scene, const fp_state* state, fp_ball* out);
+
+/* Advances many balls, each by the same steps; events are not told. To use several threads, give each a part of the balls. Allocates
+   nothing.
+   scene: The scene.
+   states: The balls.
+   n: How many, 0 or more.
+   dt: Length of a step, s; 0 ... 1e12.
+   steps: How many steps, 0 or more.
+   Returns FP_OK; FP_ARGUMENT or FP_HANDLE, and the balls are as they were. */
+FP_API fp_status fp_step_many(const fp_scene* scene, fp_state* states, int64_t n, double dt, int32_t steps);
+
+/* Many balls at the start of their ways, as fp_launch.
+   scene: The scene.
+   states: Where the states go.
+   n: How many, 0 or more.
+   mask: n bytes: 0 leaves a ball as it is, or unmade; null launches all.
+   position: n rows x, y, z, m.
+   velocity: n rows x, y, z, m/s.
+   spin: n rows x, y, z, rad/s.
+   Returns FP_OK; FP_ARGUMENT or FP_HANDLE, and no state has been written. */
+FP_API fp_status fp_launch_many(const fp_scene* scene, fp_state* states, int64_t n, const unsigned char* mask, const double* position, const double* velocity, const double* spin);
+
+/* Kicks many balls where they are, as fp_kick.
+   scene: The scene.
+   states: The balls.
+   n: How many, 0 or more.
+   mask: n bytes: 0 leaves a ball as it is; null kicks all.
+   velocity: n rows x, y, z, m/s.
+   spin: n rows x, y, z, rad/s.
+   Returns FP_OK; FP_ARGUMENT or FP_HANDLE, and no ball has been kicked. */
+FP_API fp_status fp_kick_many(const fp_scene* scene, fp_state* states, int64_t n, const unsigned char* mask, const double* velocity, const double* spin);
+
+/* Where many balls are, row by row.
+   scene: The scene.
+   states: The balls.
+   n: How many, 0 or more.
+   position: n rows x, y, z, m; null where they are not wanted.
+   velocity: n rows x, y, z, m/s; null where they are not wanted.
+   spin: n rows x, y, z, rad/s; null where they are not wanted.
+   motion: n of fp_motion; null where they are not wanted.
+   Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_read_many(const fp_scene* scene, const fp_state* states, int64_t n, double* position, double* velocity, double* spin, int32_t* motion);
+
+/* The clocks of many balls.
+   scene: The scene.
+   states: The balls.
+   n: How many, 0 or more.
+   time: n times since the launch, s.
+   Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_time_many(const fp_scene* scene, const fp_state* states, int64_t n, double* time);
+
+/* Advances many balls in equal steps until an event or a time, each for itself: until they land, or until they rest.
+   scene: The scene.
+   states: The balls; one that its event ended is as it was just after it.
+   n: How many, 0 or more.
+   dt: Length of a step, s; above 0, at most 1e12, at least 1e-12 of seconds. The last one is shortened.
+   seconds: How long to go on at most, s; above 0, at most 1e12.
+   stop_at: The event that ends a run, one of fp_stop.
+   ended: n numbers: 1 where the event ended the run, 0 where its time did; null where they are not wanted.
+   Returns FP_OK; FP_ARGUMENT or FP_HANDLE, and the balls are as they were. */
+FP_API fp_status fp_run_many(const fp_scene* scene, fp_state* states, int64_t n, double dt, double seconds, int32_t stop_at, int32_t* ended);
+
+/* Writes a state as bytes to send or to keep: little-endian on every machine, with a checksum; what Snapshot.Write writes in C#.
+   state: The ball.
+   bytes: Where they go.
+   Returns FP_OK or FP_ARGUMENT. */
+FP_API fp_status fp_snapshot_write(const fp_state* state, unsigned char bytes[FP_SNAPSHOT_BYTES]);
+
+/* Reads what fp_snapshot_write, or Snapshot.Write in C#, wrote.
+   bytes: The bytes.
+   out: Where the state goes.
+   Returns FP_OK, or FP_ARGUMENT where the bytes are no state of a ball, or were changed on their way. */
+FP_API fp_status fp_snapshot_read(const unsigned char bytes[FP_SNAPSHOT_BYTES], fp_state* out);
+
+/* Where a ball will be: the simulation itself on a copy. Allocates nothing.
+   scene: The scene.
+   state: The ball; unchanged.
+   seconds: How far to look, s; 0 ... 3600.
+   every: Time between rows, s; 1e-6 ... 3600. It is the step too, or a whole part of it, at most 0.08 s: at the game's own step the rows
+     are the future to the bit.
+   path: Rows t, x, y, z, s since the launch and m: now, and every so often until seconds are over; a ball that rests has rows too.
+   rows: How many rows there is room for, 0 or more.
+   written: Where the number of rows goes that were written; null where it is not wanted.
+   Returns FP_OK, FP_BUFFER where there are more rows, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_look_ahead(const fp_scene* scene, const fp_state* state, double seconds, double every, double* path, int64_t rows, int64_t* written);
+
+/* Finds a kick.
+   scene: The scene.
+   request_json: An object in UTF-8 with the members of a scenario's aim: from, target, speed, and those that may be left out.
+   bytes: Its length in bytes; at most 1 048 576.
+   velocity: Where the velocity of the kick goes, m/s: whatever the verdict, the best one found.
+   spin: Where its spin goes, rad/s, world frame.
+   miss: Where the distance goes by which that kick misses the target, m; null where it is not wanted.
+   aim_status: Where the verdict goes, one of fp_aim_status; null where it is not wanted.
+   Returns FP_OK, whatever the verdict; FP_SCENE where the text is refused, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_aim(const fp_scene* scene, const char* request_json, int64_t bytes, double velocity[3], double spin[3], double* miss, int32_t* aim_status);
+
+/* Runs a ball to an event or a time, and finds how its place there changes with the launch: derivatives, by one run.
+   scene: The scene.
+   state: The ball; its motion now is the launch. It is then as after fp_run_many.
+   dt: Length of a step, s; above 0, at most 1e12, at least 1e-12 of seconds. The last one is shortened.
+   seconds: How long to go on at most, s; above 0, at most 1e12.
+   stop_at: The event that ends the run, one of fp_stop.
+   out: Where the derivatives go.
+   ended: 1 where the event ended the run, 0 where its time did; null where it is not wanted.
+   Returns FP_OK; FP_ARGUMENT or FP_HANDLE, and the ball is as it was. */
+FP_API fp_status fp_derivatives_run(const fp_scene* scene, fp_state* state, double dt, double seconds, int32_t stop_at, fp_derivatives* out, int32_t* ended);
+
+#define FP_CHECK_ABI() fp_check_abi(FP_ABI_VERSION, (int32_t)sizeof(fp_state), (int32_t)sizeof(fp_ball), (int32_t)sizeof(fp_event))
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,46 @@
+"""Builds the wheel with the standard library alone: the package, and the C library that build.sh of Football.Physics.Native made.
+
+    python3 build_wheel.py LIBRARY DIR [PLATFORM]       PLATFORM: a wheel's tag, default that of this machine
+"""
+
+import base64
+import hashlib
+import pathlib
+import re
+import sys
+import sysconfig
+import zipfile
+
+HERE = pathlib.Path(__file__).parent
+TIME = (2026, 1, 1, 0, 0, 0)
+
+
+def main(library: str, folder: str, platform: str = "") -> pathlib.Path:
+    version = re.search(r"<VersionPrefix>(.*)</VersionPrefix>", (HERE.parents[1] / "Directory.Build.props").read_text(encoding="utf-8")).group(1)
+    tag = "py3-none-" + (platform or sysconfig.get_platform()).replace("-", "_").replace(".", "_")
+    info = f"football_physics-{version}.dist-info"
+    files = {f"football_physics/{path.name}": path.read_bytes() for path in sorted((HERE / "football_physics").iterdir()) if path.suffix in (".py", ".typed")}
+    files[f"football_physics/{pathlib.Path(library).name}"] = pathlib.Path(library).read_bytes()
+    files[f"{info}/METADATA"] = (
+        f"Metadata-Version: 2.1\nName: football-physics\nVersion: {version}\nSummary: The flight, bounce and roll of a football.\n"
+        "License: MIT\nRequires-Python: >=3.9\nRequires-Dist: numpy\nDescription-Content-Type: text/markdown\n\n"
+    ).encode() + (HERE.parents[1] / "docs" / "python.md").read_bytes()
+    files[f"{info}/LICENSE"] = (HERE.parents[1] / "LICENSE").read_bytes()
+    files[f"{info}/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: build_wheel.py\nRoot-Is-Purelib: false\nTag: {tag}\n".encode()
+    record = [f"{name},sha256={base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b'=').decode()},{len(data)}" for name, data in files.items()]
+    files[f"{info}/RECORD"] = "\n".join([*record, f"{info}/RECORD,,", ""]).encode()
+    wheel = pathlib.Path(folder) / f"football_physics-{version}-{tag}.whl"
+    wheel.parent.mkdir(parents=True, exist_ok=True)
+    # The same bytes wherever it is built.
+    with zipfile.ZipFile(wheel, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, data in files.items():
+            entry = zipfile.ZipInfo(name, TIME)
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            entry.external_attr = 0o644 << 16
+            archive.writestr(entry, data)
+    print(wheel)
+    return wheel
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,258 @@
+"""Balls: any number of them, with arrays that live."""
+
+from __future__ import annotations
+
+import ctypes
+import enum
+import json
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _native
+from ._scene import Scene
+
+Floats = NDArray[np.float64]
+_step_many, _read_many = _native.step_many, _native.read_many
+
+event_dtype = np.dtype(
+    [("kind", "i4"), ("thing", "i4"), ("time", "f8")]
+    + [(name, "f8", (3,)) for name in ("position", "velocity_before", "velocity", "spin_before", "spin", "normal")]
+    + [("ball", "i8")])
+"""What a step tells of: the members of fp_event, and the index of the ball."""
+
+_NATIVE_EVENT = np.dtype(event_dtype.descr[:-1])
+_DERIVATIVES = 9 * 4 + 3 * 2
+
+
+class Motion(enum.IntEnum):
+    """The motion of a ball."""
+
+    AIRBORNE = 0
+    SLIDING = 1
+    ROLLING = 2
+    STOPPED = 3
+    SQUEEZED = 4
+
+
+class EventKind(enum.IntEnum):
+    """The kind of an event."""
+
+    IMPACT = 0
+    SLIDE = 1
+    ROLL = 2
+    REST = 3
+    NET = 4
+    GOAL = 5
+    LEAVE = 6
+    SQUEEZED = 7
+
+
+class AimResult(NamedTuple):
+    """Kicks that were found, a row a ball: whatever the status, the best ones."""
+
+    velocity: Floats
+    spin: Floats
+    miss: Floats
+    status: NDArray[np.int32]
+
+    @property
+    def hit(self) -> NDArray[np.bool_]:
+        """Which of them pass their targets within the tolerance."""
+        return self.status == 0
+
+
+class Derivatives(NamedTuple):
+    """How the ends of runs change with their launches: ``position_by_velocity[ball, i, j]`` is component i of the end by component j of the launch."""
+
+    position_by_velocity: Floats
+    position_by_spin: Floats
+    velocity_by_velocity: Floats
+    velocity_by_spin: Floats
+    time_by_velocity: Floats
+    time_by_spin: Floats
+    ended: NDArray[np.bool_]
+
+
+def _rows(values: ArrayLike, n: int, name: str) -> Floats:
+    rows = np.ascontiguousarray(np.broadcast_to(np.asarray(values, np.float64), (n, 3)) if np.ndim(values) < 2 else values, np.float64)
+    if rows.shape != (n, 3):
+        raise ValueError(f"{name} has shape {np.shape(values)}; allowed: ({n}, 3), or (3,) for all balls.")
+    return rows
+
+
+class Balls:
+    """Any number of balls in a scene, each for itself.
+
+    ``position``, ``velocity``, ``spin`` (n x 3; m, m/s, rad/s) and ``motion`` (n; :class:`Motion`) are live: the same arrays always, read-only, which every call here
+    brings up to date. Keep one and read it; nothing is copied. One object belongs to one thread at a time; ctypes lets other threads run meanwhile.
+
+    Parameters
+    ----------
+    scene: the scene.
+    n: how many.
+    position: where they lie at first, (n, 3) or (3,); default the origin. Below the ground they are raised to it.
+    """
+
+    def __init__(self, scene: Scene, n: int, position: ArrayLike = (0.0, 0.0, 0.0)) -> None:
+        self.scene = scene
+        self._n = int(n)
+        if self._n < 0:
+            raise ValueError(f"n is {n}; allowed: 0 or more.")
+        self._states = np.zeros((self._n, _native.STATE_BYTES), np.uint8)
+        arrays = [np.zeros((self._n, 3)), np.zeros((self._n, 3)), np.zeros((self._n, 3)), np.zeros(self._n, np.int32)]
+        self._arrays = arrays
+        views = [array.view() for array in arrays]
+        for view in views:
+            view.flags.writeable = False
+        self.position, self.velocity, self.spin, self.motion = views
+        # The addresses once: numpy takes longer to tell one than a step takes.
+        self._handle = scene.handle
+        self._at = self._states.ctypes.data
+        self._out = tuple(array.ctypes.data for array in arrays)
+        self.place(None, position)
+
+    def __len__(self) -> int:
+        return self._n
+
+    def place(self, which: Any, position: ArrayLike, velocity: ArrayLike = (0.0, 0.0, 0.0), spin: ArrayLike = (0.0, 0.0, 0.0)) -> None:
+        """Puts balls somewhere, at time 0, as they move.
+
+        which: a mask of n, a list of indices, or None for all; the rows of the other arguments are those of the balls that are named, or one for all.
+        """
+        mask, rows = self._chosen(which, (position, "position"), (velocity, "velocity"), (spin, "spin"))
+        _native.check(_native.launch_many(self._handle, self._at, self._n, mask.ctypes.data, *(row.ctypes.data for row in rows)))
+        self._read()
+
+    def kick(self, which: Any, velocity: ArrayLike, spin: ArrayLike = (0.0, 0.0, 0.0)) -> None:
+        """Kicks balls where they are. which as in :meth:`place`; speeds at most 1000 m/s, spins 10 000 rad/s."""
+        mask, rows = self._chosen(which, (velocity, "velocity"), (spin, "spin"))
+        _native.check(_native.kick_many(self._handle, self._at, self._n, mask.ctypes.data, *(row.ctypes.data for row in rows)))
+        self._read()
+
+    def step(self, dt: float, k: int = 1) -> None:
+        """Advances all balls by k steps of dt, s."""
+        status = _step_many(self._handle, self._at, self._n, dt, k) or _read_many(self._handle, self._at, self._n, *self._out)
+        if status:
+            _native.fail(status)
+
+    def step_events(self, dt: float, capacity: int = 32) -> NDArray[Any]:
+        """Advances all balls by one step, and tells what happened in it: an array of :data:`event_dtype`, by ball and time."""
+        if capacity < 0:
+            raise ValueError(f"capacity is {capacity}; allowed: 0 or more.")
+        room = np.zeros(capacity, _NATIVE_EVENT)
+        count = ctypes.c_int32()
+        told = []
+        for ball in range(self._n):
+            status = _native.step(self._handle, self._at + ball * _native.STATE_BYTES, dt, room.ctypes.data, capacity, ctypes.byref(count))
+            if status not in (_native.OK, _native.BUFFER):
+                _native.fail(status)
+            if count.value:
+                events = np.zeros(min(count.value, capacity), event_dtype)
+                for name in _NATIVE_EVENT.names or ():
+                    events[name] = room[name][: len(events)]
+                events["ball"] = ball
+                told.append(events)
+        self._read()
+        return np.concatenate(told) if told else np.zeros(0, event_dtype)
+
+    def until_landing(self, dt: float = 1 / 60, seconds: float = 20.0) -> NDArray[np.bool_]:
+        """Flies all balls to their next impact, each for itself, at most so many seconds. Returns which of them had one; they are as they were just after it."""
+        return self._run(dt, seconds, 1)
+
+    def until_rest(self, dt: float = 1 / 60, seconds: float = 60.0) -> NDArray[np.bool_]:
+        """Runs all balls until they rest, at most so many seconds. Returns which of them do."""
+        return self._run(dt, seconds, 2)
+
+    def look_ahead(self, seconds: float = 3.0, every: float = 1 / 60) -> Floats:
+        """Where the balls will be: rows t, x, y, z from now on, (n, rows, 4); the balls stay where they are. At the game's own step it is the future to the bit."""
+        rows = int(seconds / every + 1e-9) + 1 if seconds >= 0 and every > 0 else 0
+        path = np.empty((self._n, rows, 4))
+        for ball in range(self._n):
+            _native.check(_native.look_ahead(self._handle, self._at + ball * _native.STATE_BYTES, seconds, every, path.ctypes.data + ball * rows * 32, rows, None))
+        return path
+
+    def aim(self, targets: ArrayLike, speed: float = 25.0, **request: Any) -> AimResult:
+        """Finds for each ball the kick from where it is to its target, (n, 3) or (3,).
+
+        request: other members of a scenario's aim, by name: ``spin={"side": 40}``, ``elevation={"max": 60}``, ``through=[x, y, z]``, ``arc="high"`` ...
+        """
+        targets = _rows(targets, self._n, "targets")
+        result = AimResult(np.zeros((self._n, 3)), np.zeros((self._n, 3)), np.zeros(self._n), np.zeros(self._n, np.int32))
+        for ball in range(self._n):
+            text = json.dumps({"from": self.position[ball].tolist(), "target": targets[ball].tolist(), "speed": speed, **request}).encode()
+            _native.check(_native.aim(
+                self._handle, text, len(text), result.velocity[ball].ctypes.data, result.spin[ball].ctypes.data, result.miss[ball:].ctypes.data, result.status[ball:].ctypes.data))
+        return result
+
+    def derivatives(self, seconds: ArrayLike, dt: float = 0.01, stop: str = "time") -> Derivatives:
+        """Runs all balls for a time (one, or one a ball), or until an event before it (``stop``: time, impact or rest), and finds how their ends change with their launches: by one run each."""
+        stops = {"time": 0, "impact": 1, "rest": 2}
+        if stop not in stops:
+            raise ValueError(f"stop is {stop!r}; allowed: {' | '.join(stops)}.")
+        numbers = np.zeros((self._n, _DERIVATIVES))
+        durations = np.broadcast_to(np.asarray(seconds, np.float64), (self._n,)).tolist()
+        ended = np.zeros(self._n, np.int32)
+        for ball in range(self._n):
+            _native.check(_native.derivatives_run(
+                self._handle, self._at + ball * _native.STATE_BYTES, dt, durations[ball], stops[stop], numbers.ctypes.data + ball * _DERIVATIVES * 8, ended.ctypes.data + 4 * ball))
+        self._read()
+        matrices = [numbers[:, 9 * i : 9 * i + 9].reshape(self._n, 3, 3) for i in range(4)]
+        return Derivatives(*matrices, numbers[:, 36:39], numbers[:, 39:42], ended != 0)
+
+    @property
+    def time(self) -> Floats:
+        """Time since each ball was placed, s: a new array."""
+        times = np.empty(self._n)
+        _native.check(_native.time_many(self._handle, self._at, self._n, times.ctypes.data))
+        return times
+
+    @property
+    def hashes(self) -> NDArray[np.uint64]:
+        """A hash of each ball's whole state, the one that Snapshot.Hash has in C#."""
+        return np.array([_native.hash_of(self._at + ball * _native.STATE_BYTES) for ball in range(self._n)], np.uint64)
+
+    @property
+    def state(self) -> bytes:
+        """All states as bytes: of use to this version of the library. Setting it restores them; what no ball can have is refused, and nothing has changed."""
+        return self._states.tobytes()
+
+    @state.setter
+    def state(self, value: bytes) -> None:
+        if len(value) != self._states.nbytes:
+            raise ValueError(f"state has {len(value)} bytes; allowed: {self._states.nbytes}, of {self._n} balls.")
+        states = np.frombuffer(value, np.uint8).reshape(self._states.shape)
+        _native.check(_native.read_many(self._handle, states.ctypes.data, self._n, None, None, None, None))
+        self._states[...] = states
+        self._read()
+
+    def _run(self, dt: float, seconds: float, stop: int) -> NDArray[np.bool_]:
+        ended = np.zeros(self._n, np.int32)
+        _native.check(_native.run_many(self._handle, self._at, self._n, dt, seconds, stop, ended.ctypes.data))
+        self._read()
+        return ended != 0
+
+    def _read(self) -> None:
+        _native.check(_read_many(self._handle, self._at, self._n, *self._out))
+
+    def _chosen(self, which: Any, *arguments: Any) -> Any:
+        """The mask of the balls that are meant, and arguments with a row for every ball."""
+        mask = np.ones(self._n, np.uint8)
+        if which is not None:
+            chosen = np.asarray(which)
+            if chosen.dtype == np.bool_ and chosen.shape != (self._n,):
+                raise ValueError(f"the mask has shape {chosen.shape}; allowed: ({self._n},).")
+            mask[:] = 0
+            try:
+                mask[chosen] = 1
+            except IndexError as error:
+                raise ValueError(f"of the balls that are named, {error}; allowed: 0 ... {self._n - 1}.") from None
+        named = np.flatnonzero(mask) if which is None or np.asarray(which).dtype == np.bool_ else np.asarray(which, np.int64)
+        rows = []
+        for values, name in arguments:
+            of_named = _rows(values, len(named), name)
+            all_rows = np.zeros((self._n, 3))
+            all_rows[named] = of_named
+            rows.append(all_rows)
+        return mask, rows

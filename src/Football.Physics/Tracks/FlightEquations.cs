@@ -1,0 +1,235 @@
+namespace Football.Physics.Tracks;
+
+/// <summary>The least squares of flights: what the points of one tell of its launch, and of the numbers that all share.</summary>
+internal sealed class FlightEquations
+{
+    private const int Launch = FlightPath.Launch;
+
+    /// <summary>Differences for derivatives by a launch's velocity, m/s, and spin, rad/s.</summary>
+    private const double VelocityStep = 0.02;
+    private const double SpinStep = 1;
+
+    /// <summary>Points farther off than this many deviations count less and less (Huber).</summary>
+    private const double Huber = 4;
+
+    /// <summary>Heights are wrong by so much at the ground, m, and by less up to so far over it, m: a crowned pitch, and what cameras think of a ball in the grass.</summary>
+    private const double NearGround = 0.05;
+    private const double Low = 0.5;
+
+    /// <summary>The longest step, s.</summary>
+    private const double LongestStep = 0.04;
+
+    private readonly TrackPoint[] _track;
+    private readonly double _deviation;
+    private readonly double _spinDeviation;
+    private readonly StepLog _log = new();
+    private readonly double[] _changed = new double[Launch];
+    private Vector3d[] _path = [];
+    private Vector3d[] _other = [];
+
+    /// <summary>Prepares for the flights of a track.</summary>
+    /// <param name="track">The track.</param>
+    /// <param name="deviation">How far a coordinate may be off, m: noise, and what the laws do not know.</param>
+    /// <param name="spinDeviation">Standard deviation of a component of a spin before the track was seen, rad/s.</param>
+    public FlightEquations(TrackPoint[] track, double deviation, double spinDeviation)
+    {
+        _track = track;
+        _deviation = deviation;
+        _spinDeviation = spinDeviation;
+    }
+
+    /// <summary>Height of the ball's centre on the ground, m, once that is known: near it heights are wrong by more than their noise.</summary>
+    public double Contact { get; set; } = double.NegativeInfinity;
+
+    /// <summary>Follows a flight from its launch.</summary>
+    /// <param name="simulator">The scene.</param>
+    /// <param name="flight">The flight.</param>
+    /// <param name="values">Its launch.</param>
+    /// <param name="path">Receives where the ball is at each point.</param>
+    /// <returns>The ball at the last point.</returns>
+    public BallState Follow(Simulator simulator, FlightPath flight, double[] values, Vector3d[] path)
+    {
+        BallState ball = simulator.LaunchAt(
+            new Vector3d(values[0], values[1], values[2]), new Vector3d(values[3], values[4], values[5]), new Vector3d(values[6], values[7], values[8]), 0);
+        for (int i = 0; i < flight.Count; i++)
+        {
+            double wait = i > 0 ? _track[flight.First + i].Time - _track[flight.First + i - 1].Time : 0;
+            for (int parts = (int)Math.Ceiling(wait / LongestStep); parts > 0; parts--)
+            {
+                _log.Clear();
+                double dt = wait / parts;
+                simulator.Advance(ref ball, dt, _log);
+                wait -= dt;
+            }
+
+            path[i] = ball.Position;
+        }
+
+        return ball;
+    }
+
+    /// <summary>The cost of a flight: squares of its distances in deviations, far ones linearly, and of its spin.</summary>
+    public double Cost(Simulator simulator, FlightPath flight, double[] values)
+    {
+        Reserve(flight.Count);
+        Follow(simulator, flight, values, _path);
+        return Cost(flight, values, _path);
+    }
+
+    /// <summary>Measures how a flight fits.</summary>
+    public void Measure(Simulator simulator, FlightPath flight)
+    {
+        Reserve(flight.Count);
+        flight.Last = Follow(simulator, flight, flight.Values, _path);
+        double sum = 0;
+        double worst = 0;
+        for (int i = 0; i < flight.Count; i++)
+        {
+            double square = (_track[flight.First + i].Position - _path[i]).LengthSquared;
+            sum += square;
+            worst = Math.Max(worst, square);
+        }
+
+        flight.Rms = Math.Sqrt(sum / flight.Count);
+        flight.Worst = Math.Sqrt(worst);
+    }
+
+    /// <summary>Distances of a flight's points, m.</summary>
+    public Vector3d[] Misses(Simulator simulator, FlightPath flight)
+    {
+        Reserve(flight.Count);
+        Follow(simulator, flight, flight.Values, _path);
+        var misses = new Vector3d[flight.Count];
+        for (int i = 0; i < misses.Length; i++)
+        {
+            misses[i] = _track[flight.First + i].Position - _path[i];
+        }
+
+        return misses;
+    }
+
+    /// <summary>Adds up the normal equations of a flight.</summary>
+    /// <param name="at">The scene.</param>
+    /// <param name="shared">The scenes with each shared number changed; none for the launch alone.</param>
+    /// <param name="differences">By how much.</param>
+    /// <param name="flight">The flight.</param>
+    /// <param name="normal">Receives JᵀWJ of launch and shared numbers, row by row.</param>
+    /// <param name="gradient">Receives JᵀWr.</param>
+    /// <returns>The cost.</returns>
+    public double Normal(Simulator at, Simulator[] shared, double[] differences, FlightPath flight, double[] normal, double[] gradient)
+    {
+        // 1. The path, and one for each number changed; the place of the launch only moves a path. 2. Rows of J, weighted. 3. What was known of the spin.
+        int size = Launch + shared.Length;
+        int count = flight.Count;
+        Reserve(count);
+        Follow(at, flight, flight.Values, _path);
+        var jacobian = new Vector3d[size][];
+        for (int j = 3; j < size; j++)
+        {
+            jacobian[j] = new Vector3d[count];
+            Array.Copy(flight.Values, _changed, Launch);
+            double step = j < 6 ? VelocityStep : j < Launch ? SpinStep : differences[j - Launch];
+            if (j < Launch)
+            {
+                _changed[j] += step;
+            }
+
+            Follow(j < Launch ? at : shared[j - Launch], flight, _changed, _other);
+            for (int i = 0; i < count; i++)
+            {
+                jacobian[j][i] = (_other[i] - _path[i]) / step;
+            }
+        }
+
+        Array.Clear(normal, 0, size * size);
+        Array.Clear(gradient, 0, size);
+        for (int i = 0; i < count; i++)
+        {
+            ref readonly TrackPoint point = ref _track[flight.First + i];
+            Vector3d miss = point.Position - _path[i];
+            double across = Deviation(in point);
+            double up = HeightDeviation(in point);
+            double off = Off(in miss, across, up);
+            double weight = off > Huber ? Huber / off : 1.0;
+            var weights = new Vector3d(weight / (across * across), weight / (up * up), weight / (across * across));
+            for (int j = 0; j < size; j++)
+            {
+                Vector3d left = Weighted(j < 3 ? Axis(j) : jacobian[j][i], in weights);
+                gradient[j] += Vector3d.Dot(in left, in miss);
+                for (int k = 0; k <= j; k++)
+                {
+                    normal[(j * size) + k] += k < 3 ? Component(in left, k) : Vector3d.Dot(in left, in jacobian[k][i]);
+                }
+            }
+        }
+
+        double perSpin = PerSpin(flight);
+        for (int j = 6; j < Launch; j++)
+        {
+            normal[(j * size) + j] += perSpin;
+            gradient[j] += perSpin * (Component(flight.LikelySpin, j - 6) - flight.Values[j]);
+        }
+
+        for (int j = 0; j < size; j++)
+        {
+            for (int k = j + 1; k < size; k++)
+            {
+                normal[(j * size) + k] = normal[(k * size) + j];
+            }
+        }
+
+        return Cost(flight, flight.Values, _path);
+    }
+
+    /// <summary>A point of the track.</summary>
+    public ref readonly TrackPoint Point(int index) => ref _track[index];
+
+    /// <summary>How far a coordinate of a point may be off, m.</summary>
+    public double Deviation(in TrackPoint point) => Math.Max(_deviation, point.Noise);
+
+    /// <summary>How far a height may be off, m.</summary>
+    private double HeightDeviation(in TrackPoint point)
+    {
+        double deviation = Deviation(in point);
+        double over = Math.Max(0, point.Position.Y - Contact);
+        double wrong = over < Low ? NearGround * (1 - (over / Low)) : 0;
+        return Math.Sqrt((deviation * deviation) + (wrong * wrong));
+    }
+
+    private double PerSpin(FlightPath flight)
+    {
+        double deviation = flight.LikelySpinDeviation > 0 ? flight.LikelySpinDeviation : _spinDeviation;
+        return 1.0 / (deviation * deviation);
+    }
+
+    private static double Off(in Vector3d miss, double across, double up) =>
+        Math.Sqrt((((miss.X * miss.X) + (miss.Z * miss.Z)) / (across * across)) + (miss.Y * miss.Y / (up * up)));
+
+    private static Vector3d Weighted(in Vector3d v, in Vector3d weights) => new(v.X * weights.X, v.Y * weights.Y, v.Z * weights.Z);
+
+    private double Cost(FlightPath flight, double[] values, Vector3d[] path)
+    {
+        double cost = PerSpin(flight) * (new Vector3d(values[6], values[7], values[8]) - flight.LikelySpin).LengthSquared;
+        for (int i = 0; i < flight.Count; i++)
+        {
+            ref readonly TrackPoint point = ref _track[flight.First + i];
+            double off = Off(point.Position - path[i], Deviation(in point), HeightDeviation(in point));
+            cost += off > Huber ? Huber * ((2 * off) - Huber) : off * off;
+        }
+
+        return cost;
+    }
+
+    private void Reserve(int count)
+    {
+        if (_path.Length < count)
+        {
+            _path = new Vector3d[2 * count];
+            _other = new Vector3d[2 * count];
+        }
+    }
+
+    private static Vector3d Axis(int i) => new(i == 0 ? 1 : 0, i == 1 ? 1 : 0, i == 2 ? 1 : 0);
+
+    private static double Component(in Vector3d v, int i) => i == 0 ? v.X : i == 1 ? v.Y : v.Z;
+}

@@ -1,0 +1,261 @@
+namespace Football.Physics.Tracks;
+
+/// <summary>Finds the flights of a track: pieces of a division that fall as a ball in flight does, put together where the laws of flight describe both at once.</summary>
+internal sealed class FlightFinder
+{
+    /// <summary>What a cubic does not describe of a flight, m.</summary>
+    private const double CubicError = 0.02;
+
+    /// <summary>What a cubic does not describe of a hop, m.</summary>
+    private const double HopError = 0.006;
+
+    /// <summary>The longest piece of the division, s.</summary>
+    private const double LongestPiece = 1.6;
+
+    /// <summary>Shorter pieces tell nothing, points and s.</summary>
+    private const int LeastPoints = 5;
+    private const double LeastTime = 0.09;
+
+    /// <summary>Fall in flight may differ from g by this, m/s², and by the lift of C_L at most, and by so many deviations of what is seen.</summary>
+    private const double FallError = 2.5;
+    private const double MostLift = 0.4;
+    private const double FallDeviations = 3;
+
+    /// <summary>What is not so far above the lowest tenth of the track, m, must fall by this share of g.</summary>
+    private const double High = 0.8;
+    private const double LeastFall = -0.3;
+
+    /// <summary>Two pieces are one flight where their mean square grows no more than by this share, and this, m.</summary>
+    private const double JointShare = 1.3;
+    private const double JointError = 0.05;
+
+    /// <summary>And where their velocities differ by less, m/s: what differs more was touched.</summary>
+    private const double JointVelocity = 0.8;
+
+    /// <summary>So many points between two flights are of neither: cameras smooth over a touch.</summary>
+    private const int Between = 3;
+
+    /// <summary>A flight that fits worse than this, m or deviations, is none.</summary>
+    private const double MostRms = 0.15;
+    private const double MostRmsShare = 4;
+
+    /// <summary>Factors of the scene's drag and of its crisis' Reynolds number to try: what is one flight by one of them is one by the ball that is to be found.</summary>
+    private static readonly (double Drag, double Crisis)[] Balls = [(1, 1), (1, 0.6), (0.5, 1)];
+
+    private static readonly MatchFitRequest Nothing = new() { Wind = false, Drag = false };
+
+    private readonly TrackRuns _runs;
+    private readonly Scene _scene;
+    private readonly FlightEquations _system;
+    private readonly double _low;
+    private SharedFit[] _fits;
+
+    public FlightFinder(TrackRuns runs, Scene scene, FlightEquations system)
+    {
+        _runs = runs;
+        _scene = scene;
+        _system = system;
+        double[] heights = new double[runs.Points.Length];
+        for (int i = 0; i < heights.Length; i++)
+        {
+            heights[i] = runs.Points[i].Position.Y;
+        }
+
+        Array.Sort(heights);
+        _low = heights[heights.Length / 10];
+        _fits = new SharedFit[Balls.Length];
+        for (int i = 0; i < _fits.Length; i++)
+        {
+            (double drag, double crisis) = Balls[i];
+            DragCurve curve = scene.Ball.DragCurve;
+            Scene tried = crisis == 1 ? scene : scene with { Ball = scene.Ball with { DragCurve = curve.WithCrisisAt(crisis * curve.CriticalReynolds) } };
+            ForceSet forces = tried.Forces with { Custom = [.. tried.Forces.Custom, new ScaledAir(tried, drag, 1)] };
+            _fits[i] = new SharedFit(system, new MatchModel(drag == 1 ? tried : tried with { Forces = forces }, Nothing));
+        }
+    }
+
+    /// <summary>Where each piece of the division ends, exclusive.</summary>
+    public List<int> Ends { get; } = [];
+
+    /// <summary>Finds the flights, in order of time.</summary>
+    public List<FlightPath> Find(CancellationToken cancellation)
+    {
+        // 1. The best division into cubics. 2. Those that fall. 3. Neighbours that are one flight.
+        int longest = Math.Max(8, (int)(LongestPiece / _runs.Wait));
+        var segments = new TrackSegments(_runs.Points, Math.Sqrt((_runs.Noise * _runs.Noise) + (CubicError * CubicError)), longest);
+        int first = 0;
+        foreach (int end in _runs.Ends)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            segments.Divide(first, end, Ends);
+            first = end;
+        }
+
+        List<FlightPath> flights = [];
+        Take(Ends, 0, flights, cancellation);
+        JoinNeighbours(flights, cancellation);
+        FindHops(flights, longest, cancellation);
+        return flights;
+    }
+
+    /// <summary>Takes the pieces that are flights.</summary>
+    private void Take(List<int> ends, int first, List<FlightPath> flights, CancellationToken cancellation)
+    {
+        foreach (int end in ends)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            var flight = new FlightPath(first, end);
+            if (Falls(first, end) && Fit(flight, null))
+            {
+                flights.Add(flight);
+            }
+
+            first = end;
+        }
+    }
+
+    /// <summary>Divides what is no flight once more, finely: hops of a ball on the ground, which one cubic describes to some centimetres together.</summary>
+    private void FindHops(List<FlightPath> flights, int longest, CancellationToken cancellation)
+    {
+        var fine = new TrackSegments(_runs.Points, Math.Sqrt((_runs.Noise * _runs.Noise) + (HopError * HopError)), longest);
+        List<int> all = [];
+        List<FlightPath> hops = [];
+        int at = 0;
+        for (int i = 0; i <= flights.Count; i++)
+        {
+            int next = i < flights.Count ? flights[i].First : _runs.Points.Length;
+            int from = at;
+            foreach (int run in _runs.Ends)
+            {
+                int end = Math.Min(run, next);
+                if (end > from)
+                {
+                    List<int> ends = [];
+                    fine.Divide(from, end, ends);
+                    Take(ends, from, hops, cancellation);
+                    all.AddRange(ends);
+                    from = end;
+                }
+            }
+
+            if (i < flights.Count)
+            {
+                at = flights[i].End;
+                all.Add(at);
+            }
+        }
+
+        Ends.Clear();
+        Ends.AddRange(all);
+        flights.AddRange(hops);
+        flights.Sort((a, b) => a.First.CompareTo(b.First));
+    }
+
+    /// <summary>Puts together neighbours that are one flight by a ball that was found.</summary>
+    public void JoinBy(SharedFit fit, List<FlightPath> flights, CancellationToken cancellation)
+    {
+        // Launches alone, in the scene that was found
+        _fits = [new SharedFit(_system, new MatchModel(fit.At.Scene with { Ground = _scene.Ground }, Nothing))];
+        JoinNeighbours(flights, cancellation);
+    }
+
+    private void JoinNeighbours(List<FlightPath> flights, CancellationToken cancellation)
+    {
+        for (int i = 0; i + 1 < flights.Count;)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            if (Join(flights[i], flights[i + 1]) is { } joint)
+            {
+                flights[i] = joint;
+                flights.RemoveAt(i + 1);
+                i = Math.Max(0, i - 1);
+            }
+            else
+            {
+                i++;
+            }
+        }
+    }
+
+    /// <summary>Whether a piece accelerates downwards as a ball in flight may.</summary>
+    private bool Falls(int first, int end)
+    {
+        TrackPoint[] track = _runs.Points;
+        double time = track[end - 1].Time - track[first].Time;
+        if (end - first < LeastPoints || time < LeastTime)
+        {
+            return false;
+        }
+
+        // A parabola's acceleration: deviation √720 σ/(T² √n)
+        var parabola = TrackPolynomial.Of(track, first, end, 2);
+        double upward = parabola.Acceleration.Y;
+        double speed = (track[end - 1].Position - track[first].Position).Length / time;
+        double area = Math.PI * _scene.Ball.Radius * _scene.Ball.Radius;
+        double lift = 0.5 * _scene.Air.Density * area / _scene.Ball.Mass * MostLift * speed * speed;
+        double seen = Math.Sqrt(720.0 / (end - first)) * Math.Max(_runs.Noise, 0.25 * CubicError) / (time * time);
+        double off = Math.Abs(upward - Weight.UpwardAcceleration(_scene));
+
+        // A fast ball with backspin may even rise, but then not along the ground.
+        bool isHigh = parabola.At(0.5 * (track[first].Time + track[end - 1].Time)).Y > _low + High;
+        return off < FallError + lift + (FallDeviations * seen) && (isHigh || upward < LeastFall * _scene.Gravity);
+    }
+
+    /// <summary>Fits one flight alone, with the drag factor that does best.</summary>
+    private bool Fit(FlightPath flight, double[]? start)
+    {
+        double[] best = flight.Values;
+        SharedFit? found = null;
+        double least = double.PositiveInfinity;
+        foreach (SharedFit fit in _fits)
+        {
+            flight.Values = start is null ? Start(flight) : (double[])start.Clone();
+            fit.Descend([flight], [1], CancellationToken.None);
+            if (flight.Rms < least)
+            {
+                (least, best, found) = (flight.Rms, flight.Values, fit);
+            }
+        }
+
+        flight.Values = best;
+        if (found is not null)
+        {
+            _system.Measure(found.At, flight);
+        }
+
+        return least < Math.Max(MostRms, MostRmsShare * _runs.Noise);
+    }
+
+    private double[] Start(FlightPath flight)
+    {
+        var path = TrackPolynomial.Of(_runs.Points, flight.First, flight.End, flight.Count > 8 ? 3 : 2);
+        Vector3d position = path.At(_runs.Points[flight.First].Time);
+        Vector3d velocity = path.VelocityAt(_runs.Points[flight.First].Time);
+        return [position.X, position.Y, position.Z, velocity.X, velocity.Y, velocity.Z, 0, 0, 0];
+    }
+
+    /// <summary>Two flights as one, where that describes both.</summary>
+    private FlightPath? Join(FlightPath a, FlightPath b)
+    {
+        TrackPoint[] track = _runs.Points;
+        if (b.First - a.End > Between || _runs.IsGap(track[a.End - 1].Time, track[a.End].Time) || _runs.IsGap(track[b.First - 1].Time, track[b.First].Time))
+        {
+            return null;
+        }
+
+        double wait = track[b.First].Time - track[a.End - 1].Time;
+        Vector3d velocity = a.Last.Velocity + (wait * new Vector3d(0, Weight.UpwardAcceleration(_scene), 0));
+        double noise = 12 * _runs.Noise / (Math.Sqrt(Math.Min(a.Count, b.Count)) * Math.Min(Duration(a), Duration(b)));
+        if ((b.Velocity - velocity).Length > JointVelocity + noise)
+        {
+            return null;
+        }
+
+        var joint = new FlightPath(a.First, b.End);
+        double apart = ((a.Count * a.Rms * a.Rms) + (b.Count * b.Rms * b.Rms)) / (a.Count + b.Count);
+        bool fits = Fit(joint, a.Values);
+        return fits && joint.Rms * joint.Rms < (JointShare * apart) + (JointError * JointError) ? joint : null;
+    }
+
+    private double Duration(FlightPath flight) => _runs.Points[flight.End - 1].Time - _runs.Points[flight.First].Time;
+}

@@ -1,0 +1,261 @@
+namespace Football.Physics.Tracks;
+
+/// <summary>Finds what a whole track of a match tells: its flights, impacts, touches and ground, with one wind, one ball and one surface for all of it.</summary>
+/// <remarks>
+/// The track is divided by dynamic programming, the flights found in it are fitted by least squares at once, each with its launch and spin, all with one wind and one drag
+/// (Gauss and Newton, damped); impacts tell of the surface. A seam or a touch spoils its own piece alone. The same track gives the same numbers. Its memory is its own:
+/// one a thread.
+/// </remarks>
+public sealed class MatchFit
+{
+    /// <summary>What the laws of flight do not know, m: gusts, how a ball wobbles, where a camera thinks that its centre is.</summary>
+    private const double LawError = 0.01;
+
+    /// <summary>A flight that fits worse than this, m, is tried from other spins of this size, rad/s.</summary>
+    private const double Poor = 0.03;
+    private const double OtherSpin = 90;
+
+    /// <summary>Shorter flights tell of the others nothing, s.</summary>
+    private const double ShortestTold = 0.3;
+
+    /// <summary>What is seen higher over the ground should be in a flight, m.</summary>
+    private const double High = 0.5;
+
+    private static readonly MatchFitRequest Nothing = new() { Wind = false, Drag = false };
+
+    private readonly Scene _scene;
+
+    /// <summary>Prepares for tracks of balls in a scene.</summary>
+    /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public MatchFit(Scene? scene = null)
+    {
+        _scene = scene ?? Scene.Default;
+        _scene.Validate();
+    }
+
+    /// <summary>Finds what a track tells.</summary>
+    /// <param name="track">Where the ball was seen, in order of time; at least eight points. A point's noise is the least that it is taken for; the track itself tells more.</param>
+    /// <param name="request">What to find beside the flights; default wind, drag, surface and height.</param>
+    /// <param name="progress">Told how much is done, 0 … 1.</param>
+    /// <param name="cancellation">Ends the search.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="track"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="OperationCanceledException">The search was ended.</exception>
+    public MatchFitResult Find(TrackPoint[] track, MatchFitRequest? request = null, IProgress<double>? progress = null, CancellationToken cancellation = default)
+    {
+        // 1. The track without spikes, in runs. 2. Its flights. 3. One wind and one ball for all of them. 4. Neighbours that are one flight by that ball, and all again.
+        // 5. The height of the ground, and what happened between the flights. 6. The surface, from the impacts.
+        request ??= new MatchFitRequest();
+        Validate(track, request);
+        var runs = new TrackRuns(track);
+        var equations = new FlightEquations(runs.Points, Math.Sqrt((runs.Noise * runs.Noise) + (LawError * LawError)), request.SpinDeviation);
+        var finder = new FlightFinder(runs, _scene, equations);
+        List<FlightPath> flights = finder.Find(cancellation);
+        progress?.Report(0.4);
+
+        List<FlightPath> told = Told(runs, flights);
+        var model = new MatchModel(_scene, request);
+        SharedFit fit = Best(equations, model, told, SharedFit.Shares(told), cancellation);
+        progress?.Report(0.7);
+        finder.JoinBy(fit, flights, cancellation);
+        told = Told(runs, flights);
+        TryOtherSpins(fit, equations, told, cancellation);
+        double[] shares = SharedFit.Shares(told);
+        fit.Descend(told, shares, cancellation);
+        List<FlightPath> brief = flights.FindAll(f => !told.Contains(f));
+        FitShort(fit, equations, brief, cancellation);
+        fit.MeasureUncertainty(told, shares);
+        double contact = Contact(request, runs, finder, flights, fit, out double heightDeviation);
+        equations.Contact = contact;
+        new MatchPieces(runs, equations, fit.At, contact).TellSpins(flights, request.SpinDeviation);
+        fit.Descend(told, shares, cancellation);
+        fit.MeasureUncertainty(told, shares);
+        FitShort(fit, equations, brief, cancellation);
+        progress?.Report(0.95);
+        MatchFitResult result = Result(request, runs, equations, finder, flights, told, model, fit, contact, heightDeviation);
+        progress?.Report(1);
+        return result;
+    }
+
+    private static void Validate(TrackPoint[] track, MatchFitRequest request)
+    {
+        Check.Given(nameof(track), track);
+        request.Validate();
+        Check.AtLeast("track's points", track.Length, 8);
+        for (int i = 0; i < track.Length; i++)
+        {
+            string at = Check.Item("track", i);
+            Check.Within(at + ".time", track[i].Time, i > 0 ? track[i - 1].Time : -Limits.Time, Limits.Time);
+            Check.Place(at + ".position", track[i].Position);
+            Check.NotNegative(at + ".noise", track[i].Noise);
+        }
+
+        Check.Within("track's last time", track[track.Length - 1].Time, track[0].Time, Limits.Time, exclusiveLow: true);
+    }
+
+    /// <summary>Flights that are long enough to tell of what they share.</summary>
+    private static List<FlightPath> Told(TrackRuns runs, List<FlightPath> flights) =>
+        flights.FindAll(f => runs.Points[f.End - 1].Time - runs.Points[f.First].Time >= ShortestTold);
+
+    /// <summary>Short flights by the ball and the wind that the others told of.</summary>
+    private void FitShort(SharedFit fit, FlightEquations equations, List<FlightPath> flights, CancellationToken cancellation)
+    {
+        var alone = new SharedFit(equations, new MatchModel(fit.At.Scene, Nothing));
+        foreach (FlightPath flight in flights)
+        {
+            alone.Descend([flight], [1], cancellation);
+            alone.MeasureUncertainty([flight], [1]);
+        }
+    }
+
+    /// <summary>Height of the ball's centre on the ground: as the track tells, where that is asked for and the track does; else the scene's.</summary>
+    private double Contact(MatchFitRequest request, TrackRuns runs, FlightFinder finder, List<FlightPath> flights, SharedFit fit, out double deviation)
+    {
+        deviation = double.PositiveInfinity;
+        return request.Height && GroundHeight.Find(MatchPieces.GroundHeights(runs, finder.Ends, flights, fit.At), out double height, out deviation)
+            ? height
+            : (_scene.Ground.IsNone ? 0 : _scene.Ground.Height) + _scene.Ball.Radius;
+    }
+
+    private MatchFitResult Result(
+        MatchFitRequest request, TrackRuns runs, FlightEquations equations, FlightFinder finder, List<FlightPath> flights, List<FlightPath> told, MatchModel model, SharedFit fit,
+        double contact, double heightDeviation)
+    {
+        List<string> names = [.. model.Names];
+        List<double> values = [.. fit.Values];
+        List<double> deviations = [];
+        for (int i = 0; i < model.Count; i++)
+        {
+            deviations.Add(Math.Sqrt(Math.Max(0, fit.Covariance[(i * model.Count) + i])));
+        }
+
+        double radius = _scene.Ball.Radius;
+        if (request.Height && double.IsFinite(heightDeviation))
+        {
+            names.Add("groundHeight");
+            values.Add(contact - radius);
+            deviations.Add(heightDeviation);
+        }
+
+        List<MatchPiece> pieces = new MatchPieces(runs, equations, fit.At, contact).Make(finder.Ends, flights);
+        Ground ground = (_scene.Ground.IsNone ? new Ground() : _scene.Ground) with { Height = contact - radius };
+        int impacts = 0;
+        if (request.Surface)
+        {
+            var surface = new SurfaceFit(_scene.Ball, ground, pieces);
+            ground = surface.Ground;
+            impacts = surface.Impacts;
+            names.AddRange(surface.Names);
+            values.AddRange(surface.Values);
+            deviations.AddRange(surface.Deviations);
+        }
+
+        double squares = 0;
+        int points = 0;
+        foreach (FlightPath flight in told)
+        {
+            squares += flight.Count * flight.Rms * flight.Rms;
+            points += flight.Count;
+        }
+
+        Scene at = fit.At.Scene;
+        return new MatchFitResult(pieces, names, [.. values], [.. deviations], _scene with { Air = at.Air, Ball = at.Ball, Forces = at.Forces, Ground = ground })
+        {
+            Rms = points > 0 ? Math.Sqrt(squares / points) : 0,
+            Flights = told.Count,
+            Covered = Covered(runs.Points, told, contact - radius),
+            Noise = runs.Noise,
+            Impacts = impacts,
+        };
+    }
+
+    private static double Covered(TrackPoint[] track, List<FlightPath> told, double ground)
+    {
+        int high = 0;
+        int covered = 0;
+        for (int i = 0; i < track.Length; i++)
+        {
+            if (track[i].Position.Y > ground + High)
+            {
+                int at = i;
+                high++;
+                covered += told.Exists(f => f.First <= at && at < f.End) ? 1 : 0;
+            }
+        }
+
+        return high > 0 ? (double)covered / high : 1;
+    }
+
+    /// <summary>Flights that fit poorly are tried from other spins: a heavily spun ball and a hardly spun one slow down alike in different air.</summary>
+    private static void TryOtherSpins(SharedFit fit, FlightEquations equations, List<FlightPath> flights, CancellationToken cancellation)
+    {
+        var alone = new SharedFit(equations, new MatchModel(fit.At.Scene, Nothing));
+        foreach (FlightPath flight in flights)
+        {
+            if (flight.Rms < Poor)
+            {
+                continue;
+            }
+
+            Vector3d v = flight.Velocity;
+            Vector3d across = Vector3d.Cross(Vector3d.Up, new Vector3d(v.X, 0, v.Z));
+            across = across.Length > 0 ? across / across.Length : Vector3d.Zero;
+            double[] best = flight.Values;
+            double least = flight.Rms;
+            double[] begin = flight.Values;
+            for (int i = 0; i < 4; i++)
+            {
+                Vector3d spin = (i % 2 == 0 ? OtherSpin : -OtherSpin) * (i < 2 ? across : Vector3d.Up);
+                double[] start = (double[])begin.Clone();
+                (start[6], start[7], start[8]) = (spin.X, spin.Y, spin.Z);
+                flight.Values = start;
+                alone.Descend([flight], [1], cancellation);
+                if (flight.Rms < least)
+                {
+                    least = flight.Rms;
+                    best = (double[])flight.Values.Clone();
+                }
+            }
+
+            flight.Values = best;
+            equations.Measure(fit.At, flight);
+        }
+    }
+
+    /// <summary>The best of fits from several crises: with its drag crisis on either side of a flight's speeds a ball may slow down alike.</summary>
+    private static SharedFit Best(FlightEquations equations, MatchModel model, List<FlightPath> flights, double[] shares, CancellationToken cancellation)
+    {
+        SharedFit? best = null;
+        var launches = new double[flights.Count][];
+        for (int i = 0; i < flights.Count; i++)
+        {
+            launches[i] = flights[i].Values;
+        }
+
+        double[][]? found = null;
+        foreach (double[] start in model.Starts)
+        {
+            for (int i = 0; i < flights.Count; i++)
+            {
+                flights[i].Values = (double[])launches[i].Clone();
+            }
+
+            var fit = new SharedFit(equations, model, start);
+            fit.Descend(flights, shares, cancellation);
+            if (best is null || fit.Cost < best.Cost)
+            {
+                best = fit;
+                found = flights.ConvertAll(f => f.Values).ToArray();
+            }
+        }
+
+        for (int i = 0; i < flights.Count; i++)
+        {
+            flights[i].Values = found![i];
+            equations.Measure(best!.At, flights[i]);
+        }
+
+        return best!;
+    }
+}

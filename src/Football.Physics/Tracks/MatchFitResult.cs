@@ -1,0 +1,59 @@
+namespace Football.Physics.Tracks;
+
+/// <summary>What the track of a match told: its pieces in order of time, and the numbers of which one value holds for all of it.</summary>
+public sealed class MatchFitResult
+{
+    private readonly double[] _values;
+    private readonly double[] _deviations;
+
+    internal MatchFitResult(IReadOnlyList<MatchPiece> pieces, IReadOnlyList<string> names, double[] values, double[] deviations, Scene scene)
+    {
+        Pieces = pieces;
+        Names = names;
+        _values = values;
+        _deviations = deviations;
+        Scene = scene;
+    }
+
+    /// <summary>The pieces, in order of time.</summary>
+    public IReadOnlyList<MatchPiece> Pieces { get; }
+
+    /// <summary>Names of the numbers that were found: wind.x, wind.z (m/s), drag (a factor), crisis (a Reynolds number), lift (a factor), groundHeight (m), restitution, restitutionRise, friction.</summary>
+    public IReadOnlyList<string> Names { get; }
+
+    /// <summary>The scene with all numbers that were found.</summary>
+    public Scene Scene { get; }
+
+    /// <summary>Root of the mean square over all points in flights of 0.3 s and longer, m; 0 where there is none.</summary>
+    public double Rms { get; internal init; }
+
+    /// <summary>Flights of 0.3 s and longer.</summary>
+    public int Flights { get; internal init; }
+
+    /// <summary>The share of the points more than 0.5 m over the ground that are in those flights; 1 where there is no such point.</summary>
+    public double Covered { get; internal init; }
+
+    /// <summary>Standard deviation of the track's coordinates from one point to the next, m.</summary>
+    public double Noise { get; internal init; }
+
+    /// <summary>Impacts that the surface was found from.</summary>
+    public int Impacts { get; internal init; }
+
+    /// <summary>A number.</summary>
+    /// <param name="index">Which of <see cref="Names"/>, from 0.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="index"/> is out of range.</exception>
+    public double Value(int index)
+    {
+        Check.Index(nameof(index), index, Names.Count);
+        return _values[index];
+    }
+
+    /// <summary>Standard deviation of a number: by the scatter of the distances and how long they stay on one side.</summary>
+    /// <param name="index">Which of <see cref="Names"/>, from 0.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="index"/> is out of range.</exception>
+    public double Deviation(int index)
+    {
+        Check.Index(nameof(index), index, Names.Count);
+        return _deviations[index];
+    }
+}

@@ -1,0 +1,114 @@
+namespace Football.Physics.Tracks;
+
+/// <summary>What all flights of a match share: the wind, the ball's drag and lift. Numbers that are not asked for stay the scene's.</summary>
+internal sealed class MatchModel
+{
+    /// <summary>Differences for derivatives, m/s, a share, a Reynolds number.</summary>
+    private const double WindStep = 0.05;
+    private const double FactorStep = 0.01;
+    private const double CrisisStep = 2e3;
+
+    /// <summary>Reynolds numbers of a rough ball's crisis and of a smooth one's.</summary>
+    private static readonly double[] OtherCrises = [1.1e5, 2.2e5];
+
+    private const double MostCrisis = 3.5e5;
+    private const double LeastFactor = 0.05;
+    private const double MostFactor = 5;
+
+    private readonly Scene _scene;
+    private readonly bool _drag;
+    private readonly bool _lift;
+    private readonly double[] _likely;
+    private readonly double[] _deviations;
+    private readonly int _windAt;
+    private readonly int _dragAt;
+    private readonly int _crisisAt;
+    private readonly int _liftAt;
+
+    public MatchModel(Scene scene, MatchFitRequest request)
+    {
+        // Without ground: a flight ends where the track says.
+        _scene = scene with { Ground = Ground.None, Obstacles = [], Nets = [], Goals = [], Bodies = null, EngineColliders = null };
+        _drag = request.Drag;
+        _lift = request.Lift;
+        List<string> names = [];
+        List<double> likely = [];
+        List<double> deviations = [];
+        int Add(string name, double value, double deviation)
+        {
+            names.Add(name);
+            likely.Add(value);
+            deviations.Add(deviation);
+            return names.Count - 1;
+        }
+
+        _windAt = request.Wind ? Add("wind.x", scene.Air.Wind.X, request.WindDeviation) : -1;
+        _ = request.Wind ? Add("wind.z", scene.Air.Wind.Z, request.WindDeviation) : -1;
+        _dragAt = request.Drag ? Add("drag", 1, request.FactorDeviation) : -1;
+        bool crisis = (request.Drag || request.Crisis) && scene.Forces.Coefficients == CoefficientForm.Measured;
+        _crisisAt = crisis ? Add("crisis", scene.Ball.DragCurve.CriticalReynolds, request.CrisisDeviation) : -1;
+        _liftAt = request.Lift ? Add("lift", 1, request.FactorDeviation) : -1;
+        Names = [.. names];
+        _likely = [.. likely];
+        _deviations = [.. deviations];
+    }
+
+    /// <summary>Names of the numbers.</summary>
+    public string[] Names { get; }
+
+    /// <summary>How many.</summary>
+    public int Count => Names.Length;
+
+    /// <summary>Numbers to begin a search with: the likely ones, and where the crisis is sought, others of that.</summary>
+    public IEnumerable<double[]> Starts
+    {
+        get
+        {
+            yield return (double[])_likely.Clone();
+            for (int i = 0; i < OtherCrises.Length && _crisisAt >= 0; i++)
+            {
+                double[] other = (double[])_likely.Clone();
+                other[_crisisAt] = OtherCrises[i];
+                yield return other;
+            }
+        }
+    }
+
+    /// <summary>What was likely before the track was seen.</summary>
+    public double Likely(int number) => _likely[number];
+
+    /// <summary>Standard deviation of a number before the track was seen.</summary>
+    public double KnownDeviation(int number) => _deviations[number];
+
+    /// <summary>The difference by which a derivative is taken.</summary>
+    public double Difference(int number) => number == _crisisAt ? CrisisStep : number == _dragAt || number == _liftAt ? FactorStep : WindStep;
+
+    /// <summary>Keeps the numbers within what a scene may have.</summary>
+    public void Bound(double[] values)
+    {
+        for (int i = 0; i < Count; i++)
+        {
+            values[i] = i == _crisisAt ? Within(values[i], DragCurve.LeastCriticalReynolds, MostCrisis)
+                : i == _dragAt || i == _liftAt ? Within(values[i], LeastFactor, MostFactor)
+                : Within(values[i], -60, 60);
+        }
+    }
+
+    /// <summary>The scene with some numbers, without ground.</summary>
+    public Scene Scene(double[] values)
+    {
+        Vector3d wind = _scene.Air.Wind;
+        Scene scene = _scene with
+        {
+            Air = _windAt < 0 ? _scene.Air : _scene.Air with { Wind = new Vector3d(values[_windAt], wind.Y, values[_windAt + 1]) },
+            Ball = _crisisAt < 0 ? _scene.Ball : _scene.Ball with { DragCurve = _scene.Ball.DragCurve.WithCrisisAt(values[_crisisAt]) },
+        };
+        return _drag || _lift
+            ? scene with { Forces = scene.Forces with { Custom = [.. scene.Forces.Custom, new ScaledAir(scene, Drag(values), _lift ? values[_liftAt] : 1)] } }
+            : scene;
+    }
+
+    private double Drag(double[] values) => _drag ? values[_dragAt] : 1;
+
+    private static double Within(double value, double low, double high) => Math.Min(high, Math.Max(low, value));
+}

@@ -1,0 +1,413 @@
+namespace Football.Physics.Tracks;
+
+/// <summary>Fits the launches of many flights, and the numbers that they share, at once.</summary>
+/// <remarks>
+/// Gauss and Newton, damped (Levenberg, Marquardt). A launch concerns its own flight alone, so it is eliminated there (Schur's complement) and what is solved at once has
+/// the size of what is shared: S = Σ (C − Bᵀ A⁻¹ B), s = Σ (c − Bᵀ A⁻¹ a).
+/// </remarks>
+internal sealed class SharedFit
+{
+    private const int Launch = FlightPath.Launch;
+    private const int MostSteps = 25;
+
+    /// <summary>The search ends where a step lowers the cost by less than this share.</summary>
+    private const double LeastGain = 1e-5;
+
+    private const double FirstDamping = 1e-3;
+    private const double LeastDamping = 1e-9;
+    private const double MostDamping = 1e6;
+
+    /// <summary>A flight that fits so many times worse than the median one tells less of what is shared.</summary>
+    private const double Strange = 2.5;
+
+    /// <summary>What the laws do not know is there even where a flight happens to fit better: this share of what was said of a point.</summary>
+    private const double LawShare = 0.4;
+
+    private readonly FlightEquations _system;
+    private readonly MatchModel _model;
+    private readonly int _shared;
+    private readonly int _size;
+    private readonly double[] _scratch = new double[Launch * Launch];
+
+    public SharedFit(FlightEquations system, MatchModel model, double[]? start = null)
+    {
+        _system = system;
+        _model = model;
+        _shared = model.Count;
+        _size = Launch + _shared;
+        Values = new double[_shared];
+        Covariance = new double[_shared * _shared];
+        for (int i = 0; i < _shared; i++)
+        {
+            Values[i] = start is null ? model.Likely(i) : start[i];
+        }
+
+        At = new Simulator(model.Scene(Values));
+    }
+
+    /// <summary>The shared numbers.</summary>
+    public double[] Values { get; }
+
+    /// <summary>Mean square of how far the truth may be from them.</summary>
+    public double[] Covariance { get; }
+
+    /// <summary>The scene of the shared numbers.</summary>
+    public Simulator At { get; private set; }
+
+    /// <summary>The cost at the end.</summary>
+    public double Cost { get; private set; }
+
+    /// <summary>Goes downhill.</summary>
+    /// <param name="flights">The flights; their launches are both start and result.</param>
+    /// <param name="shares">How much each counts for what is shared.</param>
+    /// <param name="cancellation">Ends the search.</param>
+    public void Descend(IReadOnlyList<FlightPath> flights, double[] shares, CancellationToken cancellation)
+    {
+        // 1. Normal equations of every flight. 2. What is shared, by what is left of them; then each launch. 3. Taken where the cost is lower, else again with more damping.
+        double damping = FirstDamping;
+        double cost = double.PositiveInfinity;
+        var normals = new double[flights.Count][];
+        var gradients = new double[flights.Count][];
+        double[] changed = new double[_shared];
+        var launches = new double[flights.Count][];
+        for (int i = 0; i < flights.Count; i++)
+        {
+            normals[i] = new double[_size * _size];
+            gradients[i] = new double[_size];
+            launches[i] = new double[Launch];
+        }
+
+        bool fresh = true;
+        for (int step = 0; step < MostSteps && flights.Count > 0; step++)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            if (fresh)
+            {
+                Cost = cost = Evaluate(flights, shares, normals, gradients);
+                fresh = false;
+            }
+
+            double tried = Try(flights, shares, normals, gradients, damping, changed, launches, out Simulator? there);
+            if (tried < cost)
+            {
+                bool done = cost - tried < LeastGain * cost;
+                Array.Copy(changed, Values, _shared);
+                for (int i = 0; i < flights.Count; i++)
+                {
+                    Array.Copy(launches[i], flights[i].Values, Launch);
+                }
+
+                At = there!;
+                Cost = tried;
+                if (done)
+                {
+                    break;
+                }
+
+                damping = Math.Max(LeastDamping, 0.1 * damping);
+                fresh = true;
+            }
+            else if (damping < MostDamping)
+            {
+                damping *= 10;
+            }
+            else
+            {
+                break;
+            }
+        }
+
+        foreach (FlightPath flight in flights)
+        {
+            _system.Measure(At, flight);
+        }
+    }
+
+    /// <summary>How much each flight counts for what is shared: one that fits far worse than the others is not explained by it.</summary>
+    public static double[] Shares(IReadOnlyList<FlightPath> flights)
+    {
+        double[] shares = new double[flights.Count];
+        double[] sorted = new double[flights.Count];
+        for (int i = 0; i < shares.Length; i++)
+        {
+            sorted[i] = flights[i].Rms;
+        }
+
+        Array.Sort(sorted);
+        double usual = sorted.Length > 0 ? sorted[sorted.Length / 2] : 0;
+        for (int i = 0; i < shares.Length; i++)
+        {
+            double off = flights[i].Rms / (Strange * usual);
+            shares[i] = off > 1 ? 1 / (off * off * off * off) : 1;
+        }
+
+        return shares;
+    }
+
+    /// <summary>Measures how surely launches and shared numbers are known: by the scatter of each flight's own distances, and how long those stay on one side.</summary>
+    public void MeasureUncertainty(IReadOnlyList<FlightPath> flights, double[] shares)
+    {
+        var normals = new double[flights.Count][];
+        var gradients = new double[flights.Count][];
+        double[] told = new double[flights.Count];
+        for (int i = 0; i < flights.Count; i++)
+        {
+            normals[i] = new double[_size * _size];
+            gradients[i] = new double[_size];
+            told[i] = shares[i] / Inflation(flights[i]);
+        }
+
+        Evaluate(flights, shares, normals, gradients);
+        double[] s = new double[_shared * _shared];
+        double[] unused = new double[_shared];
+        AddKnown(s, unused);
+        var couplings = new double[flights.Count][];
+        for (int i = 0; i < flights.Count; i++)
+        {
+            Invert(normals[i], flights[i].Covariance);
+            couplings[i] = Couple(normals[i], flights[i].Covariance);
+            Eliminate(normals[i], gradients[i], couplings[i], told[i], s, unused);
+        }
+
+        Invert(s, Covariance, _shared);
+        for (int f = 0; f < flights.Count; f++)
+        {
+            // A⁻¹ by the scatter, and A⁻¹B S⁻¹ BᵀA⁻¹ by what is shared.
+            double[] covariance = flights[f].Covariance;
+            double scatter = shares[f] / told[f];
+            for (int i = 0; i < Launch; i++)
+            {
+                for (int j = 0; j < Launch; j++)
+                {
+                    double sum = scatter * covariance[(i * Launch) + j];
+                    for (int k = 0; k < _shared * _shared; k++)
+                    {
+                        sum += couplings[f][(i * _shared) + (k / _shared)] * Covariance[k] * couplings[f][(j * _shared) + (k % _shared)];
+                    }
+
+                    _scratch[(i * Launch) + j] = sum;
+                }
+            }
+
+            Array.Copy(_scratch, covariance, covariance.Length);
+        }
+    }
+
+    private double Evaluate(IReadOnlyList<FlightPath> flights, double[] shares, double[][] normals, double[][] gradients)
+    {
+        var shared = new Simulator[_shared];
+        double[] differences = new double[_shared];
+        double[] values = new double[_shared];
+        for (int j = 0; j < _shared; j++)
+        {
+            Array.Copy(Values, values, _shared);
+            differences[j] = _model.Difference(j);
+            values[j] += differences[j];
+            shared[j] = new Simulator(_model.Scene(values));
+        }
+
+        double cost = KnownCost(Values);
+        for (int i = 0; i < flights.Count; i++)
+        {
+            cost += shares[i] * _system.Normal(At, shared, differences, flights[i], normals[i], gradients[i]);
+        }
+
+        return cost;
+    }
+
+    /// <summary>Where a damped step leads.</summary>
+    /// <returns>The cost there.</returns>
+    private double Try(
+        IReadOnlyList<FlightPath> flights, double[] shares, double[][] normals, double[][] gradients, double damping, double[] changed, double[][] launches, out Simulator? there)
+    {
+        double[] s = new double[_shared * _shared];
+        double[] right = new double[_shared];
+        AddKnown(s, right);
+        var inverses = new double[flights.Count][];
+        var couplings = new double[flights.Count][];
+        for (int f = 0; f < flights.Count; f++)
+        {
+            // Damped by its own diagonal
+            double[] normal = (double[])normals[f].Clone();
+            for (int i = 0; i < Launch; i++)
+            {
+                normal[(i * _size) + i] *= 1 + damping;
+            }
+
+            inverses[f] = new double[Launch * Launch];
+            Invert(normal, inverses[f]);
+            couplings[f] = Couple(normal, inverses[f]);
+            Eliminate(normal, gradients[f], couplings[f], shares[f], s, right);
+        }
+
+        for (int i = 0; i < _shared; i++)
+        {
+            s[(i * _shared) + i] *= 1 + damping;
+        }
+
+        double[] step = new double[_shared];
+        there = null;
+        if (!Solve(s, right, step, _shared))
+        {
+            return double.PositiveInfinity;
+        }
+
+        for (int i = 0; i < _shared; i++)
+        {
+            changed[i] = Values[i] + step[i];
+        }
+
+        _model.Bound(changed);
+        there = new Simulator(_model.Scene(changed));
+        double cost = KnownCost(changed);
+        for (int f = 0; f < flights.Count; f++)
+        {
+            for (int i = 0; i < Launch; i++)
+            {
+                double sum = flights[f].Values[i];
+                for (int j = 0; j < Launch; j++)
+                {
+                    sum += inverses[f][(i * Launch) + j] * gradients[f][j];
+                }
+
+                for (int j = 0; j < _shared; j++)
+                {
+                    sum -= couplings[f][(i * _shared) + j] * (changed[j] - Values[j]);
+                }
+
+                launches[f][i] = sum;
+            }
+
+            cost += TrackModel.IsLaunch(launches[f]) ? shares[f] * _system.Cost(there, flights[f], launches[f]) : double.PositiveInfinity;
+        }
+
+        return cost;
+    }
+
+    private double KnownCost(double[] values)
+    {
+        double cost = 0;
+        for (int i = 0; i < _shared; i++)
+        {
+            double off = (values[i] - _model.Likely(i)) / _model.KnownDeviation(i);
+            cost += off * off;
+        }
+
+        return cost;
+    }
+
+    private void AddKnown(double[] s, double[] right)
+    {
+        for (int i = 0; i < _shared; i++)
+        {
+            double weight = 1 / (_model.KnownDeviation(i) * _model.KnownDeviation(i));
+            s[(i * _shared) + i] += weight;
+            right[i] += weight * (_model.Likely(i) - Values[i]);
+        }
+    }
+
+    /// <summary>A⁻¹B.</summary>
+    private double[] Couple(double[] normal, double[] inverse)
+    {
+        double[] coupling = new double[Launch * _shared];
+        for (int i = 0; i < Launch; i++)
+        {
+            for (int j = 0; j < _shared; j++)
+            {
+                double sum = 0;
+                for (int k = 0; k < Launch; k++)
+                {
+                    sum += inverse[(i * Launch) + k] * normal[(k * _size) + Launch + j];
+                }
+
+                coupling[(i * _shared) + j] = sum;
+            }
+        }
+
+        return coupling;
+    }
+
+    /// <summary>S += w (C − Bᵀ A⁻¹B), s += w (c − (A⁻¹B)ᵀ a).</summary>
+    private void Eliminate(double[] normal, double[] gradient, double[] coupling, double weight, double[] s, double[] right)
+    {
+        for (int i = 0; i < _shared; i++)
+        {
+            double left = gradient[Launch + i];
+            for (int k = 0; k < Launch; k++)
+            {
+                left -= coupling[(k * _shared) + i] * gradient[k];
+            }
+
+            right[i] += weight * left;
+            for (int j = 0; j < _shared; j++)
+            {
+                double sum = normal[((Launch + i) * _size) + Launch + j];
+                for (int k = 0; k < Launch; k++)
+                {
+                    sum -= normal[(k * _size) + Launch + i] * coupling[(k * _shared) + j];
+                }
+
+                s[(i * _shared) + j] += weight * sum;
+            }
+        }
+    }
+
+    /// <summary>By how much the variance of a flight's distances, and their likeness to the next ones, exceed what was said of a point.</summary>
+    private double Inflation(FlightPath flight)
+    {
+        Vector3d[] misses = _system.Misses(At, flight);
+        double squares = 0;
+        double products = 0;
+        for (int i = 0; i < misses.Length; i++)
+        {
+            squares += misses[i].LengthSquared;
+            products += i > 0 ? Vector3d.Dot(in misses[i], in misses[i - 1]) : 0;
+        }
+
+        double freedom = Math.Max(3, (3 * misses.Length) - Launch);
+        double likeness = squares > 0 ? Math.Min(0.95, Math.Max(0, products / squares)) : 0;
+        double correlation = (1 + likeness) / (1 - likeness);
+        double variance = squares / freedom * correlation;
+        double said = _system.Deviation(in _system.Point(flight.First));
+        return Math.Max(LawShare, variance / (said * said));
+    }
+
+    private void Invert(double[] normal, double[] inverse)
+    {
+        double[] a = new double[Launch * Launch];
+        for (int i = 0; i < a.Length; i++)
+        {
+            a[i] = normal[(i / Launch * _size) + (i % Launch)];
+        }
+
+        Invert(a, inverse, Launch);
+    }
+
+    private static void Invert(double[] a, double[] inverse, int n)
+    {
+        double[] unit = new double[n];
+        double[] column = new double[n];
+        for (int j = 0; j < n; j++)
+        {
+            Array.Clear(unit, 0, n);
+            unit[j] = 1;
+            bool solved = Solve(a, unit, column, n);
+            for (int i = 0; i < n; i++)
+            {
+                inverse[(i * n) + j] = solved ? column[i] : 0;
+            }
+        }
+    }
+
+    private static bool Solve(double[] a, double[] right, double[] x, int n)
+    {
+        double[] system = new double[n * (n + 1)];
+        for (int i = 0; i < n; i++)
+        {
+            Array.Copy(a, i * n, system, i * (n + 1), n);
+            system[(i * (n + 1)) + n] = right[i];
+        }
+
+        return n == 0 || Linear.Solve(system, x, n);
+    }
+}

@@ -1,0 +1,193 @@
+namespace Football.Physics.Tracks;
+
+/// <summary>Finds a surface from impacts: restitution, its rise with obliqueness, and friction.</summary>
+/// <remarks>
+/// Least squares by Gauss and Newton's method, of what an impact leaves of the velocities towards the ground and along it, as shares of those before; what lies far off counts
+/// less (Huber), so that a touch taken for an impact does no harm.
+/// </remarks>
+internal sealed class SurfaceFit
+{
+    private const int Numbers = 3;
+    private const int MostSteps = 30;
+
+    /// <summary>Impacts of less speed towards the ground, m/s, are those of a ball that hops in the grass.</summary>
+    private const double LeastApproach = 1.2;
+
+    /// <summary>Slower along the ground, m/s, friction is not told.</summary>
+    private const double LeastAlong = 2;
+
+    /// <summary>How far the shares scatter from one impact to the next on a real pitch, beside what the flights are sure of.</summary>
+    private const double Scatter = 0.06;
+
+    /// <summary>Farther off than so many deviations counts linearly.</summary>
+    private const double Huber = 1.5;
+
+    /// <summary>Standard deviations of the numbers, about the ground's own, before the impacts were seen.</summary>
+    private static readonly double[] KnownDeviations = [0.15, 0.6, 0.5];
+
+    private static readonly double[] Steps = [1e-4, 1e-4, 1e-4];
+
+    private readonly BallProperties _ball;
+    private readonly Ground _ground;
+    private readonly List<MatchPiece> _impacts;
+
+    /// <summary>Finds the numbers.</summary>
+    /// <param name="ball">The ball.</param>
+    /// <param name="ground">What is likely, and what is not sought.</param>
+    /// <param name="pieces">Pieces of the match.</param>
+    public SurfaceFit(BallProperties ball, Ground ground, List<MatchPiece> pieces)
+    {
+        _ball = ball;
+        _ground = ground;
+        _impacts = pieces.FindAll(p => p.Kind == MatchPieceKind.Impact && p.Restitution is not null && -p.VelocityBefore.Y > LeastApproach);
+        Ground = ground;
+        if (_impacts.Count > 0)
+        {
+            Find();
+        }
+    }
+
+    /// <summary>The ground with what was found.</summary>
+    public Ground Ground { get; private set; }
+
+    /// <summary>How many impacts told of it.</summary>
+    public int Impacts => _impacts.Count;
+
+    /// <summary>Names of the numbers.</summary>
+    public string[] Names { get; private set; } = [];
+
+    /// <summary>The numbers.</summary>
+    public double[] Values { get; private set; } = [];
+
+    /// <summary>Their standard deviations.</summary>
+    public double[] Deviations { get; private set; } = [];
+
+    private void Find()
+    {
+        // 1. Downhill, weights by how far each impact is off. 2. The scatter that is left, and the uncertainty from it.
+        double[] likely = [_ground.NormalRestitution, _ground.RestitutionRise, Math.Min(_ground.ImpactFriction, 2)];
+        double[] values = (double[])likely.Clone();
+        double[] normal = new double[Numbers * Numbers];
+        double[] right = new double[Numbers];
+        double[] step = new double[Numbers];
+        double[] system = new double[Numbers * (Numbers + 1)];
+        for (int i = 0; i < MostSteps; i++)
+        {
+            Equations(values, likely, normal, right, out _);
+            Fill(normal, right, system);
+            if (!Linear.Solve(system, step, Numbers))
+            {
+                break;
+            }
+
+            double change = 0;
+            for (int k = 0; k < Numbers; k++)
+            {
+                double moved = Math.Min(k < 2 ? 1.0 : 2.0, Math.Max(0, values[k] + (0.7 * step[k])));
+                change = Math.Max(change, Math.Abs(moved - values[k]));
+                values[k] = moved;
+            }
+
+            if (change < 1e-6)
+            {
+                break;
+            }
+        }
+
+        Equations(values, likely, normal, right, out double scatter);
+        double[] deviations = new double[Numbers];
+        for (int k = 0; k < Numbers; k++)
+        {
+            double[] unit = new double[Numbers];
+            unit[k] = 1;
+            Fill(normal, unit, system);
+            bool solved = Linear.Solve(system, step, Numbers);
+            deviations[k] = solved ? Math.Min(KnownDeviations[k], Math.Sqrt(Math.Max(0, step[k]) * Math.Max(1, scatter))) : KnownDeviations[k];
+        }
+
+        Names = ["restitution", "restitutionRise", "friction"];
+        (Values, Deviations) = (values, deviations);
+        Ground = With(values);
+    }
+
+    private Ground With(double[] values) => _ground with { NormalRestitution = values[0], RestitutionRise = values[1], ImpactFriction = values[2] };
+
+    private static void Fill(double[] normal, double[] right, double[] system)
+    {
+        for (int i = 0; i < Numbers; i++)
+        {
+            Array.Copy(normal, i * Numbers, system, i * (Numbers + 1), Numbers);
+            system[(i * (Numbers + 1)) + Numbers] = right[i];
+        }
+    }
+
+    /// <summary>Normal equations with what was known before.</summary>
+    private void Equations(double[] values, double[] likely, double[] normal, double[] right, out double scatter)
+    {
+        Array.Clear(normal, 0, normal.Length);
+        double squares = 0;
+        double weights = 0;
+        for (int k = 0; k < Numbers; k++)
+        {
+            double weight = 1 / (KnownDeviations[k] * KnownDeviations[k]);
+            normal[(k * Numbers) + k] = weight;
+            right[k] = weight * (likely[k] - values[k]);
+        }
+
+        double[] changed = new double[Numbers];
+        var materials = new ContactMaterial[Numbers];
+        var at = new ContactMaterial(With(values));
+        for (int k = 0; k < Numbers; k++)
+        {
+            Array.Copy(values, changed, Numbers);
+            changed[k] += Steps[k];
+            materials[k] = new ContactMaterial(With(changed));
+        }
+
+        foreach (MatchPiece impact in _impacts)
+        {
+            Vector3d before = impact.VelocityBefore;
+            double approach = -before.Y;
+            double speed = before.Horizontal.Length;
+            Shares(in at, impact, out double bounce, out double kept);
+            double[] misses = [impact.Restitution!.Value - bounce, speed > LeastAlong ? impact.Kept - kept : 0];
+            double[] sizes = [approach, speed];
+            for (int row = 0; row < (speed > LeastAlong ? 2 : 1); row++)
+            {
+                double unsure = impact.VelocityDeviation.Length / sizes[row];
+                double deviation = Math.Sqrt((Scatter * Scatter) + (unsure * unsure));
+                double off = Math.Abs(misses[row]) / deviation;
+                double weight = (off > Huber ? Huber / off : 1) / (deviation * deviation);
+                squares += weight * misses[row] * misses[row];
+                weights++;
+                double[] slope = new double[Numbers];
+                for (int k = 0; k < Numbers; k++)
+                {
+                    Shares(in materials[k], impact, out double otherBounce, out double otherKept);
+                    slope[k] = ((row == 0 ? otherBounce : otherKept) - (row == 0 ? bounce : kept)) / Steps[k];
+                }
+
+                for (int k = 0; k < Numbers; k++)
+                {
+                    right[k] += weight * slope[k] * misses[row];
+                    for (int j = 0; j < Numbers; j++)
+                    {
+                        normal[(k * Numbers) + j] += weight * slope[k] * slope[j];
+                    }
+                }
+            }
+        }
+
+        scatter = squares / Math.Max(1, weights - Numbers);
+    }
+
+    /// <summary>What an impact leaves of the speeds towards the ground and along it.</summary>
+    private void Shares(in ContactMaterial material, MatchPiece impact, out double bounce, out double kept)
+    {
+        Vector3d before = impact.VelocityBefore;
+        CoulombImpact.Apply(_ball, in material, Vector3d.Up, Vector3d.Zero, in before, impact.SpinBefore, out Vector3d after, out _);
+        Vector3d along = before.Horizontal;
+        bounce = after.Y / -before.Y;
+        kept = along.LengthSquared > 0 ? Vector3d.Dot(along, after.Horizontal) / along.LengthSquared : 1;
+    }
+}

@@ -1,0 +1,122 @@
+namespace Football.Physics.Tracks;
+
+/// <summary>A track made ready: without points that jump out and back, divided where it has gaps, and with its noise.</summary>
+internal sealed class TrackRuns
+{
+    /// <summary>A wait of so many usual ones, and of so many seconds, is a gap.</summary>
+    private const double GapShare = 3.5;
+    private const double LeastGap = 0.1;
+
+    /// <summary>A point that is so far off the cubic through its four neighbours, m or deviations, has jumped out and back: no impact bends a path so much.</summary>
+    private const double Spike = 0.3;
+    private const double SpikeShare = 8;
+
+    /// <summary>√20: deviation of a third difference by that of a point; and the median of |x| by the deviation.</summary>
+    private const double ThirdDifference = 4.47213595499958;
+    private const double Median = 0.6745;
+
+    public TrackRuns(TrackPoint[] track)
+    {
+        Wait = UsualWait(track);
+        Noise = NoiseOf(track);
+        Points = WithoutSpikes(track);
+        List<int> ends = [];
+        for (int i = 1; i < Points.Length; i++)
+        {
+            if (IsGap(Points[i - 1].Time, Points[i].Time))
+            {
+                ends.Add(i);
+            }
+        }
+
+        ends.Add(Points.Length);
+        Ends = ends;
+    }
+
+    /// <summary>The points.</summary>
+    public TrackPoint[] Points { get; }
+
+    /// <summary>Where each run without gaps ends, exclusive.</summary>
+    public IReadOnlyList<int> Ends { get; }
+
+    /// <summary>The usual wait between two points, s.</summary>
+    public double Wait { get; }
+
+    /// <summary>Standard deviation of a coordinate from one point to the next, m.</summary>
+    public double Noise { get; }
+
+    /// <summary>Whether a track has a gap between two times.</summary>
+    public bool IsGap(double from, double to) => to - from > Math.Max(GapShare * Wait, LeastGap);
+
+    private static double UsualWait(TrackPoint[] track)
+    {
+        double[] waits = new double[track.Length - 1];
+        for (int i = 1; i < track.Length; i++)
+        {
+            waits[i - 1] = track[i].Time - track[i - 1].Time;
+        }
+
+        Array.Sort(waits);
+        return waits[waits.Length / 2];
+    }
+
+    /// <summary>By third differences, which a smooth path leaves small.</summary>
+    private double NoiseOf(TrackPoint[] track)
+    {
+        double squares = 0;
+        List<double> differences = [];
+        for (int axis = 0; axis < 3; axis++)
+        {
+            differences.Clear();
+            for (int i = 3; i < track.Length; i++)
+            {
+                if (!IsGap(track[i - 3].Time, track[i].Time - (2 * Wait)))
+                {
+                    Vector3d third = track[i].Position - track[i - 3].Position - (3 * (track[i - 1].Position - track[i - 2].Position));
+                    differences.Add(Math.Abs(axis == 0 ? third.X : axis == 1 ? third.Y : third.Z));
+                }
+            }
+
+            differences.Sort();
+            double deviation = differences.Count > 0 ? differences[differences.Count / 2] / (Median * ThirdDifference) : 0;
+            squares += deviation * deviation;
+        }
+
+        return Math.Sqrt(squares / 3);
+    }
+
+    private TrackPoint[] WithoutSpikes(TrackPoint[] track)
+    {
+        double most = Math.Max(Spike, SpikeShare * Noise);
+        List<TrackPoint> kept = [];
+        for (int i = 0; i < track.Length; i++)
+        {
+            if (i > 0 && track[i].Time <= track[i - 1].Time)
+            {
+                continue;
+            }
+
+            bool isInside = i >= 2 && i + 2 < track.Length && track[i + 2].Time - track[i - 2].Time < 5 * Wait;
+            if (!isInside || Off(track, i) <= most || Off(track, i) < Math.Max(Off(track, i - 1), Off(track, i + 1)) || !IsSmoothWithout(track, i, most))
+            {
+                kept.Add(track[i]);
+            }
+        }
+
+        return [.. kept];
+    }
+
+    /// <summary>How far a point is off the cubic through its four neighbours.</summary>
+    private static double Off(TrackPoint[] track, int i) =>
+        i < 2 || i + 2 >= track.Length ? 0
+        : (track[i].Position - ((4.0 / 6.0) * (track[i - 1].Position + track[i + 1].Position)) + ((1.0 / 6.0) * (track[i - 2].Position + track[i + 2].Position))).Length;
+
+    /// <summary>Whether the neighbours lie on a line nearly: then the one between them is what jumped.</summary>
+    private static bool IsSmoothWithout(TrackPoint[] track, int i, double most)
+    {
+        Vector3d before = track[i - 1].Position - track[i - 2].Position;
+        Vector3d after = track[i + 2].Position - track[i + 1].Position;
+        Vector3d across = 0.5 * (track[i + 1].Position - track[i - 1].Position);
+        return (across - before).Length < most && (across - after).Length < most;
+    }
+}

@@ -1,0 +1,139 @@
+namespace Football.Physics.Tracks;
+
+/// <summary>Divides a track into pieces that a cubic in time describes, so that kicks, bounces and seams lie between them.</summary>
+/// <remarks>
+/// The best division of all (dynamic programming): the least Σ (|seen − cubic|²/σ² + price of a piece). A cubic is a flight of a second within some centimetres; longer ones
+/// are divided, and put together again by the laws of flight.
+/// </remarks>
+internal sealed class TrackSegments
+{
+    /// <summary>Price of a piece, in squares of σ: twelve numbers of three cubics, and where it begins.</summary>
+    private const double Price = 40;
+
+    /// <summary>What more it costs that a piece is shorter than the points of a cubic.</summary>
+    private const double ShortPrice = 15;
+
+    private const int Coefficients = 4;
+    private const int Shortest = 5;
+
+    private readonly TrackPoint[] _track;
+    private readonly double _perVariance;
+    private readonly int _longest;
+    private readonly double[] _moments = new double[(2 * Coefficients) - 1];
+    private readonly double[] _right = new double[3 * Coefficients];
+    private readonly double[] _squares = new double[3];
+    private readonly double[] _factor = new double[Coefficients * Coefficients];
+
+    /// <summary>Prepares the division of a track.</summary>
+    /// <param name="track">The track.</param>
+    /// <param name="deviation">σ, how far a coordinate may be off a cubic, m.</param>
+    /// <param name="longest">Points of a piece at most.</param>
+    public TrackSegments(TrackPoint[] track, double deviation, int longest)
+    {
+        _track = track;
+        _perVariance = 1.0 / (deviation * deviation);
+        _longest = longest;
+    }
+
+    /// <summary>Divides the points of a run without gaps.</summary>
+    /// <param name="first">The first point.</param>
+    /// <param name="end">The one behind the last.</param>
+    /// <param name="ends">Receives where each piece ends, exclusive, in order.</param>
+    public void Divide(int first, int end, List<int> ends)
+    {
+        int count = end - first;
+        double[] least = new double[count + 1];
+        int[] from = new int[count + 1];
+        least.AsSpan(1).Fill(double.PositiveInfinity);
+        for (int start = 0; start < count; start++)
+        {
+            // Every piece that begins here: its moments grow by a point at a time.
+            Clear();
+            int last = Math.Min(count, start + _longest);
+            for (int stop = start + 1; stop <= last; stop++)
+            {
+                Add(in _track[first + stop - 1], _track[first + start].Time, in _track[first + start]);
+                double cost = least[start] + Price + (stop - start < Shortest ? ShortPrice : _perVariance * Residual());
+                if (cost < least[stop])
+                {
+                    least[stop] = cost;
+                    from[stop] = start;
+                }
+            }
+        }
+
+        int at = ends.Count;
+        for (int stop = count; stop > 0; stop = from[stop])
+        {
+            ends.Insert(at, first + stop);
+        }
+    }
+
+    private void Clear()
+    {
+        Array.Clear(_moments, 0, _moments.Length);
+        Array.Clear(_right, 0, _right.Length);
+        Array.Clear(_squares, 0, _squares.Length);
+    }
+
+    private void Add(in TrackPoint point, double from, in TrackPoint origin)
+    {
+        double t = point.Time - from;
+        Vector3d p = point.Position - origin.Position;
+        double power = 1;
+        for (int k = 0; k < _moments.Length; k++, power *= t)
+        {
+            _moments[k] += power;
+            if (k < Coefficients)
+            {
+                _right[k] += power * p.X;
+                _right[Coefficients + k] += power * p.Y;
+                _right[(2 * Coefficients) + k] += power * p.Z;
+            }
+        }
+
+        _squares[0] += p.X * p.X;
+        _squares[1] += p.Y * p.Y;
+        _squares[2] += p.Z * p.Z;
+    }
+
+    /// <summary>Σ p² − |L⁻¹ r|² of the three coordinates, M = L Lᵀ.</summary>
+    private double Residual()
+    {
+        for (int i = 0; i < Coefficients; i++)
+        {
+            for (int j = 0; j <= i; j++)
+            {
+                double sum = _moments[i + j];
+                for (int k = 0; k < j; k++)
+                {
+                    sum -= _factor[(i * Coefficients) + k] * _factor[(j * Coefficients) + k];
+                }
+
+                _factor[(i * Coefficients) + j] = i > j ? sum / _factor[(j * Coefficients) + j] : Math.Sqrt(Math.Max(sum, 1e-30));
+            }
+        }
+
+        double residual = 0;
+        Span<double> y = stackalloc double[Coefficients];
+        for (int axis = 0; axis < 3; axis++)
+        {
+            double left = _squares[axis];
+            for (int i = 0; i < Coefficients; i++)
+            {
+                double sum = _right[(axis * Coefficients) + i];
+                for (int k = 0; k < i; k++)
+                {
+                    sum -= _factor[(i * Coefficients) + k] * y[k];
+                }
+
+                y[i] = sum / _factor[(i * Coefficients) + i];
+                left -= y[i] * y[i];
+            }
+
+            residual += Math.Max(0, left);
+        }
+
+        return residual;
+    }
+}

@@ -1,0 +1,37 @@
+using Football.Scenarios.Input;
+
+namespace Football.Scenarios;
+
+/// <summary>Reads what a kick is to do: the member "aim" of a scenario.</summary>
+public static class AimInput
+{
+    /// <summary>The request; what its numbers may be the library says when the kick is looked for.</summary>
+    /// <param name="aim">The input.</param>
+    public static AimRequest Request(InputObject aim)
+    {
+        var request = new AimRequest();
+        InputObject spin = aim.Object("spin");
+        InputObject elevation = aim.Object("elevation");
+        InputObject maxSpin = aim.Object("maxSpin");
+        return new AimRequest
+        {
+            From = aim.Vector("from"),
+            Target = aim.Vector("target"),
+            Through = aim.OptionalVector("through"),
+            Speed = aim.Number("speed"),
+            TargetVelocity = aim.Vector("targetVelocity", request.TargetVelocity),
+            KickTime = aim.Number("kickTime", request.KickTime),
+            Arc = aim.Choice("arc", request.Arc),
+            TopSpin = spin.Number("top", request.TopSpin),
+            SideSpin = spin.Number("side", request.SideSpin),
+            MinimumElevationDegrees = elevation.Number("min", request.MinimumElevationDegrees),
+            MaximumElevationDegrees = elevation.Number("max", request.MaximumElevationDegrees),
+            SpinIsFree = spin.Flag("free", request.SpinIsFree),
+            MaximumTopSpin = maxSpin.Number("top", request.MaximumTopSpin),
+            MaximumSideSpin = maxSpin.Number("side", request.MaximumSideSpin),
+            Tolerance = aim.Number("tolerance", request.Tolerance),
+            ThroughTolerance = aim.Number("throughTolerance", request.ThroughTolerance),
+            MaximumIterations = aim.Whole("maxIterations", request.MaximumIterations),
+        };
+    }
+}

@@ -1,0 +1,138 @@
+using System.CommandLine;
+using Football.Drawing;
+using Football.Physics.Tracks;
+using Football.Scenarios;
+using Football.Scenarios.Input;
+using Football.Tool.Commands;
+
+namespace Football.Tool.Fit;
+
+/// <summary>football fit --match: what the whole track of a match tells.</summary>
+internal sealed class MatchCommand
+{
+    private static readonly string[] Free = ["wind", "drag", "crisis", "lift", "surface", "height"];
+
+    private readonly Option<string?> _match = new("--match")
+    {
+        HelpName = "TRACK.csv",
+        Description = "Fits the track of a whole match instead of FILE: lines of t, x, y, z (s, m, z up) under a header; - is the standard input.",
+    };
+
+    private readonly Option<string?> _ball = new("--ball") { HelpName = "TYPE", Description = "With --match: the ball, short for --set ball.type=TYPE; modern is a ball as it flies in matches." };
+    private readonly Option<double?> _altitude = new("--altitude") { HelpName = "M", Description = "With --match: metres over the sea, short for --set air.weather.altitude=M." };
+    private readonly Option<double?> _temperature = new("--temperature") { HelpName = "C", Description = "With --match: degrees Celsius, short for --set air.weather.temperature=C." };
+
+    private readonly Option<string?> _free = new("--free")
+    {
+        HelpName = "NAMES",
+        Description = "With --match: what one value for the whole track is found of, of wind, drag (with its crisis), crisis, lift, surface, height, or none; default wind,drag,surface,height.",
+    };
+
+    private readonly Option<string?> _plot = new("--plot") { HelpName = "FILE.svg", Description = "With --match: draws track and fit, from above and from the side, and the distances." };
+
+    /// <summary>Adds its options to a command.</summary>
+    public void AddTo(Command command)
+    {
+        command.Add(_match);
+        command.Add(_ball);
+        command.Add(_altitude);
+        command.Add(_temperature);
+        command.Add(_free);
+        command.Add(_plot);
+        command.Validators.Add(result =>
+        {
+            bool match = result.GetResult(_match) is not null;
+            foreach (Option option in (Option[])[_ball, _altitude, _temperature, _free, _plot])
+            {
+                if (!match && result.GetResult(option) is not null)
+                {
+                    result.AddError($"{option.Name} goes with --match.");
+                }
+            }
+        });
+    }
+
+    /// <summary>What asks for it.</summary>
+    public Option<string?> Option => _match;
+
+    /// <summary>Does it.</summary>
+    public int Run(ParseResult parsed, FieldOverride[] given, bool json, Terminal terminal)
+    {
+        string file = parsed.GetValue(_match)!;
+        MatchFitRequest request = Request(parsed.GetValue(_free));
+        List<FieldOverride> overrides = [];
+        void Set(string path, object? value)
+        {
+            if (value is not null)
+            {
+                overrides.Add(FieldOverride.Parse(FormattableString.Invariant($"{path}={value}"))!);
+            }
+        }
+
+        Set("ball.type", parsed.GetValue(_ball));
+        Set("air.weather.altitude", parsed.GetValue(_altitude));
+        Set("air.weather.temperature", parsed.GetValue(_temperature));
+        using var plot = OutputFile.Open("--plot", parsed.GetValue(_plot));
+        InputCase input = InputCase.Read(new InputLine("{}"u8.ToArray(), false), [.. overrides, .. given]);
+        InputFields fields = input.Scenario ?? throw input.Refusal!;
+        Scene scene = SceneInput.Scene(fields.Root);
+        fields.Check();
+        using Stream stream = Arguments.OpenInput(file, terminal);
+        TrackPoint[] track = TrackReader.Read(stream, terminal.Person.WriteLine);
+        MatchFitResult fit;
+        try
+        {
+            fit = Progress.Show(terminal, "fit", progress => new MatchFit(scene).Find(track, request, new Told(progress)));
+        }
+        catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields) is { } said)
+        {
+            throw said;
+        }
+
+        if (json)
+        {
+            foreach (MatchPiece piece in fit.Pieces)
+            {
+                terminal.Output.Write(MatchWriter.Piece(piece).Span);
+            }
+
+            terminal.Output.Write(MatchWriter.Summary(fit).Span);
+        }
+        else
+        {
+            MatchTable.Print(fit, terminal);
+        }
+
+        terminal.Person.WriteLine(MatchTable.Summary(fit));
+        plot?.Write(Svg.Standing("Fit of a match", MatchPicture.Draw(MatchTable.Summary(fit), fit)));
+        return ExitCode.Done;
+    }
+
+    private static MatchFitRequest Request(string? free)
+    {
+        if (free is null)
+        {
+            return new MatchFitRequest();
+        }
+
+        string[] names = free == "none" ? [] : [.. free.Split(',').Select(name => name.Trim())];
+        string? unknown = Array.Find(names, name => !Free.Contains(name));
+        return unknown is null
+            ? new MatchFitRequest
+            {
+                Wind = names.Contains("wind"),
+                Drag = names.Contains("drag"),
+                Crisis = names.Contains("crisis"),
+                Lift = names.Contains("lift"),
+                Surface = names.Contains("surface"),
+                Height = names.Contains("height"),
+            }
+            : throw new RefusedException("--free", Quote.Short(unknown), string.Join(" | ", Free) + " | none");
+    }
+
+    /// <summary>Tells of the progress at once, in the thread that works.</summary>
+    private sealed class Told(Progress progress) : IProgress<double>
+    {
+        public void Report(double value) => progress.Report(value, 1);
+    }
+}

@@ -1,0 +1,134 @@
+using System.Text.Json;
+using Football.Physics.Tracks;
+using Football.Scenarios;
+
+namespace Football.Tool.Fit;
+
+/// <summary>The fit of a match as lines of JSON: its pieces in order of time, then a summary.</summary>
+internal static class MatchWriter
+{
+    /// <summary>The word for a kind of piece.</summary>
+    public static string Word(MatchPieceKind kind) => kind switch
+    {
+        MatchPieceKind.Flight => "flight",
+        MatchPieceKind.Impact => "impact",
+        MatchPieceKind.Ground => "ground",
+        MatchPieceKind.Touch => "touch",
+        _ => "lost",
+    };
+
+    /// <summary>The line of a piece.</summary>
+    public static ReadOnlyMemory<byte> Piece(MatchPiece piece) => ResultWriter.Line(json =>
+    {
+        json.WriteString("kind", Word(piece.Kind));
+        json.WriteNumber("from", piece.From);
+        json.WriteNumber("to", piece.To);
+        json.WriteNumber("points", piece.Points);
+        json.WriteNumber("rms", piece.Rms);
+        json.WriteNumber("worst", piece.Worst);
+        ResultWriter.WriteVector(json, "position", piece.Position);
+        ResultWriter.WriteVector(json, "velocity", piece.Velocity);
+        ResultWriter.WriteVector(json, "spin", piece.Spin);
+        if (piece.Kind is MatchPieceKind.Impact or MatchPieceKind.Touch)
+        {
+            ResultWriter.WriteVector(json, "velocityBefore", piece.VelocityBefore);
+            ResultWriter.WriteVector(json, "spinBefore", piece.SpinBefore);
+        }
+
+        if (piece.Kind == MatchPieceKind.Impact)
+        {
+            if (piece.Restitution is { } restitution)
+            {
+                json.WriteNumber("restitution", restitution);
+            }
+            else
+            {
+                json.WriteNull("restitution");
+            }
+
+            json.WriteNumber("kept", piece.Kept);
+        }
+
+        json.WriteStartObject("deviations");
+        if (piece.VelocityDeviation != Vector3d.Zero)
+        {
+            ResultWriter.WriteVector(json, "velocity", piece.VelocityDeviation);
+            ResultWriter.WriteVector(json, "spin", piece.SpinDeviation);
+        }
+
+        json.WriteEndObject();
+    });
+
+    /// <summary>The line of the summary: "fitted" has the numbers that hold for all of the track, "deviations" those of them that were sought.</summary>
+    public static ReadOnlyMemory<byte> Summary(MatchFitResult fit) => ResultWriter.Line(json =>
+    {
+        json.WriteString("kind", "summary");
+        json.WriteNumber("rms", fit.Rms);
+        json.WriteNumber("flights", fit.Flights);
+        json.WriteNumber("covered", fit.Covered);
+        json.WriteNumber("impacts", fit.Impacts);
+        json.WriteNumber("noise", fit.Noise);
+        json.WriteStartObject("fitted");
+        ResultWriter.WriteVector(json, "wind", fit.Scene.Air.Wind);
+        json.WriteNumber("drag", Of(fit, "drag") ?? 1);
+        json.WriteNumber("crisis", fit.Scene.Ball.DragCurve.CriticalReynolds);
+        json.WriteNumber("lift", Of(fit, "lift") ?? 1);
+        json.WriteNumber("groundHeight", fit.Scene.Ground.Height);
+        json.WriteNumber("restitution", fit.Scene.Ground.NormalRestitution);
+        json.WriteNumber("restitutionRise", fit.Scene.Ground.RestitutionRise);
+        if (double.IsFinite(fit.Scene.Ground.ImpactFriction))
+        {
+            json.WriteNumber("friction", fit.Scene.Ground.ImpactFriction);
+        }
+        else
+        {
+            json.WriteNull("friction");
+        }
+
+        json.WriteEndObject();
+        json.WriteStartObject("deviations");
+        WriteDeviations(json, fit);
+        json.WriteEndObject();
+        json.WriteString("goodFor", GoodFor(fit));
+    });
+
+    /// <summary>What a track is good for, in words.</summary>
+    public static string GoodFor(MatchFitResult fit)
+    {
+        // A launch wants a few flights that fit about as well as their points are seen; what all share wants several of them, of centimetres.
+        double seen = Math.Max(0.02, 3 * fit.Noise);
+        return fit.Flights == 0 ? "nothing that flies long enough: only when the ball was touched, and where it was on the ground"
+            : fit.Rms > seen + 0.05 ? "where the ball flew and about how fast; its track is not that of a free ball to within its noise, so no spin, wind or drag"
+            : fit.Flights < 4 || fit.Noise > 0.06 ? "launches of its flights; too few, or too coarse, for wind, drag and surface: those stay about what was known before"
+            : fit.Impacts < 4 ? "launches and spins, wind and drag; too few impacts for the surface"
+            : "launches and spins, wind and drag, and the surface";
+    }
+
+    private static void WriteDeviations(Utf8JsonWriter json, MatchFitResult fit)
+    {
+        for (int i = 0; i < fit.Names.Count; i++)
+        {
+            if (fit.Names[i] == "wind.x")
+            {
+                ResultWriter.WriteVector(json, "wind", new Vector3d(fit.Deviation(i), 0, fit.Deviation(i + 1)));
+            }
+            else if (fit.Names[i] != "wind.z")
+            {
+                json.WriteNumber(fit.Names[i], fit.Deviation(i));
+            }
+        }
+    }
+
+    private static double? Of(MatchFitResult fit, string name)
+    {
+        for (int i = 0; i < fit.Names.Count; i++)
+        {
+            if (fit.Names[i] == name)
+            {
+                return fit.Value(i);
+            }
+        }
+
+        return null;
+    }
+}

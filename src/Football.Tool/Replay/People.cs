@@ -1,0 +1,57 @@
+using Football.Physics.Shapes;
+
+namespace Football.Tool.Replay;
+
+/// <summary>Obstacles that are people, as pictures draw them: by name and size, since to the ball they are boxes and rods.</summary>
+internal static class People
+{
+    /// <summary>Somebody in a wall takes so much room, m.</summary>
+    private const double Room = 0.52;
+
+    private static readonly Vector3d s_ahead = new(0, 0, 1);
+
+    /// <summary>The players of an obstacle named "wall", the goalkeeper of one named "keeper", who is under one named "head", each as feet, shoulders, hands and the direction he faces; null for all else.</summary>
+    public static IReadOnlyList<Vector3d[]>? Of(Obstacle obstacle) => (obstacle.Name, obstacle.Shape) switch
+    {
+        ("wall", BoxShape box) when IsWall(box) => Row(box),
+        ("wall", CapsuleShape rod) => [Standing(new Vector3d(rod.From.X, rod.From.Y - rod.Radius, rod.From.Z), 1.45)],
+        ("wall", SphereShape) => [],
+        ("keeper", CapsuleShape rod) => [Stretched(rod)],
+        ("head", SphereShape head) => [Jumping(head, obstacle.Velocity)],
+        _ => null,
+    };
+
+    /// <summary>As high as people, thinner than a yard, upright.</summary>
+    private static bool IsWall(BoxShape box) => box.HalfSize.Y is > 0.8 and < 1.2 && box.HalfSize.Z < 0.4 && box.Rotation == Quaterniond.Identity;
+
+    private static Vector3d[][] Row(BoxShape box)
+    {
+        int count = Math.Max(1, (int)Math.Round(2 * box.HalfSize.X / Room));
+        double step = 2 * box.HalfSize.X / count;
+        double ground = box.Center.Y - box.HalfSize.Y;
+        return [.. Enumerable.Range(0, count).Select(i => Standing(
+            new Vector3d(box.Center.X - box.HalfSize.X + ((i + 0.5) * step), ground, box.Center.Z), (2 * box.HalfSize.Y) - 0.4))];
+    }
+
+    /// <summary>Somebody who stands with his hands before him.</summary>
+    private static Vector3d[] Standing(Vector3d feet, double shoulders) =>
+        [feet, feet + new Vector3d(0, shoulders, 0), feet + new Vector3d(0, 0.62 * shoulders, 0.2), s_ahead];
+
+    private static Vector3d[] Stretched(CapsuleShape rod)
+    {
+        Vector3d along = (rod.To - rod.From).Normalized();
+        Vector3d hands = rod.To + (rod.Radius * along);
+        Vector3d feet = along.Y > 0.8 ? new Vector3d(rod.From.X, rod.From.Y - rod.Radius, rod.From.Z) : hands - (2.15 * along);
+        return along.Y > 0.8
+            ? [feet, feet + (1.42 * along), feet + new Vector3d(0, 1.15, 0.35), s_ahead]
+            : [feet, feet + (1.42 * along), hands, s_ahead];
+    }
+
+    private static Vector3d[] Jumping(SphereShape head, Vector3d velocity)
+    {
+        Vector3d forward = velocity.Horizontal.Length > 0.1 ? velocity.Horizontal.Normalized() : s_ahead;
+        Vector3d shoulders = head.Center - new Vector3d(0, 0.24, 0) - (0.06 * forward);
+        Vector3d feet = shoulders - new Vector3d(0, 1.38, 0) - (0.28 * forward);
+        return [feet, shoulders, shoulders + (0.25 * forward) - new Vector3d(0, 0.45, 0), forward];
+    }
+}

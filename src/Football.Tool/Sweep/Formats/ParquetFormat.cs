@@ -1,0 +1,251 @@
+using System.Buffers;
+using System.Buffers.Binary;
+using System.Text;
+using Football.Tool.Sweep.Columns;
+
+namespace Football.Tool.Sweep.Formats;
+
+/// <summary>
+/// One Parquet file: a column for each number of a row, words as text by a dictionary. Values lie as they are, in row groups of a fixed number of rows, so that every length follows from the
+/// number of rows alone: rows are appended to a file, and the footer, which has the places of all, is made of their number.
+/// </summary>
+/// <remarks>
+/// Format: parquet.apache.org/docs/file-format. A row group has a page a column: DOUBLE and INT64 PLAIN, words RLE_DICTIONARY in one bit-packed run of eight bits, behind their dictionary's page. Nothing
+/// is compressed, nothing is null: a number that is none is NaN, as in the other formats.
+/// </remarks>
+internal sealed class ParquetFormat : RowFormat
+{
+    /// <summary>Rows of a row group.</summary>
+    public const int GroupRows = 32_768;
+
+    private const int TypeWhole = 2;
+    private const int TypeReal = 5;
+    private const int TypeBytes = 6;
+    private const int EncodingPlain = 0;
+    private const int EncodingLevels = 3;
+    private const int EncodingDictionary = 8;
+    private const int PageData = 0;
+    private const int PageDictionary = 2;
+
+    private readonly List<Leaf> _leaves;
+
+    public ParquetFormat(IReadOnlyList<Column> columns) => _leaves =
+        [.. columns.SelectMany((column, c) => column.Labels.Select((label, i) => new Leaf(label, column, c, i, Dictionary(column))))];
+
+    public override string Name => "parquet";
+
+    public override IReadOnlyList<string> Files { get; } = ["rows.parquet"];
+
+    public override int RowsAtOnce(int bytes) => GroupRows;
+
+    public override string FileOf(Column column) => Files[0];
+
+    public override byte[] Header(int file, long rows) => Magic.ToArray();
+
+    public override long? Bytes(long rows) => Magic.Length + Groups([rows]).Sum(group => Body(group)) + Footer(0, [rows]).Length;
+
+    public override void Write(IReadOnlyList<ColumnData> columns, int rows, IReadOnlyList<ArrayBufferWriter<byte>> to)
+    {
+        ArrayBufferWriter<byte> file = to[0];
+        foreach (Leaf leaf in _leaves)
+        {
+            ColumnData column = columns[leaf.Index];
+            int size = leaf.Column.Size;
+            file.Write(leaf.Dictionary);
+            file.Write(PageHeader(leaf, rows));
+            Span<byte> page = file.GetSpan(PageBytes(leaf, rows))[..PageBytes(leaf, rows)];
+            page.Clear();
+            switch (leaf.Column.Kind)
+            {
+                case ColumnKind.Word:
+                    int begin = WordsBegin(page, rows);
+                    for (int row = 0; row < rows; row++)
+                    {
+                        page[begin + row] = column.Words[(row * size) + leaf.Place];
+                    }
+
+                    break;
+                case ColumnKind.Whole:
+                    for (int row = 0; row < rows; row++)
+                    {
+                        BinaryPrimitives.WriteInt64LittleEndian(page[(8 * row)..], column.Wholes[(row * size) + leaf.Place]);
+                    }
+
+                    break;
+                default:
+                    for (int row = 0; row < rows; row++)
+                    {
+                        BinaryPrimitives.WriteDoubleLittleEndian(page[(8 * row)..], column.Reals[(row * size) + leaf.Place]);
+                    }
+
+                    break;
+            }
+
+            file.Advance(page.Length);
+        }
+    }
+
+    public override byte[] Footer(int file, IReadOnlyList<long> parts)
+    {
+        long at = Magic.Length;
+        byte[] metadata = new ThriftWriter()
+            .Number(1, 2)
+            .Structs<Leaf?>(2, [null, .. _leaves], Schema)
+            .Number(3, parts.Sum())
+            .Structs(4, [.. Groups(parts)], (to, rows) => Group(to, rows, ref at))
+            .Text(6, "football sweep")
+            .End();
+        byte[] length = new byte[4];
+        BinaryPrimitives.WriteInt32LittleEndian(length, metadata.Length);
+        return [.. metadata, .. length, .. Magic];
+    }
+
+    private static ReadOnlySpan<byte> Magic => "PAR1"u8;
+
+    /// <summary>Rows of each row group of files that were put together of parts.</summary>
+    private static IEnumerable<int> Groups(IReadOnlyList<long> parts)
+    {
+        foreach (long part in parts)
+        {
+            for (long left = part; left > 0; left -= GroupRows)
+            {
+                yield return (int)Math.Min(left, GroupRows);
+            }
+        }
+    }
+
+    /// <summary>A column in the schema; null is the root.</summary>
+    private void Schema(ThriftWriter to, Leaf? leaf)
+    {
+        if (leaf is null)
+        {
+            to.Text(4, "rows").Number(5, _leaves.Count);
+            return;
+        }
+
+        // Required.
+        to.Number(1, leaf.Type).Number(3, 0).Text(4, leaf.Name);
+        if (leaf.Column.Kind == ColumnKind.Word)
+        {
+            // UTF8.
+            to.Number(6, 0);
+        }
+    }
+
+    private void Group(ThriftWriter to, int rows, ref long at)
+    {
+        long begin = at;
+        var places = new List<(Leaf Leaf, long At)>();
+        foreach (Leaf leaf in _leaves)
+        {
+            places.Add((leaf, begin));
+            begin += Length(leaf, rows);
+        }
+
+        at = begin;
+        to.Structs(1, places, (chunk, place) => chunk.Number(2, place.At).Struct(3, about => Chunk(about, place.Leaf, place.At, rows)))
+            .Number(2, (long)Body(rows))
+            .Number(3, (long)rows);
+    }
+
+    private static void Chunk(ThriftWriter to, Leaf leaf, long at, int rows)
+    {
+        bool words = leaf.Column.Kind == ColumnKind.Word;
+        to.Number(1, leaf.Type);
+        if (words)
+        {
+            to.Numbers(2, EncodingPlain, EncodingLevels, EncodingDictionary);
+        }
+        else
+        {
+            to.Numbers(2, EncodingPlain, EncodingLevels);
+        }
+
+        to.Texts(3, leaf.Name).Number(4, 0).Number(5, (long)rows).Number(6, (long)Length(leaf, rows)).Number(7, (long)Length(leaf, rows)).Number(9, at + leaf.Dictionary.Length);
+        if (words)
+        {
+            to.Number(11, at);
+        }
+    }
+
+    private int Body(int rows) => _leaves.Sum(leaf => Length(leaf, rows));
+
+    /// <summary>Bytes of a column in a row group.</summary>
+    private static int Length(Leaf leaf, int rows) => leaf.Dictionary.Length + PageHeader(leaf, rows).Length + PageBytes(leaf, rows);
+
+    private static int PageBytes(Leaf leaf, int rows)
+    {
+        if (leaf.Column.Kind != ColumnKind.Word)
+        {
+            return 8 * rows;
+        }
+
+        Span<byte> header = stackalloc byte[8];
+        return WordsBegin(header, rows) + (8 * ((rows + 7) / 8));
+    }
+
+    /// <summary>Bits of an index, and the length of the run in groups of eight, whose lowest bit says that they are packed.</summary>
+    /// <returns>Where the indices begin.</returns>
+    private static int WordsBegin(Span<byte> page, int rows)
+    {
+        page[0] = 8;
+        int place = 1;
+        uint run = (((uint)rows + 7) / 8 << 1) | 1;
+        for (; run >= 0x80; run >>= 7)
+        {
+            page[place++] = (byte)(run | 0x80);
+        }
+
+        page[place++] = (byte)run;
+        return place;
+    }
+
+    private static byte[] PageHeader(Leaf leaf, int rows) => new ThriftWriter()
+        .Number(1, PageData)
+        .Number(2, PageBytes(leaf, rows))
+        .Number(3, PageBytes(leaf, rows))
+        .Struct(5, page => page.Number(1, rows).Number(2, leaf.Column.Kind == ColumnKind.Word ? EncodingDictionary : EncodingPlain).Number(3, EncodingLevels).Number(4, EncodingLevels))
+        .End();
+
+    /// <summary>The page with the words of a column; empty where it has none.</summary>
+    private static byte[] Dictionary(Column column)
+    {
+        if (column.Kind != ColumnKind.Word)
+        {
+            return [];
+        }
+
+        var words = new ArrayBufferWriter<byte>();
+        foreach (string word in column.Words)
+        {
+            byte[] bytes = Encoding.UTF8.GetBytes(word);
+            BinaryPrimitives.WriteInt32LittleEndian(words.GetSpan(4), bytes.Length);
+            words.Advance(4);
+            words.Write(bytes);
+        }
+
+        byte[] header = new ThriftWriter()
+            .Number(1, PageDictionary)
+            .Number(2, words.WrittenCount)
+            .Number(3, words.WrittenCount)
+            .Struct(7, page => page.Number(1, column.Words.Count).Number(2, EncodingPlain))
+            .End();
+        return [.. header, .. words.WrittenSpan];
+    }
+
+    /// <summary>A column of the file: a number of a column's value.</summary>
+    /// <param name="Name">Its name.</param>
+    /// <param name="Column">The column.</param>
+    /// <param name="Index">Which of the columns.</param>
+    /// <param name="Place">Which of the numbers of a row.</param>
+    /// <param name="Dictionary">The page of the words, with its header.</param>
+    private sealed record Leaf(string Name, Column Column, int Index, int Place, byte[] Dictionary)
+    {
+        public int Type => Column.Kind switch
+        {
+            ColumnKind.Word => TypeBytes,
+            ColumnKind.Whole => TypeWhole,
+            _ => TypeReal,
+        };
+    }
+}

@@ -1,0 +1,79 @@
+using Football.Physics.Labs.People;
+
+namespace Football.Physics.Labs.Tests.Things;
+
+/// <summary>A ball among players, boards, posts and nets, two of them at a time, by checks that know nothing of the library's contacts.</summary>
+public sealed class PeopleTests
+{
+    private const long Seed = 46;
+
+    [Theory]
+    [InlineData("Board")]
+    [InlineData("Corner")]
+    [InlineData("Post")]
+    [InlineData("Net")]
+    public void A_player_presses_no_ball_into_what_stands_still(string against)
+    {
+        var presses = new Presses(Enum.Parse<PressKind>(against));
+        for (int i = 0; i < 25; i++)
+        {
+            presses.Play(Seed, i);
+        }
+
+        Assert.Equal((25, 0, 0), (presses.Cases, presses.Inside, presses.Behind));
+        Assert.InRange(presses.Meter.MostEvents, 1, StepMeter.MostAllowed);
+        Assert.InRange(presses.Deepest, 0, 1e-9);
+    }
+
+    [Fact]
+    public void Two_players_make_no_ball_faster_than_they_may_and_let_it_go()
+    {
+        var pinches = new Pinches();
+        for (int i = 0; i < 100; i++)
+        {
+            pinches.Play(Seed, i);
+        }
+
+        Assert.Equal((100, 0, 0, 0), (pinches.Cases, pinches.TooFast, pinches.Unending, pinches.Beyond20));
+        Assert.True(pinches is { Squeezed: > 20, Deepest: < 1e-9 });
+        Assert.InRange(pinches.Meter.MostEvents, 1, StepMeter.MostAllowed);
+    }
+
+    [Fact]
+    public void One_that_moves_pushes_it_along_or_away()
+    {
+        var meetings = new Meetings();
+        for (int i = 0; i < 60; i++)
+        {
+            meetings.Play(Seed, i);
+        }
+
+        Assert.Equal((60, 0), (meetings.Cases, meetings.TooFast));
+        Assert.True(meetings is { Deepest: < 1e-9, Overlap: < 1e-5 });
+        Assert.InRange(meetings.Meter.MostEvents, 1, StepMeter.MostAllowed);
+    }
+
+    [Fact]
+    public void Flat_into_the_edge_of_board_and_ground_it_rests_as_soon_as_on_open_ground()
+    {
+        var hits = new FlatHits();
+        for (int i = 0; i < 90; i++)
+        {
+            hits.Play(Seed, i);
+        }
+
+        Assert.True(hits.Cases > 50);
+        Assert.Equal((0, 0, 0), (hits.SlidLong, hits.Restless, hits.Later));
+    }
+
+    [Fact]
+    public void A_minute_of_a_match_keeps_what_any_match_must()
+    {
+        var matches = new StadiumMatches();
+        matches.Play(Seed, 0, 60, _ => { });
+        matches.Play(Seed, 1, 60, _ => { });
+        Assert.Equal((0, 0, 0, 0, 0, 0), (matches.Inside, matches.Left, matches.Made, matches.Elsewhere, matches.RewoundElsewhere, matches.Restless));
+        Assert.True(matches is { Kicks: > 5, Dead: 2, Alone: > 1000, Rewound: > 5000 });
+        Assert.InRange(matches.Meter.MostEvents, 1, StepMeter.MostAllowed);
+    }
+}

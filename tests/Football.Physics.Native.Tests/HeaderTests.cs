@@ -1,0 +1,34 @@
+using System.Reflection;
+using System.Text.RegularExpressions;
+using Football.Physics.Package.Tests;
+
+namespace Football.Physics.Native.Tests;
+
+public sealed partial class HeaderTests
+{
+    public const string Header = "src/Football.Physics.Native/include/football_physics.h";
+
+    [Fact]
+    public void The_header_is_made_of_the_exports() => Repository.AssertCurrent(Header, CHeader.Make());
+
+    [Fact]
+    public void Every_export_is_in_the_header_and_the_other_way_round()
+    {
+        IEnumerable<string> exports = typeof(Exports).Assembly.GetTypes()
+            .SelectMany(type => type.GetMethods(BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic))
+            .Select(CHeader.NameOf).OfType<string>();
+        Assert.Equal(exports.Order(StringComparer.Ordinal), Declaration().Matches(Repository.Text(Header)).Select(match => match.Groups[1].Value).Order(StringComparer.Ordinal));
+    }
+
+    [Fact]
+    public unsafe void Sizes_are_those_of_the_types()
+    {
+        Assert.Equal(NativeState.Size, sizeof(BallState));
+        Assert.Equal(NativeState.Size, sizeof(NativeState));
+        Assert.Equal(120, sizeof(NativeBall));
+        Assert.Equal(160, sizeof(NativeEvent));
+    }
+
+    [GeneratedRegex(@"^FP_API .*?(fp_\w+)\(", RegexOptions.Multiline)]
+    private static partial Regex Declaration();
+}

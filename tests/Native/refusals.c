@@ -1,0 +1,70 @@
+/* What a C program that makes mistakes is told: a status and a sentence for each, and a ball that is as it was. */
+#include <football_physics.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static int wrong, told;
+
+static void expect(fp_status want, fp_status got, const char *part, const char *what)
+{
+    told++;
+    if (want != got || !strstr(fp_last_error(), part)) {
+        printf("%s: status %d, \"%s\"; expected status %d and \"%s\"\n", what, (int)got, fp_last_error(), (int)want, part);
+        wrong++;
+    }
+}
+
+#define EXPECT(status, part, call) expect(status, call, part, #call)
+
+static fp_status create(const char *json, fp_scene **scene) { return fp_scene_create(json, (int64_t)strlen(json), scene); }
+
+int main(void)
+{
+    double zero[3] = { 0, 0, 0 }, nan[3] = { 0, NAN, 0 }, fast[3] = { 2000, 0, 0 }, kick[3] = { 1, 6, -18 }, path[8], miss;
+    int64_t written;
+    int32_t count;
+    fp_scene *scene, *none;
+    fp_state state, before, empty;
+    fp_ball ball;
+    fp_event event;
+    memset(&empty, 0, sizeof empty);
+    if (FP_CHECK_ABI() != FP_OK || create("{}", &scene) != FP_OK || fp_launch(scene, zero, kick, zero, &state) != FP_OK) return 2;
+    before = state;
+
+    EXPECT(FP_ABI, "allowed: (1, 216, 120, 160)", fp_check_abi(2, 216, 120, 160));
+    EXPECT(FP_SCENE, "the input", create("{\"gravity\"", &none));
+    EXPECT(FP_SCENE, "gravity is -1; allowed: ", create("{\"gravity\": -1}", &none));
+    EXPECT(FP_SCENE, "did you mean gravity", create("{\"gravty\": 9}", &none));
+    EXPECT(FP_SCENE, "ground.surface is \"ice\"; allowed: dryTurf", create("{\"ground\": {\"surface\": \"ice\"}}", &none));
+    EXPECT(FP_ARGUMENT, "json is null", fp_scene_create(NULL, 0, &none));
+    EXPECT(FP_ARGUMENT, "json_bytes is -1", fp_scene_create("{}", -1, &none));
+    EXPECT(FP_ARGUMENT, "scene is null", fp_scene_create("{}", 2, NULL));
+    EXPECT(FP_HANDLE, "scene is null", fp_step(NULL, &state, 0.01, NULL, 0, NULL));
+    EXPECT(FP_HANDLE, "scene is no handle", fp_step((fp_scene *)&state, &state, 0.01, NULL, 0, NULL));
+    EXPECT(FP_ARGUMENT, "state is null", fp_step(scene, NULL, 0.01, NULL, 0, NULL));
+    EXPECT(FP_ARGUMENT, "state.orientation", fp_step(scene, &empty, 0.01, NULL, 0, NULL));
+    EXPECT(FP_ARGUMENT, "dt is NaN", fp_step(scene, &state, NAN, NULL, 0, NULL));
+    EXPECT(FP_ARGUMENT, "dt is -0.01", fp_step(scene, &state, -0.01, NULL, 0, NULL));
+    EXPECT(FP_ARGUMENT, "events is null", fp_step(scene, &state, 0.01, NULL, 4, &count));
+    EXPECT(FP_ARGUMENT, "capacity is -4", fp_step(scene, &state, 0.01, &event, -4, &count));
+    EXPECT(FP_ARGUMENT, "launch.position is (0, NaN, 0)", fp_launch(scene, nan, kick, zero, &state));
+    EXPECT(FP_ARGUMENT, "launch.velocity is (2000, 0, 0)", fp_launch(scene, zero, fast, zero, &state));
+    EXPECT(FP_ARGUMENT, "out is null", fp_launch(scene, zero, kick, zero, NULL));
+    EXPECT(FP_ARGUMENT, "launch.velocity is (0, NaN, 0)", fp_kick(scene, &state, nan, zero));
+    EXPECT(FP_ARGUMENT, "spin is null", fp_kick(scene, &state, kick, NULL));
+    EXPECT(FP_ARGUMENT, "out is null", fp_read(scene, &state, NULL));
+    EXPECT(FP_ARGUMENT, "n is -1", fp_step_many(scene, &state, -1, 0.01, 1));
+    EXPECT(FP_ARGUMENT, "steps is -1", fp_step_many(scene, &state, 1, 0.01, -1));
+    EXPECT(FP_ARGUMENT, "states is null", fp_read_many(scene, NULL, 1, path, NULL, NULL, NULL));
+    EXPECT(FP_ARGUMENT, "every is 0", fp_look_ahead(scene, &state, 1, 0, path, 2, &written));
+    EXPECT(FP_BUFFER, "rows is 2; the look-ahead has 11", fp_look_ahead(scene, &state, 1, 0.1, path, 2, &written));
+    EXPECT(FP_SCENE, "target is missing", fp_aim(scene, "{\"from\": [0,0,0], \"speed\": 20}", 30, path, path + 3, &miss, &count));
+    EXPECT(FP_ARGUMENT, "velocity is null", fp_aim(scene, "{}", 2, NULL, path, &miss, &count));
+    if (memcmp(&before, &state, sizeof state)) { printf("a refused call has changed the ball\n"); wrong++; }
+    if (fp_read(scene, &state, &ball) != FP_OK || fp_scene_free(scene) != FP_OK) wrong++;
+    EXPECT(FP_HANDLE, "was freed", fp_scene_free(scene));
+    EXPECT(FP_HANDLE, "scene is null", fp_scene_free(NULL));
+    printf("refusals: %d of %d have their status and their sentence\n", told - wrong, told);
+    return wrong != 0;
+}

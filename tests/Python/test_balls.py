@@ -1,0 +1,202 @@
+"""The package as it is installed: bits, live arrays, refusals, environments."""
+
+import gc
+import pathlib
+import pickle
+import threading
+import unittest
+
+import numpy as np
+
+import football_physics as fp
+from football_physics import envs
+
+KICKS = pathlib.Path(__file__).parents[1] / "Native" / "kicks.txt"
+MASK = (1 << 64) - 1
+
+
+def draw(seed):
+    """SplitMix64, as in kicks.c."""
+    while True:
+        seed = (seed + 0x9E3779B97F4A7C15) & MASK
+        z = ((seed ^ (seed >> 30)) * 0xBF58476D1CE4E5B9) & MASK
+        z = ((z ^ (z >> 27)) * 0x94D049BB133111EB) & MASK
+        yield ((z ^ (z >> 31)) >> 11) * (1.0 / 9007199254740992.0)
+
+
+def mix(value, word):
+    value = ((value ^ word) * 0x9E3779B97F4A7C15) & MASK
+    return value ^ (value >> 29)
+
+
+class Bits(unittest.TestCase):
+    def test_a_hundred_kicks_have_the_hash_of_csharp(self):
+        balls, value = fp.Balls(fp.Scene(), 1), 0
+        for seed in range(100):
+            u = draw(seed)
+            position = [60 * next(u) - 30, 2 * next(u), 90 * next(u) - 45]
+            velocity = [50 * next(u) - 25 for _ in range(3)]
+            spin = [120 * next(u) - 60 for _ in range(3)]
+            balls.place(None, position, velocity, spin)
+            for _ in range(1200):
+                for event in balls.step_events(1 / 60):
+                    words = np.frombuffer(event.tobytes()[:160], np.uint64)
+                    value = mix(value, int(event["kind"]) << 32 | int(event["thing"]) & 0xFFFFFFFF)
+                    for word in words[1:]:
+                        value = mix(value, int(word))
+                value = mix(value, int(balls.hashes[0]))
+                if balls.motion[0] == fp.Motion.STOPPED:
+                    break
+        self.assertEqual(f"default 100 {value:016x}", KICKS.read_text().splitlines()[0])
+
+    def test_many_balls_are_each_the_ball_alone_and_a_restored_one_goes_the_same_way(self):
+        scene, random = fp.Scene({"profile": "published"}), np.random.default_rng(1)
+        velocity, spin = random.uniform([-5, 3, -25], [5, 9, -15], (32, 3)), random.uniform(-50, 50, (32, 3))
+        many = fp.Balls(scene, 32)
+        many.kick(None, velocity, spin)
+        many.step(1 / 60, 30)
+        saved = many.state
+        many.step(1 / 60, 60)
+        hashes = many.hashes
+        many.state = saved
+        many.step(1 / 60, 60)
+        np.testing.assert_array_equal(hashes, many.hashes)
+        for ball in (0, 17, 31):
+            alone = fp.Balls(scene, 1)
+            alone.kick([0], velocity[ball], spin[ball])
+            alone.step(1 / 60, 90)
+            self.assertEqual(hashes[ball], alone.hashes[0])
+
+    def test_look_ahead_is_the_future(self):
+        balls = fp.Balls(fp.Scene(), 2)
+        balls.kick(None, [[1, 6, -18], [3, 2, 5]], [0, 30, 0])
+        path = balls.look_ahead(1, 1 / 60)
+        self.assertEqual((2, 61, 4), path.shape)
+        balls.step(1 / 60, 60)
+        np.testing.assert_array_equal(path[:, -1, 1:], balls.position)
+        np.testing.assert_array_equal(path[:, -1, 0], balls.time)
+
+    def test_threads_share_a_scene(self):
+        scene, found = fp.Scene(), [0] * 4
+
+        def fly(i):
+            balls = fp.Balls(scene, 64)
+            balls.kick(None, [3, 8, -20], [0, 40, 0])
+            balls.until_rest()
+            found[i] = set(balls.hashes.tolist())
+
+        threads = [threading.Thread(target=fly, args=(i,)) for i in range(4)]
+        [t.start() for t in threads]
+        [t.join() for t in threads]
+        self.assertEqual(1, len(set.union(*found)))
+
+
+class Arrays(unittest.TestCase):
+    def test_live_arrays_are_the_same_always_and_read_only(self):
+        balls = fp.Balls(fp.Scene(), 3)
+        position, motion = balls.position, balls.motion
+        balls.kick([1], [0, 5, -10])
+        balls.step(0.1)
+        self.assertIs(position, balls.position)
+        self.assertIs(motion, balls.motion)
+        self.assertEqual([fp.Motion.STOPPED, fp.Motion.AIRBORNE, fp.Motion.STOPPED], [fp.Motion.STOPPED if v == 0 else fp.Motion(m) for m, v in zip(motion, np.abs(balls.velocity).sum(1))])
+        self.assertGreater(position[1, 1], 0.3)
+        with self.assertRaises(ValueError):
+            position[0, 0] = 1
+
+    def test_masks_indices_and_rows(self):
+        balls = fp.Balls(fp.Scene(), 4)
+        balls.kick(np.array([True, False, True, False]), [[0, 5, -1], [0, 5, -2]])
+        self.assertEqual([-1, 0, -2, 0], balls.velocity[:, 2].tolist())
+        balls.kick([3, 0], [[0, 5, -3], [0, 5, -4]])
+        self.assertEqual([-4, 0, -2, -3], balls.velocity[:, 2].tolist())
+        balls.kick([-1], [0, 5, -9])
+        self.assertEqual(-9, balls.velocity[3, 2])
+
+    def test_landing_aims_and_derivatives(self):
+        balls = fp.Balls(fp.Scene(), 2)
+        found = balls.aim([[2, 1.5, -20], [-2, 0.5, -18]], speed=25, spin={"side": 20})
+        self.assertTrue(found.hit.all())
+        self.assertLess(found.miss.max(), 0.011)
+        balls.kick(None, found.velocity, found.spin)
+        start = balls.state
+        ends = balls.derivatives(0.5)
+        at = balls.position.copy()
+        balls.state = start
+        balls.kick(None, found.velocity + [0, 1e-4, 0], found.spin)
+        balls.step(0.01, 50)
+        np.testing.assert_allclose((balls.position - at) / 1e-4, ends.position_by_velocity[:, :, 1], rtol=1e-3, atol=1e-4)
+        self.assertTrue(balls.until_landing().all())
+        np.testing.assert_allclose(balls.position[:, 1], 0.11, atol=1e-9)
+
+    def test_names_and_events(self):
+        scene = fp.Scene({"goals": [{"center": [0, 0, -11], "facing": [0, 0, 1]}]})
+        balls = fp.Balls(scene, 2)
+        balls.kick([1], [0, 3, -25])
+        told = np.concatenate([balls.step_events(1 / 60) for _ in range(60)])
+        goal = told[told["kind"] == fp.EventKind.GOAL]
+        self.assertEqual(([1], "goal"), (goal["ball"].tolist(), scene.name_of(int(goal["thing"][0]))))
+
+
+class Refusals(unittest.TestCase):
+    def test_errors_have_the_librarys_sentence(self):
+        balls = fp.Balls(fp.Scene(), 2)
+        before = balls.state
+        for sentence, call in [
+            ("gravity is -1; allowed: ", lambda: fp.Scene({"gravity": -1})),
+            ("the input", lambda: fp.Scene("{")),
+            ("dt is -1.0; allowed: ".replace("-1.0", "-1"), lambda: balls.step(-1)),
+            ("steps is -1; allowed: ", lambda: balls.step(0.01, -1)),
+            ("launch.velocity is ", lambda: balls.kick(None, [0, np.nan, 0])),
+            ("velocity has shape", lambda: balls.kick(None, np.zeros((3, 3)))),
+            ("the mask has shape", lambda: balls.kick(np.array([True]), [0, 0, 0])),
+            ("of the balls that are named", lambda: balls.kick([2], [0, 0, 0])),
+            ("state has 3 bytes", lambda: setattr(balls, "state", b"abc")),
+            ("of states", lambda: setattr(balls, "state", bytes(len(before)))),
+            ("n is -1", lambda: fp.Balls(fp.Scene(), -1)),
+            ("stop is 'never'", lambda: balls.derivatives(1, stop="never")),
+            ("every is 0", lambda: balls.look_ahead(1, 0)),
+            ("thing is 7", lambda: balls.scene.name_of(7)),
+            ("aim.speed is -1".replace("aim.", ""), lambda: balls.aim([0, 1, -20], speed=-1)),
+        ]:
+            with self.subTest(sentence), self.assertRaisesRegex(ValueError, "^(aim\\.)?" + sentence.replace(".", "\\.")):
+                call()
+        self.assertEqual(before, balls.state)
+
+    def test_scenes_are_freed_and_copied(self):
+        handle = fp.Scene().handle
+        gc.collect()
+        from football_physics import _native
+
+        self.assertEqual(_native.HANDLE, _native.scene_free(handle))
+        self.assertEqual("{}", pickle.loads(pickle.dumps(fp.Scene())).json)
+
+
+class Environments(unittest.TestCase):
+    def test_a_batch_of_kicks_is_repeatable_and_some_go_in(self):
+        for kind in (envs.Penalty, envs.FreeKick):
+            rewards = []
+            for _ in range(2):
+                env = kind(num_envs=2048)
+                observation, _ = env.reset(seed=3)
+                self.assertTrue(all(env.single_observation_space.contains(row) for row in observation))
+                env.action_space.seed(5) if hasattr(env.action_space, "seed") else None
+                _, reward, terminated, truncated, info = env.step(np.random.default_rng(5).uniform(-1, 1, (2048, 5)))
+                self.assertTrue(terminated.all() and not truncated.any())
+                np.testing.assert_array_equal(observation, info["final_obs"])
+                rewards.append(reward)
+            np.testing.assert_array_equal(*rewards)
+            self.assertTrue(((rewards[0] == 1) | ((rewards[0] < 0) & (rewards[0] >= -1))).all())
+            self.assertGreater((rewards[0] == 1).sum(), 5)
+            with self.assertRaises(ValueError):
+                env.step(np.zeros((3, 5)))
+
+    def test_the_wall_is_in_the_way(self):
+        env = envs.FreeKick(num_envs=1)
+        env.reset(seed=1)
+        low = np.array([[1, -1, 0, 0, 0]])
+        self.assertEqual(-1, env.step(low)[1][0])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,56 @@
+using System.Reflection;
+using Microsoft.Playwright;
+
+namespace Football.Web.Tests;
+
+/// <summary>A real browser, and the pages on disk as a visitor has them.</summary>
+public sealed class Browser : IAsyncLifetime
+{
+    private static readonly string[] s_names = ["chromium", "chromium-headless-shell", "chromium-browser", "google-chrome"];
+    private IPlaywright? _playwright;
+    private IBrowser? _browser;
+
+    /// <summary>The folder of the repository.</summary>
+    public static string Repository { get; } = Path.GetFullPath(typeof(Browser).Assembly.GetCustomAttributes<AssemblyMetadataAttribute>().First(item => item.Key == "Repository").Value!);
+
+    /// <summary>Where the pictures go that the tests make.</summary>
+    public static string Pictures { get; } = Directory.CreateDirectory(Path.Combine(Repository, "out", "web")).FullName;
+
+    /// <summary>The page to play with, written as football play writes it.</summary>
+    public string Play { get; } = Path.Combine(Pictures, Tool.Playground.File);
+
+    public async ValueTask InitializeAsync()
+    {
+        await File.WriteAllTextAsync(Play, Tool.Playground.Html);
+        string path = (Environment.GetEnvironmentVariable("PATH") ?? "").Split(':')
+            .SelectMany(folder => s_names.Select(name => Path.Combine(folder, name))).FirstOrDefault(File.Exists)
+            ?? throw new InvalidOperationException("No Chromium: apt-get install chromium");
+        _playwright = await Playwright.CreateAsync();
+        _browser = await _playwright.Chromium.LaunchAsync(new BrowserTypeLaunchOptions { ExecutablePath = path, Args = ["--no-sandbox"] });
+    }
+
+    public async ValueTask DisposeAsync()
+    {
+        if (_browser is not null)
+        {
+            await _browser.DisposeAsync();
+        }
+
+        _playwright?.Dispose();
+    }
+
+    /// <summary>A window of a width with a page in it.</summary>
+    public async Task<Window> Open(string file, int width = 1280, bool dark = false, string hash = "")
+    {
+        IBrowserContext context = await _browser!.NewContextAsync(new BrowserNewContextOptions
+        {
+            ViewportSize = new ViewportSize { Width = width, Height = width > 600 ? 800 : 844 },
+            ColorScheme = dark ? ColorScheme.Dark : ColorScheme.Light,
+            HasTouch = width < 600,
+            Offline = true,
+        });
+        var window = new Window(await context.NewPageAsync());
+        await window.Page.GotoAsync(new Uri(file).AbsoluteUri + hash);
+        return window;
+    }
+}

@@ -1,0 +1,61 @@
+namespace Football.Web.Tests;
+
+/// <summary>Questions as a new user asks them, typed into the search of the site.</summary>
+public sealed class SearchTests(Browser browser, ITestOutputHelper told) : IClassFixture<Browser>
+{
+    private static readonly (string Question, string Page)[] s_questions =
+    [
+        ("goal detection", "cookbook.html#is-it-a-goal"),
+        ("photon", "questions.html#how-do-i-use-it-with-photon"),
+        ("mirror networking", "questions.html#how-do-i-use-it-with-photon"),
+        ("unity netcode", "questions.html#how-do-i-use-it-with-photon"),
+        ("arcade drag", "questions.html#it-curls-too-much"),
+        ("curve is too strong", "questions.html#it-curls-too-much"),
+        ("feet units", "questions.html#my-units-are-feet"),
+        ("how do I use pixels instead of meters", "questions.html#my-units-are-feet"),
+        ("top-down", "questions.html#how-do-i-make-a-top-down"),
+        ("2D game", "questions.html#how-do-i-make-a-top-down"),
+        ("save game", "questions.html#how-do-i-save"),
+        ("load a saved match", "questions.html#how-do-i-save"),
+        ("pause", "questions.html#how-do-i-pause"),
+        ("slow motion", "questions.html#how-do-i-pause"),
+        ("make it bounce more", "questions.html#how-do-i-make-the-ball-bounce"),
+        ("bounciness", "questions.html#how-do-i-make-the-ball-bounce"),
+        ("foot animation", "questions.html#how-do-i-kick-with-a-foot"),
+        ("draw trajectory line", "questions.html#how-do-i-draw-the-path"),
+        ("aim preview", "questions.html#how-do-i-draw-the-path"),
+        ("AI that misses", "questions.html#how-do-i-make-an-ai"),
+        ("out of play", "questions.html#when-is-the-ball-out"),
+        ("throw-in", "questions.html#when-is-the-ball-out"),
+        ("keeper catches and carries the ball", "questions.html#how-does-a-keeper-catch"),
+        ("dribble", "questions.html#how-does-a-keeper-catch"),
+        ("own wind", "questions.html#how-do-i-add-wind"),
+        ("two balls collide", "questions.html#can-two-balls"),
+        ("offside", "cookbook.html#was-the-pass-offside"),
+        ("free kick wall", "cookbook.html#a-wall-that-stands"),
+        ("rollback", "determinism.html#rollback"),
+        ("how fast in km/h", "questions.html#how-high"),
+    ];
+
+    [Fact]
+    public async Task Of_thirty_questions_the_right_page_is_among_the_first_three_for_twenty_seven()
+    {
+        string folder = Path.Combine(Browser.Pictures, "site");
+        Physics.Site.SiteWriter.Write(Browser.Repository, folder);
+        await using Window window = await browser.Open(Path.Combine(folder, "index.html"));
+        int right = 0;
+        foreach ((string question, string page) in s_questions)
+        {
+            await window.Page.FillAsync("#search", question);
+            string[] found = await window.Page.EvaluateAsync<string[]>("() => [...document.querySelectorAll('#found a')].slice(0, 3).map(a => a.getAttribute('href'))");
+            bool isRight = found.Any(address => address.StartsWith(page, StringComparison.Ordinal));
+            right += isRight ? 1 : 0;
+            told.WriteLine($"{(isRight ? "right" : "WRONG")}  {question}: {string.Join(", ", found)}");
+        }
+
+        told.WriteLine($"{right} of {s_questions.Length} questions have the right page among the first three");
+        Assert.Empty(window.Errors);
+        Assert.Equal(30, s_questions.Length);
+        Assert.True(right >= 27);
+    }
+}

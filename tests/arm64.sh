@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# ARM64: the golden file, by the program that prints it, published for linux-arm64, and kicks through the C library, which is built across; both run by qemu-user over Debian's C library for that machine.
+#   tests/arm64.sh
+# Needs qemu-aarch64-static (Debian: qemu-user-static), aarch64-linux-gnu-gcc (gcc-aarch64-linux-gnu, libc6-dev-arm64-cross) and dpkg-deb, and asks apt for six packages of arm64, which are unpacked into a folder and not installed.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 MSBUILDTERMINALLOGGER=off MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=false
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+log=$work/log
+
+fail() {
+  echo "FAIL  $1" >&2
+  [[ -s $log ]] && tail -n 20 "$log" >&2
+  exit 1
+}
+
+# Lists and archives of arm64 stay in a folder of their own: the machine's own apt does not learn of another architecture.
+mkdir -p "$work"/apt/{lists/partial,archives/partial} "$work/root"
+arm() {
+  apt-get -qq -o APT::Architecture=arm64 -o APT::Architectures=arm64 -o Dir::State::lists="$work/apt/lists" -o Dir::Cache="$work/apt" -o APT::Sandbox::User=root "$@"
+}
+arm update > "$log" 2>&1 || fail "apt-get update for arm64"
+(cd "$work" && arm download libc6 libgcc-s1 libstdc++6 zlib1g libssl3 gcc-12-base) > "$log" 2>&1 || fail "apt-get download for arm64"
+for package in "$work"/*.deb; do dpkg-deb -x "$package" "$work/root"; done
+
+# run PROGRAM…: on the other machine. Its code may not be written and run at two addresses at once there.
+run() { DOTNET_EnableWriteXorExecute=0 QEMU_LD_PREFIX=$work/root qemu-aarch64-static "$@"; }
+
+start=$SECONDS
+dotnet publish -c Release -r linux-arm64 --self-contained tests/Package.Consumer -p:LibraryProject=true -p:TargetFrameworks=net10.0 --artifacts-path "$work/build" -o "$work/golden" > "$log" 2>&1 || fail "publish for linux-arm64"
+published=$(( SECONDS - start ))
+start=$SECONDS
+run "$work/golden/consumer" > "$work/hashes" 2> "$log" || fail "the golden program on ARM64"
+diff tests/Golden/golden.txt "$work/hashes" > "$log" || fail "other hashes than tests/Golden/golden.txt ($(grep -c '^>' "$log") of $(wc -l < tests/Golden/golden.txt) lines differ)"
+echo "ok    ARM64 under qemu-user: $(wc -l < "$work/hashes") lines as in golden.txt, published in $published s, run in $(( SECONDS - start )) s"
+
+# --- the C library there: built across, and kicks.c against it
+
+start=$SECONDS
+src/Football.Physics.Native/build.sh "$work/native" linux-arm64 > "$log" 2>&1 || fail "build.sh for linux-arm64"
+aarch64-linux-gnu-gcc -O2 -std=c99 -I"$work/native/include" tests/Native/kicks.c -o "$work/kicks" -L"$work/native/lib" -lfootball_physics > "$log" 2>&1 || fail "kicks.c for ARM64"
+built=$(( SECONDS - start ))
+start=$SECONDS
+run -E LD_LIBRARY_PATH="$work/native/lib" "$work/kicks" 1000 > "$work/hashes" 2> "$log" || fail "kicks.c on ARM64"
+diff <(awk '$2 <= 1000' tests/Native/kicks.txt) "$work/hashes" > "$log" || fail "kicks on ARM64: other hashes than C# has on x64"
+echo "ok    ARM64 under qemu-user: 3 000 kicks to rest through the C library, the hashes of C# on x64, built in $built s, run in $(( SECONDS - start )) s"

@@ -1,0 +1,97 @@
+#!/usr/bin/env bash
+# The C library as a stranger uses it: built and laid out, the sample found by CMake, ten thousand kicks with the bits of C#, hostile calls, the header in C++, what is exported,
+# and the wheel for Python, installed into a fresh environment.
+#   tests/native.sh [CALLS]       hostile calls; default 1 000 000
+# Needs clang or gcc, g++, CMake, and Debian's python3-numpy and python3-venv.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+root=$PWD
+calls=${1:-1000000}
+most_kib=5120
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+log=$work/log
+
+fail() {
+  echo "FAIL  $1" >&2
+  [[ -s $log ]] && tail -n 20 "$log" >&2
+  exit 1
+}
+
+ok() { echo "ok    $1"; : > "$log"; }
+
+quietly() {
+  local what=$1
+  shift
+  "$@" > "$log" 2>&1 || fail "$what"
+}
+
+# --- the library
+
+start=$SECONDS
+quietly "build.sh" src/Football.Physics.Native/build.sh "$work/prefix"
+if grep -qE 'warning (IL|AOT)' "$log"; then fail "build.sh has warnings"; fi
+library=$work/prefix/lib/libfootball_physics.so
+kib=$(( $(stat -c %s "$library") / 1024 ))
+(( kib <= most_kib )) || fail "the library has $kib KiB; allowed: $most_kib"
+ok "libfootball_physics.so, $kib KiB of at most $most_kib, built in $(( SECONDS - start )) s"
+
+diff <(nm -D --defined-only "$library" | awk '$3 ~ /^fp_/ { print $3 }' | sort) \
+  <(grep -oE '\bfp_[a-z_]+\(' "$work/prefix/include/football_physics.h" | grep -v '^fp_.*_ABI' | tr -d '(' | sort -u) > "$log" || fail "exports and header differ"
+ok "exports: the $(nm -D --defined-only "$library" | grep -c ' fp_') functions of the header, no more and no fewer"
+
+strict=(-Wall -Wextra -Werror -I"$work/prefix/include")
+link=(-L"$work/prefix/lib" -lfootball_physics "-Wl,-rpath,$work/prefix/lib" -lm)
+printf '#include <football_physics.h>\nint main() { return fp_hash(nullptr) != 0 || FP_CHECK_ABI() != FP_OK; }\n' > "$work/header.cpp"
+quietly "the header in C++" g++ -std=c++17 -pedantic "${strict[@]}" "$work/header.cpp" -o "$work/header" "${link[@]}"
+quietly "the C++ program" "$work/header"
+ok "the header compiles as C++17, -pedantic"
+
+# --- the sample
+
+quietly "cmake" cmake -S samples/C -B "$work/sample" "-DCMAKE_PREFIX_PATH=$work/prefix" -DCMAKE_C_FLAGS="-Wall -Wextra -Werror -pedantic"
+quietly "cmake --build" cmake --build "$work/sample"
+quietly "ctest" ctest --test-dir "$work/sample" --output-on-failure
+"$work/sample/free_kick" > "$work/said"
+ok "samples/C, $(grep -c . samples/C/free_kick.c) lines, found by CMake: $(head -n 1 "$work/said"), $(tail -n 1 "$work/said")"
+
+# --- bits and hostile calls
+
+quietly "kicks.c" gcc -O2 -std=c99 -pedantic "${strict[@]}" tests/Native/kicks.c -o "$work/kicks" "${link[@]}"
+start=$SECONDS
+"$work/kicks" > "$work/kicks.txt" 2> "$log" || fail "kicks.c"
+diff tests/Native/kicks.txt "$work/kicks.txt" > "$log" || fail "kicks: other hashes than C# has"
+ok "10 000 kicks to rest in three scenes, every tick and event, saved and restored: the hashes of C#, in $(( SECONDS - start )) s"
+
+quietly "refusals.c" gcc -O2 -std=c99 -pedantic "${strict[@]}" tests/Native/refusals.c -o "$work/refusals" "${link[@]}"
+"$work/refusals" > "$work/said" 2> "$log" || fail "refusals.c: $(tail -n 1 "$work/said")"
+ok "$(tail -n 1 "$work/said")"
+
+quietly "hostile.c" gcc -O1 -g -std=c99 -pthread -fsanitize=address,undefined -fno-sanitize-recover=undefined "${strict[@]}" tests/Native/hostile.c -o "$work/hostile" "${link[@]}"
+start=$SECONDS
+# The runtime has a handler of its own for a null pointer, and keeps its heap to the end.
+ASAN_OPTIONS=handle_segv=0:allow_user_segv_handler=1:detect_leaks=0 "$work/hostile" "$calls" > "$work/said" 2> "$log" || fail "hostile.c: $(tail -n 1 "$work/said")"
+ok "$(tail -n 1 "$work/said"), under the address and undefined-behaviour sanitizers, in $(( SECONDS - start )) s"
+
+# --- Python
+
+quietly "wheel" /usr/bin/python3 src/Football.Physics.Python/build_wheel.py "$library" "$work/wheel"
+wheel=$(echo "$work"/wheel/*.whl)
+quietly "wheel again" /usr/bin/python3 src/Football.Physics.Python/build_wheel.py "$library" "$work/again"
+cmp "$wheel" "$work"/again/*.whl > "$log" || fail "the wheel built twice differs"
+quietly "venv" /usr/bin/python3 -m venv --system-site-packages "$work/venv"
+quietly "pip install" "$work/venv/bin/pip" install --no-index --disable-pip-version-check "$wheel"
+ok "$(basename "$wheel"), $(( $(stat -c %s "$wheel") / 1024 )) KiB, built by the standard library, the same bytes twice, installed by pip into a fresh environment"
+cd "$work"
+"$work/venv/bin/python" -m unittest discover -s "$root/tests/Python" > "$log" 2>&1 || fail "tests/Python"
+ok "tests/Python: $(grep -E '^Ran ' "$log")"
+"$work/venv/bin/python" "$root/tests/Python/pages.py" "$root/docs/python.md" > "$work/said" 2> "$log" || fail "docs/python.md"
+ok "$(tail -n 1 "$work/said")"
+"$work/venv/bin/python" "$root/src/Football.Physics.Python/examples/free_kick.py" 150 > "$work/said" 2> "$log" || fail "examples/free_kick.py"
+[[ -s free_kick.svg ]] || fail "examples/free_kick.py draws nothing"
+goals=$(awk '/goals of 100/ { print $1 }' "$work/said")
+(( goals >= 90 )) || fail "examples/free_kick.py: $goals goals of 100"
+ok "examples/free_kick.py: $(tail -n 1 "$work/said")"
+"$work/venv/bin/python" "$root/tests/Python/pages.py" --c "$root/docs/c.md" "$work/prefix" > "$work/said" 2> "$log" || fail "docs/c.md"
+ok "$(tail -n 1 "$work/said")"
