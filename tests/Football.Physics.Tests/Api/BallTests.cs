@@ -12,7 +12,7 @@ public sealed class BallTests
     public void A_new_ball_lies_at_the_origin_on_the_ground()
     {
         var ball = new Ball(Scene.Published with { Ground = Ground.PublishedTurf with { Height = 2 } });
-        Assert.Equal(new Vector3(0, 2.11f, 0), ball.Position);
+        Assert.Equal(new Vector3d(0, 2.11, 0), ball.Position);
         Assert.Equal(Vector3.Zero, ball.Velocity);
         Assert.Equal(Vector3.Zero, ball.Spin);
         Assert.Equal(Quaternion.Identity, ball.Orientation);

@@ -35,14 +35,16 @@ internal static class StateCheck
         }
 
         double axis = state.SpinAxis.LengthSquared;
-        return state.Motion switch
+        if (state.Motion == MotionState.Airborne)
         {
-            MotionState.Airborne => Math.Abs(axis - 1) <= Rounding && state.SpinRate >= 0 && state.SpinRate <= FastestSpin && Math.Abs(state.Angle) <= LargestAngle,
-            MotionState.Stopped => axis == 0 && state.SpinRate == 1 && state.Angle == 0
-                && v.LengthSquared <= (state.Carrier > 0 ? Limits.Speed * Limits.Speed : 0),
-            MotionState.Sliding or MotionState.Rolling or MotionState.Squeezed => axis <= FastestSpin * FastestSpin && state.SpinRate == 1 && state.Angle == 0,
-            _ => false,
-        };
+            return Math.Abs(axis - 1) <= Rounding && state.SpinRate >= 0 && state.SpinRate <= FastestSpin && Math.Abs(state.Angle) <= LargestAngle;
+        }
+
+        // On the ground the axis is the spin; what a ball rests on may move.
+        bool carried = state.SpinRate == 1 && state.Angle == 0;
+        return state.Motion == MotionState.Stopped
+            ? carried && axis == 0 && v.LengthSquared <= (state.Carrier > 0 ? Limits.Speed * Limits.Speed : 0)
+            : carried && (state.Motion is MotionState.Sliding or MotionState.Rolling or MotionState.Squeezed) && axis <= FastestSpin * FastestSpin;
     }
 
     /// <summary>Refuses what is none.</summary>
