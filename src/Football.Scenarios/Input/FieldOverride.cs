@@ -49,7 +49,7 @@ public sealed class FieldOverride
             FieldPlace.Put(root, item._path, item.Value(), $"--set {string.Join('.', item._path)}");
         }
 
-        return JsonSerializer.SerializeToElement(root);
+        return JsonElement.Parse(root.ToJsonString());
     }
 
     /// <summary>JSON where the text is JSON, so that numbers and arrays need no quotes; otherwise the text itself.</summary>
