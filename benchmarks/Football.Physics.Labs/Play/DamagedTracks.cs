@@ -1,5 +1,4 @@
 using System.Text;
-using Football.Physics.Tracks;
 using Football.Physics.Yardsticks;
 using Football.Scenarios.Input;
 using Football.Tool.Fit;

@@ -1,4 +1,3 @@
-using Football.Physics.Tracks;
 using Football.Scenarios.Input;
 using Football.Tool.Fit;
 

@@ -1,5 +1,3 @@
-using Football.Physics.Tracks;
-
 namespace Football.Physics.Labs.Play;
 
 /// <summary>How much of simulated minutes a fit finds, and how often the truth is where it says.</summary>

@@ -1,4 +1,3 @@
-using Football.Physics.Tracks;
 using Football.Physics.Yardsticks;
 
 namespace Football.Physics.Labs.Play;

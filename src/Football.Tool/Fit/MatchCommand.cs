@@ -1,6 +1,5 @@
 using System.CommandLine;
 using Football.Drawing;
-using Football.Physics.Tracks;
 using Football.Scenarios;
 using Football.Scenarios.Input;
 using Football.Tool.Commands;

@@ -1,7 +1,5 @@
-using System.Globalization;
 using System.Xml.Linq;
 using Football.Drawing;
-using Football.Physics.Tracks;
 
 namespace Football.Tool.Fit;
 

@@ -1,5 +1,4 @@
 using System.Globalization;
-using Football.Physics.Tracks;
 using Football.Tool.Commands;
 using Spectre.Console;
 

@@ -1,5 +1,4 @@
 using System.Text.Json;
-using Football.Physics.Tracks;
 using Football.Scenarios;
 
 namespace Football.Tool.Fit;

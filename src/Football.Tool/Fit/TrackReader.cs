@@ -1,5 +1,4 @@
 using System.Globalization;
-using Football.Physics.Tracks;
 using Football.Scenarios.Input;
 
 namespace Football.Tool.Fit;

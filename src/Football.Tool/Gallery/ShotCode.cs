@@ -1,7 +1,6 @@
 using System.Buffers;
 using System.Text;
 using System.Text.Json;
-using Football.Physics.Shapes;
 using Football.Scenarios;
 
 namespace Football.Tool.Gallery;

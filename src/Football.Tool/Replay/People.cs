@@ -1,5 +1,3 @@
-using Football.Physics.Shapes;
-
 namespace Football.Tool.Replay;
 
 /// <summary>Obstacles that are people, as pictures draw them: by name and size, since to the ball they are boxes and rods.</summary>
@@ -13,18 +11,18 @@ internal static class People
     /// <summary>The players of an obstacle named "wall", the goalkeeper of one named "keeper", who is under one named "head", each as feet, shoulders, hands and the direction he faces; null for all else.</summary>
     public static IReadOnlyList<Vector3d[]>? Of(Obstacle obstacle) => (obstacle.Name, obstacle.Shape) switch
     {
-        ("wall", BoxShape box) when IsWall(box) => Row(box),
-        ("wall", CapsuleShape rod) => [Standing(new Vector3d(rod.From.X, rod.From.Y - rod.Radius, rod.From.Z), 1.45)],
-        ("wall", SphereShape) => [],
-        ("keeper", CapsuleShape rod) => [Stretched(rod)],
-        ("head", SphereShape head) => [Jumping(head, obstacle.Velocity)],
+        ("wall", Football.Physics.Shapes.BoxShape box) when IsWall(box) => Row(box),
+        ("wall", Football.Physics.Shapes.CapsuleShape rod) => [Standing(new Vector3d(rod.From.X, rod.From.Y - rod.Radius, rod.From.Z), 1.45)],
+        ("wall", Football.Physics.Shapes.SphereShape) => [],
+        ("keeper", Football.Physics.Shapes.CapsuleShape rod) => [Stretched(rod)],
+        ("head", Football.Physics.Shapes.SphereShape head) => [Jumping(head, obstacle.Velocity)],
         _ => null,
     };
 
     /// <summary>As high as people, thinner than a yard, upright.</summary>
-    private static bool IsWall(BoxShape box) => box.HalfSize.Y is > 0.8 and < 1.2 && box.HalfSize.Z < 0.4 && box.Rotation == Quaterniond.Identity;
+    private static bool IsWall(Football.Physics.Shapes.BoxShape box) => box.HalfSize.Y is > 0.8 and < 1.2 && box.HalfSize.Z < 0.4 && box.Rotation == Quaterniond.Identity;
 
-    private static Vector3d[][] Row(BoxShape box)
+    private static Vector3d[][] Row(Football.Physics.Shapes.BoxShape box)
     {
         int count = Math.Max(1, (int)Math.Round(2 * box.HalfSize.X / Room));
         double step = 2 * box.HalfSize.X / count;
@@ -37,7 +35,7 @@ internal static class People
     private static Vector3d[] Standing(Vector3d feet, double shoulders) =>
         [feet, feet + new Vector3d(0, shoulders, 0), feet + new Vector3d(0, 0.62 * shoulders, 0.2), s_ahead];
 
-    private static Vector3d[] Stretched(CapsuleShape rod)
+    private static Vector3d[] Stretched(Football.Physics.Shapes.CapsuleShape rod)
     {
         Vector3d along = (rod.To - rod.From).Normalized();
         Vector3d hands = rod.To + (rod.Radius * along);
@@ -47,7 +45,7 @@ internal static class People
             : [feet, feet + (1.42 * along), hands, s_ahead];
     }
 
-    private static Vector3d[] Jumping(SphereShape head, Vector3d velocity)
+    private static Vector3d[] Jumping(Football.Physics.Shapes.SphereShape head, Vector3d velocity)
     {
         Vector3d forward = velocity.Horizontal.Length > 0.1 ? velocity.Horizontal.Normalized() : s_ahead;
         Vector3d shoulders = head.Center - new Vector3d(0, 0.24, 0) - (0.06 * forward);

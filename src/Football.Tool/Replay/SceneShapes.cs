@@ -1,4 +1,3 @@
-using Football.Physics.Shapes;
 using Football.Tool.Gallery;
 namespace Football.Tool.Replay;
 
@@ -39,15 +38,15 @@ internal static class SceneShapes
         var shape = new SceneShape(obstacle.Name, kind) { Velocity = obstacle.Velocity };
         return obstacle.Shape switch
         {
-            CapsuleShape rod => shape with { Lines = [[rod.From, rod.To]], Radius = rod.Radius },
-            SphereShape ball => shape with { Lines = [[ball.Center]], Radius = ball.Radius },
-            BoxShape box => shape with { Faces = Faces(box) },
-            PlaneShape plane => shape with { Faces = [Rectangle(plane.Point, plane.Normal)] },
+            Football.Physics.Shapes.CapsuleShape rod => shape with { Lines = [[rod.From, rod.To]], Radius = rod.Radius },
+            Football.Physics.Shapes.SphereShape ball => shape with { Lines = [[ball.Center]], Radius = ball.Radius },
+            Football.Physics.Shapes.BoxShape box => shape with { Faces = Faces(box) },
+            Football.Physics.Shapes.PlaneShape plane => shape with { Faces = [Rectangle(plane.Point, plane.Normal)] },
             _ => shape,
         };
     }
 
-    private static Vector3d[][] Faces(BoxShape box)
+    private static Vector3d[][] Faces(Football.Physics.Shapes.BoxShape box)
     {
         Vector3d x = box.Rotation.Rotate(new Vector3d(box.HalfSize.X, 0, 0));
         Vector3d y = box.Rotation.Rotate(new Vector3d(0, box.HalfSize.Y, 0));

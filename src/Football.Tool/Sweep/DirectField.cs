@@ -1,4 +1,3 @@
-using Football.Scenarios;
 using Football.Scenarios.Input;
 
 namespace Football.Tool.Sweep;

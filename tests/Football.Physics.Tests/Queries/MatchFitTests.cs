@@ -1,5 +1,4 @@
 using Football.Physics.Tests.Support;
-using Football.Physics.Tracks;
 
 namespace Football.Physics.Tests.Queries;
 

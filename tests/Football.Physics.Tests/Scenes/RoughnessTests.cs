@@ -1,5 +1,3 @@
-using Football.Physics.Laws;
-
 namespace Football.Physics.Tests.Scenes;
 
 /// <summary>The drag curve of a ball by its roughness.</summary>
