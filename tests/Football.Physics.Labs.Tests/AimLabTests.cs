@@ -1,6 +1,5 @@
 using System.Text.Json;
 using System.Xml.Linq;
-using Football.Physics.Labs;
 
 namespace Football.Physics.Labs.Tests;
 

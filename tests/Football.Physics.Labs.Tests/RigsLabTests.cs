@@ -1,5 +1,4 @@
 using System.Text.Json;
-using Football.Physics.Labs;
 
 namespace Football.Physics.Labs.Tests;
 

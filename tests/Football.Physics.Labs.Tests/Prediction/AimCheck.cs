@@ -1,5 +1,3 @@
-using Football.Physics.Labs;
-
 namespace Football.Physics.Labs.Tests.Predictors;
 
 /// <summary>What must hold of every kick that was found, whatever was asked for.</summary>

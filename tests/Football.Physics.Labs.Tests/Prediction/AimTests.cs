@@ -1,5 +1,3 @@
-using Football.Physics.Labs;
-
 namespace Football.Physics.Labs.Tests.Predictors;
 
 /// <summary>The solvers on many random requests.</summary>

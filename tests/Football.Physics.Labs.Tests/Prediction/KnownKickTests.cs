@@ -1,5 +1,3 @@
-using Football.Physics.Labs;
-
 namespace Football.Physics.Labs.Tests.Predictors;
 
 /// <summary>Kicks that were flown are found again, by every question whose answer they are.</summary>

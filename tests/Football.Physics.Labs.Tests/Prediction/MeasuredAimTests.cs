@@ -1,5 +1,3 @@
-using Football.Physics.Labs;
-
 namespace Football.Physics.Labs.Tests.Predictors;
 
 /// <summary>Aims in the measured profile, in weather, wind and gusts, beside those of the published one.</summary>

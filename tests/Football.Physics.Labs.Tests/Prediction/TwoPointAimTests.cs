@@ -1,5 +1,3 @@
-using Football.Physics.Labs;
-
 namespace Football.Physics.Labs.Tests.Predictors;
 
 /// <summary>A point on the way and a target.</summary>

@@ -1,5 +1,3 @@
-using Football.Physics.Labs;
-
 namespace Football.Physics.Labs.Tests.Predictors;
 
 /// <summary>What can be hit is hit, what cannot is said to be out of reach, and the kick for it is the closest there is.</summary>
