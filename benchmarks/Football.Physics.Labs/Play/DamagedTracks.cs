@@ -52,20 +52,50 @@ internal sealed class DamagedTracks
             int at = random.Below(lines.Count);
             switch (random.Below(14))
             {
-                case 0: lines[at] = ""; break;
-                case 1: lines[at] = lines[at].Replace('.', random.Any('x', ',', ';', '-')); break;
-                case 2: lines[at] += random.Any(",", ",1,2", ",\"", "\0"); break;
-                case 3: lines.RemoveRange(at, Math.Min(lines.Count - at, random.Below(40) + 1)); lines.Add("9999,1,1,1"); break;
-                case 4: lines.Insert(at, lines[random.Below(lines.Count)]); break;
-                case 5: (lines[at], lines[^1]) = (lines[^1], lines[at]); break;
-                case 6: lines[at] = random.Any("nan,nan,nan,nan", "1e308,1e308,1e308,1e308", "0,0,0,0", "-1,-1,-1", "inf,1,2,3", ",,,"); break;
-                case 7: Columns(lines, line => string.Join(',', line.Split(',').Reverse())); break;
-                case 8: Columns(lines, line => line.Contains('t', StringComparison.Ordinal) ? line : Scaled(line, random.Any(0.0, 1e-9, 100.0, 1e4, -1.0))); break;
-                case 9: lines[0] = random.Any("", "t,x,y", "T;X;Y;Z", "timestamp,ball_x,ball_y,ball_z_cm", "a,b,c,d"); break;
-                case 10: Columns(lines, line => random.Chance(0.3) ? line[..random.Below(line.Length + 1)] : line); break;
-                case 11: Columns(lines, line => line.Contains('t', StringComparison.Ordinal) || random.Chance(0.8) ? line : Jump(line, random)); break;
-                case 12: lines.RemoveAll(_ => random.Chance(0.5)); lines.Add("t,x,y,z"); break;
-                default: lines[at] = Encoding.Latin1.GetString([.. Encoding.Latin1.GetBytes(lines[at]).Select(b => random.Chance(0.2) ? (byte)random.Below(256) : b)]); break;
+                case 0:
+                    lines[at] = "";
+                    break;
+                case 1:
+                    lines[at] = lines[at].Replace('.', random.Any('x', ',', ';', '-'));
+                    break;
+                case 2:
+                    lines[at] += random.Any(",", ",1,2", ",\"", "\0");
+                    break;
+                case 3:
+                    lines.RemoveRange(at, Math.Min(lines.Count - at, random.Below(40) + 1));
+                    lines.Add("9999,1,1,1");
+                    break;
+                case 4:
+                    lines.Insert(at, lines[random.Below(lines.Count)]);
+                    break;
+                case 5:
+                    (lines[at], lines[^1]) = (lines[^1], lines[at]);
+                    break;
+                case 6:
+                    lines[at] = random.Any("nan,nan,nan,nan", "1e308,1e308,1e308,1e308", "0,0,0,0", "-1,-1,-1", "inf,1,2,3", ",,,");
+                    break;
+                case 7:
+                    Columns(lines, line => string.Join(',', line.Split(',').Reverse()));
+                    break;
+                case 8:
+                    Columns(lines, line => line.Contains('t', StringComparison.Ordinal) ? line : Scaled(line, random.Any(0.0, 1e-9, 100.0, 1e4, -1.0)));
+                    break;
+                case 9:
+                    lines[0] = random.Any("", "t,x,y", "T;X;Y;Z", "timestamp,ball_x,ball_y,ball_z_cm", "a,b,c,d");
+                    break;
+                case 10:
+                    Columns(lines, line => random.Chance(0.3) ? line[..random.Below(line.Length + 1)] : line);
+                    break;
+                case 11:
+                    Columns(lines, line => line.Contains('t', StringComparison.Ordinal) || random.Chance(0.8) ? line : Jump(line, random));
+                    break;
+                case 12:
+                    lines.RemoveAll(_ => random.Chance(0.5));
+                    lines.Add("t,x,y,z");
+                    break;
+                default:
+                    lines[at] = Encoding.Latin1.GetString([.. Encoding.Latin1.GetBytes(lines[at]).Select(b => random.Chance(0.2) ? (byte)random.Below(256) : b)]);
+                    break;
             }
         }
 

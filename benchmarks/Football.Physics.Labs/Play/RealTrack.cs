@@ -14,7 +14,7 @@ internal static class RealTrack
         ("generic", BallProperties.Football), ("brazuca", BallProperties.Brazuca), ("trionda", BallProperties.Trionda), ("modern", BallProperties.Modern),
     ];
 
-    private static readonly (string Name, Ground Ground, bool Rolls)[] Grounds = 
+    private static readonly (string Name, Ground Ground, bool Rolls)[] Grounds =
     [
         ("dryTurf", Ground.DryTurf, false), ("wetTurf", Ground.WetTurf, false), ("matchTurf", Ground.MatchTurf, false), ("matchTurf", Ground.MatchTurf, true),
     ];
