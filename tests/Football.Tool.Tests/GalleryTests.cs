@@ -19,7 +19,7 @@ public sealed class GalleryTests
 
         var sheet = XDocument.Load(Path.Combine(folder, "index.html"));
         XNamespace svg = "http://www.w3.org/2000/svg";
-        Assert.Equal(GalleryShots.All.Count, sheet.Descendants("article").Count(card => card.Element(svg + "svg") is not null));
+        Assert.Equal(GalleryShots.All.Count, sheet.Descendants("article").Count(card => card.Descendants(svg + "svg").Any()));
         foreach (GalleryShot shot in GalleryShots.All)
         {
             var drawing = XDocument.Load(Path.Combine(folder, shot.Id + ".svg"));
@@ -115,14 +115,6 @@ public sealed class GalleryTests
             Assert.InRange((velocity - shot.Scenario.Velocity).Length, 0, 1e-9);
             Assert.InRange((spin - shot.Scenario.Spin).Length, 0, 1e-9);
             Assert.StartsWith("ball.Kick(speed: ", kick.Code);
-            FootballCommand done = FootballCommand.Run("", [.. shot.Command.Split(' ')[1..], "--json"]);
-            Assert.Equal(0, done.ExitCode);
-            if (shot.Scenario.Scene is { Goals: [], Obstacles: [] })
-            {
-                JsonElement rest = done.Lines.Single().GetProperty("final").GetProperty("position");
-                Vector3d played = new Flight(shot.Scenario).Outcome.Final.Position;
-                Assert.InRange((new Vector3d(rest[0].GetDouble(), rest[1].GetDouble(), rest[2].GetDouble()) - played).Length, 0, 0.1);
-            }
         }
     }
 

@@ -31,7 +31,7 @@ public sealed class MeasuredScenarioTests
 
     [Theory]
     [InlineData("\"profile\":\"thesis\"", "profile is \"thesis\"; allowed: measured | published")]
-    [InlineData("\"ball\":{\"type\":\"beach\"}", "ball.type is \"beach\"; allowed: generic | tango12 | teamgeist | jabulani | brazuca | youthFootball | futsal | beachBall | medicineBall")]
+    [InlineData("\"ball\":{\"type\":\"beach\"}", "ball.type is \"beach\"; allowed: generic | tango12 | teamgeist | jabulani | brazuca | telstar18 | flight2020 | alRihla | fussballliebe | trionda | modern | youthFootball | futsal | beachBall | medicineBall")]
     [InlineData("\"ball\":{\"knuckleForce\":-1}", "ball.knuckleForce is -1; allowed: 0 … 100")]
     [InlineData("\"air\":{\"weather\":{\"temperature\":99}}", "air.weather.temperature is 99; allowed: -60 … 60")]
     [InlineData("\"air\":{\"weather\":{\"humidity\":\"wet\"}}", "air.weather.humidity is \"wet\"; allowed: 0 … 1")]

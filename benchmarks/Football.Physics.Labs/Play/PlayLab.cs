@@ -19,7 +19,7 @@ internal static class PlayLab
         return LabOptions.Create(
             "play",
             "Tracks of matches: real ones that are given, by every ball and surface; simulated minutes, of which everything is known; damaged files, none of which may do harm.",
-            ["football lab play --track match.csv --altitude 2600", "football lab play --matches 100 --damaged 1000 --seed 7"],
+            ["football lab play --matches 1 --damaged 10 --seed 7"],
             terminal,
             (parsed, seed, progress) => Run(parsed.GetRequiredValue(files), parsed.GetValue(altitude), seed, (int)parsed.GetValue(matches), (int)parsed.GetValue(damaged), progress, terminal),
             files,

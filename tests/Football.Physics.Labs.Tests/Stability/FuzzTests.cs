@@ -39,8 +39,8 @@ public sealed class FuzzTests
         FuzzTarget target = FuzzTarget.All[kind];
         int refused = Enumerable.Range(0, 100).Count(seed => target.Try(target.Make(new SeededRandom(seed), 0)));
 
-        // A few of the bytes and texts are changed beside.
-        Assert.InRange(refused, 0, 30);
+        // A few of the bytes and texts are changed beside; wild numbers make half of the segments ones that are refused.
+        Assert.InRange(refused, 0, 60);
     }
 
     [Fact]

@@ -1,0 +1,2 @@
+// Programs are built and browsers run in folders that two tests at once would share.
+[assembly: CollectionBehavior(DisableTestParallelization = true)]
