@@ -8,7 +8,7 @@ internal static class FuzzNumbers
     private static readonly double[] s_edges =
     [
         0, double.Epsilon, 1e-310, 1e-300, 1e-200, 1e-153, 1e-100, 1e-16, 1e-12, 1e-9, 1e-6, 1e-4, 0.001, 0.01, 0.05, 0.1, 0.25, 0.5, 1, 2, 3, 9.81, 10, 12.19,
-        100, 1000, 1e4, 1e6, 1e9, 1e12, 1e15, 1e17, 1e30, 1e60, 1e75, 1e100, 1e153, 1e200, 1e300, double.MaxValue,
+        100, 1000, 1e4, 1e6, 1e9, 1e12, 1e15, 1e17, 1e30, 1e35, 1e45, 1e60, 1e75, 1e100, 1e153, 1e200, 1e300, double.MaxValue,
     ];
 
     /// <summary>One of them, or one next to it, or any.</summary>

@@ -68,6 +68,11 @@ internal sealed class SegmentFuzz : FuzzTarget
                 Must(simulator.SceneHash != segment.SceneHash || segment.Balls != 1, "its own scene is refused");
                 continue;
             }
+            catch (InvalidOperationException)
+            {
+                Must(segment.EngineMoves, "a segment that holds every motion is refused");
+                continue;
+            }
 
             Must(diverges is null || (diverges > segment.StartTick && diverges <= segment.EndTick), "it diverges at a tick that it does not have");
             FixedStepRunner runner = segment.Replay(simulator);

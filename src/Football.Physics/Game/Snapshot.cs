@@ -96,7 +96,7 @@ public static class Snapshot
     /// <exception cref="ArgumentException"><paramref name="source"/> is too short.</exception>
     /// <exception cref="FormatException">
     /// The bytes are no state of a ball, and the message says why: the checksum does not hold, an enumeration has no such member, or a number is
-    /// not finite or so large that no ball gets there: 1e75 m, 1e60 m/s, 1e70 rad/s, 1e15 s.
+    /// not finite or so large that no ball gets there: 1e45 m, 1e30 m/s, 1e35 rad/s, 1e15 s.
     /// </exception>
     public static BallState Read(ReadOnlySpan<byte> source)
     {

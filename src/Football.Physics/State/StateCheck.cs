@@ -7,10 +7,10 @@ internal static class StateCheck
     /// What a ball that was launched within <see cref="Limits"/> may get to: it falls without drag, flies on, and rolls however small it is.
     /// From there every step is finite. In m, m/s, rad/s and s.
     /// </summary>
-    private const double Farthest = 1e75;
+    private const double Farthest = 1e45;
 
-    private const double FastestSpeed = 1e60;
-    private const double FastestSpin = 1e70;
+    private const double FastestSpeed = 1e30;
+    private const double FastestSpin = 1e35;
     private const double LatestTime = 1e15;
 
     /// <summary>The largest angle since the spin last changed, rad.</summary>
