@@ -6,7 +6,7 @@ namespace Football.Web.Tests;
 /// <summary>A real browser, and the pages on disk as a visitor has them.</summary>
 public sealed class Browser : IAsyncLifetime
 {
-    private static readonly string[] s_names = ["chromium", "chromium-headless-shell", "chromium-browser", "google-chrome"];
+    private static readonly string[] s_names = ["chromium-headless-shell", "chromium", "chromium-browser", "google-chrome"];
     private IPlaywright? _playwright;
     private IBrowser? _browser;
 
@@ -24,7 +24,7 @@ public sealed class Browser : IAsyncLifetime
         await File.WriteAllTextAsync(Play, Tool.Playground.Html);
         string path = (Environment.GetEnvironmentVariable("PATH") ?? "").Split(':')
             .SelectMany(folder => s_names.Select(name => Path.Combine(folder, name))).FirstOrDefault(File.Exists)
-            ?? throw new InvalidOperationException("No Chromium: apt-get install chromium");
+            ?? throw new InvalidOperationException("No Chromium: apt-get install chromium-headless-shell");
         _playwright = await Playwright.CreateAsync();
         _browser = await _playwright.Chromium.LaunchAsync(new BrowserTypeLaunchOptions { ExecutablePath = path, Args = ["--no-sandbox"] });
     }

@@ -1,6 +1,6 @@
 namespace Football.Physics.Aiming;
 
-/// <summary>What the aiming methods share: the scene compiled for each purpose, and the memory of their flights.</summary>
+/// <summary>Shared by the aiming methods: the scene compiled for each purpose, and the memory of their flights.</summary>
 /// <remarks>
 /// An aim is a boundary-value problem: a flight is given at both ends, and the kick is sought. It is solved by shooting: kicks are flown, and
 /// corrected by what they miss by. Which flights tell the miss is what the methods differ in.
@@ -50,7 +50,7 @@ internal sealed class AimContext
 
     public Scene Scene { get; }
 
-    /// <summary>Whether there is anything in the scene but the ground. Kicks are sought as if there were not, and then looked at where there is.</summary>
+    /// <summary>True when there is anything in the scene but the ground. Kicks are sought as if there were not, and then looked at where there is.</summary>
     public bool HasThings { get; }
 
     /// <summary>The scene with the game's own integrator.</summary>
@@ -77,13 +77,13 @@ internal sealed class AimContext
     /// <summary>Iterations since the search began.</summary>
     public int Iterations => (_spent + SimulationsPerIteration - 1) / SimulationsPerIteration;
 
-    /// <summary>Whether the search has had all that it may have.</summary>
+    /// <summary>True when the search has had all that it may have.</summary>
     public bool IsSpent => _spent >= _most || IsWorn;
 
-    /// <summary>Whether it has had all the pieces of motion that it may have.</summary>
+    /// <summary>True when it has had all the pieces of motion that it may have.</summary>
     public bool IsWorn => _pieces >= MostPieces;
 
-    /// <summary>Whether it has had half of that: a search that others come after leaves them the rest.</summary>
+    /// <summary>True when it has had half of that: a search that others come after leaves them the rest.</summary>
     public bool IsHalfSpent => _spent >= _most / 2 || _pieces >= MostPieces / 2;
 
     /// <summary>Begins a search.</summary>
@@ -99,7 +99,7 @@ internal sealed class AimContext
         Miss.Forget();
     }
 
-    /// <summary>Whether flights for a target with a velocity turn with their azimuth.</summary>
+    /// <summary>True when flights for a target with a velocity turn with their azimuth.</summary>
     public bool Turns(in Vector3d targetVelocity) => Scene.Air.IsStill && targetVelocity == Vector3d.Zero;
 
     /// <summary>Flies a kick with ground, to its closest approach.</summary>
@@ -133,7 +133,7 @@ internal sealed class AimContext
     public static Vector3d Raised(Simulator simulator, in Vector3d place) =>
         place.Y < simulator.ContactHeight ? new Vector3d(place.X, simulator.ContactHeight, place.Z) : place;
 
-    /// <summary>Whether a kick stays on the ground from its start.</summary>
+    /// <summary>True when a kick stays on the ground from its start.</summary>
     public bool StaysDown(in Vector3d from, double upwardSpeed) =>
         Upward <= 0 && from.Y <= Game.ContactHeight && Math.Abs(upwardSpeed) < Scene.Ground.MinimumBounceSpeed;
 
@@ -196,7 +196,7 @@ internal readonly struct AimSteps
     /// <summary>Of flights from which a hit is said.</summary>
     public double Hit { get; }
 
-    /// <summary>Whether they are the short ones: longer steps were wrong then.</summary>
+    /// <summary>True when they are the short ones: longer steps were wrong then.</summary>
     public bool AreShort { get; }
 
     private double RoughHit { get; }

@@ -55,7 +55,7 @@ public sealed record AimRequest
     public AimArc Arc { get; init; } = AimArc.Low;
 
     /// <summary>
-    /// Whether the spin may be changed, within <see cref="MaximumTopSpin"/> and <see cref="MaximumSideSpin"/>, to bring a kick round what is in its way.
+    /// True when the spin may be changed, within <see cref="MaximumTopSpin"/> and <see cref="MaximumSideSpin"/>, to bring a kick round what is in its way.
     /// Default not. Used by <see cref="Aimer"/> without a point on the way.
     /// </summary>
     public bool SpinIsFree { get; init; }

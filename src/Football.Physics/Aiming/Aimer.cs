@@ -118,6 +118,28 @@ public sealed partial class Aimer
         return result;
     }
 
+    /// <summary>Finds kicks of every kind that nobody plays, so that no frame of a game has to compile the code of a search.</summary>
+    /// <exception cref="InvalidOperationException">A force of the game's own is not finite.</exception>
+    public void WarmUp()
+    {
+        double contact = _context.Game.ContactHeight;
+        var request = new AimRequest
+        {
+            From = new Vector3d(0, contact, 0),
+            Target = new Vector3d(1, contact + 1, -18),
+            TopSpin = -10,
+            SideSpin = 20,
+            MaximumElevationDegrees = 80,
+        };
+        Find(request);
+        AimResult high = Find(request with { Arc = AimArc.High });
+        Find(request with { Speed = 8 });
+        Find(request with { Through = new Vector3d(1, contact + 2, -9) });
+        Find(request with { Target = new Vector3d(0, contact, -15), MaximumElevationDegrees = 0 });
+        FindSlowest(request);
+        FindAtTime(request, high.Time);
+    }
+
     /// <summary>The other arc, and where the spin may be chosen other spins on both, nearest first: what is a hit there is not blocked.</summary>
     private AimResult Around(AimRequest request, in AimResult blocked, bool measure)
     {
@@ -192,7 +214,7 @@ public sealed partial class Aimer
         }
     }
 
-    /// <summary>What the search was made with.</summary>
+    /// <summary>The compiled scenes and flights of the search.</summary>
     internal AimContext Context => _context;
 
     /// <summary>Checks a request before anything is done for it.</summary>
@@ -233,7 +255,7 @@ public sealed partial class Aimer
         return Result(request, status, in solution, in velocity, in spin, in measured);
     }
 
-    /// <summary>What it is where the measured kick misses: what a method took for a hit is in need of finer steps, or something is in the way.</summary>
+    /// <summary>The status of a kick whose measured flight misses: a supposed hit needs finer steps, or something is in the way.</summary>
     private static AimStatus Missed(in AimSolution solution, in MeasuredMiss measured) =>
         solution.Status != AimStatus.Hit ? solution.Status : measured.Blocker == MeasuredFlight.NoThing ? AimStatus.NotConverged : AimStatus.Blocked;
 

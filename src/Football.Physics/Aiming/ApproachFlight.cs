@@ -33,7 +33,7 @@ internal abstract class ApproachFlight : KickObserver
 
     protected Simulator Simulator { get; }
 
-    /// <summary>Whether there is no wind, which could bring a ball back.</summary>
+    /// <summary>True when there is no wind, which could bring a ball back.</summary>
     protected bool IsStill { get; }
 
     /// <summary>The target at time 0, m.</summary>
@@ -81,7 +81,7 @@ internal abstract class ApproachFlight : KickObserver
     /// <summary>From the target to a ball.</summary>
     protected Vector3d Gap(in Vector3d position, double time) => position - TargetFor(in position) - (time * TargetVelocity);
 
-    /// <summary>Whether a ball that came closer to the target leaves it again.</summary>
+    /// <summary>True when a ball that came closer to the target leaves it again.</summary>
     protected bool Passes(in BallState before, in BallState after, in Vector3d velocity) =>
         Rate(in before, before.Velocity) < 0 && Rate(in after, in velocity) > 0;
 
@@ -89,7 +89,7 @@ internal abstract class ApproachFlight : KickObserver
     protected virtual void TakeEnd(in BallState state, in Vector3d velocity) =>
         Take(Gap(state.Position, state.Time).LengthSquared, state.Time, state.Position, in velocity);
 
-    /// <summary>Whether a ball on the ground comes no closer: it is too far below, or rolls away, and no wind brings it back.</summary>
+    /// <summary>True when a ball on the ground comes no closer: it is too far below, or rolls away, and no wind brings it back.</summary>
     protected bool IsPast(MotionState motion, in Vector3d gap, in Vector3d velocity, double best) =>
         motion != MotionState.Airborne && TargetVelocity == Vector3d.Zero
         && (gap.Y * gap.Y >= best || (IsStill && motion == MotionState.Rolling && Vector3d.Dot(in gap, in velocity) > 0));
@@ -135,7 +135,7 @@ internal sealed class MeasuredFlight : ApproachFlight
     {
     }
 
-    /// <summary>Whether it met all that it was to meet, in order, before anything else.</summary>
+    /// <summary>True when it met all that it was to meet, in order, before anything else.</summary>
     public bool HasMetAll => _met == _things.Length;
 
     /// <summary>Distance of the closest approach to the point on the way, m; null without one.</summary>
@@ -269,7 +269,7 @@ internal sealed class MeasuredFlight : ApproachFlight
         }
     }
 
-    /// <summary>Whether the ball goes away for good: in the air where it is farther off by its way over the ground alone.</summary>
+    /// <summary>True when the ball goes away for good: in the air where it is farther off by its way over the ground alone.</summary>
     private bool Leaves(in BallState state)
     {
         Vector3d gap = Gap(state.Position, state.Time);
@@ -281,7 +281,7 @@ internal sealed class MeasuredFlight : ApproachFlight
     private void NoteBlocker(in BallEvent e) =>
         Blocker = Blocker == NoThing && e.Thing > 0 && e.Kind is BallEventKind.Impact or BallEventKind.Net ? e.Thing : Blocker;
 
-    /// <summary>Whether the ball creeps down a net, and gets nowhere in time.</summary>
+    /// <summary>True when the ball creeps down a net, and gets nowhere in time.</summary>
     private bool Creeps(in BallState state)
     {
         double speed = state.Velocity.Length;
@@ -375,10 +375,10 @@ internal class KickLook : ApproachFlight
         return after.Motion == MotionState.Airborne ? Leaves(in after, in gap) : IsPast(after.Motion, in gap, after.Velocity, Squared);
     }
 
-    /// <summary>Whether a ball in the air can come no closer: in a wind, or to a target that moves, it may.</summary>
+    /// <summary>True when a ball in the air can come no closer: in a wind, or to a target that moves, it may.</summary>
     protected virtual bool Leaves(in BallState state, in Vector3d gap) => false;
 
-    /// <summary>Whether the target is below the way: to the right of the motion as seen in the plane of way and height.</summary>
+    /// <summary>True when the target is below the way: to the right of the motion as seen in the plane of way and height.</summary>
     protected bool IsAbove(in Vector3d gap, in Vector3d ahead)
     {
         Vector3d moving = Velocity - TargetVelocity;

@@ -67,7 +67,7 @@ internal readonly struct ElevationBounds
     /// <summary>The nearest elevation within the bounds.</summary>
     public double Clamp(double elevation) => Math.Min(Math.Max(elevation, Lowest), Highest);
 
-    /// <summary>Whether an elevation lies within the bounds.</summary>
+    /// <summary>True when an elevation lies within the bounds.</summary>
     public bool Contain(double elevation) => !(elevation < Lowest || elevation > Highest);
 }
 
@@ -99,7 +99,7 @@ internal readonly struct TargetFrame
         Left = new Vector3d(Forward.Z, 0, -Forward.X);
     }
 
-    /// <summary>Whether the target is at the ball, so that there is no direction to kick in.</summary>
+    /// <summary>True when the target is at the ball, so that there is no direction to kick in.</summary>
     public bool IsDegenerate => Distance < 1e-6 && Math.Abs(Target.Y - From.Y) < 1e-6;
 
     /// <summary>Height at which a ball that falls is given up, m: far below both ends of any flight that is of use.</summary>

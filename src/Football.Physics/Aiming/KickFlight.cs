@@ -56,7 +56,7 @@ internal sealed class KickFlight
     }
 }
 
-/// <summary>What a <see cref="KickFlight"/> is flown for: how long its steps are, what is read off them, and when it is over.</summary>
+/// <summary>The purpose of a <see cref="KickFlight"/>: the length of its steps, what is read off them, and when it is over.</summary>
 internal abstract class KickObserver : PieceObserver
 {
     /// <summary>Length of the next step, s.</summary>
@@ -72,7 +72,7 @@ internal abstract class KickObserver : PieceObserver
     /// <returns>True where that is not enough: the step is taken again, and <see cref="PieceObserver.Add(in PathPiece)"/> sees its pieces.</returns>
     public abstract bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended);
 
-    /// <summary>Whether a flight is over after a step.</summary>
+    /// <summary>True when a flight is over after a step.</summary>
     public virtual bool IsOver(in BallState before, in BallState after, EventBuffer events, bool ended) => ended;
 
     public override bool Add(in PathPiece piece) => false;

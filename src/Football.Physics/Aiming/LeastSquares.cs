@@ -9,10 +9,10 @@ internal interface ILeastSquares
     /// <summary>How many residuals there are.</summary>
     int Equations { get; }
 
-    /// <summary>Whether no more may be flown.</summary>
+    /// <summary>True when no more may be flown.</summary>
     bool IsSpent { get; }
 
-    /// <summary>Whether an unknown is free.</summary>
+    /// <summary>True when an unknown is free.</summary>
     bool IsFree(int unknown);
 
     /// <summary>An unknown within its bounds.</summary>
@@ -31,7 +31,7 @@ internal interface ILeastSquares
     /// <summary>Sets the columns that are known in closed form, for what was flown last.</summary>
     void KnownColumns(double[] x, double[] j);
 
-    /// <summary>Whether residuals are small enough.</summary>
+    /// <summary>True when residuals are small enough.</summary>
     bool IsHit(double[] r);
 }
 

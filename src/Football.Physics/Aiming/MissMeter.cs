@@ -88,7 +88,7 @@ internal static class MeasuringStep
         IsRuledByAir(simulator, upward, speed, spinRate) || simulator.Scene.Air.Wind.Length > Storm
             || simulator.Scene.Ball.Radius * spinRate > speed ? Fine : Ordinary;
 
-    /// <summary>Whether, at a speed, drag or lift are so much stronger than gravity that ways bend into loops, or end in the air.</summary>
+    /// <summary>True when, at a speed, drag or lift are so much stronger than gravity that ways bend into loops, or end in the air.</summary>
     public static bool IsRuledByAir(Simulator simulator, double upward, double speed, double spinRate)
     {
         double most = speed + simulator.Scene.Air.Wind.Length;

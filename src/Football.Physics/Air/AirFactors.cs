@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>What the air does to the ball at one instant: a = Lift (ω × u) − Drag u + Acceleration, ω̇ = −Decay ω + SpinAcceleration.</summary>
+/// <summary>Effect of the air on the ball at one instant: a = Lift (ω × u) − Drag u + Acceleration, ω̇ = −Decay ω + SpinAcceleration.</summary>
 internal struct AirFactors
 {
     /// <summary>u, the velocity relative to the air here and now, m/s.</summary>

@@ -3,13 +3,13 @@ namespace Football.Physics;
 /// <summary>The aerodynamic laws of a scene at a point, through one virtual call: what everything but the hot step of flight asks. Immutable, for any number of threads.</summary>
 internal abstract class AirLaws
 {
-    /// <summary>Whether drag acts.</summary>
+    /// <summary>True when drag acts.</summary>
     public bool Drags { get; protected init; }
 
-    /// <summary>Whether the Magnus force acts.</summary>
+    /// <summary>True when the Magnus force acts.</summary>
     public bool Lifts { get; protected init; }
 
-    /// <summary>Whether spin decays.</summary>
+    /// <summary>True when spin decays.</summary>
     public bool SpinDecays { get; protected init; }
 
     /// <inheritdoc cref="IFlightAir.Jumps"/>

@@ -31,7 +31,7 @@ internal readonly struct DragJump
     /// <summary>Positive where the law with spin holds.</summary>
     public double Least => Speed < Spin ? Speed : Spin;
 
-    /// <summary>Whether the ball is nearer to the critical speed than to the critical spin parameter.</summary>
+    /// <summary>True when the ball is nearer to the critical speed than to the critical spin parameter.</summary>
     public bool NearerToSpeed => Math.Abs(Speed) < Math.Abs(Spin);
 
     /// <summary>The branch that holds here.</summary>
@@ -60,7 +60,7 @@ internal readonly struct DragJump
         Math.Sqrt((at.Velocity - wind).LengthSquared * rates.Acceleration.LengthSquared)
         + (SpinScale * radius * radius * Math.Sqrt(at.Spin.LengthSquared * rates.SpinAcceleration.LengthSquared)));
 
-    /// <summary>Whether a step may have crossed a surface: a quick test that errs towards yes.</summary>
+    /// <summary>True when a step may have crossed a surface: a quick test that errs towards yes.</summary>
     /// <param name="branch">The branch of the step.</param>
     /// <param name="from">At the step's start.</param>
     /// <param name="rate">Rates there.</param>

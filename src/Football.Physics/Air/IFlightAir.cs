@@ -3,13 +3,13 @@ namespace Football.Physics;
 /// <summary>The laws of the air as the hot step of flight asks them: one compiled body of the step for each type.</summary>
 internal interface IFlightAir : IFlightLaws
 {
-    /// <summary>Whether anything acts at all. A fact of the type but in <see cref="SceneAir"/>, as the next one.</summary>
+    /// <summary>True when anything acts at all. A fact of the type but in <see cref="SceneAir"/>, as the next one.</summary>
     bool Acts { get; }
 
-    /// <summary>Whether the drag coefficient jumps, so that a step is locked to a branch and ends where the branch does.</summary>
+    /// <summary>True when the drag coefficient jumps, so that a step is locked to a branch and ends where the branch does.</summary>
     bool Jumps { get; }
 
-    /// <summary>Whether the fast form of the laws holds along a step from here.</summary>
+    /// <summary>True when the fast form of the laws holds along a step from here.</summary>
     /// <param name="speedSquared">|u|² at its start, m²/s².</param>
     /// <param name="spinRate">|ω| there, rad/s.</param>
     /// <param name="h">Length of the step, s.</param>

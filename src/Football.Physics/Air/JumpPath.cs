@@ -19,7 +19,7 @@ internal readonly struct JumpPath
     /// <summary>S at a fraction of the step.</summary>
     public double Spin(double at) => _spin.At(at);
 
-    /// <summary>Whether the law with spin holds there.</summary>
+    /// <summary>True when the law with spin holds there.</summary>
     public bool IsInside(double at) => Speed(at) > 0 && Spin(at) > 0;
 
     /// <summary>Narrows two fractions, at the later of which the ball has changed sides, down to the change.</summary>
@@ -32,7 +32,7 @@ internal readonly struct JumpPath
         Roots.Bisect(ref change, ref low, ref high, Halvings);
     }
 
-    /// <summary>Whether one surface becomes positive between two fractions before the other ceases to be: a visit to the law with spin.</summary>
+    /// <summary>True when one surface becomes positive between two fractions before the other ceases to be: a visit to the law with spin.</summary>
     /// <param name="low">Where the search starts; not inside.</param>
     /// <param name="high">Where it ends, not inside; then a fraction that is.</param>
     public bool PassesThrough(double low, ref double high)

@@ -51,7 +51,7 @@ public sealed class ScaledAir : IForce
     internal static ScaledAir? AloneIn(Scene scene) =>
         scene.Forces.Custom.Count == 1 && scene.Forces.Custom[0] is ScaledAir scaled && scaled.IsMadeFor(scene) ? scaled : null;
 
-    /// <summary>Whether a scene has the ball, the air and the laws that this was made for.</summary>
+    /// <summary>True when a scene has the ball, the air and the laws that this was made for.</summary>
     private bool IsMadeFor(Scene scene) =>
         scene.Ball == _scene.Ball && scene.Air == _scene.Air && scene.Forces with { Custom = _scene.Forces.Custom } == _scene.Forces;
 }

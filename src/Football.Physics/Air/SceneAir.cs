@@ -12,7 +12,7 @@ internal struct SceneAir : IFlightAir
     private readonly AirLaws _laws;
     private readonly IWind? _wind;
 
-    /// <summary>The same, where it is the library's own: asked without a virtual call.</summary>
+    /// <summary>The wind field where it is the library's own, asked without a virtual call.</summary>
     private readonly WindByHeight? _byHeight;
     private readonly KnuckleForce? _knuckle;
     private readonly OwnForces? _own;
@@ -37,13 +37,13 @@ internal struct SceneAir : IFlightAir
     /// <summary>The laws alone.</summary>
     public readonly AirLaws Laws => _laws;
 
-    /// <summary>Whether drag acts.</summary>
+    /// <summary>True when drag acts.</summary>
     public readonly bool Drags => _laws.Drags;
 
-    /// <summary>Whether the Magnus force acts.</summary>
+    /// <summary>True when the Magnus force acts.</summary>
     public readonly bool Lifts => _laws.Lifts;
 
-    /// <summary>Whether spin decays.</summary>
+    /// <summary>True when spin decays.</summary>
     public readonly bool SpinDecays => _laws.SpinDecays;
 
     public readonly bool Acts => _laws.Drags || _laws.Lifts || _laws.SpinDecays || _knuckle is not null;
@@ -54,10 +54,10 @@ internal struct SceneAir : IFlightAir
 
     public readonly bool Jumps => !_hasField && _laws.Jumps;
 
-    /// <summary>Whether the air depends on place or time, or on more than drag, lift and spin decay: then flight asks <see cref="Evaluate"/> alone.</summary>
+    /// <summary>True when the air depends on place or time, or on more than drag, lift and spin decay: then flight asks <see cref="Evaluate"/> alone.</summary>
     public readonly bool Varies => _hasField || _own is not null;
 
-    /// <summary>Whether torques that are not along the spin may act, so that flight has no constant axis.</summary>
+    /// <summary>True when torques that are not along the spin may act, so that flight has no constant axis.</summary>
     public readonly bool TurnsAxis => _own is not null;
 
     /// <summary>A speed that the wind by place and time nowhere exceeds, m/s; 0 where it is steady.</summary>
@@ -75,10 +75,10 @@ internal struct SceneAir : IFlightAir
         ? new SceneAir(scene, AirLaws.Of(scene, scaled.Drag, scaled.Lift), false)
         : new SceneAir(scene, AirLaws.Of(scene), scene.Forces.Custom.Count > 0);
 
-    /// <summary>Whether nothing but laws acts in a scene.</summary>
+    /// <summary>True when nothing but laws acts in a scene.</summary>
     public static bool HasLawsAlone(Scene scene) => !HasFieldIn(scene) && (scene.Forces.Custom.Count == 0 || ScaledAir.AloneIn(scene) is not null);
 
-    /// <summary>Whether the wind of a scene depends on place or time, or a knuckle force acts.</summary>
+    /// <summary>True when the wind of a scene depends on place or time, or a knuckle force acts.</summary>
     public static bool HasFieldIn(Scene scene) => scene.Air.WindField is not null || scene.Forces.KnuckleSeed is not null;
 
     public readonly bool Covers(double speedSquared, double spinRate, double h) => true;
@@ -103,7 +103,7 @@ internal struct SceneAir : IFlightAir
 
     public readonly Vector3d Side(in Vector3d u, in Vector3d spin, double distance) => _knuckle!.Acceleration(in u, in spin, distance);
 
-    /// <summary>What the air, and a game's own forces, do at one instant, whatever the motion.</summary>
+    /// <summary>Effect of the air and of a game's own forces at one instant, whatever the motion.</summary>
     /// <param name="ball">The ball.</param>
     /// <param name="branch">The branch of the drag law.</param>
     /// <param name="factors">What the air does.</param>

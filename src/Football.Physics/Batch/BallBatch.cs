@@ -49,7 +49,7 @@ public sealed class BallBatch
     /// <summary>Length of a step, s: the float next to the one asked for.</summary>
     public double TimeStep => (float)Settings.TimeStep;
 
-    /// <summary>Whether the balls of a scene fly side by side in a batch: laws that lanes have, wind that is the same everywhere, no forces of a game's own. Others fly one by one.</summary>
+    /// <summary>True when the balls of a scene fly side by side in a batch: laws that lanes have, wind that is the same everywhere, no forces of a game's own. Others fly one by one.</summary>
     /// <param name="scene">The scene.</param>
     public static bool FliesSideBySide(Scene scene) => LaneFlight.Covers(scene);
 
@@ -92,5 +92,22 @@ public sealed class BallBatch
         }
 
         _groups.Run(count, progress, cancellation);
+    }
+
+    /// <summary>Flies a group of balls that nobody sees, so that no frame of a game has to compile the code of a flight.</summary>
+    /// <exception cref="InvalidOperationException">A force of the game's own is not finite.</exception>
+    public void WarmUp()
+    {
+        const int Count = 64;
+        double contact = Scene.Ground.Height + Scene.Ball.Radius;
+        var launches = new BatchLaunches(Count);
+        for (int i = 0; i < Count; i++)
+        {
+            launches.Position[i] = new Vector3d(0, contact, 0);
+            launches.Velocity[i] = new Vector3d(0, 3 + (0.1 * i), -12 - (0.2 * i));
+            launches.Spin[i] = new Vector3d(0, 0.5 * i, 0);
+        }
+
+        Fly(launches, new BatchFlights(Count), Count);
     }
 }

@@ -114,7 +114,7 @@ internal sealed class BatchAimNewton
     }
 }
 
-/// <summary>What an iteration made of a kick.</summary>
+/// <summary>Outcome of an iteration for a kick.</summary>
 internal enum BatchAimOutcome
 {
     /// <summary>It misses, and has been corrected.</summary>
@@ -142,7 +142,7 @@ internal struct BatchAimState
     public double WindForward;
     public double WindLeft;
 
-    /// <summary>Whether the ball lies on the ground.</summary>
+    /// <summary>True when the ball lies on the ground.</summary>
     public bool OnGround;
 
     public double Speed;

@@ -134,7 +134,7 @@ internal sealed class BatchAimWorker
     }
 
     /// <summary>
-    /// Whether a kick that hits keeps to the bounds, leaves the ground, and cannot touch it again before: a ball that rises or has no lift up falls but once.
+    /// True when a kick that hits keeps to the bounds, leaves the ground, and cannot touch it again before: a ball that rises or has no lift up falls but once.
     /// </summary>
     private bool StaysClear(in BatchAimState s) =>
         s.DirectionUp >= _lowest && s.DirectionUp <= _highest && (s.DirectionUp >= 0 || s.Top >= 0)

@@ -95,4 +95,19 @@ public sealed class BatchAimer
 
         _groups.Run(count, progress, cancellation);
     }
+
+    /// <summary>Finds a group of kicks that nobody plays, so that no frame of a game has to compile the code of a search.</summary>
+    /// <exception cref="InvalidOperationException">A force of the game's own is not finite.</exception>
+    public void WarmUp()
+    {
+        const int Count = 64;
+        double contact = Scene.Ground.Height + Scene.Ball.Radius;
+        var aims = new BatchAims(Count);
+        for (int i = 0; i < Count; i++)
+        {
+            aims.Set(i, new Vector3d(0, contact, 0), new Vector3d(0.1 * i, contact + 1, -15), 18 + (0.1 * i), -5, 0.5 * i);
+        }
+
+        Find(aims, new BatchKicks(Count), Count);
+    }
 }

@@ -15,7 +15,7 @@ public sealed record BatchSettings
     /// <summary>How many threads. The results do not depend on it. 1 … 1024; default 1.</summary>
     public int Threads { get; init; } = 1;
 
-    /// <summary>Whether the highest point of each flight is wanted. Default false.</summary>
+    /// <summary>True when the highest point of each flight is wanted. Default false.</summary>
     public bool FindApex { get; init; }
 
     /// <summary>RK4 in floats, steps of 20 ms, one thread.</summary>

@@ -20,7 +20,7 @@ internal sealed class BatchWorker
     private readonly HighestPoint _highest = new();
     private readonly double _upward;
 
-    /// <summary>Whether there is anything to hit, all of which stands still.</summary>
+    /// <summary>True when there is anything to hit, all of which stands still.</summary>
     private readonly bool _standsStill;
 
     public BatchWorker(Scene scene, BatchSettings settings, int lanes)
@@ -132,7 +132,7 @@ internal sealed class BatchWorker
         }
     }
 
-    /// <summary>Whether a flight can have met nothing but the ground.</summary>
+    /// <summary>True when a flight can have met nothing but the ground.</summary>
     private bool IsClear(BatchLaunches launches, int index, in Vector3d from, in Vector3d to, double time)
     {
         Vector3d u = launches.Velocity[index] - _scene.Air.Wind;

@@ -73,16 +73,16 @@ internal sealed class Collider
     /// <summary>Mass behind its surface, kg; infinite where the ball does not move it.</summary>
     public double Mass { get; private set; } = double.PositiveInfinity;
 
-    /// <summary>Whether the ball moves it.</summary>
+    /// <summary>True when the ball moves it.</summary>
     public bool GivesWay => Mass < double.PositiveInfinity;
 
     /// <summary>The velocity that the scene gives it, m/s; 0 for what the game, or an engine, moves.</summary>
     public Vector3d GivenVelocity => _motion.Velocity;
 
-    /// <summary>Whether the game, or an engine, moves it.</summary>
+    /// <summary>True when the game, or an engine, moves it.</summary>
     public bool IsBody => _placement is not null && _obstacles is null;
 
-    /// <summary>Whether it may be elsewhere at another time.</summary>
+    /// <summary>True when it may be elsewhere at another time.</summary>
     public bool Moves => _placement is not null || _motion.Velocity != Vector3d.Zero;
 
     /// <summary>The plane that it is, where it stands still; else null: a path's distance from it is one cubic.</summary>
@@ -147,7 +147,7 @@ internal sealed class Collider
         return (uint)patch < (uint)_patches.Length ? patch : -1;
     }
 
-    /// <summary>What it is made of: its own material, then those of its parts.</summary>
+    /// <summary>Materials: its own, then those of its parts.</summary>
     public ContactMaterial[] Materials
     {
         get
@@ -159,7 +159,7 @@ internal sealed class Collider
         }
     }
 
-    /// <summary>What it is made of under a place.</summary>
+    /// <summary>Material under a place.</summary>
     public ref readonly ContactMaterial MaterialAt(in Vector3d position)
     {
         int patch = PatchAt(in position);
@@ -174,7 +174,7 @@ internal sealed class Collider
     /// <summary>Distance, normal and curvature, seen from a point at a time.</summary>
     public ShapePoint At(in Vector3d position, double time) => Motion.At(_shape, in position, time);
 
-    /// <summary>The same for a point given in the thing's own frame.</summary>
+    /// <summary>Nearest point of the shape to a point in the thing's own frame.</summary>
     public ShapePoint At(in Vector3d position) => _shape.At(in position);
 
     /// <summary>A path as the thing sees it in its own frame.</summary>

@@ -96,7 +96,7 @@ internal static class ContactNewton
         }
     }
 
-    /// <summary>What resists the spin about the normal: it ends it, or damps it and takes what the load allows.</summary>
+    /// <summary>Resistance to the spin about the normal: it ends it, or damps it and takes what the load allows.</summary>
     private static Row Drilling(in Contact contact, BallProperties ball, double duration, double drilling, in Vector3d w, int loadRow)
     {
         // ω_n = (ω_n − D)/(1 + k) ∓ c N
@@ -270,11 +270,11 @@ internal static class ContactNewton
         public Vector3d AlongV;
         public Vector3d AlongW;
 
-        /// <summary>What it does to v and to ω.</summary>
+        /// <summary>Change of v and of ω by a unit impulse.</summary>
         public Vector3d PushV;
         public Vector3d PushW;
 
-        /// <summary>What is asked for to be zero.</summary>
+        /// <summary>Residual to be brought to zero.</summary>
         public double Residual;
 
         /// <summary>How much of it is the motion, and how much the unknown itself.</summary>

@@ -24,7 +24,7 @@ internal readonly struct ContactSearch
     /// <summary>No walk takes steps shorter than this share of the path.</summary>
     private const double ShortestShare = 1e-7;
 
-    /// <summary>The same, s: in a piece that is shorter still nothing is met but at its start.</summary>
+    /// <summary>Shortest piece, s: in a shorter one nothing is met but at its start.</summary>
     private const double ShortestStep = 1e-300;
 
     private readonly World _world;

@@ -15,13 +15,13 @@ internal static class ContactSet
     /// <summary>Onto what it touches a ball is put so often at most.</summary>
     private const int MostRounds = 64;
 
-    /// <summary>What a ball that is put out of something may be put into is not farther than this, m.</summary>
+    /// <summary>Reach, m, within which things are looked for that a ball may be pushed into when it is put out of another.</summary>
     private const double Beside = 0.01;
 
     /// <summary>Below this, m, there is no gap.</summary>
     private const double Closed = 1e-12;
 
-    /// <summary>What moves, and has touched the ball lately, is a contact up to this gap, m: it will touch it again, so gently that no impact need be told.</summary>
+    /// <summary>Separation, m, up to which a moving thing that has touched the ball lately is a contact: it will touch again, so gently that no impact need be told.</summary>
     private const double Lingering = 2e-4;
 
     /// <summary>
@@ -75,7 +75,7 @@ internal static class ContactSet
         return count;
     }
 
-    /// <summary>Whether something that moves is among them.</summary>
+    /// <summary>True when something that moves is among them.</summary>
     public static bool HasMover(Span<Contact> set)
     {
         foreach (ref readonly Contact contact in set)
@@ -89,7 +89,7 @@ internal static class ContactSet
         return false;
     }
 
-    /// <summary>Whether a ball touches anything, but for what carries it, without coming closer or leaving.</summary>
+    /// <summary>True when a ball touches anything, but for what carries it, without coming closer or leaving.</summary>
     public static bool TouchesMore(World world, in BallState s, int carrier)
     {
         Span<Contact> set = stackalloc Contact[Most];
@@ -113,7 +113,7 @@ internal static class ContactSet
         }
     }
 
-    /// <summary>Whether a collider is among them.</summary>
+    /// <summary>True when a collider is among them.</summary>
     public static bool Has(Span<Contact> set, int collider)
     {
         foreach (ref readonly Contact contact in set)
@@ -277,10 +277,10 @@ internal struct Contact
     /// <summary>Index of the collider.</summary>
     public readonly int Collider;
 
-    /// <summary>Whether the collider moves: then the ball may overlap it where it cannot get out of its way.</summary>
+    /// <summary>True when the collider moves: then the ball may overlap it where it cannot get out of its way.</summary>
     public readonly bool Moves;
 
-    /// <summary>Whether it is flat there.</summary>
+    /// <summary>True when it is flat there.</summary>
     public readonly bool IsFlat;
 
     /// <summary>n, towards the ball.</summary>
@@ -292,10 +292,10 @@ internal struct Contact
     /// <summary>Distance from the ball, m; negative where it overlaps.</summary>
     public readonly double Gap;
 
-    /// <summary>What it is made of.</summary>
+    /// <summary>Material of the surface.</summary>
     public readonly ContactMaterial Material;
 
-    /// <summary>Whether the ball rolls on it: it does not slip there.</summary>
+    /// <summary>True when the ball rolls on it: it does not slip there.</summary>
     public readonly bool Rolls;
 
     /// <summary>J_n/m, m/s.</summary>

@@ -81,7 +81,7 @@ internal static class ContactSolver
         return change <= Known;
     }
 
-    /// <summary>The same where there may be no answer: a few rounds, after which nothing is sure.</summary>
+    /// <summary>Solves a set that may have no answer: a few rounds, after which nothing is sure.</summary>
     public static void Try(Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w)
     {
         Begin(set, ball, ref v, ref w);
@@ -159,7 +159,7 @@ internal static class ContactSolver
     }
 }
 
-/// <summary>What was known before impulses were guessed.</summary>
+/// <summary>State of the contact before impulses are guessed.</summary>
 internal struct Guess
 {
     /// <summary>Velocity, m/s.</summary>
@@ -168,23 +168,23 @@ internal struct Guess
     /// <summary>Spin, rad/s.</summary>
     public Vector3d Spin;
 
-    /// <summary>What resists the turning.</summary>
+    /// <summary>Resistance to the turning.</summary>
     public TurningResistance Resistance;
 
     /// <summary>By how much the impulses changed last.</summary>
     public double Change;
 }
 
-/// <summary>What resists the turning of a ball on the contact that bears most.</summary>
+/// <summary>Resistance to the turning of a ball on the contact that bears most.</summary>
 internal struct TurningResistance
 {
     /// <summary>Which contact that is; −1 where none bears anything.</summary>
     public int Bearer;
 
-    /// <summary>What it took about the normal, rad/s.</summary>
+    /// <summary>Spin taken about the normal, rad/s.</summary>
     public double Drilling;
 
-    /// <summary>What it took of the rolling, rad/s.</summary>
+    /// <summary>Spin taken of the rolling, rad/s.</summary>
     public Vector3d Rolling;
 
     /// <summary>

@@ -8,7 +8,7 @@ internal sealed class EngineThings
     /// <summary>So many different ones have a place at a time; then the one that was found longest ago gives up its own.</summary>
     public const int Room = 256;
 
-    /// <summary>What lies so near beside the way is found too, m: so that what touches at its end, or next to it, need not be cast for again.</summary>
+    /// <summary>Margin beside the way within which things are found too, m: so that what touches at its end, or next to it, need not be cast for again.</summary>
     private const double Beside = 0.02;
 
     private readonly IEngineColliders _engine;
@@ -53,10 +53,10 @@ internal sealed class EngineThings
     /// <summary>Index among the world's colliders of one that was found.</summary>
     public int Found(int index) => _found[index];
 
-    /// <summary>Whether a collider of the world is one of an engine's.</summary>
+    /// <summary>True when a collider of the world is one of an engine's.</summary>
     public bool Has(int collider) => (uint)(collider - _first) < Room;
 
-    /// <summary>Whether the last cast has found a collider.</summary>
+    /// <summary>True when the last cast has found a collider.</summary>
     public bool Finds(int collider) => Array.IndexOf(_found, collider, 0, Count) >= 0;
 
     /// <summary>The engine may have moved its colliders: what was found is out of date.</summary>
@@ -110,7 +110,7 @@ internal sealed class EngineThings
         _isKnown = false;
     }
 
-    /// <summary>Whether nothing can be met on a straight way.</summary>
+    /// <summary>True when nothing can be met on a straight way.</summary>
     public bool IsFree(in StraightWay way)
     {
         Vector3d from = way.From;

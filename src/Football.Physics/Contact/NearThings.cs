@@ -29,10 +29,10 @@ internal struct NearThings
         _engine = 0;
     }
 
-    /// <summary>What touches a ball, or nearly, at a place.</summary>
+    /// <summary>Things that touch a ball, or nearly, at a place.</summary>
     public static NearThings At(World world, in Vector3d position, double time) => Within(world, in position, time, ContactSearch.Touching);
 
-    /// <summary>What may be closer to a ball at a place than a distance, m.</summary>
+    /// <summary>Things that may be closer to a ball at a place than a distance, m.</summary>
     public static NearThings Within(World world, in Vector3d position, double time, double distance)
     {
         world.Engine?.LookAt(in position, time, distance);

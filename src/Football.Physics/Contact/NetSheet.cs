@@ -84,7 +84,7 @@ internal sealed class NetSheet
         return h * h * Math.Max(pull * pulls * pulls, drag * drags * drags) / 46080.0;
     }
 
-    /// <summary>What it does to a ball in it: F/m = σ k δ max(0, 1 + b δ̇) n − k_t δ v_t, T/I = −k_ω δ ω.</summary>
+    /// <summary>Force on a ball in it: F/m = σ k δ max(0, 1 + b δ̇) n − k_t δ v_t, T/I = −k_ω δ ω.</summary>
     public MotionRates Push(in Motion at, double side)
     {
         double depth = Math.Max(0, Depth(in at.Position, side));

@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>What is sought along a piece: a function of the ball's place that is positive before it happens, and falls to zero where it does.</summary>
+/// <summary>An event sought along a piece: a function of the ball's place that is positive before it happens, and falls to zero where it does.</summary>
 internal readonly struct Separation
 {
     private readonly World _world;
@@ -17,7 +17,7 @@ internal readonly struct Separation
         _side = side;
     }
 
-    /// <summary>What it is.</summary>
+    /// <summary>Kind of the event.</summary>
     public SeparationKind What { get; }
 
     /// <summary>Index of the collider, the net or the goal.</summary>
@@ -29,7 +29,7 @@ internal readonly struct Separation
     /// <summary>The distance between the ball and a collider.</summary>
     public static Separation OfContact(World world, int collider) => new(world, SeparationKind.Contact, collider, 0, 0);
 
-    /// <summary>What is still missing until the ball is in a net: across its plane, or beside it.</summary>
+    /// <summary>Distance left until the ball is in a net: across its plane, or beside it.</summary>
     /// <param name="world">The world.</param>
     /// <param name="net">The net.</param>
     /// <param name="axis">0 and 1 beside it, 2 off its plane.</param>
@@ -90,7 +90,7 @@ internal readonly struct Separation
     }
 }
 
-/// <summary>What a piece of motion meets in the world.</summary>
+/// <summary>Kinds of events that a piece of motion meets in the world.</summary>
 internal enum SeparationKind
 {
     /// <summary>Nothing.</summary>

@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>What acts on a ball that a surface carries, but for friction; per mass, or per moment of inertia.</summary>
+/// <summary>Forces on a ball that a surface carries, without friction; per mass, or per moment of inertia.</summary>
 internal struct SurfaceForces
 {
     /// <summary>A load, or a friction to spare, of less than this, m/s², is none.</summary>
@@ -30,7 +30,7 @@ internal struct SurfaceForces
     /// <summary>By how much the air slows the spin, rad/s²; of a ball without spin, by how much it holds one that begins to turn.</summary>
     public double Braking;
 
-    /// <summary>Whether the ball has a spin, as the air sees it.</summary>
+    /// <summary>True when the ball has a spin, as the air sees it.</summary>
     public bool Spins;
 
     /// <summary>N/m, not negative, m/s².</summary>
@@ -40,13 +40,13 @@ internal struct SurfaceForces
     public double FreeLoad;
 }
 
-/// <summary>What may end a piece of a slide or a roll: a number that falls to zero there.</summary>
+/// <summary>Ends of a piece of a slide or a roll: each a number that falls to zero there.</summary>
 internal enum SurfaceLimit
 {
     /// <summary>The load: the ball leaves the surface.</summary>
     Load,
 
-    /// <summary>What friction could still hold: a rolling ball begins to slip.</summary>
+    /// <summary>Reserve of static friction: at zero a rolling ball begins to slip.</summary>
     Grip,
 
     /// <summary>The energy above that of rest.</summary>

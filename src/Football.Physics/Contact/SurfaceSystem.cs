@@ -12,19 +12,19 @@ internal struct SurfaceSystem : IMotionSystem
     public World World;
     public Collider Carrier;
 
-    /// <summary>What the carrier is made of under the ball, all along the piece.</summary>
+    /// <summary>Material of the carrier under the ball, all along the piece.</summary>
     public ContactMaterial Material;
     public DragBranch Branch;
     public ulong Nets;
     public ulong NetSides;
 
-    /// <summary>Whether it rolls; else it slides.</summary>
+    /// <summary>True when it rolls; else it slides.</summary>
     public bool Rolls;
 
     /// <summary>Direction of the slip, or of a roll, at the piece's start: what friction keeps to where a stage passes zero.</summary>
     public Vector3d Direction;
 
-    /// <summary>Whether the ball stands on its spot and only spins about the normal.</summary>
+    /// <summary>True when the ball stands on its spot and only spins about the normal.</summary>
     public bool Pinned;
 
     /// <summary>Which way it spins about the normal: drilling friction keeps to it.</summary>
@@ -33,7 +33,7 @@ internal struct SurfaceSystem : IMotionSystem
     /// <summary>The spin at the piece's start, rad/s.</summary>
     public Vector3d StartSpin;
 
-    /// <summary>What the air takes of the spin while the ball slides, where that is more than friction can add, rad/s²; else 0. Then the spin can only get slower.</summary>
+    /// <summary>Spin decay by the air while the ball slides, where that is more than friction can add, rad/s²; else 0. Then the spin can only get slower.</summary>
     private double _ending;
 
     public void Rates(double time, in Motion at, out MotionRates rates)
@@ -77,7 +77,7 @@ internal struct SurfaceSystem : IMotionSystem
         s.SpinAxis = ended ? Vector3d.Zero : spin;
     }
 
-    /// <summary>Whether the air has stopped the spin.</summary>
+    /// <summary>True when the air has stopped the spin.</summary>
     private readonly bool HasEnded(in Vector3d spin) => _ending > 0 && Vector3d.Dot(in spin, in StartSpin) < 0;
 
     /// <summary>How fast friction turns a ball that slides, rad/s².</summary>
@@ -132,7 +132,7 @@ internal struct SurfaceSystem : IMotionSystem
         return World.SharesAir ? traction - (alpha * World.Ball.Radius / (1.0 + alpha) * Vector3d.Cross(in on.Torque, in on.Normal)) : traction;
     }
 
-    /// <summary>What pushes a ball that rolls along the surface, friction apart, m/s².</summary>
+    /// <summary>Acceleration along the surface of a ball that rolls, friction apart, m/s².</summary>
     public readonly Vector3d Drive(in SurfaceForces on)
     {
         double alpha = World.Ball.InertiaFactor;
@@ -141,7 +141,7 @@ internal struct SurfaceSystem : IMotionSystem
         return World.SharesAir ? drive : drive + on.Air;
     }
 
-    /// <summary>Whether rolling friction holds a ball that has come to a halt. Where the air is not shared with the spin, a ball at rest stays whatever the wind.</summary>
+    /// <summary>True when rolling friction holds a ball that has come to a halt. Where the air is not shared with the spin, a ball at rest stays whatever the wind.</summary>
     public readonly bool Rests(in SurfaceForces on)
     {
         Vector3d drive = World.SharesAir ? Drive(in on) : on.Body / (1.0 + World.Ball.InertiaFactor);
@@ -152,7 +152,7 @@ internal struct SurfaceSystem : IMotionSystem
     public readonly Vector3d SlipOf(in Motion at, in Vector3d normal) =>
         Slip.Of(at.Velocity - Carrier.Velocity, in at.Spin, in normal, World.Ball.Radius);
 
-    /// <summary>Whether friction can hold the ball without slip.</summary>
+    /// <summary>True when friction can hold the ball without slip.</summary>
     public readonly bool Grips(in SurfaceForces on) => Traction(in on).Length + SurfaceForces.Least <= SlidingFriction(in on);
 
     /// <summary>μ_s N/m, m/s².</summary>
@@ -162,7 +162,7 @@ internal struct SurfaceSystem : IMotionSystem
     public readonly double RollingFriction(in SurfaceForces on, double speed) =>
         (Material.RollingFriction + (Material.RollingFrictionBySpeed * speed)) * on.Load;
 
-    /// <summary>What changes the slip, friction apart, m/s²: the push along the surface, and r n × the torques.</summary>
+    /// <summary>Acceleration of the slip velocity, friction apart, m/s²: the push along the surface, and r n × the torques.</summary>
     public readonly Vector3d SlipPush(in SurfaceForces on) => on.Body + on.Air + (World.Ball.Radius * Vector3d.Cross(in on.Normal, in on.Torque));
 
     /// <summary>The rate of the spin about the normal while the ball slides, rad/s².</summary>
@@ -216,7 +216,7 @@ internal struct SurfaceSystem : IMotionSystem
         return new MotionRates(along - (on.Centripetal * n), in spin);
     }
 
-    /// <summary>What the surface does to the spin about the normal, rad/s²: −(c_ω/I) ω_n − sign(ω_n) b μ_s N/I.</summary>
+    /// <summary>Angular acceleration about the normal by the surface, rad/s²: −(c_ω/I) ω_n − sign(ω_n) b μ_s N/I.</summary>
     private readonly double AboutNormal(double about, in SurfaceForces on)
     {
         double inertia = World.Ball.MomentOfInertia;

@@ -1,12 +1,12 @@
 namespace Football.Physics;
 
-/// <summary>What acts on a ball wherever it is: the constants of a scene, shared by all phases of a step.</summary>
+/// <summary>Forces on a ball wherever it is: the constants of a scene, shared by all phases of a step.</summary>
 internal sealed class Surroundings
 {
     /// <summary>The air. Not readonly: a call through a type parameter would copy it first.</summary>
     public SceneAir Air;
 
-    /// <summary>Whether the air acts at all.</summary>
+    /// <summary>True when the air acts at all.</summary>
     public readonly bool AirActs;
 
     /// <summary>Wind, m/s.</summary>

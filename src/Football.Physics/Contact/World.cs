@@ -115,7 +115,7 @@ internal sealed class World
     /// <summary>Boxes around all else.</summary>
     public BoundsTree Tree { get; }
 
-    /// <summary>What is in each of the boxes of the tree: colliders are numbered first, then nets, then goals.</summary>
+    /// <summary>Contents of the boxes of the tree: colliders are numbered first, then nets, then goals.</summary>
     public int[] Leaves { get; }
 
     /// <summary>Nets.</summary>
@@ -127,7 +127,7 @@ internal sealed class World
     /// <summary>Index of the first collider among the things of the scene, of which the ground is always 0.</summary>
     public int FirstCollider { get; }
 
-    /// <summary>Whether anything moves.</summary>
+    /// <summary>True when anything moves.</summary>
     public bool Moves => Moving.Length > 0 || Engine is not null;
 
     /// <summary>The fastest of all that moves, m/s.</summary>
@@ -145,13 +145,13 @@ internal sealed class World
         }
     }
 
-    /// <summary>What the game moves; null where that is nothing.</summary>
+    /// <summary>Bodies that the game moves; null where there are none.</summary>
     public Bodies? Bodies { get; }
 
     /// <summary>Where the obstacles are that have a mass.</summary>
     public ObstacleMotions Obstacles { get; }
 
-    /// <summary>Whether the ball moves anything: the game's bodies, or obstacles. What an engine finds is not known before.</summary>
+    /// <summary>True when the ball moves anything: the game's bodies, or obstacles. What an engine finds is not known before.</summary>
     public bool GivesWay { get; }
 
     /// <summary>How many motions there are to keep: of the bodies, then of the obstacles that have a mass.</summary>
@@ -205,19 +205,19 @@ internal sealed class World
         }
     }
 
-    /// <summary>What an engine finds; null where none is asked.</summary>
+    /// <summary>Colliders of an engine; null where none is asked.</summary>
     public EngineThings? Engine { get; }
 
-    /// <summary>Whether the ground is level.</summary>
+    /// <summary>True when the ground is level.</summary>
     public bool IsLevel { get; }
 
-    /// <summary>Whether there is nothing but the ground, or nothing at all.</summary>
+    /// <summary>True when there is nothing but the ground, or nothing at all.</summary>
     public bool IsBare { get; }
 
-    /// <summary>Whether there is nothing but flat ground, level or tilted, or nothing at all.</summary>
+    /// <summary>True when there is nothing but flat ground, level or tilted, or nothing at all.</summary>
     public bool IsPlaneAlone { get; }
 
-    /// <summary>Whether there is nothing but level ground, or nothing at all.</summary>
+    /// <summary>True when there is nothing but level ground, or nothing at all.</summary>
     public bool IsLevelGroundAlone { get; }
 
     /// <summary>Height of the centre of a ball on level ground, m; −∞ where there is none.</summary>
@@ -232,16 +232,16 @@ internal sealed class World
     /// <summary>A rolling ball with less energy than this, and that is held, rests, J.</summary>
     public double RestEnergy { get; }
 
-    /// <summary>Whether all of the air's force counts for a ball that is carried, and is shared with the spin of one that rolls.</summary>
+    /// <summary>True when all of the air's force counts for a ball that is carried, and is shared with the spin of one that rolls.</summary>
     public bool SharesAir { get; }
 
     /// <summary>
-    /// Whether what the air and the game's own forces do along the surface counts across it too, in the load: where all of the air counts, and for a ball that
+    /// True when what the air and the game's own forces do along the surface counts across it too, in the load: where all of the air counts, and for a ball that
     /// is no heavier than the air, which nothing else could keep on the ground.
     /// </summary>
     public bool AirLoads { get; }
 
-    /// <summary>Whether the air pushes a ball that is carried.</summary>
+    /// <summary>True when the air pushes a ball that is carried.</summary>
     public bool AirActs { get; }
 
     // What a bare pitch does not need stands by itself: its first use costs a game nothing.
@@ -301,7 +301,7 @@ internal sealed class World
         return free;
     }
 
-    /// <summary>What a quick look needs of obstacles that were pushed.</summary>
+    /// <summary>Prepares the quick look at obstacles that were pushed.</summary>
     private void KnowObstacles()
     {
         if (_known == Obstacles.Version)
@@ -395,7 +395,7 @@ internal sealed class World
         }
     }
 
-    /// <summary>What carries the ball. A state of another scene may name what is not here: then it is the first thing.</summary>
+    /// <summary>The thing that carries the ball; the first where a state of another scene names one that is not here.</summary>
     public Collider CarrierOf(in BallState s)
     {
         long index = s.Carrier - FirstCollider;
@@ -422,7 +422,7 @@ internal sealed class World
     public double Energy(in Motion at, Collider carrier) =>
         (0.5 * Ball.Mass * (at.Velocity - carrier.Velocity).LengthSquared) + (0.5 * Ball.MomentOfInertia * at.Spin.LengthSquared);
 
-    /// <summary>What the nets that the ball is in do to it.</summary>
+    /// <summary>Force of the nets that the ball is in.</summary>
     public MotionRates PushOfNets(ulong nets, ulong sides, in Motion at)
     {
         Vector3d acceleration = default;

@@ -22,7 +22,7 @@ internal struct FlightGenerator
     private Vector3d _byFirst;
     private Vector3d _bySecond;
 
-    /// <summary>The same of |ω|˙.</summary>
+    /// <summary>Gradient of |ω|˙ by the spin.</summary>
     private Vector3d _spinBySpin;
 
     /// <summary>Evaluates it, by difference quotients of the laws' factors.</summary>

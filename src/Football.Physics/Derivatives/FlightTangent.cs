@@ -64,10 +64,10 @@ internal sealed class FlightTangent
         _needsAcross = NeedsAcross();
     }
 
-    /// <summary>Whether it is under way.</summary>
+    /// <summary>True when it is under way.</summary>
     public bool IsOpen { get; private set; }
 
-    /// <summary>Whether it can take a piece.</summary>
+    /// <summary>True when it can take a piece.</summary>
     public bool Takes(in BallState before, in BallState after) =>
         before.SpinRate > SlowestSpin && after.SpinRate > SlowestSpin && (before.Velocity - _around.Wind).LengthSquared > SlowestFlow * SlowestFlow
         && (after.Velocity - _around.Wind).LengthSquared > SlowestFlow * SlowestFlow && !(_needsAcross && IsAlongSpin(in before, in after))
@@ -228,14 +228,14 @@ internal sealed class FlightTangent
         FlightRates.Of(ref _around.Air, in at, _around.Upward, in _velocities[i], _spins[i], out acceleration, out spinRate);
     }
 
-    /// <summary>Whether the flow goes so nearly along the spin that forces turn too fast with it to be integrated: the step itself is then differentiated.</summary>
+    /// <summary>True when the flow goes so nearly along the spin that forces turn too fast with it to be integrated: the step itself is then differentiated.</summary>
     private bool IsAlongSpin(in BallState before, in BallState after)
     {
         double across = Vector3d.Cross(before.SpinAxis, before.Velocity - _around.Wind).LengthSquared;
         return (after.Velocity - before.Velocity).LengthSquared > LeftShare * LeftShare * across;
     }
 
-    /// <summary>Whether a piece leads through the kink at which the lift ends.</summary>
+    /// <summary>True when a piece leads through the kink at which the lift ends.</summary>
     private bool LiftEnds(in BallState before, in BallState after) =>
         _around.Air.Lifts && _around.RadiusSquared * before.SpinRate * before.SpinRate > FastSpin * FastSpin * (before.Velocity - _around.Wind).LengthSquared
         && LiftOf(in before) > 0 != LiftOf(in after) > 0;
@@ -247,7 +247,7 @@ internal sealed class FlightTangent
         return lift;
     }
 
-    /// <summary>Whether the laws depend on the direction of the spin to the flow.</summary>
+    /// <summary>True when the laws depend on the direction of the spin to the flow.</summary>
     private bool NeedsAcross()
     {
         if (!(_around.Air.Drags || _around.Air.Lifts || _around.Air.SpinDecays) || _around.Air.Varies)

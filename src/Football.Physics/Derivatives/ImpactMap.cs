@@ -1,6 +1,6 @@
 namespace Football.Physics.Prediction;
 
-/// <summary>What an impact makes of the motion, and how that changes with the motion before it: by the simulation's own impact, and difference quotients of it.</summary>
+/// <summary>The map of an impact from the motion before to that after, with its derivatives: by the simulation's own impact, and difference quotients of it.</summary>
 internal sealed class ImpactMap
 {
     private const double TimeWidth = 1e-6;

@@ -1,6 +1,6 @@
 namespace Football.Physics.Prediction;
 
-/// <summary>What moves the ball along a piece of flight: the same system that a step integrates, on the same branch of the drag law.</summary>
+/// <summary>The motion along a piece of flight: the same system that a step integrates, on the same branch of the drag law.</summary>
 internal sealed class LocalFlight
 {
     private readonly Surroundings _around;
@@ -11,7 +11,7 @@ internal sealed class LocalFlight
     /// <summary>The branch of the drag law.</summary>
     public DragBranch Branch => _flight.Branch;
 
-    /// <summary>Whether it is plain flight: along a constant axis of the spin, in air that does not vary, with nothing else that pushes.</summary>
+    /// <summary>True when it is plain flight: along a constant axis of the spin, in air that does not vary, with nothing else that pushes.</summary>
     public bool IsPlain { get; private set; }
 
     /// <summary>Makes it that of a ball.</summary>

@@ -19,19 +19,19 @@ internal sealed class SceneTangent : TangentObserver
     private StepLog? _log;
     private int _event;
 
-    /// <summary>Whether the tangent is that of one event's time for all launches, and not of one time.</summary>
+    /// <summary>True when the tangent is that of one event's time for all launches, and not of one time.</summary>
     private bool _atEvent;
 
     /// <summary>When the step ends, s.</summary>
     private double _stepEnd;
 
-    /// <summary>Whether the whole step is one piece, which is not taken yet.</summary>
+    /// <summary>True when the whole step is one piece, which is not taken yet.</summary>
     private bool _isHeld;
 
-    /// <summary>Whether the tangent at the step's start is kept.</summary>
+    /// <summary>True when the tangent at the step's start is kept.</summary>
     private bool _isKept;
 
-    /// <summary>Whether the step is more than plain flight and impacts.</summary>
+    /// <summary>True when the step is more than plain flight and impacts.</summary>
     private bool _isLeft;
 
     public SceneTangent(Scene scene, in SceneAir air)
@@ -165,7 +165,7 @@ internal sealed class SceneTangent : TangentObserver
         }
     }
 
-    /// <summary>Whether a piece of flight begins as the last one ended, without an event between them.</summary>
+    /// <summary>True when a piece of flight begins as the last one ended, without an event between them.</summary>
     private bool GoesOn(in BallState before) =>
         _event == _log!.Events.Count && (before.Branch == _now.Branch || before.Branch == DragBranch.Unknown)
         && before.Time == _last.Time && before.Velocity == _last.Velocity;

@@ -142,7 +142,7 @@ internal sealed class StepDifferences
         Math.Max((one.Velocity - other.Velocity).Length, _simulator.Scene.Ball.Radius * (one.Spin - other.Spin).Length);
 
     /// <summary>
-    /// Whether what happens depends on the place. In flight, and along level ground of one kind, in air that is the same everywhere, the place goes on with the
+    /// True when what happens depends on the place. In flight, and along level ground of one kind, in air that is the same everywhere, the place goes on with the
     /// ball: one that has just left the ground is not changed to one within it.
     /// </summary>
     private bool DependsOnPlace(in BallState start, ReadOnlySpan<BallEvent> events)

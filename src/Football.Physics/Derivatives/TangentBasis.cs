@@ -130,7 +130,7 @@ internal sealed class TangentBasis
         Count++;
     }
 
-    /// <summary>What is left of place, velocity, spin or distance in a column.</summary>
+    /// <summary>Length of the place, velocity, spin or distance left in a column.</summary>
     private double Length(int column, int block)
     {
         double sum = 0;

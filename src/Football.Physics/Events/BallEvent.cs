@@ -34,7 +34,7 @@ public readonly struct BallEvent : IFormattable
         Spin = spin;
     }
 
-    /// <summary>The same event, of one of several balls.</summary>
+    /// <summary>A copy of an event, as that of one of several balls.</summary>
     /// <param name="happened">The event.</param>
     /// <param name="ball">Index of the ball.</param>
     internal BallEvent(in BallEvent happened, int ball)

@@ -36,7 +36,7 @@ internal struct ByteWriter
         _count += Snapshot.Size;
     }
 
-    /// <summary>What was written, and its checksum.</summary>
+    /// <summary>The bytes written, and their checksum.</summary>
     public byte[] ToArray()
     {
         Bits(0, Crc32.Size);

@@ -31,7 +31,7 @@ internal static class Crc32
     /// <summary>Writes the checksum of all bytes but the last four there, little-endian.</summary>
     public static void Seal(Span<byte> bytes) => BinaryPrimitives.WriteUInt32LittleEndian(bytes[^Size..], Of(bytes[..^Size]));
 
-    /// <summary>Whether the last four bytes are the checksum of those before.</summary>
+    /// <summary>True when the last four bytes are the checksum of those before.</summary>
     public static bool Holds(ReadOnlySpan<byte> bytes) =>
         bytes.Length >= Size && BinaryPrimitives.ReadUInt32LittleEndian(bytes[^Size..]) == Of(bytes[..^Size]);
 

@@ -183,7 +183,7 @@ public sealed class FixedStepRunner
     /// <summary>Where the start, the hashes and the kicks of a match segment go; null when nothing is recorded.</summary>
     public MatchSegment? Recording { get; private set; }
 
-    /// <summary>What keeps its last states; null where nothing does.</summary>
+    /// <summary>Keeper of its last states; null where there is none.</summary>
     internal Rollback? History { get; set; }
 
     /// <summary>Where the bodies are to be put, of a segment that is played again; null where the game puts them.</summary>

@@ -54,7 +54,7 @@ public readonly struct KickInput : IFormattable
         return $"tick {Tick.ToString(culture)}: {Velocity.ToString(format, culture)} m/s, {Spin.ToString(format, culture)} rad/s, player {Player.ToString(culture)}";
     }
 
-    /// <summary>Whether this kick is applied before, with or after another one.</summary>
+    /// <summary>True when this kick is applied before, with or after another one.</summary>
     internal int Order(long tick, int player, int ball)
     {
         int byTick = Tick.CompareTo(tick);

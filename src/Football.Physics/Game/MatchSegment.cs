@@ -54,7 +54,7 @@ public sealed class MatchSegment
     /// <summary>The hash of its scene, with those of all balls.</summary>
     public ulong SceneHash { get; private set; }
 
-    /// <summary>Whether an engine's colliders moved in it: they are not part of it.</summary>
+    /// <summary>True when an engine's colliders moved in it: they are not part of it.</summary>
     public bool EngineMoves { get; private set; }
 
     /// <summary>The kicks; those before <see cref="StartTick"/> and from <see cref="EndTick"/> on do not count.</summary>

@@ -40,7 +40,7 @@ public readonly struct StateDifference
     public override string ToString() => FormattableString.Invariant(
         $"{(Tick < 0 ? "" : FormattableString.Invariant($"tick {Tick}, "))}{(Ball == 0 ? "" : FormattableString.Invariant($"ball {Ball}, "))}{Field}: {Expected} and {Actual}{(_isNumber ? FormattableString.Invariant($", {Ulps} ulp apart") : "")}");
 
-    /// <summary>The same difference, told of a ball at a tick.</summary>
+    /// <summary>A copy of the difference, as that of a ball at a tick.</summary>
     internal StateDifference At(long tick, int ball) => new(tick, ball, StateFields.IndexOf(Field), _expected, _actual);
 
     private string Text(ulong bits) =>

@@ -12,10 +12,10 @@ internal static class EventLocator
     /// <summary>Below this correction, s, a linear one is exact to rounding, where the motion does not bend in it.</summary>
     public const double Negligible = 1e-6;
 
-    /// <summary>What the acceleration may add to a linear correction, m.</summary>
+    /// <summary>Largest share of the acceleration in a linear correction, m.</summary>
     private const double NegligibleBend = 1e-10;
 
-    /// <summary>Whether a step's end may be moved by a correction along its velocity, and need not be taken again.</summary>
+    /// <summary>True when a step's end may be moved by a correction along its velocity, and need not be taken again.</summary>
     /// <param name="sweep">The step.</param>
     /// <param name="correction">The correction, s.</param>
     public static bool IsLinear<TSweep>(ref TSweep sweep, double correction)

@@ -3,10 +3,10 @@ namespace Football.Physics;
 /// <summary>The air as a one-step method asks it.</summary>
 internal interface IFlightLaws
 {
-    /// <summary>Whether <see cref="WindAt"/> is asked, and <see cref="HasSide"/>. A fact of the type but in <see cref="SceneAir"/>: where it is false, they leave no code.</summary>
+    /// <summary>True when <see cref="WindAt"/> is asked, and <see cref="HasSide"/>. A fact of the type but in <see cref="SceneAir"/>: where it is false, they leave no code.</summary>
     bool HasField { get; }
 
-    /// <summary>Whether <see cref="Side"/> is asked.</summary>
+    /// <summary>True when <see cref="Side"/> is asked.</summary>
     bool HasSide { get; }
 
     /// <summary>The wind by place and time over the steady one, m/s.</summary>
@@ -16,7 +16,7 @@ internal interface IFlightLaws
     /// <param name="z">Its z.</param>
     Vector3d WindAt(double time, double x, double y, double z);
 
-    /// <summary>What acts beside drag and lift.</summary>
+    /// <summary>Acceleration beside drag and lift.</summary>
     /// <param name="u">Velocity relative to the air, m/s.</param>
     /// <param name="spin">Spin, rad/s.</param>
     /// <param name="distance">Distance flown through the air, m.</param>

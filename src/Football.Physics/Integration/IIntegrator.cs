@@ -12,7 +12,7 @@ internal interface IIntegrator
     /// <summary>c in p + h (v + c h a), the path under a constant acceleration.</summary>
     double ShareInPath { get; }
 
-    /// <summary>Whether the method comes down from a hop faster than it went up, so that hops must be taken in parts. A fact of the type.</summary>
+    /// <summary>True when the method comes down from a hop faster than it went up, so that hops must be taken in parts. A fact of the type.</summary>
     bool GainsByHops { get; }
 
     /// <summary>A step in flight, where the axis of the spin is constant.</summary>

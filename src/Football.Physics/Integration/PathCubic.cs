@@ -119,7 +119,7 @@ internal readonly struct PathCubic
     /// <param name="velocity">Its velocity, m/s.</param>
     public PathCubic SeenFrom(in Vector3d origin, in Vector3d velocity) => new(_c0 - origin, _c1 - velocity, in _c2, in _c3, Length);
 
-    /// <summary>The same path in the axes of a thing that is turned.</summary>
+    /// <summary>The path in the axes of a thing that is turned.</summary>
     public PathCubic InAxes(in RigidMotion thing) =>
         new(thing.ToOwn(in _c0), thing.ToOwn(in _c1), thing.ToOwn(in _c2), thing.ToOwn(in _c3), Length);
 

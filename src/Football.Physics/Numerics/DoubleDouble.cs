@@ -17,7 +17,7 @@ internal readonly struct DoubleDouble
     /// <summary>The number rounded to double.</summary>
     public readonly double High;
 
-    /// <summary>What is missing in that.</summary>
+    /// <summary>Rounding error of that.</summary>
     public readonly double Low;
 
     private DoubleDouble(double high, double low)

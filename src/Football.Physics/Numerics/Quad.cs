@@ -32,7 +32,7 @@ internal readonly struct Quad
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quad operator *(Quad x, Quad y) => new(x._v * y._v);
 
-    /// <summary>The same number four times.</summary>
+    /// <summary>One number four times.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quad Of(double x) => new(Vector256.Create(x));
 
@@ -40,7 +40,7 @@ internal readonly struct Quad
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quad From(double[] numbers, int first) => new(Vector256.LoadUnsafe(ref numbers[first]));
 
-    /// <summary>Whether each is greater than the other.</summary>
+    /// <summary>True when each is greater than the other.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool IsAbove(Quad other) => Vector256.GreaterThanAll(_v, other._v);
 #else
@@ -70,7 +70,7 @@ internal readonly struct Quad
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quad operator *(Quad x, Quad y) => new(x._a * y._a, x._b * y._b, x._c * y._c, x._d * y._d);
 
-    /// <summary>The same number four times.</summary>
+    /// <summary>One number four times.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quad Of(double x) => new(x, x, x, x);
 
@@ -78,7 +78,7 @@ internal readonly struct Quad
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quad From(double[] numbers, int first) => new(numbers[first], numbers[first + 1], numbers[first + 2], numbers[first + 3]);
 
-    /// <summary>Whether each is greater than the other.</summary>
+    /// <summary>True when each is greater than the other.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool IsAbove(Quad other) => _a > other._a && _b > other._b && _c > other._c && _d > other._d;
 #endif

@@ -1,7 +1,7 @@
 #if !NET5_0_OR_GREATER
 namespace System.Runtime.CompilerServices;
 
-/// <summary>What older targets lack of the type of this name.</summary>
+/// <summary>Members of the type of this name that older targets lack.</summary>
 internal static class Unsafe
 {
     /// <summary>Declares a value to be assigned that its user assigns later: its address has been taken, which costs nothing.</summary>

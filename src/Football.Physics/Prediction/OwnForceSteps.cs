@@ -46,7 +46,7 @@ internal static class OwnForceSteps
             if (!(difference <= Lost))
             {
                 throw new InvalidOperationException(FormattableString.Invariant(
-                    $"forces.custom is too stiff to look ahead through at {state.Time} s; allowed: forces that steps of {shortest} s can follow, or a lookAhead.timeStep of at most {LookAheads.LongestOwnStep} s, which is taken as it is."));
+                    $"forces.custom is too stiff to look ahead through at {state.Time} s; allowed: forces that steps of {shortest} s can follow, or a lookAhead.timeStep of at most {SimulatorExtensions.LongestOwnStep} s, which is taken as it is."));
             }
 
             simulator.Advance(ref state, length, log);

@@ -48,7 +48,7 @@ internal sealed class PassingCriterion
         _mayReturn = !simulator.World.IsLevelGroundAlone || scene.Ground.Pattern is not null || scene.Forces.Custom.Count > 0 || SceneAir.HasFieldIn(scene);
     }
 
-    /// <summary>Whether the ball comes no closer after a piece.</summary>
+    /// <summary>True when the ball comes no closer after a piece.</summary>
     public bool HasPassed(in PathPiece piece)
     {
         _closest = Math.Min(_closest, piece.ClosestApproach(in _point, out _));

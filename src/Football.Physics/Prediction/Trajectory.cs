@@ -66,7 +66,7 @@ public sealed partial class Trajectory
     /// <summary>Moves what the game moves to where it will be after a step; null where that goes on as it goes now.</summary>
     internal Simulator.StepCallback? OnStep { get; private set; }
 
-    /// <summary>Whether a piece had no room.</summary>
+    /// <summary>True when a piece had no room.</summary>
     internal bool Overflows => _recorder.Overflows;
 
     /// <summary>The greatest height of the centre, m.</summary>
@@ -211,7 +211,7 @@ public sealed partial class Trajectory
     /// <summary>It is not complete where a piece had no room.</summary>
     internal void EndFull() => IsComplete &= !_recorder.Overflows;
 
-    /// <summary>Whether a path that is to be extended ends with whole steps, not where an event or its memory ended it within one.</summary>
+    /// <summary>True when a path that is to be extended ends with whole steps, not where an event or its memory ended it within one.</summary>
     internal bool EndsWhole => IsComplete ? !Log.Halted : Count < _pieces.Length && !Log.Halted;
 
     /// <summary>Prepares for going on from the end.</summary>
@@ -313,10 +313,10 @@ public sealed partial class Trajectory
 
         public override bool WantsEndAcceleration => true;
 
-        /// <summary>Whether it ends with the memory's last piece, not with the first that has no room.</summary>
+        /// <summary>True when it ends with the memory's last piece, not with the first that has no room.</summary>
         public bool EndsWhenFull { get; set; } = true;
 
-        /// <summary>Whether there was a piece without room.</summary>
+        /// <summary>True when there was a piece without room.</summary>
         public bool Overflows { get; private set; }
 
         public void Begin(Simulator simulator, in BallState from, LookAheadRequest request)

@@ -15,7 +15,7 @@ public sealed record Air
     /// <summary>Wind by place and time, on top of the steady one: <see cref="WindByHeight"/>, or a game's own. Default null: none.</summary>
     public IWind? WindField { get; init; }
 
-    /// <summary>Whether there is no wind at all.</summary>
+    /// <summary>True when there is no wind at all.</summary>
     internal bool IsStill => Wind == Vector3d.Zero && WindField is null;
 
     internal void Validate()

@@ -136,7 +136,7 @@ public sealed class Bodies : IReadOnlyList<Body>
         body.ToldAt = _steps;
     }
 
-    /// <summary>Whether the game has moved a body since the last step.</summary>
+    /// <summary>True when the game has moved a body since the last step.</summary>
     internal bool IsTold(int body) => _bodies[body].ToldAt == _steps;
 
     /// <summary>The game has put a body there for the step to come.</summary>

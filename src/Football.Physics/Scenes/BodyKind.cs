@@ -6,7 +6,7 @@ public sealed record BodyKind
     /// <summary>Its shape, in its own frame.</summary>
     public required IShape Shape { get; init; }
 
-    /// <summary>What it is made of.</summary>
+    /// <summary>Surface of the body.</summary>
     public required Surface Surface { get; init; }
 
     /// <summary>Mass behind its surface, kg; above 0; default infinite: the ball does not move it.</summary>

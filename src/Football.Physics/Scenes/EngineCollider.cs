@@ -148,7 +148,7 @@ public sealed class EngineCollider
         }
     }
 
-    /// <summary>What pushed it is over.</summary>
+    /// <summary>Forgets its last push.</summary>
     internal void ForgetPush()
     {
         if (_pushedAt == Placement.Motion.Time && !_isAsPlaced)

@@ -42,6 +42,6 @@ public readonly struct ForceInput
     /// <summary>Distance flown through the air since the kick, m, where a knuckle force acts; else 0.</summary>
     internal double AirDistance { get; }
 
-    /// <summary>The same ball, with another velocity relative to the air.</summary>
+    /// <summary>A copy with another velocity relative to the air.</summary>
     internal ForceInput In(in Vector3d airVelocity) => new(Time, Position, Velocity, in airVelocity, Spin, Motion, AirDistance);
 }

@@ -53,7 +53,7 @@ internal readonly struct GoalMouth
         height = from.Y;
     }
 
-    /// <summary>Whether a place on the mouth is in the opening.</summary>
+    /// <summary>True when a place on the mouth is in the opening.</summary>
     public bool IsOpen(double aside, double height) => Math.Abs(aside) <= _halfWidth && height >= 0 && height <= _height;
 
     /// <inheritdoc cref="IsOpen(double, double)"/>
@@ -64,13 +64,13 @@ internal readonly struct GoalMouth
     }
 
     /// <summary>
-    /// Whether a ball that is put, or kicked, at a place counts as come through the mouth: it lies in the opening, between mouth and line. One that is over
+    /// True when a ball that is put, or kicked, at a place counts as come through the mouth: it lies in the opening, between mouth and line. One that is over
     /// the line already must come out first.
     /// </summary>
     public bool IsEntered(in Vector3d position, double radius) =>
         BeforeMouth(in position) <= 0 && BeforeLine(in position, radius) > 0 && IsOpen(in position);
 
-    /// <summary>Whether a straight way comes through the opening.</summary>
+    /// <summary>True when a straight way comes through the opening.</summary>
     public bool IsEntered(in Vector3d from, in Vector3d to)
     {
         double before = BeforeMouth(in from);

@@ -67,13 +67,13 @@ public sealed record Ground
     /// <summary>The part of drag and Magnus force that acts on the ground. Default <see cref="GroundAerodynamics.Full"/>.</summary>
     public GroundAerodynamics Aerodynamics { get; init; } = GroundAerodynamics.Full;
 
-    /// <summary>Whether it is a level plane.</summary>
+    /// <summary>True when it is a level plane.</summary>
     public bool IsLevel => Heights is null && Normal.X == 0 && Normal.Z == 0;
 
     /// <summary>The most that an impact at 6 m/s may keep of its normal speed, however oblique.</summary>
     internal double LargestRestitution => NormalRestitution + (RestitutionRise * (1.0 - NormalRestitution));
 
-    /// <summary>Whether it is <see cref="None"/>.</summary>
+    /// <summary>True when it is <see cref="None"/>.</summary>
     public bool IsNone => double.IsNegativeInfinity(Height);
 
     /// <summary>

@@ -12,13 +12,13 @@ internal struct RigidMotion
     /// <summary>Spin of its surface Ω, rad/s.</summary>
     public Vector3d Spin;
 
-    /// <summary>What its surface turns about, o at <see cref="Time"/>, m.</summary>
+    /// <summary>Centre of rotation of the surface, o at <see cref="Time"/>, m.</summary>
     public Vector3d Pivot;
 
     /// <summary>How its shape is turned.</summary>
     public Quaterniond Orientation;
 
-    /// <summary>Whether it is turned at all.</summary>
+    /// <summary>True when it is turned at all.</summary>
     public bool IsTurned;
 
     /// <summary>When it is there, s.</summary>

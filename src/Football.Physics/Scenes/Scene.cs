@@ -86,7 +86,7 @@ public sealed record Scene
         ValidateThings();
     }
 
-    /// <summary>What a ball's lightness allows: it holds some of the air that it displaces, and nothing ends its spin at once.</summary>
+    /// <summary>Refuses a ball that is too light: it holds some of the air that it displaces, and nothing ends its spin at once.</summary>
     private void ValidateLightness()
     {
         double displaced = Buoyancy.DisplacedMass(Ball, Air);

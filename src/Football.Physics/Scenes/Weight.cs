@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>What gravity and buoyancy come to together: they are the same everywhere, whatever the ball does.</summary>
+/// <summary>Sum of gravity and buoyancy, equal everywhere, whatever the ball does.</summary>
 internal static class Weight
 {
     /// <summary>Upward acceleration, m/s²; negative for what is heavier than air.</summary>

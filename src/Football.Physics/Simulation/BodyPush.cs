@@ -75,7 +75,7 @@ internal sealed class BodyPush
         }
     }
 
-    /// <summary>Whether something stands in the way of a push, as a thin board does.</summary>
+    /// <summary>True when something stands in the way of a push, as a thin board does.</summary>
     private bool IsBarred(in BallState s, in Vector3d from)
     {
         BallState pushed = s;

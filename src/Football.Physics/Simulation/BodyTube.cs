@@ -32,7 +32,7 @@ internal sealed class BodyTube
     /// <summary>How wide a tube is in which a ball may go so far from a straight line, m.</summary>
     public static double Width(double bend) => LeastWidth + (0.5 * bend);
 
-    /// <summary>Whether a ball stays in it during a step.</summary>
+    /// <summary>True when a ball stays in it during a step.</summary>
     /// <param name="s">The ball.</param>
     /// <param name="dt">Length of the step, s.</param>
     /// <param name="airSpeedSquared">|u|², m²/s².</param>

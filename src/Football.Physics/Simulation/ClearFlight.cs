@@ -1,7 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>
-/// Whether a flight, or a way along the ground, meets nothing but level ground. The broad phase is asked for several steps at once, and its answer is kept with the state as a time:
+/// True when a flight, or a way along the ground, meets nothing but level ground. The broad phase is asked for several steps at once, and its answer is kept with the state as a time:
 /// until then a step asks nothing. It holds for the scene in which it was given, which a key tells from others.
 /// </summary>
 internal sealed class ClearFlight
@@ -12,7 +12,7 @@ internal sealed class ClearFlight
     /// <summary>Where that is not free, how many steps ahead it looks next: less of a bend lies around those.</summary>
     private const double Nearer = 4;
 
-    /// <summary>The same for bodies, which may stray.</summary>
+    /// <summary>Steps that are looked ahead for bodies, which may stray.</summary>
     private const double AheadOfBodies = 24;
 
     /// <summary>Steps of what the game shows differ in length: what holds for bodies holds for steps so many times as long.</summary>
@@ -64,16 +64,16 @@ internal sealed class ClearFlight
     /// <summary>The key of the scene.</summary>
     public ulong Key { get; }
 
-    /// <summary>Whether there are bodies to look for in every step.</summary>
+    /// <summary>True when there are bodies to look for in every step.</summary>
     public bool LooksForBodies => _tube is not null || _world.Engine is not null;
 
-    /// <summary>Whether the next step of flight meets nothing.</summary>
+    /// <summary>True when the next step of flight meets nothing.</summary>
     /// <param name="s">The ball, in the air.</param>
     /// <param name="dt">Length of the step, s.</param>
     /// <param name="airSpeedSquared">|u|², m²/s².</param>
     public bool Holds(ref BallState s, double dt, double airSpeedSquared) => Holds(ref s, dt, new Push(airSpeedSquared, s.SpinRate, 1.0));
 
-    /// <summary>Whether the next step along the ground meets nothing else. Friction adds to what bends the path, and may make speed of spin, or spin of speed.</summary>
+    /// <summary>True when the next step along the ground meets nothing else. Friction adds to what bends the path, and may make speed of spin, or spin of speed.</summary>
     /// <param name="s">The ball, on the ground.</param>
     /// <param name="dt">Length of the step, s.</param>
     /// <param name="airSpeed">|u|, m/s.</param>
@@ -140,7 +140,7 @@ internal sealed class ClearFlight
     }
 
     /// <summary>
-    /// Whether no body is near in the next step: for that step alone, so that the answer is the same whatever was found before. Where it is so, a tube is looked for in which
+    /// True when no body is near in the next step: for that step alone, so that the answer is the same whatever was found before. Where it is so, a tube is looked for in which
     /// it stays so for some time.
     /// </summary>
     private bool IsFreeOfBodies(in BallState s, double dt, double steps, in Push push)

@@ -395,7 +395,7 @@ internal sealed class ContactSetPhase
         }
     }
 
-    /// <summary>Whether nothing that moves presses the ball against anything, or overlaps it.</summary>
+    /// <summary>True when nothing that moves presses the ball against anything, or overlaps it.</summary>
     private bool IsFree(in BallState s, Span<Contact> set)
     {
         bool pushed = false;
@@ -411,7 +411,7 @@ internal sealed class ContactSetPhase
         return !overlaps && (!pushed || pressing < 2);
     }
 
-    /// <summary>Whether there is a way off all that the ball touches, and it overlaps nothing: d · n > 0 for all of them.</summary>
+    /// <summary>True when there is a way off all that the ball touches, and it overlaps nothing: d · n > 0 for all of them.</summary>
     private bool HasRoom(in BallState s)
     {
         Span<Contact> room = stackalloc Contact[ContactSet.Most];

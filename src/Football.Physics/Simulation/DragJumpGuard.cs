@@ -17,7 +17,7 @@ internal sealed class DragJumpGuard
         Acts = around.Air.Jumps && locates;
     }
 
-    /// <summary>Whether pieces end at the jump. Where they do not, each takes the branch that holds at its start.</summary>
+    /// <summary>True when pieces end at the jump. Where they do not, each takes the branch that holds at its start.</summary>
     public bool Acts { get; }
 
     /// <summary>Ends a piece of flight at its first crossing, and says which branch holds from there.</summary>

@@ -499,7 +499,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         return new Vector3d(Vector3d.Dot(in wind, in _axisX), Vector3d.Dot(in wind, in _normal), Vector3d.Dot(in wind, in _axisZ));
     }
 
-    /// <summary>Whether the step may have crossed the drag law's jump: errs towards yes.</summary>
+    /// <summary>True when the step may have crossed the drag law's jump: errs towards yes.</summary>
     private bool MayCrossJump(in StepOn on, in PlaneMotion start, in PlaneRates rates, in PlaneMotion end, double h)
     {
         DragJump from = JumpAt(in start);
@@ -544,7 +544,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         public readonly double Damping = of.SpinDamping / ball.MomentOfInertia;
     }
 
-    /// <summary>What stays the same in a step.</summary>
+    /// <summary>Constants of a step.</summary>
     private struct StepOn
     {
         public Vector3d From;

@@ -88,7 +88,7 @@ internal sealed class FlightPhase<TIntegrator>
         Finish(ref s, ref run, ref sweep);
     }
 
-    /// <summary>Whether the ball touches level ground, and does not leave it.</summary>
+    /// <summary>True when the ball touches level ground, and does not leave it.</summary>
     public bool IsHeld(in BallState s) => s.Velocity.Y <= ContactSearch.Leaving && s.Position.Y <= _world.LevelContact + ContactSearch.Touching;
 
     /// <summary>A piece by a method: along a constant axis of the spin where there is a flight along one, else with the whole spin vector.</summary>

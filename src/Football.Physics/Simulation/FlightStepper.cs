@@ -157,7 +157,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         }
     }
 
-    /// <summary>Whether a step may have crossed the drag law's jump.</summary>
+    /// <summary>True when a step may have crossed the drag law's jump.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private bool MayCrossJump(DragBranch branch, double ux, double uy, double uz, double speedSquared, double spin, in FlightStep step, double h)
     {

@@ -24,7 +24,7 @@ internal struct FlightSweep<TIntegrator> : IFlightSweep
         Evaluations = 0;
     }
 
-    /// <summary>What the step did.</summary>
+    /// <summary>Result of the step.</summary>
     public readonly FlightStep Taken => _taken;
 
     public double Length { get; private set; }

@@ -86,7 +86,7 @@ internal struct FlightSystem : IMotionSystem
     /// <summary>Their rates of change.</summary>
     public readonly DragJump JumpRate(in Motion at, in MotionRates rates) => DragJump.Rate(in at, in rates, in Around.Wind, Around.Radius);
 
-    /// <summary>What those rates are where velocity and acceleration, spin and its change are parallel: |u| |a| and so on, in the same units.</summary>
+    /// <summary>Scale of those rates, for velocity parallel to acceleration and spin to its change: |u| |a| and so on, in the same units.</summary>
     public readonly double JumpRateScale(in Motion at, in MotionRates rates) =>
         DragJump.RateScale(in at, in rates, in Around.Wind, Around.Radius);
 }

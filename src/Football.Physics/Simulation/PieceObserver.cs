@@ -1,9 +1,9 @@
-namespace Football.Physics;
+namespace Football.Physics.Prediction;
 
 /// <summary>A watcher of a simulation, piece by piece: for exact apexes, lengths, crossings, dense paths. Set as <see cref="StepLog.Observer"/>.</summary>
 public abstract class PieceObserver
 {
-    /// <summary>Whether pieces need the acceleration at their end, which costs an evaluation each; without it they are cubic. Default false.</summary>
+    /// <summary>True when pieces need the acceleration at their end, which costs an evaluation each; without it they are cubic. Default false.</summary>
     public virtual bool WantsEndAcceleration => false;
 
     /// <summary>Called after every piece, before the event that may end it.</summary>

@@ -64,13 +64,13 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
     public override World World => Around.World;
 
-    /// <summary>What acts on a ball wherever it is.</summary>
+    /// <summary>Forces on a ball wherever it is.</summary>
     protected Surroundings Around { get; }
 
     /// <summary>How long a piece may be.</summary>
     protected StabilityLimit Limit { get; }
 
-    /// <summary>Whether pieces end where the drag law jumps.</summary>
+    /// <summary>True when pieces end where the drag law jumps.</summary>
     protected bool LocatesJump { get; }
 
     public override void Step(ref BallState s, double dt, StepLog log)
@@ -112,7 +112,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         _air.Factors(speedSquared, spinRate, speedSquared, branch, out drag, out lift, out decay);
     }
 
-    /// <summary>Whether a step of flight meets nothing but level ground; |u|² may be a bound of it.</summary>
+    /// <summary>True when a step of flight meets nothing but level ground; |u|² may be a bound of it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     protected bool IsClear(ref BallState s, double dt, double airSpeedSquared) =>
         _clear is null || (s.Time + dt <= s.ClearUntil && s.ClearIn == _clearKey) || _clear.Holds(ref s, dt, airSpeedSquared);
@@ -264,7 +264,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     }
 }
 
-/// <summary>What became of a step of flight that was to be taken whole.</summary>
+/// <summary>Outcomes of a step of flight that was to be taken whole.</summary>
 internal enum WholeFlight
 {
     /// <summary>It was not taken: it may have to be divided, or something is near.</summary>

@@ -71,11 +71,11 @@ public sealed class Simulator
         return Start(in position, in velocity, in spin, in orientation, 0);
     }
 
-    /// <summary>The same at a time, of numbers that are known to be in range.</summary>
+    /// <summary>Launches at a time a ball whose numbers are known to be in range.</summary>
     internal BallState LaunchAt(in Vector3d position, in Vector3d velocity, in Vector3d spin, double time) =>
         Start(in position, in velocity, in spin, Quaterniond.Identity, time);
 
-    /// <summary>The same with numbers that are known to be in range.</summary>
+    /// <summary>Launches a ball whose numbers are known to be in range.</summary>
     private BallState Start(in Vector3d position, in Vector3d velocity, in Vector3d spin, in Quaterniond orientation, double time)
     {
         BallState state = default;

@@ -15,7 +15,7 @@ public sealed record SolverSettings
     /// <summary>How the end of a slide is found. Default <see cref="RollingTransition.Exact"/>.</summary>
     public RollingTransition RollingTransition { get; init; } = RollingTransition.Exact;
 
-    /// <summary>Whether steps end at the drag law's jump; off to show what that is worth.</summary>
+    /// <summary>True when steps end at the drag law's jump; off to show what that is worth.</summary>
     internal bool LocateJump { get; init; } = true;
 
     /// <summary>RK4, everything exact.</summary>

@@ -32,7 +32,7 @@ internal readonly struct StabilityLimit
     /// <summary>Into how many pieces a hop is divided at least by a method that gains by hops, 3e/(1 − e).</summary>
     private readonly double _piecesOfHop;
 
-    /// <summary>Whether nothing but the Magnus force acts on a velocity that the method cannot turn without making it longer.</summary>
+    /// <summary>True when nothing but the Magnus force acts on a velocity that the method cannot turn without making it longer.</summary>
     private readonly bool _spirals;
 
     /// <summary>Order of the method.</summary>
@@ -70,7 +70,7 @@ internal readonly struct StabilityLimit
     public static RateBound WithFall(in RateBound ofAir, double upward) =>
         new(ofAir.PerSpeed, ofAir.PerSpin, ofAir.Constant + (Math.Sqrt(ofAir.PerSpeed) * Math.Sqrt(Math.Abs(upward))));
 
-    /// <summary>Whether a step may be taken whole: a quick test that errs towards no.</summary>
+    /// <summary>True when a step may be taken whole: a quick test that errs towards no.</summary>
     /// <param name="h">Length of the step, s.</param>
     /// <param name="speedSquared">|u|², m²/s².</param>
     /// <param name="spinRate">|ω|, rad/s.</param>
@@ -127,7 +127,7 @@ internal readonly struct StabilityLimit
     }
 
     /// <summary>
-    /// Whether a part of a divided step would make a velocity longer. The Magnus force turns it by Ω h, and does no work; explicit Euler makes
+    /// True when a part of a divided step would make a velocity longer. The Magnus force turns it by Ω h, and does no work; explicit Euler makes
     /// it longer by (Ω h)²/2, RK2 by (Ω h)⁴/8, of which drag takes D h away again.
     /// </summary>
     private bool SpiralsIn(ref SceneAir air, double h, double speed, double spinRate, DragBranch branch)
@@ -180,7 +180,7 @@ internal static class TurnLimit
     /// <summary>The largest θ x⁴: the reference cases of slides with sidespin and rolls in wind hold with it (WholeRun), and fail with a hundred times it.</summary>
     private const double LargestError = 1e-5;
 
-    /// <summary>Whether a piece may be taken.</summary>
+    /// <summary>True when a piece may be taken.</summary>
     /// <param name="size">Size at its start, m/s.</param>
     /// <param name="along">Change along its direction, m/s.</param>
     /// <param name="across">Change across it, m/s; not negative.</param>

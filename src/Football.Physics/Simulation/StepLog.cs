@@ -30,16 +30,16 @@ public sealed class StepLog
     /// </summary>
     public long Untold { get; internal set; }
 
-    /// <summary>Whether the step ended early at the event asked for.</summary>
+    /// <summary>True when the step ended early at the event asked for.</summary>
     internal bool Halted { get; set; }
 
     /// <summary>The event at which steps end early.</summary>
     internal StopAt StopAt { get; set; }
 
-    /// <summary>Whether what has a mass goes on with what an impact left it: in the steps of a game, not where one only looks what would come.</summary>
+    /// <summary>True when what has a mass goes on with what an impact left it: in the steps of a game, not where one only looks what would come.</summary>
     internal bool Pushes { get; set; }
 
-    /// <summary>Whether a step ends early after an impact that pushes something.</summary>
+    /// <summary>True when a step ends early after an impact that pushes something.</summary>
     internal bool HaltsAtPush { get; set; }
 
     /// <summary>Watches every piece of motion: a step is one piece, or several where something happens in it. Default null, which costs nothing.</summary>
@@ -68,7 +68,7 @@ public sealed class StepLog
         Halted |= observer.Add(in before, in after, in piece);
     }
 
-    /// <summary>What it holds now, to come back to.</summary>
+    /// <summary>Mark of its contents now, to come back to.</summary>
     internal StepLogMark Mark() => new(Events.Count, Events.Dropped, Events.Impacts, Steps, Evaluations, Stalled, Untold);
 
     /// <summary>Forgets what came after a mark.</summary>
@@ -94,7 +94,7 @@ public sealed class StepLog
     }
 }
 
-/// <summary>What a log held at one instant.</summary>
+/// <summary>Contents of a log at one instant.</summary>
 /// <param name="Events">Events that were kept.</param>
 /// <param name="Missed">Events that were not.</param>
 /// <param name="Impacts">Impacts among both.</param>

@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>What is left to do of a step.</summary>
+/// <summary>Rest of a step that is still to be done.</summary>
 internal ref struct StepRun
 {
     /// <summary>Splits at the drag law's jump that one step may have; a chattering step goes on without more.</summary>
@@ -42,7 +42,7 @@ internal ref struct StepRun
     /// <summary>Where the step had to be divided: the length of its parts, s; else 0.</summary>
     public double Part;
 
-    /// <summary>Whether the method would make a velocity longer in such parts, which the Magnus force only turns.</summary>
+    /// <summary>True when the method would make a velocity longer in such parts, which the Magnus force only turns.</summary>
     public bool Spirals;
 
     /// <summary>Pieces so far.</summary>

@@ -24,7 +24,7 @@ internal abstract class Stepper
     /// <param name="log">Where events go.</param>
     public abstract void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, bool presses, StepLog log);
 
-    /// <summary>Whether a flight from one place to another can have met nothing that stands still but level ground, however it bent.</summary>
+    /// <summary>True when a flight from one place to another can have met nothing that stands still but level ground, however it bent.</summary>
     /// <param name="from">Where it started, m.</param>
     /// <param name="to">Where it ended, m.</param>
     /// <param name="duration">How long it took, s; above 0.</param>

@@ -16,7 +16,7 @@ internal sealed class SurfacePhase<TIntegrator>
     /// </summary>
     private const double SlideEnd = 1e-10;
 
-    /// <summary>The same for a method whose order is less than four, s.</summary>
+    /// <summary>Shortest end of a slide for a method of an order below four, s.</summary>
     private const double CoarseSlideEnd = 1e-7;
 
     /// <summary>The step that those are of, s.</summary>

@@ -1,18 +1,18 @@
 namespace Football.Physics;
 
-/// <summary>What touching a thing of the world does to the ball: an impact, and whether it then flies, is guided, or is carried, sliding or rolling.</summary>
+/// <summary>Effect of touching a thing of the world: an impact, and whether it then flies, is guided, or is carried, sliding or rolling.</summary>
 internal sealed class WorldContact
 {
     /// <summary>More impacts than this at one instant, and the rest of it is without restitution, at all contacts together: two contacts, and eight.</summary>
     private const int MostAtOnce = 10;
 
-    /// <summary>The same after so many events of a step, where something that moves has touched the ball lately.</summary>
+    /// <summary>Events of a step after which that holds, where something that moves has touched the ball lately.</summary>
     private const int MostInCrowd = 14;
 
     /// <summary>More than this in a step that were taken together, and the ball has no room.</summary>
     private const int MostUntold = 3;
 
-    /// <summary>What moved and touched the ball counts so long, s, for how fast the next may make it.</summary>
+    /// <summary>Time, s, for which a moving thing that touched the ball bounds the speed that the next may give it.</summary>
     private const double Lately = 0.1;
 
     /// <summary>A ball is raised out of the ground in so many steps: more than one where that is curved.</summary>
@@ -146,7 +146,7 @@ internal sealed class WorldContact
         return false;
     }
 
-    /// <summary>What moves leaves the ball no room.</summary>
+    /// <summary>Begins a squeeze: moving things leave the ball no room.</summary>
     public void BeginSqueeze(ref BallState s, int collider, ref StepRun run)
     {
         Vector3d spin = s.Spin;
@@ -165,7 +165,7 @@ internal sealed class WorldContact
         Fly(ref s, s.Velocity, s.Spin);
     }
 
-    /// <summary>Whether things that move would make the ball faster by their contacts than the fastest of them, times 1 + e, or than it came.</summary>
+    /// <summary>True when things that move would make the ball faster by their contacts than the fastest of them, times 1 + e, or than it came.</summary>
     /// <param name="s">The ball.</param>
     /// <param name="set">The contacts, with what they gave.</param>
     /// <param name="velocity">What became of its velocity, m/s.</param>
@@ -284,7 +284,7 @@ internal sealed class WorldContact
         }
     }
 
-    /// <summary>Whether a collider would carry a ball that touches it, and would not let it go at once.</summary>
+    /// <summary>True when a collider would carry a ball that touches it, and would not let it go at once.</summary>
     public bool IsPressed(in BallState s, int collider)
     {
         Collider on = _world.Colliders[collider];
@@ -316,7 +316,7 @@ internal sealed class WorldContact
         }
     }
 
-    /// <summary>Whether a collider carries a ball that is placed.</summary>
+    /// <summary>True when a collider carries a ball that is placed.</summary>
     /// <param name="s">The ball.</param>
     /// <param name="index">The collider.</param>
     /// <param name="velocity">The ball's velocity along the surface, m/s.</param>
@@ -417,7 +417,7 @@ internal sealed class WorldContact
         }
     }
 
-    /// <summary>Whether friction can hold a ball without slip.</summary>
+    /// <summary>True when friction can hold a ball without slip.</summary>
     private bool Grips(in BallState s, Collider carrier, ref StepRun run)
     {
         SurfaceSystem system = System(in s, carrier);
@@ -426,7 +426,7 @@ internal sealed class WorldContact
         return system.Grips(in on);
     }
 
-    /// <summary>Whether a ball that leaves a surface is back within a microsecond.</summary>
+    /// <summary>True when a ball that leaves a surface is back within a microsecond.</summary>
     private bool IsBackAtOnce(in BallState s, double off, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
     {
         // Few are: what the air can do at most says so without asking it.

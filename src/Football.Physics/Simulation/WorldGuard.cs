@@ -125,7 +125,7 @@ internal sealed class WorldGuard
         return met.What != SeparationKind.None;
     }
 
-    /// <summary>What meeting a thing calls for, where the ball is.</summary>
+    /// <summary>Handles the meeting with a thing where the ball is.</summary>
     public void Meet(ref BallState s, in Separation met, ref StepRun run)
     {
         switch (met.What)
@@ -169,7 +169,7 @@ internal sealed class WorldGuard
     private static void Report(in BallState s, BallEventKind kind, int thing, in Vector3d normal, ref StepRun run) =>
         run.Log.Events.Add(new BallEvent(kind, thing, in normal, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
 
-    /// <summary>Whether what is found is what the piece ends at already, which touches by so much before.</summary>
+    /// <summary>True when what is found is what the piece ends at already, which touches by so much before.</summary>
     private static bool IsAgain<TSweep>(ref TSweep sweep, in Separation met, in Separation found, double time, double before)
         where TSweep : struct, ISweep
     {

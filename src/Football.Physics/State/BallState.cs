@@ -62,7 +62,7 @@ public struct BallState : IFormattable
     /// <summary>Orientation when <see cref="Angle"/> was last zero.</summary>
     internal Quaterniond BaseOrientation;
 
-    /// <summary>What carries a ball that slides, rolls or rests: its index among the things of the scene; 0 is the ground.</summary>
+    /// <summary>Index, among the things of the scene, of the carrier of a ball that slides, rolls or rests; 0 is the ground.</summary>
     internal long Carrier;
 
     /// <summary>The nets that the ball is in, a bit each.</summary>

@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>What a step of flight moves, apart from the place: a part of the ball's state, so that one step hands it to the next where it lies.</summary>
+/// <summary>State that a step of flight changes, apart from the place: a part of the ball's state, so that one step hands it to the next where it lies.</summary>
 internal struct FlightMotion
 {
     /// <summary>Velocity of the centre, m/s.</summary>

@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>Whether a state that came as bytes is one that a ball can have.</summary>
+/// <summary>Checks that a state that came as bytes is one that a ball can have.</summary>
 internal static class StateCheck
 {
     /// <summary>
@@ -19,7 +19,7 @@ internal static class StateCheck
     /// <summary>How far a square of the length of a unit vector or quaternion may be off 1.</summary>
     private const double Rounding = 1e-6;
 
-    /// <summary>Whether it is one: what <see cref="Validate"/> lets through, in a few nanoseconds.</summary>
+    /// <summary>True when a ball can have it: the test of <see cref="Validate"/>, in a few nanoseconds.</summary>
     public static bool Holds(in BallState state)
     {
         // A comparison with what is not a number is false.

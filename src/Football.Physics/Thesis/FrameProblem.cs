@@ -233,7 +233,7 @@ internal sealed class BisectionAim
         return _problem.Best(passes.Iterations);
     }
 
-    /// <summary>Whether a kick of an elevation passes above the target; done where it hits.</summary>
+    /// <summary>The condition that a kick of an elevation passes above the target; done where it hits.</summary>
     private struct PassesAbove : ICondition
     {
         private readonly FrameProblem _problem;

@@ -86,7 +86,7 @@ internal sealed class FrameApproach
     private Vector3d _normal;
     private bool _wantsCrossing;
 
-    /// <summary>Whether the plane through the point was crossed.</summary>
+    /// <summary>True when the plane through the point was crossed.</summary>
     public bool Crossed { get; private set; }
 
     /// <summary>Where, between frames, m.</summary>

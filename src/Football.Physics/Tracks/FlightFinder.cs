@@ -3,10 +3,10 @@ namespace Football.Physics.Tracks;
 /// <summary>Finds the flights of a track: pieces of a division that fall as a ball in flight does, put together where the laws of flight describe both at once.</summary>
 internal sealed class FlightFinder
 {
-    /// <summary>What a cubic does not describe of a flight, m.</summary>
+    /// <summary>Error of a cubic as a flight, m.</summary>
     private const double CubicError = 0.02;
 
-    /// <summary>What a cubic does not describe of a hop, m.</summary>
+    /// <summary>Error of a cubic as a hop, m.</summary>
     private const double HopError = 0.006;
 
     /// <summary>The longest piece of the division, s.</summary>
@@ -21,7 +21,7 @@ internal sealed class FlightFinder
     private const double MostLift = 0.4;
     private const double FallDeviations = 3;
 
-    /// <summary>What is not so far above the lowest tenth of the track, m, must fall by this share of g.</summary>
+    /// <summary>Height over the lowest tenth of the track, m, below which a flight must fall by this share of g.</summary>
     private const double High = 0.8;
     private const double LeastFall = -0.3;
 
@@ -29,7 +29,7 @@ internal sealed class FlightFinder
     private const double JointShare = 1.3;
     private const double JointError = 0.05;
 
-    /// <summary>And where their velocities differ by less, m/s: what differs more was touched.</summary>
+    /// <summary>Difference of velocities, m/s, above which the ball was touched between two pieces.</summary>
     private const double JointVelocity = 0.8;
 
     /// <summary>So many points between two flights are of neither: cameras smooth over a touch.</summary>
@@ -177,7 +177,7 @@ internal sealed class FlightFinder
         }
     }
 
-    /// <summary>Whether a piece accelerates downwards as a ball in flight may.</summary>
+    /// <summary>True when a piece accelerates downwards as a ball in flight may.</summary>
     private bool Falls(int first, int end)
     {
         TrackPoint[] track = _runs.Points;

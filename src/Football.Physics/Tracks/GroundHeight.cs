@@ -3,7 +3,7 @@ namespace Football.Physics.Tracks;
 /// <summary>The height at which a ball's centre is on the ground, from where a track has it bounce, roll and lie.</summary>
 internal static class GroundHeight
 {
-    /// <summary>What is seen so far above the lowest is no ground any more, m: a crowned pitch, and a camera that is off.</summary>
+    /// <summary>Height above the lowest point, m, from which a point is not on the ground: a crowned pitch, and a camera that is off.</summary>
     private const double Band = 0.35;
 
     /// <summary>The share of what is lowest that counts as the lowest: below it are points that are wrong.</summary>

@@ -8,7 +8,7 @@ namespace Football.Physics.Tracks;
 /// </remarks>
 public sealed class MatchFit
 {
-    /// <summary>What the laws of flight do not know, m: gusts, how a ball wobbles, where a camera thinks that its centre is.</summary>
+    /// <summary>Model error of the laws of flight, m: gusts, how a ball wobbles, where a camera thinks that its centre is.</summary>
     private const double LawError = 0.01;
 
     /// <summary>A flight that fits worse than this, m, is tried from other spins of this size, rad/s.</summary>
@@ -18,7 +18,7 @@ public sealed class MatchFit
     /// <summary>Shorter flights tell of the others nothing, s.</summary>
     private const double ShortestTold = 0.3;
 
-    /// <summary>What is seen higher over the ground should be in a flight, m.</summary>
+    /// <summary>Height over the ground above which a point should be in a flight, m.</summary>
     private const double High = 0.5;
 
     private static readonly MatchFitRequest Nothing = new() { Wind = false, Drag = false };

@@ -3,22 +3,22 @@ namespace Football.Physics.Tracks;
 /// <summary>A request for the fit of a whole match: which numbers are found of which one value holds for the whole track, and how far each may be off what the scene says.</summary>
 public sealed record MatchFitRequest
 {
-    /// <summary>Whether to find the wind, level and steady. Default true.</summary>
+    /// <summary>True to find the wind, level and steady. Default true.</summary>
     public bool Wind { get; init; } = true;
 
-    /// <summary>Whether to find the ball's drag: a factor, and with the measured laws the Reynolds number of its crisis. Default true.</summary>
+    /// <summary>True to find the ball's drag: a factor, and with the measured laws the Reynolds number of its crisis. Default true.</summary>
     public bool Drag { get; init; } = true;
 
-    /// <summary>Whether to find the Reynolds number of the drag crisis where <see cref="Drag"/> is not asked for. Measured laws alone. Default false.</summary>
+    /// <summary>True to find the Reynolds number of the drag crisis where <see cref="Drag"/> is not asked for. Measured laws alone. Default false.</summary>
     public bool Crisis { get; init; }
 
-    /// <summary>Whether to find a factor of the Magnus force. Default false: it is known only together with each flight's spin.</summary>
+    /// <summary>True to find a factor of the Magnus force. Default false: it is known only together with each flight's spin.</summary>
     public bool Lift { get; init; }
 
-    /// <summary>Whether to find the surface: restitution, its rise with obliqueness, friction. Default true.</summary>
+    /// <summary>True to find the surface: restitution, its rise with obliqueness, friction. Default true.</summary>
     public bool Surface { get; init; } = true;
 
-    /// <summary>Whether to find the height of the ground. Default true; else it is the scene's.</summary>
+    /// <summary>True to find the height of the ground. Default true; else it is the scene's.</summary>
     public bool Height { get; init; } = true;
 
     /// <summary>Standard deviation of each component of the wind before the track was seen, m/s. Above 0; default 3.</summary>

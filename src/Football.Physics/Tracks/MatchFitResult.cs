@@ -1,6 +1,6 @@
 namespace Football.Physics.Tracks;
 
-/// <summary>What the track of a match told: its pieces in order of time, and the numbers of which one value holds for all of it.</summary>
+/// <summary>Result of the fit of a match: its pieces in order of time, and the numbers of which one value holds for all of it.</summary>
 public sealed class MatchFitResult
 {
     private readonly double[] _values;

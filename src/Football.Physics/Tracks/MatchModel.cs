@@ -1,6 +1,6 @@
 namespace Football.Physics.Tracks;
 
-/// <summary>What all flights of a match share: the wind, the ball's drag and lift. Numbers that are not asked for stay the scene's.</summary>
+/// <summary>Model shared by all flights of a match: the wind, the ball's drag and lift. Numbers that are not asked for stay the scene's.</summary>
 internal sealed class MatchModel
 {
     /// <summary>Differences for derivatives, m/s, a share, a Reynolds number.</summary>
@@ -74,7 +74,7 @@ internal sealed class MatchModel
         }
     }
 
-    /// <summary>What was likely before the track was seen.</summary>
+    /// <summary>Prior value of a number.</summary>
     public double Likely(int number) => _likely[number];
 
     /// <summary>Standard deviation of a number before the track was seen.</summary>

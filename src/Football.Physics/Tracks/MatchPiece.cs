@@ -3,7 +3,7 @@ namespace Football.Physics.Tracks;
 /// <summary>A piece of a match's track: one flight, one impact, one touch, a time on the ground, or what could not be explained. Frame y up, SI units.</summary>
 public sealed record MatchPiece
 {
-    /// <summary>What it is.</summary>
+    /// <summary>Kind of the piece.</summary>
     public MatchPieceKind Kind { get; init; }
 
     /// <summary>When it begins, s; the instant of an impact or a touch.</summary>
@@ -58,7 +58,7 @@ public sealed record MatchPiece
     public double Duration => To - From;
 }
 
-/// <summary>What a piece of a match's track is.</summary>
+/// <summary>Kinds of pieces of a match's track.</summary>
 public enum MatchPieceKind
 {
     /// <summary>The ball flies; nothing but air touches it.</summary>

@@ -9,7 +9,7 @@ internal sealed class MatchPieces
     /// <summary>A ball so far from contact height may be on the ground, m: z is off near it, and a pitch is crowned.</summary>
     private const double Near = 0.3;
 
-    /// <summary>What is on the ground hops no higher, m.</summary>
+    /// <summary>Highest hop of a ball on the ground, m.</summary>
     private const double Hop = 0.35;
 
     /// <summary>A seam moves the ball without a change of velocity: less than this, m/s.</summary>
@@ -18,7 +18,7 @@ internal sealed class MatchPieces
     /// <summary>On the ground a ball is touched where its velocity changes by more than this, m/s.</summary>
     private const double TouchVelocity = 1.2;
 
-    /// <summary>What an impact on any pitch may do: restitution, the tangential impulse by the normal one, m/s more, and how much faster a spin may make the ball, m/s.</summary>
+    /// <summary>Bounds of an impact on any pitch: restitution, the tangential impulse by the normal one, m/s more, and how much faster a spin may make the ball, m/s.</summary>
     private const double MostRestitution = 1.05;
     private const double MostFriction = 0.9;
     private const double UnsureTurn = 0.5;
@@ -205,7 +205,7 @@ internal sealed class MatchPieces
         return points;
     }
 
-    /// <summary>What is between two flights: on the ground, or lost; gaps are lost.</summary>
+    /// <summary>Adds the pieces between two flights: on the ground, or lost; gaps are lost.</summary>
     private void AddRest(List<MatchPiece> steady, List<FlightPath?> paths, IReadOnlyList<int> ends, int first, int end, bool follows)
     {
         // A few points between two flights belong to what happened there.
@@ -280,7 +280,7 @@ internal sealed class MatchPieces
         return Math.Min(end, ends[low]);
     }
 
-    /// <summary>Whether half of some points are as low as a ball on the ground.</summary>
+    /// <summary>True when half of some points are as low as a ball on the ground.</summary>
     private bool IsLow(int first, int end)
     {
         double[] heights = new double[end - first];
@@ -293,7 +293,7 @@ internal sealed class MatchPieces
         return heights[heights.Length / 2] < _contact + Hop;
     }
 
-    /// <summary>Whether a ball on the ground changes its velocity from one piece to the next more than by friction.</summary>
+    /// <summary>True when a ball on the ground changes its velocity from one piece to the next more than by friction.</summary>
     private bool IsTouched(int first, int at, int end)
     {
         int before = Math.Max(first, at - 8);
@@ -347,7 +347,7 @@ internal sealed class MatchPieces
         };
     }
 
-    /// <summary>What happened from one piece to the next; null where nothing did.</summary>
+    /// <summary>The event between one piece and the next; null where there is none.</summary>
     private MatchPiece? Event(MatchPiece before, FlightPath? a, MatchPiece after, FlightPath? b)
     {
         if (a is null && b is null)

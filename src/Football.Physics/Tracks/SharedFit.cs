@@ -20,7 +20,7 @@ internal sealed class SharedFit
     /// <summary>A flight that fits so many times worse than the median one tells less of what is shared.</summary>
     private const double Strange = 2.5;
 
-    /// <summary>What the laws do not know is there even where a flight happens to fit better: this share of what was said of a point.</summary>
+    /// <summary>Least model error as a share of a point's deviation, even where a flight happens to fit better.</summary>
     private const double LawShare = 0.4;
 
     private readonly FlightEquations _system;

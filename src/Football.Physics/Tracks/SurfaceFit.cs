@@ -181,7 +181,7 @@ internal sealed class SurfaceFit
         scatter = squares / Math.Max(1, weights - Numbers);
     }
 
-    /// <summary>What an impact leaves of the speeds towards the ground and along it.</summary>
+    /// <summary>Shares of the speeds towards the ground and along it that an impact leaves.</summary>
     private void Shares(in ContactMaterial material, MatchPiece impact, out double bounce, out double kept)
     {
         Vector3d before = impact.VelocityBefore;

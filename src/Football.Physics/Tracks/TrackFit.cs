@@ -18,7 +18,7 @@ public sealed class TrackFit
     private const double OtherSpin = 35;
     private const int OtherStarts = 5;
 
-    /// <summary>What fits worse by no more than this, in the cost, is another answer to the same track: three deviations of one number.</summary>
+    /// <summary>Largest excess of the cost at which a minimum is another answer to the track: three deviations of one number.</summary>
     private const double AsGood = 9;
 
     /// <summary>Minima that are closer than this, in deviations of the spin, are one.</summary>
@@ -99,7 +99,7 @@ public sealed class TrackFit
         };
     }
 
-    /// <summary>Whether two answers differ in the spin by more than their uncertainty.</summary>
+    /// <summary>True when two answers differ in the spin by more than their uncertainty.</summary>
     private static bool AreApart(double[] values, double[] others, double[] covariance)
     {
         int n = values.Length;
@@ -115,7 +115,7 @@ public sealed class TrackFit
         return false;
     }
 
-    /// <summary>Whether the ball bounces in the time of the track.</summary>
+    /// <summary>True when the ball bounces in the time of the track.</summary>
     private bool Bounces(double[] values, double duration)
     {
         var simulator = new Simulator(_scene with { Bodies = null, EngineColliders = null });
@@ -126,7 +126,7 @@ public sealed class TrackFit
         return log.Events.Impacts > 0;
     }
 
-    /// <summary>What the numbers are where it was another ball: only as far as that fits.</summary>
+    /// <summary>Fits with other balls, as far as they fit.</summary>
     private List<TrackFitByBall> WithOtherBalls(TrackPoint[] track, TrackFitRequest request, double cost, double[] values)
     {
         var all = new List<TrackFitByBall>();

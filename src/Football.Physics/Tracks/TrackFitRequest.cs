@@ -3,16 +3,16 @@ namespace Football.Physics.Tracks;
 /// <summary>A request for a fit: the numbers to find from a track beside the launch, and what is known of them before.</summary>
 public sealed record TrackFitRequest
 {
-    /// <summary>Whether to find by how much the drag differs from the scene's law. Default false.</summary>
+    /// <summary>True to find by how much the drag differs from the scene's law. Default false.</summary>
     public bool Drag { get; init; }
 
-    /// <summary>Whether to find by how much the Magnus force differs from the scene's law. Default false.</summary>
+    /// <summary>True to find by how much the Magnus force differs from the scene's law. Default false.</summary>
     public bool Lift { get; init; }
 
-    /// <summary>Whether to find by how much the ground's normal restitution differs. Default false.</summary>
+    /// <summary>True to find by how much the ground's normal restitution differs. Default false.</summary>
     public bool Restitution { get; init; }
 
-    /// <summary>Whether to find by how much the ground's friction, at impacts and in slides, differs. Default false.</summary>
+    /// <summary>True to find by how much the ground's friction, at impacts and in slides, differs. Default false.</summary>
     public bool Friction { get; init; }
 
     /// <summary>The velocity to begin with, m/s; default the one that the first points suggest.</summary>

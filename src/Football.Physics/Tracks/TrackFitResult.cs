@@ -54,7 +54,7 @@ public sealed class TrackFitResult
     /// <summary>Steps of the search.</summary>
     public int Iterations { get; }
 
-    /// <summary>Whether the search ended where neither a step nor a way out along the uncertainty leads to what fits better.</summary>
+    /// <summary>True when the search ended where neither a step nor a way out along the uncertainty leads to what fits better.</summary>
     public bool Converged { get; }
 
     /// <summary>
@@ -63,7 +63,7 @@ public sealed class TrackFitResult
     /// </summary>
     public Vector3d? OtherSpin { get; internal init; }
 
-    /// <summary>What each of the other balls gives (<see cref="TrackFitRequest.OtherBalls"/>).</summary>
+    /// <summary>Fits with the other balls (<see cref="TrackFitRequest.OtherBalls"/>).</summary>
     public IReadOnlyList<TrackFitByBall> ByBall { get; internal init; } = [];
 
     /// <summary>
@@ -80,7 +80,7 @@ public sealed class TrackFitResult
         }
     }
 
-    /// <summary>What χ² against its freedom, the search, other minima and other balls say of the fit.</summary>
+    /// <summary>Verdict on the fit from χ² against its freedom, the search, other minima and other balls.</summary>
     public TrackVerdict Verdict =>
         !Converged ? TrackVerdict.NotConverged
         : Probability < Rare ? TrackVerdict.Poor
@@ -152,7 +152,7 @@ public sealed class TrackFitResult
     }
 
     /// <summary>
-    /// Whether the track tells more of a number than was known before (its deviation is less than 0.7 of that before): not of a restitution where nothing bounces, nor of a
+    /// True when the track tells more of a number than was known before (its deviation is less than 0.7 of that before): not of a restitution where nothing bounces, nor of a
     /// spin along the way. What is not identified is as it was said to be before, not found.
     /// </summary>
     /// <param name="index">Which, from 0.</param>
@@ -175,7 +175,7 @@ public sealed class TrackFitResult
         $"{(Converged ? "converged" : "not converged")}: {Velocity:0.###} m/s, {Spin:0.###} rad/s from {Position:0.###}, χ² {ChiSquared:0.##} of {Freedom}");
 }
 
-/// <summary>What a fit says of itself.</summary>
+/// <summary>Verdicts on a fit.</summary>
 public enum TrackVerdict
 {
     /// <summary>χ² is what the noise leaves.</summary>

@@ -74,7 +74,7 @@ internal sealed class TrackModel
         return cost;
     }
 
-    /// <summary>Whether numbers are those of a ball that can be launched.</summary>
+    /// <summary>True when numbers are those of a ball that can be launched.</summary>
     public static bool IsLaunch(double[] v) =>
         new Vector3d(v[0], v[1], v[2]).Length < Limits.Length && new Vector3d(v[3], v[4], v[5]).Length < Limits.Speed && new Vector3d(v[6], v[7], v[8]).Length < Limits.Spin;
 

@@ -45,7 +45,7 @@ internal sealed class TrackRuns
     /// <summary>Standard deviation of a coordinate from one point to the next, m.</summary>
     public double Noise { get; }
 
-    /// <summary>Whether a track has a gap between two times.</summary>
+    /// <summary>True when a track has a gap between two times.</summary>
     public bool IsGap(double from, double to) => to - from > Math.Max(GapShare * Wait, LeastGap);
 
     private static double UsualWait(TrackPoint[] track)
@@ -111,7 +111,7 @@ internal sealed class TrackRuns
         i < 2 || i + 2 >= track.Length ? 0
         : (track[i].Position - ((4.0 / 6.0) * (track[i - 1].Position + track[i + 1].Position)) + ((1.0 / 6.0) * (track[i - 2].Position + track[i + 2].Position))).Length;
 
-    /// <summary>Whether the neighbours lie on a line nearly: then the one between them is what jumped.</summary>
+    /// <summary>True when the neighbours lie on a line nearly: then the one between them is what jumped.</summary>
     private static bool IsSmoothWithout(TrackPoint[] track, int i, double most)
     {
         Vector3d before = track[i - 1].Position - track[i - 2].Position;

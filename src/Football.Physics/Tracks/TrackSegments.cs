@@ -10,7 +10,7 @@ internal sealed class TrackSegments
     /// <summary>Price of a piece, in squares of σ: twelve numbers of three cubics, and where it begins.</summary>
     private const double Price = 40;
 
-    /// <summary>What more it costs that a piece is shorter than the points of a cubic.</summary>
+    /// <summary>Extra cost of a piece that has fewer points than a cubic.</summary>
     private const double ShortPrice = 15;
 
     private const int Coefficients = 4;

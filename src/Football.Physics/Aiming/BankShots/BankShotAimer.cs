@@ -30,7 +30,7 @@ public sealed class BankShotAimer
     /// <summary>Chains, by how many contacts they have.</summary>
     private readonly Dictionary<int, BankShotProblem> _chains = [];
 
-    /// <summary>What is to be met, by how many that are.</summary>
+    /// <summary>The chains of things to be met, by their length.</summary>
     private readonly Dictionary<int, int[]> _things = [];
     private int _flown;
 
@@ -142,7 +142,7 @@ public sealed class BankShotAimer
         return legs;
     }
 
-    /// <summary>Whether no chain has led to a kick before; it is then remembered.</summary>
+    /// <summary>True when no chain has led to a kick before; it is then remembered.</summary>
     private bool IsNew(in Kick kick)
     {
         for (int i = 0; i < _flown; i++)

@@ -48,13 +48,13 @@ internal sealed class BankShotFlight : ILeastSquares
     /// <summary>The kick that came closest in steps of a measurement; where none met what it is to meet, of those in long steps.</summary>
     public Kick Best { get; private set; }
 
-    /// <summary>What it misses by.</summary>
+    /// <summary>The miss of the flight.</summary>
     public MeasuredMiss Miss { get; private set; }
 
-    /// <summary>Whether it was flown in steps of a measurement.</summary>
+    /// <summary>True when it was flown in steps of a measurement.</summary>
     public bool IsFine { get; private set; }
 
-    /// <summary>Whether it does what is asked.</summary>
+    /// <summary>True when it does what is asked.</summary>
     public bool Hits => IsFine && Miss.Distance <= _request.Tolerance;
 
     public int Unknowns => 2;

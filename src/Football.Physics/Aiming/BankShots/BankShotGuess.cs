@@ -6,7 +6,7 @@ namespace Football.Physics.Aiming;
 /// </summary>
 internal sealed class BankShotGuess
 {
-    /// <summary>What a hop over the ground is of the one before, and a speed of that before an impact: as a rule.</summary>
+    /// <summary>Usual ratios: a hop to the one before it, a speed after an impact to that before.</summary>
     private const double NextHop = 0.6;
     private const double Kept = 0.65;
 
@@ -189,7 +189,7 @@ internal struct BankShotContact
     /// <summary>A place is put back onto a surface that is curved in so many steps.</summary>
     private const int MostRaises = 8;
 
-    /// <summary>What is touched.</summary>
+    /// <summary>The thing touched.</summary>
     public Collider Thing;
 
     /// <summary>Centre of the ball, m.</summary>

@@ -71,7 +71,7 @@ internal sealed class BankShotProblem : ILeastSquares
 
     public int Equations => 3 * (Count + 1);
 
-    /// <summary>What is touched but for the ground, in order.</summary>
+    /// <summary>The things touched, in order, without the ground.</summary>
     public BankShotContact[] Contacts { get; }
 
     /// <summary>How often a leg meets the ground.</summary>

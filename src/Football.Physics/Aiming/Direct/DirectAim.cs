@@ -6,7 +6,7 @@ namespace Football.Physics.Aiming;
 /// </summary>
 internal sealed class DirectAim
 {
-    /// <summary>What the solver's own steps may be off, m: a closer miss is none, even where a request is content with less.</summary>
+    /// <summary>Error of the solver's own steps, m: a closer miss counts as none, even where a request asks for more.</summary>
     private const double StepError = 1e-4;
 
     /// <summary>Share of the target's distance below which a miss is a close one, and the slope above which a target is steep.</summary>
@@ -158,11 +158,11 @@ internal sealed class DirectAim
         return true;
     }
 
-    /// <summary>Whether elevations tell too little of a miss: a close one, or ways that bend.</summary>
+    /// <summary>True when elevations tell too little of a miss: a close one, or ways that bend.</summary>
     private bool IsDoubtful(in TargetFrame frame, double miss) =>
         miss < CloseMiss * frame.Distance || IsBent(in frame);
 
-    /// <summary>Whether the steeper of two kicks may be the faster: at a steep target, or in an air that bends ways into loops.</summary>
+    /// <summary>True when the steeper of two kicks may be the faster: at a steep target, or in an air that bends ways into loops.</summary>
     private bool IsBent(in TargetFrame frame) =>
         frame.Target.Y - frame.From.Y > Steep * frame.Distance || _context.IsRuledByAir(_problem.Speed, _problem.Spins.SpinRate);
 }

@@ -16,7 +16,7 @@ internal struct FittedFlight
     /// <summary>Share of the spin by which its effect on drag and lift is found.</summary>
     private const double SpinChange = 0.02;
 
-    /// <summary>What is fitted to a spin serves spins that are off it by this share: it is a few parts in ten thousand off then.</summary>
+    /// <summary>A fit to one spin serves spins within this share of it, with an error of a few parts in ten thousand.</summary>
     private const double CloseSpin = 0.05;
 
     /// <summary>The slowest spin, rad/s, that is fitted to.</summary>
@@ -92,7 +92,7 @@ internal struct FittedFlight
         _liftBend = (((lift0 - lift1) * perFirst) - _liftSlope) * perBoth;
     }
 
-    /// <summary>Whether a flight with a spin, rad/s, is close enough to what was fitted.</summary>
+    /// <summary>True when a flight with a spin, rad/s, is close enough to what was fitted.</summary>
     public readonly bool Fits(double spinRate) => Math.Abs(Math.Max(LeastSpin, spinRate) - _spinRate) < CloseSpin * _spinRate;
 
     /// <summary>Begins a flight.</summary>

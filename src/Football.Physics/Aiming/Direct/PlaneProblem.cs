@@ -49,7 +49,7 @@ internal sealed class PlaneProblem
     /// <summary>The spins of the kicks, where only their angles are sought.</summary>
     public Kick Spins { get; private set; }
 
-    /// <summary>Whether they are to pass a point on the way.</summary>
+    /// <summary>True when they are to pass a point on the way.</summary>
     public bool HasThrough { get; private set; }
 
     /// <summary>The point on the way, m.</summary>
@@ -61,10 +61,10 @@ internal sealed class PlaneProblem
     /// <summary>Miss distance at the target within which the search ends, m.</summary>
     public double Tolerance { get; private set; }
 
-    /// <summary>The same for the point on the way.</summary>
+    /// <summary>Tolerance at the point on the way, m.</summary>
     public double ThroughTolerance { get; private set; }
 
-    /// <summary>Whether kicks are flown in short steps, because longer ones were wrong.</summary>
+    /// <summary>True when kicks are flown in short steps, because longer ones were wrong.</summary>
     public bool IsFine => _context.Steps.AreShort;
 
     /// <summary>When the last kick was at the target, s.</summary>
@@ -185,10 +185,10 @@ internal sealed class PlaneProblem
     /// <summary>How the last crossing of the plane of the point on the way moves with the angles of its kick.</summary>
     public CrossingJacobian JacobianAtThrough(double[] x) => Jacobian(KickOf(x), in _atThrough);
 
-    /// <summary>The same for the plane of the target.</summary>
+    /// <summary>Jacobian of the crossing of the target's plane.</summary>
     public CrossingJacobian JacobianAtTarget(double[] x) => Jacobian(KickOf(x), in _atTarget);
 
-    /// <summary>Whether the last flight to the target leaves the ground and stays above it, so that no impact comes first.</summary>
+    /// <summary>True when the last flight to the target leaves the ground and stays above it, so that no impact comes first.</summary>
     public bool StaysClear(double[] x, double[] r)
     {
         // One that stays on the ground from its start rolls: that is another problem.

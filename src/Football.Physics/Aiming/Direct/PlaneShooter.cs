@@ -161,7 +161,7 @@ internal struct PlaneCrossing
         _normal = normal;
     }
 
-    /// <summary>Whether it was crossed.</summary>
+    /// <summary>True when it was crossed.</summary>
     public bool Crossed { get; private set; }
 
     /// <summary>When, s after the kick.</summary>
@@ -227,7 +227,7 @@ internal struct PlaneCrossing
         return true;
     }
 
-    /// <summary>Whether the plane lies behind the ball.</summary>
+    /// <summary>True when the plane lies behind the ball.</summary>
     public readonly bool IsBehind(in BallState state) => IsBehind(state.Position - (state.Time * _pointVelocity));
 
     /// <summary>Looks for the crossing in a piece of the flight.</summary>
@@ -249,7 +249,7 @@ internal struct PlaneCrossing
 
     private readonly bool IsBehind(in Vector3d position) => Vector3d.Dot(position - _point, in _normal) >= 0;
 
-    /// <summary>What is left to the plane along a step.</summary>
+    /// <summary>Distance left to the plane along a step.</summary>
     private readonly struct WayLeft(CubicHermite curve) : IDifferentiableFunction
     {
         public readonly CubicHermite Curve = curve;

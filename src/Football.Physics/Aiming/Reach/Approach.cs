@@ -9,7 +9,7 @@ internal struct Approach
     /// <summary>Distance of the closest approach, m.</summary>
     public double Miss;
 
-    /// <summary>Whether the target is below the way, not above or beyond it.</summary>
+    /// <summary>True when the target is below the way, not above or beyond it.</summary>
     public bool Above;
 
     /// <summary>When the ball is closest, s.</summary>
@@ -44,13 +44,13 @@ internal struct ApproachBracket
     /// <summary>From the middle one to the high one, rad.</summary>
     public readonly double Right => High.Elevation - Middle.Elevation;
 
-    /// <summary>Whether one of them passes above the target.</summary>
+    /// <summary>True when one of them passes above the target.</summary>
     public readonly bool AnyAbove => Low.Above || Middle.Above || High.Above;
 
     /// <summary>The least miss distance of the three, m.</summary>
     public readonly double LeastMiss => Math.Min(Math.Min(Low.Miss, Middle.Miss), High.Miss);
 
-    /// <summary>What no elevation between them is below, m: the least of their parabola, less what that may be wrong by.</summary>
+    /// <summary>Lower bound of the miss between them, m: the least of their parabola, less its possible error.</summary>
     public readonly double LowerBound
     {
         get

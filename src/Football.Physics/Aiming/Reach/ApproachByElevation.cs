@@ -37,10 +37,10 @@ internal sealed class ApproachByElevation
     /// <summary>Speed of the kicks, m/s.</summary>
     public double Speed { get; private set; }
 
-    /// <summary>Whether flights turn with their azimuth, so that the azimuth of an elevation is known after one.</summary>
+    /// <summary>True when flights turn with their azimuth, so that the azimuth of an elevation is known after one.</summary>
     public bool TurnWithAzimuth => _context.Turns(in _targetVelocity);
 
-    /// <summary>Whether nothing more can be searched.</summary>
+    /// <summary>True when nothing more can be searched.</summary>
     public bool IsSpent => _context.IsSpent;
 
     /// <summary>Prepares for a target.</summary>
@@ -77,7 +77,7 @@ internal sealed class ApproachByElevation
         return At(elevation);
     }
 
-    /// <summary>The same in the shorter steps of a hit.</summary>
+    /// <summary>Closest approach of an elevation, in the shorter steps of a hit.</summary>
     public Approach HitAt(double elevation, in Approach near)
     {
         _kick.Azimuth = near.Kick.Azimuth;
@@ -293,7 +293,7 @@ internal sealed class HitSearch
             return Hits || _approaches.IsSpent || Jumps;
         }
 
-        /// <summary>Whether the miss has no root between the two kicks, but jumps over it.</summary>
+        /// <summary>True when the miss has no root between the two kicks, but jumps over it.</summary>
         private readonly bool Jumps =>
             _one.Miss + _other.Miss > Jump * Math.Abs(_one.Elevation - _other.Elevation) * _approaches.Speed * Math.Max(_one.Time, _other.Time);
     }

@@ -86,7 +86,7 @@ internal sealed class RollingKick
     /// <summary>Its elevation, rad.</summary>
     public double Elevation { get; private set; }
 
-    /// <summary>What its miss distance is not below, m; infinite where the ball does not roll, or has been flown.</summary>
+    /// <summary>Lower bound of its miss distance, m; infinite where the ball does not roll, or has been flown.</summary>
     public double LowerBound { get; private set; }
 
     /// <summary>Prepares for a problem, and narrows the elevations of flights to those that leave the ground.</summary>

@@ -95,7 +95,7 @@ internal sealed class WaveSearch
     private const double Wave = 0.025;
     private const int MostWaves = 4;
 
-    /// <summary>What a step in the miss may hide, m, or as a share of the miss; and how often the way to it is halved.</summary>
+    /// <summary>Depth that a step in the miss may hide, m, or as a share of the miss; and how often the way to it is halved.</summary>
     private const double StepCloseness = 5e-3;
     private const int MostHalvings = 12;
 
@@ -109,7 +109,7 @@ internal sealed class WaveSearch
         _valley = valley;
     }
 
-    /// <summary>Whether a wave beside the closest kick is deeper: looks to both sides of it.</summary>
+    /// <summary>True when a wave beside the closest kick is deeper: looks to both sides of it.</summary>
     /// <returns>As <see cref="ValleySearch.Descend"/>.</returns>
     public bool Find(ref ApproachBracket at)
     {

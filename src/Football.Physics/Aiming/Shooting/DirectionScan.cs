@@ -65,7 +65,7 @@ internal sealed class DirectionScan
     /// <summary>A place to begin at, the closest first.</summary>
     public void Start(int index, double[] x) => Array.Copy(_starts, index * N, x, 0, N);
 
-    /// <summary>Whether none of its neighbours comes closer.</summary>
+    /// <summary>True when none of its neighbours comes closer.</summary>
     private bool IsLeast(int at)
     {
         int row = at / _columns;

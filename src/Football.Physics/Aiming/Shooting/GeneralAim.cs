@@ -25,7 +25,7 @@ internal sealed class GeneralAim
     /// <summary>Above this elevation, rad, spin may bring a ball to the target that was kicked elsewhere.</summary>
     private const double Steep = 0.8;
 
-    /// <summary>The same where the speed is free, and the speeds of scans as shares of the fastest.</summary>
+    /// <summary>Rows of a scan where the speed is free, and its speeds as shares of the fastest.</summary>
     private const int FreeRows = 9;
     private const int FreeColumns = 10;
     private const int MostFreeStarts = 4;

@@ -80,10 +80,10 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
 
     public int Unknowns => Most;
 
-    /// <summary>Whether nothing more can be searched.</summary>
+    /// <summary>True when nothing more can be searched.</summary>
     public bool IsSpent => _context.IsSpent;
 
-    /// <summary>Whether the air rules, so that there may be several kicks for one time.</summary>
+    /// <summary>True when the air rules, so that there may be several kicks for one time.</summary>
     public bool IsRuledByAir { get; private set; }
 
     /// <summary>From the ball to the target, m.</summary>
@@ -130,7 +130,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         _isFree[Share] = through;
     }
 
-    /// <summary>Whether residuals are a hit, with room for what the steps of the flights are off.</summary>
+    /// <summary>True when residuals are a hit, with room for what the steps of the flights are off.</summary>
     public bool IsHit(double[] r)
     {
         double tolerance = AimContext.Sharp(Request.Tolerance);
@@ -166,7 +166,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         return true;
     }
 
-    /// <summary>Whether a ball along the ground can hit the target of a request at all.</summary>
+    /// <summary>True when a ball along the ground can hit the target of a request at all.</summary>
     public bool CanRoll(AimRequest request)
     {
         TargetFrame frame = _context.Frame(request);
@@ -225,7 +225,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         Vector3d Stretched(in Vector3d turn) => (across * turn) + ((along - across) * Vector3d.Dot(in turn, in direction) * direction);
     }
 
-    /// <summary>Whether the elevation or the speed is as low, or as high, as it may be.</summary>
+    /// <summary>True when the elevation or the speed is as low, or as high, as it may be.</summary>
     public bool IsAtBound(double[] x) =>
         x[Elevation] == _least[Elevation] || x[Elevation] == _most[Elevation] || x[LogSpeed] == _least[LogSpeed] || x[LogSpeed] == _most[LogSpeed];
 

@@ -100,7 +100,7 @@ internal sealed class SolutionCurve
         return true;
     }
 
-    /// <summary>Whether the kicks of the curve are the slower, the longer they take.</summary>
+    /// <summary>True when the kicks of the curve are the slower, the longer they take.</summary>
     public bool SlowsWithTime(double[] x)
     {
         _problem.Fly(x, _solver.Residuals);

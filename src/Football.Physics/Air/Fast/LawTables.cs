@@ -6,13 +6,13 @@ internal sealed class LawTables
     /// <summary>log₂ S² from which on segments are fine: S 0.004.</summary>
     private const int Usual = -16;
 
-    /// <summary>And of the largest spin parameter, 2.8.</summary>
+    /// <summary>Exponent of the square of the largest spin parameter, 2.8.</summary>
     private const int Largest = 3;
 
     /// <summary>Below S 2.3e-10 there is no spin.</summary>
     private const int None = -64;
 
-    /// <summary>What a ball without spin is handed as S² is above that.</summary>
+    /// <summary>Exponent below the S² that a ball without spin is given.</summary>
     private const int Least = -81;
 
     /// <summary>Tabulates a law's functions.</summary>
@@ -45,6 +45,6 @@ internal sealed class LawTables
     /// <summary>The slowest scaled speed in the table.</summary>
     public double Slowest { get; }
 
-    /// <summary>And the fastest.</summary>
+    /// <summary>Fastest speed of the tables, m/s.</summary>
     public double Fastest { get; }
 }

@@ -22,7 +22,7 @@ internal struct TableAir<TLaw> : IFlightAir
     /// <summary>Steps begin so much above the slowest speed of the tables.</summary>
     private const double AboveSlowest = 1.5;
 
-    /// <summary>And so much below the fastest.</summary>
+    /// <summary>Share of the fastest speed of the tables up to which they are used.</summary>
     private const double BelowFastest = 0.9375;
 
     private TLaw _law;
@@ -76,7 +76,7 @@ internal struct TableAir<TLaw> : IFlightAir
     public bool Covers(double speedSquared, double spinRate, double h) =>
         _range.Holds(speedSquared, spinRate, h) && _range.HoldsSpin(speedSquared, _radiusSquared * spinRate * spinRate, h);
 
-    /// <summary>Whether the tables hold at a point by itself.</summary>
+    /// <summary>True when the tables hold at a point by itself.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly bool HoldsAt(double speedSquared, double spinSquared)
     {

@@ -50,7 +50,7 @@ internal readonly struct TableRange
         _mostSquare = fastest > fall ? (fastest - fall) * (fastest - fall) : 0;
     }
 
-    /// <summary>Whether the speed stays within the tables.</summary>
+    /// <summary>True when the speed stays within the tables.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Holds(double speedSquared, double spinRate, double h)
     {
@@ -67,7 +67,7 @@ internal readonly struct TableRange
             && bySpeed * bySpeed * speedSquared < LargestChange * LargestChange && h * _perSpin * spinRate < LargestChange;
     }
 
-    /// <summary>Whether the spin parameter stays below √8 at every stage, and begins below <see cref="LargestSpinParameter"/>.</summary>
+    /// <summary>True when the spin parameter stays below √8 at every stage, and begins below <see cref="LargestSpinParameter"/>.</summary>
     /// <param name="speedSquared">|u|².</param>
     /// <param name="surfaceSquared">(r|ω|)².</param>
     /// <param name="h">Length of the step, s.</param>

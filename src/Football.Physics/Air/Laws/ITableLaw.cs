@@ -11,16 +11,16 @@ namespace Football.Physics;
 /// </remarks>
 internal interface ITableLaw
 {
-    /// <summary>Whether S is that of the spin across the motion, and lift and decay are proportional to the spin for one S. A constant of the type.</summary>
+    /// <summary>True when S is that of the spin across the motion, and lift and decay are proportional to the spin for one S. A constant of the type.</summary>
     bool NeedsSpinAcross { get; }
 
-    /// <summary>Whether the law has regions, so that a step is locked to one and ends where it does. A constant of the type.</summary>
+    /// <summary>True when the law has regions, so that a step is locked to one and ends where it does. A constant of the type.</summary>
     bool Jumps { get; }
 
     /// <summary>Reads the law's constants from the scene.</summary>
     void Prepare(Scene scene);
 
-    /// <summary>What the functions of the speed are functions of, per m/s: 1 for the speed itself, 2r/ν for the Reynolds number.</summary>
+    /// <summary>Scale of the speed in the functions' argument, per m/s: 1 for the speed itself, 2r/ν for the Reynolds number.</summary>
     double SpeedScale { get; }
 
     /// <summary>Tables of the functions, the same ones for every scene with the same functions.</summary>

@@ -12,14 +12,14 @@ internal abstract class LaneFlight
     /// <summary>Length of a step, s: the float next to what was asked for.</summary>
     public float TimeStep { get; }
 
-    /// <summary>Whether the highest point of each way is wanted.</summary>
+    /// <summary>True when the highest point of each way is wanted.</summary>
     public bool FindsApex { get; }
 
     /// <summary>Flies all balls of a group until their limits or a time.</summary>
     public abstract void Fly(LaneGroup group, double duration);
 
     /// <summary>
-    /// Whether there is a flight in lanes for a scene: laws of one kind, or none, without a force of the game's own, wind by place and time, or a
+    /// True when there is a flight in lanes for a scene: laws of one kind, or none, without a force of the game's own, wind by place and time, or a
     /// knuckle force, and nothing to hit but level ground.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>

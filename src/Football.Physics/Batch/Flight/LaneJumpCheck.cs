@@ -2,20 +2,20 @@ using System.Runtime.CompilerServices;
 
 namespace Football.Physics.Batch;
 
-/// <summary>Whether a ball comes so close to the drag law's jump that a step in floats does not tell on which side it is.</summary>
+/// <summary>Finds balls that come so close to the drag law's jump that a step in floats does not tell on which side it is.</summary>
 /// <remarks>
 /// The branch with spin holds where both |u|² − v_c² and (r|ω|/0.05)² − |u|² are positive. Of each a parabola over the step is known, through
 /// both ends and the middle: the mean velocity of the step by Simpson's rule gives the middle one.
 /// </remarks>
 internal static class LaneJumpCheck
 {
-    /// <summary>What a parabola may hide, of the most that the distance from the jump bends by in a step.</summary>
+    /// <summary>Share of the largest bend of the distance from the jump in a step that a parabola may hide.</summary>
     private const double Margin = 0.05;
 
     /// <summary>A crossing is steep enough where its slope is above this, of the same.</summary>
     private const double LeastSlope = 0.5;
 
-    /// <summary>Whether a step comes too close.</summary>
+    /// <summary>True when a step comes too close.</summary>
     /// <param name="now">Before the step.</param>
     /// <param name="next">After the step.</param>
     /// <param name="at">The ball's place.</param>
@@ -40,7 +40,7 @@ internal static class LaneJumpCheck
             : bySpeed.Greatest(margin) > 0 && bySpin.Greatest(margin) > 0;
     }
 
-    /// <summary>Whether the rest of a step from the jump on does not lead away from it at once: the ball then slides along it.</summary>
+    /// <summary>True when the rest of a step from the jump on does not lead away from it at once: the ball then slides along it.</summary>
     /// <param name="middle">At the jump.</param>
     /// <param name="from">The ball's place there.</param>
     /// <param name="next">After the step.</param>

@@ -233,7 +233,7 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static F Within01(F x) => F.AtMost(F.AtLeast(x, default), F.Of(1f));
 
-    /// <summary>Whether the published drag law's branch with spin holds: |u| &gt; v_c and Sp &gt; 0.05.</summary>
+    /// <summary>True when the published drag law's branch with spin holds: |u| &gt; v_c and Sp &gt; 0.05.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static F InsideOf(in LaneJump jump, F ux, F uy, F uz, F spin) => F.Less(default, LeastOf(in jump, ux, uy, uz, spin));
 

@@ -28,7 +28,7 @@ internal readonly struct LaneParabola
     /// <summary>The greatest value, and a margin where that is not at an end.</summary>
     public double Greatest(double margin) => _c1 > 0 && _c1 + (2.0 * _c2) < 0 ? Extreme + margin : _c0 > End ? _c0 : End;
 
-    /// <summary>Whether it changes sign with a slope below a bound there: at the root, the slope's square is c1² − 4 c0 c2.</summary>
+    /// <summary>True when it changes sign with a slope below a bound there: at the root, the slope's square is c1² − 4 c0 c2.</summary>
     public bool CrossesBelow(double slope) => (_c0 > 0) != (End > 0) && (_c1 * _c1) - (4.0 * _c0 * _c2) < slope * slope;
 
     private double Extreme => _c0 - (_c1 * _c1 / (4.0 * _c2));

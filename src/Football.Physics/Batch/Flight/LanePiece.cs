@@ -57,13 +57,13 @@ internal readonly struct LanePiece
     /// <summary>Way along y at its start, the wind's part included, m.</summary>
     public double StartHeight { get; }
 
-    /// <summary>The same at its end.</summary>
+    /// <summary>Height at its end.</summary>
     public double EndHeight { get; }
 
     /// <summary>Velocity along y at its start, the wind's included, m/s.</summary>
     public double StartRise { get; }
 
-    /// <summary>The same at its end.</summary>
+    /// <summary>Rate of climb at its end.</summary>
     public double EndRise { get; }
 
     /// <summary>Cubic Hermite interpolation of way and velocity; the spin linearly.</summary>

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace Football.Physics.Batch;
 
-/// <summary>What changes in a step, of a group of balls: float and what rounding took from it.</summary>
+/// <summary>State of a group of balls that changes in a step: floats, and what rounding took from them.</summary>
 internal sealed class LaneState
 {
     private readonly float[][] _all;

@@ -22,7 +22,7 @@ internal interface ILane<TSelf>
 
     static abstract TSelf operator *(float a, TSelf b);
 
-    /// <summary>The same number in all lanes.</summary>
+    /// <summary>One number in all lanes.</summary>
     static abstract TSelf Of(float value);
 
     /// <summary>Reads from consecutive places.</summary>
@@ -33,7 +33,7 @@ internal interface ILane<TSelf>
 
     static abstract TSelf Sqrt(TSelf x);
 
-    /// <summary>Whether a &lt; b.</summary>
+    /// <summary>True when a &lt; b.</summary>
     static abstract TSelf Less(TSelf a, TSelf b);
 
     static abstract TSelf And(TSelf a, TSelf b);
@@ -67,10 +67,10 @@ internal interface ILane<TSelf>
     /// <summary>(c0 + c1 x) + x² (c2 + c3 x).</summary>
     static abstract TSelf Cubic(TSelf x, TSelf squared, float c0, float c1, float c2, float c3);
 
-    /// <summary>Whether the mask is set in any lane.</summary>
+    /// <summary>True when the mask is set in any lane.</summary>
     static abstract bool Any(TSelf mask);
 
-    /// <summary>Whether the mask is set in all lanes.</summary>
+    /// <summary>True when the mask is set in all lanes.</summary>
     static abstract bool All(TSelf mask);
 
     /// <summary>x = m · 2^e with m in √½ … √2, for positive normal x.</summary>

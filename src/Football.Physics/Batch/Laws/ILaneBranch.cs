@@ -8,10 +8,10 @@ internal interface ILaneBranch<F>
 internal interface ILaneBranch<TLane>
 #endif
 {
-    /// <summary>Whether all are on the branch with spin: a constant of the type, for which the common case is compiled by itself.</summary>
+    /// <summary>True when all are on the branch with spin: a constant of the type, for which the common case is compiled by itself.</summary>
     bool AllWithSpin { get; }
 
-    /// <summary>Whether none is.</summary>
+    /// <summary>True when none is.</summary>
     bool NoneWithSpin { get; }
 
     /// <summary>For each ball what holds on its branch.</summary>

@@ -8,7 +8,7 @@ internal interface ILaneDragFit<F>
 internal interface ILaneDragFit<TLane>
 #endif
 {
-    /// <summary>Whether the coefficient jumps: then no more of the branches is computed than the balls are on.</summary>
+    /// <summary>True when the coefficient jumps: then no more of the branches is computed than the balls are on.</summary>
     bool Jumps { get; }
 
     /// <summary>C_D.</summary>

@@ -15,13 +15,13 @@ internal interface ILaneLaw<F>
 internal interface ILaneLaw<TLane>
 #endif
 {
-    /// <summary>Whether there is air at all.</summary>
+    /// <summary>True when there is air at all.</summary>
     bool Acts { get; }
 
-    /// <summary>Whether the drag coefficient jumps where <see cref="LaneJump"/> says: steps are then locked to a branch, and cut at the jump.</summary>
+    /// <summary>True when the drag coefficient jumps where <see cref="LaneJump"/> says: steps are then locked to a branch, and cut at the jump.</summary>
     bool Jumps { get; }
 
-    /// <summary>Whether the law goes by the spin across the motion.</summary>
+    /// <summary>True when the law goes by the spin across the motion.</summary>
     bool NeedsSpinAcross { get; }
 
     /// <summary>Reads the law's numbers from the scene.</summary>

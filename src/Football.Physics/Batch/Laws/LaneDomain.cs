@@ -50,7 +50,7 @@ internal readonly struct LaneDomain
     public double AccelerationAtMost(double airSpeed, double spinRate) =>
         _gravity + (airSpeed * ((_bound.PerSpeed * airSpeed) + (_bound.PerSpin * spinRate) + _bound.Constant));
 
-    /// <summary>Whether a flight stays within the domain.</summary>
+    /// <summary>True when a flight stays within the domain.</summary>
     /// <param name="airSpeedSquared">|u|² at the launch.</param>
     /// <param name="spinRate">Size of the spin.</param>
     /// <param name="drop">How far down it may come, the wind's share not counted, m.</param>

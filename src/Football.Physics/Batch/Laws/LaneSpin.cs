@@ -1,6 +1,6 @@
 namespace Football.Physics.Batch;
 
-/// <summary>What a law in lanes computes of the spin once a step. No more than four fields: the compiler keeps them in registers.</summary>
+/// <summary>Terms of the spin that a law in lanes computes once a step. No more than four fields: the compiler keeps them in registers.</summary>
 #if NET8_0_OR_GREATER
 internal struct LaneSpin<F>
     where F : struct, ILane<F>

@@ -3,7 +3,7 @@ namespace Football.Physics.Batch;
 /// <summary>The best pass of a fan.</summary>
 public readonly struct PassChoice
 {
-    /// <summary>Whether there is one; without it only the counts below count.</summary>
+    /// <summary>True when there is one; without it only the counts below count.</summary>
     public bool IsFound { get; init; }
 
     /// <summary>Velocity of the kick, m/s.</summary>

@@ -96,7 +96,7 @@ internal sealed class PassJudge
         return true;
     }
 
-    /// <summary>Whether a kick meets a thing of the scene within a time.</summary>
+    /// <summary>True when a kick meets a thing of the scene within a time.</summary>
     private bool MeetsThing(in Vector3d from, in Vector3d velocity, in Vector3d spin, double time)
     {
         if (_amongThings is null)

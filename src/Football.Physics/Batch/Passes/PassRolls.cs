@@ -36,11 +36,11 @@ internal sealed class PassRolls
         _kept = isRound ? new PassTrack?[MostKept] : [];
     }
 
-    /// <summary>Whether a kick of a ball on the ground is too flat to leave it, unless its spin lifts it.</summary>
+    /// <summary>True when a kick of a ball on the ground is too flat to leave it, unless its spin lifts it.</summary>
     public bool IsFlat(in Vector3d from, in Vector3d velocity) =>
         velocity.Y < _simulator.Scene.Ground.MinimumBounceSpeed && from.Y <= _simulator.ContactHeight;
 
-    /// <summary>What a kick is no better than: when a team mate meets it, or how far from the target it rests; infinite where it is lost, 0 where it is not known.</summary>
+    /// <summary>Bound of a kick's score: when a team mate meets it, or how far from the target it rests; infinite where it is lost, 0 where it is not known.</summary>
     /// <param name="request">The fan.</param>
     /// <param name="index">Which of its kicks.</param>
     /// <param name="from">Where it begins, m.</param>

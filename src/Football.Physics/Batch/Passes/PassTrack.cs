@@ -13,7 +13,7 @@ internal sealed class PassTrack
     /// <summary>Steps taken.</summary>
     public int Steps { get; private set; }
 
-    /// <summary>Whether the ball rests after them.</summary>
+    /// <summary>True when the ball rests after them.</summary>
     public bool Rests => _state.Motion == MotionState.Stopped;
 
     /// <summary>No faster than this does the ball ever get, m/s.</summary>

@@ -159,7 +159,7 @@ public sealed class GoalChance
         plane.Change(in change, out right, out up);
     }
 
-    /// <summary>Whether kicks two standard deviations off on both sides cross where the derivatives say, and how their way bends: its second derivative.</summary>
+    /// <summary>True when kicks two standard deviations off on both sides cross where the derivatives say, and how their way bends: its second derivative.</summary>
     private bool Holds(
         in SpreadKick kick, in GoalPlane plane, in GoalChanceResult at, double right, double up, out double bendAside, out double bendHeight)
     {

@@ -36,7 +36,7 @@ internal struct GoalChanceSum
         }
     }
 
-    /// <summary>What became of so many kicks.</summary>
+    /// <summary>Outcome of so many kicks.</summary>
     public readonly GoalChanceResult Result(int count)
     {
         double per = _crosses > 0 ? 1.0 / _crosses : 0;

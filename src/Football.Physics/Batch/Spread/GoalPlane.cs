@@ -46,10 +46,10 @@ internal readonly struct GoalPlane
         height = change.Y;
     }
 
-    /// <summary>Whether the ball goes in there.</summary>
+    /// <summary>True when the ball goes in there.</summary>
     public bool IsIn(double aside, double height) => _mouth.IsOpen(aside, height);
 
-    /// <summary>Whether the goalkeeper can be there by then.</summary>
+    /// <summary>True when the goalkeeper can be there by then.</summary>
     public bool IsCovered(double aside, double height, double time)
     {
         Covers(time, out double from, out double to, out double low, out double high);
@@ -69,7 +69,7 @@ internal readonly struct GoalPlane
             s.Aside, s.Height, s.AsideDeviation, s.HeightDeviation, s.Correlation, Math.Max(from, -_halfWidth), Math.Min(to, _halfWidth), low, Math.Min(high, _height));
     }
 
-    /// <summary>What the goalkeeper covers by a time; nothing without one.</summary>
+    /// <summary>Rectangle that the goalkeeper covers by a time; empty without one.</summary>
     private void Covers(double time, out double from, out double to, out double low, out double high)
     {
         _keeper.MiddleAt(time, out double x, out double z);

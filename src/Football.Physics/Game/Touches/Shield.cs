@@ -81,7 +81,7 @@ public sealed class ShieldAnswer
     /// <summary>How long before the first opponent he has it there, s; below 0 where that one is first; 3 600 where nobody comes.</summary>
     public double Margin { get; }
 
-    /// <summary>Whether there is a place where he has it before all of them.</summary>
+    /// <summary>True when there is a place where he has it before all of them.</summary>
     public bool IsShielded => Margin > 0;
 
     /// <summary>The share of the places around him, of all directions and distances alike, where he has it before all of them, 0 … 1.</summary>

@@ -84,7 +84,7 @@ internal abstract class TouchProblem : ILeastSquares
     /// <returns>False where there is nothing to compare.</returns>
     public abstract bool Follow(in Vector3d velocity, in Vector3d spin, double[] r);
 
-    /// <summary>What the foot is to give the ball.</summary>
+    /// <summary>Velocity and spin that the foot is to give the ball.</summary>
     protected abstract void Wanted(double[] x, out Vector3d velocity, out Vector3d spin);
 
     /// <summary>Runs the ball on for a time after a touch.</summary>
@@ -126,7 +126,7 @@ internal sealed class DribbleProblem : TouchProblem
         Free(spin: false);
     }
 
-    /// <summary>Whether the topspin is free, for the pace.</summary>
+    /// <summary>True when the topspin is free, for the pace.</summary>
     public void Free(bool spin)
     {
         _spins = spin;

@@ -3,7 +3,7 @@ namespace Football.Physics.Prediction;
 /// <summary>A goalkeeper's answer to a shot.</summary>
 public readonly struct KeeperAnswer
 {
-    /// <summary>Whether the ball's centre crosses the vertical plane through the goal's line from the pitch, within the look-ahead.</summary>
+    /// <summary>True when the ball's centre crosses the vertical plane through the goal's line from the pitch, within the look-ahead.</summary>
     public bool Crosses { get; init; }
 
     /// <summary>Where and when it does.</summary>
@@ -12,7 +12,7 @@ public readonly struct KeeperAnswer
     /// <summary>How far right of the goal's middle that is, seen by who stands in the goal and looks at the pitch, m.</summary>
     public double Aside { get; init; }
 
-    /// <summary>Whether the ball's centre crosses between the posts and below the bar: what goes in comes through there, see <see cref="BallEventKind.Goal"/>.</summary>
+    /// <summary>True when the ball's centre crosses between the posts and below the bar: what goes in comes through there, see <see cref="BallEventKind.Goal"/>.</summary>
     public bool IsOnTarget { get; init; }
 
     /// <summary>The left end of the part of the line that he can cover by then, m right of its middle; above <see cref="CoversTo"/> where it is none.</summary>
@@ -24,7 +24,7 @@ public readonly struct KeeperAnswer
     /// <summary>How high he covers it, m: his height, or that of the opening.</summary>
     public double CoversUpTo { get; init; }
 
-    /// <summary>Whether he can meet the ball before it crosses.</summary>
+    /// <summary>True when he can meet the ball before it crosses.</summary>
     public bool Saves { get; init; }
 
     /// <summary>Where and when he can meet it first, if he can.</summary>

@@ -30,7 +30,7 @@ internal readonly struct MeetingMargin : IDifferentiableFunction
     }
 }
 
-/// <summary>What must hold where a runner meets the ball.</summary>
+/// <summary>Conditions of a meeting of player and ball.</summary>
 internal enum MeetingCondition
 {
     /// <summary>(D + ρ)² − |p − c|² ≥ 0, over the ground.</summary>

@@ -36,7 +36,7 @@ public readonly struct Player
     /// <summary>Greatest such height, m: 0.6 with the foot, 2.3 with the head, 2.7 with a keeper's hands. Default 2.3.</summary>
     public double HighestHeight { get; init; } = 2.3;
 
-    /// <summary>The same with another reaction time, s.</summary>
+    /// <summary>A copy with another reaction time, s.</summary>
     internal Player Reacting(double reaction) => new()
     {
         Position = Position,

@@ -9,7 +9,7 @@ internal sealed class WindowList
     /// <summary>How many there are.</summary>
     public int Count { get; set; }
 
-    /// <summary>Whether a time goes on with the runner's last window.</summary>
+    /// <summary>True when a time goes on with the runner's last window.</summary>
     public bool Continues(int runner, double time, double closeness) =>
         Count > 0 && Items[Count - 1].Player == runner && time - Items[Count - 1].To <= closeness;
 

@@ -7,7 +7,7 @@ namespace Football.Physics.Prediction;
 /// </summary>
 internal struct WindowSearch
 {
-    /// <summary>What is still undecided over less than this, s, is decided by its ends.</summary>
+    /// <summary>Shortest interval, s: one that is undecided at this length is decided by its ends.</summary>
     private const double Shortest = 1e-7;
 
     /// <summary>Windows closer than this, s, are one.</summary>

@@ -23,7 +23,7 @@ public readonly struct Bounds3d
     /// <summary>The highest corner, m.</summary>
     public Vector3d Max { get; }
 
-    /// <summary>Whether it ends on all sides.</summary>
+    /// <summary>True when it ends on all sides.</summary>
     internal bool IsFinite => Min.IsFinite && Max.IsFinite;
 
     /// <summary>A box around a point.</summary>
@@ -53,7 +53,7 @@ public readonly struct Bounds3d
         }
     }
 
-    /// <summary>Whether two boxes have a point in common.</summary>
+    /// <summary>True when two boxes have a point in common.</summary>
     /// <param name="other">The other box.</param>
     public bool Touches(in Bounds3d other) =>
         Min.X <= other.Max.X && Max.X >= other.Min.X

@@ -107,7 +107,7 @@ public sealed class HeightField : IShape
     /// <param name="z">z, m.</param>
     public double HeightAt(double x, double z) => Sample(x, z).Height;
 
-    /// <summary>The same ground, higher.</summary>
+    /// <summary>A copy that is higher.</summary>
     /// <param name="by">How much, m.</param>
     internal HeightField Raised(double by) => by == 0 ? this : new HeightField(this, by);
 

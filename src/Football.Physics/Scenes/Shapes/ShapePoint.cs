@@ -23,7 +23,7 @@ public readonly struct ShapePoint
     /// <summary>Its Hessian, 1/m: how the normal turns. Zero for a plane.</summary>
     public SymmetricMatrix3d Curvature { get; }
 
-    /// <summary>Whether the normal does not turn.</summary>
+    /// <summary>True when the normal does not turn.</summary>
     internal bool IsFlat =>
         Curvature.XX == 0 && Curvature.XY == 0 && Curvature.XZ == 0 && Curvature.YY == 0 && Curvature.YZ == 0 && Curvature.ZZ == 0;
 }

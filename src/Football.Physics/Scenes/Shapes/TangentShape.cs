@@ -1,6 +1,6 @@
 namespace Football.Physics.Shapes;
 
-/// <summary>What is like a surface near a point of it, the origin: a plane, or a sphere of its curvature.</summary>
+/// <summary>Approximation of a surface near a point of it, the origin: a plane, or a sphere of its curvature.</summary>
 internal sealed class TangentShape : IShape
 {
     private Vector3d _normal = Vector3d.Up;

@@ -74,7 +74,7 @@ internal sealed class BallCluster
     /// <summary>A ball of it.</summary>
     public int this[int index] => _cluster[index];
 
-    /// <summary>Whether a ball is in it.</summary>
+    /// <summary>True when a ball is in it.</summary>
     public bool Has(int ball) => _isIn[ball];
 
     /// <summary>Takes all balls out.</summary>
@@ -88,7 +88,7 @@ internal sealed class BallCluster
         _clusterCount = 0;
     }
 
-    /// <summary>Whether two balls may meet that get so far in the step, m.</summary>
+    /// <summary>True when two balls may meet that get so far in the step, m.</summary>
     public bool MayMeet(int i, double reach, int j, double otherReach)
     {
         double most = reach + otherReach + Distance(i, j) + ContactSearch.Touching;
@@ -213,7 +213,7 @@ internal sealed class BallCluster
         _reaches[i] = Math.Max(_reaches[i], reach);
     }
 
-    /// <summary>What happens first: two balls meet, or one meets what it pushes, or what ends the step. At one time that of the lower ball, its meeting with another first.</summary>
+    /// <summary>The first event: two balls meet, or one meets what it pushes, or what ends the step. At one time that of the lower ball, its meeting with another first.</summary>
     private Happening FindFirst(double end)
     {
         var first = new Happening(double.PositiveInfinity, -1, Happening.NoOther);
@@ -387,7 +387,7 @@ internal sealed class BallCluster
         return false;
     }
 
-    /// <summary>Whether a ball may come to a place, in the rest of a step, where something is that was pushed, or would have been.</summary>
+    /// <summary>True when a ball may come to a place, in the rest of a step, where something is that was pushed, or would have been.</summary>
     private bool FindsElsewhere(int ball, in BallState s, double time, double end)
     {
         World world = _simulators[0].World;
@@ -463,7 +463,7 @@ internal sealed class BallCluster
         /// <summary>No other ball.</summary>
         public const int NoOther = int.MaxValue;
 
-        /// <summary>Whether two balls meet.</summary>
+        /// <summary>True when two balls meet.</summary>
         public bool IsMeeting => Other != NoOther;
     }
 

@@ -74,7 +74,7 @@ public sealed class BallGroup
     /// <summary>How many balls there are.</summary>
     public int Count => _simulators.Length;
 
-    /// <summary>What two balls are to each other.</summary>
+    /// <summary>Surface of an impact between two balls.</summary>
     public Surface Contact { get; }
 
     /// <summary>Advances all balls.</summary>
@@ -108,7 +108,7 @@ public sealed class BallGroup
         return Run(states, timeStep, duration, stopAt, log, null, null);
     }
 
-    /// <summary>The same for who watches the paths, with a callback after every step.</summary>
+    /// <summary>Runs the balls with logs that watch their paths, and a callback after every step.</summary>
     internal bool Run(BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog[] watched, Simulator.StepCallback? onStep) =>
         Run(states, timeStep, duration, stopAt, null, watched, onStep);
 
@@ -301,7 +301,7 @@ public sealed class BallGroup
         }
     }
 
-    /// <summary>Whether a ball was never faster in its step than its sphere was made for: before and after each event.</summary>
+    /// <summary>True when a ball was never faster in its step than its sphere was made for: before and after each event.</summary>
     private bool KeepsPace(int ball, int first)
     {
         for (int k = first; k < _flown.Events.Count; k++)

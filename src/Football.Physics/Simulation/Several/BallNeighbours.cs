@@ -41,7 +41,7 @@ internal sealed class BallNeighbours
     /// <summary>How far a ball that keeps within what its sphere was made for gets in a step, m.</summary>
     public double ReachOf(int ball) => _spheres[ball].Reach;
 
-    /// <summary>Whether a step that a ball has taken without an event is within what its sphere was made for.</summary>
+    /// <summary>True when a step that a ball has taken without an event is within what its sphere was made for.</summary>
     /// <param name="ball">Which.</param>
     /// <param name="before">The ball before the step.</param>
     /// <param name="after">The ball after it.</param>
@@ -59,10 +59,10 @@ internal sealed class BallNeighbours
             && before.Flight.Velocity.LengthSquared <= sphere.SpeedSquared && after.Flight.Velocity.LengthSquared <= sphere.SpeedSquared;
     }
 
-    /// <summary>Whether a ball's sphere was made for such a speed, of which this is the square, m²/s².</summary>
+    /// <summary>True when a ball's sphere was made for such a speed, of which this is the square, m²/s².</summary>
     public bool Allows(int ball, double speedSquared) => speedSquared <= _spheres[ball].SpeedSquared;
 
-    /// <summary>Whether a step in which a ball got so far, m, is within its sphere.</summary>
+    /// <summary>True when a step in which a ball got so far, m, is within its sphere.</summary>
     public bool Holds(int ball, in BallState before, double reach, double dt) =>
         dt <= _step && (before.Position - _spheres[ball].Center).Length + reach + _spheres[ball].Radius <= _spheres[ball].Outer;
 

@@ -1,10 +1,16 @@
 namespace Football.Physics;
 
-/// <summary>Looking ahead: the simulation itself on a copy of the state.</summary>
-public static class LookAheads
+/// <summary>Looking ahead, which is the simulation itself on a copy of the state, and warming up.</summary>
+/// <remarks>Extensions, since a simulator knows nothing of trajectories; in its namespace, so that they are found as its members are.</remarks>
+public static class SimulatorExtensions
 {
     /// <summary>Longest step through forces of a game's own that is taken as it was asked for, s.</summary>
     internal const double LongestOwnStep = 0.04;
+
+    /// <summary>A frame of a warm-up, s, how many of them a ball has to come to rest in, and how many it is pressed for.</summary>
+    private const double Frame = 1.0 / 60.0;
+    private const int MostFrames = 1200;
+    private const int PressedFrames = 60;
 
     /// <summary>Looks ahead. Allocates nothing once its trajectory has room.</summary>
     /// <param name="simulator">The scene, compiled for the integrator to look ahead with.</param>
@@ -17,21 +23,9 @@ public static class LookAheads
     /// <exception cref="InvalidOperationException">A force of the game's own is not finite, or too stiff for any step.</exception>
     public static void LookAhead(this Simulator simulator, in BallState from, LookAheadRequest request, Trajectory into)
     {
-        if (simulator is null)
-        {
-            throw new ArgumentNullException(nameof(simulator));
-        }
-
-        if (request is null)
-        {
-            throw new ArgumentNullException(nameof(request));
-        }
-
-        if (into is null)
-        {
-            throw new ArgumentNullException(nameof(into));
-        }
-
+        Check.Given(nameof(simulator), simulator);
+        Check.Given(nameof(request), request);
+        Check.Given(nameof(into), into);
         request.Validate();
         request.CheckClock(in from);
         BallState.Launched(in from);
@@ -91,6 +85,59 @@ public static class LookAheads
                 into[i].End(in states[i]);
                 into[i].EndFull();
             }
+        }
+    }
+
+    /// <summary>Steps, impacts, slides, rolls and looks ahead with balls that nobody sees, so that no frame of a game has to compile the code or make the tables.</summary>
+    /// <remarks>
+    /// Where code is compiled just in time, the first impact, the first roll and the first look-ahead cost milliseconds each. To be called while a level
+    /// loads; nothing that can be seen changes. Forces of a game's own are asked meanwhile. A runtime compiles in full what runs often, but counts from
+    /// a tenth of a second later: called once more by the end of the loading, it makes the first roll and the first look-ahead several times faster.
+    /// </remarks>
+    /// <param name="simulator">The scene.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
+    /// <exception cref="InvalidOperationException">A force of the game's own is not finite.</exception>
+    public static void WarmUp(this Simulator simulator)
+    {
+        Check.Given(nameof(simulator), simulator);
+        var path = new Trajectory();
+        var look = new LookAheadRequest();
+        var log = new StepLog();
+        var from = new Vector3d(0, simulator.ContactHeight, 0);
+
+        // A shot, a drive without spin, a pass along the ground.
+        foreach ((Vector3d velocity, Vector3d spin) in ((Vector3d, Vector3d)[])
+            [(new Vector3d(2, 7, -22), new Vector3d(10, 30, 0)), (new Vector3d(0, 2, -12), Vector3d.Zero), (new Vector3d(0, 0, -8), Vector3d.Zero)])
+        {
+            BallState ball = simulator.Launch(from, velocity, spin);
+            simulator.LookAhead(in ball, look, path);
+            for (int i = 0; i < MostFrames && ball.Motion != MotionState.Stopped; i++)
+            {
+                log.Clear();
+                simulator.Step(ref ball, Frame, log);
+            }
+
+            path.TryGetCrossing(new Plane3d(new Vector3d(0, 0, -5), new Vector3d(0, 0, 1)), out PathPoint at);
+            path.ClosestApproach(at.Position);
+        }
+
+        if (!simulator.World.IsBare)
+        {
+            Press(simulator.Settings, log);
+        }
+    }
+
+    /// <summary>Presses a ball against a wall and the ground, in a scene of its own: on several contacts, and squeezed.</summary>
+    private static void Press(SolverSettings settings, StepLog log)
+    {
+        var press = new Obstacle { Name = "press", Shape = new SphereShape(new Vector3d(0, 0.2, 0.4), 0.25), Velocity = new Vector3d(0, 0, -1) };
+        var wall = new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(0, 0, -0.3), new Vector3d(0, 0, 1)) };
+        var simulator = new Simulator(new Scene { Obstacles = [wall, press] }, settings);
+        BallState ball = simulator.Launch(new Vector3d(0.02, simulator.ContactHeight, 0), Vector3d.Zero, Vector3d.Zero);
+        for (int i = 0; i < PressedFrames; i++)
+        {
+            log.Clear();
+            simulator.Step(ref ball, Frame, log);
         }
     }
 
