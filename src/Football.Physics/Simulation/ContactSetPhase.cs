@@ -176,7 +176,7 @@ internal sealed class ContactSetPhase
             _contact.IsTooFast(ref s, set, in v);
             Vector3d kept = v;
             KeepOff(set, h, movers: false, ref kept);
-            double worked = h * Vector3d.Dot(free.Acceleration, from.Velocity + kept);
+            double worked = 2.0 * h * Vector3d.Dot(Working(in free, in from), in kept);
             double fastest = Math.Max(s.SqueezeSpeed, Math.Sqrt(Math.Max(0, (came * came) + worked)));
             double speed = v.Length;
             v = speed > fastest ? fastest / speed * v : v;
@@ -234,6 +234,16 @@ internal sealed class ContactSetPhase
         }
 
         return new MotionRates(in acceleration, in spinAcceleration, rates.AirSpeed);
+    }
+
+    /// <summary>The acceleration without what is along ω × u, the Magnus force: it turns with the velocity and does no work, where that turns at once as where it turns slowly.</summary>
+    private Vector3d Working(in MotionRates free, in Motion at)
+    {
+        var weight = new Vector3d(0, _world.SharesAir ? _around.Upward : 0, 0);
+        Vector3d other = free.Acceleration - weight;
+        Vector3d magnus = Vector3d.Cross(in at.Spin, at.Velocity - _around.Wind);
+        double square = magnus.LengthSquared;
+        return square > 0 && square < double.MaxValue ? weight + other - (Vector3d.Dot(in other, in magnus) / square * magnus) : free.Acceleration;
     }
 
     private static Vector3d NoMore(in Vector3d vector, double most)

@@ -34,9 +34,7 @@ public sealed class PeopleTests
             pinches.Play(Seed, i);
         }
 
-        // A ball that creeps out of a squeeze may be half a percent faster than the bound: 24 of 3 000 were.
-        Assert.Equal((100, 0, 0), (pinches.Cases, pinches.Unending, pinches.Beyond20));
-        Assert.InRange(pinches.TooFast, 0, 3);
+        Assert.Equal((100, 0, 0, 0), (pinches.Cases, pinches.Unending, pinches.Beyond20, pinches.TooFast));
         Assert.True(pinches is { Squeezed: > 20, Deepest: < 1e-9 });
         Assert.InRange(pinches.Meter.MostEvents, 1, StepMeter.MostAllowed);
     }
