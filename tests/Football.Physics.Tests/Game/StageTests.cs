@@ -202,6 +202,62 @@ public sealed class StageTests
         }
     }
 
+    [Fact]
+    public void A_drag_curve_is_the_one_that_flights_have()
+    {
+        // Below and above the crisis of the generic curve, and without air.
+        var simulator = new Simulator();
+        Assert.InRange(AirCurve.Drag(simulator, 5), 0.45, 0.5);
+        Assert.InRange(AirCurve.Drag(simulator, 25), 0.14, 0.2);
+        Assert.InRange(AirCurve.Lift(simulator, 25, 60), 0.1, 0.4);
+        Assert.Equal(0, AirCurve.Drag(new Simulator(Scene.Vacuum), 20));
+        BallState ball = simulator.Launch(new Vector3d(0, 10, 0), new Vector3d(0, 0, -20), Vector3d.Zero);
+        simulator.Step(ref ball, 1e-4, new StepLog());
+        double force = 0.43 * (20 + ball.Velocity.Z) / 1e-4;
+        Assert.Equal(force, 0.5 * 1.2 * Math.PI * 0.11 * 0.11 * 400 * AirCurve.Drag(simulator, 20), 1e-3);
+        Assert.Contains("speed", Assert.Throws<ArgumentOutOfRangeException>(() => AirCurve.Drag(simulator, 0)).Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_segment_is_played_to_any_tick_and_a_false_one_is_found()
+    {
+        var runner = new FixedStepRunner(new Simulator(Pitch.Standard.On()), TimeStep);
+        MatchSegment segment = runner.Record();
+        runner.QueueKick(25, new Vector3d(0.1, 0.4, -1), -10, 30);
+        var states = new List<BallState> { runner.State };
+        for (int i = 0; i < 300; i++)
+        {
+            if (i == 150)
+            {
+                runner.QueueKick(20, new Vector3d(0.3, 0.1, 1));
+            }
+
+            runner.Step();
+            states.Add(runner.State);
+        }
+
+        var player = new SegmentPlayer(MatchSegment.FromBytes(segment.ToBytes()), new Simulator(Pitch.Standard.On()));
+        Assert.Equal(6, player.Duration, 1e-9);
+        foreach (long tick in (long[])[200, 40, 300, 0, 151])
+        {
+            player.Seek(tick);
+            Assert.True(Snapshot.Same(states[(int)tick], player.State) && player.IsTrue);
+        }
+
+        player.Seek(10);
+        player.Advance(1.01);
+        Assert.Equal(60, player.Tick);
+        Assert.Equal(1.21, player.Time, 1e-9);
+        Assert.InRange(Vector3d.Distance(player.Pose.Position, 0.5 * (states[59].Position + states[60].Position)), 0, 1e-2);
+        Assert.Null(player.FindDivergence());
+        Assert.Equal(60, player.Tick);
+        player.Advance(100);
+        Assert.True(player.IsOver && player.Tick == 300);
+        Assert.Throws<ArgumentException>(() => new SegmentPlayer(segment, new Simulator()));
+        segment.Kicks.Add(new KickInput(150, new Vector3d(0, 5, 5), Vector3d.Zero, player: 3));
+        Assert.Equal(151, new SegmentPlayer(segment, new Simulator(Pitch.Standard.On())).FindDivergence());
+    }
+
     private static Stage WithKeeper()
     {
         var stage = new Stage();
