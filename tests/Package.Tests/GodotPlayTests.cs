@@ -372,6 +372,76 @@ public sealed class GodotPlayTests : IDisposable
         Assert.True(FootballWarmUp.Done.IsCompletedSuccessfully);
     }
 
+    [Fact]
+    public void The_dock_plays_scrubs_and_validates_a_recording()
+    {
+        (FootballBall ball, _) = BallAndGoal();
+        Play(1);
+        Netcode.MatchSegment segment = ball.Runner.Record();
+        ball.KickAsPreviewed();
+        Play(120);
+        BallState end = ball.Runner.State;
+        string file = Path.Combine(Path.GetTempPath(), Path.GetRandomFileName());
+        File.WriteAllBytes(file, segment.ToBytes());
+        var plugin = new FootballPlugin();
+        plugin._EnterTree();
+        var dock = (FootballReplayDock)Assert.Single(plugin.Docked);
+        Node.Root.AddChild(dock);
+        Button[] buttons = [.. dock.GetChildren().OfType<Button>()];
+        HSlider slider = dock.GetChildren().OfType<HSlider>().Single();
+        EditorFileDialog.Chosen = file;
+        buttons[0].Click();
+        EditorFileDialog.Chosen = "";
+        File.Delete(file);
+        Assert.Contains("2.00 s, 120 ticks", dock.Said, StringComparison.Ordinal);
+        slider.Value = segment.EndTick;
+        Assert.True(Netcode.Snapshot.Same(end, dock.Player!.State));
+        buttons[1].Click();
+        dock._Process(1.005);
+        Assert.Equal((60, 60), (dock.Player.Tick - segment.StartTick, slider.Value - segment.StartTick));
+        MeshInstance3D marker = ball.GetChildren(true).OfType<MeshInstance3D>().Last();
+        Assert.Equal(GodotFrame.ToGodot(dock.Player.Pose.Position), marker.GlobalPosition);
+        buttons[2].Click();
+        Assert.Contains("to the last bit", dock.Said, StringComparison.Ordinal);
+        GodotAsset.Load("addons/football_physics/scenes/wall.tscn");
+        dock.Load(segment.ToBytes(), ball);
+        Assert.Contains("the same scene", dock.Said, StringComparison.Ordinal);
+        dock.Load([1, 2, 3], ball);
+        Assert.Null(dock.Player);
+        plugin._ExitTree();
+        Assert.Empty(plugin.Docked);
+        Assert.Empty(plugin.Inspectors);
+    }
+
+    [Fact]
+    public void The_inspector_of_a_preset_shows_its_drag_curve_and_where_its_numbers_come_from()
+    {
+        string root = Directory.CreateTempSubdirectory().FullName + "/";
+        Directory.CreateDirectory(root + ".godot/mono/temp/bin/Debug");
+        File.Copy(Path.ChangeExtension(typeof(Simulator).Assembly.Location, ".xml"), root + ".godot/mono/temp/bin/Debug/Football.Physics.xml");
+        ProjectSettings.Root = root;
+        var plugin = new FootballPlugin();
+        plugin._EnterTree();
+        EditorInspectorPlugin inspector = Assert.Single(plugin.Inspectors);
+        var preset = new FootballPreset { Ball = FootballPreset.BallChoice.Jabulani };
+        Assert.True(inspector._CanHandle(preset));
+        Assert.False(inspector._CanHandle(new Node()));
+        inspector._ParseBegin(preset);
+        var curve = (FootballCurve)Assert.Single(inspector.Added);
+        curve._Ready();
+        curve._Process(0);
+        Assert.Equal(2, curve.Drawn.Count);
+
+        // Down the window is up in numbers: high at walking pace, low beyond the crisis at 18.7 m/s.
+        Assert.True(curve.Drawn[1][10].Y < curve.Drawn[1][60].Y - 30);
+        Assert.Contains("Jabulani (2010). Drag measured", curve.Notes, StringComparison.Ordinal);
+        Assert.Contains("DryTurf: ", curve.Notes, StringComparison.Ordinal);
+        preset.Gravity = 2000;
+        curve._Process(0);
+        Assert.Contains("gravity", curve.Notes, StringComparison.Ordinal);
+        Directory.Delete(root, true);
+    }
+
     private static void Play(int frames, Action? after = null)
     {
         for (int i = 0; i < frames; i++)

@@ -258,13 +258,6 @@ public class CanvasLayer : Node
 {
 }
 
-public class Label : Node
-{
-    public string Text { get; set; } = "";
-
-    public Vector2 Position { get; set; }
-}
-
 public class Viewport : Node
 {
     public static Viewport Only { get; } = new();
@@ -278,10 +271,6 @@ public class Viewport : Node
 }
 
 public class Resource : GodotObject
-{
-}
-
-public class EditorPlugin : Node
 {
 }
 

@@ -96,6 +96,10 @@ public partial class FootballBall : Node3D
         DrawSkin();
     }
 
+    /// <summary>The scene that the ball plays in, compiled anew for somebody else: its preset, the goals, pitches, walls and keepers in the tree; without bodies.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
+    internal Simulator CompileScene() => new FootballScene(Preset, 0, 0, null).Stage.Game;
+
     /// <inheritdoc/>
     public override void _EnterTree() => s_all.Add(this);
 

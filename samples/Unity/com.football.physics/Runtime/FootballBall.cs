@@ -140,6 +140,13 @@ namespace Football.Physics.Unity
             }
         }
 
+        /// <summary>The scene that the ball plays in, compiled anew for somebody else: its preset, the goals, pitches, walls and keepers that are enabled; without colliders.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
+        public Simulator CompileScene()
+        {
+            return new FootballScene(preset, 0, 0f, null).Stage.Game;
+        }
+
         private void Reset()
         {
             BeKinematic();
