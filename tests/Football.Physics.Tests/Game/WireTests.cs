@@ -245,7 +245,7 @@ public sealed class WireTests
         {
             if (tick % 100 == 0)
             {
-                runner.QueueKick((40 * new Vector3d(random.NextDouble() - 0.5, 0.4 * random.NextDouble(), random.NextDouble() - 0.5)) - (0.3 * runner.State.Position.Horizontal), new Vector3d(0, 60 * (random.NextDouble() - 0.5), 0));
+                runner.QueueKick((40 * new Vector3d(random.NextDouble() - 0.5, 0.1 * random.NextDouble(), random.NextDouble() - 0.5)) - (0.3 * runner.State.Position.Horizontal), new Vector3d(0, 60 * (random.NextDouble() - 0.5), 0));
             }
 
             runner.Step();
