@@ -1,4 +1,7 @@
+using System.Globalization;
+using System.IO.Compression;
 using System.Reflection;
+using System.Runtime.InteropServices;
 
 namespace Football.Physics.Netcode;
 
@@ -202,6 +205,38 @@ public sealed class MatchSegment
         return writer.ToArray();
     }
 
+    /// <summary>
+    /// A zip file to attach to an issue: <c>match.json</c> with the scene and the versions of library, runtime and system, and <c>match.segment</c>, the bytes of <see cref="ToBytes"/>.
+    /// <c>football bundle FILE</c> plays it again.
+    /// </summary>
+    /// <param name="simulator">The scene of the match, with its settings.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
+    /// <exception cref="ArgumentException">The scene, or its settings, are not those of the segment.</exception>
+    /// <exception cref="InvalidOperationException">There are several balls, or the scene has something that is code: a force, a wind, a shape of the game's own, an engine's colliders.</exception>
+    public byte[] ToBundle(Simulator simulator)
+    {
+        if (Balls > 1)
+        {
+            throw new InvalidOperationException($"balls is {Balls}; allowed: 1 in a bundle.");
+        }
+
+        Replay(simulator, EngineMoves ? static _ => { } : null);
+        string about = new SceneText().Begin()
+            .Text("library", Version)
+            .Text("runtime", RuntimeInformation.FrameworkDescription)
+            .Text("system", $"{RuntimeInformation.OSDescription}, {RuntimeInformation.ProcessArchitecture}")
+            .Text("sceneHash", SceneHash.ToString("x16", CultureInfo.InvariantCulture))
+            .Add(simulator).End().ToString();
+        using var memory = new MemoryStream();
+        using (var zip = new ZipArchive(memory, ZipArchiveMode.Create, leaveOpen: true))
+        {
+            Write(zip, "match.json", System.Text.Encoding.UTF8.GetBytes(about));
+            Write(zip, "match.segment", ToBytes());
+        }
+
+        return memory.ToArray();
+    }
+
     /// <summary>Reads what <see cref="ToBytes"/> wrote.</summary>
     /// <param name="bytes">The bytes; all of them are used.</param>
     /// <exception cref="FormatException">The bytes are no match segment, or were changed on their way; the message says why.</exception>
@@ -314,6 +349,14 @@ public sealed class MatchSegment
         (typeof(MatchSegment).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion ?? "").Split('+')[0];
 
     private double LongestFrame => Math.Max(TimeStep, Math.Min(0.25, TimeStep * (FixedStepRunner.MostSteps / 2)));
+
+    private static void Write(ZipArchive zip, string name, byte[] bytes)
+    {
+        ZipArchiveEntry entry = zip.CreateEntry(name);
+        entry.LastWriteTime = new DateTimeOffset(2000, 1, 1, 0, 0, 0, TimeSpan.Zero);
+        using Stream file = entry.Open();
+        file.Write(bytes);
+    }
 
     private static void ReadFormat(ref ByteReader reader)
     {

@@ -83,7 +83,10 @@ internal static class WireForm
             throw new ArgumentException($"source has {source.Length} bytes; allowed: {Size} or more.", nameof(source));
         }
 
-        var bits = WireBits.Read(source);
+        // The items of a read-only span cannot be asked for on older runtimes of Mono.
+        Span<byte> bytes = stackalloc byte[Size];
+        source.Slice(0, Size).CopyTo(bytes);
+        var bits = WireBits.Read(bytes);
         var again = default(WireBits);
         return TryDecode(simulator, timeStep, in bits, out BallState state) && TryEncode(simulator, timeStep, in state, ref again) && again.Equals(in bits)
             ? state
@@ -315,7 +318,7 @@ internal struct WireBits
     }
 
     /// <summary>Reads all.</summary>
-    public static WireBits Read(ReadOnlySpan<byte> source)
+    public static WireBits Read(Span<byte> source)
     {
         var bits = default(WireBits);
         for (int i = 0; i < WireForm.Size; i++)
