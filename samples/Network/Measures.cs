@@ -6,7 +6,7 @@ namespace Football.Physics.Network;
 public sealed class View
 {
     private const double HalfLife = 0.08;
-    private const double TooFar = 15;
+    private const double TooFar = 30;
     private static readonly double s_left = Math.Pow(0.5, Match.Step / HalfLife);
     private Vector3d _error;
     private Vector3d _drawn;

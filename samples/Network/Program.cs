@@ -4,61 +4,76 @@ using Football.Physics.Network;
 
 // demo: both processes and the relay between them. relay, server, client, peer: one of them, to be started by hand in terminals of their own. README.md has the lines.
 CultureInfo.CurrentCulture = CultureInfo.InvariantCulture;
-string mode = args.Length > 0 ? args[0] : "demo";
-var options = new Options(args.Skip(1));
-switch (mode)
+try
 {
-    case "demo":
-        return Demo.Run(options);
-    case "relay":
-        using (var relay = Demo.NewRelay(options))
-        {
-            Console.WriteLine($"--port {relay.Port}");
-            relay.Await(0);
-            relay.Await(1);
-            relay.Run((long)(60 * options.Number("--minutes", 1) / Match.Step), options.Number("--speed", 1));
-            relay.Stop(0);
-            relay.Stop(1);
-        }
+    return Modes.Run(args.Length > 0 ? args[0] : "demo", new Options(args.Skip(1)));
+}
+catch (ArgumentException wrong)
+{
+    Console.Error.WriteLine(wrong.Message);
+    return 2;
+}
 
-        return 0;
-    case "server":
-        using (var hashes = new HashLog(options.Text("--hashes")))
+/// <summary>What one process is.</summary>
+internal static class Modes
+{
+    public static int Run(string mode, Options options)
+    {
+        switch (mode)
         {
-            var server = new Server((int)options.Number("--seed", 1), hashes);
-            Link.Run((int)options.Number("--port", 0), 0, server.Tick);
-            Console.WriteLine($"late {server.Late} refused {server.Strips}");
-        }
+            case "demo":
+                return Demo.Run(options);
+            case "relay":
+                using (var relay = Demo.NewRelay(options))
+                {
+                    Console.WriteLine($"--port {relay.Port}");
+                    relay.Await(0);
+                    relay.Await(1);
+                    relay.Run((long)(60 * options.Number("--minutes", 1) / Match.Step), options.Number("--speed", 1));
+                    relay.Stop(0);
+                    relay.Stop(1);
+                }
 
-        return 0;
-    case "client":
-        using (var hashes = new HashLog(options.Text("--hashes")))
-        {
-            var client = new Client((int)options.Number("--seed", 2), hashes, options.Text("--other-version"));
-            Link.Run((int)options.Number("--port", 0), 1, client.Tick);
-            Corrections all = client.Corrections;
-            Console.WriteLine(client.Refused ?? $"""
-                divergences {all.Divergences} of {all.Checked} balls that came {all.FirstDivergence}
-                played again {all.Replays} times, {all.Ticks / Math.Max(1.0, all.Replays):F0} ticks each; of these changed the ball {all.Count}
-                corrections of the ball: half up to {all.Size(0.5):F2} m, 95 of 100 up to {all.Size(0.95):F2} m, largest {all.Size(1):F2} m; larger than told {all.TooLarge}
-                largest jump in a frame {client.View.RawJump:F2} m, as it is drawn {client.View.DrawnJump:F2} m
-                """);
-            return all.Divergences + all.TooLarge == 0 ? 0 : 1;
-        }
+                return 0;
+            case "server":
+                using (var hashes = new HashLog(options.Text("--hashes")))
+                {
+                    var server = new Server((int)options.Number("--seed", 1), hashes);
+                    Link.Run((int)options.Number("--port", 0), 0, server.Tick);
+                    Console.WriteLine($"inputs late {server.Late}, kicks out of reach {server.Strips}; the ball in 24 bytes {server.Short} times, in 228 {server.Whole}");
+                }
 
-    case "peer":
-        using (var hashes = new HashLog(options.Text("--hashes")))
-        {
-            int side = (int)options.Number("--side", 0);
-            var peer = new Peer(side, (int)options.Number("--seed", 1), hashes);
-            Link.Run((int)options.Number("--port", 0), side, peer.Tick);
-            Console.WriteLine($"rolled back {peer.Rollbacks} times, {peer.Ticks / Math.Max(1.0, peer.Rollbacks):F0} ticks each; waited {peer.Waits} ticks");
-        }
+                return 0;
+            case "client":
+                using (var hashes = new HashLog(options.Text("--hashes")))
+                {
+                    var client = new Client((int)options.Number("--seed", 2), hashes, options.Text("--other-version"));
+                    Link.Run((int)options.Number("--port", 0), 1, client.Tick);
+                    Corrections all = client.Corrections;
+                    Console.WriteLine(client.Refused ?? $"""
+                        divergences {all.Divergences} of {all.Checked} balls that came {all.FirstDivergence}
+                        played again {all.Replays} times, {all.Ticks / Math.Max(1.0, all.Replays):F0} ticks each; of these changed the ball {all.Count}
+                        corrections of the ball: half up to {all.Size(0.5):F2} m, 95 of 100 up to {all.Size(0.95):F2} m, largest {all.Size(1):F2} m; larger than told {all.TooLarge}
+                        largest jump in a frame {client.View.RawJump:F2} m, as it is drawn {client.View.DrawnJump:F2} m
+                        """);
+                    return all.Divergences + all.TooLarge == 0 ? 0 : 1;
+                }
 
-        return 0;
-    default:
-        Console.Error.WriteLine($"{mode} is unknown; allowed: demo | relay | server | client | peer.");
-        return 2;
+            case "peer":
+                using (var hashes = new HashLog(options.Text("--hashes")))
+                {
+                    int side = (int)options.Number("--side", 0);
+                    var peer = new Peer(side, (int)options.Number("--seed", 1), hashes);
+                    Link.Run((int)options.Number("--port", 0), side, peer.Tick);
+                    Console.WriteLine($"rolled back {peer.Rollbacks} times, {peer.Ticks / Math.Max(1.0, peer.Rollbacks):F0} ticks each; waited {peer.Waits} ticks");
+                }
+
+                return 0;
+            default:
+                Console.Error.WriteLine($"{mode} is unknown; allowed: demo | relay | server | client | peer.");
+                return 2;
+        }
+    }
 }
 
 /// <summary>Options of the command line: --name value.</summary>

@@ -28,6 +28,11 @@ public sealed class Server(int seed, HashLog hashes)
 
     public int Strips { get; private set; }
 
+    /// <summary>Balls in 24 bytes, and in all of a snapshot.</summary>
+    public int Short { get; private set; }
+
+    public int Whole { get; private set; }
+
     public IReadOnlyList<byte[]> Tick(long now, byte[][] packets)
     {
         foreach (byte[] packet in packets)
@@ -54,8 +59,11 @@ public sealed class Server(int seed, HashLog hashes)
             // The ball as it is at this tick, in 24 bytes; in a net, or between two feet, it takes the whole snapshot.
             BallState ball = _match.Runner.State;
             _ball = new byte[Snapshot.WireSize];
+            Short++;
             if (!_match.Runner.TryWriteWire(in ball, _ball))
             {
+                Short--;
+                Whole++;
                 _ball = new byte[Snapshot.Size];
                 Snapshot.Write(in ball, _ball);
             }
