@@ -140,7 +140,7 @@ public sealed class FixedStepRunner
     /// <remarks>
     /// Then place and velocity change by 0.5 mm (just above the ground by 1 mm, upwards) and 1 mm/s at most in each direction, the spin by less than 0.125 rad/s, up or down by lot so that a slow decay is not lost, and the rotation
     /// by 2.5° at most. A ball that the form does not hold stays as it is: one in a net, on anything but level ground, among things that have just pressed it, with a knuckle force, beyond
-    /// ±128 m, 64 m/s or 512 rad/s; of several balls all are rounded, or none. A look-ahead does not round.
+    /// ±128 m, 64 m/s or 512 rad/s; of several balls all are rounded, or none. A look-ahead does not round. Setting another number ends a recording.
     /// </remarks>
     /// <exception cref="ArgumentOutOfRangeException">The number that is set is out of range; nothing has changed.</exception>
     public int WireTicks
@@ -149,6 +149,11 @@ public sealed class FixedStepRunner
         set
         {
             Check.Within(nameof(WireTicks), value, 0, 1_000_000);
+            if (value != _wireTicks)
+            {
+                StopRecording();
+            }
+
             _wireTicks = value;
         }
     }

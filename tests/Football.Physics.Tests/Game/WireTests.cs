@@ -144,6 +144,18 @@ public sealed class WireTests
     }
 
     [Fact]
+    public void Rounding_at_other_ticks_is_another_match_and_ends_a_recording()
+    {
+        FixedStepRunner runner = Match();
+        MatchSegment segment = runner.Record();
+        runner.WireTicks = segment.WireTicks;
+        Assert.Same(segment, runner.Recording);
+        runner.WireTicks = 1;
+        Assert.Null(runner.Recording);
+        Assert.Equal(6, segment.WireTicks);
+    }
+
+    [Fact]
     public void A_ball_in_a_net_is_left_as_it_is_and_takes_a_whole_snapshot()
     {
         var runner = new FixedStepRunner(new Simulator(Pitch.Standard.On()), Step) { WireTicks = 1 };
