@@ -102,7 +102,8 @@ public static class ResultWriter
         json.WriteEndArray();
     }
 
-    private static void WriteMoment(Utf8JsonWriter json, in Moment moment)
+    /// <summary>A ball at an instant, as a value.</summary>
+    public static void WriteMoment(Utf8JsonWriter json, in Moment moment)
     {
         json.WriteStartObject();
         json.WriteNumber("time", moment.Time);
