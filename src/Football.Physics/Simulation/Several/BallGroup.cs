@@ -3,7 +3,8 @@ namespace Football.Physics;
 /// <summary>Several balls among the same things, stepped together: they hit one another at exact times, in exact order. A training ground's fifty, or two.</summary>
 /// <remarks>
 /// Balls far from one another cost a step each, and a comparison. A group keeps what it has found of them between steps, so it is for one thread; groups that share a
-/// <see cref="Simulator"/> may step at the same time where that may be shared. What a ball does depends on the others only where they meet: the bits are the same in any group.
+/// <see cref="Simulator"/> may step at the same time where that may be shared. What a ball does depends on the others only where they meet: the bits are the same in any group, and in
+/// any order. Of impacts at one time that comes first whose balls come together fastest. A group of one costs what its ball does.
 /// Two balls that come together slower than 1 cm/s press each other without a bounce, and are put apart once a millisecond; what a ball presses for longer it presses as if
 /// nothing moved that.
 /// </remarks>
@@ -174,6 +175,11 @@ public sealed class BallGroup
         Array.Copy(states, _before, Count);
         try
         {
+            if (Count == 1 && log is not null)
+            {
+                return StepAlone(ref states[0], dt, log, stopAt);
+            }
+
             // 1. Every ball as if there were no other. 2. The neighbours that may have met. 3. Those again, meeting by meeting.
             world.Engine?.KeepPushes();
             bool pushes = Fly(states, dt, stopAt, out bool holds);
@@ -234,6 +240,19 @@ public sealed class BallGroup
         }
 
         return all;
+    }
+
+    /// <summary>One ball: its own step, and nothing else.</summary>
+    private bool StepAlone(ref BallState state, double dt, StepLog log, StopAt stopAt)
+    {
+        BallState.Launched(in state);
+        log.Halted = false;
+        log.StopAt = stopAt;
+        log.Pushes = true;
+        log.HaltsAtPush = false;
+        log.Events.Ball = 0;
+        _simulators[0].Advance(ref state, dt, log);
+        return log.Halted;
     }
 
     /// <summary>Every ball takes its step as if there were no other.</summary>
