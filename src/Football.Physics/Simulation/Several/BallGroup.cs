@@ -170,16 +170,16 @@ public sealed class BallGroup
 
         World world = _simulators[0].World;
         world.Bodies?.CheckTimes(states[0].Time);
+        if (Count == 1 && log is not null && _motionsBefore.Length == 0)
+        {
+            return StepAlone(ref states[0], dt, log, stopAt);
+        }
+
         world.ReadMotions(_motionsBefore);
         bool ended;
         Array.Copy(states, _before, Count);
         try
         {
-            if (Count == 1 && log is not null)
-            {
-                return StepAlone(ref states[0], dt, log, stopAt);
-            }
-
             // 1. Every ball as if there were no other. 2. The neighbours that may have met. 3. Those again, meeting by meeting.
             world.Engine?.KeepPushes();
             bool pushes = Fly(states, dt, stopAt, out bool holds);
@@ -242,7 +242,7 @@ public sealed class BallGroup
         return all;
     }
 
-    /// <summary>One ball: its own step, and nothing else.</summary>
+    /// <summary>One ball, which moves nothing: its own step, and nothing else.</summary>
     private bool StepAlone(ref BallState state, double dt, StepLog log, StopAt stopAt)
     {
         BallState.Launched(in state);
