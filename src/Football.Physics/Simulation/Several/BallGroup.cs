@@ -97,7 +97,20 @@ public sealed class BallGroup
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">The states are not as many as the balls, or not of one time, or one was never launched; or the log has an observer.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
-    public bool Run(BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog log)
+    public bool Run(BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog log) => Run(states, timeStep, duration, stopAt, log, null);
+
+    /// <summary>Steps all balls until an event or a time, and calls back after every step.</summary>
+    /// <param name="states">The balls, as in the other overload.</param>
+    /// <param name="timeStep">Length of a step, s, as in the other overload.</param>
+    /// <param name="duration">How long to go on at most, s; above 0, at most 1e12.</param>
+    /// <param name="stopAt">The event that ends the run, as in the other overload.</param>
+    /// <param name="log">Where the events of all are added, in order of time, then of the balls, and the counts.</param>
+    /// <param name="afterStep">Called after every step, when the states are those at its end; null: nobody is.</param>
+    /// <returns>True when the event ended the run, false when its time did.</returns>
+    /// <exception cref="ArgumentNullException">States or log are null.</exception>
+    /// <exception cref="ArgumentException">The states are not as many as the balls, or not of one time, or one was never launched; or the log has an observer.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public bool Run(BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog log, Action? afterStep)
     {
         Check.Given(nameof(states), states);
         Check.Given(nameof(log), log);
@@ -106,7 +119,7 @@ public sealed class BallGroup
             Simulator.CheckRun(in states[0], timeStep, duration, stopAt);
         }
 
-        return Run(states, timeStep, duration, stopAt, log, null, null);
+        return Run(states, timeStep, duration, stopAt, log, null, afterStep is null ? null : (in BallState _) => afterStep());
     }
 
     /// <summary>Runs the balls with logs that watch their paths, and a callback after every step.</summary>
