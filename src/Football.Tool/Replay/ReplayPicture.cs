@@ -38,7 +38,9 @@ internal sealed record ReplayPicture
             shapes.AddRange(SceneShapes.Of(fresh).Where(shape => shape.Kind != SceneShapeKind.Obstacle || seen.Add(Text(shape))));
         }
 
-        ReplayShot[] shots = [.. played.Select(shot => new ReplayShot(shot.Name, KickNumbers.Of(shot.Scenario).Text, new Track(shot.Scenario, shot.Outcome)))];
+        ReplayShot[] shots = [.. played.SelectMany(shot => shot.Scenario.Balls.Count > 0
+            ? Enumerable.Range(0, shot.Scenario.Balls.Count).Select(ball => Shot(FormattableString.Invariant($"{shot.Name}: ball {ball}"), shot.Scenario, shot.Outcome, ball))
+            : [new ReplayShot(shot.Name, KickNumbers.Of(shot.Scenario).Text, new Track(shot.Scenario, shot.Outcome))])];
         return new ReplayPicture
         {
             Id = id,
@@ -48,6 +50,15 @@ internal sealed record ReplayPicture
             Goals = [.. played.SelectMany(shot => shot.Scenario.Scene.Goals).Distinct()],
             Ground = GroundGrid.Of(played[0].Scenario.Scene.Ground, [.. shots.SelectMany(shot => shot.Track.Keys).Select(key => key.Position), .. shapes.SelectMany(shape => shape.Points)]),
         };
+    }
+
+    /// <summary>One of several balls.</summary>
+    private static ReplayShot Shot(string name, Scenario scenario, Outcome outcome, int ball)
+    {
+        BallLaunch launch = scenario.Balls[ball];
+        Scenario own = scenario with { Balls = [], Scene = scenario.Scene with { Ball = launch.Ball }, Position = launch.Position, Velocity = launch.Velocity, Spin = launch.Spin };
+        Outcome its = outcome with { Samples = outcome.BallSamples[ball], Events = [.. outcome.Events.Where(item => item.Ball == ball)] };
+        return new ReplayShot(name, KickNumbers.Of(own).Text, new Track(own, its));
     }
 
     private static string Text(SceneShape shape) => $"{shape.Radius} {shape.Velocity} {string.Join(' ', shape.Points)}";
