@@ -263,7 +263,7 @@ function paint() {
   const flown = flights.filter(f => f.track);
   if (viewed === "ball" && playing) followBall();
   stage.bulges = new Map();
-  flown.forEach(f => f.bulgesAt(time).forEach((b, net) => { if (!stage.bulges.has(net) || stage.bulges.get(net).depth < b.depth) stage.bulges.set(net, b); }));
+  flown.forEach(f => f.nets.at(time, stage.bulges));
   stage.figures = keepers(flown);
   if (flown.length > 0) {
     stage.draw(flown, time, null);
