@@ -1,7 +1,7 @@
 namespace Football.Web.Tests;
 
 /// <summary>Questions as a new user asks them, typed into the search of the site.</summary>
-public sealed class SearchTests(Browser browser, ITestOutputHelper told) : IClassFixture<Browser>
+public sealed class SearchTests(Browser browser, ITestOutputHelper told)
 {
     private static readonly (string Question, string Page)[] s_questions =
     [

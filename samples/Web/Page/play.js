@@ -5,10 +5,11 @@ const DEFAULTS = {
   speed: 25.5, elevation: 18.5, azimuth: -13, side: 62, top: 10, distance: 22, aside: 0, wall: 4, keeper: 2,
   ball: "Football", ground: "DryTurf", windAcross: 0, windAlong: 0, altitude: 0, profile: "measured", beside: "",
 };
+const VIEWS = ["behind", "side", "above", "goal", "ball"];
 const KICK = ["speed", "elevation", "azimuth", "top", "side"];
 const SCENE = ["profile", "ball", "ground", "altitude", "windAcross", "windAlong", "distance", "aside", "wall", "keeper"];
 const TEXT = {
-  speed: v => `${v.toFixed(1)} m/s, ${(3.6 * v).toFixed(0)} km/h`, elevation: v => `${v.toFixed(1)}°`,
+  speed: v => `${v.toFixed(1)} m/s`, elevation: v => `${v.toFixed(1)}°`,
   azimuth: v => Math.abs(v) < 0.05 ? "straight" : `${Math.abs(v).toFixed(1)}° ${v > 0 ? "left" : "right"}`,
   side: v => v === 0 ? "none" : `${Math.abs(v * 9.549).toFixed(0)} rpm ${v > 0 ? "to the left" : "to the right"}`,
   top: v => v === 0 ? "none" : `${Math.abs(v * 9.549).toFixed(0)} rpm ${v > 0 ? "top" : "back"}`,
@@ -24,8 +25,10 @@ let pull = null, aimed = null, dirty = true, last = 0, number = 0, kicks = 0, go
 
 // ---- what is set
 
+// What the address does not name is as at first.
 function readAddress() {
   const said = new URLSearchParams(location.hash.slice(1));
+  Object.assign(set, DEFAULTS);
   for (const name of Object.keys(DEFAULTS)) {
     if (!said.has(name)) continue;
     const value = typeof DEFAULTS[name] === "number" ? Number(said.get(name)) : said.get(name);
@@ -33,7 +36,7 @@ function readAddress() {
     if (typeof value === "number" ? Number.isFinite(value) && (!field.min || (value >= Number(field.min) && value <= Number(field.max))) : [...field.options].some(o => o.value === value)) set[name] = value;
   }
   if (said.has("theme")) document.documentElement.dataset.theme = said.get("theme");
-  if (said.has("view")) view = said.get("view");
+  view = VIEWS.includes(said.get("view")) ? said.get("view") : "behind";
 }
 
 function address() {
@@ -63,6 +66,8 @@ async function scene() {
   }
   stage.show({ shapes: [...told.shapes, ...wholePitch(told.goals[0])], goals: told.goals, targets: [], ground: { x: -200, z: -200, cell: 400, columns: 2, rows: 2, heights: [0, 0, 0, 0] } });
   ready();
+  await lookAhead();
+  document.body.dataset.scene = String(1 + Number(document.body.dataset.scene || 0));
 }
 
 // The lines beyond the penalty area, which the drawing of a goal does not have.
@@ -140,7 +145,8 @@ async function kick(kickings) {
       }
       if (mine !== flights) return;
       flown.take(rows, name);
-      flown.isOver = await engine.call("IsOver", [flown.number]);
+      // Of many only what is shown is played.
+      flown.isOver = (mine.length > 2 && flown.end > decided(flown) + 0.1) || await engine.call("IsOver", [flown.number]);
       document.body.dataset.flown = JSON.stringify(mine.map(f => ({ end: f.end, over: f.isOver, events: f.events.length })));
     }
   }
@@ -311,12 +317,11 @@ function story() {
 }
 
 // A story ends a second and a half after what decides it, not when the ball has stopped rolling.
-function storyEnd() {
-  const decided = flights.map(f => {
-    const e = f.first("goal") || f.events.find(x => x.kind === "impact" && /post|bar|keeper|gloves|wall|head/.test(x.surface));
-    return e ? e.time + 1.8 : 3.6;
-  });
-  return Math.max(...decided);
+const storyEnd = () => Math.max(...flights.map(decided));
+
+function decided(flown) {
+  const e = flown.first("goal") || flown.events.find(x => x.kind === "impact" && /post|bar|keeper|gloves|wall|head/.test(x.surface));
+  return e ? e.time + 1.8 : 3.6;
 }
 
 function say(words, goal) {
@@ -373,7 +378,9 @@ function drawPull() {
 
 // Straight back is straight ahead, as the camera looks; aside turns, by as much as the goal is wide at a full pull.
 function pulled(x, y) {
-  const full = FULL_PULL * Math.min(camera.height, camera.width * 1.5), length = Math.hypot(x, y);
+  // A full pull ends where the window does.
+  const room = camera.height - ballOnScreen()[1] - 14;
+  const full = Math.max(90, Math.min(FULL_PULL * Math.min(camera.height, camera.width * 1.5), room)), length = Math.hypot(x, y);
   pull.now = length > full ? [x * full / length, y * full / length] : [x, y];
   const share = clamp(length / full, 0, 1), goal = stage.picture.goals[0].center;
   set.speed = Math.round(10 * (LEAST_SPEED + share * (MOST_SPEED - LEAST_SPEED))) / 10;
@@ -544,8 +551,7 @@ document.addEventListener("keydown", e => {
   if (e.ctrlKey || e.altKey || e.metaKey || $("how").open || !engine) return;
   const field = e.target.tagName === "SELECT" || e.target.type === "range" || e.target.tagName === "BUTTON";
   if (field && (e.key === " " || e.key === "Enter" || e.key.startsWith("Arrow"))) return;
-  const views = ["behind", "side", "above", "goal", "ball"];
-  if (views[Number(e.key) - 1]) { view = viewed = views[Number(e.key) - 1]; look(); }
+  if (VIEWS[Number(e.key) - 1]) { view = viewed = VIEWS[Number(e.key) - 1]; look(); }
   else if (KEYS[e.key]) KEYS[e.key]();
   else return;
   e.preventDefault();
@@ -571,7 +577,6 @@ Engine.start().then(async started => {
   stage.theme();
   stage.resize();
   await scene();
-  await lookAhead();
   document.body.dataset.ready = String(Math.round(performance.now() - begun));
   for (const id of ["kick", "many", "replay"]) $(id).disabled = false;
   hint("Pull back from the ball and let go, or click into the goal.");
