@@ -5,6 +5,7 @@ const DEFAULTS = {
   speed: 25.5, elevation: 18.5, azimuth: -13, side: 62, top: 10, distance: 22, aside: 0, wall: 4, keeper: 2,
   ball: "Football", ground: "DryTurf", windAcross: 0, windAlong: 0, altitude: 0, profile: "measured", beside: "",
 };
+const START = "Pull back from the ball and let go, or click into the goal.";
 const VIEWS = ["behind", "side", "above", "goal", "ball"];
 const KICK = ["speed", "elevation", "azimuth", "top", "side"];
 const SCENE = ["profile", "ball", "ground", "altitude", "windAcross", "windAlong", "distance", "aside", "wall", "keeper"];
@@ -109,6 +110,7 @@ function ready() {
   playing = false;
   stage.bulges = new Map();
   say("");
+  if (engine) hint(START);
   if (viewed !== view) viewed = view;
   look();
   fill();
@@ -579,7 +581,7 @@ Engine.start().then(async started => {
   await scene();
   document.body.dataset.ready = String(Math.round(performance.now() - begun));
   for (const id of ["kick", "many", "replay"]) $(id).disabled = false;
-  hint("Pull back from the ball and let go, or click into the goal.");
+  hint(START);
   requestAnimationFrame(frame);
 }).catch(error => {
   document.body.dataset.failed = error.message;

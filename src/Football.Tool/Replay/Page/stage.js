@@ -90,6 +90,10 @@ class Stage {
     this.shapes.filter(s => s.kind === "guide").forEach(s => s.lines.forEach(line => this.drawn.lines += this.line(this.g, line, this.series[1], 0, 2)));
     this.targets.forEach(p => this.drawTarget(p));
     if (hover) this.ring(hover.p, this.colour.ink, 6);
+    const seen = balls.length > 0 && camera.project(balls[0].at.p);
+    this.drawn.ball = seen ? seen.slice(0, 2).map(Math.round) : null;
+    this.drawn.eye = Math.round(1000 * (camera.eye[1] - this.groundAt(camera.eye[0], camera.eye[2]))) / 1000;
+    this.drawn.bulges = this.bulges.size;
     this.canvas.dataset.drawn = JSON.stringify(this.drawn);
   }
 
