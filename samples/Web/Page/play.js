@@ -571,7 +571,7 @@ const begun = performance.now();
 Engine.start().then(async started => {
   engine = started;
   const [balls, grounds] = (await engine.call("Names", [])).split("|").map(names => names.split(" "));
-  const words = name => name.replace(/([a-z])([A-Z0-9])/g, "$1 $2").toLowerCase().replace(/^(jabulani|brazuca|teamgeist|tango)/, w => w[0].toUpperCase() + w.slice(1));
+  const words = name => name.replace(/([a-z])([A-Z0-9])/g, "$1 $2").toLowerCase().replace(/^(jabulani|brazuca|teamgeist|tango|telstar|al rihla|trionda)/, w => w[0].toUpperCase() + w.slice(1));
   $("panel").elements.ball.replaceChildren(...balls.map(name => new Option(words(name), name)));
   $("panel").elements.ground.replaceChildren(...grounds.map(name => new Option(words(name), name)));
   readAddress();
