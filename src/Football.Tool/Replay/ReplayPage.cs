@@ -84,6 +84,7 @@ internal static class ReplayPage
         json.WriteBoolean("compares", shot.Compares);
         json.WriteNumber("radius", shot.Track.Radius);
         SceneShapeJson.WriteNumbers(json, "keys", shot.Track.Keys.SelectMany(Parts));
+        SceneShapeJson.WriteNumbers(json, "nets", shot.Nets.SelectMany(move => (double[])[move.Time, move.Net, move.Bulge.Depth, .. Parts(move.Bulge.Position), .. Parts(move.Bulge.Direction)]));
         WriteAll(json, "events", shot.Track.Events, (to, item) =>
         {
             to.WriteStartObject();

@@ -80,7 +80,8 @@ internal sealed class Track
 
     private static TrackKey Key(in Moment at) => new(at.Time, at.Position, at.Velocity, at.Velocity, at.Spin, at.Orientation, at.State);
 
-    private static Quaterniond Turned(in TrackKey from, double time) =>
+    /// <summary>How a ball is turned a while after a key, by its spin then.</summary>
+    public static Quaterniond Turned(in TrackKey from, double time) =>
         (Quaterniond.FromRotationVector((time - from.Time) * from.Spin) * from.Orientation).Normalized();
 
     /// <summary>Adds a key, with others before it where the ball turns too far for one.</summary>
