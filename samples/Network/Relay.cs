@@ -79,17 +79,22 @@ public sealed class Relay : IDisposable
                 Send(side, Tick, Due(side));
             }
 
-            bool[] done = [_sides[0] is null, _sides[1] is null];
-            while (!(done[0] && done[1]))
+            // Both at once; but lots are drawn in one order, so that a match with the same seed is the same.
+            byte[][]?[] sent = [_sides[0] is null ? [] : null, _sides[1] is null ? [] : null];
+            while (sent.Contains(null))
             {
                 (int side, byte kind, byte[][] packets) = Receive();
                 if (kind == Done && side >= 0)
                 {
-                    done[side] = true;
-                    foreach (byte[] packet in packets)
-                    {
-                        Carry(1 - side, packet);
-                    }
+                    sent[side] = packets;
+                }
+            }
+
+            for (int side = 0; side < Sides; side++)
+            {
+                foreach (byte[] packet in sent[side]!)
+                {
+                    Carry(1 - side, packet);
                 }
             }
 
