@@ -31,6 +31,10 @@ public struct Vector3
 
     public override readonly int GetHashCode() => HashCode.Combine(X, Y, Z);
 
+    public static bool operator ==(Vector3 a, Vector3 b) => a.Equals(b);
+
+    public static bool operator !=(Vector3 a, Vector3 b) => !a.Equals(b);
+
     public override readonly bool Equals(object? obj) => obj is Vector3 other && X == other.X && Y == other.Y && Z == other.Z;
 }
 
@@ -195,6 +199,10 @@ public struct Color
     public static Color operator *(Color color, float scale) => new(color.R * scale, color.G * scale, color.B * scale, color.A * scale);
 
     public override readonly int GetHashCode() => HashCode.Combine(R, G, B, A);
+
+    public static bool operator ==(Color a, Color b) => a.Equals(b);
+
+    public static bool operator !=(Color a, Color b) => !a.Equals(b);
 
     public override readonly bool Equals(object? obj) => obj is Color other && (R, G, B, A) == (other.R, other.G, other.B, other.A);
 }

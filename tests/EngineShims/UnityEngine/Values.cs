@@ -15,7 +15,7 @@ namespace UnityEngine
 
         public readonly bool Equals(Vector2 other) => x.Equals(other.x) && y.Equals(other.y);
 
-        public override readonly bool Equals(object? other) => other is Vector2 vector && Equals(vector);
+        public override readonly bool Equals(object? obj) => obj is Vector2 vector && Equals(vector);
 
         public override readonly int GetHashCode() => x.GetHashCode() ^ (y.GetHashCode() << 2);
     }
@@ -51,7 +51,7 @@ namespace UnityEngine
 
         public readonly bool Equals(Vector3 other) => x.Equals(other.x) && y.Equals(other.y) && z.Equals(other.z);
 
-        public override readonly bool Equals(object? other) => other is Vector3 vector && Equals(vector);
+        public override readonly bool Equals(object? obj) => obj is Vector3 vector && Equals(vector);
 
         public override readonly int GetHashCode() => x.GetHashCode() ^ (y.GetHashCode() << 2) ^ (z.GetHashCode() >> 2);
     }
@@ -99,7 +99,7 @@ namespace UnityEngine
 
         public readonly bool Equals(Quaternion other) => x.Equals(other.x) && y.Equals(other.y) && z.Equals(other.z) && w.Equals(other.w);
 
-        public override readonly bool Equals(object? other) => other is Quaternion quaternion && Equals(quaternion);
+        public override readonly bool Equals(object? obj) => obj is Quaternion quaternion && Equals(quaternion);
 
         public override readonly int GetHashCode() => x.GetHashCode() ^ (y.GetHashCode() << 2) ^ (z.GetHashCode() >> 2) ^ (w.GetHashCode() >> 1);
     }
@@ -179,7 +179,7 @@ namespace UnityEngine
 
         public readonly bool Equals(Color other) => r.Equals(other.r) && g.Equals(other.g) && b.Equals(other.b) && a.Equals(other.a);
 
-        public override readonly bool Equals(object? other) => other is Color color && Equals(color);
+        public override readonly bool Equals(object? obj) => obj is Color color && Equals(color);
 
         public override readonly int GetHashCode() => r.GetHashCode() ^ (g.GetHashCode() << 2) ^ (b.GetHashCode() >> 2) ^ (a.GetHashCode() >> 1);
     }

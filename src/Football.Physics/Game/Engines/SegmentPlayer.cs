@@ -70,17 +70,8 @@ public sealed class SegmentPlayer
     /// <exception cref="ArgumentOutOfRangeException">The tick is not part of the segment.</exception>
     public void Seek(long tick)
     {
-        Check.Within(nameof(tick), tick, Segment.StartTick, Segment.EndTick);
+        Segment.Seek(_runner, tick);
         _ahead = 0;
-        if (tick < _runner.Tick)
-        {
-            _runner = Segment.Replay(_simulator, _bodiesAt);
-        }
-
-        while (_runner.Tick < tick)
-        {
-            _runner.Step();
-        }
     }
 
     /// <summary>Plays all of it again and compares.</summary>
