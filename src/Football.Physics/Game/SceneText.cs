@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text;
-using Football.Physics.Laws;
 
 namespace Football.Physics;
 
