@@ -43,6 +43,6 @@ src/Football.Physics.Native/build.sh "$work/native" linux-arm64 > "$log" 2>&1 ||
 aarch64-linux-gnu-gcc -O2 -std=c99 -I"$work/native/include" tests/Native/kicks.c -o "$work/kicks" -L"$work/native/lib" -lfootball_physics > "$log" 2>&1 || fail "kicks.c for ARM64"
 built=$(( SECONDS - start ))
 start=$SECONDS
-run -E LD_LIBRARY_PATH="$work/native/lib" "$work/kicks" 1000 > "$work/hashes" 2> "$log" || fail "kicks.c on ARM64"
-diff <(awk '$2 <= 1000' tests/Native/kicks.txt) "$work/hashes" > "$log" || fail "kicks on ARM64: other hashes than C# has on x64"
-echo "ok    ARM64 under qemu-user: 3 000 kicks to rest through the C library, the hashes of C# on x64, built in $built s, run in $(( SECONDS - start )) s"
+run -E LD_LIBRARY_PATH="$work/native/lib" "$work/kicks" 300 > "$work/hashes" 2> "$log" || fail "kicks.c on ARM64"
+diff <(awk '$2 <= 300' tests/Native/kicks.txt) "$work/hashes" > "$log" || fail "kicks on ARM64: other hashes than C# has on x64"
+echo "ok    ARM64 under qemu-user: 900 kicks to rest through the C library, the hashes of C# on x64, built in $built s, run in $(( SECONDS - start )) s"

@@ -82,6 +82,12 @@ public static class SceneInput
             curve = ball.Make(() => DragCurve.OfRoughness(roughness)) ?? curve;
         }
 
+        if (profile == Profile.Measured && ball.Has("dragCurve"))
+        {
+            ball.Exclude("dragCurve", "roughness");
+            curve = Curve(ball.Object("dragCurve"), curve);
+        }
+
         return defaults with
         {
             DragCurve = curve,
@@ -91,6 +97,17 @@ public static class SceneInput
             KnuckleForce = profile == Profile.Measured ? ball.Number("knuckleForce", defaults.KnuckleForce) : defaults.KnuckleForce,
         };
     }
+
+    private static DragCurve Curve(InputObject curve, DragCurve defaults) => new()
+    {
+        Subcritical = curve.Number("subcritical", defaults.Subcritical),
+        CriticalReynolds = curve.Number("criticalReynolds", defaults.CriticalReynolds),
+        Width = curve.Number("width", defaults.Width),
+        Supercritical = curve.Number("supercritical", defaults.Supercritical),
+        Risen = curve.Number("risen", defaults.Risen),
+        RiseFrom = curve.Number("riseFrom", defaults.RiseFrom),
+        RiseTo = curve.Number("riseTo", defaults.RiseTo),
+    };
 
     private static ForceSet Forces(InputObject forces, ForceSet defaults) => new()
     {

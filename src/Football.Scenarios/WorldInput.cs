@@ -9,6 +9,23 @@ public static class WorldInput
     public static IReadOnlyList<Obstacle> Obstacles(InputObject root, Surface frame) =>
         [.. root.Objects("obstacles").Select((item, i) => Obstacle(item, i, frame)).OfType<Obstacle>()];
 
+    /// <summary>The bodies, which the game moves; null where there are none.</summary>
+    public static Bodies? Bodies(InputObject root)
+    {
+        IReadOnlyList<InputObject> items = root.Objects("bodies");
+        var bodies = new Bodies();
+        for (int i = 0; i < items.Count; i++)
+        {
+            string name = items[i].Text("name", FormattableString.Invariant($"body {i}"));
+            IShape? shape = Shape(items[i]);
+            Surface surface = Surface(items[i], Physics.Surface.Boot);
+            double mass = items[i].Limit("mass", double.PositiveInfinity);
+            _ = shape is null ? null : items[i].Make(() => bodies.Add(name, shape, surface, mass));
+        }
+
+        return bodies.Count > 0 ? bodies : null;
+    }
+
     /// <summary>The nets that stand by themselves.</summary>
     public static IReadOnlyList<Net> Nets(InputObject root) => [.. root.Objects("nets").Select((item, i) => Net(item, i))];
 

@@ -25,6 +25,7 @@ internal sealed class SegmentFuzz : FuzzTarget
             runner.Kicks.Add(new KickInput(first + kicks[i].Tick, kicks[i].Velocity, kicks[i].Spin, kicks[i].Player));
         }
 
+        runner.WireTicks = random.Below(4);
         MatchSegment segment = runner.Record();
         for (int i = random.Below(Ticks); i > 0; i--)
         {
@@ -95,16 +96,29 @@ internal sealed class SegmentFuzz : FuzzTarget
             writer.Bits(part, 1);
         }
 
-        bool Is() => random.Chance(mutations / 8.0);
+        bool Is() => random.Chance(mutations / 20.0);
+        writer.Integer(Is() ? KickLogFuzz.Integer(random) : (ulong)segment.Version.Length);
+        foreach (char letter in segment.Version)
+        {
+            writer.Bits(Is() ? (ulong)random.Below(256) : letter, 1);
+        }
+
+        writer.Bits(segment.SceneHash, 8);
         writer.Bits(BitConverter.DoubleToUInt64Bits(Is() ? FuzzNumbers.AnyBits(random) : segment.TimeStep), 8);
         writer.Integer(Is() ? KickLogFuzz.Integer(random) : (ulong)segment.StartTick);
+        writer.Integer(Is() ? KickLogFuzz.Integer(random) : (ulong)segment.WireTicks);
+        writer.Bits(Is() ? 1UL : 0, 1);
+        writer.Integer(Is() ? KickLogFuzz.Integer(random) : 1UL);
         byte[] start = FuzzBytes.Sealed(SnapshotFuzz.Changed(random, segment.Start, Is() ? mutations : 0));
         foreach (byte part in start)
         {
             writer.Bits(part, 1);
         }
 
+        // No body, and none that was moved.
+        writer.Integer(Is() ? KickLogFuzz.Integer(random) : 0);
         KickLogFuzz.Write(random, ref writer, segment.Kicks, Is() ? mutations / 30.0 : 0);
+        writer.Integer(Is() ? KickLogFuzz.Integer(random) : 0);
         int count = (int)(segment.EndTick - segment.StartTick);
         writer.Integer(Is() ? KickLogFuzz.Integer(random) : (ulong)count);
         for (int i = 1; i <= count; i++)
@@ -112,6 +126,8 @@ internal sealed class SegmentFuzz : FuzzTarget
             writer.Bits(segment.HashAt(segment.StartTick + i), 8);
         }
 
+        // Too few ticks for a keyframe.
+        writer.Integer(Is() ? KickLogFuzz.Integer(random) : 0);
         return writer.ToArray();
     }
 }

@@ -10,11 +10,11 @@ internal static class MatchesLab
     {
         Option<long> count = Arguments.Whole("--count", "Matches, dribbles, first-time shots, traps.", 1, 1_000_000, 1000);
         Option<long> impacts = Arguments.Whole("--impacts", "Impacts whose balances are drawn up.", 1, 1_000_000_000, 1_000_000);
-        var only = new Option<string?>("--only") { HelpName = "PART", Description = "One part: rollbacks, dribbles, shots, traps, impacts, cost." };
-        only.AcceptOnlyFromAmong("rollbacks", "dribbles", "shots", "traps", "impacts", "cost");
+        var only = new Option<string?>("--only") { HelpName = "PART", Description = "One part: rollbacks, dribbles, shots, traps, impacts, cost, jumps." };
+        only.AcceptOnlyFromAmong("rollbacks", "dribbles", "shots", "traps", "impacts", "cost", "jumps");
         return LabOptions.Create(
             "matches",
-            "Late kicks among moving players, at four frame rates; dribbles, first-time shots and traps; balances of impacts; what fifty balls cost.",
+            "Late kicks among moving players, at four frame rates; dribbles, first-time shots and traps; balances of impacts; what fifty balls cost, and a jump within a recording.",
             ["football lab matches", "football lab matches --only dribbles --count 200 --seed 7"],
             terminal,
             (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(count), parsed.GetValue(impacts), parsed.GetValue(only), progress),
@@ -32,6 +32,7 @@ internal static class MatchesLab
         Add("traps", () => TrapCounts.Table(seed, count, progress));
         Add("impacts", () => ImpactBalances.Table(seed, impacts, progress));
         Add("cost", () => SeveralCost.Table(seed));
+        Add("jumps", () => JumpCost.Table(seed));
         return report;
 
         void Add(string part, Func<(LabTable Table, bool Holds)> make)

@@ -19,9 +19,10 @@ public sealed class FixedStepRunner
     private readonly BallState[] _states;
     private readonly BallState[] _previous;
     private readonly BallState[] _before;
-    private readonly RigidMotion[] _motions;
+    private RigidMotion[] _motions;
     private Simulator _simulator;
     private long _kickTicks = 36_000;
+    private int _wireTicks;
     private double _left;
 
     /// <summary>A ball at rest on the ground at the origin, at tick 0, in <see cref="Scene.Default"/> with <see cref="SolverSettings.Default"/>.</summary>
@@ -103,6 +104,7 @@ public sealed class FixedStepRunner
             var ball = new Ball(_simulator) { State = _states[0] };
             ball.Simulator = value;
             _simulator = value;
+            _motions = new RigidMotion[value.World.GivesWay ? value.World.Movers : 0];
             StopRecording();
             Restore(Tick, ball.State);
         }
@@ -131,6 +133,37 @@ public sealed class FixedStepRunner
             _kickTicks = value;
         }
     }
+
+    /// <summary>
+    /// Every so many ticks the ball is rounded to what <see cref="Snapshot.WireSize"/> bytes hold, on every machine that plays the match, where it is rolled back and where it is played again: what
+    /// <see cref="TryWriteWire"/> writes then is the state itself. 0 … 1e6; default 0: never.
+    /// </summary>
+    /// <remarks>
+    /// Then place and velocity change by 0.5 mm (just above the ground by 1 mm, upwards) and 1 mm/s at most in each direction, the spin by less than 0.125 rad/s, up or down by lot so that a slow decay is not lost, and the rotation
+    /// by 2.5° at most. A ball that the form does not hold stays as it is: one in a net, on anything but level ground, among things that have just pressed it, with a knuckle force, beyond
+    /// ±128 m, 64 m/s or 512 rad/s; of several balls all are rounded, or none. A look-ahead does not round. Setting another number ends a recording.
+    /// </remarks>
+    /// <exception cref="ArgumentOutOfRangeException">The number that is set is out of range; nothing has changed.</exception>
+    public int WireTicks
+    {
+        get => _wireTicks;
+        set
+        {
+            Check.Within(nameof(WireTicks), value, 0, 1_000_000);
+            if (value != _wireTicks)
+            {
+                StopRecording();
+            }
+
+            _wireTicks = value;
+        }
+    }
+
+    /// <summary>
+    /// Hash of all that two machines must have in common before a match: scene and settings of every ball, step, <see cref="WireTicks"/>, and the version of the library. Send it with the
+    /// first message, and refuse who has another.
+    /// </summary>
+    public ulong MatchHash => MatchSegment.MatchHash(this);
 
     /// <summary>Length of a step, s.</summary>
     public double TimeStep { get; }
@@ -400,6 +433,31 @@ public sealed class FixedStepRunner
         }
     }
 
+    /// <summary>Writes a state in <see cref="Snapshot.WireSize"/> bytes, where these hold it to the last bit: at the ticks of <see cref="WireTicks"/>.</summary>
+    /// <param name="state">The state: <see cref="State"/>, or one that a <see cref="Rollback"/> has kept.</param>
+    /// <param name="destination">Where to; at least <see cref="Snapshot.WireSize"/> bytes.</param>
+    /// <param name="ball">Which of several balls; default the first.</param>
+    /// <returns>False where it takes all of <see cref="Snapshot.Write"/>; nothing of use is written then.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
+    /// <exception cref="ArgumentException"><paramref name="destination"/> is too short.</exception>
+    public bool TryWriteWire(in BallState state, Span<byte> destination, int ball = 0)
+    {
+        Check.Index(nameof(ball), ball, _states.Length);
+        return WireForm.TryWrite(SimulatorOf(ball), TimeStep, in state, destination);
+    }
+
+    /// <summary>Reads what <see cref="TryWriteWire"/> wrote: the same bits.</summary>
+    /// <param name="source">At least <see cref="Snapshot.WireSize"/> bytes; more are ignored.</param>
+    /// <param name="ball">Which of several balls; default the first.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
+    /// <exception cref="ArgumentException"><paramref name="source"/> is too short.</exception>
+    /// <exception cref="FormatException">The bytes are no state.</exception>
+    public BallState ReadWire(ReadOnlySpan<byte> source, int ball = 0)
+    {
+        Check.Index(nameof(ball), ball, _states.Length);
+        return WireForm.Read(SimulatorOf(ball), TimeStep, source);
+    }
+
     /// <summary>Starts a recording at this tick: every step adds a hash to it, and the kicks are those of <see cref="Kicks"/>.</summary>
     /// <remarks>A rollback within it rewinds it too; going to a state that is not its own ends it.</remarks>
     public MatchSegment Record()
@@ -463,11 +521,15 @@ public sealed class FixedStepRunner
         }
 
         Tick++;
+        if (_wireTicks > 0 && Tick % _wireTicks == 0)
+        {
+            WireForm.Round(this);
+        }
+
         Events.Add(_log.Events);
         if (Recording is not null || History is not null)
         {
-            ulong hash = Recording is null ? 0 : Snapshot.Hash(_states);
-            Recording?.Add(hash);
+            Recording?.Add(_states, world);
             History?.Keep(Tick);
         }
 

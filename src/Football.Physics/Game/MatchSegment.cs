@@ -1,19 +1,31 @@
+using System.Globalization;
+using System.IO.Compression;
+using System.Reflection;
+using System.Runtime.InteropServices;
+
 namespace Football.Physics.Netcode;
 
 /// <summary>
 /// A stretch of a match that can be sent, stored and played again: its start, its kicks, where the game put its bodies, and a hash of the balls after every step.
 /// </summary>
 /// <remarks>
-/// It grows by 8 bytes a step, and where bodies are moved by some 30 to 100 each time. The scene is not part of it, but a hash of it: whoever plays it again must have the same
-/// one, and is told so where it is another. Nor are an engine's colliders, which whoever plays it again puts where they were.
+/// It grows by 8 bytes a step, by a whole state every <see cref="KeyframeTicks"/> of them, from which <see cref="Seek"/> goes on, and where bodies are moved by some 30 to 100 each
+/// time. The scene is not part of it, but a hash of it: whoever plays it again must have the same one, and is told so where it is another. Nor are an engine's colliders, which whoever
+/// plays it again puts where they were.
 /// </remarks>
 public sealed class MatchSegment
 {
-    private const ulong Format = 0x33_47_53_42_46; // "FBSG3"
+    /// <summary>Ticks from one whole state in a segment to the next: a jump to any tick plays fewer than these.</summary>
+    public const int KeyframeTicks = 64;
+
+    private const ulong Format = 0x34_47_53_42_46; // "FBSG4"
+    private const ulong AnyFormat = 0x47_53_42_46; // "FBSG"
+    private const int LongestVersion = 64;
     private const long LastTick = 1L << 52;
     private const int MostBalls = 10_000;
     private readonly BallState[] _start;
     private readonly RigidMotion[] _motions;
+    private readonly Keyframes _keyframes;
     private ulong[] _hashes;
     private int _count;
 
@@ -23,6 +35,7 @@ public sealed class MatchSegment
     {
         runner.Simulator.World.ReadMotions(_motions);
         SceneHash = HashOf(runner);
+        WireTicks = runner.WireTicks;
     }
 
     private MatchSegment(double timeStep, long startTick, BallState[] start, KickLog kicks, PlacementLog bodies, RigidMotion[] motions, int capacity)
@@ -33,6 +46,7 @@ public sealed class MatchSegment
         Bodies = bodies;
         _start = start;
         _motions = motions;
+        _keyframes = new Keyframes(start.Length, motions.Length);
         _hashes = new ulong[Math.Max(capacity, 1)];
     }
 
@@ -53,6 +67,12 @@ public sealed class MatchSegment
 
     /// <summary>The hash of its scene, with those of all balls.</summary>
     public ulong SceneHash { get; private set; }
+
+    /// <summary>The version of the library that recorded it: bits are those of a version.</summary>
+    public string Version { get; private set; } = LibraryVersion;
+
+    /// <summary><see cref="FixedStepRunner.WireTicks"/> of the match.</summary>
+    public int WireTicks { get; private set; }
 
     /// <summary>True when an engine's colliders moved in it: they are not part of it.</summary>
     public bool EngineMoves { get; private set; }
@@ -100,6 +120,45 @@ public sealed class MatchSegment
     public FixedStepRunner Replay(BallGroup group, Action<double>? bodiesAt = null) =>
         Replay(new FixedStepRunner(group ?? throw new ArgumentNullException(nameof(group)), TimeStep, LongestFrame), bodiesAt);
 
+    /// <summary>Goes to any tick of the segment, forwards or back: at most <see cref="KeyframeTicks"/> − 1 steps are played again.</summary>
+    /// <param name="replay">A runner of this segment, from <see cref="Replay(Simulator, Action{double})"/>.</param>
+    /// <param name="tick">From <see cref="StartTick"/> to <see cref="EndTick"/>.</param>
+    /// <returns>How many steps were played again.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="replay"/> is null.</exception>
+    /// <exception cref="ArgumentException">The runner plays no segment, or another one; nothing has changed.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The tick is not part of the segment; nothing has changed.</exception>
+    public int Seek(FixedStepRunner replay, long tick)
+    {
+        Check.Given(nameof(replay), replay);
+        Check.Within(nameof(tick), tick, StartTick, EndTick);
+        if (!ReferenceEquals(replay.Script, Bodies))
+        {
+            throw new ArgumentException("replay is no runner of this segment; allowed: one that Replay has made.", nameof(replay));
+        }
+
+        int keyframe = Math.Min((int)((tick - StartTick) / KeyframeTicks), _keyframes.Count);
+        long from = StartTick + ((long)keyframe * KeyframeTicks);
+        if (replay.Tick < from || replay.Tick > tick || Snapshot.Hash(replay.States) != HashAt(replay.Tick))
+        {
+            World world = replay.Simulator.World;
+            world.Bodies?.ForgetTimes();
+            if (world.Movers > 0)
+            {
+                world.WriteMotions(keyframe == 0 ? _motions : _keyframes.MotionsOf(keyframe - 1));
+            }
+
+            replay.RestoreAll(from, keyframe == 0 ? _start : _keyframes.StatesOf(keyframe - 1).ToArray());
+        }
+
+        int steps = 0;
+        for (; replay.Tick < tick; steps++)
+        {
+            replay.Step();
+        }
+
+        return steps;
+    }
+
     /// <summary>The segment as bytes, the same on every machine.</summary>
     public byte[] ToBytes()
     {
@@ -111,9 +170,16 @@ public sealed class MatchSegment
 
         var writer = new ByteWriter();
         writer.Bits(Format, 5);
+        writer.Integer((ulong)Version.Length);
+        foreach (char letter in Version)
+        {
+            writer.Bits(letter, 1);
+        }
+
         writer.Bits(SceneHash, 8);
         writer.Bits((ulong)BitConverter.DoubleToInt64Bits(TimeStep), 8);
         writer.Integer((ulong)StartTick);
+        writer.Integer((ulong)WireTicks);
         writer.Bits(EngineMoves ? 1UL : 0, 1);
         writer.Integer((ulong)_start.Length);
         for (int i = 0; i < _start.Length; i++)
@@ -135,7 +201,40 @@ public sealed class MatchSegment
             writer.Bits(_hashes[i], 8);
         }
 
+        _keyframes.Write(ref writer);
         return writer.ToArray();
+    }
+
+    /// <summary>
+    /// A zip file to attach to an issue: <c>match.json</c> with the scene and the versions of library, runtime and system, and <c>match.segment</c>, the bytes of <see cref="ToBytes"/>.
+    /// <c>football bundle FILE</c> plays it again.
+    /// </summary>
+    /// <param name="simulator">The scene of the match, with its settings.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
+    /// <exception cref="ArgumentException">The scene, or its settings, are not those of the segment.</exception>
+    /// <exception cref="InvalidOperationException">There are several balls, or the scene has something that is code: a force, a wind, a shape of the game's own, an engine's colliders.</exception>
+    public byte[] ToBundle(Simulator simulator)
+    {
+        if (Balls > 1)
+        {
+            throw new InvalidOperationException($"balls is {Balls}; allowed: 1 in a bundle.");
+        }
+
+        Replay(simulator, EngineMoves ? static _ => { } : null);
+        string about = new SceneText().Begin()
+            .Text("library", Version)
+            .Text("runtime", RuntimeInformation.FrameworkDescription)
+            .Text("system", $"{RuntimeInformation.OSDescription}, {RuntimeInformation.ProcessArchitecture}")
+            .Text("sceneHash", SceneHash.ToString("x16", CultureInfo.InvariantCulture))
+            .Add(simulator).End().ToString();
+        using var memory = new MemoryStream();
+        using (var zip = new ZipArchive(memory, ZipArchiveMode.Create, leaveOpen: true))
+        {
+            Write(zip, "match.json", System.Text.Encoding.UTF8.GetBytes(about));
+            Write(zip, "match.segment", ToBytes());
+        }
+
+        return memory.ToArray();
     }
 
     /// <summary>Reads what <see cref="ToBytes"/> wrote.</summary>
@@ -144,11 +243,8 @@ public sealed class MatchSegment
     public static MatchSegment FromBytes(ReadOnlySpan<byte> bytes)
     {
         var reader = new ByteReader(bytes);
-        if (reader.Bits(5) != Format)
-        {
-            throw ByteReader.Broken("no match segment starts like this");
-        }
-
+        ReadFormat(ref reader);
+        string version = ReadVersion(ref reader);
         ulong sceneHash = reader.Bits(8);
         double timeStep = BitConverter.Int64BitsToDouble((long)reader.Bits(8));
         long startTick = reader.Long();
@@ -157,6 +253,7 @@ public sealed class MatchSegment
             throw ByteReader.Broken("the first tick is too large");
         }
 
+        int wireTicks = reader.Int();
         bool engineMoves = reader.Bits(1) != 0;
         int balls = reader.Count(Snapshot.Size);
         if (balls is 0 or > MostBalls)
@@ -198,17 +295,29 @@ public sealed class MatchSegment
         }
 
         int count = reader.Count(sizeof(ulong));
-        var segment = new MatchSegment(timeStep, startTick, start, kicks, bodies, motions, count) { SceneHash = sceneHash, EngineMoves = engineMoves };
+        var segment = new MatchSegment(timeStep, startTick, start, kicks, bodies, motions, count) { SceneHash = sceneHash, EngineMoves = engineMoves, Version = version, WireTicks = wireTicks };
         for (int i = 0; i < count; i++)
         {
             segment.Add(reader.Bits(8));
         }
 
+        segment._keyframes.Read(ref reader);
+        segment.CheckKeyframes();
         reader.End();
         return segment;
     }
 
-    internal void Add(ulong hash)
+    /// <summary>Adds the states after a step.</summary>
+    internal void Add(BallState[] states, World world)
+    {
+        Add(Snapshot.Hash(states));
+        if (_count % KeyframeTicks == 0)
+        {
+            _keyframes.Add(states, world);
+        }
+    }
+
+    private void Add(ulong hash)
     {
         if (_count == _hashes.Length)
         {
@@ -230,11 +339,88 @@ public sealed class MatchSegment
         }
 
         _count = (int)(tick - StartTick);
+        _keyframes.Keep(_count / KeyframeTicks);
         Bodies.RemoveFrom(tick);
         return true;
     }
 
+    /// <summary>The version of this library, without what a build adds.</summary>
+    private static string LibraryVersion { get; } =
+        (typeof(MatchSegment).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion ?? "").Split('+')[0];
+
     private double LongestFrame => Math.Max(TimeStep, Math.Min(0.25, TimeStep * (FixedStepRunner.MostSteps / 2)));
+
+    private static void Write(ZipArchive zip, string name, byte[] bytes)
+    {
+        ZipArchiveEntry entry = zip.CreateEntry(name);
+        entry.LastWriteTime = new DateTimeOffset(2000, 1, 1, 0, 0, 0, TimeSpan.Zero);
+        using Stream file = entry.Open();
+        file.Write(bytes);
+    }
+
+    private static void ReadFormat(ref ByteReader reader)
+    {
+        ulong format = reader.Bits(5);
+        if (format != Format)
+        {
+            throw ByteReader.Broken((format & uint.MaxValue) == AnyFormat
+                ? $"they are a match segment of the format FBSG{(char)(format >> 32)}; allowed: FBSG4, that of this version of the library"
+                : "no match segment starts like this");
+        }
+    }
+
+    private static string ReadVersion(ref ByteReader reader)
+    {
+        int length = reader.Count(1);
+        if (length > LongestVersion)
+        {
+            throw ByteReader.Broken("the name of the library's version is too long");
+        }
+
+        var letters = new char[length];
+        for (int i = 0; i < length; i++)
+        {
+            letters[i] = (char)reader.Bits(1);
+            if (letters[i] is < ' ' or > '~')
+            {
+                throw ByteReader.Broken("the name of the library's version is no plain text");
+            }
+        }
+
+        return new string(letters);
+    }
+
+    /// <summary>A keyframe is the state of its tick, and there are as many as the ticks have.</summary>
+    private void CheckKeyframes()
+    {
+        if (_keyframes.Count != _count / KeyframeTicks)
+        {
+            throw ByteReader.Broken("there are not as many keyframes as the ticks have");
+        }
+
+        for (int i = 0; i < _keyframes.Count; i++)
+        {
+            if (Snapshot.Hash(_keyframes.StatesOf(i).ToArray()) != _hashes[((i + 1) * KeyframeTicks) - 1])
+            {
+                throw ByteReader.Broken("a keyframe is not the state of its tick");
+            }
+        }
+    }
+
+    /// <inheritdoc cref="FixedStepRunner.MatchHash"/>
+    internal static ulong MatchHash(FixedStepRunner runner)
+    {
+        var key = new SceneKey();
+        key.Add(runner.TimeStep);
+        key.Add(runner.WireTicks);
+        key.Add(runner.Balls);
+        foreach (char letter in LibraryVersion)
+        {
+            key.Add(letter);
+        }
+
+        return (key.Value ^ HashOf(runner)) * 0x9FB21C651E98DF25UL;
+    }
 
     private static ulong HashOf(FixedStepRunner runner)
     {
@@ -289,6 +475,7 @@ public sealed class MatchSegment
         }
 
         runner.KickTicks = Limits.Tick;
+        runner.WireTicks = WireTicks;
         runner.BodiesAt = bodiesAt;
         runner.Script = Bodies;
         runner.RestoreAll(StartTick, _start);

@@ -141,6 +141,18 @@ public sealed class Rollback
         return tick;
     }
 
+    /// <summary>Plays again from a tick on, after what <see cref="FixedStepRunner.BodiesAt"/> says, or what is in <see cref="FixedStepRunner.Kicks"/>, has changed: once for all that has.</summary>
+    /// <param name="tick">From <see cref="OldestTick"/> to the runner's tick.</param>
+    /// <returns>The first tick whose state is not what it was, to the last bit; null where all are.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The tick is not kept; nothing has changed.</exception>
+    /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and nothing says where they were; nothing has changed.</exception>
+    public long? PlayFrom(long tick)
+    {
+        Check.Within(nameof(tick), tick, OldestTick, Runner.Tick);
+        RefuseUnknownPlaces(tick);
+        return PlayAgain(tick);
+    }
+
     /// <summary>
     /// Plays the last ticks again from the state that was kept, and compares: for tests, in every tick of a match. A difference means that something is not
     /// in the state: a force or a body of the game's that depends on more than the time, or an engine's collider that moved.

@@ -9,6 +9,9 @@ public static class Snapshot
     /// <summary>How many bytes <see cref="Write"/> makes of a state: its fields, and a checksum of four bytes.</summary>
     public const int Size = Fields + Crc32.Size;
 
+    /// <summary>How many bytes <see cref="FixedStepRunner.TryWriteWire"/> makes of a state.</summary>
+    public const int WireSize = WireForm.Size;
+
     private const int Fields = StateFields.Count * sizeof(ulong);
 
     /// <summary>A 64-bit hash over the bits of every field: equal states have equal hashes, and one flipped bit changes it.</summary>

@@ -68,6 +68,7 @@ internal static class CommandLineEntry
             SweepCommand.Create(terminal),
             PlayCommand.Create(terminal),
             ReplayCommand.Create(terminal),
+            BundleCommand.Create(terminal),
             GalleryCommand.Create(terminal),
             lab,
             help,

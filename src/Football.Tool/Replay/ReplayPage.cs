@@ -89,7 +89,7 @@ internal static class ReplayPage
         {
             to.WriteStartObject();
             to.WriteString("kind", Words.Of(item.Kind));
-            to.WriteString("surface", shot.Track.NameOf(item.Thing));
+            to.WriteString("surface", shot.Track.SurfaceOf(item));
             to.WriteNumber("time", Rounded(item.Time));
             SceneShapeJson.WriteNumbers(to, "position", Parts(item.Position));
             to.WriteNumber("before", Rounded(item.VelocityBefore.Length));

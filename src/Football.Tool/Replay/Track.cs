@@ -22,7 +22,7 @@ internal sealed class Track
     {
         Radius = scenario.Scene.Ball.Radius;
         Events = outcome.Events;
-        NameOf = outcome.NameOf;
+        SurfaceOf = item => outcome.SurfaceOf(in item);
         Keys = Thinned(Dense(outcome));
     }
 
@@ -32,8 +32,8 @@ internal sealed class Track
 
     public IReadOnlyList<BallEvent> Events { get; }
 
-    /// <summary>The name of what an event tells of; null for none.</summary>
-    public Func<int, string?> NameOf { get; }
+    /// <summary>The name of what the ball meets in an event; null for none.</summary>
+    public Func<BallEvent, string?> SurfaceOf { get; }
 
     /// <summary>Position between two keys.</summary>
     public static Vector3d Between(in TrackKey from, in TrackKey to, double time)

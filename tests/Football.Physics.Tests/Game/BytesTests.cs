@@ -111,8 +111,11 @@ public sealed class BytesTests
     [InlineData(1e-18)]
     public void A_segment_whose_step_is_none_or_would_not_move_its_clock_is_refused(double timeStep)
     {
-        byte[] bytes = Segment().ToBytes();
-        BitConverter.TryWriteBytes(bytes.AsSpan(13), timeStep);
+        MatchSegment segment = Segment();
+        byte[] bytes = segment.ToBytes();
+
+        // Behind the format, the version and its length, and the hash of the scene.
+        BitConverter.TryWriteBytes(bytes.AsSpan(5 + 1 + segment.Version.Length + 8), timeStep);
         Crc32.Seal(bytes);
         Assert.StartsWith("The bytes are broken: timeStep is ", Refused(() => MatchSegment.FromBytes(bytes)));
     }

@@ -61,4 +61,54 @@ public sealed class SyncTestTests
         Assert.Equal((field, 1UL, -1L), (found.Field, found.Ulps, found.Tick));
         Assert.Contains("1 ulp apart", found.ToString());
     }
+
+    /// <summary>What was changed in the kicks, or by whoever says where the bodies are, counts once it is played again from there.</summary>
+    [Fact]
+    public void Playing_from_a_tick_takes_up_all_that_has_changed_since()
+    {
+        FixedStepRunner inTime = New();
+        FixedStepRunner late = New();
+        var rollback = new Rollback(late);
+        KickInput[] kicks = [new(10, new Vector3d(3, 4, -12), Vector3d.Zero), new(14, new Vector3d(-2, 5, 3), new Vector3d(0, 20, 0))];
+        foreach (KickInput kick in kicks)
+        {
+            inTime.Kicks.Add(in kick);
+        }
+
+        while (late.Tick < 30)
+        {
+            inTime.Step();
+            late.Step();
+        }
+
+        foreach (KickInput kick in kicks)
+        {
+            late.Kicks.Add(in kick);
+        }
+
+        Assert.Equal(11, rollback.PlayFrom(10));
+        Assert.True(Snapshot.Same(inTime.State, late.State));
+        Assert.Null(rollback.PlayFrom(10));
+        Assert.Null(rollback.PlayFrom(30));
+        Assert.Throws<ArgumentOutOfRangeException>(() => rollback.PlayFrom(31));
+    }
+
+    [Fact]
+    public void The_hash_of_a_match_is_that_of_all_that_must_be_the_same()
+    {
+        ulong here = New().MatchHash;
+        Assert.Equal(here, New().MatchHash);
+        FixedStepRunner[] others =
+        [
+            new(new Simulator(Scene.Windy(new Vector3d(0, 0, 1e-3))), 0.01),
+            new(new Simulator(settings: new SolverSettings { Integrator = Integrator.Rk2 }), 0.01),
+            new(timeStep: 0.011),
+            new(timeStep: 0.01) { WireTicks = 5 },
+            new(new BallGroup(new Simulator(), 1), 0.01),
+            new(new BallGroup(new Simulator(), 2), 0.01),
+        ];
+        Assert.Equal(others.Length + 1, others.Select(other => other.MatchHash).Append(here).Distinct().Count());
+    }
+
+    private static FixedStepRunner New() => new(timeStep: 0.01);
 }

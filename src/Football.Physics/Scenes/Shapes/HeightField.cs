@@ -94,6 +94,9 @@ public sealed class HeightField : IShape
     /// <summary>The strongest curvature of the samples of every cell, 1/m.</summary>
     public double StrongestCurvature { get; }
 
+    /// <summary>The heights that it was made of, row by row.</summary>
+    internal IEnumerable<IEnumerable<double>> Rows => Enumerable.Range(0, _rows).Select(i => _values.Skip(i * _columns).Take(_columns));
+
     /// <inheritdoc/>
     public double HollowCurvature => StrongestCurvature;
 

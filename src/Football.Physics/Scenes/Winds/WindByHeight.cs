@@ -43,6 +43,8 @@ public sealed class WindByHeight : IWind
             throw Check.Refusal("air.wind.direction", $"[{directionX}, {directionZ}]", "[x, z], 2 finite numbers, not both 0");
         }
 
+        // A direction that has length 1 to rounding stays as it is: what was read from here makes the same wind.
+        size = Math.Abs(size - 1) <= 1e-15 ? 1 : size;
         gusts?.Validate();
         Speed = speed;
         Direction = new Vector3d(directionX / size, 0, directionZ / size);

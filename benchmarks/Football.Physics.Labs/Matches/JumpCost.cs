@@ -1,0 +1,66 @@
+using System.Diagnostics;
+
+namespace Football.Physics.Labs.Matches;
+
+/// <summary>What a jump within a recording costs: a whole match, and a shorter one among players, to ticks by lot.</summary>
+internal static class JumpCost
+{
+    private const int Jumps = 400;
+    private const double Most = 1.0; // ms
+
+    public static (LabTable Table, bool Holds) Table(long seed)
+    {
+        var table = new LabTable("Jumps within a recording at 60 Hz, to ticks by lot", "recording", "minutes", "MB", "steps at most", "median ms", "p95 ms", "worst ms", "other states", "verdict");
+        bool holds = Add("a ball on a pitch with goals", seed, players: false, minutes: 90);
+        holds &= Add("a ball among 22 players in curves", seed, players: true, minutes: 3);
+        return (table, holds);
+
+        bool Add(string name, long seed, bool players, int minutes)
+        {
+            FixedStepRunner New()
+            {
+                var squad = new Squad(new LabRandom(LabRandom.Mix(seed, 3)));
+                Scene scene = Pitch.Standard.On();
+                return new FixedStepRunner(new Simulator(players ? scene with { Bodies = squad.NewBodies() } : scene), 1 / 60.0) { BodiesAt = players ? squad.Mover() : null };
+            }
+
+            FixedStepRunner match = New();
+            MatchSegment segment = match.Record();
+            var random = new LabRandom(LabRandom.Mix(seed, 5));
+            int ticks = minutes * 3600;
+            while (match.Tick < ticks)
+            {
+                if (match.Tick % 200 == 0)
+                {
+                    Vector3d home = -0.2 * match.State.Position.Horizontal;
+                    match.QueueKick(home + new Vector3d(random.Uniform(-12, 12), random.Uniform(0, 8), random.Uniform(-12, 12)), 20 * random.Direction());
+                }
+
+                match.Step();
+            }
+
+            byte[] bytes = segment.ToBytes();
+            segment = MatchSegment.FromBytes(bytes);
+            FixedStepRunner replay = segment.Replay(New().Simulator);
+            var times = new double[Jumps];
+            int most = 0;
+            int other = 0;
+            for (int i = -20; i < Jumps; i++)
+            {
+                // The first ones compile.
+                long tick = random.Below(ticks + 1);
+                long start = Stopwatch.GetTimestamp();
+                int steps = segment.Seek(replay, tick);
+                double time = Stopwatch.GetElapsedTime(start).TotalMilliseconds;
+                most = Math.Max(most, steps);
+                other += segment.HashAt(tick) == Snapshot.Hash(replay.State) ? 0 : 1;
+                times[Math.Max(i, 0)] = time;
+            }
+
+            Array.Sort(times);
+            bool reached = other == 0 && times[(int)(0.95 * Jumps)] <= Most;
+            table.Add(name, minutes, bytes.Length / 1e6, most, times[Jumps / 2], times[(int)(0.95 * Jumps)], times[^1], other, Verdict.Of(reached));
+            return reached;
+        }
+    }
+}

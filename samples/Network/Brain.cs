@@ -1,0 +1,51 @@
+using System.Numerics;
+using Football.Physics.Netcode;
+
+namespace Football.Physics.Network;
+
+/// <summary>Plays a team, as people at pads would: it may do what it likes, and be different on every machine, for only what it asks for counts.</summary>
+public sealed class Brain(int team, int seed)
+{
+    private const int ThinksEvery = 8;
+    private readonly Random _random = new(seed);
+    private readonly byte[] _moves = [.. TeamInput.Stand.Moves];
+    private long _rests;
+
+    /// <summary>What the team does in a tick, by what this machine sees.</summary>
+    public TeamInput Decide(Match match, long tick)
+    {
+        BallState ball = match.Runner.State;
+        Player[] players = match.PlayersAt(tick);
+        int first = team * Match.TeamSize;
+        int nearest = Enumerable.Range(first, Match.TeamSize).MinBy(i => (players[i].Place - ball.Position).LengthSquared);
+        for (int i = (int)(tick % ThinksEvery); i < Match.TeamSize; i += ThinksEvery)
+        {
+            bool chases = first + i == nearest;
+            Vector3d target = chases ? ball.Position + (0.3 * ball.Velocity) : Match.Home(first + i) + (0.4 * ball.Position.Horizontal);
+            Vector3d way = (target - players[first + i].Place).Horizontal;
+            _moves[i] = Match.Move(way, chases ? 3 : way.Length > 8 ? 2 : way.Length > 2 ? 1 : 0);
+        }
+
+        KickInput? kick = null;
+        if (tick >= _rests && match.CanKick(nearest, in ball, tick))
+        {
+            _rests = tick + 30;
+            kick = Kick(match, tick, nearest, ball.Position);
+        }
+
+        return new TeamInput([.. _moves], kick);
+    }
+
+    /// <summary>A shot from near the goal, else a pass. In single precision: 24 bytes say all of it.</summary>
+    private KickInput Kick(Match match, long tick, int player, Vector3d from)
+    {
+        var goal = new Vector3d(0, 0, team == 0 ? -52.5 : 52.5);
+        bool shoots = (goal - from).Length < 25;
+        int mate = (team * Match.TeamSize) + _random.Next(1, Match.TeamSize);
+        Vector3d way = (shoots ? goal + new Vector3d((6 * _random.NextDouble()) - 3, 0, 0) : match.PlayersAt(tick)[mate].Place) - from;
+        double speed = shoots ? 18 + (8 * _random.NextDouble()) : Math.Clamp(way.Length, 8, 24);
+        Vector3 velocity = ((speed * way.Horizontal.Normalized()) + new Vector3d(0, shoots ? 3 * _random.NextDouble() : 0.25 * speed * _random.NextDouble(), 0)).ToVector3();
+        var spin = new Vector3(0, (float)(40 * (_random.NextDouble() - 0.5)), 0);
+        return new KickInput(tick, velocity, spin, player);
+    }
+}

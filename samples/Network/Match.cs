@@ -1,0 +1,166 @@
+using Football.Physics.Netcode;
+using Football.Physics.Shapes;
+
+namespace Football.Physics.Network;
+
+/// <summary>A player of the game: on the ground, moved by what the machine that owns the player asks for.</summary>
+public struct Player
+{
+    public Vector3d Place;
+    public Vector3d Velocity;
+}
+
+/// <summary>What a team does in one tick: where its eleven want to run, and at most one kick. This, and nothing else, goes over the network.</summary>
+public sealed record TeamInput(byte[] Moves, KickInput? Kick)
+{
+    public static TeamInput Stand { get; } = new(Enumerable.Repeat(Match.StandStill, Match.TeamSize).ToArray(), null);
+
+    public bool SameAs(TeamInput other) => Moves.AsSpan().SequenceEqual(other.Moves) && Kick.HasValue == other.Kick.HasValue
+        && (!Kick.HasValue || (Kick.Value.Velocity == other.Kick!.Value.Velocity && Kick.Value.Spin == other.Kick.Value.Spin && Kick.Value.Player == other.Kick.Value.Player));
+}
+
+/// <summary>The game that both machines play. The same inputs at the same ticks give the same bits: it computes with + − × ÷ √ alone, and the library does too.</summary>
+public sealed class Match
+{
+    public const int TeamSize = 11;
+    public const int Players = 2 * TeamSize;
+    public const double Step = 1.0 / 60;
+
+    /// <summary>So many ticks are kept: more than anybody rolls back.</summary>
+    public const int Kept = 256;
+
+    /// <summary>The ball goes over the network at every such tick, in 24 bytes, which are its state then: see FixedStepRunner.WireTicks.</summary>
+    public const int WireTicks = 6;
+
+    public const byte StandStill = (3 << 3) | 3;
+    private const double Reach = 1.5;
+    private const double Acceleration = 9;
+
+    private readonly Bodies _bodies = new();
+    private readonly Player[][] _players = [.. Enumerable.Range(0, Kept).Select(_ => new Player[Players])];
+    private readonly TeamInput[][] _inputs = [.. Enumerable.Range(0, Kept).Select(_ => new[] { TeamInput.Stand, TeamInput.Stand })];
+
+    public Match()
+    {
+        for (int i = 0; i < Players; i++)
+        {
+            _bodies.Add($"player {i}", BodyKind.Player);
+            _players[0][i].Place = Home(i);
+        }
+
+        // A pitch with goals, in a hall: four walls keep the ball in.
+        Obstacle Wall(Vector3d point, Vector3d normal) => new() { Name = "wall", Shape = new PlaneShape(point, normal), Surface = Surface.Board };
+        Scene scene = Pitch.Standard.On() with
+        {
+            Bodies = _bodies,
+            Obstacles =
+            [
+                Wall(new Vector3d(-36, 0, 0), new Vector3d(1, 0, 0)), Wall(new Vector3d(36, 0, 0), new Vector3d(-1, 0, 0)),
+                Wall(new Vector3d(0, 0, -56), new Vector3d(0, 0, 1)), Wall(new Vector3d(0, 0, 56), new Vector3d(0, 0, -1)),
+            ],
+        };
+        Runner = new FixedStepRunner(new Simulator(scene), Step) { WireTicks = WireTicks, BodiesAt = PutPlayers };
+    }
+
+    public FixedStepRunner Runner { get; }
+
+    /// <summary>The tick whose inputs are played next.</summary>
+    public long Tick => Runner.Tick;
+
+    public Player[] PlayersAt(long tick) => _players[tick % Kept];
+
+    public TeamInput InputAt(long tick, int team) => _inputs[tick % Kept][team];
+
+    /// <summary>Without news a team is taken to go on as it went.</summary>
+    public TeamInput Guess(long tick, int team) => tick == 0 ? TeamInput.Stand : InputAt(tick - 1, team) with { Kick = null };
+
+    /// <summary>Sets what a team does in a tick.</summary>
+    /// <returns>True when that is not what it was.</returns>
+    public bool SetInput(long tick, int team, TeamInput input)
+    {
+        ref TeamInput slot = ref _inputs[tick % Kept][team];
+        KickLog kicks = Runner.Kicks;
+        bool changes = !slot.SameAs(input);
+        slot = input;
+        for (int i = kicks.FirstAt(tick); i < kicks.Count && kicks[i].Tick == tick; i++)
+        {
+            if (kicks[i].Player / TeamSize == team)
+            {
+                kicks.Remove(tick, kicks[i].Player);
+                break;
+            }
+        }
+
+        if (input.Kick is { } kick)
+        {
+            kicks.Add(in kick);
+        }
+
+        return changes;
+    }
+
+    /// <summary>True when a player stands near enough to the ball to kick it.</summary>
+    public bool CanKick(int player, in BallState ball, long tick) =>
+        (ball.Position - PlayersAt(tick)[player].Place).Length < Reach;
+
+    /// <summary>Plays one tick: players, then the ball.</summary>
+    public void Advance()
+    {
+        MovePlayers(Tick);
+        Runner.Step();
+    }
+
+    /// <summary>Goes to a tick: what a machine does that joins, or rolls back.</summary>
+    public void Restore(long tick, ReadOnlySpan<Player> players, in BallState ball)
+    {
+        players.CopyTo(PlayersAt(tick));
+        Runner.Restore(tick, in ball);
+    }
+
+    /// <summary>Where the players are after a tick, by where they were and what they were asked to do in it.</summary>
+    public void MovePlayers(long tick)
+    {
+        Player[] from = PlayersAt(tick);
+        Player[] to = PlayersAt(tick + 1);
+        for (int i = 0; i < Players; i++)
+        {
+            Vector3d change = Wish(InputAt(tick, i / TeamSize).Moves[i % TeamSize]) - from[i].Velocity;
+            double size = change.Length;
+            Vector3d velocity = from[i].Velocity + (size > Acceleration * Step ? Acceleration * Step / size * change : change);
+            to[i] = new Player { Place = from[i].Place + (Step * velocity), Velocity = velocity };
+        }
+    }
+
+    /// <summary>A wish in a byte: two directions from −3 to 3, and a pace from 0 to 3.</summary>
+    public static byte Move(Vector3d direction, int pace)
+    {
+        double size = Math.Max(Math.Abs(direction.X), Math.Abs(direction.Z));
+        return size < 1e-9 ? StandStill : (byte)((pace << 6) | (((int)Math.Round(3 * direction.X / size) + 3) << 3) | ((int)Math.Round(3 * direction.Z / size) + 3));
+    }
+
+    /// <summary>Where a player stands when nothing happens: 4-4-2, the second team on the other half.</summary>
+    public static Vector3d Home(int player)
+    {
+        int i = player % TeamSize;
+        double side = player < TeamSize ? 1 : -1;
+        (double x, double z) = i == 0 ? (0, 50) : i < 5 ? (-21 + (14 * (i - 1)), 34) : i < 9 ? (-21 + (14 * (i - 5)), 20) : (-6 + (12 * (i - 9)), 6);
+        return new Vector3d(side * x, 0, side * z);
+    }
+
+    private static Vector3d Wish(byte move)
+    {
+        var direction = new Vector3d((move >> 3 & 7) - 3, 0, (move & 7) - 3);
+        double size = direction.Length;
+        return size > 0 ? 2.5 * (move >> 6) / size * direction : Vector3d.Zero;
+    }
+
+    /// <summary>Asked by the library at every step, also those of a rollback: the players where they are at that tick.</summary>
+    private void PutPlayers(double time)
+    {
+        Player[] players = PlayersAt(Tick);
+        for (int i = 0; i < Players; i++)
+        {
+            _bodies[i].MoveTo(players[i].Place, players[i].Velocity, time);
+        }
+    }
+}

@@ -1,0 +1,259 @@
+using System.Globalization;
+using System.Text;
+using Football.Physics.Laws;
+
+namespace Football.Physics;
+
+/// <summary>A scene as JSON, in the words of a scenario, all numbers to the last bit; what is code has no words, and is refused by name.</summary>
+internal sealed class SceneText
+{
+    private readonly StringBuilder _text = new();
+
+    /// <summary>Whether the next member of the object, or item of the list, is the first.</summary>
+    private bool _first = true;
+
+    /// <summary>The text so far.</summary>
+    public override string ToString() => _text.ToString();
+
+    /// <summary>Scene, settings and bodies of a simulator, as members of an object: solver, scene, bodies.</summary>
+    /// <exception cref="InvalidOperationException">The scene has something that is code.</exception>
+    public SceneText Add(Simulator simulator)
+    {
+        SolverSettings settings = simulator.Settings;
+        if (!settings.LocateJump)
+        {
+            throw Code("solver.locateJump");
+        }
+
+        Object("solver", () => Word("integrator", settings.Integrator).Word("collisionTiming", settings.CollisionTiming)
+            .Number("collisionTolerance", settings.CollisionTolerance).Word("rollingTransition", settings.RollingTransition));
+        Scene scene = simulator.Scene;
+        Object("scene", () => AddScene(scene));
+        List("bodies", scene.Bodies ?? Enumerable.Empty<Body>(), body => Text("name", body.Name).Shape("bodies", body.Shape).Material(body.Surface).Limit("mass", body.Mass));
+        return this;
+    }
+
+    /// <summary>Adds a text.</summary>
+    public SceneText Text(string name, string value)
+    {
+        Name(name);
+        Quote(value);
+        return this;
+    }
+
+    /// <summary>Begins the whole.</summary>
+    public SceneText Begin()
+    {
+        _text.Append('{');
+        return this;
+    }
+
+    /// <summary>Ends the whole.</summary>
+    public SceneText End()
+    {
+        _text.Append("}\n");
+        return this;
+    }
+
+    private void AddScene(Scene scene)
+    {
+        if (scene.EngineColliders is not null)
+        {
+            throw Code("engineColliders");
+        }
+
+        Text("profile", "measured");
+        Object("ball", () => Number("mass", scene.Ball.Mass).Number("radius", scene.Ball.Radius).Number("inertiaFactor", scene.Ball.InertiaFactor)
+            .Number("knuckleForce", scene.Ball.KnuckleForce).Curve(scene.Ball.DragCurve));
+        Object("air", () => AddAir(scene.Air, scene.Ground));
+        Number("gravity", scene.Gravity);
+        Object("forces", () => AddForces(scene.Forces));
+        Object("ground", () => AddGround(scene.Ground));
+        List("obstacles", scene.Obstacles, item => Text("name", item.Name).Shape("obstacles", item.Shape).Material(item.Surface).Vector("velocity", item.Velocity)
+            .Vector("spin", item.Spin).Vector("pivot", item.Pivot).Limit("mass", item.Mass));
+        List("nets", scene.Nets, net => Text("name", net.Name).Vector("center", net.Center).Vector("normal", net.Normal).Vector("along", net.Along)
+            .Numbers("halfSize", net.HalfLength, net.HalfWidth).Number("stiffness", net.Stiffness).Number("damping", net.Damping)
+            .Number("tangentialDamping", net.TangentialDamping).Number("spinDamping", net.SpinDamping));
+        List("goals", scene.Goals, goal => Vector("center", goal.Center).Vector("facing", goal.Facing).Number("width", goal.Width).Number("height", goal.Height)
+            .Number("postRadius", goal.PostRadius).Numbers("depth", goal.DepthAtBar, goal.DepthOnGround).Flag("net", goal.HasNet).Material(goal.Frame(scene.Forces).First().Surface));
+    }
+
+    private void AddAir(Air air, Ground ground)
+    {
+        Number("density", air.Density).Number("kinematicViscosity", air.KinematicViscosity);
+        if (air.WindField is null)
+        {
+            Vector("wind", air.Wind);
+            return;
+        }
+
+        if (air.WindField is not WindByHeight wind || air.Wind != Vector3d.Zero || wind.GroundHeight != ground.Height)
+        {
+            throw Code("air.windField");
+        }
+
+        Object("wind", () =>
+        {
+            Number("speed", wind.Speed).Numbers("direction", wind.Direction.X, wind.Direction.Z).Number("referenceHeight", wind.ReferenceHeight).Number("roughness", wind.Roughness);
+            if (wind.Gusts is { } gusts)
+            {
+                Object("gusts", () => Raw("seed", gusts.Seed.ToString(CultureInfo.InvariantCulture)).Number("intensity", gusts.Intensity).Number("length", gusts.Length));
+            }
+        });
+    }
+
+    private void AddForces(ForceSet forces)
+    {
+        if (forces.Custom.Count > 0)
+        {
+            throw Code($"forces.custom[0] ({forces.Custom[0].GetType().Name})");
+        }
+
+        Flag("buoyancy", forces.Buoyancy).Word("drag", forces.Drag).Word("magnus", forces.Magnus).Word("spinDecay", forces.SpinDecay).Word("coefficients", forces.Coefficients)
+            .Number("dragCoefficient", forces.DragCoefficient).Number("magnusCoefficient", forces.MagnusCoefficient).Number("spinDecayCoefficient", forces.SpinDecayCoefficient);
+        if (forces.KnuckleSeed is { } seed)
+        {
+            Raw("knuckleSeed", seed.ToString(CultureInfo.InvariantCulture));
+        }
+    }
+
+    private void AddGround(Ground ground)
+    {
+        if (ground.Pattern is not null || ground.IsNone)
+        {
+            throw Code(ground.IsNone ? "ground.none" : "ground.pattern");
+        }
+
+        Number("normalRestitution", ground.NormalRestitution).Limit("restitutionSpeed", ground.RestitutionSpeed).Number("restitutionRise", ground.RestitutionRise)
+            .Numbers("tangentialRestitution", ground.TangentialRestitutionX, ground.TangentialRestitutionZ).Number("spinRestitution", ground.SpinRestitution)
+            .Limit("impactFriction", ground.ImpactFriction).Number("slidingFriction", ground.SlidingFriction).Number("rollingFriction", ground.RollingFriction)
+            .Number("rollingFrictionBySpeed", ground.RollingFrictionBySpeed).Number("spinDamping", ground.SpinDamping).Number("drillingLength", ground.DrillingLength)
+            .Number("minimumBounceSpeed", ground.MinimumBounceSpeed).Number("restEnergy", ground.RestEnergy).Number("height", ground.Height).Vector("normal", ground.Normal)
+            .Word("aerodynamics", ground.Aerodynamics);
+        if (ground.Heights is { } heights)
+        {
+            Object("heights", () =>
+            {
+                Numbers("origin", heights.OriginX, heights.OriginZ).Number("spacing", heights.Spacing);
+                Raw("values", "[" + string.Join(",", heights.Rows.Select(row => "[" + string.Join(",", row.Select(Digits)) + "]")) + "]");
+            });
+        }
+    }
+
+    private SceneText Curve(DragCurve curve)
+    {
+        Object("dragCurve", () => Number("subcritical", curve.Subcritical).Number("criticalReynolds", curve.CriticalReynolds).Number("width", curve.Width)
+            .Number("supercritical", curve.Supercritical).Number("risen", curve.Risen).Number("riseFrom", curve.RiseFrom).Number("riseTo", curve.RiseTo));
+        return this;
+    }
+
+    private SceneText Material(Surface surface)
+    {
+        Object("surface", () => Number("normalRestitution", surface.NormalRestitution).Limit("restitutionSpeed", surface.RestitutionSpeed).Number("restitutionRise", surface.RestitutionRise)
+            .Number("tangentialRestitution", surface.TangentialRestitution).Number("spinRestitution", surface.SpinRestitution).Limit("impactFriction", surface.ImpactFriction)
+            .Number("slidingFriction", surface.SlidingFriction).Number("rollingFriction", surface.RollingFriction).Number("rollingFrictionBySpeed", surface.RollingFrictionBySpeed)
+            .Number("spinDamping", surface.SpinDamping).Number("drillingLength", surface.DrillingLength));
+        return this;
+    }
+
+    private SceneText Shape(string list, IShape shape) => shape switch
+    {
+        PlaneShape plane => Text("shape", "plane").Vector("point", plane.Point).Vector("normal", plane.Normal),
+        SphereShape sphere => Text("shape", "sphere").Vector("center", sphere.Center).Number("radius", sphere.Radius),
+        CapsuleShape capsule => Text("shape", "capsule").Vector("from", capsule.From).Vector("to", capsule.To).Number("radius", capsule.Radius),
+        BoxShape box => Text("shape", "box").Vector("center", box.Center).Vector("halfSize", box.HalfSize)
+            .Numbers("rotation", box.Rotation.X, box.Rotation.Y, box.Rotation.Z, box.Rotation.W),
+        _ => throw Code($"{list}.shape ({shape.GetType().Name})"),
+    };
+
+    private SceneText Number(string name, double value) => Raw(name, Digits(value));
+
+    /// <summary>A number that may be infinite, which JSON has not.</summary>
+    private SceneText Limit(string name, double value) => Raw(name, double.IsPositiveInfinity(value) ? "null" : Digits(value));
+
+    private SceneText Flag(string name, bool value) => Raw(name, value ? "true" : "false");
+
+    private SceneText Vector(string name, in Vector3d value) => Numbers(name, value.X, value.Y, value.Z);
+
+    private SceneText Numbers(string name, params double[] values) => Raw(name, "[" + string.Join(",", values.Select(Digits)) + "]");
+
+    private SceneText Word<T>(string name, T value)
+        where T : struct, Enum
+    {
+        string word = value.ToString();
+        return Text(name, char.ToLowerInvariant(word[0]) + word[1..]);
+    }
+
+    private SceneText Raw(string name, string value)
+    {
+        Name(name);
+        _text.Append(value);
+        return this;
+    }
+
+    private void Object(string name, Action members)
+    {
+        Name(name);
+        Braced(members);
+    }
+
+    private void List<T>(string name, IEnumerable<T> items, Action<T> members)
+    {
+        Name(name);
+        _text.Append('[');
+        bool first = true;
+        foreach (T item in items)
+        {
+            _text.Append(first ? "" : ",");
+            first = false;
+            Braced(() => members(item));
+        }
+
+        _text.Append(']');
+    }
+
+    private void Braced(Action members)
+    {
+        bool before = _first;
+        _first = true;
+        _text.Append('{');
+        members();
+        _text.Append('}');
+        _first = before;
+    }
+
+    private void Name(string name)
+    {
+        _text.Append(_first ? "" : ",");
+        _first = false;
+        Quote(name);
+        _text.Append(':');
+    }
+
+    private void Quote(string text)
+    {
+        _text.Append('"');
+        foreach (char letter in text)
+        {
+            if (letter is '"' or '\\' or < ' ')
+            {
+                _text.Append("\\u").Append(((int)letter).ToString("x4", CultureInfo.InvariantCulture));
+            }
+            else
+            {
+                _text.Append(letter);
+            }
+        }
+
+        _text.Append('"');
+    }
+
+    /// <summary>Seventeen digits are every double: the shortest text is not the number on each of Unity's runtimes.</summary>
+    private static string Digits(double value)
+    {
+        string brief = value.ToString("R", CultureInfo.InvariantCulture);
+        return double.Parse(brief, CultureInfo.InvariantCulture).Equals(value) ? brief : value.ToString("G17", CultureInfo.InvariantCulture);
+    }
+
+    private static InvalidOperationException Code(string what) => new($"scene: {what} is code, or has no words in a scenario; allowed: a scene of numbers alone.");
+}

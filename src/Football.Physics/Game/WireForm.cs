@@ -1,0 +1,331 @@
+namespace Football.Physics;
+
+/// <summary>
+/// A state in 24 bytes. Numbers are whole multiples of a unit; what follows from others is left out: the height of a ball on the ground, the spin of one that rolls. A state is rounded by
+/// writing and reading it until it stays; then it is written without loss.
+/// </summary>
+/// <remarks>
+/// From the lowest bit on: motion 3, goals entered 2 and passed 2, steps of the clock 22; x 18, z 18, y 16 bits of 1/1024 m; velocity 3 × 16 bits of 1/512 m/s; spin 3 × 13 bits of
+/// 1/8 rad/s; rotation 23 bits: which of its four parts is the largest, and the three others, 7 each.
+/// </remarks>
+internal static class WireForm
+{
+    public const int Size = 24;
+
+    private const double PerMetre = 1024;
+    private const double PerSpeed = 512;
+    private const double PerSpin = 8;
+
+    /// <summary>The three smaller parts of a unit quaternion are within ±√½.</summary>
+    private const double PerPart = 63 * 1.4142135623730951;
+
+    /// <summary>Heights begin below the ground by so much, m: 64 m are held.</summary>
+    private const double Lowest = -4;
+
+    /// <summary>So near a whole number of units a spin is that number, whatever the lot: put together from axis and size it is off by rounding.</summary>
+    private const double Rounding = 1e-6;
+
+    /// <summary>To stay the same a state is rounded so often at most; nearly all do after one, some whose rotation has two parts of a size after a second.</summary>
+    private const int MostRounds = 4;
+
+    /// <summary>Rounds all balls of a runner, or none.</summary>
+    public static void Round(FixedStepRunner runner)
+    {
+        BallState[] states = runner.States;
+        if (states.Length == 1)
+        {
+            if (TryRound(runner.SimulatorOf(0), runner.TimeStep, in states[0], out BallState rounded))
+            {
+                states[0] = rounded;
+            }
+
+            return;
+        }
+
+        // Several balls have one time.
+        for (int i = 0; i < states.Length; i++)
+        {
+            if (!TryRound(runner.SimulatorOf(i), runner.TimeStep, in states[i], out _))
+            {
+                return;
+            }
+        }
+
+        for (int i = 0; i < states.Length; i++)
+        {
+            TryRound(runner.SimulatorOf(i), runner.TimeStep, in states[i], out states[i]);
+        }
+    }
+
+    /// <summary>Writes a state, where the bytes are the state itself.</summary>
+    public static bool TryWrite(Simulator simulator, double timeStep, in BallState state, Span<byte> destination)
+    {
+        if (destination.Length < Size)
+        {
+            throw new ArgumentException($"destination has {destination.Length} bytes; allowed: {Size} or more.", nameof(destination));
+        }
+
+        var bits = default(WireBits);
+        if (!TryEncode(simulator, timeStep, in state, ref bits) || !TryDecode(simulator, timeStep, in bits, out BallState read) || !Snapshot.Same(in state, in read))
+        {
+            return false;
+        }
+
+        bits.Write(destination);
+        return true;
+    }
+
+    /// <summary>Reads a state, and refuses bytes that none makes.</summary>
+    public static BallState Read(Simulator simulator, double timeStep, ReadOnlySpan<byte> source)
+    {
+        if (source.Length < Size)
+        {
+            throw new ArgumentException($"source has {source.Length} bytes; allowed: {Size} or more.", nameof(source));
+        }
+
+        // The items of a read-only span cannot be asked for on older runtimes of Mono.
+        Span<byte> bytes = stackalloc byte[Size];
+        source.Slice(0, Size).CopyTo(bytes);
+        var bits = WireBits.Read(bytes);
+        var again = default(WireBits);
+        return TryDecode(simulator, timeStep, in bits, out BallState state) && TryEncode(simulator, timeStep, in state, ref again) && again.Equals(in bits)
+            ? state
+            : throw ByteReader.Broken("they are no state of a ball in the wire form");
+    }
+
+    /// <summary>The nearest state that is written without loss.</summary>
+    private static bool TryRound(Simulator simulator, double timeStep, in BallState state, out BallState rounded)
+    {
+        rounded = state;
+        for (int round = 0; round < MostRounds; round++)
+        {
+            var bits = default(WireBits);
+            if (!TryEncode(simulator, timeStep, in rounded, ref bits) || !TryDecode(simulator, timeStep, in bits, out BallState next))
+            {
+                return false;
+            }
+
+            if (Snapshot.Same(in next, in rounded))
+            {
+                return true;
+            }
+
+            rounded = next;
+        }
+
+        return false;
+    }
+
+    private static bool TryEncode(Simulator simulator, double timeStep, in BallState s, ref WireBits bits)
+    {
+        bool flies = s.Motion == MotionState.Airborne;
+        bool holds = (flies || (s.Motion != MotionState.Squeezed && s.Carrier == 0 && simulator.World.IsLevel && s.Position.Y == simulator.ContactHeight))
+            && s.Nets == 0 && s.AirDistance == 0 && s.SqueezeUntil <= s.Time && (s.GoalsEntered | s.GoalsPassed) < 4;
+        if (!holds)
+        {
+            return false;
+        }
+
+        bits.Put((ulong)s.Motion, 3);
+        bits.Put(s.GoalsEntered, 2);
+        bits.Put(s.GoalsPassed, 2);
+        double steps = Math.Round(s.Time / timeStep);
+        holds = PutWhole(steps, 22, ref bits)
+            & PutSigned(s.Position.X * PerMetre, 18, ref bits)
+            & PutSigned(s.Position.Z * PerMetre, 18, ref bits)
+            & PutWhole(flies ? Height(simulator, s.Position.Y) : 0, 16, ref bits);
+        Vector3d v = s.Motion == MotionState.Stopped ? Vector3d.Zero : s.Velocity;
+        holds = holds & PutSigned(v.X * PerSpeed, 16, ref bits) & PutSigned(flies ? v.Y * PerSpeed : 0, 16, ref bits) & PutSigned(v.Z * PerSpeed, 16, ref bits);
+
+        // A ball that rolls has the spin of its velocity, but for that about the vertical.
+        Vector3d w = s.Motion == MotionState.Stopped ? Vector3d.Zero : s.Spin;
+        bool rolls = s.Motion == MotionState.Rolling;
+        long lot = steps >= 0 && steps < 1e9 ? (long)steps : 0;
+        holds = holds & PutSigned(rolls ? 0 : Lot(w.X, lot, 0), 13, ref bits) & PutSigned(Lot(w.Y, lot, 1), 13, ref bits) & PutSigned(rolls ? 0 : Lot(w.Z, lot, 2), 13, ref bits);
+        if (holds)
+        {
+            PutRotation(s.Orientation, ref bits);
+        }
+
+        return holds;
+    }
+
+    private static bool TryDecode(Simulator simulator, double timeStep, in WireBits written, out BallState s)
+    {
+        WireBits bits = written.FromStart();
+        s = default;
+        ulong motion = bits.Take(3);
+        if (motion > (ulong)MotionState.Stopped)
+        {
+            return false;
+        }
+
+        s.Motion = (MotionState)motion;
+        s.GoalsEntered = bits.Take(2);
+        s.GoalsPassed = bits.Take(2);
+        s.Time = bits.Take(22) * timeStep;
+        double x = bits.TakeSigned(18) / PerMetre;
+        double z = bits.TakeSigned(18) / PerMetre;
+        double y = (bits.Take(16) / PerMetre) + Lowest;
+        bool flies = s.Motion == MotionState.Airborne;
+        if (!flies && !simulator.World.IsLevel)
+        {
+            return false;
+        }
+
+        s.Position = new Vector3d(x, flies ? y : simulator.ContactHeight, z);
+        double vx = bits.TakeSigned(16) / PerSpeed;
+        double vy = bits.TakeSigned(16) / PerSpeed;
+        double vz = bits.TakeSigned(16) / PerSpeed;
+        var velocity = new Vector3d(vx, vy, vz);
+        double wx = bits.TakeSigned(13) / PerSpin;
+        double wy = bits.TakeSigned(13) / PerSpin;
+        double wz = bits.TakeSigned(13) / PerSpin;
+        var spin = new Vector3d(wx, wy, wz);
+        if (!TryTakeRotation(ref bits, out s.BaseOrientation))
+        {
+            return false;
+        }
+
+        s.Velocity = velocity;
+        if (flies)
+        {
+            s.SetFlightSpin(in spin);
+            return true;
+        }
+
+        s.SetGroundSpin(s.Motion == MotionState.Rolling ? Slip.RollingSpin(in velocity, spin.Y, simulator.Scene.Ball.Radius) : spin);
+        return true;
+    }
+
+    /// <summary>The height of a ball in the air, in units: above the ground, where that is level.</summary>
+    private static double Height(Simulator simulator, double y)
+    {
+        double least = Math.Floor((simulator.World.LevelContact - Lowest) * PerMetre) + 1;
+        return Math.Max(Math.Round((y - Lowest) * PerMetre), least);
+    }
+
+    /// <summary>
+    /// A number of the spin in units, up or down by lot, the nearer the likelier: a slow decay is lost in the mean neither here nor there. The lot is that of the clock, the same on every machine.
+    /// </summary>
+    private static double Lot(double spin, long clock, int component) =>
+        Math.Floor((spin * PerSpin) + Rounding + ((1 - (2 * Rounding)) * SplitMix64.At(clock, component)));
+
+    private static bool PutSigned(double units, int count, ref WireBits bits) => PutWhole(Math.Round(units) + (1L << (count - 1)), count, ref bits);
+
+    private static bool PutWhole(double units, int count, ref WireBits bits)
+    {
+        bool holds = units >= 0 && units < 1L << count;
+        bits.Put(holds ? (ulong)units : 0, count);
+        return holds;
+    }
+
+    private static void PutRotation(Quaterniond q, ref WireBits bits)
+    {
+        Span<double> parts = stackalloc double[] { q.X, q.Y, q.Z, q.W };
+        int largest = 0;
+        for (int i = 1; i < 4; i++)
+        {
+            largest = Math.Abs(parts[i]) > Math.Abs(parts[largest]) ? i : largest;
+        }
+
+        // q and −q are one rotation: the largest part is taken as positive.
+        double sign = parts[largest] < 0 ? -1 : 1;
+        bits.Put((ulong)largest, 2);
+        for (int i = 0; i < 4; i++)
+        {
+            if (i != largest)
+            {
+                bits.Put((ulong)(Math.Round(sign * parts[i] * PerPart) + 63), 7);
+            }
+        }
+    }
+
+    private static bool TryTakeRotation(ref WireBits bits, out Quaterniond q)
+    {
+        int largest = (int)bits.Take(2);
+        Span<double> parts = stackalloc double[4];
+        double rest = 1;
+        for (int i = 0; i < 4; i++)
+        {
+            if (i != largest)
+            {
+                parts[i] = ((double)bits.Take(7) - 63) / PerPart;
+                rest -= parts[i] * parts[i];
+            }
+        }
+
+        parts[largest] = Math.Sqrt(Math.Max(rest, 0));
+        q = new Quaterniond(parts[0], parts[1], parts[2], parts[3]);
+        return rest > 0;
+    }
+}
+
+/// <summary>192 bits, put and taken from the lowest on.</summary>
+internal struct WireBits
+{
+    private ulong _low;
+    private ulong _middle;
+    private ulong _high;
+    private int _at;
+
+    /// <summary>Puts the lowest bits of a word.</summary>
+    public void Put(ulong word, int count)
+    {
+        for (int i = 0; i < count; i++, _at++)
+        {
+            ulong bit = (word >> i & 1) << (_at & 63);
+            _low |= _at < 64 ? bit : 0;
+            _middle |= _at is >= 64 and < 128 ? bit : 0;
+            _high |= _at >= 128 ? bit : 0;
+        }
+    }
+
+    /// <summary>Takes so many bits.</summary>
+    public ulong Take(int count)
+    {
+        ulong word = 0;
+        for (int i = 0; i < count; i++, _at++)
+        {
+            word |= ((_at < 64 ? _low : _at < 128 ? _middle : _high) >> (_at & 63) & 1) << i;
+        }
+
+        return word;
+    }
+
+    /// <summary>The same bits, to be taken from the first on.</summary>
+    public readonly WireBits FromStart()
+    {
+        WireBits bits = this;
+        bits._at = 0;
+        return bits;
+    }
+
+    /// <summary>Takes a number of both signs.</summary>
+    public long TakeSigned(int count) => (long)Take(count) - (1L << (count - 1));
+
+    /// <summary>True when two have the same bits.</summary>
+    public readonly bool Equals(in WireBits other) => _low == other._low && _middle == other._middle && _high == other._high;
+
+    /// <summary>Writes all as bytes.</summary>
+    public readonly void Write(Span<byte> destination)
+    {
+        WireBits bits = FromStart();
+        for (int i = 0; i < WireForm.Size; i++)
+        {
+            destination[i] = (byte)bits.Take(8);
+        }
+    }
+
+    /// <summary>Reads all.</summary>
+    public static WireBits Read(Span<byte> source)
+    {
+        var bits = default(WireBits);
+        for (int i = 0; i < WireForm.Size; i++)
+        {
+            bits.Put(source[i], 8);
+        }
+
+        return bits;
+    }
+}

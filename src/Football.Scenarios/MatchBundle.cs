@@ -1,0 +1,108 @@
+using System.Globalization;
+using System.IO.Compression;
+using System.Text.Json;
+using Football.Physics.Netcode;
+using Football.Scenarios.Input;
+
+namespace Football.Scenarios;
+
+/// <summary>A match as it comes with an issue: what <see cref="MatchSegment.ToBundle"/> wrote.</summary>
+public sealed class MatchBundle
+{
+    /// <summary>An entry of the zip file unpacks to so much at most, bytes.</summary>
+    private const int LargestEntry = 1 << 30;
+
+    private readonly JsonElement _about;
+
+    private MatchBundle(JsonElement about, MatchSegment segment)
+    {
+        _about = about;
+        Segment = segment;
+        InputObject root = new InputFields(about).Root;
+        Library = root.Text("library", "");
+        Runtime = root.Text("runtime", "");
+        System = root.Text("system", "");
+    }
+
+    /// <summary>The version of the library that recorded it.</summary>
+    public string Library { get; }
+
+    /// <summary>The runtime that it ran on.</summary>
+    public string Runtime { get; }
+
+    /// <summary>The operating system, and the processor's architecture.</summary>
+    public string System { get; }
+
+    /// <summary>The match.</summary>
+    public MatchSegment Segment { get; }
+
+    /// <summary>Reads a bundle.</summary>
+    /// <param name="file">The zip file; it can seek.</param>
+    /// <exception cref="RefusedException">It is no bundle; the message says why.</exception>
+    public static MatchBundle Read(Stream file)
+    {
+        try
+        {
+            using var zip = new ZipArchive(file, ZipArchiveMode.Read);
+            byte[] about = Entry(zip, "match.json");
+            if (JsonText.Parse(about, out JsonElement root) is { } fault)
+            {
+                throw new RefusedException("match.json", fault.Value, fault.Expected);
+            }
+
+            return new MatchBundle(root, MatchSegment.FromBytes(Entry(zip, "match.segment")));
+        }
+        catch (InvalidDataException)
+        {
+            throw new RefusedException("FILE", "no zip file", "a bundle that MatchSegment.ToBundle wrote");
+        }
+        catch (FormatException broken)
+        {
+            throw new RefusedException($"match.segment: {broken.Message}");
+        }
+    }
+
+    /// <summary>The scene of the match, with bodies of its own: one for each replay.</summary>
+    /// <exception cref="RefusedException">It is none, or not that of the segment; the message names the field.</exception>
+    public Simulator NewSimulator()
+    {
+        var fields = new InputFields(_about);
+        InputObject root = fields.Root;
+        foreach (string name in (string[])["library", "runtime", "system", "sceneHash"])
+        {
+            root.Text(name, "");
+        }
+
+        SolverSettings settings = SceneInput.Solver(root, out _);
+        Scene scene = SceneInput.Scene(root.Object("scene")) with { Bodies = WorldInput.Bodies(root) };
+        fields.Check();
+        Simulator simulator;
+        try
+        {
+            simulator = new Simulator(scene, settings);
+        }
+        catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields, "scene") is { } said)
+        {
+            throw said;
+        }
+
+        return simulator.SceneHash == Segment.SceneHash ? simulator : throw new RefusedException(
+            "sceneHash",
+            simulator.SceneHash.ToString("x16", CultureInfo.InvariantCulture),
+            $"{Segment.SceneHash.ToString("x16", CultureInfo.InvariantCulture)}, that of the match: its scene is not all in match.json, or is another one in this version of the library");
+    }
+
+    private static byte[] Entry(ZipArchive zip, string name)
+    {
+        ZipArchiveEntry entry = zip.GetEntry(name) ?? throw new RefusedException("FILE", $"a zip file without {name}", "a bundle that MatchSegment.ToBundle wrote");
+        if (entry.Length > LargestEntry)
+        {
+            throw new RefusedException(name, $"{entry.Length} bytes", $"{LargestEntry} bytes at most");
+        }
+
+        using Stream from = entry.Open();
+        var bytes = new byte[entry.Length];
+        from.ReadExactly(bytes);
+        return bytes;
+    }
+}

@@ -1,0 +1,100 @@
+using System.CommandLine;
+using System.Globalization;
+using Football.Physics.Netcode;
+using Football.Scenarios;
+using Football.Scenarios.Input;
+
+namespace Football.Tool.Commands;
+
+/// <summary>football bundle: a match that came with an issue, played again.</summary>
+internal static class BundleCommand
+{
+    public static Command Create(Terminal terminal)
+    {
+        var file = new Argument<string>("FILE") { Description = "A bundle: what MatchSegment.ToBundle wrote." };
+        Option<long> tick = Arguments.Whole("--tick", "Goes to a tick of the match and tells the ball there; default its end.", -1, 1_000_000_000_000_000, -1);
+        var command = new ExampleCommand(
+            "bundle",
+            "Plays a recorded match again, in its own scene, and says whether it is the same to the last bit, else the first tick and field that differ. Ends with 1 where it is not.",
+            "football bundle match.zip",
+            "football bundle match.zip --tick 1200 | jq .ball.position")
+        {
+            file, tick,
+        };
+        command.SetAction(parsed =>
+        {
+            using Stream input = Arguments.OpenInput(parsed.GetRequiredValue(file), terminal);
+            using var whole = new MemoryStream();
+            input.CopyTo(whole);
+            return Tell(MatchBundle.Read(whole), parsed.GetRequiredValue(tick), terminal);
+        });
+        return command;
+    }
+
+    private static int Tell(MatchBundle bundle, long tick, Terminal terminal)
+    {
+        MatchSegment segment = bundle.Segment;
+        tick = tick < 0 ? segment.EndTick : tick;
+        if (tick < segment.StartTick || tick > segment.EndTick)
+        {
+            throw new RefusedException("--tick", tick.ToString(CultureInfo.InvariantCulture), FormattableString.Invariant($"{segment.StartTick} … {segment.EndTick}"));
+        }
+
+        long? diverges = segment.FirstDivergence(bundle.NewSimulator());
+        StateDifference? difference = diverges is { } first ? DifferenceAfter(bundle, first) : null;
+        FixedStepRunner runner = segment.Replay(bundle.NewSimulator());
+        segment.Seek(runner, tick);
+        if (terminal.OutputRedirected)
+        {
+            terminal.Output.Write(ResultWriter.Line(json =>
+            {
+                json.WriteString("library", bundle.Library);
+                json.WriteString("runtime", bundle.Runtime);
+                json.WriteString("system", bundle.System);
+                json.WriteNumber("from", segment.StartTick);
+                json.WriteNumber("to", segment.EndTick);
+                json.WriteNumber("kicks", segment.Kicks.Count);
+                json.WriteBoolean("same", diverges is null);
+                if (diverges is { } at)
+                {
+                    json.WriteNumber("firstDivergence", at);
+                    json.WriteString("difference", difference?.ToString());
+                }
+
+                json.WriteNumber("tick", tick);
+                json.WritePropertyName("ball");
+                ResultWriter.WriteMoment(json, Moment.Of(runner.State));
+            }).Span);
+        }
+
+        terminal.Person.WriteLine($"Recorded by {bundle.Library} on {bundle.Runtime}, {bundle.System}.");
+        terminal.Person.WriteLine(FormattableString.Invariant($"Ticks {segment.StartTick} to {segment.EndTick}, {segment.Kicks.Count} kicks."));
+        terminal.Person.WriteLine(diverges is { } differs
+            ? FormattableString.Invariant($"Tick {differs} is the first that differs here{(difference is { } found ? $"; the next state in the recording, {found}" : "")}.")
+            : "The same match, to the last bit.");
+        terminal.Person.WriteLine(FormattableString.Invariant($"At tick {tick}: {runner.State}"));
+        return diverges is null ? ExitCode.Done : ExitCode.Refused;
+    }
+
+    /// <summary>Where the replay and the recording differ in the first state that the recording has after a tick; null where it has none.</summary>
+    private static StateDifference? DifferenceAfter(MatchBundle bundle, long tick)
+    {
+        MatchSegment segment = bundle.Segment;
+        long left = (tick - segment.StartTick) % MatchSegment.KeyframeTicks;
+        long keyframe = left == 0 ? tick : tick + MatchSegment.KeyframeTicks - left;
+        if (keyframe > segment.EndTick)
+        {
+            return null;
+        }
+
+        FixedStepRunner recorded = segment.Replay(bundle.NewSimulator());
+        segment.Seek(recorded, keyframe);
+        FixedStepRunner played = segment.Replay(bundle.NewSimulator());
+        while (played.Tick < keyframe)
+        {
+            played.Step();
+        }
+
+        return Snapshot.Difference(recorded.State, played.State);
+    }
+}

@@ -1,0 +1,187 @@
+using System.IO.Compression;
+using System.Text.Json;
+using Football.Physics.Laws;
+using Football.Physics.Netcode;
+using Football.Physics.Shapes;
+
+namespace Football.Tool.Tests;
+
+/// <summary>A match that a game attaches to an issue is played again by the command, in the scene that comes with it.</summary>
+public sealed class BundleTests : IDisposable
+{
+    private readonly string _folder = Directory.CreateTempSubdirectory("football-bundle-").FullName;
+
+    public static TheoryData<string> Scenes => [.. s_scenes.Keys];
+
+    private static readonly Dictionary<string, Func<Scene>> s_scenes = new()
+    {
+        ["default"] = () => Scene.Default,
+        ["published"] = () => Scene.Published with { Forces = ForceSet.Regularised, Ground = Ground.PublishedCourt },
+        ["stadium"] = () => Pitch.Stadium.On(),
+        ["cage, beach ball"] = () => Pitch.Cage.On(new Scene { Ball = BallProperties.BeachBall, Ground = Ground.Indoor }),
+        ["storm"] = () => new Scene
+        {
+            Ball = BallProperties.Trionda,
+            Air = Weather.AtAltitude(1200, 12, 0.8).ToAir() with { WindField = new WindByHeight(7, 1, -2, gusts: new Gusts { Seed = 11 }) },
+            Forces = ForceSet.Measured with { KnuckleSeed = -5 },
+        },
+        ["hills and things"] = () => new Scene
+        {
+            Ground = Ground.WetTurf with { Heights = new HeightField(-10, -10, 10, new double[,] { { 0, 0.1, 0.2 }, { 0.1, 0.5, 0.2 }, { 0, 0.1, 0.3 } }) },
+            Obstacles =
+            [
+                new Obstacle { Name = "ramp \"A\"", Shape = new PlaneShape(new Vector3d(0, -3, 0), new Vector3d(0.1, 1, 0.3)) },
+                new Obstacle { Shape = new SphereShape(new Vector3d(3, 1, -6), 0.4), Mass = 12 },
+                new Obstacle { Shape = new BoxShape(new Vector3d(-4, 1, -9), new Vector3d(1, 1.1, 0.3), new Quaterniond(0.1, 0.7, 0.2, 0.5)), Surface = Surface.Wood },
+                new Obstacle { Shape = new CapsuleShape(new Vector3d(5, 0.2, 1), new Vector3d(5, 1.9, 2), 0.3), Velocity = new Vector3d(-1, 0, 0) },
+            ],
+            Nets = [new Net { Center = new Vector3d(0, 1, -15), Normal = new Vector3d(0, 0, 1), Along = new Vector3d(1, 0, 0), HalfLength = 2, HalfWidth = 1 }],
+        },
+    };
+
+    [Theory]
+    [MemberData(nameof(Scenes))]
+    public void A_match_in_any_scene_without_code_is_played_again_to_the_last_bit(string name)
+    {
+        string file = Save(Bundle(s_scenes[name](), out FixedStepRunner runner));
+        var done = FootballCommand.Run("", "bundle", file);
+        Assert.Equal("", done.Error.Contains("internal", StringComparison.Ordinal) ? done.Error : "");
+        Assert.Equal(0, done.ExitCode);
+        JsonElement told = done.Result;
+        Assert.True(told.GetProperty("same").GetBoolean());
+        Assert.Equal(200, told.GetProperty("to").GetInt64());
+        Assert.Equal(runner.State.Position.X, told.GetProperty("ball").GetProperty("position")[0].GetDouble());
+        Assert.Equal(runner.State.Velocity.Y, told.GetProperty("ball").GetProperty("velocity")[1].GetDouble());
+
+        JsonElement there = FootballCommand.Run("", "bundle", file, "--tick", "70").Result;
+        Assert.Equal(70, there.GetProperty("tick").GetInt64());
+        Assert.Contains("The same match, to the last bit.", FootballCommand.InTerminal("", "bundle", file).Output);
+    }
+
+    /// <summary>The one machine had something that is not in its recording: what it recorded is not what comes out here.</summary>
+    [Fact]
+    public void A_match_that_another_machine_played_otherwise_is_told_by_tick_and_field_and_ends_with_1()
+    {
+        var runner = new FixedStepRunner(timeStep: 1.0 / 60);
+        MatchSegment recorded = runner.Record();
+        runner.QueueKick(new Vector3d(1, 6, -20), new Vector3d(0, 30, 0));
+        runner.Kicks.Add(new KickInput(40, new Vector3d(1, 2, -3), Vector3d.Zero));
+        for (int i = 0; i < 200; i++)
+        {
+            runner.Step();
+        }
+
+        runner.Kicks.Remove(40);
+        string file = Save(recorded.ToBundle(runner.Simulator));
+        var done = FootballCommand.Run("", "bundle", file);
+        Assert.Equal(1, done.ExitCode);
+        Assert.Equal(41, done.Result.GetProperty("firstDivergence").GetInt64());
+        Assert.StartsWith("position.x: ", done.Result.GetProperty("difference").GetString());
+        Assert.Contains("Tick 41 is the first that differs here", done.Error);
+    }
+
+    [Fact]
+    public void A_match_that_was_damaged_on_its_way_is_refused()
+    {
+        byte[] plain = new FixedStepRunner().Record().ToBundle(new Simulator());
+        byte[] bytes = new FixedStepRunner().Record().ToBytes();
+        bytes[30] ^= 1;
+        Assert.StartsWith("football: match.segment: The bytes are broken: their checksum does not hold", FootballCommand.Run("", "bundle", Save(Zip(bytes, plain))).ErrorLine);
+    }
+
+    [Fact]
+    public void What_is_no_bundle_or_a_tick_that_it_does_not_have_is_refused()
+    {
+        byte[] good = Bundle(Scene.Default, out _);
+        Assert.StartsWith("football: FILE is no zip file; allowed: ", FootballCommand.Run("", "bundle", Save([1, 2, 3])).ErrorLine);
+        Assert.StartsWith("football: --tick is 201; allowed: 0 … 200", FootballCommand.Run("", "bundle", Save(good), "--tick", "201").ErrorLine);
+        Assert.StartsWith("football: FILE is \"none.zip\", which cannot be read", FootballCommand.Run("", "bundle", "none.zip").ErrorLine);
+        foreach ((string from, string to, string says) in new[]
+        {
+            ("\"gravity\":9.81", "\"gravity\":9.82", "football: sceneHash is "),
+            ("\"gravity\"", "\"gravitas\"", "football: scene.gravitas is unknown"),
+            ("\"gravity\":9.81", "\"gravity\":-1", "football: scene.gravity is -1; allowed: "),
+        })
+        {
+            var done = FootballCommand.Run("", "bundle", Save(Edited(good, from, to)));
+            Assert.Equal(1, done.ExitCode);
+            Assert.StartsWith(says, done.ErrorLine);
+        }
+    }
+
+    [Fact]
+    public void A_scene_with_code_or_another_one_than_the_match_s_has_no_bundle()
+    {
+        Scene own = Scene.Default with { Forces = ForceSet.Measured with { Custom = [Force.From(_ => Vector3d.Zero)] } };
+        Assert.StartsWith("scene: forces.custom[0] ", Assert.Throws<InvalidOperationException>(() => Bundle(own, out _)).Message);
+        var runner = new FixedStepRunner();
+        MatchSegment segment = runner.Record();
+        Assert.Throws<ArgumentException>(() => segment.ToBundle(new Simulator(Scene.Published)));
+        Assert.Throws<ArgumentNullException>(() => segment.ToBundle(null!));
+    }
+
+    public void Dispose() => Directory.Delete(_folder, recursive: true);
+
+    private static byte[] Bundle(Scene scene, out FixedStepRunner runner)
+    {
+        var bodies = new Bodies();
+        Body head = bodies.Add("head", BodyKind.Head);
+        Body player = bodies.Add("player", BodyKind.Player);
+        runner = new FixedStepRunner(new Simulator(scene with { Bodies = bodies }, new SolverSettings { Integrator = Integrator.Rk2 }), 1.0 / 60) { WireTicks = 6 };
+        runner.BodiesAt = time =>
+        {
+            head.MoveTo(new Vector3d(0.3 * time, 1.7, -6), new Vector3d(0.3, 0, 0), time);
+            player.MoveTo(new Vector3d(2 - time, 0, -3), new Vector3d(-1, 0, 0), time);
+        };
+        MatchSegment segment = runner.Record();
+        runner.QueueKick(new Vector3d(1, 5, -17), new Vector3d(3, 30, 0));
+        while (runner.Tick < 200)
+        {
+            runner.Step();
+        }
+
+        return segment.ToBundle(runner.Simulator);
+    }
+
+    private static byte[] Zip(byte[] segment, byte[] other)
+    {
+        using var memory = new MemoryStream();
+        memory.Write(other);
+        using (var zip = new ZipArchive(memory, ZipArchiveMode.Update, leaveOpen: true))
+        {
+            zip.GetEntry("match.segment")!.Delete();
+            using Stream entry = zip.CreateEntry("match.segment").Open();
+            entry.Write(segment);
+        }
+
+        return memory.ToArray();
+    }
+
+    private static byte[] Edited(byte[] bundle, string from, string to)
+    {
+        using var memory = new MemoryStream();
+        memory.Write(bundle);
+        using (var zip = new ZipArchive(memory, ZipArchiveMode.Update, leaveOpen: true))
+        {
+            string text;
+            using (var reader = new StreamReader(zip.GetEntry("match.json")!.Open()))
+            {
+                text = reader.ReadToEnd();
+            }
+
+            Assert.Contains(from, text);
+            zip.GetEntry("match.json")!.Delete();
+            using var writer = new StreamWriter(zip.CreateEntry("match.json").Open());
+            writer.Write(text.Replace(from, to, StringComparison.Ordinal));
+        }
+
+        return memory.ToArray();
+    }
+
+    private string Save(byte[] bundle)
+    {
+        string file = Path.Combine(_folder, $"{Guid.NewGuid():N}.zip");
+        File.WriteAllBytes(file, bundle);
+        return file;
+    }
+}
