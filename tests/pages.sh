@@ -186,7 +186,7 @@ plays=$(probe "$work/gallery/replay.html" '
     pointer("pointerdown", 600, 300); pointer("pointermove", 600, 40); pointer("pointerup", 600, 40);
     if (drawn().eye > 0.2) told.above++;
     let deepest = 0;
-    for (let t = 0; t !== 100; t++) { id("time").value = 0.04 * t; id("time").dispatchEvent(new Event("input")); deepest = Math.max(deepest, drawn().bulges); }
+    for (let t = 0; t !== 40; t++) { id("time").value = 0.1 * t; id("time").dispatchEvent(new Event("input")); deepest = Math.max(deepest, drawn().bulges); }
     if (deepest !== 0) told.bulged++;
   }
   document.body.dataset.told = [picture.options.length, told.plays, told.seen, told.above, told.bulged, told.free.join(",")].join(" ");

@@ -51,7 +51,7 @@ async function kick(kickings) {
   viewed = view;
   look();
   say("");
-  hint("");
+  hint(kickings.some(k => k.which === 1) ? `Blue: as set. Orange: ${$("panel").elements.beside.selectedOptions[0].text}.` : "");
   for (const flown of flights) await engine.call("Kick", [flown.number, flown.which, ...flown.kick]);
   const mine = flights;
   const things = new Map();

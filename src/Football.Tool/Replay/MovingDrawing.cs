@@ -25,7 +25,8 @@ internal static class MovingDrawing
         SceneShape[] standing = [.. picture.Shapes.Where(shape => shape.Kind is not (SceneShapeKind.Marking or SceneShapeKind.Guide))];
         Vector3d[] frame = [.. standing.Where(shape => shape.Kind == SceneShapeKind.Frame).SelectMany(shape => shape.Points)];
         Vector3d to = frame.Length > 0 ? frame.Aggregate((a, b) => a + b) / frame.Length : start[^1];
-        Vector3d[] matter = [.. picture.Shots.SelectMany(shot => SketchedBall.Way(shot.Track, end)), .. standing.SelectMany(shape => shape.Points)];
+        // What is only there to compare with may go where it likes.
+        Vector3d[] matter = [.. picture.Shots.Where(shot => !shot.Compares).SelectMany(shot => SketchedBall.Way(shot.Track, end)), .. standing.SelectMany(shape => shape.Points)];
         var eye = new Eye(start[0], to.Horizontal, matter, Width, Height, Margin);
         SketchedBall[] balls = [.. picture.Shots.Select((shot, i) => new SketchedBall(eye, shot, $"{picture.Id}-{i}", end, total))];
         string Colour(int i) => Palette.Series[i % Palette.Series.Count];
@@ -33,7 +34,7 @@ internal static class MovingDrawing
         // Each ball is drawn between what is farther and what is nearer than it.
         var layers = new List<XElement>();
         double depth = 0;
-        foreach ((double metre, XElement[] drawn) in SceneSketch.Standing(eye, picture.Shapes, Net))
+        foreach ((double metre, XElement[] drawn) in SceneSketch.Standing(eye, picture.Shapes, Net, Motion))
         {
             layers.AddRange(balls.SelectMany((ball, i) => ball.Between(depth, metre, Colour(i))));
             layers.AddRange(drawn);
@@ -48,11 +49,30 @@ internal static class MovingDrawing
                 Height,
                 Svg.Element("defs", [], balls.Select(ball => ball.Definition())),
                 SceneSketch.Backdrop(eye, start[0], to),
-                SceneSketch.Lying(eye, picture.Shapes),
+                SceneSketch.Lying(eye, picture.Shapes, Motion),
                 picture.Ground is { } ground ? balls.Select(ball => ball.Shadow(ground.HeightAt)) : null,
                 layers,
                 Svg.Text(Width - 12, Height - 12, picture.Shots[0].Kick, "end", 13, "#ffffff")),
             SceneSketch.Dark);
+
+        // Whoever moves does so until the ball has met him.
+        XElement? Motion(SceneShape shape)
+        {
+            if (shape.Velocity.Length == 0 || eye.On(shape.Points.First()) is not { } first)
+            {
+                return null;
+            }
+
+            double until = picture.Shots.SelectMany(shot => shot.Track.Events.Where(item => item.Kind == BallEventKind.Impact && shot.Track.SurfaceOf(item) == shape.Name)).Select(item => item.Time).DefaultIfEmpty(end).Min();
+            double[] times = [.. Enumerable.Range(0, 11).Select(i => 0.1 * i * until)];
+            IEnumerable<string> values = times.Append(until).Select(time => eye.On(shape.Points.First() + (time * shape.Velocity)) ?? first).Select(at => $"{Svg.Number(at.X - first.X)} {Svg.Number(at.Y - first.Y)}");
+            return Svg.Element(
+                "animateTransform",
+                [
+                    ("attributeName", "transform"), ("type", "translate"), ("dur", FormattableString.Invariant($"{total:0.##}s")), ("repeatCount", "indefinite"),
+                    ("keyTimes", string.Join(';', times.Select(time => FormattableString.Invariant($"{time / total:0.####}")).Append("1"))), ("values", string.Join(';', values)),
+                ]);
+        }
 
         IEnumerable<XElement> Net(int net, SceneShape shape) =>
             MovingNet.Draw(eye, shape, [.. picture.Shots.Where(shot => !shot.Compares).SelectMany(shot => shot.Nets).Where(move => move.Net == net && move.Time <= end)], total);

@@ -34,18 +34,21 @@ internal static class SceneSketch
     }
 
     /// <summary>What lies on the grass: lines, and the shadows of people.</summary>
-    public static IEnumerable<XElement> Lying(Eye eye, IReadOnlyList<SceneShape> shapes)
+    /// <param name="eye">Who looks.</param>
+    /// <param name="shapes">The scene.</param>
+    /// <param name="motion">How a shape moves on the sheet; null where it stands.</param>
+    public static IEnumerable<XElement> Lying(Eye eye, IReadOnlyList<SceneShape> shapes, Func<SceneShape, XElement?> motion)
     {
         foreach (XElement line in shapes.Where(shape => shape.Kind == SceneShapeKind.Marking).SelectMany(shape => shape.Lines).Select(line => Line(eye, line, "#ffffff", 0.9, 1.6)))
         {
             yield return line;
         }
 
-        foreach (Vector3d[] person in shapes.SelectMany(shape => shape.People ?? []))
+        foreach ((SceneShape shape, Vector3d[] person) in shapes.SelectMany(shape => (shape.People ?? []).Select(person => (shape, person))))
         {
             if (eye.On(person[0].Horizontal) is { } feet)
             {
-                yield return Svg.Element("ellipse", [("cx", feet.X), ("cy", feet.Y), ("rx", 0.45 * feet.Metre), ("ry", 0.12 * feet.Metre), ("fill", "#06120a"), ("fill-opacity", 0.3)]);
+                yield return Svg.Element("ellipse", [("cx", feet.X), ("cy", feet.Y), ("rx", 0.45 * feet.Metre), ("ry", 0.12 * feet.Metre), ("fill", "#06120a"), ("fill-opacity", 0.3)], motion(shape));
             }
         }
     }
@@ -54,7 +57,9 @@ internal static class SceneSketch
     /// <param name="eye">Who looks.</param>
     /// <param name="shapes">The scene.</param>
     /// <param name="net">How one of the scene's nets is drawn.</param>
-    public static List<(double Metre, XElement[] Drawn)> Standing(Eye eye, IReadOnlyList<SceneShape> shapes, Func<int, SceneShape, IEnumerable<XElement>> net)
+    /// <param name="motion">How somebody moves on the sheet; null where he stands.</param>
+    public static List<(double Metre, XElement[] Drawn)> Standing(
+        Eye eye, IReadOnlyList<SceneShape> shapes, Func<int, SceneShape, IEnumerable<XElement>> net, Func<SceneShape, XElement?> motion)
     {
         var all = new List<(double Metre, XElement[] Drawn)>();
         int nets = 0;
@@ -66,7 +71,7 @@ internal static class SceneSketch
             }
             else if (shape.People is { } people)
             {
-                all.AddRange(people.Select((person, i) => (Metre(eye, [person[0], person[1]]), (XElement[])[.. Person(eye, shape.Name, person, i)])));
+                all.AddRange(people.Select((person, i) => (Metre(eye, [person[0], person[1]]), (XElement[])[Svg.Element("g", [], motion(shape), Person(eye, shape.Name, person, i))])));
             }
             else if (shape.Kind == SceneShapeKind.Guide)
             {

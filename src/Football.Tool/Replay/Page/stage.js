@@ -45,7 +45,9 @@ class Stage {
     this.picture = picture;
     this.shapes = picture.shapes.map(s => ({ ...s, lines: s.lines.map(points), faces: s.faces.map(points) }));
     this.nets = this.shapes.filter(s => s.kind === "net").flatMap(s => s.faces.map(face => new NetSheet(face)));
-    this.people = this.shapes.filter(s => s.kind === "people").flatMap((s, i) => s.lines.map((l, j) => ({ limbs: limbsOf(l[0], l[1], l[2], l[3], s.name, i + j), feet: l[0] })));
+    // Whoever moves does so until the ball has met him.
+    const met = name => Math.min(Infinity, ...(picture.shots || []).flatMap(shot => shot.events).filter(e => e.kind === "impact" && e.surface === name).map(e => e.time));
+    this.people = this.shapes.filter(s => s.kind === "people").flatMap((s, i) => s.lines.map((l, j) => ({ limbs: limbsOf(l[0], l[1], l[2], l[3], s.name, i + j), feet: l[0], velocity: s.velocity, until: met(s.name) })));
     this.targets = points(picture.targets || []);
     this.stadium = new Stadium(this.level ? picture.goals : null);
     this.camera.groundAt = (x, z) => this.groundAt(x, z);
@@ -73,8 +75,9 @@ class Stage {
     this.drawn = { time: Math.round(time * 1e4) / 1e4, shots: shots.length, pieces: 0, balls: 0, marks: 0, faces: 0, figures: 0, lines: this.backDrawn.lines, ground: this.backDrawn.ground };
     this.g.drawImage(this.back, 0, 0, camera.width, camera.height);
     const balls = shots.map(shot => ({ shot, at: shot.track.at(time) }));
+    const people = [...this.people.map(p => moved(p, time)), ...this.figures];
     shots.forEach(shot => this.drawPathShadow(shot));
-    [...this.people, ...this.figures].forEach(p => this.blob(p.feet, 0.42, 0.34, this.groundAt(p.feet[0], p.feet[2])));
+    people.forEach(p => this.blob(p.feet, 0.42, 0.34, this.groundAt(p.feet[0], p.feet[2])));
     balls.forEach(ball => this.drawShadow(ball));
 
     // From far to near.
@@ -82,7 +85,7 @@ class Stage {
     const item = (p, paint) => { const z = camera.see(p)[2]; if (z > NEAR) items.push({ z, paint }); };
     this.shapes.filter(s => s.kind === "frame" || s.kind === "obstacle").forEach(s => this.addShape(s, time, item));
     this.nets.forEach((net, i) => item(net.middle, () => this.drawn.lines += net.paint(this.g, camera, this.bulges.get(i), this.colour.net)));
-    [...this.people, ...this.figures].forEach(p => item(add(p.feet, [0, 0.9, 0]), () => { paintFigure(this.g, camera, p.limbs, this.dark ? "rgba(4,10,30,0.22)" : null); this.drawn.figures++; }));
+    people.forEach(p => item(add(p.feet, [0, 0.9, 0]), () => { paintFigure(this.g, camera, p.limbs, this.dark ? "rgba(4,10,30,0.22)" : null); this.drawn.figures++; }));
     shots.forEach(shot => { this.addPath(shot, time, item); this.addMarks(shot, time, item); });
     this.ahead.forEach((dot, i) => item(dot.p, () => this.drawAhead(dot, i)));
     balls.forEach(ball => item(ball.at.p, () => this.drawBallOf(ball)));
@@ -393,6 +396,13 @@ class Stage {
     this.g.lineWidth = 2;
     this.g.stroke();
   }
+}
+
+// Somebody where he is at a time.
+function moved(person, time) {
+  if (person.velocity.every(x => x === 0)) return person;
+  const way = mul(Math.min(time, person.until), person.velocity);
+  return { ...person, feet: add(person.feet, way), limbs: person.limbs.map(l => ({ ...l, from: add(l.from, way), to: add(l.to, way) })) };
 }
 
 // A net between four corners, the second along the first half side, the fourth along the other.
