@@ -39,7 +39,7 @@ public sealed class KeyframeTests
         FixedStepRunner match = Match(players: 6);
         MatchSegment segment = match.Record();
         Play(match, 1000);
-        Assert.NotEqual(MatchSegment.FromBytes(segment.ToBytes()).Replay(Match(6).Simulator).Simulator.World.Obstacles.Count, 0);
+        Assert.NotEqual(0, MatchSegment.FromBytes(segment.ToBytes()).Replay(Match(6).Simulator).Simulator.World.Obstacles.Count);
         segment = MatchSegment.FromBytes(segment.ToBytes());
         Assert.Null(segment.FirstDivergence(Match(6).Simulator));
         FixedStepRunner replay = segment.Replay(Match(6).Simulator);

@@ -1,7 +1,6 @@
 #nullable enable
 using System.Threading;
 using System.Threading.Tasks;
-using Football.Physics.Prediction;
 
 namespace Football.Physics.GodotAddon;
 

@@ -1,6 +1,5 @@
 using System.Threading;
 using System.Threading.Tasks;
-using Football.Physics.Prediction;
 using UnityEngine;
 
 namespace Football.Physics.Unity
