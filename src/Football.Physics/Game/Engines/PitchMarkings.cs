@@ -132,15 +132,15 @@ internal sealed class PitchMarkings
     private static Vector3d Around(double turns) => Quaterniond.FromAxisAngle(Vector3d.Up, -2.0 * Math.PI * turns).Rotate(new Vector3d(1, 0, 0));
 
     /// <summary>The direction of signs (x, z) in turns.</summary>
-    private static double Turn(double x, double z) => (x, z) switch
+    private static double Turn(double x, double z) => (Math.Sign(x), Math.Sign(z)) switch
     {
-        (> 0, 0) => 0,
-        (> 0, > 0) => 0.125,
-        (0, > 0) => 0.25,
-        ( < 0, > 0) => 0.375,
-        ( < 0, 0) => 0.5,
-        ( < 0, < 0) => 0.625,
-        (0, < 0) => 0.75,
+        (1, 0) => 0,
+        (1, 1) => 0.125,
+        (0, 1) => 0.25,
+        (-1, 1) => 0.375,
+        (-1, 0) => 0.5,
+        (-1, -1) => 0.625,
+        (0, -1) => 0.75,
         _ => 0.875,
     };
 }
