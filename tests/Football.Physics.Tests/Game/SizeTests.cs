@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using Football.Physics.Tests.Support;
 
 namespace Football.Physics.Tests.Game;
 
