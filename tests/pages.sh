@@ -170,6 +170,34 @@ open copies 1280,900 light "file://$copies"
 (( $(said copies copied) == 2 * shots )) || fail "gallery: $(said copies copied) of $(( 2 * shots )) lines can be copied"
 echo "ok    gallery: $shots shots, $(said copies copied) lines to copy"
 
+# The page that moves, picture by picture: at the kick the ball lies behind nothing; whoever drags the camera down stays above the grass; nets give way; a story ends before the ball has rolled out, and begins again.
+plays=$(probe "$work/gallery/replay.html" '
+  const id = function (name) { return document.getElementById(name); }, stage = id("stage"), picture = id("picture"), told = { seen: 0, above: 0, bulged: 0, plays: 0, free: [] };
+  const drawn = function () { return JSON.parse(stage.dataset.drawn); };
+  const pointer = function (kind, x, y) { stage.dispatchEvent(new PointerEvent(kind, { pointerId: 1, clientX: x, clientY: y, bubbles: true })); };
+  const key = function (name) { document.dispatchEvent(new KeyboardEvent("keydown", { key: name, bubbles: true })); };
+  stage.setPointerCapture = function () { };
+  for (const option of picture.options) {
+    picture.value = option.value; picture.dispatchEvent(new Event("change"));
+    if (id("play").getAttribute("aria-label") === "Pause") told.plays++;
+    key("Home");
+    const at = drawn().ball, on = at === null ? null : document.elementFromPoint(at[0], at[1]);
+    if (on === stage) told.seen++; else told.free.push(option.value);
+    pointer("pointerdown", 600, 300); pointer("pointermove", 600, 40); pointer("pointerup", 600, 40);
+    if (drawn().eye > 0.2) told.above++;
+    let deepest = 0;
+    for (let t = 0; t !== 40; t++) { id("time").value = 0.1 * t; id("time").dispatchEvent(new Event("input")); deepest = Math.max(deepest, drawn().bulges); }
+    if (deepest !== 0) told.bulged++;
+  }
+  document.body.dataset.told = [picture.options.length, told.plays, told.seen, told.above, told.bulged, told.free.join(",")].join(" ");
+')
+for size in 1280,900 390,844; do
+  open plays "$size" light "file://$plays"
+  read -r all playing seen above bulged hidden <<< "$(said plays told)"
+  (( all == shots && playing == all && above == all && seen == all && bulged >= 8 )) || fail "replay, ${size%,*} pixels: of $all pictures $playing play when chosen, $seen show the ball at the kick (not $hidden), $above keep the camera above the grass, $bulged move a net"
+done
+echo "ok    replay: of $all pictures all play when chosen, show the ball at the kick with nothing on it, keep the camera above the grass; the nets move in $bulged"
+
 # --- the site
 
 dotnet docs/Site/bin/Release/net10.0/football-site.dll "$work/site" > "$work/log" 2>&1 || { cat "$work/log" >&2; fail "docs/Site"; }

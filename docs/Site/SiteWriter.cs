@@ -58,8 +58,8 @@ internal static partial class SiteWriter
     {
         (string Address, string Heading)[] sections = [.. page.Contents];
         return sections.Length < 3 ? ""
-            : "<aside aria-label=\"On this page\"><b>On this page</b>\n"
-                + string.Concat(sections.Select(section => $"<a href=\"{section.Address}\">{WebUtility.HtmlEncode(section.Heading)}</a>\n")) + "</aside>\n";
+            : "<aside aria-label=\"On this page\"><details open><summary>On this page</summary>\n"
+                + string.Concat(sections.Select(section => $"<a href=\"{section.Address}\">{WebUtility.HtmlEncode(section.Heading)}</a>\n")) + "</details></aside>\n";
     }
 
     private static string Index(SitePage[] pages) => JsonSerializer.Serialize(

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Builds the library for Unity, puts it into the package's Plugins and packs the package for the package manager.
 #   samples/Unity/build.sh [DIR]     the .tgz in DIR (default out)
+# FOOTBALL_ADDRESS=https://… is where the repository's pages are, for the links of the package manager; default the address of "origin".
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 out=${1:-out}
@@ -17,7 +18,8 @@ cp src/Football.Physics/bin/Release/netstandard2.1/Football.Physics.{dll,xml} "$
 staged=$(mktemp -d)
 trap 'rm -rf "$staged"' EXIT
 cp -R "$package" "$staged/package"
-address=$(git config --get remote.origin.url || true)
+address=${FOOTBALL_ADDRESS:-$(git config --get remote.origin.url || true)}
+if [[ $address =~ ^(ssh://)?git@([^:/]+)[:/](.+)$ ]]; then address=https://${BASH_REMATCH[2]}/${BASH_REMATCH[3]}; fi
 address=${address%/}
 address=${address%.git}
 if [[ $address == http*://* ]]; then

@@ -11,6 +11,7 @@ internal sealed class Flight
     private readonly Ball _ball;
     private readonly Keeper? _keeper;
     private readonly NetBulges _bulges;
+    private readonly bool[] _moving;
     private readonly List<double> _told = [];
     private double _lastTime;
     private Vector3d _lastSpin;
@@ -23,6 +24,7 @@ internal sealed class Flight
         _keeper?.Watch(ahead);
         _ball = new Ball(setting.Scene(_keeper?.Bodies));
         _bulges = new NetBulges(_ball.Simulator);
+        _moving = new bool[_bulges.Count];
         _ball.Kick(velocity, spin);
         Tell(_ball.State.Position, _ball.State.Velocity, _ball.State.Velocity, _ball.State.Spin, 0);
         TellKeeper();
@@ -100,10 +102,13 @@ internal sealed class Flight
         for (int net = 0; net < _bulges.Count; net++)
         {
             NetBulge bulge = _bulges[net];
-            if (bulge.Depth > 0.005)
+            bool moves = bulge.Depth > 0.005;
+            if (moves || _moving[net])
             {
                 _told.AddRange([(double)Row.Bulge, _ball.Time, net, bulge.Depth, bulge.Position.X, bulge.Position.Y, bulge.Position.Z, bulge.Direction.X, bulge.Direction.Y, bulge.Direction.Z]);
             }
+
+            _moving[net] = moves;
         }
     }
 

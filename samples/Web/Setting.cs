@@ -32,6 +32,10 @@ internal sealed record Setting(
         ["Brazuca"] = BallProperties.Brazuca,
         ["Teamgeist"] = BallProperties.Teamgeist,
         ["Tango12"] = BallProperties.Tango12,
+        ["Modern"] = BallProperties.Modern,
+        ["Telstar18"] = BallProperties.Telstar18,
+        ["AlRihla"] = BallProperties.AlRihla,
+        ["Trionda"] = BallProperties.Trionda,
         ["YouthFootball"] = BallProperties.YouthFootball,
         ["Futsal"] = BallProperties.Futsal,
         ["BeachBall"] = BallProperties.BeachBall,
@@ -43,6 +47,7 @@ internal sealed record Setting(
     {
         ["DryTurf"] = Physics.Ground.DryTurf,
         ["WetTurf"] = Physics.Ground.WetTurf,
+        ["MatchTurf"] = Physics.Ground.MatchTurf,
         ["ArtificialTurf"] = Physics.Ground.ArtificialTurf,
         ["LongGrass"] = Physics.Ground.LongGrass,
         ["HardGround"] = Physics.Ground.HardGround,

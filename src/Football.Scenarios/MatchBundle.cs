@@ -1,7 +1,6 @@
 using System.Globalization;
 using System.IO.Compression;
 using System.Text.Json;
-using Football.Physics.Netcode;
 using Football.Scenarios.Input;
 
 namespace Football.Scenarios;

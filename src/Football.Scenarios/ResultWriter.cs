@@ -41,13 +41,7 @@ public static class ResultWriter
 
         if (outcome.Samples is not null)
         {
-            json.WriteStartArray("samples");
-            foreach (Moment sample in outcome.Samples)
-            {
-                WriteMoment(json, sample);
-            }
-
-            json.WriteEndArray();
+            WriteSamples(json, outcome.Samples);
         }
     });
 
@@ -136,12 +130,28 @@ public static class ResultWriter
         }
 
         json.WriteStartArray("balls");
-        foreach (Moment final in outcome.Balls)
+        for (int i = 0; i < outcome.Balls.Count; i++)
         {
             json.WriteStartObject();
             json.WritePropertyName("final");
-            WriteMoment(json, final);
+            WriteMoment(json, outcome.Balls[i]);
+            if (outcome.BallSamples.Count > 0)
+            {
+                WriteSamples(json, outcome.BallSamples[i]);
+            }
+
             json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+    }
+
+    private static void WriteSamples(Utf8JsonWriter json, IReadOnlyList<Moment> samples)
+    {
+        json.WriteStartArray("samples");
+        foreach (Moment sample in samples)
+        {
+            WriteMoment(json, sample);
         }
 
         json.WriteEndArray();
@@ -149,7 +159,7 @@ public static class ResultWriter
 
     private static void WriteEvent(Utf8JsonWriter json, in BallEvent item, Outcome outcome)
     {
-        string? surface = item.OtherBall >= 0 ? FormattableString.Invariant($"ball {item.OtherBall}") : outcome.NameOf(item.Thing);
+        string? surface = outcome.SurfaceOf(in item);
         json.WriteStartObject();
         json.WriteString("kind", item.Kind switch
         {

@@ -45,7 +45,7 @@ public sealed record Scenario
     public bool Derivatives { get; init; }
 
     /// <summary>Whether there is room for a sample of every step.</summary>
-    public bool CanKeepPath => Duration / TimeStep <= MostSamples;
+    public bool CanKeepPath => Math.Max(1, Balls.Count) * (Duration / TimeStep) <= MostSamples;
 
     /// <summary>Reads a scenario; what its numbers may be the library says when it is played.</summary>
     /// <exception cref="RefusedException">A field is unknown, missing or of the wrong type.</exception>
@@ -54,7 +54,7 @@ public sealed record Scenario
         Scenario scenario = Take(fields.Root);
         fields.Check();
         return !scenario.Samples || scenario.CanKeepPath ? scenario : throw new RefusedException(FormattableString.Invariant(
-            $"samples is true with {scenario.Duration / scenario.TimeStep:0} steps (stop.time / solver.timeStep); allowed: samples of at most {MostSamples:0} steps."));
+            $"samples is true with {Math.Max(1, scenario.Balls.Count) * (scenario.Duration / scenario.TimeStep):0} steps (stop.time / solver.timeStep, of all balls); allowed: samples of at most {MostSamples:0} steps."));
     }
 
     /// <summary>Takes a scenario's members from an input that may hold more; the fields are still to be checked.</summary>
@@ -67,7 +67,6 @@ public sealed record Scenario
         SolverSettings settings = SceneInput.Solver(root, out double timeStep);
         if (several)
         {
-            root.Demand("samples", !root.Flag("samples", false), "false where there are several balls");
             root.Demand("derivatives", !root.Flag("derivatives", false), "false where there are several balls");
         }
 

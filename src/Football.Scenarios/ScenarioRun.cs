@@ -64,12 +64,25 @@ public static class ScenarioRun
         var group = new BallGroup(scenario.Scene, [.. scenario.Balls.Select(ball => ball.Ball)], scenario.Settings, scenario.BallContact);
         BallState[] states = [.. scenario.Balls.Select((ball, i) => group.SimulatorOf(i).Launch(ball.Position, ball.Velocity, ball.Spin, ball.Orientation))];
         var log = new StepLog(mostEvents: MostEvents);
-        bool ended = group.Run(states, scenario.TimeStep, scenario.Duration, scenario.StopAt, log);
+        List<Moment>[] samples = scenario.Samples ? [.. states.Select(state => new List<Moment> { Moment.Of(in state) })] : [];
+        bool ended = group.Run(states, scenario.TimeStep, scenario.Duration, scenario.StopAt, log, samples.Length == 0 ? null : () =>
+        {
+            for (int i = 0; i < states.Length; i++)
+            {
+                samples[i].Add(Moment.Of(in states[i]));
+            }
+        });
         Moment[] finals = [.. states.Select(state => ended ? Moment.Of(in state) : Moment.Of(in state) with { Time = scenario.Duration })];
+        for (int i = 0; i < samples.Length; i++)
+        {
+            samples[i][^1] = finals[i];
+        }
+
         var outcome = new Outcome
         {
             Final = finals[0],
             Balls = finals,
+            BallSamples = samples,
             Events = log.Events.Span.ToArray(),
             Missed = log.Events.Dropped,
             Bounces = log.Events.Impacts,
@@ -138,7 +151,8 @@ public static class ScenarioRun
         && double.IsFinite(outcome.Apex)
         && outcome.Events.All(item => double.IsFinite(item.Time) && item.Position.IsFinite && item.Velocity.IsFinite && item.Spin.IsFinite
             && item.VelocityBefore.IsFinite && item.SpinBefore.IsFinite)
-        && (outcome.Samples?.All(sample => sample.IsFinite) ?? true);
+        && (outcome.Samples?.All(sample => sample.IsFinite) ?? true)
+        && outcome.BallSamples.All(samples => samples.All(sample => sample.IsFinite));
 
     /// <summary>The greatest height of the centre, located inside the step.</summary>
     private sealed class HighestPoint(double height) : PieceObserver

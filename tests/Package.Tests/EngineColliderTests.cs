@@ -14,6 +14,7 @@ public sealed class EngineColliderTests : IDisposable
 
     public void Dispose()
     {
+        UnityEngine.GameObject.DestroyAll();
         UnityEngine.Physics.All.Clear();
         Godot.World3D.Only.DirectSpaceState.All.Clear();
     }
@@ -54,7 +55,9 @@ public sealed class EngineColliderTests : IDisposable
         bool moves = thing == "moving";
         if (moves)
         {
-            holder.Attach<UnityEngine.Rigidbody>().velocity = new UnityVector(0f, 0f, -4f);
+            UnityEngine.Rigidbody body = holder.Attach<UnityEngine.Rigidbody>();
+            body.isKinematic = true;
+            body.velocity = new UnityVector(0f, 0f, -4f);
         }
 
         UnityEngine.Physics.All.Add(collider);
@@ -83,7 +86,7 @@ public sealed class EngineColliderTests : IDisposable
     [MemberData(nameof(Things))]
     public void A_ball_bounces_off_Godots_body_at_the_same_instant_as_off_our_own_shape(string thing)
     {
-        Godot.CollisionObject3D body = thing == "moving" ? new Godot.RigidBody3D { LinearVelocity = new GodotVector(0, 0, 4) } : new Godot.StaticBody3D();
+        Godot.CollisionObject3D body = thing == "moving" ? new Godot.RigidBody3D { LinearVelocity = new GodotVector(0, 0, 4), Freeze = true } : new Godot.StaticBody3D();
         body.Name = thing;
         Godot.Shape3D shape = thing switch
         {

@@ -1,5 +1,7 @@
 using System.Text.RegularExpressions;
+using System.Xml.Linq;
 using Football.Physics.Site;
+using Football.Physics.Site.Pictures;
 
 namespace Football.Physics.Package.Tests;
 
@@ -71,6 +73,18 @@ public sealed partial class SiteTests
         int end = index.IndexOf("\"],[", from, StringComparison.Ordinal);
         int begin = index.LastIndexOf("],[", from, StringComparison.Ordinal);
         Assert.Contains(words, index[begin..end], StringComparison.OrdinalIgnoreCase);
+    }
+
+    public static TheoryData<string> Pictures => [.. DocPictures.All.Select(picture => picture.Name)];
+
+    [Theory]
+    [MemberData(nameof(Pictures))]
+    public void A_picture_of_the_docs_is_what_the_library_draws_and_stands_on_a_page(string name)
+    {
+        string file = $"{DocPictures.Folder}/{name}.svg";
+        Repository.AssertCurrent(file, DocPictures.All.Single(picture => picture.Name == name).Draw().ToString(SaveOptions.DisableFormatting));
+        Assert.Contains(Directory.GetFiles(Path.Combine(Repository.Root, "docs"), "*.md"), page => File.ReadAllText(page).Contains($"](pictures/{name}.svg)", StringComparison.Ordinal));
+        Assert.True(File.Exists(Path.Combine(s_folder, name + ".svg")));
     }
 
     private static string Text(string file) => File.ReadAllText(Path.Combine(s_folder, file));

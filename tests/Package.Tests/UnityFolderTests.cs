@@ -47,22 +47,11 @@ public sealed partial class UnityFolderTests
         JsonElement Definition(string path) => JsonDocument.Parse(Repository.Text($"{Folder}/{path}")).RootElement;
         JsonElement editor = Definition("Editor/Football.Physics.Unity.Editor.asmdef");
         Assert.Equal("Editor", editor.GetProperty("includePlatforms")[0].GetString());
-        foreach (JsonElement assembly in (JsonElement[])[editor, Definition("Runtime/Football.Physics.Unity.asmdef"), Definition("Samples~/Demo/Football.Demo.asmdef")])
+        foreach (JsonElement assembly in (JsonElement[])[editor, Definition("Runtime/Football.Physics.Unity.asmdef"), Definition("Tests/Runtime/Football.Physics.Unity.Tests.asmdef")])
         {
             Assert.Equal("Football.Physics.dll", assembly.GetProperty("precompiledReferences")[0].GetString());
-            Assert.All(assembly.GetProperty("references").EnumerateArray(), reference => Assert.True(File.Exists(Path.Combine(Full, "Runtime", reference.GetString() + ".asmdef"))));
+            Assert.All(assembly.GetProperty("references").EnumerateArray().Where(reference => reference.GetString() is not ("Unity.InputSystem" or "UnityEngine.TestRunner")), reference => Assert.True(File.Exists(Path.Combine(Full, "Runtime", reference.GetString() + ".asmdef"))));
         }
-    }
-
-    [Fact]
-    public void The_demo_scene_refers_to_its_script_and_every_object_in_it_is_there()
-    {
-        string scene = Repository.Text(Folder + "/Samples~/Demo/Demo.unity");
-        string id = Id().Match(Repository.Text(Folder + "/Samples~/Demo/DemoPitch.cs.meta")).Groups[1].Value;
-        Assert.Contains($"guid: {id}", scene);
-        string[] defined = [.. Defined().Matches(scene).Select(match => match.Groups[1].Value)];
-        Assert.Equal(defined.Length, defined.Distinct().Count());
-        Assert.All(Referred().Matches(scene).Select(match => match.Groups[1].Value).Where(file => file is not ("0" or "11500000")), file => Assert.Contains(file, defined));
     }
 
     [Fact]
@@ -203,24 +192,6 @@ public sealed partial class UnityFolderTests
         Assert.All(numbers, field => Assert.True(field.IsDefined(typeof(RangeAttribute), false), field.Name));
     }
 
-    [Fact]
-    public void The_demo_kicks_and_puts_back()
-    {
-        var demo = new GameObject();
-        demo.AddComponent<Football.Demo.DemoPitch>();
-        UnityEngine.Input.Pressed = KeyCode.Space;
-        demo.Send("Update");
-        UnityEngine.Input.Pressed = KeyCode.R;
-        demo.Send("Update");
-        UnityEngine.Input.Pressed = default;
-    }
-
     [GeneratedRegex("^guid: ([0-9a-f]+)$", RegexOptions.Multiline)]
     private static partial Regex Id();
-
-    [GeneratedRegex(@"^--- !u!\d+ &(\d+)$", RegexOptions.Multiline)]
-    private static partial Regex Defined();
-
-    [GeneratedRegex(@"fileID: (\d+)")]
-    private static partial Regex Referred();
 }

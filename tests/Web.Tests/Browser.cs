@@ -9,6 +9,8 @@ public sealed class Browser : IAsyncLifetime
     private static readonly string[] s_names = ["chromium-headless-shell", "chromium", "chromium-browser", "google-chrome"];
     private IPlaywright? _playwright;
     private IBrowser? _browser;
+    private Window? _playing;
+    private int _scenes;
 
     /// <summary>The folder of the repository.</summary>
     public static string Repository { get; } = Path.GetFullPath(typeof(Browser).Assembly.GetCustomAttributes<AssemblyMetadataAttribute>().First(item => item.Key == "Repository").Value!);
@@ -37,6 +39,19 @@ public sealed class Browser : IAsyncLifetime
         }
 
         _playwright?.Dispose();
+    }
+
+    /// <summary>The page to play with in a window that tests share one after the other, set by an address anew: to start the library for each would take seconds.</summary>
+    public async Task<Window> Playing(string hash = "")
+    {
+        _playing ??= await (await Open(Play)).Ready();
+        _playing.Errors.Clear();
+        string before = (await _playing.Said("scene"))!;
+        // Without what tests wait for; the number makes each address another one.
+        await _playing.Page.EvaluateAsync(
+            "hash => { document.activeElement.blur(); for (const name of ['aim', 'copied', 'frames', 'flown', 'golden']) delete document.body.dataset[name]; location.hash = hash; }", $"#{hash.TrimStart('#')}&scene={++_scenes}");
+        await _playing.Until($"document.body.dataset.scene !== '{before}'");
+        return _playing;
     }
 
     /// <summary>A window of a width with a page in it.</summary>

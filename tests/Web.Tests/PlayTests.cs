@@ -3,7 +3,7 @@ using Microsoft.Playwright;
 namespace Football.Web.Tests;
 
 /// <summary>The page to play with, in a real browser, opened from disk.</summary>
-public sealed class PlayTests(Browser browser, ITestOutputHelper told) : IClassFixture<Browser>
+public sealed class PlayTests(Browser browser, ITestOutputHelper told)
 {
     private const string Alone = "#wall=0&keeper=0";
 
@@ -32,30 +32,27 @@ public sealed class PlayTests(Browser browser, ITestOutputHelper told) : IClassF
         told.WriteLine($"{name}: library ready after {await window.Said("ready")} ms; pulled to {kick[0]} m/s, {kick[2]}° to the left; {await window.Said("frames")} frames in a second; no error");
     }
 
-    [Theory]
-    [InlineData("behind")]
-    [InlineData("side")]
-    [InlineData("above")]
-    [InlineData("goal")]
-    [InlineData("ball")]
-    public async Task Five_cameras_look_from_above_the_grass(string view)
+    [Fact]
+    public async Task Five_cameras_look_from_above_the_grass()
     {
-        await using Window window = await (await browser.Open(browser.Play)).Ready();
-        await window.Page.ClickAsync($"[data-view={view}]");
+        Window window = await browser.Playing();
         await window.Page.ClickAsync("#kick");
-        await window.Until("playground.time > 0.6");
-        await window.Picture("camera-" + view);
-        for (int i = 0; i < 6; i++)
+        foreach (string view in new[] { "behind", "side", "above", "goal", "ball" })
         {
-            await Drag(window, 400, 300, 420, 60);
-            Assert.True(await window.Page.EvaluateAsync<double>("() => playground.stage.camera.eye[1]") > 0.2);
+            await window.Page.ClickAsync($"[data-view={view}]");
+            await window.Picture("camera-" + view);
+            for (int i = 0; i < 4; i++)
+            {
+                await Drag(window, 400, 300, 420, 60);
+                Assert.True(await window.Page.EvaluateAsync<double>("() => playground.stage.camera.eye[1]") > 0.2);
+            }
         }
     }
 
     [Fact]
     public async Task The_path_ahead_is_the_flight()
     {
-        await using Window window = await (await browser.Open(browser.Play, hash: "#keeper=0")).Ready();
+        Window window = await browser.Playing("#keeper=0");
         double[] way = await window.Numbers("Array.from(playground.way)");
         await window.Page.Keyboard.PressAsync(" ");
         await window.Flown();
@@ -83,7 +80,7 @@ public sealed class PlayTests(Browser browser, ITestOutputHelper told) : IClassF
     [InlineData(0.4, 1.2)]
     public async Task A_click_into_the_goal_finds_the_kick_that_goes_there(double x, double y)
     {
-        await using Window window = await (await browser.Open(browser.Play, hash: "#keeper=0")).Ready();
+        Window window = await browser.Playing("#keeper=0");
         (float atX, float atY) = await window.OnScreen(x, y, -22);
         await window.Page.Mouse.ClickAsync(atX, atY);
         await window.Until("document.body.dataset.aim");
@@ -100,7 +97,7 @@ public sealed class PlayTests(Browser browser, ITestOutputHelper told) : IClassF
     [Fact]
     public async Task Where_no_kick_goes_it_says_why()
     {
-        await using Window window = await (await browser.Open(browser.Play, hash: "#speed=9&distance=40&wall=0")).Ready();
+        Window window = await browser.Playing("#speed=9&distance=40&wall=0");
         (float x, float y) = await window.OnScreen(0, 1.5, -40);
         await window.Page.Mouse.ClickAsync(x, y);
         await window.Until("document.body.dataset.aim");
@@ -134,7 +131,7 @@ public sealed class PlayTests(Browser browser, ITestOutputHelper told) : IClassF
     [InlineData("#keeper=3&wall=5&aside=8&windAcross=4&ball=Brazuca&ground=WetTurf&altitude=2200&profile=published")]
     public async Task The_copied_program_plays_what_is_seen(string hash)
     {
-        await using Window window = await (await browser.Open(browser.Play, hash: hash)).Ready();
+        Window window = await browser.Playing(hash);
         await window.Page.ClickAsync("#copy");
         await window.Until("document.body.dataset.copied");
         await window.Page.ClickAsync("#kick");
@@ -148,7 +145,7 @@ public sealed class PlayTests(Browser browser, ITestOutputHelper told) : IClassF
     [Fact]
     public async Task The_golden_kicks_have_the_same_bits_in_the_browser()
     {
-        await using Window window = await (await browser.Open(browser.Play)).Ready();
+        Window window = await browser.Playing();
         await window.Page.EvaluateAsync("() => document.getElementById('bits').click()");
         await window.Until("document.body.dataset.golden");
         string golden = (await File.ReadAllTextAsync(Path.Combine(Browser.Repository, "tests", "Golden", "golden.txt"))).Trim();
@@ -159,7 +156,7 @@ public sealed class PlayTests(Browser browser, ITestOutputHelper told) : IClassF
     [Fact]
     public async Task Twenty_balls_fly_at_once()
     {
-        await using Window window = await (await browser.Open(browser.Play)).Ready();
+        Window window = await browser.Playing();
         await window.Page.ClickAsync("#many");
         await window.Until("playground.time > 0.5");
         await window.Picture("twenty-balls");
@@ -175,7 +172,7 @@ public sealed class PlayTests(Browser browser, ITestOutputHelper told) : IClassF
     [Fact]
     public async Task Two_profiles_fly_side_by_side_and_a_replay_is_slow()
     {
-        await using Window window = await (await browser.Open(browser.Play, hash: "#beside=published%3A&keeper=0")).Ready();
+        Window window = await browser.Playing("#beside=published%3A&keeper=0");
         await window.Page.ClickAsync("#kick");
         await window.Flown();
         Assert.Equal(2, await window.Page.EvaluateAsync<int>("() => playground.flights.length"));
@@ -193,9 +190,11 @@ public sealed class PlayTests(Browser browser, ITestOutputHelper told) : IClassF
     [Fact]
     public async Task A_goal_is_scored_by_hand()
     {
-        await using Window window = await (await browser.Open(browser.Play)).Ready();
+        Window window = await browser.Playing();
         var watch = System.Diagnostics.Stopwatch.StartNew();
         int tries = 0;
+        int kicks = int.Parse((await window.Page.TextContentAsync("#kicks"))!, System.Globalization.CultureInfo.InvariantCulture);
+        string goals = (await window.Page.TextContentAsync("#goals"))!;
         foreach ((double x, double y) in new[] { (3.3, 2.1), (-3.4, 2.1), (-3.4, 0.3), (3.4, 0.4) })
         {
             tries++;
@@ -204,8 +203,8 @@ public sealed class PlayTests(Browser browser, ITestOutputHelper told) : IClassF
             await window.Page.Mouse.ClickAsync(atX, atY);
             await window.Until("document.body.dataset.aim");
             await window.Page.ClickAsync("#kick");
-            await window.Until($"document.getElementById('kicks').textContent === '{tries}'");
-            if (await window.Page.TextContentAsync("#goals") == "1")
+            await window.Until($"document.getElementById('kicks').textContent === '{kicks + tries}'");
+            if (await window.Page.TextContentAsync("#goals") != goals)
             {
                 break;
             }
@@ -216,7 +215,7 @@ public sealed class PlayTests(Browser browser, ITestOutputHelper told) : IClassF
         await window.Picture("goal");
         string said = (await window.Said("verdict"))!;
         told.WriteLine($"a goal past the good keeper at try {tries}, {(int)watch.Elapsed.TotalSeconds} s after the page was open: {said}");
-        Assert.Equal("1", await window.Page.TextContentAsync("#goals"));
+        Assert.NotEqual(goals, await window.Page.TextContentAsync("#goals"));
     }
 
     private static async Task Drag(Window window, float fromX, float fromY, float toX, float toY)

@@ -1,13 +1,13 @@
 namespace Football.Web.Tests;
 
 /// <summary>Questions as a new user asks them, typed into the search of the site.</summary>
-public sealed class SearchTests(Browser browser, ITestOutputHelper told) : IClassFixture<Browser>
+public sealed class SearchTests(Browser browser, ITestOutputHelper told)
 {
     private static readonly (string Question, string Page)[] s_questions =
     [
         ("goal detection", "cookbook.html#is-it-a-goal"),
         ("photon", "questions.html#how-do-i-use-it-with-photon"),
-        ("mirror networking", "questions.html#how-do-i-use-it-with-photon"),
+        ("ball rolls forever", "questions.html#the-ball-rolls-too-far"),
         ("unity netcode", "questions.html#how-do-i-use-it-with-photon"),
         ("arcade drag", "questions.html#it-curls-too-much"),
         ("curve is too strong", "questions.html#it-curls-too-much"),
@@ -23,10 +23,10 @@ public sealed class SearchTests(Browser browser, ITestOutputHelper told) : IClas
         ("bounciness", "questions.html#how-do-i-make-the-ball-bounce"),
         ("foot animation", "questions.html#how-do-i-kick-with-a-foot"),
         ("draw trajectory line", "questions.html#how-do-i-draw-the-path"),
-        ("aim preview", "questions.html#how-do-i-draw-the-path"),
+        ("change ball size", "questions.html#how-do-i-change-the-ball"),
         ("AI that misses", "questions.html#how-do-i-make-an-ai"),
         ("out of play", "questions.html#when-is-the-ball-out"),
-        ("throw-in", "questions.html#when-is-the-ball-out"),
+        ("ball goes through the post", "questions.html#the-ball-flies-through"),
         ("keeper catches and carries the ball", "questions.html#how-does-a-keeper-catch"),
         ("dribble", "questions.html#how-does-a-keeper-catch"),
         ("own wind", "questions.html#how-do-i-add-wind"),

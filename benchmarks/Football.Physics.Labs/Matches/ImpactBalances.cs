@@ -29,6 +29,11 @@ internal static class ImpactBalances
                 RestitutionSpeed = random.Chance(0.5) ? double.PositiveInfinity : random.Log(3, 300),
                 TangentialRestitution = random.Uniform(-1, 1),
                 ImpactFriction = random.Uniform(0, 1.5),
+
+                // What two balls turn against each other about the normal; of a thing with a mass, which does not turn, there is no balance of it.
+                SpinRestitution = i % 4 == 0 ? random.Next() : 1,
+                SlidingFriction = random.Uniform(0, 1),
+                DrillingLength = i % 4 == 0 ? random.Uniform(0, 0.02) : 0,
             });
             Vector3d n = random.Direction();
             Vector3d v = random.Uniform(0, 40) * random.Direction();
@@ -56,7 +61,8 @@ internal static class ImpactBalances
                 // About the contact: the levers are r₁ n and −r₂ n.
                 Vector3d turned = (ball.MomentOfInertia * (a.Spin - w)) + Vector3d.Cross(ball.Radius * n, ball.Mass * (a.Velocity - v));
                 Vector3d itsTurned = (second.MomentOfInertia * (b.Spin - w2)) + Vector3d.Cross(-second.Radius * n, second.Mass * (b.Velocity - v2));
-                angular = Math.Max(turned.Length, itsTurned.Length) / ((ball.Radius * ball.Mass * v.Length) + (ball.MomentOfInertia * w.Length) + (second.Radius * second.Mass * v2.Length) + (second.MomentOfInertia * w2.Length));
+                double own = Math.Max((turned - (Vector3d.Dot(turned, n) * n)).Length, (itsTurned - (Vector3d.Dot(itsTurned, n) * n)).Length);
+                angular = Math.Max(own, (turned + itsTurned).Length) / ((ball.Radius * ball.Mass * v.Length) + (ball.MomentOfInertia * w.Length) + (second.Radius * second.Mass * v2.Length) + (second.MomentOfInertia * w2.Length));
                 double before = Energy(ball, v, w) + Energy(second, v2, w2);
                 gain = (Energy(ball, a.Velocity, a.Spin) + Energy(second, b.Velocity, b.Spin) - before) / before;
             }

@@ -69,4 +69,4 @@ document.addEventListener("keydown", e => {
   }
 });
 document.addEventListener("click", e => { if (!found.contains(e.target) && e.target !== search) found.hidden = true; });
-if (matchMedia("(max-width: 800px)").matches) document.querySelector("nav details").open = false;
+if (matchMedia("(max-width: 800px)").matches) document.querySelectorAll("nav details, aside details").forEach(part => { part.open = false; });

@@ -3,7 +3,9 @@ class Engine {
   static async start() {
     const packed = JSON.parse(document.getElementById("resources").textContent), files = {};
     await Promise.all(Object.entries(packed).map(async ([name, text]) => {
-      const bytes = Uint8Array.from(atob(text), c => c.charCodeAt(0));
+      // A loop: Uint8Array.from takes ten times as long, a part of a second in all.
+      const letters = atob(text), bytes = new Uint8Array(letters.length);
+      for (let i = 0; i < letters.length; i++) bytes[i] = letters.charCodeAt(i);
       files[name] = await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
     }));
     const source = new Blob([document.getElementById("worker").textContent], { type: "text/javascript" });

@@ -4,7 +4,7 @@ const KINDS = ["impact", "slide", "roll", "rest", "net", "goal", "leave", "squee
 
 class Flown {
   constructor(number, colour, radius) {
-    Object.assign(this, { number, colour, radius, events: [], keeper: [], bulges: [], keys: [], track: null, isOver: false, unfolds: true, plain: true });
+    Object.assign(this, { number, colour, radius, events: [], keeper: [], nets: new NetTrack([]), keys: [], track: null, isOver: false, unfolds: true, plain: true });
   }
 
   // What there is of it so far, s.
@@ -25,7 +25,7 @@ class Flown {
           this.keeper.push({ t: row[0], feet: row.slice(1, 4), shoulders: row.slice(4, 7), hands: row.slice(7, 10) });
           break;
         default:
-          this.bulges.push({ t: row[0], net: row[1], depth: row[2], position: row.slice(3, 6), direction: row.slice(6, 9) });
+          this.nets.take(row);
       }
     }
     this.track = new Track({ keys: this.keys });
@@ -45,12 +45,6 @@ class Flown {
     if (this.keeper.length === 0) return null;
     const i = clamp(Math.round(t / 0.01), 0, this.keeper.length - 1);
     return this.keeper[i];
-  }
-
-  bulgesAt(t) {
-    const now = new Map();
-    for (const b of this.bulges) if (b.t <= t + 1e-9 && b.t > t - 0.0101) now.set(b.net, b);
-    return now;
   }
 
   first(...kinds) { return this.events.find(e => kinds.includes(e.kind)); }

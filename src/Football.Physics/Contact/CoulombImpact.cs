@@ -54,11 +54,11 @@ internal static class CoulombImpact
 
         // J_n/m = (1 + e) (−u·n)/(1 + m/M)
         Vector3d along = u + (approach * n);
-        double normal = (1.0 + material.RestitutionAt(approach, in along)) * approach / (1.0 + other.Normal);
+        double normal = (1.0 + material.RestitutionAt(approach, in along)) * approach / (1.0 + other.Ratio);
 
         // s = u_t + r n × ω;   grip J/m = (1 + e_t) s/(1 + 1/α + m/M), at most μ J_n/m
         Vector3d slip = along + (r * Vector3d.Cross(in n, in w));
-        double share = alpha / (1.0 + alpha + (alpha * other.Tangential));
+        double share = alpha / (1.0 + alpha + (alpha * other.Ratio));
         double gripX = share * (1.0 + material.TangentialX);
         var grip = new Vector3d(gripX * slip.X, gripX * slip.Y, share * (1.0 + material.TangentialZ) * slip.Z);
         double size = grip.Length;
@@ -75,32 +75,16 @@ internal static class CoulombImpact
     }
 }
 
-/// <summary>How easily the other thing of an impact gives way, by how easily the ball does; 0 for what nothing moves.</summary>
+/// <summary>How easily the other thing of an impact gives way, by how easily the ball does: m/M₂; 0 for what nothing moves.</summary>
 internal readonly struct GivingWay
 {
-    /// <summary>m/M₂, along the normal.</summary>
-    public readonly double Normal;
+    /// <summary>m/M₂.</summary>
+    public readonly double Ratio;
 
-    /// <summary>m/M₂, and m r₂²/I₂ more where it turns too, along the surface.</summary>
-    public readonly double Tangential;
-
-    private GivingWay(double normal, double tangential)
-    {
-        Normal = normal;
-        Tangential = tangential;
-    }
+    private GivingWay(double ratio) => Ratio = ratio;
 
     /// <summary>Something with a mass behind its surface, which moves without turning.</summary>
     /// <param name="ball">The ball.</param>
     /// <param name="mass">M₂, kg; infinite for what nothing moves.</param>
-    public static GivingWay Of(BallProperties ball, double mass) => new(ball.Mass / mass, ball.Mass / mass);
-
-    /// <summary>Another ball: r₂²/I₂ = 1/(α₂ m₂).</summary>
-    /// <param name="ball">The ball.</param>
-    /// <param name="other">The one that it hits.</param>
-    public static GivingWay Of(BallProperties ball, BallProperties other)
-    {
-        double ratio = ball.Mass / other.Mass;
-        return new GivingWay(ratio, ratio * (1.0 + (1.0 / other.InertiaFactor)));
-    }
+    public static GivingWay Of(BallProperties ball, double mass) => new(ball.Mass / mass);
 }

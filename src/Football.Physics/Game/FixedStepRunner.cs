@@ -19,7 +19,7 @@ public sealed class FixedStepRunner
     private readonly BallState[] _states;
     private readonly BallState[] _previous;
     private readonly BallState[] _before;
-    private readonly RigidMotion[] _motions;
+    private RigidMotion[] _motions;
     private Simulator _simulator;
     private long _kickTicks = 36_000;
     private int _wireTicks;
@@ -104,6 +104,7 @@ public sealed class FixedStepRunner
             var ball = new Ball(_simulator) { State = _states[0] };
             ball.Simulator = value;
             _simulator = value;
+            _motions = new RigidMotion[value.World.GivesWay ? value.World.Movers : 0];
             StopRecording();
             Restore(Tick, ball.State);
         }

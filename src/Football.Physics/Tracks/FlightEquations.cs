@@ -143,6 +143,7 @@ internal sealed class FlightEquations
 
         Array.Clear(normal, 0, size * size);
         Array.Clear(gradient, 0, size);
+        Array.Clear(flight.LowHeights, 0, Launch);
         for (int i = 0; i < count; i++)
         {
             ref readonly TrackPoint point = ref _track[flight.First + i];
@@ -156,6 +157,11 @@ internal sealed class FlightEquations
             {
                 Vector3d left = Weighted(j < 3 ? Axis(j) : jacobian[j][i], in weights);
                 gradient[j] += Vector3d.Dot(in left, in miss);
+                if (j < Launch)
+                {
+                    flight.LowHeights[j] += left.Y * Wrong(in point);
+                }
+
                 for (int k = 0; k <= j; k++)
                 {
                     normal[(j * size) + k] += k < 3 ? Component(in left, k) : Vector3d.Dot(in left, in jacobian[k][i]);
@@ -163,11 +169,12 @@ internal sealed class FlightEquations
             }
         }
 
-        double perSpin = PerSpin(flight);
+        Vector3d perSpin = PerSpin(flight);
         for (int j = 6; j < Launch; j++)
         {
-            normal[(j * size) + j] += perSpin;
-            gradient[j] += perSpin * (Component(flight.LikelySpin, j - 6) - flight.Values[j]);
+            double known = Component(in perSpin, j - 6);
+            normal[(j * size) + j] += known;
+            gradient[j] += known * (Component(flight.LikelySpin, j - 6) - flight.Values[j]);
         }
 
         for (int j = 0; j < size; j++)
@@ -191,15 +198,23 @@ internal sealed class FlightEquations
     private double HeightDeviation(in TrackPoint point)
     {
         double deviation = Deviation(in point);
-        double over = Math.Max(0, point.Position.Y - Contact);
-        double wrong = over < Low ? NearGround * (1 - (over / Low)) : 0;
+        double wrong = Wrong(in point);
         return Math.Sqrt((deviation * deviation) + (wrong * wrong));
     }
 
-    private double PerSpin(FlightPath flight)
+    /// <summary>How far a height may be off because it is near the ground, m: all of them the same way.</summary>
+    private double Wrong(in TrackPoint point)
     {
-        double deviation = flight.LikelySpinDeviation > 0 ? flight.LikelySpinDeviation : _spinDeviation;
-        return 1.0 / (deviation * deviation);
+        double over = Math.Max(0, point.Position.Y - Contact);
+        return over < Low ? NearGround * (1 - (over / Low)) : 0;
+    }
+
+    /// <summary>What was known of each component of a flight's spin before it was seen, 1/σ².</summary>
+    public Vector3d PerSpin(FlightPath flight)
+    {
+        Vector3d deviation = flight.LikelySpinDeviation;
+        double any = 1 / (_spinDeviation * _spinDeviation);
+        return deviation == Vector3d.Zero ? new Vector3d(any, any, any) : new Vector3d(1 / (deviation.X * deviation.X), 1 / (deviation.Y * deviation.Y), 1 / (deviation.Z * deviation.Z));
     }
 
     private static double Off(in Vector3d miss, double across, double up) =>
@@ -209,7 +224,8 @@ internal sealed class FlightEquations
 
     private double Cost(FlightPath flight, double[] values, Vector3d[] path)
     {
-        double cost = PerSpin(flight) * (new Vector3d(values[6], values[7], values[8]) - flight.LikelySpin).LengthSquared;
+        Vector3d spin = new Vector3d(values[6], values[7], values[8]) - flight.LikelySpin;
+        double cost = Vector3d.Dot(Weighted(in spin, PerSpin(flight)), in spin);
         for (int i = 0; i < flight.Count; i++)
         {
             ref readonly TrackPoint point = ref _track[flight.First + i];
@@ -231,5 +247,5 @@ internal sealed class FlightEquations
 
     private static Vector3d Axis(int i) => new(i == 0 ? 1 : 0, i == 1 ? 1 : 0, i == 2 ? 1 : 0);
 
-    private static double Component(in Vector3d v, int i) => i == 0 ? v.X : i == 1 ? v.Y : v.Z;
+    public static double Component(in Vector3d v, int i) => i == 0 ? v.X : i == 1 ? v.Y : v.Z;
 }

@@ -9,6 +9,10 @@ internal sealed class FlightFinder
     /// <summary>Error of a cubic as a hop, m.</summary>
     private const double HopError = 0.006;
 
+    /// <summary>Price of a piece of the division, in squares of a deviation; less of a hop, which is looked for where nothing else was found, and must fall as a ball does.</summary>
+    private const double Price = 40;
+    private const double HopPrice = 30;
+
     /// <summary>The longest piece of the division, s.</summary>
     private const double LongestPiece = 1.6;
 
@@ -82,7 +86,7 @@ internal sealed class FlightFinder
     {
         // 1. The best division into cubics. 2. Those that fall. 3. Neighbours that are one flight.
         int longest = Math.Max(8, (int)(LongestPiece / _runs.Wait));
-        var segments = new TrackSegments(_runs.Points, Math.Sqrt((_runs.Noise * _runs.Noise) + (CubicError * CubicError)), longest);
+        var segments = new TrackSegments(_runs.Points, Math.Sqrt((_runs.Noise * _runs.Noise) + (CubicError * CubicError)), longest, Price);
         int first = 0;
         foreach (int end in _runs.Ends)
         {
@@ -117,7 +121,7 @@ internal sealed class FlightFinder
     /// <summary>Divides what is no flight once more, finely: hops of a ball on the ground, which one cubic describes to some centimetres together.</summary>
     private void FindHops(List<FlightPath> flights, int longest, CancellationToken cancellation)
     {
-        var fine = new TrackSegments(_runs.Points, Math.Sqrt((_runs.Noise * _runs.Noise) + (HopError * HopError)), longest);
+        var fine = new TrackSegments(_runs.Points, Math.Sqrt((_runs.Noise * _runs.Noise) + (HopError * HopError)), longest, HopPrice);
         List<int> all = [];
         List<FlightPath> hops = [];
         int at = 0;

@@ -28,10 +28,13 @@ internal sealed class FlightPath
     public Vector3d LikelySpin { get; set; }
 
     /// <summary>Standard deviation of each component of that, rad/s; 0 for what is known of any flight.</summary>
-    public double LikelySpinDeviation { get; set; }
+    public Vector3d LikelySpinDeviation { get; set; }
 
     /// <summary>Mean square of how far the truth may be from <see cref="Values"/>.</summary>
     public double[] Covariance { get; set; } = new double[Launch * Launch];
+
+    /// <summary>JᵀWb of the heights b that are wrong near the ground.</summary>
+    public double[] LowHeights { get; } = new double[Launch];
 
     /// <summary>Root of the mean square of the distances, m.</summary>
     public double Rms { get; set; }

@@ -68,7 +68,7 @@ public sealed class MatchFit
         fit.MeasureUncertainty(told, shares);
         double contact = Contact(request, runs, finder, flights, fit, out double heightDeviation);
         equations.Contact = contact;
-        new MatchPieces(runs, equations, fit.At, contact).TellSpins(flights, request.SpinDeviation);
+        new MatchPieces(runs, equations, fit.At, contact).TellSpins(flights, request.SpinDeviation, flight => FitShort(fit, equations, [flight], cancellation));
         fit.Descend(told, shares, cancellation);
         fit.MeasureUncertainty(told, shares);
         FitShort(fit, equations, brief, cancellation);

@@ -121,7 +121,10 @@ internal sealed class MatchPieces
     /// What impacts made of the spin: friction at the contact changes both, Δω = n × (−Δv)/(α r), whatever the surface. So a flight that follows an impact has a likely spin, which the
     /// air would hardly tell of in so short a time.
     /// </summary>
-    public void TellSpins(List<FlightPath> flights, double spinDeviation)
+    /// <param name="flights">The flights, in order of time.</param>
+    /// <param name="spinDeviation">Standard deviation of a component of any spin, rad/s.</param>
+    /// <param name="fit">Fits a flight anew, which was told of its spin: the next is told by that.</param>
+    public void TellSpins(List<FlightPath> flights, double spinDeviation, Action<FlightPath> fit)
     {
         BallProperties ball = _at.Scene.Ball;
         double lever = 1.0 / (ball.InertiaFactor * ball.Radius);
@@ -141,12 +144,14 @@ internal sealed class MatchPieces
             }
 
             Vector3d change = (after - before).Horizontal;
-            double unsureBefore = Math.Min(spinDeviation, Deviations(a, 6).Length / Math.Sqrt(3));
-            unsureBefore = unsureBefore > 0 ? unsureBefore : spinDeviation;
+            Vector3d unsure = Deviations(a, 6);
             double unsureChange = lever * UnsureChange;
             b.LikelySpin = a.Last.Spin - (lever * Vector3d.Cross(Vector3d.Up, in change));
-            b.LikelySpinDeviation = Math.Min(spinDeviation, Math.Sqrt((unsureBefore * unsureBefore) + (unsureChange * unsureChange)));
+            b.LikelySpinDeviation = new Vector3d(Unsure(unsure.X, unsureChange), Unsure(unsure.Y, unsureChange), Unsure(unsure.Z, unsureChange));
+            fit(b);
         }
+
+        double Unsure(double before, double change) => before > 0 ? Math.Min(spinDeviation, Math.Sqrt((before * before) + (change * change))) : spinDeviation;
     }
 
     /// <summary>Where and when two flights meet: where both paths, as straight as they are there, come closest.</summary>

@@ -162,9 +162,11 @@ internal sealed class SharedFit
         double[] unused = new double[_shared];
         AddKnown(s, unused);
         var couplings = new double[flights.Count][];
+        var off = new double[flights.Count][];
         for (int i = 0; i < flights.Count; i++)
         {
             Invert(normals[i], flights[i].Covariance);
+            off[i] = Times(flights[i].Covariance, flights[i].LowHeights);
             couplings[i] = Couple(normals[i], flights[i].Covariance);
             Eliminate(normals[i], gradients[i], couplings[i], told[i], s, unused);
         }
@@ -172,14 +174,20 @@ internal sealed class SharedFit
         Invert(s, Covariance, _shared);
         for (int f = 0; f < flights.Count; f++)
         {
-            // A⁻¹ by the scatter, and A⁻¹B S⁻¹ BᵀA⁻¹ by what is shared.
+            // A⁻¹ by the scatter, but for what was known before, A⁻¹ (w(A − P) + P) A⁻¹; A⁻¹B S⁻¹ BᵀA⁻¹ by what is shared, and d dᵀ, d = A⁻¹JᵀWb, by heights b that are wrong near the ground, all the same way.
             double[] covariance = flights[f].Covariance;
             double scatter = shares[f] / told[f];
+            Vector3d known = _system.PerSpin(flights[f]);
             for (int i = 0; i < Launch; i++)
             {
                 for (int j = 0; j < Launch; j++)
                 {
-                    double sum = scatter * covariance[(i * Launch) + j];
+                    double sum = (scatter * covariance[(i * Launch) + j]) + (off[f][i] * off[f][j]);
+                    for (int k = 0; k < 3; k++)
+                    {
+                        sum += (1 - scatter) * covariance[(i * Launch) + 6 + k] * FlightEquations.Component(in known, k) * covariance[((6 + k) * Launch) + j];
+                    }
+
                     for (int k = 0; k < _shared * _shared; k++)
                     {
                         sum += couplings[f][(i * _shared) + (k / _shared)] * Covariance[k] * couplings[f][(j * _shared) + (k % _shared)];
@@ -370,6 +378,17 @@ internal sealed class SharedFit
         double variance = squares / freedom * correlation;
         double said = _system.Deviation(in _system.Point(flight.First));
         return Math.Max(LawShare, variance / (said * said));
+    }
+
+    private static double[] Times(double[] matrix, double[] vector)
+    {
+        double[] product = new double[vector.Length];
+        for (int i = 0; i < matrix.Length; i++)
+        {
+            product[i / vector.Length] += matrix[i] * vector[i % vector.Length];
+        }
+
+        return product;
     }
 
     private void Invert(double[] normal, double[] inverse)

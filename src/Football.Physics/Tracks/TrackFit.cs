@@ -42,21 +42,38 @@ public sealed class TrackFit
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public TrackFitResult Find(TrackPoint[] track, TrackFitRequest? request = null)
     {
-        // 1. A start by the first points. 2. Downhill for the launch, then for the factors too. 3. From other spins where that fits poorly, or the ball bounces.
-        // 4. The uncertainty, measured. 5. With other balls, where it may have been one.
+        // 1. A start by the first points; downhill for the launch, then for the factors too; from other spins where that fits poorly, or the ball bounces.
+        // 2. The uncertainty, measured. 3. With other balls, where it may have been one.
         request ??= new TrackFitRequest();
         Validate(track, request);
-        TrackFitRequest launch = request with { Drag = false, Lift = false, Restitution = false, Friction = false };
-        int steps = 0;
-        double[] values = Start(track, launch);
-        TrackSearch best = Descend(track, launch, request, ref values, ref steps);
+        TrackSearch best = Search(track, request, out double[] values, out TrackSearch? rival, out double[]? rivals, out int steps);
+        bool converged = best.Measure(values);
+        return new TrackFitResult(
+            best.Model, values, best.Covariance, track[0].Time, best.ChiSquared(values), FreedomOf(track, best), steps + best.Steps, converged)
+        {
+            OtherSpin = rival is not null && rivals is not null && rival.Cost - best.Cost < AsGood && AreApart(values, rivals, best.Covariance)
+                ? new Vector3d(rivals[6], rivals[7], rivals[8])
+                : null,
+            ByBall = WithOtherBalls(track, request, best.Cost),
+        };
+    }
 
-        int freedom = (3 * track.Length) - best.Model.Count;
+    private static int FreedomOf(TrackPoint[] track, TrackSearch search) => (3 * track.Length) - search.Model.Count;
+
+    /// <summary>Searches from the start that the first points suggest, and from other spins where that fits poorly, or the ball bounces.</summary>
+    /// <returns>The best, with its numbers; and the next best, with its, where others were tried.</returns>
+    private TrackSearch Search(TrackPoint[] track, TrackFitRequest request, out double[] values, out TrackSearch? rival, out double[]? rivals, out int steps)
+    {
+        TrackFitRequest launch = request with { Drag = false, Lift = false, Restitution = false, Friction = false };
+        steps = 0;
+        values = Start(track, launch);
+        TrackSearch best = Descend(track, launch, request, ref values, ref steps);
+        int freedom = FreedomOf(track, best);
         Vector3d across = Vector3d.Cross(Vector3d.Up, new Vector3d(values[3], 0, values[5]));
         across = across.Length > 0 ? across / across.Length : Vector3d.Zero;
         bool bounces = Bounces(values, track[track.Length - 1].Time - track[0].Time);
-        TrackSearch? rival = null;
-        double[]? rivals = null;
+        rival = null;
+        rivals = null;
         for (int i = 0; i < OtherStarts && (best.ChiSquared(values) > Poor * freedom || (bounces && i < 3)); i++)
         {
             double[] other = Start(track, launch);
@@ -75,14 +92,7 @@ public sealed class TrackFit
             }
         }
 
-        bool converged = best.Measure(values);
-        return new TrackFitResult(best.Model, values, best.Covariance, track[0].Time, best.ChiSquared(values), freedom, steps + best.Steps, converged)
-        {
-            OtherSpin = rival is not null && rivals is not null && rival.Cost - best.Cost < AsGood && AreApart(values, rivals, best.Covariance)
-                ? new Vector3d(rivals[6], rivals[7], rivals[8])
-                : null,
-            ByBall = WithOtherBalls(track, request, best.Cost, values),
-        };
+        return best;
     }
 
     /// <summary>A spin to begin with again: that found with its topspin the other way, then much of it each way, then much about the vertical.</summary>
@@ -126,15 +136,13 @@ public sealed class TrackFit
         return log.Events.Impacts > 0;
     }
 
-    /// <summary>Fits with other balls, as far as they fit.</summary>
-    private List<TrackFitByBall> WithOtherBalls(TrackPoint[] track, TrackFitRequest request, double cost, double[] values)
+    /// <summary>Fits with other balls, each from the start: the numbers that fit a wrong ball best may lie in another valley of the right one.</summary>
+    private List<TrackFitByBall> WithOtherBalls(TrackPoint[] track, TrackFitRequest request, double cost)
     {
         var all = new List<TrackFitByBall>();
         foreach (BallProperties ball in request.OtherBalls)
         {
-            var other = new TrackSearch(track, request, new TrackModel(_scene with { Ball = ball }, request));
-            double[] found = [.. values];
-            other.Descend(found);
+            TrackSearch other = new TrackFit(_scene with { Ball = ball }).Search(track, request, out double[] found, out _, out _, out _);
             all.Add(new TrackFitByBall(ball, found, other.ChiSquared(found), other.Cost - cost));
         }
 

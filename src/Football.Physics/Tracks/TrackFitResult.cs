@@ -69,22 +69,13 @@ public sealed class TrackFitResult
     /// <summary>
     /// How likely so large a χ² is, or a larger one, where scene and noise are as they were said to be, 0 … 1 (Wilson and Hilferty's approximation): below 0.001 they are not.
     /// </summary>
-    public double Probability
-    {
-        get
-        {
-            // (χ²/f)^⅓ is about normal, of mean 1 − 2/(9f) and variance 2/(9f).
-            double width = 2.0 / (9.0 * Math.Max(1, Freedom));
-            double share = Math.Max(1e-300, ChiSquared / Math.Max(1, Freedom));
-            return 1.0 - NormalDistribution.Integral((Elementary.Pow(share, 1.0 / 3.0) - (1.0 - width)) / Math.Sqrt(width));
-        }
-    }
+    public double Probability => ProbabilityOf(ChiSquared);
 
     /// <summary>Verdict on the fit from χ² against its freedom, the search, other minima and other balls.</summary>
     public TrackVerdict Verdict =>
         !Converged ? TrackVerdict.NotConverged
-        : Probability < Rare ? TrackVerdict.Poor
-        : OtherSpin is not null ? TrackVerdict.Ambiguous
+        : Probability < Rare && !ByBall.Any(other => ProbabilityOf(other.ChiSquared) >= Rare) ? TrackVerdict.Poor
+        : OtherSpin is not null && !(Probability < Rare) ? TrackVerdict.Ambiguous
         : ByBall.Any(other => other.Worse < -LikelierBy) ? TrackVerdict.OtherBall
         : Probability > 1.0 - Rare ? TrackVerdict.TooWell
         : TrackVerdict.AsExpected;
@@ -168,6 +159,14 @@ public sealed class TrackFitResult
         Check.Index(nameof(row), row, _values.Length);
         Check.Index(nameof(column), column, _values.Length);
         return _covariance[(row * _values.Length) + column];
+    }
+
+    private double ProbabilityOf(double chiSquared)
+    {
+        // (χ²/f)^⅓ is about normal, of mean 1 − 2/(9f) and variance 2/(9f).
+        double width = 2.0 / (9.0 * Math.Max(1, Freedom));
+        double share = Math.Max(1e-300, chiSquared / Math.Max(1, Freedom));
+        return 1.0 - NormalDistribution.Integral((Elementary.Pow(share, 1.0 / 3.0) - (1.0 - width)) / Math.Sqrt(width));
     }
 
     /// <inheritdoc/>

@@ -7,9 +7,6 @@ namespace Football.Physics.Tracks;
 /// </remarks>
 internal sealed class TrackSegments
 {
-    /// <summary>Price of a piece, in squares of σ: twelve numbers of three cubics, and where it begins.</summary>
-    private const double Price = 40;
-
     /// <summary>Extra cost of a piece that has fewer points than a cubic.</summary>
     private const double ShortPrice = 15;
 
@@ -18,6 +15,7 @@ internal sealed class TrackSegments
 
     private readonly TrackPoint[] _track;
     private readonly double _perVariance;
+    private readonly double _price;
     private readonly int _longest;
     private readonly double[] _moments = new double[(2 * Coefficients) - 1];
     private readonly double[] _right = new double[3 * Coefficients];
@@ -28,8 +26,10 @@ internal sealed class TrackSegments
     /// <param name="track">The track.</param>
     /// <param name="deviation">σ, how far a coordinate may be off a cubic, m.</param>
     /// <param name="longest">Points of a piece at most.</param>
-    public TrackSegments(TrackPoint[] track, double deviation, int longest)
+    /// <param name="price">Price of a piece, in squares of σ: for twelve numbers of three cubics, and where it begins.</param>
+    public TrackSegments(TrackPoint[] track, double deviation, int longest, double price)
     {
+        _price = price;
         _track = track;
         _perVariance = 1.0 / (deviation * deviation);
         _longest = longest;
@@ -53,7 +53,7 @@ internal sealed class TrackSegments
             for (int stop = start + 1; stop <= last; stop++)
             {
                 Add(in _track[first + stop - 1], _track[first + start].Time, in _track[first + start]);
-                double cost = least[start] + Price + (stop - start < Shortest ? ShortPrice : _perVariance * Residual());
+                double cost = least[start] + _price + (stop - start < Shortest ? ShortPrice : _perVariance * Residual());
                 if (cost < least[stop])
                 {
                     least[stop] = cost;

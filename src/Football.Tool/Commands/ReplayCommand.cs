@@ -52,7 +52,7 @@ internal static class ReplayCommand
             terminal.Person.WriteLine($"Page: {written.Path}");
             foreach ((string name, _, Outcome outcome) in terminal.OutputRedirected ? played : [])
             {
-                terminal.Output.Write(ResultWriter.Result(name, outcome with { Samples = null }).Span);
+                terminal.Output.Write(ResultWriter.Result(name, outcome with { Samples = null, BallSamples = [] }).Span);
             }
 
             return ExitCode.Done;
@@ -71,12 +71,8 @@ internal static class ReplayCommand
             try
             {
                 var scenario = Scenario.Read(fields);
-                if (scenario.Balls.Count > 0)
-                {
-                    throw new RefusedException("balls is given; allowed: launch: a replay shows one ball a scenario.");
-                }
-
-                string name = read.Name ?? (file == "-" ? KickNumbers.Of(scenario).Text : Path.GetFileNameWithoutExtension(file));
+                string unnamed = scenario.Balls.Count > 0 ? FormattableString.Invariant($"{scenario.Balls.Count} balls") : KickNumbers.Of(scenario).Text;
+                string name = read.Name ?? (file == "-" ? unnamed : Path.GetFileNameWithoutExtension(file));
                 played.Add((name, scenario, ScenarioRun.Play(scenario)));
             }
             catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields) is { } said)

@@ -20,6 +20,6 @@ internal static class FitTable
         }
 
         terminal.PersonConsole.Write(table);
-        terminal.Person.WriteLine(FormattableString.Invariant($"χ² {fit.ChiSquared:0.0} of {fit.Freedom} expected{(fit.Converged ? "" : "; not converged")}."));
+        terminal.Person.WriteLine(fit.Explanation);
     }
 }

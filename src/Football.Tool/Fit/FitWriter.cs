@@ -1,3 +1,4 @@
+using System.Text.Json;
 using Football.Scenarios;
 
 namespace Football.Tool.Fit;
@@ -41,5 +42,12 @@ internal static class FitWriter
         writer.WriteNumber("freedom", fit.Freedom);
         writer.WriteNumber("iterations", fit.Iterations);
         writer.WriteBoolean("converged", fit.Converged);
+        writer.WriteNumber("probability", fit.Probability);
+        writer.WriteString("verdict", JsonNamingPolicy.CamelCase.ConvertName(fit.Verdict.ToString()));
+        writer.WriteString("explanation", fit.Explanation);
+        if (fit.OtherSpin is { } other)
+        {
+            ResultWriter.WriteVector(writer, "otherSpin", other);
+        }
     });
 }

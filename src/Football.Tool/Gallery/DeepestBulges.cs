@@ -1,4 +1,5 @@
 using Football.Scenarios;
+using Football.Tool.Replay;
 
 namespace Football.Tool.Gallery;
 
@@ -12,22 +13,8 @@ internal static class DeepestBulges
     public static (IReadOnlyList<Vector3d[]> Lines, double Depth) Of(Scenario scenario)
     {
         Net[] nets = [.. scenario.Scene.Nets.Concat(scenario.Scene.Goals.SelectMany(goal => goal.Nets()))];
-        var simulator = new Simulator(scenario.Scene, scenario.Settings);
-        var bulges = new NetBulges(simulator);
-        var deepest = new NetBulge[bulges.Count];
-        BallState state = simulator.Launch(scenario.Position, scenario.Velocity, scenario.Spin);
-        var log = new StepLog();
-        while (nets.Length > 0 && state.Time < scenario.Duration && state.Motion != MotionState.Stopped)
-        {
-            simulator.Step(ref state, scenario.TimeStep, log);
-            bulges.Follow(in state);
-            for (int i = 0; i < deepest.Length; i++)
-            {
-                deepest[i] = bulges[i].Depth > deepest[i].Depth ? bulges[i] : deepest[i];
-            }
-        }
-
-        return ([.. deepest.SelectMany((bulge, i) => bulge.Depth > Shallow ? Lines(nets[i], bulge) : [])], deepest.Select(bulge => bulge.Depth).DefaultIfEmpty().Max());
+        NetMove[] deepest = [.. NetMoves.Of(scenario).GroupBy(move => move.Net).Select(net => net.MaxBy(move => move.Bulge.Depth)).OrderBy(move => move.Net)];
+        return ([.. deepest.Where(move => move.Bulge.Depth > Shallow).SelectMany(move => Lines(nets[move.Net], move.Bulge))], deepest.Select(move => move.Bulge.Depth).DefaultIfEmpty().Max());
     }
 
     private static IEnumerable<Vector3d[]> Lines(Net net, NetBulge bulge)

@@ -41,8 +41,7 @@ internal static class FoundKick
         {
             Id = "found-free-kick",
             Name = "Free kick found for two points",
-            About = FormattableString.Invariant(
-                $"Asked for: 24 m/s from 22 m, over the wall through one point, and into the corner. Found in {found.Simulations} simulations, {1e3 * found.Miss:0.0} mm off the corner and {1e3 * found.ThroughMiss:0.0} mm off the point. Dashed without spin."),
+            About = "The library was asked for it: from 22 m at 86 km/h, just over the heads of the wall and into the bottom corner. Dashed: the same kick without spin.",
             Scenario = kick,
             Comparison = kick with { Spin = Vector3d.Zero },
             ComparisonName = "without spin",

@@ -107,7 +107,7 @@ internal static class GalleryShots
         {
             Id = "no-spin-drive",
             Name = "Drive without spin",
-            About = "Struck through the middle: no Magnus force, and the low drag of a fast ball, until it slows down. The dashed line has backspin.",
+            About = "Struck clean through the middle: fast, flat and straight. Dashed with backspin, which holds it up.",
             Scenario = kick,
             Comparison = Kick(31, left: 0, up: 11, top: -40, side: 0),
             ComparisonName = "with backspin 40 rad/s",
@@ -126,7 +126,7 @@ internal static class GalleryShots
     {
         Id = "ground-pass",
         Name = "Ground pass",
-        About = "Pushed along the ground without spin: it slides until friction has spun it up, at 3/5 of its speed, and rolls from there.",
+        About = "Pushed along the ground: it skids first, loses two fifths of its pace, and rolls from there.",
         Scenario = Kick(13, left: 0, up: 0, top: 0, side: 0),
     };
 
@@ -156,7 +156,7 @@ internal static class GalleryShots
             SceneCode = "Scene.Windy(new Vector3d(-7.778, 0, 7.778)) with { Ground = new Ground { Aerodynamics = GroundAerodynamics.None } }",
             SceneFields = ["air.wind=[-7.778,0,7.778]", "ground.aerodynamics=none"],
             Name = "High ball in the wind",
-            About = "A high ball into a wind of 11 m/s, against it and from the right; dashed in still air. The wind's push on the ground is switched off here: it would roll the ball on for ever.",
+            About = "A high ball into a wind of 11 m/s, against it and from the right; dashed in still air. On the ground the wind is off here: it would roll the ball on for ever.",
             Scenario = kick with
             {
                 Scene = Scene.Windy(new Vector3d(-7.778, 0, 7.778)) with { Ground = Ground.DryTurf with { Aerodynamics = GroundAerodynamics.None } },

@@ -26,8 +26,7 @@ internal static class QueryShots
         {
             Id = "one-bounce-pass",
             Name = "Pass with one bounce",
-            About = FormattableString.Invariant(
-                $"Asked for: 19 m/s, one bounce, and through a point 24 m away at the height of a knee. Found in {found.Simulations} simulations, {1e3 * found.Miss:0.0} mm off."),
+            About = "Asked for: one bounce, and up to a team mate's knee, 24 m away.",
             Scenario = Kick(Scene.Measured, found.Velocity, found.Spin),
             Points = [target],
             DrawnTo = 40,
@@ -45,8 +44,7 @@ internal static class QueryShots
         {
             Id = "in-off-the-post",
             Name = "In off the post, as aimed",
-            About = FormattableString.Invariant(
-                $"Asked for: 24 m/s against the post, and from there through a point behind the line. Found in {found.Simulations} simulations, {1e3 * found.Miss:0.0} mm off."),
+            About = "Asked for: against the inside of the post, and from there in.",
             Scenario = Kick(scene, found.Velocity, found.Spin),
             Points = [target],
             DrawnTo = 20,
@@ -65,7 +63,7 @@ internal static class QueryShots
             Id = "penalty-ellipse",
             Name = "How surely a penalty goes in",
             About = FormattableString.Invariant(
-                $"The same penalty by a player whose speed spreads by 3 % and whose direction by 1.2° and 1.5°: the ellipses of one and two standard deviations at the goal. In with {100 * scatter.OnTarget:0} %."),
+                $"The same penalty again and again, by a player who is off by a degree or so. The rings at the goal hold 39 and 86 of 100 such kicks; {100 * scatter.OnTarget:0} of 100 go in."),
             Scenario = Kick(Scene.Measured with { Goals = [goal] }, velocity, Vector3d.Zero),
             OnGoal = [Ring(goal, scatter, 1), Ring(goal, scatter, 2)],
             DrawnTo = 15,
@@ -82,13 +80,13 @@ internal static class QueryShots
         simulator.LookAhead(simulator.Launch(s_from, velocity, Vector3d.Zero), new LookAheadRequest { Duration = 3 }, path);
         KeeperAnswer answer = new Interception().FindSave(path, in keeper, goal);
         Vector3d At(double aside, double height) => new(-aside, height, -Post);
-        string saved = answer.Saves ? FormattableString.Invariant($"saved, if he dives by {answer.LatestReaction:0.00} s") : "beaten";
+        string saved = answer.Saves ? FormattableString.Invariant($"He saves it, if he goes within {answer.LatestReaction:0.00} s.") : "He cannot get across in time.";
         return new GalleryShot
         {
             Id = id,
             Name = name,
             About = FormattableString.Invariant(
-                $"{velocity.Length:0} m/s from {Post:0} m: at the line after {answer.Crossing.Time:0.00} s, {Math.Abs(answer.Aside):0.00} m beside the middle. The goalkeeper starts in the middle and is drawn where he has dived to by then: {saved}."),
+                $"{3.6 * velocity.Length:0} km/h from {Post:0} m, {Math.Abs(answer.Aside):0.0} m beside the keeper. {saved} The frame is what he covers by then."),
             Scenario = Kick(scene with { Goals = [goal], Obstacles = [Dived(answer)] }, velocity, Vector3d.Zero),
             OnGoal =
             [

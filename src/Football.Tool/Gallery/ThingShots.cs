@@ -66,8 +66,7 @@ internal static class ThingShots
         {
             Id = "round-the-wall",
             Name = "Round the wall",
-            About = FormattableString.Invariant(
-                $"Asked for: into the corner at 26 m/s, any spin. Straight it is blocked by the {straight.BlockedBy} (dashed); with {round.SideSpin:0} rad/s of sidespin it goes round, {1e3 * round.Miss:0.0} mm off, and the net bulges."),
+            About = $"Straight for the corner it hits the {straight.BlockedBy} (dashed). The library was asked for another way at the same speed, and bends it round the outside.",
             Scenario = kick,
             Comparison = Shot(request.From, straight.Velocity, 0, 0) with { Scene = scene, Spin = straight.Spin },
             ComparisonName = "without spin",

@@ -22,11 +22,12 @@ internal sealed class Eye
     /// <param name="width">Width of the sheet.</param>
     /// <param name="height">Height of the sheet.</param>
     /// <param name="margin">What is left free around.</param>
-    public Eye(Vector3d start, Vector3d end, IReadOnlyList<Vector3d> matter, double width, double height, double margin)
+    /// <param name="above">How high the eye is, m.</param>
+    public Eye(Vector3d start, Vector3d end, IReadOnlyList<Vector3d> matter, double width, double height, double margin, double above = Above)
     {
         Vector3d way = (end - start).Horizontal;
         Vector3d along = way.Length > 0 ? way / way.Length : new Vector3d(0, 0, -1);
-        _place = start - (Behind * along) + new Vector3d(0, Above, 0);
+        _place = start - (Behind * along) + new Vector3d(0, above, 0);
         _forward = (Vector3d.Lerp(start, end, 0.6) + new Vector3d(0, 0.6, 0) - _place).Normalized();
         _right = Vector3d.Cross(_forward, Vector3d.Up).Normalized();
         _up = Vector3d.Cross(_right, _forward);
@@ -35,12 +36,19 @@ internal sealed class Eye
         double right = seen.Max(at => at.X);
         double low = seen.Min(at => at.Y);
         double high = seen.Max(at => at.Y);
+        (Width, Height) = (width, height);
         _scale = Math.Min((width - (2 * margin)) / (right - left), (height - (2 * margin)) / (high - low));
         _middleX = (0.5 * width) - (0.5 * _scale * (left + right));
         _middleY = (0.5 * height) + (0.5 * _scale * (low + high));
         Vector3d level = _forward.Horizontal;
         Horizon = _middleY - (_scale * Vector3d.Dot(level, _up) / Vector3d.Dot(level, _forward));
     }
+
+    /// <summary>Width of the sheet.</summary>
+    public double Width { get; }
+
+    /// <summary>Height of the sheet.</summary>
+    public double Height { get; }
 
     /// <summary>Where the horizon is on the sheet.</summary>
     public double Horizon { get; }
@@ -51,6 +59,9 @@ internal sealed class Eye
         double depth = Vector3d.Dot(place - _place, _forward);
         return Slopes(place) is { } at ? (_middleX + (_scale * at.X), _middleY - (_scale * at.Y), _scale / depth) : null;
     }
+
+    /// <summary>A direction as it is seen: to the right, up, and towards the eye.</summary>
+    public (double Right, double Up, double Near) Towards(Vector3d direction) => (Vector3d.Dot(direction, _right), Vector3d.Dot(direction, _up), -Vector3d.Dot(direction, _forward));
 
     private (double X, double Y)? Slopes(Vector3d place)
     {

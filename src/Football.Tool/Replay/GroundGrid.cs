@@ -37,6 +37,16 @@ internal sealed record GroundGrid(double X, double Z, double Cell, int Columns, 
         return new GroundGrid(x, z, cell, columns, rows, values);
     }
 
+    /// <summary>Height of the ground under a place, between the points of the grid, m.</summary>
+    public double HeightAt(Vector3d place)
+    {
+        double u = Math.Clamp((place.X - X) / Cell, 0, Columns - 1.001);
+        double w = Math.Clamp((place.Z - Z) / Cell, 0, Rows - 1.001);
+        (int i, int j) = ((int)u, (int)w);
+        (double s, double r) = (u - i, w - j);
+        return ((1 - r) * (((1 - s) * At(i, j).Y) + (s * At(i + 1, j).Y))) + (r * (((1 - s) * At(i, j + 1).Y) + (s * At(i + 1, j + 1).Y)));
+    }
+
     /// <summary>A point of the grid, m.</summary>
     public Vector3d At(int column, int row) => new(X + (Cell * column), Heights[(row * Columns) + column], Z + (Cell * row));
 }

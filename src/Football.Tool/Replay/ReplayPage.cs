@@ -84,11 +84,12 @@ internal static class ReplayPage
         json.WriteBoolean("compares", shot.Compares);
         json.WriteNumber("radius", shot.Track.Radius);
         SceneShapeJson.WriteNumbers(json, "keys", shot.Track.Keys.SelectMany(Parts));
+        SceneShapeJson.WriteNumbers(json, "nets", shot.Nets.SelectMany(move => (double[])[move.Time, move.Net, move.Bulge.Depth, .. Parts(move.Bulge.Position), .. Parts(move.Bulge.Direction)]));
         WriteAll(json, "events", shot.Track.Events, (to, item) =>
         {
             to.WriteStartObject();
             to.WriteString("kind", Words.Of(item.Kind));
-            to.WriteString("surface", shot.Track.NameOf(item.Thing));
+            to.WriteString("surface", shot.Track.SurfaceOf(item));
             to.WriteNumber("time", Rounded(item.Time));
             SceneShapeJson.WriteNumbers(to, "position", Parts(item.Position));
             to.WriteNumber("before", Rounded(item.VelocityBefore.Length));

@@ -8,4 +8,7 @@ internal sealed record ReplayShot(string Name, string Kick, Track Track)
 {
     /// <summary>Whether it is only there to compare with; then it is drawn dashed.</summary>
     public bool Compares { get; init; }
+
+    /// <summary>How it moves the nets of the picture.</summary>
+    public IReadOnlyList<NetMove> Nets { get; init; } = [];
 }

@@ -22,7 +22,7 @@ internal sealed class Track
     {
         Radius = scenario.Scene.Ball.Radius;
         Events = outcome.Events;
-        NameOf = outcome.NameOf;
+        SurfaceOf = item => outcome.SurfaceOf(in item);
         Keys = Thinned(Dense(outcome));
     }
 
@@ -32,8 +32,8 @@ internal sealed class Track
 
     public IReadOnlyList<BallEvent> Events { get; }
 
-    /// <summary>The name of what an event tells of; null for none.</summary>
-    public Func<int, string?> NameOf { get; }
+    /// <summary>The name of what the ball meets in an event; null for none.</summary>
+    public Func<BallEvent, string?> SurfaceOf { get; }
 
     /// <summary>Position between two keys.</summary>
     public static Vector3d Between(in TrackKey from, in TrackKey to, double time)
@@ -80,7 +80,8 @@ internal sealed class Track
 
     private static TrackKey Key(in Moment at) => new(at.Time, at.Position, at.Velocity, at.Velocity, at.Spin, at.Orientation, at.State);
 
-    private static Quaterniond Turned(in TrackKey from, double time) =>
+    /// <summary>How a ball is turned a while after a key, by its spin then.</summary>
+    public static Quaterniond Turned(in TrackKey from, double time) =>
         (Quaterniond.FromRotationVector((time - from.Time) * from.Spin) * from.Orientation).Normalized();
 
     /// <summary>Adds a key, with others before it where the ball turns too far for one.</summary>

@@ -43,3 +43,17 @@ public sealed class ExportAttribute : Attribute
 public sealed class SignalAttribute : Attribute
 {
 }
+
+[AttributeUsage(AttributeTargets.Property | AttributeTargets.Field)]
+public sealed class ExportGroupAttribute : Attribute
+{
+    public ExportGroupAttribute(string name, string prefix = "")
+    {
+        Name = name;
+        Prefix = prefix;
+    }
+
+    public string Name { get; }
+
+    public string Prefix { get; }
+}

@@ -41,10 +41,17 @@ public class InputEventMouseButton : InputEvent
 
 public class Camera3D : Node3D
 {
-    public Vector3 ProjectRayNormal(Vector2 screenPoint) => Vector3.Forward;
+    /// <summary>Where the mouse points, in a test.</summary>
+    public Vector3 Pointing { get; set; } = Vector3.Forward;
+
+    public Vector3 ProjectRayNormal(Vector2 screenPoint) => Pointing;
+
+    public Vector3 ProjectRayOrigin(Vector2 screenPoint) => GlobalPosition;
 }
 
 public static class Mathf
 {
     public static float Min(float a, float b) => Math.Min(a, b);
+
+    public static float DegToRad(float deg) => deg * (MathF.PI / 180);
 }

@@ -1,5 +1,12 @@
 namespace Godot;
 
+public interface ISerializationListener
+{
+    void OnBeforeSerialize();
+
+    void OnAfterDeserialize();
+}
+
 public class GodotObject
 {
     /// <summary>What was emitted, in order.</summary>
@@ -12,17 +19,25 @@ public class GodotObject
 
     public GodotObject()
     {
-        s_all.Add(this);
-        Id = (ulong)s_all.Count;
+        lock (s_all)
+        {
+            s_all.Add(this);
+            Id = (ulong)s_all.Count;
+        }
     }
 
     private ulong Id { get; }
 
     private readonly Dictionary<string, Variant> _meta = [];
 
+    /// <summary>True once it was freed.</summary>
+    public bool IsFreed { get; protected set; }
+
     public ulong GetInstanceId() => Id;
 
     public static GodotObject? InstanceFromId(ulong id) => s_all[(int)id - 1];
+
+    public static bool IsInstanceValid(GodotObject? instance) => instance is { IsFreed: false };
 
     public bool HasMeta(StringName name) => _meta.ContainsKey(name.ToString());
 
@@ -47,7 +62,19 @@ public class GodotObject
 
 public class Node : GodotObject
 {
+    public enum InternalMode
+    {
+        Disabled,
+        Front,
+        Back,
+    }
+
+    private readonly List<(Node Node, bool IsInternal)> _all = [];
+
     public StringName Name { get; set; } = "";
+
+    private Node? _parent;
+    private bool _ready;
 
     public virtual void _Ready()
     {
@@ -77,28 +104,146 @@ public class Node : GodotObject
     {
     }
 
-    private readonly Dictionary<string, Node> _children = [];
+    /// <summary>The root of the shim's only tree.</summary>
+    public static Node Root { get; } = new Node { Name = "root" };
 
-    public IReadOnlyCollection<Node> GetChildren() => _children.Values;
+    public Node? GetParent() => _parent;
+
+    public bool IsInsideTree() => this == Root || (_parent?.IsInsideTree() ?? false);
+
+    public Collections.Array<Node> GetChildren(bool includeInternal = false) => [.. _all.Where(child => includeInternal || !child.IsInternal).Select(child => child.Node)];
+
+    public void AddChild(Node node, bool forceReadableName = false, InternalMode @internal = InternalMode.Disabled)
+    {
+        if (node._parent is not null)
+        {
+            throw new InvalidOperationException("The node has a parent already.");
+        }
+
+        node._parent = this;
+        _all.Add((node, @internal != InternalMode.Disabled));
+        if (IsInsideTree())
+        {
+            node.Enter();
+        }
+    }
+
+    public void RemoveChild(Node node)
+    {
+        if (IsInsideTree())
+        {
+            node.Exit();
+        }
+
+        _all.RemoveAll(child => child.Node == node);
+        node._parent = null;
+    }
+
+    /// <summary>In the shim at once.</summary>
+    public void QueueFree()
+    {
+        _parent?.RemoveChild(this);
+        Free();
+    }
+
+    public Viewport GetViewport() => Viewport.Only;
 
     // The shim's tree has whatever node is asked for, ready.
     public T GetNode<T>(string path)
         where T : Node, new()
     {
-        if (!_children.TryGetValue(path, out Node? node))
+        if (_all.Select(child => child.Node).FirstOrDefault(child => child.Name.ToString() == path) is T found)
         {
-            node = new T();
-            _children.Add(path, node);
-            node._Ready();
+            return found;
         }
 
-        return (T)node;
+        var node = new T { Name = path };
+        AddChild(node);
+        if (!node._ready)
+        {
+            node.Ready();
+        }
+
+        return node;
+    }
+
+    /// <summary>Physics frames, and a frame after each, of all in the tree.</summary>
+    public static void Play(int frames, double delta)
+    {
+        for (int i = 0; i < frames; i++)
+        {
+            Root.Visit(node => node._PhysicsProcess(delta));
+            Root.Visit(node => node._Process(delta));
+        }
+    }
+
+    private void Visit(Action<Node> what)
+    {
+        what(this);
+        foreach ((Node child, bool _) in _all.ToArray())
+        {
+            child.Visit(what);
+        }
+    }
+
+    private void Enter()
+    {
+        _EnterTree();
+        foreach ((Node child, bool _) in _all.ToArray())
+        {
+            child.Enter();
+        }
+
+        if (!_ready)
+        {
+            Ready();
+        }
+    }
+
+    private void Exit()
+    {
+        foreach ((Node child, bool _) in _all.ToArray())
+        {
+            child.Exit();
+        }
+
+        _ExitTree();
+    }
+
+    private void Ready()
+    {
+        _ready = true;
+        _Ready();
+    }
+
+    private void Free()
+    {
+        IsFreed = true;
+        foreach ((Node child, bool _) in _all)
+        {
+            child.Free();
+        }
     }
 }
 
 public class Node3D : Node
 {
-    public Transform3D GlobalTransform { get; set; } = new(Basis.Identity, Vector3.Zero);
+    private Transform3D _global = Transform3D.Identity;
+
+    public bool TopLevel { get; set; }
+
+    public Transform3D Transform
+    {
+        get => _global;
+        set => GlobalTransform = value;
+    }
+
+    /// <summary>In the shim a node stands where it is put, and does not follow its parent: but when its scene is loaded.</summary>
+    public Transform3D GlobalTransform
+    {
+        get => _global;
+        set => _global = value;
+    }
 
     public World3D GetWorld3D() => World3D.Only;
 
@@ -109,11 +254,23 @@ public class Node3D : Node
     }
 }
 
-public class Resource : GodotObject
+public class CanvasLayer : Node
 {
 }
 
-public class EditorPlugin : Node
+public class Viewport : Node
+{
+    public static Viewport Only { get; } = new();
+
+    /// <summary>The camera that a test has.</summary>
+    public Camera3D? Camera { get; set; }
+
+    public Camera3D? GetCamera3D() => Camera;
+
+    public Vector2 GetMousePosition() => default;
+}
+
+public class Resource : GodotObject
 {
 }
 
@@ -124,5 +281,20 @@ public static class Engine
     /// <summary>What <see cref="GetPhysicsInterpolationFraction"/> says.</summary>
     public static double InterpolationFraction { get; set; }
 
+    /// <summary>What <see cref="IsEditorHint"/> says.</summary>
+    public static bool InEditor { get; set; }
+
     public static double GetPhysicsInterpolationFraction() => InterpolationFraction;
+
+    public static bool IsEditorHint() => InEditor;
+}
+
+public static class GD
+{
+    /// <summary>Warnings and errors.</summary>
+    public static List<string> Pushed { get; } = [];
+
+    public static void PushWarning(string message) => Pushed.Add(message);
+
+    public static void PushError(string message) => Pushed.Add(message);
 }

@@ -83,6 +83,13 @@ public class StaticBody3D : CollisionObject3D
 public class RigidBody3D : CollisionObject3D
 {
     public Vector3 AngularVelocity { get; set; }
+
+    public float Mass { get; set; } = 1;
+
+    public bool Freeze { get; set; }
+
+    /// <summary>In the shim an impulse changes the velocity at once, and turns nothing.</summary>
+    public void ApplyImpulse(Vector3 impulse, Vector3? position = null) => LinearVelocity += impulse * (1 / Mass);
 }
 
 public class PhysicsShapeQueryParameters3D : Resource

@@ -50,12 +50,45 @@ namespace UnityEngine
     {
     }
 
-    [AttributeUsage(AttributeTargets.Class)]
+    [AttributeUsage(AttributeTargets.Class, AllowMultiple = true)]
     public sealed class RequireComponent : Attribute
     {
         public RequireComponent(Type requiredComponent) => m_Type0 = requiredComponent;
 
+        public RequireComponent(Type requiredComponent, Type requiredComponent2)
+        {
+            m_Type0 = requiredComponent;
+            m_Type1 = requiredComponent2;
+        }
+
         public Type m_Type0 { get; }
+
+        public Type? m_Type1 { get; }
+
+        /// <summary>Both, where there are two.</summary>
+        public Type[] All => m_Type1 is null ? new[] { m_Type0 } : new[] { m_Type0, m_Type1 };
+    }
+
+    [AttributeUsage(AttributeTargets.Class)]
+    public sealed class ExecuteAlways : Attribute
+    {
+    }
+
+    public enum RuntimeInitializeLoadType
+    {
+        AfterSceneLoad,
+        BeforeSceneLoad,
+        AfterAssembliesLoaded,
+        BeforeSplashScreen,
+        SubsystemRegistration,
+    }
+
+    [AttributeUsage(AttributeTargets.Method)]
+    public sealed class RuntimeInitializeOnLoadMethodAttribute : Attribute
+    {
+        public RuntimeInitializeOnLoadMethodAttribute(RuntimeInitializeLoadType loadType) => this.loadType = loadType;
+
+        public RuntimeInitializeLoadType loadType { get; }
     }
 
     [AttributeUsage(AttributeTargets.Class)]

@@ -1,23 +1,82 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics.CodeAnalysis;
+using System.Linq;
 using System.Reflection;
 
 namespace UnityEngine
 {
+    [Flags]
+    public enum HideFlags
+    {
+        None = 0,
+        HideInHierarchy = 1,
+        DontSave = 52,
+        HideAndDontSave = 61,
+    }
+
+    public enum FindObjectsSortMode
+    {
+        None,
+        InstanceID,
+    }
+
     public class Object
     {
         public string name { get; set; } = "";
 
-        public static bool operator ==(Object? a, Object? b) => ReferenceEquals(a, b);
+        public HideFlags hideFlags { get; set; }
 
-        public static bool operator !=(Object? a, Object? b) => !ReferenceEquals(a, b);
+        /// <summary>True once it was destroyed: then it equals null, as in the engine.</summary>
+        public bool IsDestroyed { get; internal set; }
+
+        public static bool operator ==(Object? a, Object? b) => ReferenceEquals(a, b) || (a is null ? b!.IsDestroyed : b is null && a.IsDestroyed);
+
+        public static bool operator !=(Object? a, Object? b) => !(a == b);
+
+        public static implicit operator bool(Object? exists) => exists != null;
+
+        public static void Destroy(Object obj) => DestroyImmediate(obj);
+
+        public static void DestroyImmediate(Object obj)
+        {
+            switch (obj)
+            {
+                case GameObject thing:
+                    thing.Die();
+                    break;
+                case Component component:
+                    component.gameObject.Remove(component);
+                    break;
+            }
+
+            obj.IsDestroyed = true;
+        }
+
+        public static T? FindObjectOfType<T>()
+            where T : Component => FindObjectsOfType<T>().FirstOrDefault();
+
+        public static T[] FindObjectsOfType<T>()
+            where T : Component => GameObject.All.Where(item => item.activeInHierarchy).SelectMany(item => item.GetComponents<T>()).ToArray();
+
+        public static T? FindFirstObjectByType<T>()
+            where T : Component => FindObjectOfType<T>();
+
+        public static T[] FindObjectsByType<T>(FindObjectsSortMode sortMode)
+            where T : Component => FindObjectsOfType<T>();
     }
 
     public class ScriptableObject : Object
     {
         public static T CreateInstance<T>()
             where T : ScriptableObject => Activator.CreateInstance<T>();
+    }
+
+    public class TextAsset : Object
+    {
+        public TextAsset(string text) => this.text = text;
+
+        public string text { get; }
     }
 
     public class Component : Object
@@ -29,12 +88,41 @@ namespace UnityEngine
         public T GetComponent<T>()
             where T : Component => gameObject.GetComponent<T>();
 
+        public T? GetComponentInChildren<T>()
+            where T : Component => gameObject.GetComponentInChildren<T>();
+
         public bool TryGetComponent<T>([NotNullWhen(true)] out T? component)
             where T : Component => gameObject.TryGetComponent(out component);
     }
 
+    public class Behaviour : Component
+    {
+        private bool _enabled = true;
+
+        public bool enabled
+        {
+            get => _enabled;
+            set
+            {
+                if (_enabled != value)
+                {
+                    _enabled = value;
+                    gameObject.Tell(this, value ? "OnEnable" : "OnDisable");
+                }
+            }
+        }
+    }
+
+    public class MonoBehaviour : Behaviour
+    {
+    }
+
     public class Transform : Component
     {
+        private readonly List<Transform> _children = new List<Transform>();
+
+        public Transform? parent { get; private set; }
+
         public Vector3 position { get; set; }
 
         public Quaternion rotation { get; set; } = Quaternion.identity;
@@ -43,105 +131,29 @@ namespace UnityEngine
 
         public Vector3 lossyScale => localScale;
 
+        public Vector3 forward => rotation * Vector3.forward;
+
+        public int childCount => _children.Count;
+
+        public Transform GetChild(int index) => _children[index];
+
+        /// <summary>In the shim the child stays where it is in the world.</summary>
+        public void SetParent(Transform? parent)
+        {
+            this.parent?._children.Remove(this);
+            this.parent = parent;
+            parent?._children.Add(this);
+        }
+
         public void SetPositionAndRotation(Vector3 position, Quaternion rotation)
         {
             this.position = position;
             this.rotation = rotation;
         }
-    }
 
-    public class MonoBehaviour : Component
-    {
-    }
-
-    public class Collider : Component
-    {
-        public bool isTrigger { get; set; }
-
-        public Rigidbody? attachedRigidbody => TryGetComponent(out Rigidbody? body) ? body : null;
-
-        /// <summary>Distance of a point in the frame of the transform, without its scale.</summary>
-        public virtual float Distance(Vector3 point) => float.PositiveInfinity;
-
-        public bool Raycast(Ray ray, out RaycastHit hit, float maxDistance) => Physics.March(this, ray.origin, 0f, ray.direction, maxDistance, out hit);
-    }
-
-    public class SphereCollider : Collider
-    {
-        public Vector3 center { get; set; }
-
-        public float radius { get; set; } = 0.5f;
-
-        public override float Distance(Vector3 point) => (point - center).magnitude - radius;
-    }
-
-    public class BoxCollider : Collider
-    {
-        public Vector3 center { get; set; }
-
-        public Vector3 size { get; set; } = new Vector3(1f, 1f, 1f);
-
-        public override float Distance(Vector3 point)
+        public void LookAt(Vector3 worldPosition)
         {
-            Vector3 p = point - center;
-            var q = new Vector3(Math.Abs(p.x) - (0.5f * size.x), Math.Abs(p.y) - (0.5f * size.y), Math.Abs(p.z) - (0.5f * size.z));
-            var outside = new Vector3(Math.Max(q.x, 0f), Math.Max(q.y, 0f), Math.Max(q.z, 0f));
-            return outside.magnitude + Math.Min(0f, Math.Max(q.x, Math.Max(q.y, q.z)));
         }
-    }
-
-    public class CapsuleCollider : Collider
-    {
-        public Vector3 center { get; set; }
-
-        public float radius { get; set; } = 0.5f;
-
-        public float height { get; set; } = 2f;
-
-        public int direction { get; set; } = 1;
-
-        public override float Distance(Vector3 point)
-        {
-            Vector3 p = point - center;
-            float half = Math.Max(0f, (0.5f * height) - radius);
-            float along = direction == 0 ? p.x : direction == 1 ? p.y : p.z;
-            float on = Math.Min(half, Math.Max(-half, along));
-            var nearest = new Vector3(direction == 0 ? on : 0f, direction == 1 ? on : 0f, direction == 2 ? on : 0f);
-            return (p - nearest).magnitude - radius;
-        }
-    }
-
-    /// <summary>In the shim a mesh is a half-space, bounded by the xz plane of its transform.</summary>
-    public class MeshCollider : Collider
-    {
-        public override float Distance(Vector3 point) => point.y;
-    }
-
-    public enum RigidbodyInterpolation
-    {
-        None,
-        Interpolate,
-        Extrapolate,
-    }
-
-    public class Rigidbody : Component
-    {
-        public bool isKinematic { get; set; }
-
-        public bool useGravity { get; set; } = true;
-
-        public Vector3 velocity { get; set; }
-
-        public Vector3 angularVelocity { get; set; }
-
-        public Vector3 GetPointVelocity(Vector3 point)
-        {
-            Vector3 r = point - transform.position;
-            Vector3 w = angularVelocity;
-            return velocity + new Vector3((w.y * r.z) - (w.z * r.y), (w.z * r.x) - (w.x * r.z), (w.x * r.y) - (w.y * r.x));
-        }
-
-        public RigidbodyInterpolation interpolation { get; set; }
     }
 
     public enum PrimitiveType
@@ -158,28 +170,78 @@ namespace UnityEngine
     public sealed class GameObject : Object
     {
         private readonly List<Component> _components = new List<Component>();
+        private readonly HashSet<Component> _awake = new HashSet<Component>();
+        private bool _active = true;
 
-        public Transform transform { get; } = new Transform();
+        public GameObject()
+            : this("")
+        {
+        }
+
+        public GameObject(string name)
+        {
+            this.name = name;
+            transform = new Transform { gameObject = this };
+            All.Add(this);
+        }
+
+        /// <summary>All that were made and not destroyed.</summary>
+        public static List<GameObject> All { get; } = new List<GameObject>();
+
+        public Transform transform { get; }
+
+        public int layer { get; set; }
+
+        public bool activeInHierarchy => _active;
+
+        public SceneManagement.Scene scene => new SceneManagement.Scene();
 
         public static GameObject CreatePrimitive(PrimitiveType type)
         {
-            var made = new GameObject { name = type.ToString() };
+            var made = new GameObject(type.ToString());
             made.Attach<Collider>();
             return made;
         }
 
+        /// <summary>Destroys all there are: a test begins, or ends, with nothing.</summary>
+        public static void DestroyAll()
+        {
+            foreach (GameObject item in All.ToArray())
+            {
+                if (!item.IsDestroyed)
+                {
+                    DestroyImmediate(item);
+                }
+            }
+        }
+
+        /// <summary>A fixed update, or a frame, of all there are.</summary>
+        public static void SendAll(string message)
+        {
+            foreach (GameObject item in All.ToArray())
+            {
+                item.Send(message);
+            }
+        }
+
         /// <summary>Adds a component without Awake, so that a test can set its fields as the inspector would.</summary>
         public T Attach<T>()
-            where T : Component, new()
+            where T : Component, new() => (T)Attach(typeof(T));
+
+        /// <summary>Adds a component without Awake.</summary>
+        public Component Attach(Type type)
         {
-            foreach (RequireComponent required in typeof(T).GetCustomAttributes<RequireComponent>())
+            foreach (Type required in type.GetCustomAttributes<RequireComponent>(true).SelectMany(attribute => attribute.All))
             {
-                var needed = (Component)Activator.CreateInstance(required.m_Type0)!;
-                needed.gameObject = this;
-                _components.Add(needed);
+                if (!_components.Exists(item => required.IsInstanceOfType(item)))
+                {
+                    Attach(required);
+                }
             }
 
-            var component = new T { gameObject = this };
+            var component = (Component)Activator.CreateInstance(type)!;
+            component.gameObject = this;
+            component.name = name;
             _components.Add(component);
             return component;
         }
@@ -188,34 +250,140 @@ namespace UnityEngine
             where T : Component, new()
         {
             T component = Attach<T>();
-            Call(component, "Awake");
-            Call(component, "Start");
+            WakeUp();
             return component;
+        }
+
+        /// <summary>Awake, OnEnable and Start of all that had none yet.</summary>
+        public void WakeUp()
+        {
+            foreach (string message in new[] { "Awake", "OnEnable", "Start" })
+            {
+                foreach (Component component in _components.ToArray())
+                {
+                    if (!_awake.Contains(component))
+                    {
+                        Tell(component, message);
+                    }
+                }
+            }
+
+            _awake.UnionWith(_components);
+        }
+
+        public void SetActive(bool value)
+        {
+            if (value != _active)
+            {
+                _active = value;
+                foreach (Component component in _components.ToArray())
+                {
+                    Tell(component, value ? "OnEnable" : "OnDisable");
+                }
+            }
         }
 
         public T GetComponent<T>()
             where T : Component => TryGetComponent(out T? found) ? found : throw new InvalidOperationException("There is no " + typeof(T).Name + ".");
 
+        public IEnumerable<T> GetComponents<T>()
+            where T : Component => _components.OfType<T>();
+
+        public T? GetComponentInChildren<T>()
+            where T : Component
+        {
+            if (TryGetComponent(out T? found))
+            {
+                return found;
+            }
+
+            for (int i = 0; i < transform.childCount && found is null; i++)
+            {
+                found = transform.GetChild(i).gameObject.GetComponentInChildren<T>();
+            }
+
+            return found;
+        }
+
         public bool TryGetComponent<T>([NotNullWhen(true)] out T? component)
             where T : Component
         {
-            component = _components.Find(item => item is T) as T;
+            component = null;
+            for (int i = 0; i < _components.Count && component is null; i++)
+            {
+                component = _components[i] as T;
+            }
+
             return !ReferenceEquals(component, null);
         }
 
         /// <summary>Sends a message to all components, private methods included.</summary>
         public void Send(string message)
         {
+            if (message == "Awake")
+            {
+                _awake.UnionWith(_components);
+            }
+
             foreach (Component component in _components.ToArray())
             {
-                Call(component, message);
+                Tell(component, message);
             }
         }
 
-        private static void Call(Component component, string message)
+        internal void Tell(Component component, string message)
         {
-            MethodInfo? method = component.GetType().GetMethod(message, BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic);
+            if (component is Behaviour { enabled: false } && message != "OnDisable" && message != "OnEnable")
+            {
+                return;
+            }
+
+            MethodInfo? method = component.GetType().GetMethod(message, BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic, null, Type.EmptyTypes, null);
             ((Action?)method?.CreateDelegate(typeof(Action), component))?.Invoke();
+        }
+
+        internal void Remove(Component component)
+        {
+            Tell(component, "OnDisable");
+            Tell(component, "OnDestroy");
+            _components.Remove(component);
+        }
+
+        internal void Die()
+        {
+            All.Remove(this);
+            foreach (Component component in _components.ToArray())
+            {
+                if (_active && _awake.Contains(component))
+                {
+                    Tell(component, "OnDisable");
+                    Tell(component, "OnDestroy");
+                }
+
+                component.IsDestroyed = true;
+            }
+
+            for (int i = transform.childCount - 1; i >= 0; i--)
+            {
+                DestroyImmediate(transform.GetChild(i).gameObject);
+            }
+
+            transform.SetParent(null);
+        }
+    }
+}
+
+namespace UnityEngine.SceneManagement
+{
+    public struct Scene
+    {
+        public bool IsValid() => true;
+    }
+
+    public static class SceneManager
+    {
+        public static void MoveGameObjectToScene(GameObject go, Scene scene)
+        {
         }
     }
 }

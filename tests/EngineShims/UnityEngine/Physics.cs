@@ -83,13 +83,6 @@ namespace UnityEngine
             return gradient * (1f / gradient.magnitude);
         }
 
-        private static Vector3 Turned(Vector3 v, Quaternion q, float sign)
-        {
-            var axis = new Vector3(sign * q.x, sign * q.y, sign * q.z);
-            Vector3 twice = Cross(axis, v) * 2f;
-            return v + (twice * q.w) + Cross(axis, twice);
-        }
-
-        private static Vector3 Cross(Vector3 a, Vector3 b) => new Vector3((a.y * b.z) - (a.z * b.y), (a.z * b.x) - (a.x * b.z), (a.x * b.y) - (a.y * b.x));
+        private static Vector3 Turned(Vector3 v, Quaternion q, float sign) => new Quaternion(sign * q.x, sign * q.y, sign * q.z, q.w) * v;
     }
 }

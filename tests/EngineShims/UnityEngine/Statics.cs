@@ -7,27 +7,16 @@ namespace UnityEngine
     {
         public static float fixedDeltaTime { get; set; } = 0.02f;
 
+        public static float deltaTime { get; set; } = 1f / 60f;
+
         public static double timeAsDouble { get; set; }
 
         public static double fixedTimeAsDouble { get; set; }
     }
 
-    /// <summary>Remembers what was drawn.</summary>
-    public static class Gizmos
-    {
-        public static Color color { get; set; }
-
-        public static List<(Vector3 From, Vector3 To)> Lines { get; } = new List<(Vector3 From, Vector3 To)>();
-
-        public static List<(Vector3 Center, float Radius)> Spheres { get; } = new List<(Vector3 Center, float Radius)>();
-
-        public static void DrawLine(Vector3 from, Vector3 to) => Lines.Add((from, to));
-
-        public static void DrawWireSphere(Vector3 center, float radius) => Spheres.Add((center, radius));
-    }
-
     public static class Mathf
     {
+        public const float PI = (float)Math.PI;
         public const float Deg2Rad = (float)(Math.PI / 180.0);
         public const float Rad2Deg = (float)(180.0 / Math.PI);
 
@@ -38,6 +27,10 @@ namespace UnityEngine
         public static float Sqrt(float x) => (float)Math.Sqrt(x);
 
         public static float Atan2(float y, float x) => (float)Math.Atan2(y, x);
+
+        public static float Max(float a, float b) => Math.Max(a, b);
+
+        public static float Min(float a, float b) => Math.Min(a, b);
 
         public static float Clamp(float x, float low, float high) => Math.Min(high, Math.Max(low, x));
     }
@@ -51,7 +44,16 @@ namespace UnityEngine
     {
         public static List<string> Said { get; } = new List<string>();
 
-        public static void Log(string text) => Said.Add(text);
+        /// <summary>Warnings and errors.</summary>
+        public static List<string> Warned { get; } = new List<string>();
+
+        public static void Log(object message) => Said.Add(message.ToString()!);
+
+        public static void LogWarning(object message) => Warned.Add(message.ToString()!);
+
+        public static void LogWarning(object message, Object context) => Warned.Add(message.ToString()!);
+
+        public static void LogError(object message, Object context) => Warned.Add(message.ToString()!);
     }
 
     public enum KeyCode
@@ -65,7 +67,26 @@ namespace UnityEngine
         /// <summary>What is pressed in this frame.</summary>
         public static KeyCode Pressed { get; set; }
 
+        /// <summary>The mouse button that is held; −1 for none.</summary>
+        public static int Held { get; set; } = -1;
+
+        public static Vector3 mousePosition { get; set; }
+
         public static bool GetKeyDown(KeyCode key) => key == Pressed;
+
+        public static bool GetMouseButton(int button) => button == Held;
+    }
+
+    public static class GUI
+    {
+        /// <summary>What was written.</summary>
+        public static List<string> Written { get; } = new List<string>();
+
+        public static void Label(Rect position, string text) => Written.Add(text);
+    }
+
+    public class GUILayoutOption
+    {
     }
 
     public static class GUILayout
@@ -73,6 +94,51 @@ namespace UnityEngine
         /// <summary>The label of the button that is clicked.</summary>
         public static string Clicked { get; set; } = "";
 
-        public static bool Button(string text) => text == Clicked;
+        public static bool Button(string text, params GUILayoutOption[] options) => text == Clicked;
+
+        public static void Label(string text, params GUILayoutOption[] options) => GUI.Written.Add(text);
+
+        public static GUILayoutOption Height(float height) => new GUILayoutOption();
+    }
+
+    public static class GUILayoutUtility
+    {
+        public static Rect GetRect(float width, float height) => new Rect(0f, 0f, width, height);
+    }
+}
+
+namespace UnityEngine.InputSystem
+{
+    public sealed class ButtonControl
+    {
+        public bool isPressed { get; set; }
+
+        public bool wasPressedThisFrame { get; set; }
+    }
+
+    public sealed class Vector2Control
+    {
+        /// <summary>What it reads.</summary>
+        public Vector2 Value { get; set; }
+
+        public Vector2 ReadValue() => Value;
+    }
+
+    public sealed class Mouse
+    {
+        public static Mouse? current { get; set; }
+
+        public Vector2Control position { get; } = new Vector2Control();
+
+        public ButtonControl leftButton { get; } = new ButtonControl();
+
+        public ButtonControl rightButton { get; } = new ButtonControl();
+    }
+
+    public sealed class Keyboard
+    {
+        public static Keyboard? current { get; set; }
+
+        public ButtonControl rKey { get; } = new ButtonControl();
     }
 }

@@ -187,6 +187,9 @@ public sealed class TrackFitTests
         Assert.InRange(answer.GetProperty("values").GetProperty("velocity.z").GetDouble(), -24, -19);
         Assert.InRange(answer.GetProperty("deviations").GetProperty("position.x").GetDouble(), 0.001, 0.03);
         Assert.True(answer.GetProperty("converged").GetBoolean());
+        Assert.InRange(answer.GetProperty("probability").GetDouble(), 0, 1);
+        Assert.False(string.IsNullOrEmpty(answer.GetProperty("verdict").GetString()));
+        Assert.Contains("of 3 expected", answer.GetProperty("explanation").GetString(), StringComparison.Ordinal);
         Assert.Contains("spin.z", answer.GetProperty("unidentified").EnumerateArray().Select(name => name.GetString()));
     }
 

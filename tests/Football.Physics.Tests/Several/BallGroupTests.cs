@@ -107,6 +107,132 @@ public sealed class BallGroupTests
         Assert.Equal(0, log.Stalled);
     }
 
+    public static TheoryData<string> Crowds => ["heap", "rack", "two at once", "among things", "two sizes"];
+
+    /// <summary>The numbers of the balls decide nothing: in any order each of them goes the same way, to the last bit.</summary>
+    [Theory]
+    [MemberData(nameof(Crowds))]
+    public void A_permutation_of_the_balls_gives_the_same_motion(string crowd)
+    {
+        for (int seed = 0; seed < 4; seed++)
+        {
+            BallState[] expected = Played(crowd, seed, order: null, out int meetings, out _);
+            Assert.True(meetings > 1, $"{crowd} {seed}: {meetings} meetings");
+            for (int k = 0; k < 3; k++)
+            {
+                int[] order = [.. Enumerable.Range(0, expected.Length)];
+                var random = new Random((17 * seed) + k);
+                for (int i = order.Length - 1; i > 0; i--)
+                {
+                    int j = random.Next(i + 1);
+                    (order[i], order[j]) = (order[j], order[i]);
+                }
+
+                BallState[] found = Played(crowd, seed, order, out int again, out _);
+                Assert.Equal(meetings, again);
+                for (int i = 0; i < order.Length; i++)
+                {
+                    Assert.True(Snapshot.Same(in expected[order[i]], in found[i]), $"{crowd} {seed}, ball {order[i]} as {i}: {Snapshot.Difference(in expected[order[i]], in found[i])}");
+                }
+            }
+        }
+    }
+
+    /// <summary>Two balls that meet do so in the step in which they touch, both of them, whichever is the first of the group.</summary>
+    [Fact]
+    public void Both_balls_of_an_impact_have_it_in_the_same_step()
+    {
+        foreach (int[] order in new int[][] { [0, 1, 2], [2, 1, 0], [1, 2, 0] })
+        {
+            _ = Played("row", 0, order, out int meetings, out List<BallEvent[]> steps);
+            Assert.True(meetings >= 2);
+            Assert.All(steps, step => Assert.Equal(0, step.Count(item => item.OtherBall >= 0) % 2));
+            Assert.All(steps.SelectMany(step => step.Where(item => item.OtherBall >= 0).Select(item => (Step: step, Item: item))), pair =>
+                Assert.Contains(pair.Step, item => item.Ball == pair.Item.OtherBall && item.OtherBall == pair.Item.Ball && item.Time == pair.Item.Time));
+        }
+    }
+
+    private static BallState[] Played(string crowd, int seed, int[]? order, out int meetings, out List<BallEvent[]> steps)
+    {
+        var random = new Random(seed);
+        Scene scene = Scene.Default;
+        BallProperties[] kinds = [BallProperties.Football];
+        List<(Vector3d Place, Vector3d Velocity, Vector3d Spin)> launches = [];
+        void Add(double x, double y, double z, double vx, double vy, double vz, double spin = 0) =>
+            launches.Add((new Vector3d(x, y, z), new Vector3d(vx, vy, vz), spin * new Vector3d(random.NextDouble() - 0.5, random.NextDouble() - 0.5, random.NextDouble() - 0.5)));
+        switch (crowd)
+        {
+            case "row":
+                Add(0, 0.11, 0, 6, 0, 0.2);
+                Add(1, 0.11, 0, 0, 0, 0);
+                Add(1.4, 0.11, 0.02, 0, 0, 0);
+                break;
+            case "rack":
+                // Touching to rounding, and hit a little off the middle.
+                for (int row = 0; row < 4; row++)
+                {
+                    for (int i = 0; i <= row; i++)
+                    {
+                        Add((i - (0.5 * row)) * 0.22, 0.11, -row * 0.22 * Math.Sqrt(0.75), 0, 0, 0);
+                    }
+                }
+
+                Add(0.01 * seed, 0.11, 1.5, 0, 0, -9, 20);
+                break;
+            case "two at once":
+                // Exactly as far from both, and with a third that is hit by both.
+                Add(0, 0.11, 1, 0, 0, -5 - seed);
+                Add(0.11, 0.11, 0, 0, 0, 0);
+                Add(-0.11, 0.11, 0, 0, 0, 0);
+                Add(0, 0.11, -0.4, 0, 0, 0);
+                break;
+            default:
+                for (int i = 0; i < 9; i++)
+                {
+                    double angle = random.NextDouble() * 6.28;
+                    double far = 0.6 + (0.35 * i);
+                    double speed = 3 + (4 * random.NextDouble());
+                    Add(far * Math.Cos(angle), 0.12 + (0.3 * random.NextDouble()), far * Math.Sin(angle), -speed * Math.Cos(angle), random.NextDouble(), -speed * Math.Sin(angle), 40);
+                }
+
+                break;
+        }
+
+        if (crowd == "among things")
+        {
+            var bodies = new Bodies();
+            Body boot = bodies.Add("boot", BodyKind.Player with { Mass = 3 });
+            boot.MoveTo(new Vector3d(0.2, 0, 0.1), new Vector3d(0.5, 0, 0.2), 0);
+            scene = scene with
+            {
+                Bodies = bodies,
+                Obstacles = [new Obstacle { Name = "bin", Shape = new SphereShape(new Vector3d(-0.5, 0.3, 0), 0.3), Mass = 2 }, new Obstacle { Name = "board", Shape = new BoxShape(new Vector3d(0, 0.5, -1.5), new Vector3d(3, 0.5, 0.05)) }],
+            };
+        }
+
+        if (crowd == "two sizes")
+        {
+            kinds = [BallProperties.Football, BallProperties.Football with { Mass = 0.3, Radius = 0.09 }];
+        }
+
+        int[] at = order ?? [.. Enumerable.Range(0, launches.Count)];
+        var group = new BallGroup(scene, [.. at.Select(i => kinds[i % kinds.Length])]);
+        BallState[] balls = [.. at.Select((i, k) => group.SimulatorOf(k).Launch(launches[i].Place, launches[i].Velocity, launches[i].Spin))];
+        meetings = 0;
+        steps = [];
+        var log = new StepLog();
+        for (int k = 0; k < 100; k++)
+        {
+            log.Clear();
+            group.Step(balls, Step, log);
+            BallEvent[] events = log.Events.Span.ToArray();
+            meetings += events.Count(item => item.OtherBall >= 0);
+            steps.Add(events);
+        }
+
+        return balls;
+    }
+
     [Fact]
     public void A_look_ahead_of_all_is_their_future_and_pushes_nothing()
     {

@@ -77,6 +77,43 @@ public sealed class ReplayTests
         Assert.Equal((impact.VelocityBefore, impact.Velocity, impact.Position), (key.VelocityBefore, key.Velocity, key.Position));
     }
 
+    /// <summary>Two balls of which one hits the other: both move in the picture, and the event of each names the other.</summary>
+    [Fact]
+    public void Several_balls_of_a_scenario_move_in_one_picture()
+    {
+        const string Two = """
+            {"balls": [{"launch": {"position": [0, 0.11, 0], "velocity": [0, 0, -9]}}, {"launch": {"position": [0.05, 0.11, -3], "velocity": [0, 0, 0]}}], "stop": {"at": "rest"}}
+            """;
+        string folder = Directory.CreateTempSubdirectory("football-replay-").FullName;
+        string page = Path.Combine(folder, "page.html");
+        FootballCommand done = FootballCommand.Run(Two, "replay", "-", "-o", page, "--gltf", Path.Combine(folder, "two.gltf"), "--svg", Path.Combine(folder, "two.svg"));
+        Assert.Equal(0, done.ExitCode);
+        JsonElement[] shots = [.. Data(File.ReadAllText(page)).GetProperty("pictures")[0].GetProperty("shots").EnumerateArray()];
+        Assert.Equal(["2 balls: ball 0", "2 balls: ball 1"], shots.Select(shot => shot.GetProperty("name").GetString()));
+        for (int i = 0; i < 2; i++)
+        {
+            Assert.Contains(shots[i].GetProperty("events").EnumerateArray(), item => item.GetProperty("surface").GetString() == $"ball {1 - i}");
+            Assert.DoesNotContain(shots[i].GetProperty("events").EnumerateArray(), item => item.GetProperty("surface").GetString() == $"ball {i}");
+        }
+
+        // The samples of the answer, by itself and on the line of a batch.
+        JsonElement answer = FootballCommand.Run(Two, "simulate", "-", "--set", "samples=true").Result;
+        JsonElement[] balls = [.. answer.GetProperty("balls").EnumerateArray()];
+        Assert.Equal(2, balls.Length);
+        foreach (JsonElement ball in balls)
+        {
+            JsonElement[] samples = [.. ball.GetProperty("samples").EnumerateArray()];
+            Assert.InRange(samples.Length, 100, 2000);
+            Assert.Equal(ball.GetProperty("final").GetRawText(), samples[^1].GetRawText());
+            Assert.Equal(samples.Length, balls[0].GetProperty("samples").GetArrayLength());
+        }
+
+        FootballCommand batch = FootballCommand.Simulate($"{Two}\n{{{FootballCommand.Launch}}}\n{Two}\n", "--batch", "--set", "samples=true");
+        Assert.Equal(3, batch.Lines.Count);
+        Assert.All(new[] { 0, 2 }, line => Assert.Equal(answer.GetProperty("balls").GetRawText(), batch.Lines[line].GetProperty("balls").GetRawText()));
+        Directory.Delete(folder, recursive: true);
+    }
+
     [Fact]
     public void Several_files_share_a_picture_and_what_is_the_same_in_both_stands_once()
     {
@@ -121,7 +158,9 @@ public sealed class ReplayTests
         string text = File.ReadAllText(drawn);
         Assert.True(text == RepositoryFiles.Text("docs/free-kick.svg"), "Look at the picture, then run tests/regenerate.sh.");
         Assert.Contains("<title>A free kick over the wall</title>", text);
-        Assert.Equal(3, text.Split("<animate ").Length - 1);
+        Assert.Equal(4, text.Split("<animateTransform ").Length - 1);                       // ball and shadow: where, and how large
+        Assert.Equal(2, text.Split("attributeName=\"d\"").Length - 1);                        // its panels turn, the back net gives way
+        Assert.True(text.Split("<use href=\"#replay-0\"").Length > 2, "the ball goes behind what it passes behind");
         Directory.Delete(folder, recursive: true);
     }
 

@@ -1,58 +1,39 @@
 #nullable enable
 using System;
+using System.Collections.Generic;
 using Godot;
 
 namespace Football.Physics.GodotAddon;
 
 /// <summary>A football: stepped in _PhysicsProcess, drawn in _Process. Its children move and turn with it; its scale and the way it stands at the start are kept.</summary>
-[GlobalClass, Icon("res://addons/football_physics/icon.svg")]
+/// <remarks>
+/// It meets every goal, pitch, wall and keeper in the tree, and the bodies in the layers of its hit mask. Whatever is set, of it, of its preset or of those, counts from its next
+/// step on. One without anything to be seen below it draws itself, with a pattern by which one sees it spin.
+/// </remarks>
+[Tool, GlobalClass, Icon("res://addons/football_physics/icon.svg")]
 public partial class FootballBall : Node3D
 {
     /// <summary>Node.PhysicsInterpolationModeEnum.Off, which Godot has from 4.3 on: the ball is interpolated here, and not twice.</summary>
     private const int InterpolationOff = 2;
 
-    private readonly StepLog _log = new();
-    private FootballColliders? _colliders;
+    /// <summary>Further off where it was drawn than this, m, it was moved by somebody else.</summary>
+    private const float Moved = 1e-3f;
+
+    private static readonly List<FootballBall> s_all = new();
+
+    private FootballScene? _scene;
     private FixedStepRunner? _runner;
+    private MeshInstance3D? _skin;
     private Basis _start = Basis.Identity;
+    private Vector3 _drawnAt;
+    private int _stamp;
+    private bool _warned;
 
-    /// <summary>The ball hit something: the ground, a post, a wall.</summary>
-    [Signal]
-    public delegate void ImpactEventHandler(Vector3 position, Vector3 velocityBefore, Vector3 velocity, Vector3 spin, double time);
-
-    /// <summary>The ball stayed on what carries it, slipping.</summary>
-    [Signal]
-    public delegate void SlideEventHandler(Vector3 position, Vector3 velocity, double time);
-
-    /// <summary>The ball began to roll without slip.</summary>
-    [Signal]
-    public delegate void RollEventHandler(Vector3 position, Vector3 velocity, double time);
-
-    /// <summary>The ball came to rest.</summary>
-    [Signal]
-    public delegate void RestEventHandler(Vector3 position, double time);
-
-    /// <summary>A ball that was carried left what carried it.</summary>
-    [Signal]
-    public delegate void LeaveEventHandler(Vector3 position, Vector3 velocity, double time);
-
-    /// <summary>The ball met a net.</summary>
-    [Signal]
-    public delegate void NetEventHandler(Vector3 position, Vector3 velocity, double time);
-
-    /// <summary>The whole ball is over the line of a goal.</summary>
-    [Signal]
-    public delegate void GoalEventHandler(Vector3 position, Vector3 velocity, double time);
-
-    /// <summary>Things that move leave the ball no room, or it has room again: the ball's motion says which.</summary>
-    [Signal]
-    public delegate void SqueezedEventHandler(Vector3 position, Vector3 velocity, double time);
-
-    /// <summary>Ball, air, ground and method; none: the measured profile, a football over dry turf in still air, as a new preset has it. A new one counts from the next _Ready.</summary>
+    /// <summary>Ball, air, ground and method; none: the measured profile, a football over dry turf in still air, as a new preset has it. A new one, and what is changed of one, counts from the next step on.</summary>
     [Export]
     public FootballPreset? Preset { get; set; }
 
-    /// <summary>Layers whose bodies the ball hits; 0: only the ground of its preset. Counts from the next _Ready.</summary>
+    /// <summary>Layers whose bodies the ball hits; 0: only goals, pitches, walls and keepers, and the ground. New ones count from the next step on.</summary>
     [Export(PropertyHint.Layers3DPhysics)]
     public uint HitMask { get; set; }
 
@@ -72,6 +53,12 @@ public partial class FootballBall : Node3D
     /// <summary>What the ball is doing.</summary>
     public MotionState Motion => Runner.State.Motion;
 
+    /// <summary>Radius of the ball, m.</summary>
+    public float Radius => (float)(Preset?.BallOf() ?? BallProperties.Football).Radius;
+
+    /// <summary>The ball that is longest in the tree; null for none.</summary>
+    internal static FootballBall? First => s_all.Count > 0 ? s_all[0] : null;
+
     /// <summary>Kicks the ball at the next physics frame: top spin dips, negative top spin lifts, positive side spin bends to the left.</summary>
     public void Kick(float speed, Vector3 direction, float topSpin = 0, float sideSpin = 0) =>
         Runner.QueueKick(speed, GodotFrame.FromGodot(direction), topSpin, sideSpin);
@@ -80,6 +67,9 @@ public partial class FootballBall : Node3D
     public void KickWith(Vector3 velocity, Vector3 spin) =>
         Runner.QueueKick(GodotFrame.FromGodot(velocity), GodotFrame.SpinFromGodot(spin));
 
+    /// <summary>Kicks the ball as the editor shows it.</summary>
+    public void KickAsPreviewed() => Kick(KickSpeed, KickDirection, KickTopSpin, KickSideSpin);
+
     /// <summary>Puts the ball somewhere, at rest.</summary>
     public void Place(Vector3 position)
     {
@@ -87,42 +77,47 @@ public partial class FootballBall : Node3D
         Draw(1.0);
     }
 
-    /// <summary>The path ahead, if nobody touches the ball: a point every physics frame, the present one first. Allocates nothing.</summary>
-    /// <param name="points">Filled from the start.</param>
-    /// <returns>How many points were filled in; fewer than there is room for when the ball comes to rest.</returns>
-    public int PredictPath(Span<Vector3> points)
+    /// <summary>Takes over at once what was changed: of the ball, its preset, or what stands in the tree. By itself it is done before the next step.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it, and the ball goes on as before.</exception>
+    public void Apply()
     {
-        BallState state = Runner.State;
-        int count = 0;
-        while (count < points.Length)
+        _stamp = Stamp();
+        _scene = NewScene();
+        if (_runner is null)
         {
-            points[count++] = GodotFrame.ToGodot(state.Position);
-            if (state.Motion == MotionState.Stopped)
-            {
-                break;
-            }
-
-            _log.Clear();
-            Runner.Simulator.Step(ref state, Runner.TimeStep, _log);
+            double timeStep = 1.0 / Engine.PhysicsTicksPerSecond;
+            _runner = new FixedStepRunner(_scene.Stage.Game, timeStep, Math.Max(timeStep, 0.25));
+        }
+        else
+        {
+            _runner.Simulator = _scene.Stage.Game;
         }
 
-        return count;
+        DrawSkin();
     }
 
-    /// <summary>The same as an array, which GDScript can read.</summary>
-    /// <param name="count">Points at most; above 0.</param>
-    public Vector3[] PathAhead(int count)
-    {
-        var points = new Vector3[count];
-        return points[..PredictPath(points)];
-    }
+    /// <summary>The scene that the ball plays in, compiled anew for somebody else: its preset, the goals, pitches, walls and keepers in the tree; without bodies.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
+    internal Simulator CompileScene() => new FootballScene(Preset, 0, 0, null).Stage.Game;
+
+    /// <inheritdoc/>
+    public override void _EnterTree() => s_all.Add(this);
+
+    /// <inheritdoc/>
+    public override void _ExitTree() => s_all.Remove(this);
 
     /// <inheritdoc/>
     public override void _Ready()
     {
-        double timeStep = 1.0 / Engine.PhysicsTicksPerSecond;
-        _runner = new FixedStepRunner(AmongBodies(Preset?.Compile() ?? new Simulator()), timeStep, Math.Max(timeStep, 0.25));
+        if (Engine.IsEditorHint())
+        {
+            DrawSkin();
+            return;
+        }
+
+        FootballWarmUp.Begin();
         _start = GlobalTransform.Basis;
+        Apply();
         Set("physics_interpolation_mode", InterpolationOff);
         Place(GlobalPosition);
     }
@@ -130,69 +125,94 @@ public partial class FootballBall : Node3D
     /// <inheritdoc/>
     public override void _PhysicsProcess(double delta)
     {
-        if (_colliders is not null)
+        if (Engine.IsEditorHint())
         {
-            // Godot has its bodies where they are at this time, on the clock of the ball.
-            _colliders.Time = Runner.State.Time;
+            return;
         }
 
-        Runner.Step();
-        for (int i = 0; i < Runner.Events.Count; i++)
+        ApplyChanges();
+        FixedStepRunner runner = Runner;
+
+        // Godot has its bodies where they are at this time, on the clock of the ball.
+        _scene!.CollidersAreAt(runner.State.Time, GreatestSpeed);
+        _scene.Stage.BeforeStep(runner.State);
+        runner.Step();
+        _scene.Stage.AfterStep(runner.State);
+        for (int i = 0; i < runner.Events.Count; i++)
         {
-            Emit(in Runner.Events[i]);
+            _scene.Push(in runner.Events[i]);
+            Emit(in runner.Events[i]);
+            _scene.GoalOf(in runner.Events[i])?.Tell(this, in runner.Events[i]);
         }
     }
 
     /// <inheritdoc/>
-    public override void _Process(double delta) => Draw(Engine.GetPhysicsInterpolationFraction());
-
-    private Simulator AmongBodies(Simulator simulator)
+    public override void _Process(double delta)
     {
-        if (HitMask == 0)
+        if (Engine.IsEditorHint())
         {
-            return simulator;
+            DrawPreview();
+            return;
         }
 
-        _colliders = new FootballColliders(GetWorld3D().DirectSpaceState, HitMask, GreatestSpeed);
-        return new Simulator(simulator.Scene with { EngineColliders = _colliders }, simulator.Settings);
+        if (!_warned && (GlobalPosition - _drawnAt).Length() > Moved)
+        {
+            _warned = true;
+            GD.PushWarning($"The football \"{Name}\" was moved by its transform, which changes nothing: its place is the simulation's. Call Place(position) to put it somewhere, or Kick.");
+        }
+
+        Draw(Engine.GetPhysicsInterpolationFraction());
+        _scene!.Draw();
+    }
+
+    private FootballScene NewScene() => new(Preset, HitMask, GreatestSpeed, HitMask == 0 ? null : GetWorld3D().DirectSpaceState);
+
+    /// <summary>A number that changes when anything does that the scene is compiled of.</summary>
+    private int Stamp() => HashCode.Combine(Preset, Preset?.Stamp ?? 0, HitMask, FootballThing.StampOfAll);
+
+    /// <summary>Takes over what was changed; what is out of range is said once, and the ball goes on as before.</summary>
+    private void ApplyChanges()
+    {
+        if (Stamp() == _stamp)
+        {
+            return;
+        }
+
+        try
+        {
+            Apply();
+        }
+        catch (ArgumentOutOfRangeException refusal)
+        {
+            GD.PushError($"The football \"{Name}\" goes on as before: {refusal.Message}");
+        }
     }
 
     private void Draw(double fraction)
     {
         BallPose pose = Runner.PoseAt(fraction);
         GlobalTransform = new Transform3D(new Basis(GodotFrame.ToGodot(pose.Orientation)) * _start, GodotFrame.ToGodot(pose.Position));
+        _drawnAt = GlobalPosition;
     }
 
-    private void Emit(in BallEvent happened)
+    /// <summary>A sphere of the ball's radius, whatever the node's scale, where nothing else is to be seen.</summary>
+    private void DrawSkin()
     {
-        Vector3 position = GodotFrame.ToGodot(happened.Position);
-        Vector3 velocity = GodotFrame.ToGodot(happened.Velocity);
-        switch (happened.Kind)
+        if (_skin is null)
         {
-            case BallEventKind.Impact:
-                EmitSignal(SignalName.Impact, position, GodotFrame.ToGodot(happened.VelocityBefore), velocity, GodotFrame.SpinToGodot(happened.Spin), happened.Time);
-                break;
-            case BallEventKind.Slide:
-                EmitSignal(SignalName.Slide, position, velocity, happened.Time);
-                break;
-            case BallEventKind.Roll:
-                EmitSignal(SignalName.Roll, position, velocity, happened.Time);
-                break;
-            case BallEventKind.Rest:
-                EmitSignal(SignalName.Rest, position, happened.Time);
-                break;
-            case BallEventKind.Leave:
-                EmitSignal(SignalName.Leave, position, velocity, happened.Time);
-                break;
-            case BallEventKind.Squeezed:
-                EmitSignal(SignalName.Squeezed, position, velocity, happened.Time);
-                break;
-            case BallEventKind.Net:
-                EmitSignal(SignalName.Net, position, velocity, happened.Time);
-                break;
-            case BallEventKind.Goal:
-                EmitSignal(SignalName.Goal, position, velocity, happened.Time);
-                break;
+            foreach (Node child in GetChildren())
+            {
+                if (child is VisualInstance3D)
+                {
+                    return;
+                }
+            }
+
+            _skin = new MeshInstance3D { MaterialOverride = FootballDrawing.Made(new Color(1, 1, 1), FootballDrawing.BallTexture) };
+            AddChild(_skin, false, InternalMode.Back);
         }
+
+        Vector3 scale = GlobalTransform.Basis.Scale;
+        _skin.Mesh = FootballDrawing.Fill(Engines.ShapeMesh.OfBall(Radius / Math.Max(1e-6f, Math.Max(scale.X, Math.Max(scale.Y, scale.Z)))));
     }
 }

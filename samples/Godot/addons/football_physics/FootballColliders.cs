@@ -1,8 +1,7 @@
-using Football.Physics.Engines;
-using Football.Physics.Shapes;
-
 #nullable enable
 using System.Collections.Generic;
+using Football.Physics.Engines;
+using Football.Physics.Shapes;
 using Godot;
 
 namespace Football.Physics.GodotAddon;
@@ -21,7 +20,9 @@ public sealed class FootballColliders : IEngineColliders
     private const float Beyond = 1e-3f;
 
     private readonly Dictionary<(ulong Body, int Owner), EngineCollider> _known = new();
+    private readonly Dictionary<EngineCollider, CollisionObject3D> _bodies = new();
     private readonly PhysicsDirectSpaceState3D _space;
+    private readonly bool _pushes;
     private readonly SphereShape3D _sphere = new();
     private readonly PhysicsShapeQueryParameters3D _query = new();
     private readonly Godot.Collections.Array<Rid> _excluded = new();
@@ -30,8 +31,10 @@ public sealed class FootballColliders : IEngineColliders
     /// <param name="space">The space: GetWorld3D().DirectSpaceState, in _PhysicsProcess.</param>
     /// <param name="mask">The layers that it hits.</param>
     /// <param name="greatestSpeed">Not slower than the fastest body in them, m/s.</param>
-    public FootballColliders(PhysicsDirectSpaceState3D space, uint mask, double greatestSpeed)
+    /// <param name="pushes">True where bodies that move freely give way by their mass; the impulse is the event's, for the game to apply.</param>
+    public FootballColliders(PhysicsDirectSpaceState3D space, uint mask, double greatestSpeed, bool pushes = false)
     {
+        _pushes = pushes;
         _space = space;
         _query.CollisionMask = mask;
         _query.Shape = _sphere;
@@ -43,6 +46,9 @@ public sealed class FootballColliders : IEngineColliders
 
     /// <summary>Not slower than the fastest of them, m/s.</summary>
     public double GreatestSpeed { get; set; }
+
+    /// <summary>Godot's body of a collider that was met; null for none.</summary>
+    public CollisionObject3D? Of(EngineCollider? collider) => collider is not null && _bodies.TryGetValue(collider, out CollisionObject3D? body) ? body : null;
 
     /// <summary>Adds what a sphere touches on its way.</summary>
     public void Cast(in SphereCast cast, EngineHits hits)
@@ -125,8 +131,14 @@ public sealed class FootballColliders : IEngineColliders
             Surface surface = GodotObject.InstanceFromId(body) is Node node && node.HasMeta("football_surface")
                 ? SurfaceOf(node.GetMeta("football_surface").AsString())
                 : Surface.GoalFrame;
-            known = shape is not null && Shape(shape) is { } own ? new EngineCollider(name, own, surface) : new EngineCollider(name, surface);
+            var met = GodotObject.InstanceFromId(body) as CollisionObject3D;
+            double mass = _pushes && met is RigidBody3D { Freeze: false } free ? free.Mass : double.PositiveInfinity;
+            known = shape is not null && Shape(shape) is { } own ? new EngineCollider(name, own, surface) { Mass = mass } : new EngineCollider(name, surface) { Mass = mass };
             _known.Add((body, owner), known);
+            if (met is not null)
+            {
+                _bodies.Add(known, met);
+            }
         }
 
         return known;

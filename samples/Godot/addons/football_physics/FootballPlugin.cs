@@ -1,11 +1,33 @@
 #if TOOLS
+#nullable enable
 using Godot;
 
 namespace Football.Physics.GodotAddon;
 
-/// <summary>What the project's settings switch on. The node and the resource are global classes: Godot registers them itself, and once.</summary>
+/// <summary>What the project's settings switch on: a dock that plays recordings, and the drag curve in the inspector of a preset. The nodes and the resource are global classes: Godot registers them itself, and once.</summary>
 [Tool]
 public partial class FootballPlugin : EditorPlugin
 {
+    private FootballReplayDock? _dock;
+    private FootballInspector? _inspector;
+
+    /// <inheritdoc/>
+    public override void _EnterTree()
+    {
+        _dock = new FootballReplayDock { Name = "Football Replay" };
+        _inspector = new FootballInspector();
+        AddControlToDock(DockSlot.RightUl, _dock);
+        AddInspectorPlugin(_inspector);
+    }
+
+    /// <inheritdoc/>
+    public override void _ExitTree()
+    {
+        RemoveInspectorPlugin(_inspector);
+        RemoveControlFromDocks(_dock);
+        _dock?.QueueFree();
+        _dock = null;
+        _inspector = null;
+    }
 }
 #endif

@@ -1,11 +1,12 @@
 #nullable enable
 using System;
+using Football.Physics.Laws;
 using Godot;
 
 namespace Football.Physics.GodotAddon;
 
 /// <summary>Ball, air, ground and method as a resource that any number of balls share.</summary>
-[GlobalClass, Icon("res://addons/football_physics/icon.svg")]
+[Tool, GlobalClass, Icon("res://addons/football_physics/icon.svg")]
 public partial class FootballPreset : Resource
 {
     /// <summary>Profiles to choose from: the measured one is what a ball without a preset has; the published one has the laws and numbers of the thesis that the library began with.</summary>
@@ -115,6 +116,18 @@ public partial class FootballPreset : Resource
     [Export(PropertyHint.Range, "0,10,0.001,suffix:kg/m³")]
     public float AirDensity { get; set; } = 1.2f;
 
+    /// <summary>Kinematic viscosity of the air, mm²/s; 15 at sea level, 19.9 in Mexico City.</summary>
+    [Export(PropertyHint.Range, "0.1,1000,0.1,suffix:mm²/s")]
+    public float AirViscosity { get; set; } = 15;
+
+    /// <summary>How much of the drag there is: 1 as the laws say, 0 none.</summary>
+    [Export(PropertyHint.Range, "0,3,0.01")]
+    public float DragScale { get; set; } = 1;
+
+    /// <summary>How much a spinning ball bends: 1 as the laws say, 0 not at all.</summary>
+    [Export(PropertyHint.Range, "0,3,0.01")]
+    public float BendScale { get; set; } = 1;
+
     /// <summary>Gravity, m/s².</summary>
     [Export(PropertyHint.Range, "0,30,0.01,suffix:m/s²")]
     public float Gravity { get; set; } = 9.81f;
@@ -123,8 +136,21 @@ public partial class FootballPreset : Resource
     [Export(PropertyHint.None, "suffix:m/s")]
     public Vector3 Wind { get; set; }
 
+    /// <summary>How the scene is integrated.</summary>
+    public SolverSettings Settings => new() { Integrator = Integrator };
+
+    /// <summary>A number that changes when any of the numbers here does.</summary>
+    internal int Stamp => HashCode.Combine(
+        HashCode.Combine((int)Profile, (int)Ball, CustomMass, CustomRadius, (int)Surface, CustomRestitution, CustomSlidingFriction, CustomRollingFriction),
+        HashCode.Combine((int)Laws, (int)Integrator, GroundHeight, AirDensity, AirViscosity, DragScale, BendScale),
+        Gravity,
+        Wind);
+
     /// <summary>Checks and compiles the scene. Throws <see cref="ArgumentOutOfRangeException"/> where a number is out of range.</summary>
-    public Simulator Compile()
+    public Simulator Compile() => new(MakeScene(), Settings);
+
+    /// <summary>The scene that these numbers describe.</summary>
+    public Scene MakeScene()
     {
         Scene own = Profile switch
         {
@@ -132,69 +158,81 @@ public partial class FootballPreset : Resource
             ProfileChoice.Published => Scene.Published,
             _ => throw new InvalidOperationException($"There is no profile {Profile}."),
         };
-        Ground ground = Surface switch
+        Ground ground = Surface != GroundChoice.Custom ? GroundOf(Surface, own.Ground) : own.Ground with
         {
-            GroundChoice.OfProfile => own.Ground,
-            GroundChoice.DryTurf => Ground.DryTurf,
-            GroundChoice.ArtificialTurf => Ground.ArtificialTurf,
-            GroundChoice.WetTurf => Ground.WetTurf,
-            GroundChoice.MatchTurf => Ground.MatchTurf,
-            GroundChoice.HardGround => Ground.HardGround,
-            GroundChoice.LongGrass => Ground.LongGrass,
-            GroundChoice.Indoor => Ground.Indoor,
-            GroundChoice.Concrete => Ground.Concrete,
-            GroundChoice.Snow => Ground.Snow,
-            GroundChoice.PublishedTurf => Ground.PublishedTurf,
-            GroundChoice.PublishedWetTurf => Ground.PublishedWetTurf,
-            GroundChoice.PublishedCourt => Ground.PublishedCourt,
-            GroundChoice.PublishedSand => Ground.PublishedSand,
-            GroundChoice.Custom => own.Ground with
-            {
-                NormalRestitution = Typed(CustomRestitution),
-                SlidingFriction = Typed(CustomSlidingFriction),
-                RollingFriction = Typed(CustomRollingFriction),
-            },
-            _ => throw new InvalidOperationException($"There is no ground {Surface}."),
+            NormalRestitution = Typed(CustomRestitution),
+            SlidingFriction = Typed(CustomSlidingFriction),
+            RollingFriction = Typed(CustomRollingFriction),
         };
         Scene scene = own with
         {
-            Ball = Ball switch
-            {
-                BallChoice.Football => BallProperties.Football,
-                BallChoice.Tango12 => BallProperties.Tango12,
-                BallChoice.Teamgeist => BallProperties.Teamgeist,
-                BallChoice.Jabulani => BallProperties.Jabulani,
-                BallChoice.Brazuca => BallProperties.Brazuca,
-                BallChoice.Modern => BallProperties.Modern,
-                BallChoice.Telstar18 => BallProperties.Telstar18,
-                BallChoice.Flight2020 => BallProperties.Flight2020,
-                BallChoice.AlRihla => BallProperties.AlRihla,
-                BallChoice.Fussballliebe => BallProperties.Fussballliebe,
-                BallChoice.Trionda => BallProperties.Trionda,
-                BallChoice.YouthFootball => BallProperties.YouthFootball,
-                BallChoice.Futsal => BallProperties.Futsal,
-                BallChoice.BeachBall => BallProperties.BeachBall,
-                BallChoice.MedicineBall => BallProperties.MedicineBall,
-                BallChoice.Custom => BallProperties.Football with { Mass = Typed(CustomMass), Radius = Typed(CustomRadius) },
-                _ => throw new InvalidOperationException($"There is no ball {Ball}."),
-            },
+            Ball = BallOf(),
             Ground = ground with { Height = Typed(GroundHeight) },
-            Forces = Laws switch
-            {
-                AirChoice.OfProfile => own.Forces,
-                AirChoice.Measured => ForceSet.Measured,
-                AirChoice.Published => ForceSet.Published,
-                AirChoice.Regularised => ForceSet.Regularised,
-                AirChoice.Constant => ForceSet.Constant,
-                AirChoice.Vacuum => ForceSet.None,
-                _ => throw new InvalidOperationException($"There are no laws {Laws}."),
-            },
+            Forces = ForcesOf(own.Forces),
             Gravity = Typed(Gravity),
-            Air = new Air { Density = Typed(AirDensity), Wind = GodotFrame.FromGodot(Wind) },
+            Air = new Air { Density = Typed(AirDensity), KinematicViscosity = Typed(AirViscosity) / 1e6, Wind = GodotFrame.FromGodot(Wind) },
         };
-        return new Simulator(scene, new SolverSettings { Integrator = Integrator });
+        return DragScale == 1 && BendScale == 1
+            ? scene
+            : scene with { Forces = scene.Forces with { Custom = new IForce[] { new ScaledAir(scene, Typed(DragScale), Typed(BendScale)) } } };
     }
 
-    // The number in the inspector, not the single next to it: 1.2f is not 1.2.
-    private static double Typed(float number) => Math.Abs(number) < 1e9f ? (double)(decimal)number : number;
+    /// <summary>A ground that is chosen by name.</summary>
+    /// <param name="choice">Its name; that of the profile, and a custom one, are the given one.</param>
+    /// <param name="own">The ground of the profile.</param>
+    internal static Ground GroundOf(GroundChoice choice, Ground own) => choice switch
+    {
+        GroundChoice.OfProfile => own,
+        GroundChoice.DryTurf => Ground.DryTurf,
+        GroundChoice.ArtificialTurf => Ground.ArtificialTurf,
+        GroundChoice.WetTurf => Ground.WetTurf,
+        GroundChoice.MatchTurf => Ground.MatchTurf,
+        GroundChoice.HardGround => Ground.HardGround,
+        GroundChoice.LongGrass => Ground.LongGrass,
+        GroundChoice.Indoor => Ground.Indoor,
+        GroundChoice.Concrete => Ground.Concrete,
+        GroundChoice.Snow => Ground.Snow,
+        GroundChoice.PublishedTurf => Ground.PublishedTurf,
+        GroundChoice.PublishedWetTurf => Ground.PublishedWetTurf,
+        GroundChoice.PublishedCourt => Ground.PublishedCourt,
+        GroundChoice.PublishedSand => Ground.PublishedSand,
+        GroundChoice.Custom => own,
+        _ => throw new InvalidOperationException($"There is no ground {choice}."),
+    };
+
+    /// <summary>The ball that is chosen.</summary>
+    internal BallProperties BallOf() => Ball switch
+    {
+        BallChoice.Football => BallProperties.Football,
+        BallChoice.Tango12 => BallProperties.Tango12,
+        BallChoice.Teamgeist => BallProperties.Teamgeist,
+        BallChoice.Jabulani => BallProperties.Jabulani,
+        BallChoice.Brazuca => BallProperties.Brazuca,
+        BallChoice.Modern => BallProperties.Modern,
+        BallChoice.Telstar18 => BallProperties.Telstar18,
+        BallChoice.Flight2020 => BallProperties.Flight2020,
+        BallChoice.AlRihla => BallProperties.AlRihla,
+        BallChoice.Fussballliebe => BallProperties.Fussballliebe,
+        BallChoice.Trionda => BallProperties.Trionda,
+        BallChoice.YouthFootball => BallProperties.YouthFootball,
+        BallChoice.Futsal => BallProperties.Futsal,
+        BallChoice.BeachBall => BallProperties.BeachBall,
+        BallChoice.MedicineBall => BallProperties.MedicineBall,
+        BallChoice.Custom => BallProperties.Football with { Mass = Typed(CustomMass), Radius = Typed(CustomRadius) },
+        _ => throw new InvalidOperationException($"There is no ball {Ball}."),
+    };
+
+    private ForceSet ForcesOf(ForceSet own) => Laws switch
+    {
+        AirChoice.OfProfile => own,
+        AirChoice.Measured => ForceSet.Measured,
+        AirChoice.Published => ForceSet.Published,
+        AirChoice.Regularised => ForceSet.Regularised,
+        AirChoice.Constant => ForceSet.Constant,
+        AirChoice.Vacuum => ForceSet.None,
+        _ => throw new InvalidOperationException($"There are no laws {Laws}."),
+    };
+
+    /// <summary>The number in the inspector, not the single next to it: 1.2f is not 1.2.</summary>
+    internal static double Typed(float number) => Math.Abs(number) < 1e9f ? (double)(decimal)number : number;
 }

@@ -15,11 +15,17 @@ namespace Football.Physics.Unity
         }
 
         /// <summary>A collider as the ball sees it; its surface is that of a FootballSurface on its game object.</summary>
-        public static EngineCollider Make(Collider collider)
+        /// <param name="collider">The collider.</param>
+        /// <param name="pushes">True where a body that moves freely gives way by its mass.</param>
+        public static EngineCollider Make(Collider collider, bool pushes)
         {
+            Rigidbody body = collider.attachedRigidbody;
+            double mass = pushes && body != null && !body.isKinematic ? body.mass : double.PositiveInfinity;
             Surface surface = collider.TryGetComponent(out FootballSurface given) ? given.Surface : Surface.GoalFrame;
             IShape shape = Shape(collider);
-            return shape == null ? new EngineCollider(collider.gameObject.name, surface) : new EngineCollider(collider.gameObject.name, shape, surface);
+            return shape == null
+                ? new EngineCollider(collider.gameObject.name, surface) { Mass = mass }
+                : new EngineCollider(collider.gameObject.name, shape, surface) { Mass = mass };
         }
 
         private static IShape Shape(Collider collider)

@@ -1,15 +1,28 @@
 using System;
+using Football.Physics.Netcode;
+using Unity.Profiling;
 using UnityEngine;
 
 namespace Football.Physics.Unity
 {
     /// <summary>A football on a game object: stepped in FixedUpdate in the time of the game, drawn in Update, all in Unity's frame.</summary>
-    /// <remarks>The library moves it, so its Rigidbody is kinematic; it is there for triggers and for what else asks for bodies.</remarks>
+    /// <remarks>
+    /// The library moves it, so its Rigidbody is kinematic; it is there for triggers and for what else asks for bodies. It meets every goal, pitch, wall and keeper of the scene, and
+    /// the colliders in the layers of Hits. Whatever is set, of it, of its preset or of those, counts from its next step on.
+    /// </remarks>
     [AddComponentMenu("Football/Football Ball"), DisallowMultipleComponent, RequireComponent(typeof(Rigidbody))]
-    public sealed class FootballBall : MonoBehaviour
+    public sealed partial class FootballBall : MonoBehaviour
     {
         /// <summary>A step is due when its time has come but for this part of it: Unity's clock adds single numbers.</summary>
         private const double AlmostDue = 1e-3;
+
+        /// <summary>Further off where it was drawn than this, m, it was moved by somebody else.</summary>
+        private const float Moved = 1e-3f;
+
+        private static readonly ProfilerMarker s_step = new ProfilerMarker("Football.Step");
+        private static readonly ProfilerMarker s_compile = new ProfilerMarker("Football.Compile");
+        private static readonly ProfilerMarker s_path = new ProfilerMarker("Football.Path");
+        private static readonly ProfilerMarker s_draw = new ProfilerMarker("Football.Draw");
 
         [SerializeField, Tooltip("Ball, air, ground, method and time step; empty: the measured profile, a football over dry turf in still air, as a new preset has it; in steps of 0.02 s.")]
         private FootballPreset preset;
@@ -20,7 +33,7 @@ namespace Football.Physics.Unity
         [SerializeField, Range(0.1f, 20f), Tooltip("How much of the path ahead the gizmo shows, s.")]
         private float gizmoSeconds = 3f;
 
-        [SerializeField, Tooltip("Layers whose colliders the ball hits; none: only the ground of its preset.")]
+        [SerializeField, Tooltip("Layers whose colliders the ball hits; none: only goals, pitches, walls and keepers, and the ground.")]
         private LayerMask hits;
 
         [SerializeField, Tooltip("Not slower than the fastest collider that may hit the ball, m/s.")]
@@ -29,50 +42,45 @@ namespace Football.Physics.Unity
         [SerializeField]
         private FootballBallEvents events = new FootballBallEvents();
 
-        private readonly StepLog _log = new StepLog();
-        private FootballColliders _colliders;
+        private FootballScene _scene;
         private FixedStepRunner _runner;
-        private Simulator _preview;
-        private Vector3[] _path = Array.Empty<Vector3>();
+        private int _stamp;
         private double _elapsed;
         private long _steps;
+        private Vector3 _drawnAt;
+        private bool _warned;
 
-        /// <summary>Something happened to the ball; the events below are by kind.</summary>
-        public event Action<FootballBall, FootballEvent> Happened;
-
-        /// <summary>The ball hit something: the ground, a post, a wall.</summary>
-        public event Action<FootballBall, FootballEvent> Impact;
-
-        /// <summary>The ball stayed on what carries it, slipping.</summary>
-        public event Action<FootballBall, FootballEvent> Slide;
-
-        /// <summary>The ball began to roll without slip.</summary>
-        public event Action<FootballBall, FootballEvent> Roll;
-
-        /// <summary>The ball came to rest.</summary>
-        public event Action<FootballBall, FootballEvent> Rest;
-
-        /// <summary>The preset; a new one counts from the next Awake.</summary>
+        /// <summary>The preset: a new one, and what is changed of one, counts from the next step on.</summary>
         public FootballPreset Preset
         {
             get => preset;
             set => preset = value;
         }
 
-        /// <summary>Layers whose colliders the ball hits; new ones count from the next Awake.</summary>
+        /// <summary>Layers whose colliders the ball hits: new ones count from the next step on.</summary>
         public LayerMask Hits
         {
             get => hits;
             set => hits = value;
         }
 
+        /// <summary>Not slower than the fastest collider that may hit the ball, m/s.</summary>
+        public float GreatestSpeed
+        {
+            get => greatestSpeed;
+            set => greatestSpeed = value;
+        }
+
         /// <summary>The kick that the editor shows.</summary>
         public FootballKick PreviewedKick => kick;
 
-        /// <summary>The same events for the inspector.</summary>
-        public FootballBallEvents Events => events;
+        /// <summary>Radius of the ball, m.</summary>
+        public float Radius => (float)(preset != null ? preset.BallOf() : BallProperties.Football).Radius;
 
-        /// <summary>The fixed-step runner behind the component: state, tick, kicks by tick, rollback. In the library's frame.</summary>
+        /// <summary>Length of a step, s: the preset's.</summary>
+        public double TimeStep => preset != null ? preset.timeStep : FootballPreset.DefaultTimeStep;
+
+        /// <summary>The fixed-step runner behind the component: state, tick, kicks by tick, rollback. In the library's frame. A preset with another time step makes a new one.</summary>
         /// <exception cref="InvalidOperationException">Awake has not run yet.</exception>
         public FixedStepRunner Runner => _runner
             ?? throw new InvalidOperationException("The football \"" + name + "\" has no Awake behind it yet: use it from Start on, and only while its game object is active.");
@@ -111,125 +119,143 @@ namespace Football.Physics.Unity
             Draw(1.0);
         }
 
-        /// <summary>The path ahead, if nobody touches the ball: a point every step, the present one first. Allocates nothing.</summary>
-        /// <param name="points">Filled from the start.</param>
-        /// <returns>How many points were filled in; fewer than there is room for when the ball comes to rest.</returns>
-        public int PredictPath(Span<Vector3> points)
+        /// <summary>Takes over at once what was changed: of the ball, its preset, or what stands in the scene. By itself it is done before the next step.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it, and the ball goes on as before.</exception>
+        public void Apply()
         {
-            return Follow(Runner.Simulator, Runner.State, Runner.TimeStep, points);
-        }
-
-        /// <summary>The path of the kick that the editor shows, from where the ball is; without a game running. Allocates nothing once its scene is compiled.</summary>
-        /// <param name="points">Filled from the start.</param>
-        /// <returns>How many points were filled in.</returns>
-        public int PreviewPath(Span<Vector3> points)
-        {
-            _preview ??= Compile();
-            BallState state = _preview.Launch(UnityFrame.FromUnity(transform.position), default, default);
-            Vector3d direction = UnityFrame.FromUnity(kick.Direction);
-            _preview.Kick(ref state, (kick.speed / direction.Length) * direction, KickVectors.Spin(direction, kick.topSpin, kick.sideSpin));
-            return Follow(_preview, state, TimeStep, points);
-        }
-
-        private double TimeStep => preset != null ? preset.timeStep : FootballPreset.DefaultTimeStep;
-
-        private Simulator Compile()
-        {
-            return preset != null ? preset.Compile() : new Simulator();
-        }
-
-        private Simulator AmongColliders(Simulator simulator)
-        {
-            if (hits.value == 0)
+            using (s_compile.Auto())
             {
-                return simulator;
+                _stamp = Stamp();
+                TryGetComponent(out Rigidbody own);
+                _scene = new FootballScene(preset, hits.value, greatestSpeed, own);
+                if (_runner == null)
+                {
+                    _runner = new FixedStepRunner(_scene.Stage.Game, TimeStep, Math.Max(TimeStep, 0.25));
+                }
+                else
+                {
+                    StepBy(TimeStep);
+                    _runner.Simulator = _scene.Stage.Game;
+                }
             }
+        }
 
-            TryGetComponent(out Rigidbody own);
-            _colliders = new FootballColliders(own, hits.value, greatestSpeed);
-            return new Simulator(simulator.Scene with { EngineColliders = _colliders }, simulator.Settings);
+        /// <summary>The scene that the ball plays in, compiled anew for somebody else: its preset, the goals, pitches, walls and keepers that are enabled; without colliders.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
+        public Simulator CompileScene()
+        {
+            return new FootballScene(preset, 0, 0f, null).Stage.Game;
         }
 
         private void Reset()
         {
             BeKinematic();
-        }
-
-        private void OnValidate()
-        {
-            _preview = null;
+            if (!TryGetComponent(out MeshRenderer _))
+            {
+                gameObject.AddComponent<FootballSkin>();
+            }
         }
 
         private void Awake()
         {
+            FootballWarmUp.Begin();
             BeKinematic();
-            _runner = new FixedStepRunner(AmongColliders(Compile()), TimeStep, Math.Max(TimeStep, 0.25));
+            Apply();
             _elapsed = 0.0;
             _steps = 0;
+            if (GetComponentInChildren<Renderer>() == null)
+            {
+                gameObject.AddComponent<FootballSkin>();
+            }
+
             Place(transform.position);
         }
 
         private void FixedUpdate()
         {
-            _elapsed += Time.fixedDeltaTime;
-            if (_colliders != null)
+            using (s_step.Auto())
             {
-                // Unity has moved its bodies to where they are at this time, on the clock of the ball.
-                _colliders.Time = _runner.State.Time;
-            }
+                ApplyChanges();
+                _elapsed += Time.fixedDeltaTime;
+                _scene.GreatestSpeed = greatestSpeed;
 
-            while ((_steps + 1) * _runner.TimeStep <= _elapsed + (AlmostDue * _runner.TimeStep))
-            {
-                _runner.Step();
-                _steps++;
-                for (int i = 0; i < _runner.Events.Count; i++)
+                // Unity has moved its bodies to where they are at this time, on the clock of the ball.
+                _scene.CollidersAreAt(_runner.State.Time);
+                while ((_steps + 1) * _runner.TimeStep <= _elapsed + (AlmostDue * _runner.TimeStep))
                 {
-                    Raise(new FootballEvent(in _runner.Events[i], _runner.Simulator.NameOf(_runner.Events[i].Thing)));
+                    _scene.Stage.BeforeStep(_runner.State);
+                    _runner.Step();
+                    _steps++;
+                    _scene.Stage.AfterStep(_runner.State);
+                    for (int i = 0; i < _runner.Events.Count; i++)
+                    {
+                        FootballEvent happened = _scene.Tell(in _runner.Events[i]);
+                        _scene.Push(in happened);
+                        Raise(happened);
+                    }
                 }
             }
         }
 
         private void Update()
         {
-            double ahead = _elapsed + (Time.timeAsDouble - Time.fixedTimeAsDouble) - (_steps * _runner.TimeStep);
-            Draw(Math.Min(1.0, Math.Max(0.0, ahead / _runner.TimeStep)));
-        }
-
-        private void OnDrawGizmosSelected()
-        {
-            int room = 1 + (int)(gizmoSeconds / TimeStep);
-            if (_path.Length != room)
+            using (s_draw.Auto())
             {
-                _path = new Vector3[room];
-            }
-
-            int count = _runner != null ? PredictPath(_path) : PreviewPath(_path);
-            Gizmos.color = Color.yellow;
-            for (int i = 1; i < count; i++)
-            {
-                Gizmos.DrawLine(_path[i - 1], _path[i]);
-            }
-
-            Simulator simulator = _runner != null ? _runner.Simulator : _preview;
-            Gizmos.DrawWireSphere(_path[count - 1], (float)simulator.Scene.Ball.Radius);
-        }
-
-        private int Follow(Simulator simulator, BallState state, double timeStep, Span<Vector3> points)
-        {
-            int count = 0;
-            while (count < points.Length)
-            {
-                points[count++] = UnityFrame.ToUnity(state.Position);
-                if (state.Motion == MotionState.Stopped)
+                if (!_warned && (transform.position - _drawnAt).magnitude > Moved)
                 {
-                    break;
+                    _warned = true;
+                    Debug.LogWarning("The football \"" + name + "\" was moved by its transform, which changes nothing: its place is the simulation's. Call Place(position) to put it somewhere, or Kick.", this);
                 }
 
-                _log.Clear();
-                simulator.Step(ref state, timeStep, _log);
+                double ahead = _elapsed + (Time.timeAsDouble - Time.fixedTimeAsDouble) - (_steps * _runner.TimeStep);
+                Draw(Math.Min(1.0, Math.Max(0.0, ahead / _runner.TimeStep)));
+                _scene.Draw();
+            }
+        }
+
+        /// <summary>A number that changes when anything does that the scene is compiled of.</summary>
+        private int Stamp()
+        {
+            return HashCode.Combine(preset, preset != null ? preset.Stamp : 0, hits.value, FootballThing.StampOfAll);
+        }
+
+        /// <summary>Takes over what was changed; what is out of range is said once, and the ball goes on as before.</summary>
+        private void ApplyChanges()
+        {
+            if (Stamp() == _stamp)
+            {
+                return;
             }
 
-            return count;
+            try
+            {
+                Apply();
+            }
+            catch (ArgumentOutOfRangeException refusal)
+            {
+                Debug.LogError("The football \"" + name + "\" goes on as before: " + refusal.Message, this);
+            }
+        }
+
+        /// <summary>Goes on in steps of another length: from this tick on, with the kicks that wait.</summary>
+        private void StepBy(double timeStep)
+        {
+            if (_runner.TimeStep == timeStep)
+            {
+                return;
+            }
+
+            var runner = new FixedStepRunner(_runner.Simulator, timeStep, Math.Max(timeStep, 0.25));
+            runner.Restore(0, _runner.State);
+            for (int i = _runner.Kicks.FirstAt(_runner.Tick); i < _runner.Kicks.Count; i++)
+            {
+                KickInput waiting = _runner.Kicks[i];
+                runner.Kicks.Add(new KickInput(waiting.Tick - _runner.Tick, waiting.Velocity, waiting.Spin, waiting.Player));
+            }
+
+            _runner = runner;
+            _elapsed = 0.0;
+            _steps = 0;
         }
 
         private void BeKinematic()
@@ -246,28 +272,7 @@ namespace Football.Physics.Unity
         {
             BallPose pose = _runner.PoseAt(fraction);
             transform.SetPositionAndRotation(UnityFrame.ToUnity(pose.Position), UnityFrame.ToUnity(pose.Orientation));
-        }
-
-        private void Raise(FootballEvent happened)
-        {
-            Happened?.Invoke(this, happened);
-            switch (happened.Kind)
-            {
-                case BallEventKind.Impact:
-                    Impact?.Invoke(this, happened);
-                    break;
-                case BallEventKind.Slide:
-                    Slide?.Invoke(this, happened);
-                    break;
-                case BallEventKind.Roll:
-                    Roll?.Invoke(this, happened);
-                    break;
-                case BallEventKind.Rest:
-                    Rest?.Invoke(this, happened);
-                    break;
-            }
-
-            events.Invoke(happened);
+            _drawnAt = transform.position;
         }
     }
 }

@@ -16,7 +16,9 @@ namespace Football.Physics.Unity
         private const float Skin = 0.99f;
 
         private readonly Dictionary<Collider, EngineCollider> _known = new Dictionary<Collider, EngineCollider>();
+        private readonly Dictionary<EngineCollider, Collider> _engines = new Dictionary<EngineCollider, Collider>();
         private readonly Rigidbody _own;
+        private readonly bool _pushes;
         private readonly int _layers;
         private RaycastHit[] _hits = new RaycastHit[16];
         private RaycastHit[] _exact = new RaycastHit[16];
@@ -26,8 +28,10 @@ namespace Football.Physics.Unity
         /// <param name="own">The ball's own body, which it does not hit.</param>
         /// <param name="layers">The layers that it hits, as a LayerMask.</param>
         /// <param name="greatestSpeed">Not slower than the fastest of them, m/s.</param>
-        public FootballColliders(Rigidbody own, int layers, float greatestSpeed)
+        /// <param name="pushes">True where bodies that move freely give way by their mass; the impulse is the event's, for the game to apply.</param>
+        public FootballColliders(Rigidbody own, int layers, float greatestSpeed, bool pushes = false)
         {
+            _pushes = pushes;
             _own = own;
             _layers = layers;
             GreatestSpeed = greatestSpeed;
@@ -38,6 +42,12 @@ namespace Football.Physics.Unity
 
         /// <summary>Not slower than the fastest of them, m/s.</summary>
         public double GreatestSpeed { get; set; }
+
+        /// <summary>Unity's collider of one that was met; null for none.</summary>
+        public Collider Of(EngineCollider collider)
+        {
+            return collider != null && _engines.TryGetValue(collider, out Collider met) ? met : null;
+        }
 
         /// <summary>Adds what a sphere touches on its way. Allocates only for colliders that were never met before.</summary>
         public void Cast(in SphereCast cast, EngineHits hits)
@@ -79,8 +89,9 @@ namespace Football.Physics.Unity
 
             if (!_known.TryGetValue(collider, out EngineCollider known))
             {
-                known = ColliderShapes.Make(collider);
+                known = ColliderShapes.Make(collider, _pushes);
                 _known.Add(collider, known);
+                _engines.Add(known, collider);
             }
 
             Rigidbody body = collider.attachedRigidbody;

@@ -5,9 +5,13 @@ namespace Football.Physics.Unity
     /// <summary>Something that happened to a ball, in Unity's frame.</summary>
     public readonly struct FootballEvent
     {
-        internal FootballEvent(in BallEvent happened, string surface)
+        internal FootballEvent(in BallEvent happened, string surface, Vector3 impulse, FootballGoal goal, Collider collider)
         {
             Surface = surface;
+            Impulse = impulse;
+            Goal = goal;
+            Collider = collider;
+            NormalSpeed = (float)happened.NormalSpeed;
             Normal = UnityFrame.ToUnity(happened.Normal);
             Kind = happened.Kind;
             Time = happened.Time;
@@ -44,5 +48,17 @@ namespace Football.Physics.Unity
 
         /// <summary>Spin just after, rad/s.</summary>
         public Vector3 Spin { get; }
+
+        /// <summary>Impulse on the ball, N s; what was hit got the opposite. Zero for what is no impact.</summary>
+        public Vector3 Impulse { get; }
+
+        /// <summary>Speed against what was hit, along the normal, m/s: how loud it is.</summary>
+        public float NormalSpeed { get; }
+
+        /// <summary>The goal whose line, net, post or bar it tells of; null for none.</summary>
+        public FootballGoal Goal { get; }
+
+        /// <summary>The collider of Unity's that was hit; null for none.</summary>
+        public Collider Collider { get; }
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using Football.Physics.Laws;
 using UnityEngine;
 
 namespace Football.Physics.Unity
@@ -53,6 +54,18 @@ namespace Football.Physics.Unity
         /// <summary>Density of the air, kg/m³.</summary>
         [Range(0f, 10f), Tooltip("Density of the air, kg/m³; 1.2 at sea level, 0.9 in Mexico City.")]
         public float airDensity = 1.2f;
+
+        /// <summary>Kinematic viscosity of the air, mm²/s.</summary>
+        [Range(0.1f, 1000f), Tooltip("Kinematic viscosity of the air, mm²/s; 15 at sea level, 19.9 in Mexico City.")]
+        public float airViscosity = 15f;
+
+        /// <summary>How much of the drag there is: 1 as it is measured, 0 none.</summary>
+        [Range(0f, 3f), Tooltip("How much of the drag there is: 1 as the laws say, 0 none.")]
+        public float dragScale = 1f;
+
+        /// <summary>How much a spinning ball bends: 1 as it is measured, 0 not at all.</summary>
+        [Range(0f, 3f), Tooltip("How much a spinning ball bends: 1 as the laws say, 0 not at all.")]
+        public float bendScale = 1f;
 
         /// <summary>Wind in Unity's frame, m/s.</summary>
         [Tooltip("Wind, m/s; at most 60 in each direction.")]
@@ -129,8 +142,45 @@ namespace Football.Physics.Unity
             Vacuum,
         }
 
+        /// <summary>How the scene is integrated.</summary>
+        public SolverSettings Settings => new SolverSettings { Integrator = integrator };
+
+        /// <summary>A number that changes when any of the numbers here does.</summary>
+        internal int Stamp
+        {
+            get
+            {
+                var stamp = new HashCode();
+                stamp.Add((int)profile);
+                stamp.Add((int)ball);
+                stamp.Add(customMass);
+                stamp.Add(customRadius);
+                stamp.Add((int)ground);
+                stamp.Add(groundHeight);
+                stamp.Add(customRestitution);
+                stamp.Add(customSlidingFriction);
+                stamp.Add(customRollingFriction);
+                stamp.Add((int)laws);
+                stamp.Add(airDensity);
+                stamp.Add(airViscosity);
+                stamp.Add(dragScale);
+                stamp.Add(bendScale);
+                stamp.Add(wind);
+                stamp.Add(gravity);
+                stamp.Add((int)integrator);
+                stamp.Add(timeStep);
+                return stamp.ToHashCode();
+            }
+        }
+
         /// <summary>Checks and compiles the scene. Throws ArgumentOutOfRangeException where a number is out of range.</summary>
         public Simulator Compile()
+        {
+            return new Simulator(MakeScene(), Settings);
+        }
+
+        /// <summary>The scene that these numbers describe.</summary>
+        public Scene MakeScene()
         {
             Scene own = profile switch
             {
@@ -140,17 +190,45 @@ namespace Football.Physics.Unity
             };
             Scene scene = own with
             {
-                Ball = Ball(),
-                Air = new Air { Density = Typed(airDensity), Wind = WindAsTyped() },
+                Ball = BallOf(),
+                Air = new Air { Density = Typed(airDensity), KinematicViscosity = Typed(airViscosity) / 1e6, Wind = WindAsTyped() },
                 Gravity = Typed(gravity),
                 Forces = Forces(own.Forces),
                 Ground = Ground(own.Ground) with { Height = Typed(groundHeight) },
             };
-            return new Simulator(scene, new SolverSettings { Integrator = integrator });
+            return dragScale == 1f && bendScale == 1f
+                ? scene
+                : scene with { Forces = scene.Forces with { Custom = new IForce[] { new ScaledAir(scene, Typed(dragScale), Typed(bendScale)) } } };
         }
 
-        // The number in the inspector, not the single next to it: 1.2f is not 1.2.
-        private static double Typed(float number)
+        /// <summary>A ground that is chosen by name.</summary>
+        /// <param name="choice">Its name; Of Profile and Custom are the given one.</param>
+        /// <param name="own">The ground of the profile.</param>
+        internal static Ground GroundOf(GroundChoice choice, Ground own)
+        {
+            return choice switch
+            {
+                GroundChoice.OfProfile => own,
+                GroundChoice.DryTurf => Physics.Ground.DryTurf,
+                GroundChoice.ArtificialTurf => Physics.Ground.ArtificialTurf,
+                GroundChoice.WetTurf => Physics.Ground.WetTurf,
+                GroundChoice.MatchTurf => Physics.Ground.MatchTurf,
+                GroundChoice.HardGround => Physics.Ground.HardGround,
+                GroundChoice.LongGrass => Physics.Ground.LongGrass,
+                GroundChoice.Indoor => Physics.Ground.Indoor,
+                GroundChoice.Concrete => Physics.Ground.Concrete,
+                GroundChoice.Snow => Physics.Ground.Snow,
+                GroundChoice.PublishedTurf => Physics.Ground.PublishedTurf,
+                GroundChoice.PublishedWetTurf => Physics.Ground.PublishedWetTurf,
+                GroundChoice.PublishedCourt => Physics.Ground.PublishedCourt,
+                GroundChoice.PublishedSand => Physics.Ground.PublishedSand,
+                GroundChoice.Custom => own,
+                _ => throw new InvalidOperationException("There is no ground " + choice + "."),
+            };
+        }
+
+        /// <summary>The number in the inspector, not the single next to it: 1.2f is not 1.2.</summary>
+        internal static double Typed(float number)
         {
             return Math.Abs(number) < 1e9f ? (double)(decimal)number : number;
         }
@@ -166,10 +244,14 @@ namespace Football.Physics.Unity
             customSlidingFriction = Mathf.Clamp(customSlidingFriction, 0f, 2f);
             customRollingFriction = Mathf.Clamp(customRollingFriction, 0f, 1f);
             airDensity = Mathf.Clamp(airDensity, 0f, 10f);
+            airViscosity = Mathf.Clamp(airViscosity, 0.1f, 1000f);
+            dragScale = Mathf.Clamp(dragScale, 0f, 3f);
+            bendScale = Mathf.Clamp(bendScale, 0f, 3f);
             gravity = Mathf.Clamp(gravity, 0f, 30f);
         }
 
-        private BallProperties Ball()
+        /// <summary>The ball that is chosen.</summary>
+        internal BallProperties BallOf()
         {
             return ball switch
             {
@@ -200,29 +282,12 @@ namespace Football.Physics.Unity
 
         private Ground Ground(Ground own)
         {
-            return ground switch
+            Ground chosen = GroundOf(ground, own);
+            return ground != GroundChoice.Custom ? chosen : chosen with
             {
-                GroundChoice.OfProfile => own,
-                GroundChoice.DryTurf => Physics.Ground.DryTurf,
-                GroundChoice.ArtificialTurf => Physics.Ground.ArtificialTurf,
-                GroundChoice.WetTurf => Physics.Ground.WetTurf,
-                GroundChoice.MatchTurf => Physics.Ground.MatchTurf,
-                GroundChoice.HardGround => Physics.Ground.HardGround,
-                GroundChoice.LongGrass => Physics.Ground.LongGrass,
-                GroundChoice.Indoor => Physics.Ground.Indoor,
-                GroundChoice.Concrete => Physics.Ground.Concrete,
-                GroundChoice.Snow => Physics.Ground.Snow,
-                GroundChoice.PublishedTurf => Physics.Ground.PublishedTurf,
-                GroundChoice.PublishedWetTurf => Physics.Ground.PublishedWetTurf,
-                GroundChoice.PublishedCourt => Physics.Ground.PublishedCourt,
-                GroundChoice.PublishedSand => Physics.Ground.PublishedSand,
-                GroundChoice.Custom => own with
-                {
-                    NormalRestitution = Typed(customRestitution),
-                    SlidingFriction = Typed(customSlidingFriction),
-                    RollingFriction = Typed(customRollingFriction),
-                },
-                _ => throw new InvalidOperationException("There is no ground " + ground + "."),
+                NormalRestitution = Typed(customRestitution),
+                SlidingFriction = Typed(customSlidingFriction),
+                RollingFriction = Typed(customRollingFriction),
             };
         }
 

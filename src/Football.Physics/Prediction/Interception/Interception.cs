@@ -78,9 +78,9 @@ public sealed class Interception
         double second = double.PositiveInfinity;
         for (int i = 0; i < _runners; i++)
         {
-            // Who comes after the second changes nothing.
+            // Who comes after the second changes nothing. Each search is that of Find, so that both name the same one.
             _firsts.Count = 0;
-            new WindowSearch(_path, in _motions[i], i, firstOnly: true, _firsts).Run(start, Math.Min(_path.End, second));
+            new WindowSearch(_path, in _motions[i], i, firstOnly: true, _firsts).Run(start, _path.End, second + Instant);
             _earliest[i] = _firsts.Count > 0 ? _firsts.Items[0] : new InterceptWindow(i, double.PositiveInfinity, double.PositiveInfinity, default, default);
             double from = _earliest[i].From;
             second = Math.Min(second, Math.Max(first, from));

@@ -30,7 +30,7 @@ public readonly struct KeeperAnswer
     /// <summary>Where and when he can meet it first, if he can.</summary>
     public PathPoint Save { get; init; }
 
-    /// <summary>The latest moment at which he may react, or dive, and still meets it, s since the launch; before that he goes on as he does. NaN where he cannot meet it. Of reactions that would do again after ones that would not, by less than a 64th of the time that is left, one may be missed.</summary>
+    /// <summary>The latest moment at which he may react, or dive, and still meets it, s since the launch; before that he goes on as he does. NaN where he cannot meet it. Where he runs on, a later reaction may do where earlier ones do not: this is the latest of all; of reactions that would do for less than a microsecond one may be missed.</summary>
     public double LatestReaction { get; init; }
 
     /// <inheritdoc/>

@@ -3,11 +3,14 @@ namespace Football.Physics.Prediction;
 /// <summary>Finds what a goalkeeper can do about a shot.</summary>
 internal readonly struct KeeperSearch
 {
-    /// <summary>Halvings of the time that he may wait: seconds become a microsecond.</summary>
-    private const int Halvings = 24;
+    /// <summary>Reactions that would do for less than this, s, may be missed.</summary>
+    private const double Shortest = 1e-6;
 
-    /// <summary>Reactions that are tried; what helps for less than one of so many parts of the time may be missed.</summary>
-    private const int Tries = 64;
+    /// <summary>Halvings of that: it becomes a nanosecond.</summary>
+    private const int Halvings = 10;
+
+    /// <summary>So many reactions are asked for at most: a way that stays within nanometres of his reach asks for no end of them.</summary>
+    private const int MostTries = 4096;
 
     private readonly PathSpans _spans;
     private readonly WindowList _found;
@@ -62,29 +65,49 @@ internal readonly struct KeeperSearch
     }
 
     /// <summary>
-    /// The latest reaction with which he still meets the ball. Who runs on may come closer by it, so that a later one can do where an earlier one does not: from the
-    /// last one back they are tried, and the end of the first that does is halved down to.
+    /// The latest reaction with which he still meets the ball. Who runs on may come closer by it, so that a later one can do where an earlier one does not; but
+    /// another reaction by Δ changes how far the ball is beyond him by no more than (v + |v₀|) Δ. So where he would not meet it with so much more reach either, a whole interval of reactions is
+    /// out; else it is halved, the later half first.
     /// </summary>
-    private double Latest(Player keeper, double now, double begin, double end)
+    private double Latest(in Player keeper, double now, double begin, double end)
     {
-        double least = keeper.Reaction;
-        double step = Math.Max(0, end - now - least) / Tries;
-        double high = Math.Max(least, end - now);
-        double low = high;
-        while (low > least && !Meets(keeper.Reacting(low), now, begin, end))
+        double low = keeper.Reaction;
+        double high = Math.Max(low, end - now);
+        if (Meets(keeper.Reacting(high), now, begin, end))
         {
-            high = low;
-            low = Math.Max(least, low - step);
+            return now + high;
         }
 
-        if (low == high)
+        double rate = keeper.Speed + keeper.Velocity.Horizontal.Length;
+        double shortest = Math.Max(Shortest, 1e-14 * high);
+        int tries = 0;
+        double latest = Latest(in keeper, now, begin, end, low, high, rate, shortest, ref tries);
+        return now + (latest >= low ? latest : low);
+    }
+
+    /// <summary>The latest reaction of an interval with whose end he does not meet the ball; NaN where there is none.</summary>
+    private double Latest(in Player keeper, double now, double begin, double end, double low, double high, double rate, double shortest, ref int tries)
+    {
+        double half = 0.5 * (high - low);
+        if (++tries > MostTries || !Meets(keeper.Reacting(low + half, rate * half), now, begin, end))
         {
-            return now + low;
+            return double.NaN;
         }
 
-        var tooLate = new TooLate(this, keeper, now, begin, end);
-        Roots.Bisect(ref tooLate, ref low, ref high, Halvings);
-        return now + low;
+        if (2.0 * half <= shortest)
+        {
+            if (!Meets(keeper.Reacting(low), now, begin, end))
+            {
+                return double.NaN;
+            }
+
+            var tooLate = new TooLate(this, keeper, now, begin, end);
+            Roots.Bisect(ref tooLate, ref low, ref high, Halvings);
+            return low;
+        }
+
+        double later = Latest(in keeper, now, begin, end, low + half, high, rate, shortest, ref tries);
+        return later >= low ? later : Latest(in keeper, now, begin, end, low, low + half, rate, shortest, ref tries);
     }
 
     /// <summary>With this reaction he does not meet the ball any more.</summary>

@@ -36,15 +36,15 @@ public readonly struct Player
     /// <summary>Greatest such height, m: 0.6 with the foot, 2.3 with the head, 2.7 with a keeper's hands. Default 2.3.</summary>
     public double HighestHeight { get; init; } = 2.3;
 
-    /// <summary>A copy with another reaction time, s.</summary>
-    internal Player Reacting(double reaction) => new()
+    /// <summary>A copy with another reaction time, s, and with so much more reach, m.</summary>
+    internal Player Reacting(double reaction, double further = 0) => new()
     {
         Position = Position,
         Velocity = Velocity,
         Reaction = reaction,
         Acceleration = Acceleration,
         Speed = Speed,
-        Reach = Reach,
+        Reach = Reach + further,
         LowestHeight = LowestHeight,
         HighestHeight = HighestHeight,
     };

@@ -35,14 +35,22 @@ internal struct WindowSearch
     }
 
     /// <summary>Adds the windows between two times.</summary>
-    public void Run(double from, double until)
+    /// <param name="from">Where to begin, s.</param>
+    /// <param name="until">Where to end, s.</param>
+    public void Run(double from, double until) => Run(from, until, double.PositiveInfinity);
+
+    /// <summary>Adds the windows between two times as far as any begins by a third: how the search divides the way, and so each bit of an answer, does not depend on that.</summary>
+    /// <param name="from">Where to begin, s.</param>
+    /// <param name="until">Where to end, s.</param>
+    /// <param name="latest">What begins after this does not matter, s.</param>
+    public void Run(double from, double until, double latest)
     {
         double t = from;
         double nearUntil = double.NegativeInfinity;
-        for (int i = _path.Count > 0 ? _path.Find(from) : 0; i < _path.Count && t < until && !_done; i++)
+        for (int i = _path.Count > 0 ? _path.Find(from) : 0; i < _path.Count && t < until && t <= latest && !_done; i++)
         {
             ref readonly PathSpan span = ref _path.Items[i];
-            while (t < span.End && t < until && !_done)
+            while (t < span.End && t < until && t <= latest && !_done)
             {
                 t = Part(in span, t, Math.Min(span.End, until), ref nearUntil);
             }
@@ -224,11 +232,12 @@ internal struct WindowSearch
     {
         if (_inside)
         {
+            // A window without length is none, so one is found when it goes on.
+            _done = _firstOnly && time > _from;
             return;
         }
 
         _inside = true;
-        _done = _firstOnly;
         _from = time;
         if (!_found.Continues(_index, time, Adjoining))
         {

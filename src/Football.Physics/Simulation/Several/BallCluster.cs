@@ -112,7 +112,6 @@ internal sealed class BallCluster
     public bool Play(BallState[] states, double dt, StopAt stopAt, StepLog[]? watched, RigidMotion[] motions)
     {
         _start = _before[0].Time;
-
         _step = dt;
         _end = _start + dt;
         double end = _end;
@@ -167,7 +166,6 @@ internal sealed class BallCluster
             {
                 Commit(states, i, last, watched);
             }
-
         }
 
         return ended;
@@ -213,10 +211,10 @@ internal sealed class BallCluster
         _reaches[i] = Math.Max(_reaches[i], reach);
     }
 
-    /// <summary>The first event: two balls meet, or one meets what it pushes, or what ends the step. At one time that of the lower ball, its meeting with another first.</summary>
+    /// <summary>The first event: two balls meet, or one meets what it pushes, or what ends the step.</summary>
     private Happening FindFirst(double end)
     {
-        var first = new Happening(double.PositiveInfinity, -1, Happening.NoOther);
+        Happening first = Happening.None;
         for (int a = 0; a < _clusterCount; a++)
         {
             int i = _cluster[a];
@@ -227,20 +225,55 @@ internal sealed class BallCluster
                 {
                     double until = Math.Min(Math.Min(end, first.Time), Math.Min(_trials[i].HaltsAt, _trials[j].HaltsAt));
                     double from = Math.Max(Math.Max(_trials[i].From, _trials[j].From), PressedUntil(i, j));
-                    double time = _trials[i].Meets(_trials[j], Distance(i, j), from, until);
-                    first = Precedes(time, i, j, in first) ? new Happening(time, i, j) : first;
+                    double time = _trials[i].Meets(_trials[j], Distance(i, j), from, until, atEnd: until < end);
+                    first = Earlier(new Happening(time, i, j), in first);
                 }
             }
 
-            double halt = _trials[i].HaltsAt;
-            first = Precedes(halt, i, Happening.NoOther, in first) ? new Happening(halt, i, Happening.NoOther) : first;
+            first = Earlier(new Happening(_trials[i].HaltsAt, i, Happening.NoOther), in first);
         }
 
         return first;
     }
 
-    private static bool Precedes(double time, int ball, int other, in Happening first) =>
-        time < first.Time || (time == first.Time && time < double.PositiveInfinity && (ball < first.Ball || (ball == first.Ball && other < first.Other)));
+    /// <summary>
+    /// The earlier of two events. At one time two balls come before what a ball pushes, who come together faster before who do slower, then what is where x, y or z is less: the numbers of
+    /// the balls decide nothing where that does.
+    /// </summary>
+    private Happening Earlier(in Happening next, in Happening first)
+    {
+        if (next.Time != first.Time || double.IsPositiveInfinity(next.Time))
+        {
+            return next.Time < first.Time ? next : first;
+        }
+
+        if (next.IsMeeting != first.IsMeeting)
+        {
+            return next.IsMeeting ? next : first;
+        }
+
+        (double rate, Vector3d place) = Of(in next);
+        (double firstRate, Vector3d firstPlace) = Of(in first);
+        bool precedes = rate != firstRate ? rate < firstRate
+            : place.X != firstPlace.X ? place.X < firstPlace.X
+            : place.Y != firstPlace.Y ? place.Y < firstPlace.Y
+            : place.Z < firstPlace.Z;
+        return precedes ? next : first;
+    }
+
+    /// <summary>How fast the gap grows where two balls meet, m/s, and twice where that is, m: the same whichever is the first.</summary>
+    private (double Rate, Vector3d Place) Of(in Happening happening)
+    {
+        Vector3d place = _trials[happening.Ball].PlaceAt(happening.Time, out Vector3d velocity);
+        if (!happening.IsMeeting)
+        {
+            return (0, place);
+        }
+
+        Vector3d other = _trials[happening.Other].PlaceAt(happening.Time, out Vector3d otherVelocity);
+        Vector3d apart = place - other;
+        return (Vector3d.Dot(in apart, velocity - otherVelocity) / apart.Length, place + other);
+    }
 
     /// <summary>How long a ball goes to a time within the step, s: a whole step is that to the last bit.</summary>
     private double Left(in BallState s, double time) => s.Time == _start && time == _end ? _step : Math.Max(0, time - s.Time);
@@ -289,10 +322,9 @@ internal sealed class BallCluster
             SetPressed(i, j, time);
 
             // What overlaps is put apart, each by its share.
-            double share = other.Mass / (ball.Mass + other.Mass);
-            double over = Math.Max(0, -gap);
-            states[i].Position += share * over * n;
-            states[j].Position -= (1.0 - share) * over * n;
+            double over = Math.Max(0, -gap) / (ball.Mass + other.Mass);
+            states[i].Position += other.Mass * over * n;
+            states[j].Position -= ball.Mass * over * n;
         }
         else
         {
@@ -461,7 +493,10 @@ internal sealed class BallCluster
         public readonly int Other = other;
 
         /// <summary>No other ball.</summary>
-        public const int NoOther = int.MaxValue;
+        public const int NoOther = -1;
+
+        /// <summary>Nothing, ever.</summary>
+        public static Happening None => new(double.PositiveInfinity, NoOther, NoOther);
 
         /// <summary>True when two balls meet.</summary>
         public bool IsMeeting => Other != NoOther;

@@ -16,7 +16,10 @@ internal static class BallContact
         return distance - firstRadius - secondRadius;
     }
 
-    /// <summary>The impact of two balls that touch and come closer.</summary>
+    /// <summary>
+    /// The impact of two balls that touch and come closer: <c>J_n = (1 + e) (−u·n)/(1/m₁ + 1/m₂)</c>, <c>J_t = −(1 + e_t) s/κ</c>, at most μ J_n, with
+    /// <c>κ = 1/m₁ + 1/m₂ + r₁²/I₁ + r₂²/I₂</c>. To the last bit the same whichever of them is called the first.
+    /// </summary>
     /// <param name="ball">The first ball.</param>
     /// <param name="other">The second one.</param>
     /// <param name="material">Their contact.</param>
@@ -28,18 +31,43 @@ internal static class BallContact
     public static void Impact(
         BallProperties ball, BallProperties other, in ContactMaterial material, in Vector3d n, in BallState first, in BallState second, out Motion a, out Motion b)
     {
-        // The surface of the second at the contact, p₂ + r₂ n: V_c = v₂ + r₂ ω₂ × n
-        Vector3d spin = second.Spin;
-        Vector3d surface = second.Velocity + (other.Radius * Vector3d.Cross(in spin, in n));
-        CoulombImpact.Apply(
-            ball, in material, GivingWay.Of(ball, other), in n, in surface, first.Velocity, first.Spin, out Vector3d v, out Vector3d w);
+        // u = (v₁ − r₁ ω₁ × n) − (v₂ + r₂ ω₂ × n)
+        Vector3d w1 = first.Spin;
+        Vector3d w2 = second.Spin;
+        Vector3d relative = first.Velocity - second.Velocity;
+        Vector3d u = first.Velocity - (ball.Radius * Vector3d.Cross(in w1, in n)) - (second.Velocity + (other.Radius * Vector3d.Cross(in w2, in n)));
+        double approach = -Vector3d.Dot(in relative, in n);
+        if (!(approach > 0))
+        {
+            a = new Motion(first.Position, first.Velocity, in w1);
+            b = new Motion(second.Position, second.Velocity, in w2);
+            return;
+        }
 
-        // v₂ −= J/m₂,  ω₂ −= (r₂ n) × J/I₂
-        Vector3d impulse = ball.Mass * (v - first.Velocity);
-        a = new Motion(first.Position, in v, in w);
+        double givesWay = (1.0 / ball.Mass) + (1.0 / other.Mass);
+        double firstTurns = ball.Radius * ball.Radius / ball.MomentOfInertia;
+        double secondTurns = other.Radius * other.Radius / other.MomentOfInertia;
+        double normal = (1.0 + material.RestitutionAt(approach, relative + (approach * n))) * approach / givesWay;
+        Vector3d grip = (1.0 + material.TangentialX) / (givesWay + (firstTurns + secondTurns)) * (u - (Vector3d.Dot(in u, in n) * n));
+        double size = grip.Length;
+        double most = material.ImpactFriction * normal;
+        Vector3d impulse = (normal * n) - (size > most ? most / size * grip : grip);
+
+        // About the normal only what one turns against the other: e_ω of it, less drilling friction, b μ_s J_n for each.
+        double eases = (1.0 / ball.MomentOfInertia) + (1.0 / other.MomentOfInertia);
+        double about = Vector3d.Dot(w1 - w2, in n);
+        double drilled = material.DrillingLength * material.SlidingFriction * normal * eases;
+        double kept = material.Spin * about;
+        kept = kept > 0 ? Math.Max(0, kept - drilled) : Math.Min(0, kept + drilled);
+        double torque = (kept - about) / eases;
+        Vector3d turning = Vector3d.Cross(in n, in impulse);
+        a = new Motion(
+            first.Position,
+            first.Velocity + (impulse / ball.Mass),
+            w1 - (ball.Radius / ball.MomentOfInertia * turning) + (torque / ball.MomentOfInertia * n));
         b = new Motion(
             second.Position,
             second.Velocity - (impulse / other.Mass),
-            spin - (other.Radius / other.MomentOfInertia * Vector3d.Cross(in n, in impulse)));
+            w2 - (other.Radius / other.MomentOfInertia * turning) - (torque / other.MomentOfInertia * n));
     }
 }

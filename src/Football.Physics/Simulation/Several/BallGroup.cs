@@ -3,7 +3,8 @@ namespace Football.Physics;
 /// <summary>Several balls among the same things, stepped together: they hit one another at exact times, in exact order. A training ground's fifty, or two.</summary>
 /// <remarks>
 /// Balls far from one another cost a step each, and a comparison. A group keeps what it has found of them between steps, so it is for one thread; groups that share a
-/// <see cref="Simulator"/> may step at the same time where that may be shared. What a ball does depends on the others only where they meet: the bits are the same in any group.
+/// <see cref="Simulator"/> may step at the same time where that may be shared. What a ball does depends on the others only where they meet: the bits are the same in any group, and in
+/// any order. Of impacts at one time that comes first whose balls come together fastest. A group of one costs what its ball does.
 /// Two balls that come together slower than 1 cm/s press each other without a bounce, and are put apart once a millisecond; what a ball presses for longer it presses as if
 /// nothing moved that.
 /// </remarks>
@@ -96,7 +97,20 @@ public sealed class BallGroup
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">The states are not as many as the balls, or not of one time, or one was never launched; or the log has an observer.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
-    public bool Run(BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog log)
+    public bool Run(BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog log) => Run(states, timeStep, duration, stopAt, log, null);
+
+    /// <summary>Steps all balls until an event or a time, and calls back after every step.</summary>
+    /// <param name="states">The balls, as in the other overload.</param>
+    /// <param name="timeStep">Length of a step, s, as in the other overload.</param>
+    /// <param name="duration">How long to go on at most, s; above 0, at most 1e12.</param>
+    /// <param name="stopAt">The event that ends the run, as in the other overload.</param>
+    /// <param name="log">Where the events of all are added, in order of time, then of the balls, and the counts.</param>
+    /// <param name="afterStep">Called after every step, when the states are those at its end; null: nobody is.</param>
+    /// <returns>True when the event ended the run, false when its time did.</returns>
+    /// <exception cref="ArgumentNullException">States or log are null.</exception>
+    /// <exception cref="ArgumentException">The states are not as many as the balls, or not of one time, or one was never launched; or the log has an observer.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public bool Run(BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog log, Action? afterStep)
     {
         Check.Given(nameof(states), states);
         Check.Given(nameof(log), log);
@@ -105,7 +119,7 @@ public sealed class BallGroup
             Simulator.CheckRun(in states[0], timeStep, duration, stopAt);
         }
 
-        return Run(states, timeStep, duration, stopAt, log, null, null);
+        return Run(states, timeStep, duration, stopAt, log, null, afterStep is null ? null : (in BallState _) => afterStep());
     }
 
     /// <summary>Runs the balls with logs that watch their paths, and a callback after every step.</summary>
@@ -169,6 +183,11 @@ public sealed class BallGroup
 
         World world = _simulators[0].World;
         world.Bodies?.CheckTimes(states[0].Time);
+        if (Count == 1 && log is not null && _motionsBefore.Length == 0)
+        {
+            return StepAlone(ref states[0], dt, log, stopAt);
+        }
+
         world.ReadMotions(_motionsBefore);
         bool ended;
         Array.Copy(states, _before, Count);
@@ -234,6 +253,19 @@ public sealed class BallGroup
         }
 
         return all;
+    }
+
+    /// <summary>One ball, which moves nothing: its own step, and nothing else.</summary>
+    private bool StepAlone(ref BallState state, double dt, StepLog log, StopAt stopAt)
+    {
+        BallState.Launched(in state);
+        log.Halted = false;
+        log.StopAt = stopAt;
+        log.Pushes = true;
+        log.HaltsAtPush = false;
+        log.Events.Ball = 0;
+        _simulators[0].Advance(ref state, dt, log);
+        return log.Halted;
     }
 
     /// <summary>Every ball takes its step as if there were no other.</summary>

@@ -83,23 +83,33 @@ internal sealed class BallTrial : PieceObserver
         return isOn ? _paths[index] : PathCubic.Line(index < _count ? _paths[index].At(0) : End.Position, Vector3d.Zero, 0);
     }
 
+    /// <summary>The place and the velocity at a time.</summary>
+    public Vector3d PlaceAt(double time, out Vector3d velocity)
+    {
+        int index = 0;
+        PathCubic path = At(time, ref index, out double start, out _);
+        velocity = path.VelocityAt(time - start);
+        return path.At(time - start);
+    }
+
     /// <summary>The first time at which two balls touch and come closer; infinite where they do not. Walked as one thing is met by a ball, by conservative advancement.</summary>
     /// <param name="other">The other ball's way.</param>
     /// <param name="distance">Between their centers where they touch, m.</param>
     /// <param name="from">Where to begin, s.</param>
     /// <param name="until">Where to end, s.</param>
-    public double Meets(BallTrial other, double distance, double from, double until)
+    /// <param name="atEnd">Whether what is there at that very time counts.</param>
+    public double Meets(BallTrial other, double distance, double from, double until, bool atEnd)
     {
         int i = 0;
         int j = 0;
         double time = from;
-        while (time < until)
+        while (time < until || (atEnd && time == until))
         {
             PathCubic mine = At(time, ref i, out double start, out double end);
             PathCubic its = other.At(time, ref j, out double otherStart, out double otherEnd);
             double last = Math.Min(until, Math.Min(end, otherEnd));
             double bend = mine.GreatestAcceleration + its.GreatestAcceleration;
-            while (time < last)
+            do
             {
                 Vector3d apart = mine.At(time - start) - its.At(time - otherStart);
                 double length = apart.Length;
@@ -114,8 +124,9 @@ internal sealed class BallTrial : PieceObserver
                 double room = Math.Max(0, gap);
                 double root = rate + Math.Sqrt((rate * rate) + (2.0 * bend * room));
                 double ahead = bend > 0 ? root / bend : rate < 0 ? -room / rate : double.PositiveInfinity;
-                time += Math.Max(ahead, ShortestAdvance);
+                time += Math.Max(ahead, ShortestAdvance + (Rounding * time));
             }
+            while (time < last || (atEnd && time == until && last == until));
 
             time = Math.Max(last, Math.Min(time, Math.Min(end, otherEnd)));
         }
@@ -125,6 +136,9 @@ internal sealed class BallTrial : PieceObserver
 
     /// <summary>Where two balls touch without coming closer, the search goes on after this, s.</summary>
     private const double ShortestAdvance = 1e-7;
+
+    /// <summary>... and after this share of a time that is so late that a clock does not tell less.</summary>
+    private const double Rounding = 5e-16;
 
     /// <summary>Balls that overlap by more than this, m, are put apart whether they come closer or not.</summary>
     private const double Overlap = 1e-6;

@@ -120,7 +120,7 @@ internal sealed class GltfFile
             string kind = Words.Of(item.Kind);
             JsonObject mark = _nodes[AddNode(FormattableString.Invariant($"{shot.Name}, {kind} at {item.Time:0.000} s"), marker)]!.AsObject();
             mark["translation"] = Array(GltfData.Parts(item.Position));
-            mark["extras"] = new JsonObject { ["kind"] = kind, ["time"] = item.Time, ["surface"] = shot.Track.NameOf(item.Thing) };
+            mark["extras"] = new JsonObject { ["kind"] = kind, ["time"] = item.Time, ["surface"] = shot.Track.SurfaceOf(item) };
         }
     }
 

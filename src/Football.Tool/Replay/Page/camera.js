@@ -23,9 +23,18 @@ class Camera {
   }
 
   update() {
-    // Never under the grass.
-    const least = this.groundAt(this.target[0], this.target[2]) + LOWEST - this.target[1];
-    this.pitch = clamp(Math.max(this.pitch, Math.asin(clamp(least / this.distance, -1, 1))), -1.55, 1.55);
+    this.pitch = clamp(this.pitch, -1.55, 1.55);
+    this.place();
+    // Never under the grass, which may rise towards the eye.
+    for (let i = 0; i < 4; i++) {
+      const least = this.groundAt(this.eye[0], this.eye[2]) + LOWEST;
+      if (this.eye[1] >= least - 1e-9) break;
+      this.pitch = clamp(Math.asin(clamp((least - this.target[1]) / this.distance, -1, 1)), -1.55, 1.55);
+      this.place();
+    }
+  }
+
+  place() {
     const [sy, cy, sp, cp] = [Math.sin(this.yaw), Math.cos(this.yaw), Math.sin(this.pitch), Math.cos(this.pitch)];
     this.forward = [-sy * cp, -sp, -cy * cp];
     this.right = [cy, 0, -sy];

@@ -7,7 +7,11 @@ const camera = stage.camera;
 let shots = [], time = 0, end = 1, story = 1, ended = 0, playing = false, speed = 1, view = "behind", hover = null, last = 0;
 
 const shown = () => shots.filter(s => s.visible);
-const redraw = () => stage.draw(shown(), time, hover);
+const redraw = () => {
+  stage.bulges = new Map();
+  shown().forEach(shot => shot.netTrack.at(time, stage.bulges));
+  stage.draw(shown(), time, hover);
+};
 const numbers = at => {
   const spin = len(at.spin);
   return `${at.t.toFixed(2)} s, ${MOTIONS[at.motion]}\n${len(at.v).toFixed(1)} m/s, ${(3.6 * len(at.v)).toFixed(0)} km/h\n`
@@ -19,7 +23,7 @@ function choose(id) {
   stage.show(picture);
   $("about").textContent = picture.about;
   $("picture").value = picture.id;
-  shots = picture.shots.map((shot, i) => ({ ...shot, events: shot.events, track: new Track(shot), colour: stage.series[i % stage.series.length], visible: true }));
+  shots = picture.shots.map((shot, i) => ({ ...shot, events: shot.events, track: new Track(shot), netTrack: new NetTrack(shot.nets), colour: stage.series[i % stage.series.length], visible: true }));
   const list = $("shots");
   list.replaceChildren(...shots.map(shot => {
     const row = document.createElement("li");

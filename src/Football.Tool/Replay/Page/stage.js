@@ -35,7 +35,7 @@ class Stage {
     this.dark = style.getPropertyValue("--dark").trim() === "1";
     this.series = this.dark ? COLOURS_IN_THE_DARK : COLOURS;
     this.colour = {};
-    for (const name of ["ink", "sky", "marking", "frame", "net", "obstacle", "obstacle-edge", "shadow"]) {
+    for (const name of ["ink", "sky", "marking", "frame", "frame-shade", "net", "obstacle", "obstacle-edge", "shadow"]) {
       this.colour[name] = style.getPropertyValue("--" + name).trim();
     }
     this.backKey = "";
@@ -45,7 +45,9 @@ class Stage {
     this.picture = picture;
     this.shapes = picture.shapes.map(s => ({ ...s, lines: s.lines.map(points), faces: s.faces.map(points) }));
     this.nets = this.shapes.filter(s => s.kind === "net").flatMap(s => s.faces.map(face => new NetSheet(face)));
-    this.people = this.shapes.filter(s => s.kind === "people").flatMap((s, i) => s.lines.map((l, j) => ({ limbs: limbsOf(l[0], l[1], l[2], l[3], s.name, i + j), feet: l[0] })));
+    // Whoever moves does so until the ball has met him.
+    const met = name => Math.min(Infinity, ...(picture.shots || []).flatMap(shot => shot.events).filter(e => e.kind === "impact" && e.surface === name).map(e => e.time));
+    this.people = this.shapes.filter(s => s.kind === "people").flatMap((s, i) => s.lines.map((l, j) => ({ limbs: limbsOf(l[0], l[1], l[2], l[3], s.name, i + j), feet: l[0], velocity: s.velocity, until: met(s.name) })));
     this.targets = points(picture.targets || []);
     this.stadium = new Stadium(this.level ? picture.goals : null);
     this.camera.groundAt = (x, z) => this.groundAt(x, z);
@@ -73,8 +75,9 @@ class Stage {
     this.drawn = { time: Math.round(time * 1e4) / 1e4, shots: shots.length, pieces: 0, balls: 0, marks: 0, faces: 0, figures: 0, lines: this.backDrawn.lines, ground: this.backDrawn.ground };
     this.g.drawImage(this.back, 0, 0, camera.width, camera.height);
     const balls = shots.map(shot => ({ shot, at: shot.track.at(time) }));
+    const people = [...this.people.map(p => moved(p, time)), ...this.figures];
     shots.forEach(shot => this.drawPathShadow(shot));
-    [...this.people, ...this.figures].forEach(p => this.blob(p.feet, 0.42, 0.34, this.groundAt(p.feet[0], p.feet[2])));
+    people.forEach(p => this.blob(p.feet, 0.42, 0.34, this.groundAt(p.feet[0], p.feet[2])));
     balls.forEach(ball => this.drawShadow(ball));
 
     // From far to near.
@@ -82,7 +85,7 @@ class Stage {
     const item = (p, paint) => { const z = camera.see(p)[2]; if (z > NEAR) items.push({ z, paint }); };
     this.shapes.filter(s => s.kind === "frame" || s.kind === "obstacle").forEach(s => this.addShape(s, time, item));
     this.nets.forEach((net, i) => item(net.middle, () => this.drawn.lines += net.paint(this.g, camera, this.bulges.get(i), this.colour.net)));
-    [...this.people, ...this.figures].forEach(p => item(add(p.feet, [0, 0.9, 0]), () => { paintFigure(this.g, camera, p.limbs, this.dark ? "rgba(4,10,30,0.22)" : null); this.drawn.figures++; }));
+    people.forEach(p => item(add(p.feet, [0, 0.9, 0]), () => { paintFigure(this.g, camera, p.limbs, this.dark ? "rgba(4,10,30,0.22)" : null); this.drawn.figures++; }));
     shots.forEach(shot => { this.addPath(shot, time, item); this.addMarks(shot, time, item); });
     this.ahead.forEach((dot, i) => item(dot.p, () => this.drawAhead(dot, i)));
     balls.forEach(ball => item(ball.at.p, () => this.drawBallOf(ball)));
@@ -90,6 +93,10 @@ class Stage {
     this.shapes.filter(s => s.kind === "guide").forEach(s => s.lines.forEach(line => this.drawn.lines += this.line(this.g, line, this.series[1], 0, 2)));
     this.targets.forEach(p => this.drawTarget(p));
     if (hover) this.ring(hover.p, this.colour.ink, 6);
+    const seen = balls.length > 0 && camera.project(balls[0].at.p);
+    this.drawn.ball = seen ? seen.slice(0, 2).map(Math.round) : null;
+    this.drawn.eye = Math.round(1000 * (camera.eye[1] - this.groundAt(camera.eye[0], camera.eye[2]))) / 1000;
+    this.drawn.bulges = this.bulges.size;
     this.canvas.dataset.drawn = JSON.stringify(this.drawn);
   }
 
@@ -103,7 +110,7 @@ class Stage {
     this.stadium.paint(g, this.camera, this.dark);
     if (this.level) this.stadium.grass(g, this.camera, this.dark, this.picture.ground.heights[0], this.backDrawn);
     else if (this.picture.ground) this.uneven(g, this.picture.ground);
-    this.shapes.filter(s => s.kind === "marking").forEach(s => s.lines.forEach(line => this.backDrawn.lines += this.line(g, line, this.colour.marking, 0.11)));
+    this.shapes.filter(s => s.kind === "marking").forEach(s => s.lines.forEach(line => this.backDrawn.lines += this.marking(g, line)));
   }
 
   uneven(g, ground) {
@@ -149,6 +156,25 @@ class Stage {
     return 1;
   }
 
+  // A line on the grass, as wide as it is painted: twelve centimetres, seen in perspective.
+  marking(g, line) {
+    const half = line.map((p, i) => {
+      const along = sub(line[Math.min(i + 1, line.length - 1)], line[Math.max(i - 1, 0)]), flat = Math.hypot(along[0], along[2]) || 1;
+      return [0.06 * along[2] / flat, 0, -0.06 * along[0] / flat];
+    });
+    g.fillStyle = this.colour.marking;
+    g.strokeStyle = this.colour.marking;
+    g.lineWidth = 0.7;
+    for (let i = 0; i + 1 < line.length; i++) {
+      const screen = this.camera.clipped([add(line[i], half[i]), add(line[i + 1], half[i + 1]), sub(line[i + 1], half[i + 1]), sub(line[i], half[i])], true);
+      if (screen.length < 3) continue;
+      trace(g, screen);
+      g.fill();
+      g.stroke();
+    }
+    return 1;
+  }
+
   addShape(shape, time, item) {
     const moved = p => add(p, mul(time, shape.velocity));
     const colour = this.colour[shape.kind];
@@ -160,7 +186,7 @@ class Stage {
       const parts = Math.ceil(len(sub(line[1], line[0])) / 1.3);
       for (let i = 0; i < parts; i++) {
         const [a, b] = [lerp(line[0], line[1], i / parts), lerp(line[0], line[1], (i + 1) / parts)];
-        item(lerp(a, b, 0.5), () => this.rod(a, b, shape.radius, colour));
+        item(lerp(a, b, 0.5), () => this.rod(a, b, shape.radius, colour, i === 0, i === parts - 1));
       }
     }
     for (const face of shape.faces.map(f => f.map(moved))) {
@@ -187,19 +213,30 @@ class Stage {
     }
   }
 
-  // A round rod, lit from the left and above.
-  rod(from, to, radius, colour) {
+  // A round rod, lit from the left and above; round where it begins and ends, seamless where it goes on.
+  rod(from, to, radius, colour, begins, ends) {
     const [a, b] = [this.camera.project(from), this.camera.project(to)];
     if (!a || !b) return;
     const { g } = this, [ra, rb] = [Math.max(0.9, radius * a[2]), Math.max(0.9, radius * b[2])];
-    hull(g, a, ra, b, rb);
-    g.fillStyle = colour;
+    const d = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1;
+    // Across the rod on the screen, towards the light.
+    let [x, y] = [(a[1] - b[1]) / d, (b[0] - a[0]) / d];
+    if (-0.5 * x - y < 0) [x, y] = [-x, -y];
+    const across = g.createLinearGradient(a[0] + ra * x, a[1] + ra * y, a[0] - ra * x, a[1] - ra * y);
+    across.addColorStop(0, colour);
+    across.addColorStop(0.55, colour);
+    across.addColorStop(1, this.colour["frame-shade"]);
+    g.fillStyle = across;
+    // A pixel longer, so that nothing shines through between two parts.
+    const [u, v] = [(b[0] - a[0]) / d * 0.6, (b[1] - a[1]) / d * 0.6];
+    trace(g, [[a[0] + ra * x - u, a[1] + ra * y - v], [b[0] + rb * x + u, b[1] + rb * y + v], [b[0] - rb * x + u, b[1] - rb * y + v], [a[0] - ra * x - u, a[1] - ra * y - v]]);
     g.fill();
-    g.fillStyle = "rgba(20,30,50,0.28)";
-    g.fill();
-    hull(g, [a[0] - 0.2 * ra, a[1] - 0.15 * ra], 0.72 * ra, [b[0] - 0.2 * rb, b[1] - 0.15 * rb], 0.72 * rb);
-    g.fillStyle = colour;
-    g.fill();
+    for (const [end, r, on] of [[a, ra, begins], [b, rb, ends]]) {
+      if (!on) continue;
+      g.beginPath();
+      g.arc(end[0], end[1], r, 0, 2 * Math.PI);
+      g.fill();
+    }
     this.drawn.faces++;
   }
 
@@ -359,6 +396,13 @@ class Stage {
     this.g.lineWidth = 2;
     this.g.stroke();
   }
+}
+
+// Somebody where he is at a time.
+function moved(person, time) {
+  if (person.velocity.every(x => x === 0)) return person;
+  const way = mul(Math.min(time, person.until), person.velocity);
+  return { ...person, feet: add(person.feet, way), limbs: person.limbs.map(l => ({ ...l, from: add(l.from, way), to: add(l.to, way) })) };
 }
 
 // A net between four corners, the second along the first half side, the fourth along the other.

@@ -55,3 +55,31 @@ class Track {
     return path;
   }
 }
+
+// How nets give way: of each the bulges in the order of time, from rows of time, net, depth, position and direction.
+const NET_ROW = 9;
+
+class NetTrack {
+  constructor(rows) {
+    this.nets = new Map();
+    this.take(rows);
+  }
+
+  take(rows) {
+    for (let i = 0; i < rows.length; i += NET_ROW) {
+      const bulge = { t: rows[i], depth: rows[i + 2], position: rows.slice(i + 3, i + 6), direction: rows.slice(i + 6, i + 9) };
+      if (this.nets.has(rows[i + 1])) this.nets.get(rows[i + 1]).push(bulge); else this.nets.set(rows[i + 1], [bulge]);
+    }
+  }
+
+  // Puts the bulges at a time into a map by net, where they are deeper than what is there.
+  at(t, into) {
+    for (const [net, all] of this.nets) {
+      const next = all.findIndex(b => b.t > t);
+      if (next === 0) continue;
+      const a = all[next < 0 ? all.length - 1 : next - 1], b = next < 0 ? a : all[next], s = b.t > a.t ? (t - a.t) / (b.t - a.t) : 0;
+      const depth = a.depth + s * (b.depth - a.depth);
+      if (depth > 0.004 && depth > (into.get(net)?.depth ?? 0)) into.set(net, b.depth > 0.004 ? { depth, position: lerp(a.position, b.position, s), direction: b.direction } : { ...a, depth });
+    }
+  }
+}

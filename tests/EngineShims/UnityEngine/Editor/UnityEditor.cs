@@ -42,6 +42,13 @@ namespace UnityEditor
         public static void HelpBox(string message, MessageType type) => Said.Add(message);
 
         public static void LabelField(string label, string text) => Said.Add(label + ": " + text);
+
+        /// <summary>Where the next slider is dragged to; null leaves it.</summary>
+        public static int? Slide { get; set; }
+
+        public static int IntSlider(string label, int value, int leftValue, int rightValue) => Math.Clamp(Slide ?? value, leftValue, rightValue);
+
+        public static UnityEngine.Object? ObjectField(string label, UnityEngine.Object? obj, Type objType, bool allowSceneObjects) => obj;
     }
 
     public static class EditorGUI
@@ -56,6 +63,11 @@ namespace UnityEditor
         public static List<UnityEngine.Object> Dirty { get; } = new List<UnityEngine.Object>();
 
         public static void SetDirty(UnityEngine.Object changed) => Dirty.Add(changed);
+
+        /// <summary>The file that is chosen.</summary>
+        public static string Chosen { get; set; } = "";
+
+        public static string OpenFilePanel(string title, string directory, string extension) => Chosen;
     }
 
     public static class Undo
@@ -63,6 +75,8 @@ namespace UnityEditor
         public static List<string> Recorded { get; } = new List<string>();
 
         public static void RecordObject(UnityEngine.Object changed, string name) => Recorded.Add(name);
+
+        public static void RegisterCreatedObjectUndo(UnityEngine.Object objectToUndo, string name) => Recorded.Add(name);
     }
 
     /// <summary>Remembers what was drawn, and drags a handle where a test wants it.</summary>
@@ -78,6 +92,16 @@ namespace UnityEditor
         public static List<(Vector3 From, Vector3 To)> Lines { get; } = new List<(Vector3 From, Vector3 To)>();
 
         public static void DrawLine(Vector3 from, Vector3 to) => Lines.Add((from, to));
+
+        /// <summary>Curves that were drawn.</summary>
+        public static List<Vector3[]> Curves { get; } = new List<Vector3[]>();
+
+        /// <summary>Circles that were drawn.</summary>
+        public static List<(Vector3 Center, float Radius)> Discs { get; } = new List<(Vector3 Center, float Radius)>();
+
+        public static void DrawAAPolyLine(float width, params Vector3[] points) => Curves.Add((Vector3[])points.Clone());
+
+        public static void DrawWireDisc(Vector3 center, Vector3 normal, float radius) => Discs.Add((center, radius));
 
         public static Vector3 PositionHandle(Vector3 position, Quaternion rotation)
         {

@@ -1,0 +1,25 @@
+using System.Xml.Linq;
+
+namespace Football.Physics.Site.Pictures;
+
+/// <summary>The pictures of docs/, each drawn from what the library answers.</summary>
+internal static class DocPictures
+{
+    /// <summary>Width of a picture: on a phone it is shown nearly at its size.</summary>
+    public const double Width = 480;
+
+    /// <summary>Where they are kept, from the folder of the repository.</summary>
+    public const string Folder = "docs/pictures";
+
+    /// <summary>Their names, and how each is drawn.</summary>
+    public static IReadOnlyList<(string Name, Func<XElement> Draw)> All { get; } =
+    [
+        ("frame", FramePicture.Draw),
+        ("spin", FlightPictures.Spin),
+        ("air", FlightPictures.Air),
+        ("bounce", FlightPictures.Bounce),
+        ("reach", PlayPictures.Reach),
+        ("fan", PlayPictures.Fan),
+        ("misses", PlayPictures.Misses),
+    ];
+}

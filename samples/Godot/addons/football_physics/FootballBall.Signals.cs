@@ -1,0 +1,72 @@
+#nullable enable
+using Godot;
+
+namespace Football.Physics.GodotAddon;
+
+public partial class FootballBall
+{
+    /// <summary>The ball hit something: the ground, a post, a wall.</summary>
+    [Signal]
+    public delegate void ImpactEventHandler(Vector3 position, Vector3 velocityBefore, Vector3 velocity, Vector3 spin, double time);
+
+    /// <summary>The ball stayed on what carries it, slipping.</summary>
+    [Signal]
+    public delegate void SlideEventHandler(Vector3 position, Vector3 velocity, double time);
+
+    /// <summary>The ball began to roll without slip.</summary>
+    [Signal]
+    public delegate void RollEventHandler(Vector3 position, Vector3 velocity, double time);
+
+    /// <summary>The ball came to rest.</summary>
+    [Signal]
+    public delegate void RestEventHandler(Vector3 position, double time);
+
+    /// <summary>A ball that was carried left what carried it.</summary>
+    [Signal]
+    public delegate void LeaveEventHandler(Vector3 position, Vector3 velocity, double time);
+
+    /// <summary>The ball met a net.</summary>
+    [Signal]
+    public delegate void NetEventHandler(Vector3 position, Vector3 velocity, double time);
+
+    /// <summary>The whole ball is over the line of a goal.</summary>
+    [Signal]
+    public delegate void GoalEventHandler(Vector3 position, Vector3 velocity, double time);
+
+    /// <summary>Things that move leave the ball no room, or it has room again: the ball's motion says which.</summary>
+    [Signal]
+    public delegate void SqueezedEventHandler(Vector3 position, Vector3 velocity, double time);
+
+    private void Emit(in BallEvent happened)
+    {
+        Vector3 position = GodotFrame.ToGodot(happened.Position);
+        Vector3 velocity = GodotFrame.ToGodot(happened.Velocity);
+        switch (happened.Kind)
+        {
+            case BallEventKind.Impact:
+                EmitSignal(SignalName.Impact, position, GodotFrame.ToGodot(happened.VelocityBefore), velocity, GodotFrame.SpinToGodot(happened.Spin), happened.Time);
+                break;
+            case BallEventKind.Slide:
+                EmitSignal(SignalName.Slide, position, velocity, happened.Time);
+                break;
+            case BallEventKind.Roll:
+                EmitSignal(SignalName.Roll, position, velocity, happened.Time);
+                break;
+            case BallEventKind.Rest:
+                EmitSignal(SignalName.Rest, position, happened.Time);
+                break;
+            case BallEventKind.Leave:
+                EmitSignal(SignalName.Leave, position, velocity, happened.Time);
+                break;
+            case BallEventKind.Squeezed:
+                EmitSignal(SignalName.Squeezed, position, velocity, happened.Time);
+                break;
+            case BallEventKind.Net:
+                EmitSignal(SignalName.Net, position, velocity, happened.Time);
+                break;
+            case BallEventKind.Goal:
+                EmitSignal(SignalName.Goal, position, velocity, happened.Time);
+                break;
+        }
+    }
+}

@@ -1,0 +1,77 @@
+#nullable enable
+using System;
+using Football.Physics.Engines;
+using Football.Physics.Prediction;
+using Football.Physics.Shapes;
+using Godot;
+
+namespace Football.Physics.GodotAddon;
+
+/// <summary>A goalkeeper who stands where this node is and dives for shots at the nearest goal, as the library's Interception.FindSave answers.</summary>
+[Tool, GlobalClass, Icon("res://addons/football_physics/icon.svg")]
+public partial class FootballKeeper : FootballThing
+{
+    private MeshInstance3D? _figure;
+
+    /// <summary>The goal that he guards; none: the nearest.</summary>
+    [Export]
+    public FootballGoal? Goal { get; set; }
+
+    /// <summary>Reaction time, s.</summary>
+    [Export(PropertyHint.Range, "0,2,0.01,suffix:s")]
+    public float Reaction { get; set; } = 0.2f;
+
+    /// <summary>Acceleration, m/s².</summary>
+    [Export(PropertyHint.Range, "0.5,30,0.1,suffix:m/s²")]
+    public float Acceleration { get; set; } = 8;
+
+    /// <summary>Top speed, m/s.</summary>
+    [Export(PropertyHint.Range, "0.5,15,0.1,suffix:m/s")]
+    public float Speed { get; set; } = 5;
+
+    /// <summary>How far he reaches in a dive, m.</summary>
+    [Export(PropertyHint.Range, "0,4,0.01,suffix:m")]
+    public float Reach { get; set; } = 1.9f;
+
+    /// <summary>How high he reaches, m.</summary>
+    [Export(PropertyHint.Range, "0.5,4,0.01,suffix:m")]
+    public float Highest { get; set; } = 2.6f;
+
+    /// <summary>Colour of his shirt.</summary>
+    [Export]
+    public Color Shirt { get; set; } = new(0.95f, 0.76f, 0.19f);
+
+    /// <summary>How many shots he has dived for, of the ball that was stepped last.</summary>
+    public int Dives { get; private set; }
+
+    internal override int Order => 3;
+
+    internal override void AddTo(FootballScene scene) => scene.Add(this, Goal, GodotFrame.FromGodot(GlobalPosition), new Player
+    {
+        Reaction = FootballPreset.Typed(Reaction),
+        Acceleration = FootballPreset.Typed(Acceleration),
+        Speed = FootballPreset.Typed(Speed),
+        Reach = FootballPreset.Typed(Reach),
+        HighestHeight = FootballPreset.Typed(Highest) + GlobalPosition.Y,
+    });
+
+    internal override int StampOfFields() => HashCode.Combine(HashCode.Combine(Goal, Shirt), Reaction, Acceleration, Speed, Reach, Highest);
+
+    internal override void Draw(FootballDrawing drawing)
+    {
+        var shape = (CapsuleShape)KeeperDive.Kind.Shape;
+        _figure = drawing.Add(ShapeMesh.Of(shape), Shirt);
+        _figure.GlobalTransform = new Transform3D(Basis.Identity, GlobalPosition + new Vector3(0, (float)(shape.Radius - shape.From.Y), 0));
+    }
+
+    /// <summary>Draws him as he dives.</summary>
+    internal void Follow(KeeperDive dive)
+    {
+        Dives = dive.Count;
+        if (_figure is not null)
+        {
+            BallPose pose = dive.BodyPose;
+            _figure.GlobalTransform = new Transform3D(new Basis(GodotFrame.ToGodot(pose.Orientation)), GodotFrame.ToGodot(pose.Position));
+        }
+    }
+}

@@ -1,0 +1,83 @@
+#nullable enable
+using System;
+using Football.Physics.Engines;
+using Football.Physics.Shapes;
+using Godot;
+
+namespace Football.Physics.GodotAddon;
+
+/// <summary>A pitch: its ground is the ground of every football, at the height of this node; its lines are drawn, and it has boards where they have a height. Goals are nodes of their own.</summary>
+/// <remarks>Its place is the middle of the pitch, whose length is along z; it may be turned about y. Its scale does not count.</remarks>
+[Tool, GlobalClass, Icon("res://addons/football_physics/icon.svg")]
+public partial class FootballPitch : FootballThing
+{
+    /// <summary>From goal line to goal line, m; 105 by Law 1, 40 in futsal.</summary>
+    [Export(PropertyHint.Range, "10,200,0.1,suffix:m")]
+    public float Length { get; set; } = 105;
+
+    /// <summary>From touchline to touchline, m; 68 by Law 1, 20 in futsal.</summary>
+    [Export(PropertyHint.Range, "5,150,0.1,suffix:m")]
+    public float Width { get; set; } = 68;
+
+    /// <summary>True for goals and areas of futsal.</summary>
+    [Export]
+    public bool Futsal { get; set; }
+
+    /// <summary>The ground; of the profile: that of the ball's preset.</summary>
+    [Export]
+    public FootballPreset.GroundChoice Surface { get; set; } = FootballPreset.GroundChoice.OfProfile;
+
+    /// <summary>Height of the boards around it, m; 0 for none.</summary>
+    [Export(PropertyHint.Range, "0,10,0.01,suffix:m")]
+    public float BoardHeight { get; set; }
+
+    /// <summary>How far behind the lines the boards stand, m; at 0 there is a gap in them for each goal.</summary>
+    [Export(PropertyHint.Range, "0,50,0.1,suffix:m")]
+    public float BoardDistance { get; set; } = 4;
+
+    /// <summary>Colour of the ground.</summary>
+    [Export]
+    public Color Grass { get; set; } = new(0.27f, 0.48f, 0.24f);
+
+    internal override int Order => 0;
+
+    /// <summary>The pitch as the library has it, with its middle at the origin.</summary>
+    public Pitch ToPitch() => (Futsal ? Pitch.Futsal : Pitch.Standard) with
+    {
+        Length = FootballPreset.Typed(Length),
+        Width = FootballPreset.Typed(Width),
+        BoardHeight = FootballPreset.Typed(BoardHeight),
+        BoardDistance = FootballPreset.Typed(BoardDistance),
+    };
+
+    internal override void AddTo(FootballScene scene)
+    {
+        Scene own = scene.Stage.Scene;
+        Ground ground = Surface == FootballPreset.GroundChoice.OfProfile ? own.Ground : FootballPreset.GroundOf(Surface, own.Ground);
+        scene.Stage.Scene = own with { Ground = ground with { Height = FootballPreset.Typed(GlobalPosition.Y) } };
+        foreach (Obstacle board in ToPitch().Boards)
+        {
+            scene.Stage.Add(board with { Shape = Placed((BoxShape)board.Shape) });
+        }
+    }
+
+    internal override int StampOfFields() => HashCode.Combine(HashCode.Combine(Length, Width, Futsal, (int)Surface), BoardHeight, BoardDistance, Grass);
+
+    internal override void Draw(FootballDrawing drawing)
+    {
+        // On one height the lines would flicker in the grass: that lies a little lower.
+        Pitch pitch = ToPitch();
+        Lay(drawing.Add(ShapeMesh.GroundOf(pitch), Grass), -0.012f);
+        Lay(drawing.Add(ShapeMesh.LinesOf(pitch), new Color(1, 1, 1)), -0.004f);
+        foreach (Obstacle board in pitch.Boards)
+        {
+            drawing.Add(ShapeMesh.Of(Placed((BoxShape)board.Shape)), new Color(0.16f, 0.24f, 0.45f));
+        }
+    }
+
+    private void Lay(Node3D drawn, float raised) =>
+        drawn.GlobalTransform = new Transform3D(new Basis(GlobalTransform.Basis.GetRotationQuaternion()), GlobalPosition + new Vector3(0, raised, 0));
+
+    /// <summary>A board of the pitch where that lies, which may be turned about y.</summary>
+    private BoxShape Placed(BoxShape board) => new(GodotFrame.FromGodot(GlobalPosition) + Turn.Rotate(board.Center), board.HalfSize, Turn);
+}

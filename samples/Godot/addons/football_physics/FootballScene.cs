@@ -1,0 +1,122 @@
+#nullable enable
+using System.Collections.Generic;
+using Football.Physics.Engines;
+using Football.Physics.Prediction;
+using Godot;
+
+namespace Football.Physics.GodotAddon;
+
+/// <summary>The scene of one ball: its preset, the things that stand in Godot's tree, and Godot's bodies.</summary>
+internal sealed class FootballScene
+{
+    private readonly List<FootballGoal> _goals = new();
+    private readonly List<FootballKeeper> _keepers = new();
+    private readonly FootballColliders? _colliders;
+    private readonly FootballColliders? _collidersAhead;
+
+    /// <summary>Compiles it.</summary>
+    public FootballScene(FootballPreset? preset, uint mask, double greatestSpeed, PhysicsDirectSpaceState3D? space)
+    {
+        Stage = new Stage(preset?.MakeScene(), preset?.Settings);
+        if (mask != 0 && space is not null)
+        {
+            _colliders = new FootballColliders(space, mask, greatestSpeed, pushes: true);
+            _collidersAhead = new FootballColliders(space, mask, greatestSpeed);
+            Stage.Colliders = _colliders;
+            Stage.CollidersAhead = _collidersAhead;
+        }
+
+        foreach (FootballThing thing in FootballThing.InOrder())
+        {
+            thing.AddTo(this);
+        }
+
+        Stage.Compile();
+    }
+
+    public Stage Stage { get; }
+
+    /// <summary>Adds a goal.</summary>
+    public void Add(FootballGoal goal, Goal made)
+    {
+        Stage.Add(made);
+        _goals.Add(goal);
+    }
+
+    /// <summary>Adds a keeper of a goal, or of the nearest one.</summary>
+    public void Add(FootballKeeper keeper, FootballGoal? goal, Vector3d feet, Player abilities)
+    {
+        int index = goal is not null ? _goals.IndexOf(goal) : Nearest(feet);
+        if (index < 0)
+        {
+            GD.PushWarning($"{keeper.Name}: there is no goal for this keeper to guard; add a FootballGoal to the scene.");
+            return;
+        }
+
+        Stage.AddKeeper(index, feet, abilities);
+        _keepers.Add(keeper);
+    }
+
+    /// <summary>Says that Godot has its bodies where they are at this time, on the clock of the ball, and how fast they may be.</summary>
+    public void CollidersAreAt(double time, double greatestSpeed)
+    {
+        if (_colliders is not null && _collidersAhead is not null)
+        {
+            _colliders.Time = time;
+            _colliders.GreatestSpeed = greatestSpeed;
+            _collidersAhead.Time = time;
+            _collidersAhead.GreatestSpeed = greatestSpeed;
+        }
+    }
+
+    /// <summary>The goal that an event tells of; null for none.</summary>
+    public FootballGoal? GoalOf(in BallEvent happened)
+    {
+        int goal = happened.Thing >= 0 ? Stage.GoalOf(in happened) : -1;
+        return goal >= 0 ? _goals[goal] : null;
+    }
+
+    /// <summary>Gives what was hit, where it is a body that moves freely, the impulse that it got.</summary>
+    public void Push(in BallEvent happened)
+    {
+        if (happened.Kind == BallEventKind.Impact && _colliders?.Of(Stage.ColliderOf(in happened)) is RigidBody3D { Freeze: false } body)
+        {
+            Vector3d point = happened.Position - (Stage.Game.Scene.Ball.Radius * happened.Normal);
+            body.ApplyImpulse(GodotFrame.ToGodot(-happened.Impulse(Stage.Game.Scene.Ball)), GodotFrame.ToGodot(point) - body.GlobalPosition);
+        }
+    }
+
+    /// <summary>Draws nets and keepers as they are.</summary>
+    public void Draw()
+    {
+        for (int i = 0; i < _goals.Count; i++)
+        {
+            if (GodotObject.IsInstanceValid(_goals[i]))
+            {
+                _goals[i].Follow(Stage.Bulges, Stage.FirstNetOf(i));
+            }
+        }
+
+        for (int i = 0; i < _keepers.Count; i++)
+        {
+            if (GodotObject.IsInstanceValid(_keepers[i]))
+            {
+                _keepers[i].Follow(Stage.Keepers[i]);
+            }
+        }
+    }
+
+    private int Nearest(Vector3d feet)
+    {
+        int nearest = -1;
+        for (int i = 0; i < Stage.Goals.Count; i++)
+        {
+            if (nearest < 0 || Vector3d.Distance(Stage.Goals[i].Center, feet) < Vector3d.Distance(Stage.Goals[nearest].Center, feet))
+            {
+                nearest = i;
+            }
+        }
+
+        return nearest;
+    }
+}

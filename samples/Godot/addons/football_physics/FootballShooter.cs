@@ -1,0 +1,96 @@
+#nullable enable
+using System;
+using Godot;
+
+namespace Football.Physics.GodotAddon;
+
+/// <summary>Shoots by mouse: press where the ball is to go and hold, the longer the faster; with the right button it bends to the left. R puts the ball back.</summary>
+[GlobalClass, Icon("res://addons/football_physics/icon.svg")]
+public partial class FootballShooter : Node
+{
+    private Vector3? _spot;
+    private double _held;
+    private bool _bends;
+
+    /// <summary>The ball; none: the first in the tree.</summary>
+    [Export]
+    public FootballBall? Ball { get; set; }
+
+    /// <summary>Shows the aimed kick; none: it is not shown.</summary>
+    [Export]
+    public FootballPath? Path { get; set; }
+
+    /// <summary>Speed of a short press, m/s.</summary>
+    [Export(PropertyHint.Range, "1,60,0.1,suffix:m/s")]
+    public float Slowest { get; set; } = 14;
+
+    /// <summary>Speed of the longest press, m/s.</summary>
+    [Export(PropertyHint.Range, "1,60,0.1,suffix:m/s")]
+    public float Fastest { get; set; } = 34;
+
+    /// <summary>How long the longest press is, s.</summary>
+    [Export(PropertyHint.Range, "0.1,5,0.1,suffix:s")]
+    public float Longest { get; set; } = 1;
+
+    /// <summary>Side spin with the right button, rad/s.</summary>
+    [Export(PropertyHint.Range, "0,200,1,suffix:rad/s")]
+    public float Bend { get; set; } = 60;
+
+    /// <summary>How much higher than the mouse points the ball is kicked, degrees: it falls on its way.</summary>
+    [Export(PropertyHint.Range, "-45,45,0.1,suffix:°")]
+    public float Lift { get; set; } = 4;
+
+    /// <inheritdoc/>
+    public override void _Process(double delta)
+    {
+        Ball ??= FootballBall.First;
+        Camera3D? view = GetViewport().GetCamera3D();
+        if (Ball is null || view is null)
+        {
+            return;
+        }
+
+        _spot ??= Ball.GlobalPosition;
+        if (Input.IsKeyPressed(Key.R))
+        {
+            Ball.Place(_spot.Value);
+        }
+
+        bool right = Input.IsMouseButtonPressed(MouseButton.Right);
+        if (right || Input.IsMouseButtonPressed(MouseButton.Left))
+        {
+            _bends = right;
+            _held += delta;
+            Vector3 direction = Aimed(view, Ball.GlobalPosition);
+            Vector3d spin = KickVectors.Spin(GodotFrame.FromGodot(direction), 0, _bends ? Bend : 0);
+            Path?.ShowKick(direction * Speed(), GodotFrame.SpinToGodot(spin));
+        }
+        else if (_held > 0)
+        {
+            Ball.Kick(Speed(), Aimed(view, Ball.GlobalPosition), 0, _bends ? Bend : 0);
+            _held = 0;
+            Path?.HideKick();
+        }
+    }
+
+    private float Speed() => Slowest + ((Fastest - Slowest) * MathF.Min(1, (float)_held / Longest));
+
+    /// <summary>From the ball to where the mouse points: at what stands at the distance of the goal, and a little higher.</summary>
+    private Vector3 Aimed(Camera3D view, Vector3 place)
+    {
+        Vector2 at = GetViewport().GetMousePosition();
+        Vector3 origin = view.ProjectRayOrigin(at);
+        Vector3 ray = view.ProjectRayNormal(at);
+        float far = 20;
+        foreach (FootballGoal goal in FootballThing.Goals)
+        {
+            float along = (goal.GlobalPosition - origin).Dot(ray);
+            far = along > 1 ? along : far;
+        }
+
+        Vector3 direction = origin + (ray * far) - place;
+        float level = MathF.Sqrt((direction.X * direction.X) + (direction.Z * direction.Z));
+        direction.Y = MathF.Max(direction.Y, 0) + (level * Mathf.DegToRad(Lift));
+        return direction * (1 / MathF.Max(direction.Length(), 1e-3f));
+    }
+}

@@ -1,0 +1,69 @@
+using UnityEditor;
+using UnityEngine;
+
+namespace Football.Physics.Unity.Editor
+{
+    /// <summary>GameObject → Football: the prefabs of the package, where they belong to.</summary>
+    public static class FootballMenu
+    {
+        private const string Prefabs = "Packages/com.football.physics/Prefabs/";
+
+        /// <summary>A ball.</summary>
+        [MenuItem("GameObject/Football/Football", false, 10)]
+        public static void AddBall(MenuCommand command)
+        {
+            Add("Football", command);
+        }
+
+        /// <summary>A goal, 20 m ahead of the origin.</summary>
+        [MenuItem("GameObject/Football/Goal", false, 11)]
+        public static void AddGoal(MenuCommand command)
+        {
+            Add("Goal", command);
+        }
+
+        /// <summary>A pitch by Law 1 with its two goals.</summary>
+        [MenuItem("GameObject/Football/Pitch with Goals", false, 12)]
+        public static void AddPitch(MenuCommand command)
+        {
+            Add("Pitch", command);
+        }
+
+        /// <summary>A pitch of futsal with its two goals.</summary>
+        [MenuItem("GameObject/Football/Futsal Pitch with Goals", false, 13)]
+        public static void AddFutsalPitch(MenuCommand command)
+        {
+            Add("Futsal Pitch", command);
+        }
+
+        /// <summary>A wall of five.</summary>
+        [MenuItem("GameObject/Football/Wall", false, 14)]
+        public static void AddWall(MenuCommand command)
+        {
+            Add("Wall", command);
+        }
+
+        /// <summary>A goalkeeper.</summary>
+        [MenuItem("GameObject/Football/Keeper", false, 15)]
+        public static void AddKeeper(MenuCommand command)
+        {
+            Add("Keeper", command);
+        }
+
+        /// <summary>Shooting by mouse, with the path and a score.</summary>
+        [MenuItem("GameObject/Football/Shooting by Mouse", false, 16)]
+        public static void AddShooting(MenuCommand command)
+        {
+            Add("Shooting", command);
+        }
+
+        private static void Add(string name, MenuCommand command)
+        {
+            var prefab = AssetDatabase.LoadAssetAtPath<GameObject>(Prefabs + name + ".prefab");
+            var made = (GameObject)PrefabUtility.InstantiatePrefab(prefab);
+            GameObjectUtility.SetParentAndAlign(made, command.context as GameObject);
+            Undo.RegisterCreatedObjectUndo(made, "Add " + name);
+            Selection.activeObject = made;
+        }
+    }
+}

@@ -1,0 +1,48 @@
+using System;
+using System.Linq;
+using System.Xml.Linq;
+using UnityEditor;
+using UnityEngine;
+
+namespace Football.Physics.Unity.Editor
+{
+    /// <summary>What the library's documentation says of a preset, with where each number comes from.</summary>
+    public static class FootballNotes
+    {
+        private const string Documentation = "Packages/com.football.physics/Plugins/Football.Physics.xml";
+
+        private static XDocument s_documentation;
+
+        /// <summary>The summary of a preset; empty where the documentation is not there.</summary>
+        /// <param name="type">The class that has it: "BallProperties", "Ground".</param>
+        /// <param name="name">Its name.</param>
+        public static string Of(string type, string name)
+        {
+            if (s_documentation == null)
+            {
+                var file = AssetDatabase.LoadAssetAtPath<TextAsset>(Documentation);
+                if (file == null)
+                {
+                    return "";
+                }
+
+                s_documentation = XDocument.Parse(file.text);
+            }
+
+            string member = "P:Football.Physics." + type + "." + name;
+            XElement summary = s_documentation.Descendants("member").FirstOrDefault(item => (string)item.Attribute("name") == member)?.Element("summary");
+            return summary == null ? "" : string.Join(" ", Text(summary).Split(new[] { ' ', '\n', '\r', '\t' }, StringSplitOptions.RemoveEmptyEntries));
+        }
+
+        /// <summary>Text, with the last part of what is referred to by name.</summary>
+        private static string Text(XElement element)
+        {
+            return string.Concat(element.Nodes().Select(node => node is XElement inner ? Name((string)inner.Attribute("cref")) + inner.Value : node.ToString()));
+        }
+
+        private static string Name(string reference)
+        {
+            return reference == null ? "" : reference.Substring(reference.LastIndexOf('.') + 1);
+        }
+    }
+}

@@ -1,0 +1,28 @@
+using UnityEngine;
+
+namespace Football.Physics.Unity
+{
+    /// <summary>Finds what a component was not given.</summary>
+    internal static class FootballFinder
+    {
+        /// <summary>The first ball of the scene; null for none.</summary>
+        public static FootballBall Ball()
+        {
+#if UNITY_2023_1_OR_NEWER
+            return Object.FindFirstObjectByType<FootballBall>();
+#else
+            return Object.FindObjectOfType<FootballBall>();
+#endif
+        }
+
+        /// <summary>All goals of the scene.</summary>
+        public static FootballGoal[] Goals()
+        {
+#if UNITY_2023_1_OR_NEWER
+            return Object.FindObjectsByType<FootballGoal>(FindObjectsSortMode.None);
+#else
+            return Object.FindObjectsOfType<FootballGoal>();
+#endif
+        }
+    }
+}

@@ -1,0 +1,158 @@
+using System;
+using System.Collections.Generic;
+using Football.Physics.Engines;
+using Football.Physics.Shapes;
+using UnityEngine;
+
+namespace Football.Physics.Unity
+{
+    /// <summary>A goal: posts and bar that stop a ball, a net that bulges and is drawn so, and events when a ball is in. It opens towards its own back (−z), so that who looks along z shoots at it.</summary>
+    /// <remarks>Its transform is the middle of the goal line on the ground; its scale does not count.</remarks>
+    [AddComponentMenu("Football/Football Goal"), DisallowMultipleComponent, ExecuteAlways]
+    public sealed class FootballGoal : FootballThing
+    {
+        [SerializeField, Range(0.5f, 20f), Tooltip("Width of the opening, m; 7.32 by Law 1, 3 in futsal.")]
+        private float width = 7.32f;
+
+        [SerializeField, Range(0.5f, 10f), Tooltip("Height of the opening, m; 2.44 by Law 1, 2 in futsal.")]
+        private float height = 2.44f;
+
+        [SerializeField, Range(0.01f, 0.2f), Tooltip("Radius of posts and bar, m; at most 0.06 by Law 1.")]
+        private float postRadius = 0.06f;
+
+        [SerializeField, Range(0.1f, 5f), Tooltip("How far behind the line the net begins at the height of the bar, m.")]
+        private float depthAtBar = 0.8f;
+
+        [SerializeField, Range(0.1f, 5f), Tooltip("How far behind the line the net ends on the ground, m.")]
+        private float depthOnGround = 2f;
+
+        [SerializeField, Tooltip("Nets: without them a ball flies on.")]
+        private bool hasNet = true;
+
+        [SerializeField, Tooltip("The whole ball is over the line.")]
+        private FootballUnityEvent scored = new FootballUnityEvent();
+
+        [SerializeField, Tooltip("A ball met the net.")]
+        private FootballUnityEvent netMet = new FootballUnityEvent();
+
+        [SerializeField, Tooltip("A ball hit a post or the bar.")]
+        private FootballUnityEvent frameHit = new FootballUnityEvent();
+
+        private NetMesh[] _nets = Array.Empty<NetMesh>();
+        private Mesh[] _meshes = Array.Empty<Mesh>();
+
+        /// <summary>The whole ball is over the line.</summary>
+        public event Action<FootballGoal, FootballEvent> Scored;
+
+        /// <summary>A ball met the net.</summary>
+        public event Action<FootballGoal, FootballEvent> NetMet;
+
+        /// <summary>A ball hit a post or the bar.</summary>
+        public event Action<FootballGoal, FootballEvent> FrameHit;
+
+        /// <summary>Width of the opening, m.</summary>
+        public float Width { get => width; set => width = value; }
+
+        /// <summary>Height of the opening, m.</summary>
+        public float Height { get => height; set => height = value; }
+
+        /// <summary>Radius of posts and bar, m.</summary>
+        public float PostRadius { get => postRadius; set => postRadius = value; }
+
+        /// <summary>True for a goal with nets.</summary>
+        public bool HasNet { get => hasNet; set => hasNet = value; }
+
+        /// <summary>How often a ball was in since the scene began.</summary>
+        public int Goals { get; private set; }
+
+        internal override int Order => 1;
+
+        /// <summary>The goal as the library has it, in its frame.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">It does not stand upright: its opening faces up or down.</exception>
+        public Goal ToGoal()
+        {
+            Vector3d opening = UnityFrame.FromUnity(transform.rotation * new Vector3(0f, 0f, -1f)).Horizontal;
+            if (opening.Length < 0.1)
+            {
+                throw new ArgumentOutOfRangeException(name, "its opening faces up or down; allowed: a goal that stands upright.");
+            }
+
+            return new Goal
+            {
+                Center = UnityFrame.FromUnity(transform.position),
+                Facing = opening,
+                Width = FootballPreset.Typed(width),
+                Height = FootballPreset.Typed(height),
+                PostRadius = FootballPreset.Typed(postRadius),
+                DepthAtBar = FootballPreset.Typed(depthAtBar),
+                DepthOnGround = FootballPreset.Typed(depthOnGround),
+                HasNet = hasNet,
+            };
+        }
+
+        internal override void AddTo(FootballScene scene)
+        {
+            scene.Add(this, ToGoal());
+        }
+
+        internal override int StampOfFields()
+        {
+            return HashCode.Combine(width, height, postRadius, depthAtBar, depthOnGround, hasNet);
+        }
+
+        internal override void Draw(FootballDrawing drawing)
+        {
+            Goal goal = ToGoal();
+            foreach (Obstacle part in goal.Frame(ForceSet.Measured))
+            {
+                drawing.Add(part.Name, ShapeMesh.Of((CapsuleShape)part.Shape), Color.white);
+            }
+
+            var nets = new List<NetMesh>();
+            var meshes = new List<Mesh>();
+            foreach (Net net in goal.Nets())
+            {
+                var threads = new NetMesh(net);
+                nets.Add(threads);
+                meshes.Add(drawing.AddThreads(net.Name, threads, new Color(0.92f, 0.93f, 0.95f, 1f)));
+            }
+
+            _nets = nets.ToArray();
+            _meshes = meshes.ToArray();
+        }
+
+        /// <summary>Bends the nets as they bulge.</summary>
+        /// <param name="bulges">The bulges of the scene.</param>
+        /// <param name="first">The first of this goal.</param>
+        internal void Follow(NetBulges bulges, int first)
+        {
+            for (int i = 0; i < _nets.Length; i++)
+            {
+                if (_nets[i].Follow(bulges[first + i]))
+                {
+                    FootballDrawing.Move(_meshes[i], _nets[i].Points);
+                }
+            }
+        }
+
+        internal void Raise(FootballEvent happened)
+        {
+            switch (happened.Kind)
+            {
+                case BallEventKind.Goal:
+                    Goals++;
+                    Scored?.Invoke(this, happened);
+                    scored.Invoke(happened);
+                    break;
+                case BallEventKind.Net:
+                    NetMet?.Invoke(this, happened);
+                    netMet.Invoke(happened);
+                    break;
+                case BallEventKind.Impact:
+                    FrameHit?.Invoke(this, happened);
+                    frameHit.Invoke(happened);
+                    break;
+            }
+        }
+    }
+}

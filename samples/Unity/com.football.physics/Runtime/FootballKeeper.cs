@@ -1,0 +1,89 @@
+using System;
+using Football.Physics.Engines;
+using Football.Physics.Prediction;
+using Football.Physics.Shapes;
+using UnityEngine;
+
+namespace Football.Physics.Unity
+{
+    /// <summary>A goalkeeper who stands where this object is and dives for shots at the nearest goal, as the library's Interception.FindSave answers.</summary>
+    [AddComponentMenu("Football/Football Keeper"), DisallowMultipleComponent, ExecuteAlways]
+    public sealed class FootballKeeper : FootballThing
+    {
+        [SerializeField, Tooltip("The goal that he guards; empty: the nearest.")]
+        private FootballGoal goal;
+
+        [SerializeField, Range(0f, 2f), Tooltip("Reaction time, s.")]
+        private float reaction = 0.2f;
+
+        [SerializeField, Range(0.5f, 30f), Tooltip("Acceleration, m/s².")]
+        private float acceleration = 8f;
+
+        [SerializeField, Range(0.5f, 15f), Tooltip("Top speed, m/s.")]
+        private float speed = 5f;
+
+        [SerializeField, Range(0f, 4f), Tooltip("How far he reaches in a dive, m.")]
+        private float reach = 1.9f;
+
+        [SerializeField, Range(0.5f, 4f), Tooltip("How high he reaches, m.")]
+        private float highest = 2.6f;
+
+        [SerializeField, Tooltip("Colour of his shirt.")]
+        private Color shirt = new Color(0.95f, 0.76f, 0.19f, 1f);
+
+        private Transform _figure;
+
+        /// <summary>The goal that he guards; null: the nearest.</summary>
+        public FootballGoal Goal { get => goal; set => goal = value; }
+
+        /// <summary>Reaction time, s.</summary>
+        public float Reaction { get => reaction; set => reaction = value; }
+
+        /// <summary>Top speed, m/s.</summary>
+        public float Speed { get => speed; set => speed = value; }
+
+        /// <summary>How far he reaches in a dive, m.</summary>
+        public float Reach { get => reach; set => reach = value; }
+
+        /// <summary>How many shots he has dived for, of the ball that was stepped last.</summary>
+        public int Dives { get; private set; }
+
+        internal override int Order => 3;
+
+        internal override void AddTo(FootballScene scene)
+        {
+            scene.Add(this, goal, Place(Vector3.zero), new Player
+            {
+                Reaction = FootballPreset.Typed(reaction),
+                Acceleration = FootballPreset.Typed(acceleration),
+                Speed = FootballPreset.Typed(speed),
+                Reach = FootballPreset.Typed(reach),
+                HighestHeight = FootballPreset.Typed(highest) + transform.position.y,
+            });
+        }
+
+        internal override int StampOfFields()
+        {
+            return HashCode.Combine(HashCode.Combine(goal, shirt), reaction, acceleration, speed, reach, highest);
+        }
+
+        internal override void Draw(FootballDrawing drawing)
+        {
+            var shape = (CapsuleShape)KeeperDive.Kind.Shape;
+            var upright = new Vector3d(0, shape.Radius - shape.From.Y, 0) + Place(Vector3.zero);
+            _figure = drawing.Add("keeper", ShapeMesh.Of(shape), shirt);
+            _figure.SetPositionAndRotation(UnityFrame.ToUnity(upright), Quaternion.identity);
+        }
+
+        /// <summary>Draws him as he dives.</summary>
+        internal void Follow(KeeperDive dive)
+        {
+            Dives = dive.Count;
+            if (_figure != null)
+            {
+                BallPose pose = dive.BodyPose;
+                _figure.SetPositionAndRotation(UnityFrame.ToUnity(pose.Position), UnityFrame.ToUnity(pose.Orientation));
+            }
+        }
+    }
+}

@@ -1,0 +1,126 @@
+using System;
+using UnityEngine;
+
+namespace Football.Physics.Unity
+{
+    /// <summary>The path ahead in the game view: a line where the ball goes, and around it the cone of where a kick may go that is meant so, by the errors of who takes it.</summary>
+    /// <remarks>It shows the kick of <see cref="Show"/> while it is aimed, else the ball's own way while it flies.</remarks>
+    [AddComponentMenu("Football/Football Path"), DisallowMultipleComponent]
+    public sealed class FootballPath : MonoBehaviour
+    {
+        /// <summary>Lines of the cone.</summary>
+        public const int Sides = 8;
+
+        [SerializeField, Tooltip("The ball; empty: the first in the scene.")]
+        private FootballBall ball;
+
+        [SerializeField, Range(0.1f, 10f), Tooltip("How much of the path is shown, s.")]
+        private float seconds = 1.6f;
+
+        [SerializeField, Range(0f, 10f), Tooltip("Standard deviation of the direction, degrees: two of them are shown.")]
+        private float degrees = 1f;
+
+        [SerializeField, Range(0f, 30f), Tooltip("Standard deviation of the speed, %.")]
+        private float speedPercent = 3f;
+
+        [SerializeField, Tooltip("Colour of the line.")]
+        private Color color = new Color(1f, 0.92f, 0.016f, 1f);
+
+        [SerializeField, Tooltip("Material of the lines; empty: that of the render pipeline.")]
+        private Material material;
+
+        private Vector3[] _points = Array.Empty<Vector3>();
+        private FootballDrawing _drawing;
+        private LineRenderer[] _lines;
+        private bool _aims;
+        private Vector3 _velocity;
+        private Vector3 _spin;
+
+        /// <summary>The ball whose path is shown.</summary>
+        public FootballBall Ball { get => ball; set => ball = value; }
+
+        /// <summary>Material to draw it with; null: that of the render pipeline. A new one counts when the component is enabled.</summary>
+        public Material Material { get => material; set => material = value; }
+
+        /// <summary>The line of the path, and then those of the cone.</summary>
+        public LineRenderer[] Lines => _lines;
+
+        /// <summary>Shows a kick that is aimed, until <see cref="Hide"/>.</summary>
+        /// <param name="velocity">Velocity, m/s.</param>
+        /// <param name="spin">Spin, rad/s.</param>
+        public void Show(Vector3 velocity, Vector3 spin)
+        {
+            _aims = true;
+            _velocity = velocity;
+            _spin = spin;
+        }
+
+        /// <summary>Shows the ball's own way again.</summary>
+        public void Hide()
+        {
+            _aims = false;
+        }
+
+        private void OnEnable()
+        {
+            _drawing = new FootballDrawing(gameObject, material);
+            _lines = new LineRenderer[1 + Sides];
+            Material drawn = _drawing.Made(color, null);
+            for (int i = 0; i < _lines.Length; i++)
+            {
+                _lines[i] = _drawing.AddLine(i == 0 ? "path" : "cone", drawn, i == 0 ? 0.04f : 0.012f);
+            }
+        }
+
+        private void OnDisable()
+        {
+            _drawing.Clear();
+        }
+
+        private void LateUpdate()
+        {
+            ball = ball != null ? ball : FootballFinder.Ball();
+            if (ball == null)
+            {
+                return;
+            }
+
+            int room = 1 + (int)(seconds / ball.TimeStep);
+            if (_points.Length != room)
+            {
+                _points = new Vector3[room];
+            }
+
+            bool shows = _aims || ball.Motion != MotionState.Stopped;
+            Put(_lines[0], shows ? (_aims ? ball.PredictKick(_velocity, _spin, _points) : ball.PredictPath(_points)) : 0);
+            for (int i = 0; i < Sides; i++)
+            {
+                Put(_lines[1 + i], _aims ? ball.PredictKick(Off(i), _spin, _points) : 0);
+            }
+        }
+
+        private void Put(LineRenderer line, int count)
+        {
+            line.positionCount = count;
+            if (count > 0)
+            {
+                line.SetPositions(_points);
+            }
+        }
+
+        /// <summary>The kick two standard deviations off, to one of the sides.</summary>
+        private Vector3 Off(int side)
+        {
+            float turn = side * (2f * Mathf.PI / Sides);
+            float speed = _velocity.magnitude;
+            Vector3 ahead = _velocity * (1f / Math.Max(speed, 1e-6f));
+            Vector3 right = Vector3.Cross(new Vector3(0f, 1f, 0f), ahead);
+            right = right.magnitude > 1e-3f ? right * (1f / right.magnitude) : new Vector3(1f, 0f, 0f);
+            Vector3 up = Vector3.Cross(ahead, right);
+            float angle = 2f * degrees * Mathf.Deg2Rad;
+            float faster = 1f + (0.02f * speedPercent * Mathf.Sin(turn));
+            Vector3 direction = ahead + (right * (angle * Mathf.Cos(turn))) + (up * (angle * Mathf.Sin(turn)));
+            return direction * (faster * speed / direction.magnitude);
+        }
+    }
+}

@@ -1,0 +1,106 @@
+using System;
+using Football.Physics.Engines;
+using Football.Physics.Shapes;
+using UnityEngine;
+
+namespace Football.Physics.Unity
+{
+    /// <summary>A pitch: its ground is the ground of every football, at the height of this object; its lines are drawn, and it has boards where they have a height. Goals are objects of their own.</summary>
+    /// <remarks>Its transform is the middle of the pitch, whose length is along z; it may be turned about y. Its scale does not count.</remarks>
+    [AddComponentMenu("Football/Football Pitch"), DisallowMultipleComponent, ExecuteAlways]
+    public sealed class FootballPitch : FootballThing
+    {
+        [SerializeField, Range(10f, 200f), Tooltip("From goal line to goal line, m; 105 by Law 1, 40 in futsal.")]
+        private float length = 105f;
+
+        [SerializeField, Range(5f, 150f), Tooltip("From touchline to touchline, m; 68 by Law 1, 20 in futsal.")]
+        private float width = 68f;
+
+        [SerializeField, Tooltip("Goals and areas of futsal.")]
+        private bool futsal;
+
+        [SerializeField, Tooltip("What it is made of; Of Profile: the ground of the ball's preset.")]
+        private FootballPreset.GroundChoice surface = FootballPreset.GroundChoice.OfProfile;
+
+        [SerializeField, Range(0f, 10f), Tooltip("Height of the boards around it, m; 0 for none.")]
+        private float boardHeight;
+
+        [SerializeField, Range(0f, 50f), Tooltip("How far behind the lines the boards stand, m; at 0 there is a gap in them for each goal.")]
+        private float boardDistance = 4f;
+
+        [SerializeField, Tooltip("Colour of the ground.")]
+        private Color grass = new Color(0.27f, 0.48f, 0.24f, 1f);
+
+        /// <summary>From goal line to goal line, m.</summary>
+        public float Length { get => length; set => length = value; }
+
+        /// <summary>From touchline to touchline, m.</summary>
+        public float Width { get => width; set => width = value; }
+
+        /// <summary>True for goals and areas of futsal.</summary>
+        public bool Futsal { get => futsal; set => futsal = value; }
+
+        /// <summary>Height of the boards, m; 0 for none.</summary>
+        public float BoardHeight { get => boardHeight; set => boardHeight = value; }
+
+        /// <summary>How far behind the lines the boards stand, m.</summary>
+        public float BoardDistance { get => boardDistance; set => boardDistance = value; }
+
+        /// <summary>What it is made of.</summary>
+        public FootballPreset.GroundChoice Surface { get => surface; set => surface = value; }
+
+        internal override int Order => 0;
+
+        /// <summary>The pitch as the library has it, with its middle at the origin.</summary>
+        public Pitch ToPitch()
+        {
+            return (futsal ? Pitch.Futsal : Pitch.Standard) with
+            {
+                Length = FootballPreset.Typed(length),
+                Width = FootballPreset.Typed(width),
+                BoardHeight = FootballPreset.Typed(boardHeight),
+                BoardDistance = FootballPreset.Typed(boardDistance),
+            };
+        }
+
+        internal override void AddTo(FootballScene scene)
+        {
+            Scene own = scene.Stage.Scene;
+            Ground ground = surface == FootballPreset.GroundChoice.OfProfile ? own.Ground : FootballPreset.GroundOf(surface, own.Ground);
+            scene.Stage.Scene = own with { Ground = ground with { Height = FootballPreset.Typed(transform.position.y) } };
+            foreach (Obstacle board in ToPitch().Boards)
+            {
+                scene.Stage.Add(board with { Shape = Placed((BoxShape)board.Shape) });
+            }
+        }
+
+        internal override int StampOfFields()
+        {
+            return HashCode.Combine(HashCode.Combine(length, width, futsal, (int)surface), boardHeight, boardDistance, grass);
+        }
+
+        internal override void Draw(FootballDrawing drawing)
+        {
+            // On one height the lines would flicker in the grass: that lies a little lower.
+            Pitch pitch = ToPitch();
+            Lay(drawing.Add("ground", ShapeMesh.GroundOf(pitch), grass), -0.012f);
+            Lay(drawing.Add("lines", ShapeMesh.LinesOf(pitch), Color.white), -0.004f);
+            foreach (Obstacle board in pitch.Boards)
+            {
+                drawing.Add(board.Name, ShapeMesh.Of(Placed((BoxShape)board.Shape)), new Color(0.16f, 0.24f, 0.45f, 1f));
+            }
+        }
+
+        private void Lay(Transform drawn, float raised)
+        {
+            drawn.SetPositionAndRotation(transform.position + new Vector3(0f, raised, 0f), transform.rotation);
+        }
+
+        /// <summary>A board of the pitch where that lies, which may be turned about y.</summary>
+        private BoxShape Placed(BoxShape board)
+        {
+            Quaterniond turn = UnityFrame.FromUnity(transform.rotation);
+            return new BoxShape(UnityFrame.FromUnity(transform.position) + turn.Rotate(board.Center), board.HalfSize, turn);
+        }
+    }
+}

@@ -1,0 +1,37 @@
+using UnityEngine;
+#if ENABLE_INPUT_SYSTEM && FOOTBALL_INPUT_SYSTEM
+using UnityEngine.InputSystem;
+#endif
+
+namespace Football.Physics.Unity
+{
+    /// <summary>The mouse and one key, by whichever input system the project has.</summary>
+    internal static class FootballPointer
+    {
+#if ENABLE_INPUT_SYSTEM && FOOTBALL_INPUT_SYSTEM
+        /// <summary>Where it points to, pixels.</summary>
+        public static Vector2 Position => Mouse.current != null ? Mouse.current.position.ReadValue() : default;
+
+        /// <summary>True while the left button is held.</summary>
+        public static bool Left => Mouse.current != null && Mouse.current.leftButton.isPressed;
+
+        /// <summary>True while the right button is held.</summary>
+        public static bool Right => Mouse.current != null && Mouse.current.rightButton.isPressed;
+
+        /// <summary>True in the frame in which R is pressed.</summary>
+        public static bool Again => Keyboard.current != null && Keyboard.current.rKey.wasPressedThisFrame;
+#else
+        /// <summary>Where it points to, pixels.</summary>
+        public static Vector2 Position => new Vector2(Input.mousePosition.x, Input.mousePosition.y);
+
+        /// <summary>True while the left button is held.</summary>
+        public static bool Left => Input.GetMouseButton(0);
+
+        /// <summary>True while the right button is held.</summary>
+        public static bool Right => Input.GetMouseButton(1);
+
+        /// <summary>True in the frame in which R is pressed.</summary>
+        public static bool Again => Input.GetKeyDown(KeyCode.R);
+#endif
+    }
+}

@@ -1,0 +1,144 @@
+using System;
+using System.Collections.Generic;
+using Football.Physics.Engines;
+using Football.Physics.Prediction;
+using UnityEngine;
+
+namespace Football.Physics.Unity
+{
+    /// <summary>The scene of one ball: its preset, the things that stand in Unity's scene, and Unity's colliders.</summary>
+    internal sealed class FootballScene
+    {
+        private readonly List<FootballGoal> _goals = new List<FootballGoal>();
+        private readonly List<FootballKeeper> _keepers = new List<FootballKeeper>();
+        private readonly FootballColliders _colliders;
+        private readonly FootballColliders _collidersAhead;
+
+        /// <summary>Compiles it.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
+        public FootballScene(FootballPreset preset, int hits, float greatestSpeed, Rigidbody own)
+        {
+            Stage = new Stage(preset != null ? preset.MakeScene() : null, preset != null ? preset.Settings : null);
+            if (hits != 0)
+            {
+                _colliders = new FootballColliders(own, hits, greatestSpeed, true);
+                _collidersAhead = new FootballColliders(own, hits, greatestSpeed, false);
+                Stage.Colliders = _colliders;
+                Stage.CollidersAhead = _collidersAhead;
+            }
+
+            foreach (FootballThing thing in FootballThing.InOrder())
+            {
+                thing.AddTo(this);
+            }
+
+            Stage.Compile();
+        }
+
+        public Stage Stage { get; }
+
+        /// <summary>How fast the fastest collider may come, m/s.</summary>
+        public float GreatestSpeed
+        {
+            set
+            {
+                if (_colliders != null)
+                {
+                    _colliders.GreatestSpeed = value;
+                    _collidersAhead.GreatestSpeed = value;
+                }
+            }
+        }
+
+        /// <summary>Adds a goal.</summary>
+        public void Add(FootballGoal goal, Goal made)
+        {
+            Stage.Add(made);
+            _goals.Add(goal);
+        }
+
+        /// <summary>Adds a keeper of a goal, or of the nearest one.</summary>
+        public void Add(FootballKeeper keeper, FootballGoal goal, Vector3d feet, Player abilities)
+        {
+            int index = goal != null ? _goals.IndexOf(goal) : Nearest(feet);
+            if (index < 0)
+            {
+                Debug.LogWarning(keeper.name + ": there is no goal for this keeper to guard; add a Football Goal to the scene.", keeper);
+                return;
+            }
+
+            Stage.AddKeeper(index, feet, abilities);
+            _keepers.Add(keeper);
+        }
+
+        /// <summary>Says that Unity has its colliders where they are at this time, on the clock of the ball.</summary>
+        public void CollidersAreAt(double time)
+        {
+            if (_colliders != null)
+            {
+                _colliders.Time = time;
+                _collidersAhead.Time = time;
+            }
+        }
+
+        /// <summary>An event in Unity's frame, with the goal or collider that it tells of.</summary>
+        public FootballEvent Tell(in BallEvent happened)
+        {
+            int goal = happened.Thing >= 0 ? Stage.GoalOf(in happened) : -1;
+            return new FootballEvent(
+                in happened,
+                Stage.Game.NameOf(happened.Thing),
+                UnityFrame.ToUnity(happened.Impulse(Stage.Game.Scene.Ball)),
+                goal >= 0 ? _goals[goal] : null,
+                _colliders?.Of(Stage.ColliderOf(in happened)));
+        }
+
+        /// <summary>Gives what was hit, where it is a body that moves freely, the impulse that it got.</summary>
+        public void Push(in FootballEvent happened)
+        {
+            if (happened.Kind == BallEventKind.Impact && happened.Collider != null)
+            {
+                Rigidbody body = happened.Collider.attachedRigidbody;
+                if (body != null && !body.isKinematic)
+                {
+                    Vector3 point = happened.Position - (happened.Normal * (float)Stage.Game.Scene.Ball.Radius);
+                    body.AddForceAtPosition(happened.Impulse * -1f, point, ForceMode.Impulse);
+                }
+            }
+        }
+
+        /// <summary>Draws nets and keepers as they are.</summary>
+        public void Draw()
+        {
+            for (int i = 0; i < _goals.Count; i++)
+            {
+                if (_goals[i] != null)
+                {
+                    _goals[i].Follow(Stage.Bulges, Stage.FirstNetOf(i));
+                }
+            }
+
+            for (int i = 0; i < _keepers.Count; i++)
+            {
+                if (_keepers[i] != null)
+                {
+                    _keepers[i].Follow(Stage.Keepers[i]);
+                }
+            }
+        }
+
+        private int Nearest(Vector3d feet)
+        {
+            int nearest = -1;
+            for (int i = 0; i < Stage.Goals.Count; i++)
+            {
+                if (nearest < 0 || Vector3d.Distance(Stage.Goals[i].Center, feet) < Vector3d.Distance(Stage.Goals[nearest].Center, feet))
+                {
+                    nearest = i;
+                }
+            }
+
+            return nearest;
+        }
+    }
+}

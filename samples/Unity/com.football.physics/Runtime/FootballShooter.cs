@@ -1,0 +1,118 @@
+using UnityEngine;
+
+namespace Football.Physics.Unity
+{
+    /// <summary>Shoots by mouse: press where the ball is to go and hold, the longer the faster; with the right button it bends to the left. R puts the ball back.</summary>
+    [AddComponentMenu("Football/Football Shooter"), DisallowMultipleComponent]
+    public sealed class FootballShooter : MonoBehaviour
+    {
+        [SerializeField, Tooltip("The ball; empty: the first in the scene.")]
+        private FootballBall ball;
+
+        [SerializeField, Tooltip("Camera that the mouse points through; empty: the main one.")]
+        private Camera view;
+
+        [SerializeField, Tooltip("Shows the aimed kick; empty: the one on this object, if there is one.")]
+        private FootballPath path;
+
+        [SerializeField, Range(1f, 60f), Tooltip("Speed of a short press, m/s.")]
+        private float slowest = 14f;
+
+        [SerializeField, Range(1f, 60f), Tooltip("Speed of the longest press, m/s.")]
+        private float fastest = 34f;
+
+        [SerializeField, Range(0.1f, 5f), Tooltip("How long the longest press is, s.")]
+        private float longest = 1f;
+
+        [SerializeField, Range(0f, 200f), Tooltip("Side spin with the right button, rad/s.")]
+        private float bend = 60f;
+
+        [SerializeField, Range(-45f, 45f), Tooltip("How much higher than the mouse points the ball is kicked, degrees: it falls on its way.")]
+        private float lift = 4f;
+
+        private Vector3 _spot;
+        private bool _hasSpot;
+        private bool _bends;
+        private float _held;
+
+        /// <summary>The ball.</summary>
+        public FootballBall Ball { get => ball; set => ball = value; }
+
+        /// <summary>Camera that the mouse points through.</summary>
+        public Camera View { get => view; set => view = value; }
+
+        /// <summary>Shows the aimed kick.</summary>
+        public FootballPath Path { get => path; set => path = value; }
+
+        private void Update()
+        {
+            ball = ball != null ? ball : FootballFinder.Ball();
+            view = view != null ? view : Camera.main;
+            if (path == null)
+            {
+                TryGetComponent(out path);
+            }
+
+            if (ball == null || view == null)
+            {
+                return;
+            }
+
+            if (!_hasSpot)
+            {
+                _hasSpot = true;
+                _spot = ball.transform.position;
+            }
+
+            if (FootballPointer.Again)
+            {
+                ball.Place(_spot);
+            }
+
+            if (FootballPointer.Left || FootballPointer.Right)
+            {
+                _bends = FootballPointer.Right;
+                _held += Time.deltaTime;
+                if (path != null)
+                {
+                    Vector3d direction = UnityFrame.FromUnity(Aimed());
+                    path.Show(Aimed() * Speed(), UnityFrame.SpinToUnity(KickVectors.Spin(direction, 0, _bends ? bend : 0f)));
+                }
+            }
+            else if (_held > 0f)
+            {
+                ball.Kick(Speed(), Aimed(), 0f, _bends ? bend : 0f);
+                _held = 0f;
+                if (path != null)
+                {
+                    path.Hide();
+                }
+            }
+        }
+
+        private float Speed()
+        {
+            return slowest + ((fastest - slowest) * Mathf.Clamp(_held / longest, 0f, 1f));
+        }
+
+        /// <summary>From the ball to where the mouse points: at what stands at the distance of the nearest goal, and a little higher.</summary>
+        private Vector3 Aimed()
+        {
+            Vector2 at = FootballPointer.Position;
+            Ray ray = view.ScreenPointToRay(new Vector3(at.x, at.y, 0f));
+            Vector3 place = ball.transform.position;
+            float far = 20f;
+            foreach (FootballGoal goal in FootballFinder.Goals())
+            {
+                Vector3 towards = goal.transform.position - ray.origin;
+                float along = Vector3.Dot(towards, ray.direction);
+                far = along > 1f ? along : far;
+            }
+
+            Vector3 direction = ray.origin + (ray.direction * far) - place;
+            float level = Mathf.Sqrt((direction.x * direction.x) + (direction.z * direction.z));
+            direction.y = Mathf.Max(direction.y, 0f) + (level * lift * Mathf.Deg2Rad);
+            return direction * (1f / Mathf.Max(direction.magnitude, 1e-3f));
+        }
+    }
+}

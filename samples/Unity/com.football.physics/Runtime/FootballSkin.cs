@@ -1,0 +1,63 @@
+using System;
+using Football.Physics.Engines;
+using UnityEngine;
+
+namespace Football.Physics.Unity
+{
+    /// <summary>What a football looks like: a sphere of its radius with the classic pattern, by which one sees it spin. Made when it is enabled; no texture, no model.</summary>
+    [AddComponentMenu("Football/Football Skin"), DisallowMultipleComponent, ExecuteAlways, RequireComponent(typeof(MeshFilter), typeof(MeshRenderer))]
+    public sealed class FootballSkin : MonoBehaviour
+    {
+        [SerializeField, Tooltip("Material to draw it with; empty: that of the render pipeline.")]
+        private Material material;
+
+        [SerializeField, Tooltip("Colour that the pattern is tinted with.")]
+        private Color color = Color.white;
+
+        private FootballDrawing _drawing;
+        private int _drawn;
+
+        /// <summary>Colour that the pattern is tinted with.</summary>
+        public Color Color { get => color; set => color = value; }
+
+        /// <summary>Material to draw it with; null: that of the render pipeline. A new one counts when the component is enabled.</summary>
+        public Material Material { get => material; set => material = value; }
+
+        private float Radius => TryGetComponent(out FootballBall ball) ? ball.Radius : (float)BallProperties.Football.Radius;
+
+        private int Stamp => HashCode.Combine(Radius, transform.lossyScale, color, material);
+
+        private void OnEnable()
+        {
+            Draw();
+        }
+
+        private void OnDisable()
+        {
+            _drawing.Clear();
+            GetComponent<MeshFilter>().sharedMesh = null;
+            GetComponent<MeshRenderer>().sharedMaterial = null;
+        }
+
+        private void Update()
+        {
+            if (Stamp != _drawn)
+            {
+                _drawing.Clear();
+                Draw();
+            }
+        }
+
+        private void Draw()
+        {
+            _drawn = Stamp;
+            _drawing = _drawing ?? new FootballDrawing(gameObject, material);
+
+            // As large as what is simulated, whatever the object's scale.
+            Vector3 scale = transform.lossyScale;
+            float largest = Math.Max(1e-6f, Math.Max(Math.Abs(scale.x), Math.Max(Math.Abs(scale.y), Math.Abs(scale.z))));
+            GetComponent<MeshFilter>().sharedMesh = _drawing.Fill(ShapeMesh.OfBall(Radius / largest));
+            GetComponent<MeshRenderer>().sharedMaterial = _drawing.Made(color, FootballDrawing.BallTexture());
+        }
+    }
+}

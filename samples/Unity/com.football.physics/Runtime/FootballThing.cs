@@ -1,0 +1,116 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Football.Physics.Unity
+{
+    /// <summary>A thing that every football in the scene meets as long as it is enabled: a goal, a pitch, a wall, a keeper. It is drawn as it is hit.</summary>
+    /// <remarks>What is changed of it, its transform included, counts at the next step; a change compiles the scene of every ball anew.</remarks>
+    [ExecuteAlways]
+    public abstract class FootballThing : MonoBehaviour
+    {
+        private static readonly List<FootballThing> s_all = new List<FootballThing>();
+
+        [SerializeField, Tooltip("Material to draw it with; empty: that of the render pipeline.")]
+        private Material material;
+
+        private FootballDrawing _drawing;
+        private int _drawn;
+
+        /// <summary>Material to draw it with; null: that of the render pipeline. A new one counts when the component is enabled.</summary>
+        public Material Material { get => material; set => material = value; }
+
+        /// <summary>A number that changes when any of the enabled things does.</summary>
+        internal static int StampOfAll
+        {
+            get
+            {
+                var stamp = new HashCode();
+                for (int i = 0; i < s_all.Count; i++)
+                {
+                    stamp.Add(s_all[i].Stamp);
+                }
+
+                return stamp.ToHashCode();
+            }
+        }
+
+        /// <summary>The order in which things are added: pitches, goals, walls, keepers.</summary>
+        internal abstract int Order { get; }
+
+        /// <summary>A number that changes when anything of it does.</summary>
+        internal int Stamp => HashCode.Combine(Order, transform.position, transform.rotation, StampOfFields());
+
+        /// <summary>All enabled things, in an order that is the same on every machine.</summary>
+        internal static List<FootballThing> InOrder()
+        {
+            var things = new List<FootballThing>(s_all);
+            things.Sort(Compare);
+            return things;
+        }
+
+        /// <summary>Adds it to the scene of a ball.</summary>
+        internal abstract void AddTo(FootballScene scene);
+
+        /// <summary>Draws what is met of it.</summary>
+        internal abstract void Draw(FootballDrawing drawing);
+
+        /// <summary>A number that changes when any of its fields does.</summary>
+        internal abstract int StampOfFields();
+
+        /// <summary>A position in its own frame without its scale, in the library's frame.</summary>
+        internal Vector3d Place(Vector3 local)
+        {
+            return UnityFrame.FromUnity(transform.position + (transform.rotation * local));
+        }
+
+        /// <summary>Draws it in the game, or in the editor.</summary>
+        protected virtual void OnEnable()
+        {
+            s_all.Add(this);
+            Redraw();
+        }
+
+        /// <summary>Takes it out of the scene.</summary>
+        protected virtual void OnDisable()
+        {
+            s_all.Remove(this);
+            _drawing?.Clear();
+            _drawing = null;
+        }
+
+        /// <summary>Draws it anew where it was changed.</summary>
+        protected virtual void Update()
+        {
+            if (Stamp != _drawn)
+            {
+                Redraw();
+            }
+        }
+
+        private static int Compare(FootballThing a, FootballThing b)
+        {
+            int order = a.Order.CompareTo(b.Order);
+            Vector3 p = a.transform.position;
+            Vector3 q = b.transform.position;
+            order = order != 0 ? order : p.x.CompareTo(q.x);
+            order = order != 0 ? order : p.z.CompareTo(q.z);
+            return order != 0 ? order : p.y.CompareTo(q.y);
+        }
+
+        private void Redraw()
+        {
+            _drawn = Stamp;
+            _drawing = _drawing ?? new FootballDrawing(gameObject, material);
+            _drawing.Clear();
+            try
+            {
+                Draw(_drawing);
+            }
+            catch (ArgumentOutOfRangeException refusal)
+            {
+                Debug.LogError(name + ": " + refusal.Message, this);
+            }
+        }
+    }
+}

@@ -1,0 +1,101 @@
+using System.Collections;
+using Football.Physics.Netcode;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace Football.Physics.Unity.Tests
+{
+    /// <summary>Play-mode tests of the package: Window → General → Test Runner → PlayMode, with "testables": ["com.football.physics"] in the project's manifest.</summary>
+    public sealed class FootballPlayModeTests
+    {
+        private const int Updates = 150;
+
+        /// <summary>Every object of a test is gone before the next.</summary>
+        [TearDown]
+        public void CleanUp()
+        {
+            foreach (FootballThing thing in Object.FindObjectsOfType<FootballThing>())
+            {
+                Object.DestroyImmediate(thing.gameObject);
+            }
+
+            foreach (FootballBall ball in Object.FindObjectsOfType<FootballBall>())
+            {
+                Object.DestroyImmediate(ball.gameObject);
+            }
+        }
+
+        /// <summary>A goal and a ball, a kick, a goal.</summary>
+        [UnityTest]
+        public IEnumerator A_shot_at_an_empty_goal_scores()
+        {
+            FootballBall ball = Ball();
+            FootballGoal goal = Goal();
+            int told = 0;
+            goal.Scored += (who, happened) => told++;
+            ball.Kick(25f, new Vector3(0f, 0.2f, 1f));
+            for (int i = 0; i < Updates; i++)
+            {
+                yield return new WaitForFixedUpdate();
+            }
+
+            Assert.AreEqual(1, told);
+            Assert.AreEqual(1, goal.Goals);
+        }
+
+        /// <summary>A ball does not fly through a post.</summary>
+        [UnityTest]
+        public IEnumerator A_shot_at_a_post_comes_back()
+        {
+            FootballBall ball = Ball();
+            FootballGoal goal = Goal();
+            int told = 0;
+            goal.FrameHit += (who, happened) => told++;
+            ball.Kick(new Vector3(4.72f, 3.2f, 25f), Vector3.zero);
+            for (int i = 0; i < Updates; i++)
+            {
+                yield return new WaitForFixedUpdate();
+            }
+
+            Assert.AreEqual(1, told);
+            Assert.Less(ball.transform.position.z, 20f);
+        }
+
+        /// <summary>What the component plays is what the library plays, to the last bit.</summary>
+        [UnityTest]
+        public IEnumerator A_kick_is_the_library_s_kick_to_the_last_bit()
+        {
+            FootballBall ball = Ball();
+            var direct = new FixedStepRunner(new Simulator(), FootballPreset.DefaultTimeStep);
+            direct.Restore(0, ball.Runner.State);
+            ball.Kick(24f, new Vector3(0.2f, 0.3f, 1f), -10f, 40f);
+            direct.QueueKick(24f, UnityFrame.FromUnity(new Vector3(0.2f, 0.3f, 1f)), -10f, 40f);
+            for (int i = 0; i < Updates; i++)
+            {
+                yield return new WaitForFixedUpdate();
+            }
+
+            while (direct.Tick < ball.Runner.Tick)
+            {
+                direct.Step();
+            }
+
+            Assert.IsTrue(Snapshot.Same(direct.State, ball.Runner.State));
+        }
+
+        private static FootballBall Ball()
+        {
+            var holder = new GameObject("Ball");
+            holder.transform.position = new Vector3(0f, 0.11f, 0f);
+            return holder.AddComponent<FootballBall>();
+        }
+
+        private static FootballGoal Goal()
+        {
+            var holder = new GameObject("Goal");
+            holder.transform.position = new Vector3(0f, 0f, 20f);
+            return holder.AddComponent<FootballGoal>();
+        }
+    }
+}

@@ -1,0 +1,127 @@
+// The way ahead, kicks of one ball and of many, replays, and the kick that goes where a visitor has clicked.
+
+// ---- the way ahead
+
+const kickOf = () => KICK.map(name => set[name]);
+
+async function lookAhead() {
+  const rows = await engine.call("Ahead", [0, ...kickOf(), 2.6], "ahead");
+  const beside = set.beside ? await engine.call("Ahead", [1, ...kickOf(), 2.6], "beside") : null;
+  if (!rows) return;
+  const dots = (flat, colour) => {
+    const all = [];
+    for (let i = 4; i < flat.length; i += 8) all.push({ t: flat[i], p: Array.from(flat.slice(i + 1, i + 4)), colour });
+    return all;
+  };
+  stage.way = rows;
+  stage.ahead = flights.length > 0 ? [] : [...dots(rows), ...(beside ? dots(beside, "#ff9a4d") : [])];
+  document.body.dataset.ahead = String(rows.length / 4);
+  dirty = true;
+}
+
+// The ball lies on its spot again.
+function ready() {
+  flights = [];
+  time = 0;
+  rate = 1;
+  playing = false;
+  stage.bulges = new Map();
+  say("");
+  if (engine) hint(START);
+  if (viewed !== view) viewed = view;
+  look();
+  fill();
+  if (engine) lookAhead();
+  dirty = true;
+}
+
+// ---- kicking
+
+async function kick(kickings) {
+  if (!engine) return;
+  await engine.call("Forget", []);
+  stage.ahead = [];
+  aimed = null;
+  stage.targets = [];
+  flights = kickings.map(({ which, kick, colour }) => Object.assign(new Flown(++number, colour, which === 1 ? besideRadius : radius), { which, kick }));
+  time = 0;
+  rate = 1;
+  playing = true;
+  counted = false;
+  viewed = view;
+  look();
+  say("");
+  hint(kickings.some(k => k.which === 1) ? `Blue: as set. Orange: ${$("panel").elements.beside.selectedOptions[0].text}.` : "");
+  for (const flown of flights) await engine.call("Kick", [flown.number, flown.which, ...flown.kick]);
+  const mine = flights;
+  const things = new Map();
+  const name = thing => things.get(thing) || "";
+  while (mine === flights && mine.some(f => !f.isOver)) {
+    for (const flown of mine.filter(f => !f.isOver)) {
+      const rows = await engine.call("Advance", [flown.number, mine.length > 1 ? 0.2 : 0.3]);
+      for (let i = 0; i < rows.length; i += ROWS[rows[i]]) {
+        if (rows[i] === 1 && !things.has(rows[i + 2])) things.set(rows[i + 2], await engine.call("NameOf", [flown.number, rows[i + 2]]));
+      }
+      if (mine !== flights) return;
+      flown.take(rows, name);
+      // Of many only what is shown is played.
+      flown.isOver = (mine.length > 2 && flown.end > decided(flown) + 0.1) || await engine.call("IsOver", [flown.number]);
+      document.body.dataset.flown = JSON.stringify(mine.map(f => ({ end: f.end, over: f.isOver, events: f.events.length })));
+    }
+  }
+  if (mine.length === 1 && set.keeper > 0) {
+    const answer = await engine.call("Answer", [mine[0].number]);
+    if (mine === flights && !$("hint").textContent) hint(answer);
+  }
+}
+
+function kickOne() {
+  const all = [{ which: 0, kick: kickOf(), colour: set.beside ? "#3aa0ff" : "#fff36b" }];
+  if (set.beside) all.push({ which: 1, kick: kickOf(), colour: "#ff9a4d" });
+  return kick(all);
+}
+
+// As a player's kicks spread: 3 % of the speed, a degree or two, some spin.
+function kickMany() {
+  const normal = () => Math.sqrt(-2 * Math.log(1 - Math.random())) * Math.cos(2 * Math.PI * Math.random());
+  const colours = stage.series;
+  return kick(Array.from({ length: MANY }, (_, i) => ({
+    which: 0, colour: colours[i % colours.length],
+    kick: i === 0 ? kickOf() : [set.speed * (1 + 0.03 * normal()), clamp(set.elevation + 1.3 * normal(), 0, 80), set.azimuth + 1.6 * normal(), set.top + 5 * normal(), set.side + 6 * normal()],
+  })));
+}
+
+function replay() {
+  if (flights.length === 0 || flights.some(f => !f.track)) return;
+  time = 0;
+  rate = 0.25;
+  playing = true;
+  counted = true;
+  say("");
+  if (view === "behind") viewed = viewed === "replay" ? "goal" : "replay";
+  look();
+  dirty = true;
+}
+
+// The kick that goes through a point of the goal's plane.
+async function aimAt(p) {
+  if (!engine || flights.length > 0) ready();
+  hint("Looking for the kick …");
+  const z = stage.picture.goals[0].center[2];
+  const said = (await engine.call("Aim", [p[0], p[1], z, set.speed, set.top, set.side], "aim"));
+  if (!said) return;
+  const [status, speed, elevation, azimuth, top, side, miss, at, blocked] = said.split("|");
+  aimed = [p[0], p[1], z];
+  stage.targets = [aimed];
+  document.body.dataset.aim = said;
+  if (status === "Hit" || status === "TargetOnly") {
+    Object.assign(set, { speed: Number(speed), elevation: Number(elevation), azimuth: Number(azimuth), top: Number(top), side: Number(side) });
+    hint(`Found: ${(3.6 * set.speed).toFixed(0)} km/h, ${set.elevation.toFixed(1)}° up, ${Math.abs(set.side * 9.549).toFixed(0)} rpm, there in ${Number(at).toFixed(2)} s. Press Kick.`);
+  } else {
+    hint(status === "Blocked" ? `No kick at ${(3.6 * set.speed).toFixed(0)} km/h gets there: the ${blocked} is in the way. Try another speed.`
+      : status === "OutOfReach" ? `Out of reach at ${(3.6 * set.speed).toFixed(0)} km/h: the closest kick misses by ${Number(miss).toFixed(1)} m. Kick harder.`
+      : "No kick was found for that point.");
+  }
+  fill();
+  lookAhead();
+}

@@ -1,0 +1,49 @@
+namespace Football.Physics.Engines;
+
+/// <summary>The coefficients that the air of a scene has, by speed and spin: for showing them beside a preset's numbers.</summary>
+public static class AirCurve
+{
+    /// <summary>Calculates the drag coefficient C_D, from what the air takes of the ball's speed.</summary>
+    /// <param name="simulator">The scene.</param>
+    /// <param name="speed">Speed through the air, m/s; above 0, at most 1000.</param>
+    /// <param name="spin">Spin across the way, rad/s; 0 … 10 000; default 0.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range.</exception>
+    public static double Drag(Simulator simulator, double speed, double spin = 0)
+    {
+        Find(simulator, speed, spin, out double drag, out _);
+
+        // a = −D u with D = ½ ρ A C_D |u|/m
+        return drag * PerFactor(simulator) / speed;
+    }
+
+    /// <summary>Calculates the lift coefficient C_L, from what the air bends the ball's way.</summary>
+    /// <param name="simulator">The scene.</param>
+    /// <param name="speed">Speed through the air, m/s; above 0, at most 1000.</param>
+    /// <param name="spin">Spin across the way, rad/s; 0 … 10 000.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range.</exception>
+    public static double Lift(Simulator simulator, double speed, double spin)
+    {
+        Find(simulator, speed, spin, out _, out double lift);
+
+        // a = L (ω̂ × u) with L = ½ ρ A C_L |u|/m
+        return lift * PerFactor(simulator) / speed;
+    }
+
+    private static void Find(Simulator simulator, double speed, double spin, out double drag, out double lift)
+    {
+        Check.Given(nameof(simulator), simulator);
+        Check.Within(nameof(speed), speed, 0, Limits.Speed, exclusiveLow: true);
+        Check.Within(nameof(spin), spin, 0, Limits.Spin);
+        simulator.AirFactors(speed, spin, out drag, out lift);
+    }
+
+    /// <summary>2 m/(ρ A); 0 where there is no air.</summary>
+    private static double PerFactor(Simulator simulator)
+    {
+        double area = Math.PI * simulator.Scene.Ball.Radius * simulator.Scene.Ball.Radius;
+        double air = simulator.Scene.Air.Density * area;
+        return air > 0 ? 2.0 * simulator.Scene.Ball.Mass / air : 0;
+    }
+}

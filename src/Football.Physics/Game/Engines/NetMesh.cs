@@ -1,0 +1,93 @@
+namespace Football.Physics.Engines;
+
+/// <summary>A net as points and threads, for drawing: it hangs flat, and bulges where a ball is in it.</summary>
+public sealed class NetMesh
+{
+    /// <summary>How wide a bulge is, m: at this distance from its middle it is 1/e as deep.</summary>
+    private const double BulgeWidth = 0.75;
+
+    /// <summary>Points along a side at most.</summary>
+    private const int Most = 120;
+
+    private readonly Vector3d[] _flat;
+    private readonly Vector3d[] _points;
+    private readonly int[] _threads;
+    private bool _bulges;
+
+    /// <summary>Makes a net that hangs flat.</summary>
+    /// <param name="net">The net.</param>
+    /// <param name="mesh">Width of its meshes, m; above 0, at most 10; default 0.12. Wider where it would have more than 120 along a side.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="net"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public NetMesh(Net net, double mesh = 0.12)
+    {
+        Check.Given(nameof(net), net);
+        net.Validate(nameof(net));
+        Check.Within(nameof(mesh), mesh, 0, 10, exclusiveLow: true);
+        Vector3d along = net.Along.Normalized();
+        Vector3d across = Vector3d.Cross(net.Normal.Normalized(), along);
+        int columns = Meshes(2 * net.HalfLength, mesh);
+        int rows = Meshes(2 * net.HalfWidth, mesh);
+        _flat = new Vector3d[(columns + 1) * (rows + 1)];
+        _threads = new int[2 * ((columns * (rows + 1)) + (rows * (columns + 1)))];
+        int thread = 0;
+        for (int j = 0; j <= rows; j++)
+        {
+            for (int i = 0; i <= columns; i++)
+            {
+                int at = (j * (columns + 1)) + i;
+                _flat[at] = net.Center + (net.HalfLength * ((2.0 * i / columns) - 1) * along) + (net.HalfWidth * ((2.0 * j / rows) - 1) * across);
+                if (i < columns)
+                {
+                    _threads[thread++] = at;
+                    _threads[thread++] = at + 1;
+                }
+
+                if (j < rows)
+                {
+                    _threads[thread++] = at;
+                    _threads[thread++] = at + columns + 1;
+                }
+            }
+        }
+
+        _points = (Vector3d[])_flat.Clone();
+    }
+
+    /// <summary>Its knots as they are now, m.</summary>
+    public ReadOnlySpan<Vector3d> Points => _points;
+
+    /// <summary>Its threads: indices of two points each.</summary>
+    public ReadOnlySpan<int> Threads => _threads;
+
+    /// <summary>Bends the net as it bulges: by a bell of the depth of the bulge, 0.75 m wide. Allocates nothing.</summary>
+    /// <param name="bulge">The bulge.</param>
+    /// <returns>True when any point has moved: what is drawn is to be drawn again.</returns>
+    public bool Follow(in NetBulge bulge)
+    {
+        bool before = _bulges;
+        _bulges = bulge.Depth > 0;
+        if (!_bulges)
+        {
+            if (before)
+            {
+                Array.Copy(_flat, _points, _flat.Length);
+            }
+
+            return before;
+        }
+
+        Vector3d middle = bulge.Position - (bulge.Depth * bulge.Direction);
+        for (int i = 0; i < _flat.Length; i++)
+        {
+            Vector3d off = _flat[i] - middle;
+            double across = Vector3d.Dot(in off, bulge.Direction);
+            double far = (off.LengthSquared - (across * across)) / (BulgeWidth * BulgeWidth);
+            _points[i] = far > 9 ? _flat[i] : _flat[i] + (bulge.Depth * Elementary.Exp(-far) * bulge.Direction);
+        }
+
+        return true;
+    }
+
+    private static int Meshes(double length, double mesh) => (int)Math.Max(1, Math.Min(Most, Math.Ceiling(length / mesh)));
+}

@@ -1,0 +1,135 @@
+using System.Xml.Linq;
+using Football.Drawing;
+
+namespace Football.Tool.Replay;
+
+/// <summary>A scene in perspective as SVG: sky, grass, lines, shadows, and what stands there, from far to near.</summary>
+internal static class SceneSketch
+{
+    private const string Sky = "#dfeaf3";
+    private const string Grass = "#7fae6b";
+
+    /// <summary>What is dark where that is preferred.</summary>
+    public static IReadOnlyList<(string Light, string Dark)> Dark { get; } = [(Sky, "#0d1318"), (Grass, "#23402a"), (Palette.Blue, "#56b4e9")];
+
+    /// <summary>Sky and grass in stripes across a way.</summary>
+    public static IEnumerable<XElement> Backdrop(Eye eye, Vector3d from, Vector3d to)
+    {
+        double horizon = Math.Clamp(eye.Horizon, 0, eye.Height);
+        yield return Svg.Element("rect", [("width", eye.Width), ("height", eye.Height), ("fill", Sky)]);
+        yield return Svg.Element("rect", [("y", horizon), ("width", eye.Width), ("height", eye.Height - horizon), ("fill", Grass)]);
+        const double wide = 5.5;
+        Vector3d along = (to - from).Horizontal.Normalized();
+        Vector3d across = 60 * Vector3d.Cross(along, Vector3d.Up);
+        Vector3d start = from.Horizontal;
+        for (int i = -1; i < 10; i += 2)
+        {
+            Vector3d near = start + (Math.Max(-5, i * wide) * along);
+            Vector3d far = start + ((i + 1) * wide * along);
+            if (eye.On(near) is not null)
+            {
+                yield return Svg.Element("polygon", [("points", Points(eye, [near - across, near + across, far + across, far - across])), ("fill", "#ffffff"), ("fill-opacity", 0.09)]);
+            }
+        }
+    }
+
+    /// <summary>What lies on the grass: lines, and the shadows of people.</summary>
+    /// <param name="eye">Who looks.</param>
+    /// <param name="shapes">The scene.</param>
+    /// <param name="motion">How a shape moves on the sheet; null where it stands.</param>
+    public static IEnumerable<XElement> Lying(Eye eye, IReadOnlyList<SceneShape> shapes, Func<SceneShape, XElement?> motion)
+    {
+        foreach (XElement line in shapes.Where(shape => shape.Kind == SceneShapeKind.Marking).SelectMany(shape => shape.Lines).Select(line => Line(eye, line, "#ffffff", 0.9, 1.6)))
+        {
+            yield return line;
+        }
+
+        foreach ((SceneShape shape, Vector3d[] person) in shapes.SelectMany(shape => (shape.People ?? []).Select(person => (shape, person))))
+        {
+            if (eye.On(person[0].Horizontal) is { } feet)
+            {
+                yield return Svg.Element("ellipse", [("cx", feet.X), ("cy", feet.Y), ("rx", 0.45 * feet.Metre), ("ry", 0.12 * feet.Metre), ("fill", "#06120a"), ("fill-opacity", 0.3)], motion(shape));
+            }
+        }
+    }
+
+    /// <summary>What stands there, each with how near it is, from far to near; lines that are no things last.</summary>
+    /// <param name="eye">Who looks.</param>
+    /// <param name="shapes">The scene.</param>
+    /// <param name="net">How one of the scene's nets is drawn.</param>
+    /// <param name="motion">How somebody moves on the sheet; null where he stands.</param>
+    public static List<(double Metre, XElement[] Drawn)> Standing(
+        Eye eye, IReadOnlyList<SceneShape> shapes, Func<int, SceneShape, IEnumerable<XElement>> net, Func<SceneShape, XElement?> motion)
+    {
+        var all = new List<(double Metre, XElement[] Drawn)>();
+        int nets = 0;
+        foreach (SceneShape shape in shapes.Where(shape => shape.Kind != SceneShapeKind.Marking))
+        {
+            if (shape.Kind == SceneShapeKind.Net)
+            {
+                all.Add((Metre(eye, shape.Corners!), [.. net(nets++, shape)]));
+            }
+            else if (shape.People is { } people)
+            {
+                all.AddRange(people.Select((person, i) => (Metre(eye, [person[0], person[1]]), (XElement[])[Svg.Element("g", [], motion(shape), Person(eye, shape.Name, person, i))])));
+            }
+            else if (shape.Kind == SceneShapeKind.Guide)
+            {
+                all.Add((double.PositiveInfinity, [.. shape.Lines.Select(line => Line(eye, line, "#ffd23f", 0.9, 1.6))]));
+            }
+            else
+            {
+                all.AddRange(shape.Faces.OrderBy(face => Metre(eye, face)).Select(face => (Metre(eye, face), (XElement[])[Face(eye, face)])));
+                all.AddRange(shape.Lines.Select(line => (Metre(eye, line), (XElement[])[.. Rod(eye, line, shape.Radius)])));
+            }
+        }
+
+        return [.. all.OrderBy(item => item.Metre)];
+    }
+
+    /// <summary>A line as wide as it looks from there.</summary>
+    public static XElement Line(Eye eye, Vector3d[] line, string colour, double opacity, double width) => Svg.Element(
+        "polyline",
+        [("points", Points(eye, line)), ("fill", "none"), ("stroke", colour), ("stroke-opacity", opacity), ("stroke-width", width), ("stroke-linecap", "round"), ("stroke-linejoin", "round")]);
+
+    /// <summary>Places on the sheet; those behind the eye are left out.</summary>
+    public static string Points(Eye eye, IEnumerable<Vector3d> places) =>
+        string.Join(' ', places.Select(eye.On).OfType<(double X, double Y, double Metre)>().Select(at => $"{Svg.Number(at.X)},{Svg.Number(at.Y)}"));
+
+    private static double Metre(Eye eye, IReadOnlyCollection<Vector3d> places) => eye.On(places.Aggregate((a, b) => a + b) / places.Count)?.Metre ?? double.PositiveInfinity;
+
+    private static XElement Face(Eye eye, Vector3d[] face) =>
+        Svg.Element("polygon", [("points", Points(eye, face)), ("fill", "#5f7181"), ("stroke", "#3e4c59"), ("fill-opacity", 0.75)]);
+
+    /// <summary>A post or a bar, lit from the left and above; a single place is a ball.</summary>
+    private static IEnumerable<XElement> Rod(Eye eye, Vector3d[] line, double radius)
+    {
+        double width = Math.Max(2, eye.On(line[0]) is { } first ? 2 * radius * first.Metre : 0);
+        yield return Line(eye, line, "#c3ccd4", 1, width);
+        yield return Line(eye, line, "#ffffff", 1, 0.6 * width);
+    }
+
+    /// <summary>Somebody, each limb the hull of two discs: a polygon between two circles, and its lit side.</summary>
+    private static IEnumerable<XElement> Person(Eye eye, string kit, Vector3d[] person, int who)
+    {
+        foreach (PersonLimbs limb in PersonLimbs.Of(person, kit, who).OrderBy(limb => (eye.On(0.5 * (limb.From + limb.To))?.Metre) ?? 0))
+        {
+            if (eye.On(limb.From) is not { } a || eye.On(limb.To) is not { } b)
+            {
+                continue;
+            }
+
+            (double ra, double rb) = (limb.FromRadius * a.Metre, limb.ToRadius * b.Metre);
+            double angle = Math.Atan2(b.Y - a.Y, b.X - a.X);
+            (double x, double y) = (-Math.Sin(angle), Math.Cos(angle));
+            string corners = string.Join(' ', new[] { (a.X + (ra * x), a.Y + (ra * y)), (b.X + (rb * x), b.Y + (rb * y)), (b.X - (rb * x), b.Y - (rb * y)), (a.X - (ra * x), a.Y - (ra * y)) }
+                .Select(at => $"{Svg.Number(at.Item1)},{Svg.Number(at.Item2)}"));
+            yield return Svg.Element(
+                "g",
+                [("fill", limb.Colour)],
+                Svg.Element("polygon", [("points", corners)]),
+                Svg.Element("circle", [("cx", a.X), ("cy", a.Y), ("r", ra)]),
+                Svg.Element("circle", [("cx", b.X), ("cy", b.Y), ("r", rb)]));
+        }
+    }
+}

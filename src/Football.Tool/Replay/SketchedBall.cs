@@ -1,0 +1,213 @@
+using System.Globalization;
+using System.Text;
+using System.Xml.Linq;
+using Football.Drawing;
+
+namespace Football.Tool.Replay;
+
+/// <summary>A ball that moves in an SVG: its panels turn as it spins, its shadow tells its height, and it goes behind what it passes behind.</summary>
+internal sealed class SketchedBall
+{
+    /// <summary>Time between two places of the ball, s.</summary>
+    public const double Frame = 0.02;
+
+    /// <summary>Panels are turned every so many frames.</summary>
+    private const int Turned = 2;
+
+    /// <summary>Radius below which a ball is drawn no smaller, pixels.</summary>
+    private const double Least = 4.5;
+
+    private static readonly (Vector3d Middle, Vector3d[] Corners)[] s_panels = Panels();
+
+    private readonly Eye _eye;
+    private readonly string _id;
+    private readonly ReplayShot _shot;
+    private readonly double _total;
+    private readonly (double X, double Y, double Metre)[] _seen;
+    private readonly Vector3d[] _way;
+    private readonly Quaterniond[] _turns;
+    private readonly string _times;
+
+    /// <summary>Looks at a ball.</summary>
+    /// <param name="eye">Who looks.</param>
+    /// <param name="shot">Its way.</param>
+    /// <param name="id">A name that no other ball of the drawing has.</param>
+    /// <param name="end">When its story ends, s.</param>
+    /// <param name="total">When all begins again, s.</param>
+    public SketchedBall(Eye eye, ReplayShot shot, string id, double end, double total)
+    {
+        (_eye, _shot, _id, _total) = (eye, shot, id, total);
+        (Vector3d Place, Quaterniond Turn)[] frames = [.. Frames(shot.Track, end).Where(frame => eye.On(frame.Place) is not null)];
+        _way = [.. frames.Select(frame => frame.Place)];
+        _turns = [.. frames.Select(frame => frame.Turn)];
+        _seen = [.. _way.Select(place => eye.On(place)!.Value)];
+        _times = Times(_seen.Select((_, i) => i * Frame / total).Append(1));
+    }
+
+    /// <summary>Its places, frame by frame.</summary>
+    public static IEnumerable<Vector3d> Way(Track track, double end) => Frames(track, end).Select(frame => frame.Place);
+
+    /// <summary>What others refer to: the ball as it moves.</summary>
+    public XElement Definition()
+    {
+        string r = Values(_seen.Select(at => Radius(at)));
+        int[] turned = [.. Enumerable.Range(0, (_seen.Length + Turned - 1) / Turned)];
+        return Svg.Element(
+            "g",
+            [("id", _id)],
+            Transform("translate", Values(_seen.Select(at => $"{Svg.Number(at.X)} {Svg.Number(at.Y)}"))),
+            Svg.Element(
+                "g",
+                [],
+                Transform("scale", r),
+                Svg.Element("circle", [("r", 1.0), ("fill", "#fdfdfd"), ("stroke", "#20262c"), ("stroke-width", 0.16)]),
+                Svg.Element(
+                    "path",
+                    [("d", Drawn(_turns[0])), ("fill", "#20262c")],
+                    Svg.Element(
+                        "animate",
+                        [
+                            ("attributeName", "d"), ("dur", Seconds), ("repeatCount", "indefinite"), ("calcMode", "discrete"), ("keyTimes", Times(turned.Select(i => i * Turned * Frame / _total))),
+                            ("values", string.Join(';', turned.Select(i => Drawn(_turns[i * Turned])))),
+                        ]))));
+    }
+
+    /// <summary>Its shadow: straight below it, wider and fainter the higher it is.</summary>
+    public XElement Shadow(Func<Vector3d, double> groundAt)
+    {
+        (double X, double Y, double Metre)[] below = [.. _way.Select((place, i) => _eye.On(new Vector3d(place.X, groundAt(place), place.Z)) ?? _seen[i])];
+        double[] heights = [.. _way.Select(place => Math.Max(0, place.Y - groundAt(place) - _shot.Track.Radius))];
+        return Svg.Element(
+            "g",
+            [],
+            Transform("translate", Values(below.Select(at => $"{Svg.Number(at.X)} {Svg.Number(at.Y)}"))),
+            Svg.Element(
+                "ellipse",
+                [("rx", 1.0), ("ry", 0.3), ("fill", "#06120a"), ("fill-opacity", 0.5)],
+                Transform("scale", Values(below.Select((at, i) => Radius(at) * (1.2 + (0.2 * heights[i]))))),
+                Animation("fill-opacity", Values(heights.Select(height => 0.55 / (1 + (0.3 * height)))))));
+    }
+
+    /// <summary>Its way and itself where they are nearer than one depth and no nearer than the next.</summary>
+    /// <param name="from">What a metre is worth at the farther depth.</param>
+    /// <param name="to">What it is worth at the nearer one.</param>
+    /// <param name="colour">The colour of the way.</param>
+    public IEnumerable<XElement> Between(double from, double to, string colour)
+    {
+        bool[] here = [.. _seen.Select(at => at.Metre >= from && at.Metre < to)];
+        if (!here.Contains(true))
+        {
+            yield break;
+        }
+
+        for (int i = 0; i < here.Length; i++)
+        {
+            int first = i;
+            for (; i < here.Length && here[i]; i++)
+            {
+            }
+
+            if (i > first)
+            {
+                yield return Svg.Element(
+                    "polyline",
+                    [
+                        ("points", string.Join(' ', _seen[Math.Max(0, first - 1)..Math.Min(_seen.Length, i)].Select(at => $"{Svg.Number(at.X)},{Svg.Number(at.Y)}"))), ("fill", "none"), ("stroke", colour),
+                        ("stroke-width", 2.2), ("stroke-dasharray", _shot.Compares ? "5 4" : "none"), ("stroke-opacity", 0.8), ("stroke-linejoin", "round"),
+                    ]);
+            }
+        }
+
+        int[] changes = [.. Enumerable.Range(0, here.Length).Where(i => i == 0 || here[i] != here[i - 1])];
+        yield return Svg.Element(
+            "use",
+            [("href", "#" + _id), ("visibility", here[0] ? "visible" : "hidden")],
+            changes.Length == 1
+                ? null
+                : Svg.Element(
+                    "animate",
+                    [
+                        ("attributeName", "visibility"), ("dur", Seconds), ("repeatCount", "indefinite"), ("calcMode", "discrete"), ("keyTimes", Times(changes.Select(i => i * Frame / _total))),
+                        ("values", string.Join(';', changes.Select(i => here[i] ? "visible" : "hidden"))),
+                    ]));
+    }
+
+    private static IEnumerable<(Vector3d Place, Quaterniond Turn)> Frames(Track track, double end)
+    {
+        int next = 0;
+        for (int i = 0; i * Frame <= end; i++)
+        {
+            double time = Math.Min(i * Frame, track.Keys[^1].Time);
+            while (next + 2 < track.Keys.Count && track.Keys[next + 1].Time <= time)
+            {
+                next++;
+            }
+
+            TrackKey key = track.Keys[next];
+            yield return track.Keys.Count > 1 ? (Track.Between(in key, track.Keys[next + 1], time), Track.Turned(in key, time)) : (key.Position, key.Orientation);
+        }
+    }
+
+    /// <summary>The twelve pentagons around the corners of an icosahedron.</summary>
+    private static (Vector3d Middle, Vector3d[] Corners)[] Panels()
+    {
+        double golden = (1 + Math.Sqrt(5)) / 2;
+        Vector3d[] corners = [.. new[] { -1.0, 1.0 }.SelectMany(a => new[] { -golden, golden }.SelectMany(b => new[] { new Vector3d(0, a, b), new Vector3d(a, b, 0), new Vector3d(b, 0, a) }))];
+        return [.. corners.Select(corner =>
+        {
+            Vector3d[] near = [.. corners.Where(other => Math.Abs((other - corner).Length - 2) < 1e-6)];
+            Vector3d axis = corner.Normalized();
+            Vector3d u = Vector3d.Cross(axis, near[0]).Normalized();
+            Vector3d v = Vector3d.Cross(axis, u);
+            return (axis, (Vector3d[])[.. near.OrderBy(other => Math.Atan2(Vector3d.Dot(other, v), Vector3d.Dot(other, u))).Select(other => ((2 * corner) + other).Normalized())]);
+        })];
+    }
+
+    /// <summary>The panels that are seen of a ball of radius 1.</summary>
+    private string Drawn(Quaterniond turn)
+    {
+        var path = new StringBuilder();
+        foreach ((Vector3d middle, Vector3d[] corners) in s_panels)
+        {
+            if (_eye.Towards(turn.Rotate(middle)).Near < -0.2)
+            {
+                continue;
+            }
+
+            for (int i = 0; i < corners.Length; i++)
+            {
+                (double right, double up, double near) = _eye.Towards(turn.Rotate(corners[i]));
+                // What is behind is drawn at the rim.
+                double s = near < 0 ? 1 / Math.Max(1e-9, Math.Sqrt((right * right) + (up * up))) : 1;
+                path.Append(i == 0 ? 'M' : 'L').Append(Svg.Number(s * right)).Append(',').Append(Svg.Number(-s * up));
+            }
+
+            path.Append('Z');
+        }
+
+        return path.ToString();
+    }
+
+    private string Seconds => FormattableString.Invariant($"{_total:0.##}s");
+
+    private double Radius((double X, double Y, double Metre) at) => Math.Max(Least, _shot.Track.Radius * at.Metre);
+
+    private XElement Transform(string type, string values) => Svg.Element(
+        "animateTransform",
+        [("attributeName", "transform"), ("type", type), ("dur", Seconds), ("repeatCount", "indefinite"), ("keyTimes", _times), ("values", values)]);
+
+    private XElement Animation(string attribute, string values) => Svg.Element(
+        "animate",
+        [("attributeName", attribute), ("dur", Seconds), ("repeatCount", "indefinite"), ("keyTimes", _times), ("values", values)]);
+
+    private static string Values(IEnumerable<double> values) => Values(values.Select(Svg.Number));
+
+    /// <summary>The last value stays until all begins again.</summary>
+    private static string Values(IEnumerable<string> values)
+    {
+        string[] all = [.. values];
+        return string.Join(';', all.Append(all[^1]));
+    }
+
+    private static string Times(IEnumerable<double> shares) => string.Join(';', shares.Select(share => share.ToString("0.####", CultureInfo.InvariantCulture)));
+}

@@ -1,0 +1,115 @@
+using System;
+
+namespace UnityEngine
+{
+    public class Collider : Component
+    {
+        public bool isTrigger { get; set; }
+
+        public Rigidbody? attachedRigidbody => TryGetComponent(out Rigidbody? body) ? body : null;
+
+        /// <summary>Distance of a point in the frame of the transform, without its scale.</summary>
+        public virtual float Distance(Vector3 point) => float.PositiveInfinity;
+
+        public bool Raycast(Ray ray, out RaycastHit hit, float maxDistance) => Physics.March(this, ray.origin, 0f, ray.direction, maxDistance, out hit);
+    }
+
+    public class SphereCollider : Collider
+    {
+        public Vector3 center { get; set; }
+
+        public float radius { get; set; } = 0.5f;
+
+        public override float Distance(Vector3 point) => (point - center).magnitude - radius;
+    }
+
+    public class BoxCollider : Collider
+    {
+        public Vector3 center { get; set; }
+
+        public Vector3 size { get; set; } = new Vector3(1f, 1f, 1f);
+
+        public override float Distance(Vector3 point)
+        {
+            Vector3 p = point - center;
+            var q = new Vector3(Math.Abs(p.x) - (0.5f * size.x), Math.Abs(p.y) - (0.5f * size.y), Math.Abs(p.z) - (0.5f * size.z));
+            var outside = new Vector3(Math.Max(q.x, 0f), Math.Max(q.y, 0f), Math.Max(q.z, 0f));
+            return outside.magnitude + Math.Min(0f, Math.Max(q.x, Math.Max(q.y, q.z)));
+        }
+    }
+
+    public class CapsuleCollider : Collider
+    {
+        public Vector3 center { get; set; }
+
+        public float radius { get; set; } = 0.5f;
+
+        public float height { get; set; } = 2f;
+
+        public int direction { get; set; } = 1;
+
+        public override float Distance(Vector3 point)
+        {
+            Vector3 p = point - center;
+            float half = Math.Max(0f, (0.5f * height) - radius);
+            float along = direction == 0 ? p.x : direction == 1 ? p.y : p.z;
+            float on = Math.Min(half, Math.Max(-half, along));
+            var nearest = new Vector3(direction == 0 ? on : 0f, direction == 1 ? on : 0f, direction == 2 ? on : 0f);
+            return (p - nearest).magnitude - radius;
+        }
+    }
+
+    /// <summary>In the shim a mesh is a half-space, bounded by the xz plane of its transform.</summary>
+    public class MeshCollider : Collider
+    {
+        public override float Distance(Vector3 point) => point.y;
+    }
+
+    public enum RigidbodyInterpolation
+    {
+        None,
+        Interpolate,
+        Extrapolate,
+    }
+
+    public enum ForceMode
+    {
+        Force,
+        Impulse,
+        VelocityChange,
+        Acceleration,
+    }
+
+    public class Rigidbody : Component
+    {
+        public bool isKinematic { get; set; }
+
+        public bool useGravity { get; set; } = true;
+
+        public float mass { get; set; } = 1f;
+
+        public Vector3 velocity { get; set; }
+
+        public Vector3 angularVelocity { get; set; }
+
+        public RigidbodyInterpolation interpolation { get; set; }
+
+        public Vector3 GetPointVelocity(Vector3 point)
+        {
+            Vector3 r = point - transform.position;
+            Vector3 w = angularVelocity;
+            return velocity + new Vector3((w.y * r.z) - (w.z * r.y), (w.z * r.x) - (w.x * r.z), (w.x * r.y) - (w.y * r.x));
+        }
+
+        /// <summary>In the shim an impulse changes the velocity at once, and turns nothing.</summary>
+        public void AddForceAtPosition(Vector3 force, Vector3 position, ForceMode mode)
+        {
+            if (mode != ForceMode.Impulse)
+            {
+                throw new NotSupportedException("The shim knows impulses alone.");
+            }
+
+            velocity += force * (1f / mass);
+        }
+    }
+}
