@@ -1,6 +1,5 @@
 using System.CommandLine;
 using System.Globalization;
-using Football.Physics.Netcode;
 using Football.Scenarios;
 using Football.Scenarios.Input;
 
