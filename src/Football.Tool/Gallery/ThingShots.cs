@@ -35,7 +35,7 @@ internal static class ThingShots
         {
             Id = "headed-corner",
             Name = "Corner, headed in",
-            About = "A corner to the edge of the six-yard box, met by a head that comes in at 5 m/s, and in under the bar. The head is drawn where it meets the ball. Dashed without it.",
+            About = "A corner to the edge of the six-yard box, met by a header on the run, and in under the bar. Dashed: nobody there.",
             Scenario = Shot(new Vector3d(0, Radius, 0), ViewFrame.Direction(25, 16, 20), -10, -20) with
             {
                 Scene = new Scene { Goals = [new Goal { Center = new Vector3d(0, 0, -34), Facing = new Vector3d(-1, 0, 0) }], Obstacles = [head] },

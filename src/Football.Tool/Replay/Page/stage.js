@@ -75,7 +75,7 @@ class Stage {
     this.drawn = { time: Math.round(time * 1e4) / 1e4, shots: shots.length, pieces: 0, balls: 0, marks: 0, faces: 0, figures: 0, lines: this.backDrawn.lines, ground: this.backDrawn.ground };
     this.g.drawImage(this.back, 0, 0, camera.width, camera.height);
     const balls = shots.map(shot => ({ shot, at: shot.track.at(time) }));
-    const people = [...this.people.map(p => moved(p, time)), ...this.figures];
+    const people = [...this.people.map(p => movedTo(p, time)), ...this.figures];
     shots.forEach(shot => this.drawPathShadow(shot));
     people.forEach(p => this.blob(p.feet, 0.42, 0.34, this.groundAt(p.feet[0], p.feet[2])));
     balls.forEach(ball => this.drawShadow(ball));
@@ -399,7 +399,7 @@ class Stage {
 }
 
 // Somebody where he is at a time.
-function moved(person, time) {
+function movedTo(person, time) {
   if (person.velocity.every(x => x === 0)) return person;
   const way = mul(Math.min(time, person.until), person.velocity);
   return { ...person, feet: add(person.feet, way), limbs: person.limbs.map(l => ({ ...l, from: add(l.from, way), to: add(l.to, way) })) };
