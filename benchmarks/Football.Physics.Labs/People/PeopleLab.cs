@@ -54,7 +54,7 @@ internal static class PeopleLab
     /// <summary>One run of the programs.</summary>
     private sealed class Plays(long seed, Progress progress)
     {
-        private readonly LabTable _steps = new("Steps", "of the balls", "how many", "steps", "most events", "slowest step, ms", "steps > 1 ms", "bytes", "verdict");
+        private readonly LabTable _steps = new("Steps", "of the balls", "how many", "steps", "most events", "most evaluations", "slowest step, ms", "steps > 1 ms", "bytes", "verdict");
         private readonly LabTable _claims = new("Claims", "what", "of", "count", "worst", "verdict");
         private readonly LabReport _report = new() { Name = "people", Seed = seed };
 
@@ -179,7 +179,7 @@ internal static class PeopleLab
         private void Step(string name, int cases, StepMeter meter)
         {
             bool holds = meter.MostEvents <= StepMeter.MostAllowed && meter.Bytes == 0;
-            _steps.Add(name, cases, meter.Steps, meter.MostEvents, 1000 * meter.Slowest, meter.Slow, meter.Bytes, Verdict.Of(holds && meter.Slow == 0));
+            _steps.Add(name, cases, meter.Steps, meter.MostEvents, meter.MostEvaluations, 1000 * meter.Slowest, meter.Slow, meter.Bytes, Verdict.Of(holds && meter.Slow == 0));
 
             // A time is no reason to fail: the machine may be busy.
             _report.Failed |= !holds;
@@ -190,6 +190,7 @@ internal static class PeopleLab
 
             if (meter.Slow > 0)
             {
+                _report.Notes.Add(FormattableString.Invariant($"{name}: {meter.MostEvaluations} evaluations, {meter.MostEvaluationsAt}"));
                 _report.Notes.Add(FormattableString.Invariant($"{name}: {1000 * meter.Slowest:0.00} ms, {meter.SlowestAt}"));
             }
         }

@@ -30,6 +30,12 @@ internal sealed class StepMeter
 
     public int MostEvents { get; private set; }
 
+    /// <summary>Right-hand sides that a step evaluated at most: its work, whatever else the machine does.</summary>
+    public long MostEvaluations { get; private set; }
+
+    /// <summary>Where that was.</summary>
+    public string MostEvaluationsAt { get; private set; } = "";
+
     /// <summary>Where that was.</summary>
     public string MostEventsAt { get; private set; } = "";
 
@@ -52,6 +58,12 @@ internal sealed class StepMeter
             began = Stopwatch.GetTimestamp();
             ball.Simulator.Step(ref state, duration, _again);
             took = Math.Min(took, Stopwatch.GetElapsedTime(began).TotalSeconds);
+        }
+
+        if (ball.Evaluations > MostEvaluations)
+        {
+            MostEvaluations = ball.Evaluations;
+            MostEvaluationsAt = FormattableString.Invariant(at);
         }
 
         Steps++;

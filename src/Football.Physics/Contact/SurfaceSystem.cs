@@ -107,15 +107,17 @@ internal struct SurfaceSystem : IMotionSystem
         on.Torque = (-air.Decay * at.Spin) + air.SpinAcceleration;
         on.Spins = rate > 0;
         on.Braking = on.Spins ? air.Decay * rate : air.Decay;
+        double pressing = 0;
         if (Nets != 0)
         {
             MotionRates nets = World.PushOfNets(Nets, NetSides, in at);
+            pressing = Math.Max(0, -Vector3d.Dot(nets.Acceleration, in n));
             on.Body += Tangential(nets.Acceleration, in n);
             on.Torque += nets.SpinAcceleration;
         }
 
-        // Where less of the air counts on a surface than in flight, what would press the ball onto it in flight keeps it there too, without friction.
-        on.FreeLoad = World.SharesAir ? load : Math.Max(load, -Vector3d.Dot(body + air.Acceleration + flow, in n) - on.Centripetal);
+        // Where less of the air counts on a surface than in flight, and a net's pull off it does not, what would press the ball onto it in flight keeps it there too, without friction.
+        on.FreeLoad = pressing + (World.SharesAir ? load : Math.Max(load, -Vector3d.Dot(body + air.Acceleration + flow, in n) - on.Centripetal));
         on.Load = Math.Max(0, load);
         return on;
     }

@@ -60,6 +60,9 @@ public sealed class Ball
     /// <summary>The events of the last step, in order of time.</summary>
     public EventBuffer Events => _log.Events;
 
+    /// <summary>Right-hand sides that the last step evaluated.</summary>
+    internal long Evaluations => _log.Evaluations;
+
     /// <summary>Time since the ball was placed, s.</summary>
     public double Time => _state.Time;
 

@@ -189,8 +189,7 @@ internal sealed class ContactSetPhase
             Move(ref s, passes ? at : h, in v, in v, in w, in free, ref run);
             PushOut(ref s, set, OutOfTheWay * h, before.Position);
             isFree = IsFree(in s, set);
-            Vector3d way = (s.Position - before.Position) / (s.Time - before.Time);
-            Show(in before, in s, in way, in way, ref run);
+            ShowSqueezed(in before, in s, set, ref run);
             if (passes && !run.Log.Halted)
             {
                 _guard.Meet(ref s, in passed, ref run);
@@ -336,6 +335,42 @@ internal sealed class ContactSetPhase
         end.Velocity = w;
         Vector3d acceleration = (w - v) / h;
         run.Log.Show(in start, in end, in acceleration, in acceleration, 4);
+    }
+
+    /// <summary>
+    /// Shows a piece of a squeezed ball, which goes from place to place: straight on, but along what stands still where the straight way would lead through that, as it does
+    /// from one place of a post to the next.
+    /// </summary>
+    private void ShowSqueezed(in BallState before, in BallState after, scoped Span<Contact> set, ref StepRun run)
+    {
+        double h = after.Time - before.Time;
+        if (run.Log.Observer is null || !(h > 0))
+        {
+            return;
+        }
+
+        Vector3d way = (after.Position - before.Position) / h;
+        Vector3d v = way;
+        Vector3d w = way;
+        foreach (ref readonly Contact contact in set)
+        {
+            if (!contact.Moves)
+            {
+                Collider collider = _world.Colliders[contact.Collider];
+                v -= Math.Min(0, OffAt(collider, before.Position, before.Time, in v, out Vector3d n)) * n;
+                w -= Math.Max(0, OffAt(collider, after.Position, after.Time, in w, out n)) * n;
+            }
+        }
+
+        Show(in before, in after, in v, in w, ref run);
+    }
+
+    /// <summary>How fast a way leads off a thing where the ball touches it, m/s; 0 where it does not.</summary>
+    private double OffAt(Collider collider, in Vector3d place, double time, in Vector3d velocity, out Vector3d normal)
+    {
+        ShapePoint at = collider.At(place, time);
+        normal = at.Normal;
+        return at.Distance - _around.Radius <= ContactSearch.Touching ? Vector3d.Dot(in velocity, in normal) : 0;
     }
 
     /// <summary>The contact that bears most names the carrier; the one before does as long as it bears about as much. Whether that slips says whether the ball slides or rolls.</summary>

@@ -66,6 +66,18 @@ public sealed class PeopleTests
         Assert.Equal((0, 0, 0), (hits.SlidLong, hits.Restless, hits.Later));
     }
 
+    /// <summary>Two minutes at whose end a net presses the ball against a post, 110 times in a step it was; and a minute and a half at whose end a player squeezes it round one.</summary>
+    [Theory]
+    [InlineData(4, 133)]
+    [InlineData(28, 93)]
+    public void A_ball_pressed_against_a_post_stays_on_it_and_goes_round_it(int match, double seconds)
+    {
+        var matches = new StadiumMatches();
+        matches.Play(1234, match, seconds, _ => { });
+        Assert.Equal((0, 0, 0, 0), (matches.Inside, matches.Made, matches.Elsewhere, matches.RewoundElsewhere));
+        Assert.InRange(matches.Meter.MostEvents, 1, StepMeter.MostAllowed);
+    }
+
     [Fact]
     public void A_minute_of_a_match_keeps_what_any_match_must()
     {
