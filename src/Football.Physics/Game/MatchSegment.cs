@@ -220,7 +220,8 @@ public sealed class MatchSegment
             throw new InvalidOperationException($"balls is {Balls}; allowed: 1 in a bundle.");
         }
 
-        Replay(simulator, EngineMoves ? static _ => { } : null);
+        Replay(simulator, EngineMoves ? static _ => { }
+        : null);
         string about = new SceneText().Begin()
             .Text("library", Version)
             .Text("runtime", RuntimeInformation.FrameworkDescription)
