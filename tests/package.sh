@@ -47,7 +47,7 @@ has() { grep -qF -- "$2" <<< "$1" || fail "$3"; }
 
 copy() {
   mkdir -p "$1"
-  git ls-files -co --exclude-standard -z -- src README.md LICENSE BannedSymbols.txt .editorconfig 'Directory.*' global.json \
+  git ls-files -co --exclude-standard -z -- src tests/Baseline README.md LICENSE BannedSymbols.txt .editorconfig 'Directory.*' global.json \
     | while IFS= read -r -d '' file; do [[ -e $file ]] && printf '%s\0' "$file"; done | tar --null -T - -c | tar -x -C "$1"
   cp -R .git "$1/.git"
 }
@@ -64,7 +64,7 @@ copy "$work/one"
 copy "$work/two/elsewhere"
 quietly "pack" pack "$work/one" "$feed" -p:ContinuousIntegrationBuild=true
 package=$feed/Football.Physics.$version.nupkg
-ok "dotnet pack: $(basename "$package"), validated: the same API on every target"
+ok "dotnet pack: $(basename "$package"), validated: the same API on every target, nothing gone that the last version had"
 
 list=$(unzip -Z1 "$package")
 for target in netstandard2.1 net8.0 net10.0; do
