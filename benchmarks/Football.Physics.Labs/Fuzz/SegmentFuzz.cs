@@ -66,7 +66,7 @@ internal sealed class SegmentFuzz : FuzzTarget
             }
             catch (ArgumentException)
             {
-                Must(simulator.SceneHash != segment.SceneHash || segment.Balls != 1, "its own scene is refused");
+                Must(simulator.SceneHash != segment.SceneHash || segment.Balls != 1 || segment.Movers != simulator.World.Movers, "its own scene is refused");
                 continue;
             }
             catch (InvalidOperationException)

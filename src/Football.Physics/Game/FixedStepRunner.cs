@@ -11,6 +11,9 @@ namespace Football.Physics;
 /// </remarks>
 public sealed class FixedStepRunner
 {
+    /// <summary>The largest <see cref="WireTicks"/>.</summary>
+    internal const int MostWireTicks = 1_000_000;
+
     /// <summary>Steps that a frame can have at most.</summary>
     internal const double MostSteps = 1e6;
 
@@ -149,7 +152,7 @@ public sealed class FixedStepRunner
         get => _wireTicks;
         set
         {
-            Check.Within(nameof(WireTicks), value, 0, 1_000_000);
+            Check.Within(nameof(WireTicks), value, 0, MostWireTicks);
             if (value != _wireTicks)
             {
                 StopRecording();

@@ -270,6 +270,7 @@ public sealed class MatchSegment
 
         try
         {
+            Check.Within("wireTicks", wireTicks, 0, FixedStepRunner.MostWireTicks);
             Check.Within("timeStep", timeStep, 0, Limits.Time, exclusiveLow: true);
             Check.Advances("timeStep", timeStep, start[0].Time);
             for (int i = 1; i < balls; i++)
@@ -434,6 +435,9 @@ public sealed class MatchSegment
 
         return runner.Group is null ? hash : hash ^ Physics.SceneHash.Of(runner.Group.Contact);
     }
+
+    /// <summary>How many bodies and obstacles that have a mass the scene has.</summary>
+    internal int Movers => _motions.Length;
 
     private long? FirstDivergence(FixedStepRunner runner)
     {
