@@ -236,43 +236,16 @@ internal sealed class BallCluster
         return first;
     }
 
-    /// <summary>
-    /// The earlier of two events. At one time two balls come before what a ball pushes, who come together faster before who do slower, then what is where x, y or z is less: the numbers of
-    /// the balls decide nothing where that does.
-    /// </summary>
-    private Happening Earlier(in Happening next, in Happening first)
+    /// <summary>The earlier of two events. At one time that of the ball of the lower number, its meeting with another ball first, that with the lower one before.</summary>
+    private static Happening Earlier(in Happening next, in Happening first)
     {
         if (next.Time != first.Time || double.IsPositiveInfinity(next.Time))
         {
             return next.Time < first.Time ? next : first;
         }
 
-        if (next.IsMeeting != first.IsMeeting)
-        {
-            return next.IsMeeting ? next : first;
-        }
-
-        (double rate, Vector3d place) = Of(in next);
-        (double firstRate, Vector3d firstPlace) = Of(in first);
-        bool precedes = rate != firstRate ? rate < firstRate
-            : place.X != firstPlace.X ? place.X < firstPlace.X
-            : place.Y != firstPlace.Y ? place.Y < firstPlace.Y
-            : place.Z < firstPlace.Z;
+        bool precedes = next.Lower != first.Lower ? next.Lower < first.Lower : next.Higher < first.Higher;
         return precedes ? next : first;
-    }
-
-    /// <summary>How fast the gap grows where two balls meet, m/s, and twice where that is, m: the same whichever is the first.</summary>
-    private (double Rate, Vector3d Place) Of(in Happening happening)
-    {
-        Vector3d place = _trials[happening.Ball].PlaceAt(happening.Time, out Vector3d velocity);
-        if (!happening.IsMeeting)
-        {
-            return (0, place);
-        }
-
-        Vector3d other = _trials[happening.Other].PlaceAt(happening.Time, out Vector3d otherVelocity);
-        Vector3d apart = place - other;
-        return (Vector3d.Dot(in apart, velocity - otherVelocity) / apart.Length, place + other);
     }
 
     /// <summary>How long a ball goes to a time within the step, s: a whole step is that to the last bit.</summary>
@@ -500,6 +473,12 @@ internal sealed class BallCluster
 
         /// <summary>True when two balls meet.</summary>
         public bool IsMeeting => Other != NoOther;
+
+        /// <summary>The lower number of the two.</summary>
+        public int Lower => IsMeeting ? Math.Min(Ball, Other) : Ball;
+
+        /// <summary>The higher one; none is the highest.</summary>
+        public int Higher => IsMeeting ? Math.Max(Ball, Other) : int.MaxValue;
     }
 
     private readonly struct Pressing(int ball, int other, double until)

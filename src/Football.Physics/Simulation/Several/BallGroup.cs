@@ -4,7 +4,7 @@ namespace Football.Physics;
 /// <remarks>
 /// Balls far from one another cost a step each, and a comparison. A group keeps what it has found of them between steps, so it is for one thread; groups that share a
 /// <see cref="Simulator"/> may step at the same time where that may be shared. What a ball does depends on the others only where they meet: the bits are the same in any group, and in
-/// any order. Of impacts at one time that comes first whose balls come together fastest. A group of one costs what its ball does.
+/// any order, but for impacts at exactly one time: of those the ball of the lower number has its first. A group of one costs what its ball does.
 /// Two balls that come together slower than 1 cm/s press each other without a bounce, and are put apart once a millisecond; what a ball presses for longer it presses as if
 /// nothing moved that.
 /// </remarks>

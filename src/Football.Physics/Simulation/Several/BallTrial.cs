@@ -83,15 +83,6 @@ internal sealed class BallTrial : PieceObserver
         return isOn ? _paths[index] : PathCubic.Line(index < _count ? _paths[index].At(0) : End.Position, Vector3d.Zero, 0);
     }
 
-    /// <summary>The place and the velocity at a time.</summary>
-    public Vector3d PlaceAt(double time, out Vector3d velocity)
-    {
-        int index = 0;
-        PathCubic path = At(time, ref index, out double start, out _);
-        velocity = path.VelocityAt(time - start);
-        return path.At(time - start);
-    }
-
     /// <summary>The first time at which two balls touch and come closer; infinite where they do not. Walked as one thing is met by a ball, by conservative advancement.</summary>
     /// <param name="other">The other ball's way.</param>
     /// <param name="distance">Between their centers where they touch, m.</param>
