@@ -22,7 +22,7 @@ internal static class WireForm
     /// <summary>Heights begin below the ground by so much, m: 64 m are held.</summary>
     private const double Lowest = -4;
 
-    /// <summary>So near a whole number of units a spin is that number, whatever the lot: put together from axis and size it is off by rounding.</summary>
+    /// <summary>So near a whole number of units a spin is that number, whatever the dither: put together from axis and size it is off by rounding.</summary>
     private const double Rounding = 1e-6;
 
     /// <summary>To stay the same a state is rounded so often at most; nearly all do after one, some whose rotation has two parts of a size after a second.</summary>
@@ -140,8 +140,8 @@ internal static class WireForm
         // A ball that rolls has the spin of its velocity, but for that about the vertical.
         Vector3d w = s.Motion == MotionState.Stopped ? Vector3d.Zero : s.Spin;
         bool rolls = s.Motion == MotionState.Rolling;
-        long lot = steps >= 0 && steps < 1e9 ? (long)steps : 0;
-        holds = holds & PutSigned(rolls ? 0 : Lot(w.X, lot, 0), 13, ref bits) & PutSigned(Lot(w.Y, lot, 1), 13, ref bits) & PutSigned(rolls ? 0 : Lot(w.Z, lot, 2), 13, ref bits);
+        long clock = steps >= 0 && steps < 1e9 ? (long)steps : 0;
+        holds = holds & PutSigned(rolls ? 0 : Dither(w.X, clock, 0), 13, ref bits) & PutSigned(Dither(w.Y, clock, 1), 13, ref bits) & PutSigned(rolls ? 0 : Dither(w.Z, clock, 2), 13, ref bits);
         if (holds)
         {
             PutRotation(s.Orientation, ref bits);
@@ -206,9 +206,9 @@ internal static class WireForm
     }
 
     /// <summary>
-    /// A number of the spin in units, up or down by lot, the nearer the likelier: a slow decay is lost in the mean neither here nor there. The lot is that of the clock, the same on every machine.
+    /// A number of the spin in units, dithered: up or down by chance, the nearer the likelier, so that a slow decay is not lost to rounding. The chance is drawn from the clock, the same on every machine.
     /// </summary>
-    private static double Lot(double spin, long clock, int component) =>
+    private static double Dither(double spin, long clock, int component) =>
         Math.Floor((spin * PerSpin) + Rounding + ((1 - (2 * Rounding)) * SplitMix64.At(clock, component)));
 
     private static bool PutSigned(double units, int count, ref WireBits bits) => PutWhole(Math.Round(units) + (1L << (count - 1)), count, ref bits);
