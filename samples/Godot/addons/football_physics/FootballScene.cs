@@ -46,7 +46,7 @@ internal sealed class FootballScene
     /// <summary>Adds a keeper of a goal, or of the nearest one.</summary>
     public void Add(FootballKeeper keeper, FootballGoal? goal, Vector3d feet, Player abilities)
     {
-        int index = goal is not null ? _goals.IndexOf(goal) : Nearest(feet);
+        int index = goal is not null ? _goals.IndexOf(goal) : Stage.NearestGoal(feet);
         if (index < 0)
         {
             GD.PushWarning($"{keeper.Name}: there is no goal for this keeper to guard; add a FootballGoal to the scene.");
@@ -104,19 +104,5 @@ internal sealed class FootballScene
                 _keepers[i].Follow(Stage.Keepers[i]);
             }
         }
-    }
-
-    private int Nearest(Vector3d feet)
-    {
-        int nearest = -1;
-        for (int i = 0; i < Stage.Goals.Count; i++)
-        {
-            if (nearest < 0 || Vector3d.Distance(Stage.Goals[i].Center, feet) < Vector3d.Distance(Stage.Goals[nearest].Center, feet))
-            {
-                nearest = i;
-            }
-        }
-
-        return nearest;
     }
 }

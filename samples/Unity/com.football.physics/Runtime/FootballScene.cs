@@ -60,7 +60,7 @@ namespace Football.Physics.Unity
         /// <summary>Adds a keeper of a goal, or of the nearest one.</summary>
         public void Add(FootballKeeper keeper, FootballGoal goal, Vector3d feet, Player abilities)
         {
-            int index = goal != null ? _goals.IndexOf(goal) : Nearest(feet);
+            int index = goal != null ? _goals.IndexOf(goal) : Stage.NearestGoal(feet);
             if (index < 0)
             {
                 Debug.LogWarning(keeper.name + ": there is no goal for this keeper to guard; add a Football Goal to the scene.", keeper);
@@ -125,20 +125,6 @@ namespace Football.Physics.Unity
                     _keepers[i].Follow(Stage.Keepers[i]);
                 }
             }
-        }
-
-        private int Nearest(Vector3d feet)
-        {
-            int nearest = -1;
-            for (int i = 0; i < Stage.Goals.Count; i++)
-            {
-                if (nearest < 0 || Vector3d.Distance(Stage.Goals[i].Center, feet) < Vector3d.Distance(Stage.Goals[nearest].Center, feet))
-                {
-                    nearest = i;
-                }
-            }
-
-            return nearest;
         }
     }
 }

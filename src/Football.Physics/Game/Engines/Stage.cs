@@ -65,6 +65,20 @@ public sealed class Stage
         return _goals.Count - 1;
     }
 
+    /// <summary>The goal whose middle is nearest to a place.</summary>
+    /// <param name="place">The place, m.</param>
+    /// <returns>Its index among the goals; −1 where there is none.</returns>
+    public int NearestGoal(Vector3d place)
+    {
+        int nearest = _goals.Count - 1;
+        for (int i = nearest - 1; i >= 0; i--)
+        {
+            nearest = Vector3d.Distance(_goals[i].Center, place) <= Vector3d.Distance(_goals[nearest].Center, place) ? i : nearest;
+        }
+
+        return nearest;
+    }
+
     /// <summary>Adds a thing that stands still: a board, a player of a wall.</summary>
     /// <param name="obstacle">The thing.</param>
     /// <exception cref="ArgumentNullException"><paramref name="obstacle"/> is null.</exception>
