@@ -15,7 +15,7 @@ internal static class MatchesLab
         return LabOptions.Create(
             "matches",
             "Late kicks among moving players, at four frame rates; dribbles, first-time shots and traps; balances of impacts; what fifty balls cost, and a jump within a recording.",
-            ["football lab matches", "football lab matches --only dribbles --count 200 --seed 7"],
+            ["football lab matches --count 20 --impacts 10000", "football lab matches --only dribbles --count 200 --seed 7"],
             terminal,
             (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(count), parsed.GetValue(impacts), parsed.GetValue(only), progress),
             count,
