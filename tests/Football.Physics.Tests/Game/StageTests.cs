@@ -19,6 +19,22 @@ public sealed class StageTests
     }
 
     [Fact]
+    public void A_place_has_its_nearest_goal()
+    {
+        var stage = new Stage();
+        Assert.Equal(-1, stage.NearestGoal(Vector3d.Zero));
+        stage.Add(Goal);
+        stage.Add(Goal with { Center = new Vector3d(0, 0, 11) });
+        stage.Add(Goal with { Center = new Vector3d(30, 0, 0) });
+        Assert.Equal(0, stage.NearestGoal(new Vector3d(0, 0, -1)));
+        Assert.Equal(1, stage.NearestGoal(new Vector3d(0, 0, 1)));
+        Assert.Equal(2, stage.NearestGoal(new Vector3d(25, 0, 0)));
+
+        // As near to the first as to the second: the first.
+        Assert.Equal(0, stage.NearestGoal(Vector3d.Zero));
+    }
+
+    [Fact]
     public void Every_part_of_a_goal_belongs_to_it()
     {
         var stage = new Stage(Scene.Default with { Goals = [Goal with { Center = new Vector3d(50, 0, 0), HasNet = false }] });

@@ -67,7 +67,7 @@ public sealed class Stage
 
     /// <summary>The goal whose middle is nearest to a place.</summary>
     /// <param name="place">The place, m.</param>
-    /// <returns>Its index among the goals; −1 where there is none.</returns>
+    /// <returns>Its index among the goals, the lowest of those that are as near; −1 where there is none.</returns>
     public int NearestGoal(Vector3d place)
     {
         int nearest = _goals.Count - 1;
