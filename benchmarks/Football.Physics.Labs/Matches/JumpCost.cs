@@ -58,9 +58,8 @@ internal static class JumpCost
             }
 
             Array.Sort(times);
-            bool reached = other == 0 && times[(int)(0.95 * Jumps)] <= Most;
-            table.Add(name, minutes, bytes.Length / 1e6, most, times[Jumps / 2], times[(int)(0.95 * Jumps)], times[^1], other, Verdict.Of(reached));
-            return reached;
+            table.Add(name, minutes, bytes.Length / 1e6, most, times[Jumps / 2], times[(int)(0.95 * Jumps)], times[^1], other, Verdict.Of(other == 0 && times[(int)(0.95 * Jumps)] <= Most));
+            return other == 0;
         }
     }
 }

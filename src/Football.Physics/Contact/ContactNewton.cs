@@ -168,27 +168,51 @@ internal static class ContactNewton
     /// <summary>The system: a row an unknown, how its residual depends on every unknown, and the residual itself with the other sign.</summary>
     private static void Fill(Span<double> system, Span<Row> rows, int size)
     {
+        // How each asks for what each of them does.
+        Span<double> motions = stackalloc double[size * size];
         for (int i = 0; i < size; i++)
         {
             ref readonly Row row = ref rows[i];
             for (int j = 0; j < size; j++)
             {
                 ref readonly Row by = ref rows[j];
-                double motion = Vector3d.Dot(in row.AlongV, in by.PushV) + Vector3d.Dot(in row.AlongW, in by.PushW);
-                double value = (row.OfMotion * motion) + (i == j ? row.OfItself : 0) + (j == row.LoadRow ? row.PerLoad : 0);
-                if (row.Turns > 0)
-                {
-                    // −μ dN T/|T| − (μ N/|T|)(1 − T Tᵀ/|T|²)(dF − g ds): of the change of T only what is across it counts.
-                    ref readonly Row other = ref rows[i + row.Other];
-                    double changeOwn = (i == j ? 1.0 : 0) - (row.Grip * motion);
-                    double changeOther = (i + row.Other == j ? 1.0 : 0) - (row.Grip * (Vector3d.Dot(in other.AlongV, in by.PushV) + Vector3d.Dot(in other.AlongW, in by.PushW)));
-                    value -= row.Turns * row.Across * ((row.Across * changeOwn) + (other.Across * changeOther));
-                }
+                motions[(i * size) + j] = Vector3d.Dot(in row.AlongV, in by.PushV) + Vector3d.Dot(in row.AlongW, in by.PushW);
+            }
+        }
 
-                system[(i * (size + 1)) + j] = value + (i == j ? Least : 0);
+        for (int i = 0; i < size; i++)
+        {
+            ref readonly Row row = ref rows[i];
+            Span<double> into = system.Slice(i * (size + 1), size + 1);
+            Span<double> own = motions.Slice(i * size, size);
+            for (int j = 0; j < own.Length; j++)
+            {
+                into[j] = row.OfMotion * own[j];
             }
 
-            system[(i * (size + 1)) + size] = -row.Residual;
+            into[i] += row.OfItself + Least;
+            if (row.LoadRow >= 0)
+            {
+                into[row.LoadRow] += row.PerLoad;
+            }
+
+            if (row.Turns > 0)
+            {
+                // −μ dN T/|T| − (μ N/|T|)(1 − T Tᵀ/|T|²)(dF − g ds): of the change of T only what is across it counts.
+                int second = i + row.Other;
+                Span<double> other = motions.Slice(second * size, size);
+                double across = row.Turns * row.Across;
+                double acrossOther = rows[second].Across;
+                for (int j = 0; j < own.Length; j++)
+                {
+                    into[j] += across * row.Grip * ((row.Across * own[j]) + (acrossOther * other[j]));
+                }
+
+                into[i] -= across * row.Across;
+                into[second] -= across * acrossOther;
+            }
+
+            into[size] = -row.Residual;
         }
     }
 
@@ -220,13 +244,14 @@ internal static class ContactNewton
                 own[j] = value;
             }
 
+            Span<double> pivoted = own.Slice(column);
             for (int i = column + 1; i < size; i++)
             {
-                Span<double> row = system.Slice(i * width, width);
-                double factor = row[column];
-                for (int j = column; factor != 0 && j < width; j++)
+                Span<double> row = system.Slice((i * width) + column, width - column);
+                double factor = row[0];
+                for (int j = 0; factor != 0 && j < pivoted.Length; j++)
                 {
-                    row[j] -= factor * own[j];
+                    row[j] -= factor * pivoted[j];
                 }
             }
         }

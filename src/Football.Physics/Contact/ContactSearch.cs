@@ -105,7 +105,12 @@ internal readonly struct ContactSearch
         int bestThing = first.What == SeparationKind.None ? -1 : first.Index;
         int nets = _world.Colliders.Length;
         int goals = nets + _world.Nets.Length;
-        var near = new NearThings(_world, _bounds.Grown(_world.Ball.Radius), _time, _path.Length);
+
+        // Nets reach beyond their edges as far as the ball is deep in one of them.
+        int deepest = s.Nets == 0 ? -1 : _world.DeepestNet(in s);
+        double deepestSide = deepest < 0 ? 0 : World.SideOf(s.NetSides, deepest);
+        double deep = deepest < 0 ? 0 : _world.Nets[deepest].Depth(s.Position, deepestSide) + (_path.Length * _path.FastestSpeed);
+        var near = new NearThings(_world, _bounds.Grown(_world.Ball.Radius + Math.Max(0, deep)), _time, _path.Length);
         while (near.NextPassage(out int thing))
         {
             double until = Math.Min(best, _path.Length);
@@ -115,7 +120,7 @@ internal readonly struct ContactSearch
             {
                 int net = thing - nets;
                 bool inside = (s.Nets >> net & 1) != 0;
-                at = inside ? at : MeetsNet(net, until, out gap);
+                at = inside ? at : MeetsNet(net, deepest, deepestSide, until, out gap);
             }
             else if (((s.GoalsEntered | s.GoalsPassed) >> (thing - goals) & 1) == 0)
             {
@@ -137,14 +142,10 @@ internal readonly struct ContactSearch
         {
             if ((s.Nets >> net & 1) != 0)
             {
-                Separation gap = Separation.OfLeavingNet(_world, net, World.SideOf(s.NetSides, net));
-                double at = Fall(in gap, Math.Min(best, _path.Length));
-                if (at < best || (at == best && nets + net < bestThing))
-                {
-                    best = at;
-                    bestThing = nets + net;
-                    first = gap;
-                }
+                Vector3d place = _world.Nets[net].PlaceInFrame(_path.At(0));
+                Leave(Separation.OfLeavingNet(_world, net, World.SideOf(s.NetSides, net)), ref best, ref first, ref bestThing);
+                Leave(Separation.OfNetEdge(_world, net, 0, place.X, deepest, deepestSide), ref best, ref first, ref bestThing);
+                Leave(Separation.OfNetEdge(_world, net, 1, place.Y, deepest, deepestSide), ref best, ref first, ref bestThing);
             }
         }
 
@@ -159,6 +160,19 @@ internal readonly struct ContactSearch
         }
 
         return best;
+    }
+
+    /// <summary>Takes the leaving of a net, where it comes before all else.</summary>
+    private void Leave(in Separation net, ref double best, ref Separation first, ref int bestThing)
+    {
+        int thing = _world.Colliders.Length + net.Index;
+        double at = Fall(in net, Math.Min(best, _path.Length));
+        if (at < best || (at == best && thing < bestThing))
+        {
+            best = at;
+            bestThing = thing;
+            first = net;
+        }
     }
 
     /// <summary>Takes what happens at a plane of a goal, where it comes before all else.</summary>
@@ -328,7 +342,8 @@ internal readonly struct ContactSearch
                 }
             }
 
-            double step = gap > Touching ? Safe(gap, rate, _bend) : Along(rate, _bend);
+            double bend = sought.Bends * _bend;
+            double step = gap > Touching ? Safe(gap, rate, bend) : Along(rate, bend);
             if (!Advance(ref t, step, shortest, until))
             {
                 return double.PositiveInfinity;
@@ -337,25 +352,26 @@ internal readonly struct ContactSearch
     }
 
     /// <summary>When the ball meets a net: it is in the slab of its radius about the sheet, and inside the rectangle.</summary>
-    private double MeetsNet(int index, double until, out Separation gap)
+    private double MeetsNet(int index, int deepest, double deepestSide, double until, out Separation gap)
     {
         NetSheet net = _world.Nets[index];
         double shortest = ShortestOf(in _path);
         double t = 0;
         gap = default;
         double side = net.PlaceInFrame(_path.At(0)).Z < 0 ? -1.0 : 1.0;
-        gap = Separation.OfMeetingNet(_world, index, 2, side, side);
+        gap = Separation.OfMeetingNet(_world, index, 2, side, side, deepest, deepestSide);
         while (true)
         {
-            Vector3d place = net.PlaceInFrame(_path.At(t));
-            Vector3d speed = net.InFrame(_path.VelocityAt(t));
+            Vector3d at = _path.At(t);
+            Vector3d velocity = _path.VelocityAt(t);
+            Vector3d place = net.PlaceInFrame(in at);
 
             // The side from which it comes is the one on which it is when the slab is met.
             side = place.Z < 0 ? -1.0 : 1.0;
             double step = 0;
-            Consider(2, place.Z, speed.Z, _world.Ball.Radius, side, index, ref step, ref gap);
-            Consider(0, place.X, speed.X, net.HalfLength, side, index, ref step, ref gap);
-            Consider(1, place.Y, speed.Y, net.HalfWidth, side, index, ref step, ref gap);
+            Consider(Separation.OfMeetingNet(_world, index, 2, place.Z, side, deepest, deepestSide), in at, in velocity, ref step, ref gap);
+            Consider(Separation.OfMeetingNet(_world, index, 0, place.X, side, deepest, deepestSide), in at, in velocity, ref step, ref gap);
+            Consider(Separation.OfMeetingNet(_world, index, 1, place.Y, side, deepest, deepestSide), in at, in velocity, ref step, ref gap);
             if (step == 0)
             {
                 return t;
@@ -369,13 +385,12 @@ internal readonly struct ContactSearch
     }
 
     /// <summary>How long one condition of a net cannot hold yet: the longest such time is safe for all.</summary>
-    private void Consider(int axis, double place, double speed, double half, double side, int index, ref double step, ref Separation gap)
+    private void Consider(in Separation condition, in Vector3d place, in Vector3d velocity, ref double step, ref Separation gap)
     {
-        double sign = place < 0 ? -1.0 : 1.0;
-        double value = (sign * place) - half;
-        double rate = sign * speed;
-        double safe = value > Touching ? Safe(value, rate, _bend)
-            : value > -Touching && rate >= 0 ? Along(rate, _bend)
+        condition.Evaluate(in place, in velocity, 0, out double value, out double rate);
+        double bend = condition.Bends * _bend;
+        double safe = value > Touching ? Safe(value, rate, bend)
+            : value > -Touching && rate >= 0 ? Along(rate, bend)
             : 0;
         if (value > -Touching && rate >= 0)
         {
@@ -385,7 +400,7 @@ internal readonly struct ContactSearch
         if (safe > step)
         {
             step = safe;
-            gap = Separation.OfMeetingNet(_world, index, axis, sign, side);
+            gap = condition;
         }
     }
 

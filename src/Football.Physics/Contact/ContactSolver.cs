@@ -19,6 +19,9 @@ internal static class ContactSolver
     /// <summary>Where impulses change by less than this share of themselves and the speeds, they are found.</summary>
     private const double Settled = 1e-13;
 
+    /// <summary>The same for impulses that only say where the forces at the end of a part are asked for.</summary>
+    public const double Foreseen = 1e-10;
+
     /// <summary>
     /// Where they still change by no more than this after the last round, or where Newton's method gains little, they are known well enough: loads that are not
     /// determined, as those of a ball that a player holds against a post, creep.
@@ -28,7 +31,7 @@ internal static class ContactSolver
     /// <summary>Little: the change is more than this share of what it was.</summary>
     private const double Little = 0.1;
 
-    /// <summary>So often, in rounds, what bears, grips and slips is taken for known.</summary>
+    /// <summary>After so many rounds what bears, grips and slips is taken for known; after twice as many each time that this was wrong.</summary>
     private const int RoundsBetween = 2;
 
     /// <summary>Velocity and spin after the time, m/s and rad/s, where without contacts they would be what is handed over.</summary>
@@ -37,18 +40,21 @@ internal static class ContactSolver
     /// <param name="duration">The time, s: so far from closing is a contact with a gap.</param>
     /// <param name="v">Velocity, m/s.</param>
     /// <param name="w">Spin, rad/s.</param>
+    /// <param name="settled">Where impulses change by less than this share of themselves and the speeds, they are found.</param>
     /// <returns>Whether an answer was found.</returns>
-    public static bool Solve(Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w)
+    public static bool Solve(Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w, double settled = Settled)
     {
         Begin(set, ball, ref v, ref w);
         Span<Contact> kept = stackalloc Contact[set.Length];
         var resistance = new TurningResistance { Bearer = -1 };
         var before = new Guess { Change = double.PositiveInfinity };
         double change = double.PositiveInfinity;
+        int between = RoundsBetween;
+        int next = between - 1;
         for (int round = 0; round < MostRounds; round++)
         {
             change = Round(set, ball, duration, ref resistance, ref v, ref w);
-            if (change <= Settled)
+            if (change <= settled)
             {
                 return true;
             }
@@ -61,6 +67,8 @@ internal static class ContactSolver
                 w = before.Spin;
                 resistance = before.Resistance;
                 before.Change = double.PositiveInfinity;
+                between *= 2;
+                next = round + between;
                 continue;
             }
 
@@ -70,8 +78,9 @@ internal static class ContactSolver
             }
 
             before.Change = double.PositiveInfinity;
-            if (set.Length > 1 && round % RoundsBetween == RoundsBetween - 1 && round < MostRounds - 1)
+            if (set.Length > 1 && round >= next && round < MostRounds - 1)
             {
+                next = round + between;
                 set.CopyTo(kept);
                 before = new Guess { Velocity = v, Spin = w, Resistance = resistance, Change = change };
                 ContactNewton.Step(set, ball, duration, ref resistance, ref v, ref w);

@@ -60,8 +60,14 @@ internal sealed class NetSheet
     /// <summary>Depth of the ball, δ = r − σ (p − c)·n, m.</summary>
     public double Depth(in Vector3d position, double side) => _radius - (side * Vector3d.Dot(position - _center, Normal));
 
+    /// <summary>δ̇, m/s.</summary>
+    public double DepthRate(in Vector3d velocity, double side) => -side * Vector3d.Dot(in velocity, Normal);
+
     /// <summary>1 + b δ̇: what the push grows by; where it is negative the ball leaves faster than the net follows.</summary>
-    public double Tension(in Vector3d velocity, double side) => 1.0 - (_damping * side * Vector3d.Dot(in velocity, Normal));
+    public double Tension(in Vector3d velocity, double side) => 1.0 + (_damping * DepthRate(in velocity, side));
+
+    /// <summary>b δ̈, 1/s.</summary>
+    public double TensionRate(in Vector3d acceleration, double side) => _damping * DepthRate(in acceleration, side);
 
     /// <summary>How fast the net changes the motion at a depth, 1/s.</summary>
     public double RateAt(double depth) =>

@@ -7,14 +7,18 @@ internal readonly struct Separation
     private readonly int _index;
     private readonly int _axis;
     private readonly double _side;
+    private readonly int _deepest;
+    private readonly double _deepestSide;
 
-    private Separation(World world, SeparationKind what, int index, int axis, double side)
+    private Separation(World world, SeparationKind what, int index, int axis, double side, int deepest = -1, double deepestSide = 0)
     {
         _world = world;
         What = what;
         _index = index;
         _axis = axis;
         _side = side;
+        _deepest = deepest;
+        _deepestSide = deepestSide;
     }
 
     /// <summary>Kind of the event.</summary>
@@ -26,20 +30,41 @@ internal readonly struct Separation
     /// <summary>σ of the net that is met.</summary>
     public double Side => _side;
 
+    /// <summary>How much the gap may bend at most for a path that bends by 1: beside a net both the place and the depth count.</summary>
+    public double Bends => _deepest >= 0 ? 2.0 : 1.0;
+
     /// <summary>The distance between the ball and a collider.</summary>
     public static Separation OfContact(World world, int collider) => new(world, SeparationKind.Contact, collider, 0, 0);
 
-    /// <summary>Distance left until the ball is in a net: across its plane, or beside it.</summary>
+    /// <summary>
+    /// Distance left until the ball is in a net: across its plane, or beside it, where the net reaches as far beyond its edge as the ball is deep in another one: so
+    /// what it presses out of one net is caught by the next, where the two are joined.
+    /// </summary>
     /// <param name="world">The world.</param>
     /// <param name="net">The net.</param>
     /// <param name="axis">0 and 1 beside it, 2 off its plane.</param>
     /// <param name="side">On which side of that axis the ball comes.</param>
     /// <param name="sheetSide">σ.</param>
-    public static Separation OfMeetingNet(World world, int net, int axis, double side, double sheetSide) =>
-        new(world, SeparationKind.NetMet, net, axis + (side < 0 ? 4 : 0), sheetSide);
+    /// <param name="deepest">The net in which the ball is deepest; −1 where it is in none.</param>
+    /// <param name="deepestSide">σ of that one.</param>
+    public static Separation OfMeetingNet(World world, int net, int axis, double side, double sheetSide, int deepest, double deepestSide) =>
+        new(world, SeparationKind.NetMet, net, axis + (side < 0 ? 4 : 0), sheetSide, axis == 2 ? -1 : deepest, deepestSide);
 
     /// <summary>The depth in a net.</summary>
-    public static Separation OfLeavingNet(World world, int net, double side) => new(world, SeparationKind.NetLeft, net, 0, side);
+    public static Separation OfLeavingNet(World world, int net, double side) => new(world, SeparationKind.NetLeft, net, 2, side);
+
+    /// <summary>
+    /// Distance left until a ball in a net is off its edge: beyond it by its radius and by the depth in the net that it is deepest in. So a ball that one net holds
+    /// runs over that one's edge, and a ball that two hold is not let through where they are joined.
+    /// </summary>
+    /// <param name="world">The world.</param>
+    /// <param name="net">The net.</param>
+    /// <param name="axis">Beside it: 0 or 1.</param>
+    /// <param name="side">On which side of that axis the edge is.</param>
+    /// <param name="deepest">The net in which the ball is deepest.</param>
+    /// <param name="deepestSide">σ of that one.</param>
+    public static Separation OfNetEdge(World world, int net, int axis, double side, int deepest, double deepestSide) =>
+        new(world, SeparationKind.NetLeft, net, axis + (side < 0 ? 4 : 0), 0, deepest, deepestSide);
 
     /// <summary>The distance before the mouth of a goal, behind it, or before its line.</summary>
     /// <param name="world">The world.</param>
@@ -65,20 +90,22 @@ internal readonly struct Separation
                 value = at.Distance - _world.Ball.Radius;
                 rate = Vector3d.Dot(velocity - collider.Velocity, at.Normal);
                 break;
+            case SeparationKind.NetMet when (_axis & 3) == 2:
+                double from = _axis >= 4 ? -1.0 : 1.0;
+                value = (from * _world.Nets[_index].PlaceInFrame(in position).Z) - _world.Ball.Radius;
+                rate = from * _world.Nets[_index].InFrame(in velocity).Z;
+                break;
             case SeparationKind.NetMet:
-                NetSheet net = _world.Nets[_index];
-                Vector3d place = net.PlaceInFrame(in position);
-                Vector3d speed = net.InFrame(in velocity);
-                int axis = _axis & 3;
-                double sign = _axis >= 4 ? -1.0 : 1.0;
-                value = (sign * (axis == 0 ? place.X : axis == 1 ? place.Y : place.Z))
-                    - (axis == 0 ? net.HalfLength : axis == 1 ? net.HalfWidth : _world.Ball.Radius);
-                rate = sign * (axis == 0 ? speed.X : axis == 1 ? speed.Y : speed.Z);
+                Beside(in position, in velocity, out value, out rate);
+                break;
+            case SeparationKind.NetLeft when (_axis & 3) == 2:
+                value = _world.Nets[_index].Depth(in position, _side);
+                rate = _world.Nets[_index].DepthRate(in velocity, _side);
                 break;
             case SeparationKind.NetLeft:
-                NetSheet left = _world.Nets[_index];
-                value = left.Depth(in position, _side);
-                rate = -_side * Vector3d.Dot(in velocity, left.Normal);
+                Beside(in position, in velocity, out value, out rate);
+                value = _world.Ball.Radius - value;
+                rate = -rate;
                 break;
             default:
                 ref readonly GoalMouth goal = ref _world.Goals[_index];
@@ -86,6 +113,23 @@ internal readonly struct Separation
                 value = direction * (What == SeparationKind.GoalLine ? goal.BeforeLine(in position, _world.Ball.Radius) : goal.BeforeMouth(in position));
                 rate = direction * Vector3d.Dot(in velocity, goal.Out);
                 break;
+        }
+    }
+
+    /// <summary>How far the ball is beyond an edge of a net, less its depth in the one that it is deepest in.</summary>
+    private void Beside(in Vector3d position, in Vector3d velocity, out double value, out double rate)
+    {
+        NetSheet net = _world.Nets[_index];
+        double sign = _axis >= 4 ? -1.0 : 1.0;
+        Vector3d place = sign * net.PlaceInFrame(in position);
+        Vector3d speed = sign * net.InFrame(in velocity);
+        bool isLength = (_axis & 3) == 0;
+        value = isLength ? place.X - net.HalfLength : place.Y - net.HalfWidth;
+        rate = isLength ? speed.X : speed.Y;
+        if (_deepest >= 0)
+        {
+            value -= _world.Nets[_deepest].Depth(in position, _deepestSide);
+            rate -= _world.Nets[_deepest].DepthRate(in velocity, _deepestSide);
         }
     }
 }
@@ -102,7 +146,7 @@ internal enum SeparationKind
     /// <summary>It meets a net.</summary>
     NetMet,
 
-    /// <summary>It leaves a net.</summary>
+    /// <summary>It leaves a net, off its plane or over its edge.</summary>
     NetLeft,
 
     /// <summary>It comes through the mouth of a goal.</summary>

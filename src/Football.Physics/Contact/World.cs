@@ -5,8 +5,15 @@ namespace Football.Physics;
 /// </summary>
 internal sealed class World
 {
-    /// <summary>Nets change the motion in a part of a step by no more than this share.</summary>
-    private const double LargestChangeInNets = 0.03;
+    /// <summary>Nets change the motion in a part of a step by no more than this share, ...</summary>
+    private const double UsualChangeInNets = 0.03;
+
+    /// <summary>... and by up to this one where it has settled: as much as RK4 follows without an error of more than the second, m/s, in the time that it settles in.</summary>
+    private const double LargestChangeInNets = 0.3;
+    private const double ErrorInNets = 3e-9;
+
+    /// <summary>A ball that is no farther off what carries it than this, m, is on it: the last bits of a place in a stadium.</summary>
+    private const double OnSurface = 1e-14;
 
     private readonly string[] _names;
     /// <summary>Around what moves by itself: the first of <see cref="Moving"/>, for bodies are its last.</summary>
@@ -408,7 +415,8 @@ internal sealed class World
     {
         ShapePoint at = collider.At(s.Position, s.Time);
         Vector3d n = at.Normal;
-        s.Position += (Ball.Radius - at.Distance) * n;
+        double gap = Ball.Radius - at.Distance;
+        s.Position += Math.Abs(gap) > OnSurface ? gap * n : Vector3d.Zero;
         s.Velocity -= Vector3d.Dot(s.Velocity - collider.Velocity, in n) * n;
         if (IsLevel && collider == Ground)
         {
@@ -440,8 +448,10 @@ internal sealed class World
         return new MotionRates(in acceleration, in spinAcceleration);
     }
 
-    /// <summary>The longest part of a step in which nets change the motion by no more than a small share, s.</summary>
-    public double LongestPartInNets(ulong nets, ulong sides, in Motion at, double h)
+    /// <summary>
+    /// The longest part of a step in which nets change the motion by no more than a small share, s. RK4's error in a part of c/λ is |ȧ| c⁴/(120 λ²) in the time 1/λ.
+    /// </summary>
+    public double LongestPartInNets(ulong nets, ulong sides, in Motion at, double jerk, double h)
     {
         double longest = h;
         double speed = at.Velocity.Length;
@@ -451,12 +461,33 @@ internal sealed class World
             {
                 // As deep as it may come within the part.
                 double depth = Math.Max(0, Nets[i].Depth(at.Position, SideOf(sides, i)));
-                double part = LargestChangeInNets / Nets[i].RateAt(depth + (longest * speed));
-                longest = Math.Min(longest, LargestChangeInNets / Nets[i].RateAt(depth + (Math.Min(longest, part) * speed)));
+                double rate = Nets[i].RateAt(depth);
+                double change = Math.Sqrt(Math.Sqrt(120.0 * ErrorInNets * rate * rate / jerk));
+                change = Math.Min(LargestChangeInNets, Math.Max(UsualChangeInNets, change));
+                double part = change / Nets[i].RateAt(depth + (longest * speed));
+                longest = Math.Min(longest, change / Nets[i].RateAt(depth + (Math.Min(longest, part) * speed)));
             }
         }
 
         return longest;
+    }
+
+    /// <summary>True of a ball that came to rest in a net and on nothing else.</summary>
+    public bool HangsInNet(in BallState s) => s.Motion == MotionState.Stopped && s.Carrier >= ThingOfNet(0) && s.Nets != 0;
+
+    /// <summary>The net of those that the ball is in in which it is deepest; −1 where it is in none.</summary>
+    public int DeepestNet(in BallState s)
+    {
+        int deepest = -1;
+        double most = double.NegativeInfinity;
+        for (int i = 0; i < Nets.Length && s.Nets >> i != 0; i++)
+        {
+            double depth = (s.Nets >> i & 1) != 0 ? Nets[i].Depth(s.Position, SideOf(s.NetSides, i)) : double.NegativeInfinity;
+            deepest = depth > most ? i : deepest;
+            most = Math.Max(most, depth);
+        }
+
+        return deepest;
     }
 
     /// <summary>σ of a net.</summary>

@@ -7,7 +7,10 @@ internal interface IMotionSystem
     void Rates(double time, in Motion at, out MotionRates rates);
 
     /// <summary>How long a part of a step may be that <see cref="Substeps"/> takes, s; all of it where nothing asks for parts.</summary>
-    double LongestPart(in Motion at, double h);
+    /// <param name="at">Where the part starts.</param>
+    /// <param name="jerk">|ȧ| there, m/s³; infinite where it is not known.</param>
+    /// <param name="h">What is left of the step, s.</param>
+    double LongestPart(in Motion at, double jerk, double h);
 
     /// <summary>Moves the ball to the end of a step, orientation and all.</summary>
     /// <param name="s">The ball at the step's start.</param>

@@ -3,7 +3,9 @@ namespace Football.Physics;
 /// <summary>A soft sheet: a rectangle that takes energy from the ball and gives it back slowly.</summary>
 /// <remarks>
 /// It is met when the centre comes within a radius of its plane inside the rectangle, from the side σ = ±1 on which it is, and left when the depth
-/// δ = r − σ (p − c)·n falls back to 0. In between F = σ k δ max(0, 1 + b δ̇) n − k_t δ v_t, T = −k_ω δ ω.
+/// δ = r − σ (p − c)·n falls back to 0, or where the centre is beyond its edge by r and the depth in the net that the ball is deepest in: it rolls off the roof of a
+/// goal, and is not let through where two nets are joined. In between F = σ k δ max(0, 1 + b δ̇) n − k_t δ v_t, T = −k_ω δ ω. A ball that hangs in it comes to rest
+/// when its energy is below <see cref="Ground.RestEnergy"/> and all that acts on it is in balance, to 0.01 m/s².
 /// </remarks>
 public sealed record Net
 {

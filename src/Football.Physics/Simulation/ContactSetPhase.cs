@@ -78,7 +78,7 @@ internal sealed class ContactSetPhase
             MotionRates start = Free(in s, s.Time, in from, h);
             Vector3d v = from.Velocity + (h * start.Acceleration);
             Vector3d w = from.Spin + (h * start.SpinAcceleration);
-            bool solved = ContactSolver.Solve(set, _world.Ball, h, ref v, ref w);
+            bool solved = ContactSolver.Solve(set, _world.Ball, h, ref v, ref w, ContactSolver.Foreseen);
             run.Log.Evaluations++;
             if (Bearers(set, h, out int bearer) < 2 && (bearer < 0 || !ContactSet.HasMover(set)))
             {
@@ -176,8 +176,10 @@ internal sealed class ContactSetPhase
             _contact.IsTooFast(ref s, set, in v);
             Vector3d kept = v;
             KeepOff(set, h, movers: false, ref kept);
-            double worked = 2.0 * h * Vector3d.Dot(Working(in free, in from), in kept);
-            double fastest = Math.Max(s.SqueezeSpeed, Math.Sqrt(Math.Max(0, (came * came) + worked)));
+
+            // f² = |v|² + 2 h f W·d: what the forces W do on the way d at the speed f that it comes to.
+            double worked = h * Vector3d.Dot(Working(in free, in from), in kept) / Math.Max(kept.Length, Still);
+            double fastest = Math.Max(s.SqueezeSpeed, worked + Math.Sqrt((worked * worked) + (came * came)));
             double speed = v.Length;
             v = speed > fastest ? fastest / speed * v : v;
             KeepOff(set, h, movers: false, ref v);

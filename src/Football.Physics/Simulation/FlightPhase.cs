@@ -9,6 +9,9 @@ namespace Football.Physics;
 internal sealed class FlightPhase<TIntegrator>
     where TIntegrator : struct, IIntegrator
 {
+    /// <summary>Forces that leave no more than this, m/s², are in balance: a thousandth of the weight, and 10 µm in a net.</summary>
+    private const double InBalance = 0.01;
+
     private readonly Surroundings _around;
     private readonly IFlight _flight;
     private readonly ClassicalFlight _classical;
@@ -18,6 +21,7 @@ internal sealed class FlightPhase<TIntegrator>
     private readonly TIntegrator _integrator;
     private readonly World _world;
     private readonly WorldGuard _guard;
+    private readonly WorldContact _contact;
     private readonly NetGuard _nets;
     private readonly double _fastestWind;
 
@@ -26,10 +30,12 @@ internal sealed class FlightPhase<TIntegrator>
         IFlight flight,
         in StabilityLimit limit,
         DragJumpGuard jump,
-        WorldGuard guard)
+        WorldGuard guard,
+        WorldContact contact)
     {
         _world = around.World;
         _guard = guard;
+        _contact = contact;
         _nets = new NetGuard(_world);
         _around = around;
         _flight = flight;
@@ -44,7 +50,7 @@ internal sealed class FlightPhase<TIntegrator>
     /// <summary>The next piece of a flight.</summary>
     public void Take(ref BallState s, ref StepRun run)
     {
-        if (_guard.HitsAtOnce(ref s, ref run))
+        if (_guard.HitsAtOnce(ref s, ref run) || (s.Nets != 0 && RestsInNet(ref s, ref run)))
         {
             return;
         }
@@ -90,6 +96,30 @@ internal sealed class FlightPhase<TIntegrator>
 
     /// <summary>True when the ball touches level ground, and does not leave it.</summary>
     public bool IsHeld(in BallState s) => s.Velocity.Y <= ContactSearch.Leaving && s.Position.Y <= _world.LevelContact + ContactSearch.Touching;
+
+    /// <summary>A ball in a net with no more energy than one at rest rests, where all that acts on it is in balance.</summary>
+    private bool RestsInNet(ref BallState s, ref StepRun run)
+    {
+        var at = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
+        if (!(0.5 * ((_world.Ball.Mass * s.Velocity.LengthSquared) + (_world.Ball.MomentOfInertia * at.Spin.LengthSquared)) <= _world.RestEnergy))
+        {
+            return false;
+        }
+
+        FlightSystem system = _system;
+        system.Nets = s.Nets;
+        system.NetSides = s.NetSides;
+        DragBranch branch = _around.Air.Jumps ? DragJump.At(in at, _around.Wind, _around.Radius).Branch : DragBranch.Unknown;
+        Vector3d acceleration = system.On(branch, s.Time, in at).Acceleration;
+        run.Log.Evaluations++;
+        bool rests = acceleration.LengthSquared <= InBalance * InBalance;
+        if (rests)
+        {
+            _contact.RestInNet(ref s, _world.DeepestNet(in s), ref run);
+        }
+
+        return rests;
+    }
 
     /// <summary>A piece by a method: along a constant axis of the spin where there is a flight along one, else with the whole spin vector.</summary>
     private void Take<TMethod>(ref BallState s, ref StepRun run, double h, IFlight? flight)

@@ -9,6 +9,10 @@ internal sealed class NetGuard
     /// <summary>By what a piece is shortened that bends too much.</summary>
     private const double Shorter = 0.8;
 
+    /// <summary>A kink is found to this tension; a piece that starts with less than the second starts at one.</summary>
+    private const double Kink = 1e-12;
+    private const double AtKink = 1e-9;
+
     private readonly World _world;
 
     public NetGuard(World world) => _world = world;
@@ -59,34 +63,28 @@ internal sealed class NetGuard
             double side = World.SideOf(s.NetSides, i);
             double start = _world.Nets[i].Tension(s.Velocity, side);
             double end = _world.Nets[i].Tension(sweep.Velocity, side);
-            if (Math.Abs(start) > 1e-9 && start < 0 != end < 0)
+            if (Math.Abs(start) > AtKink && start < 0 != end < 0)
             {
-                var tension = new NetTension<TSweep>(_world.Nets[i], side, in sweep);
-                Roots.Illinois(ref tension, 0, start, sweep.Length, end, 1e-12 * sweep.Length, 60);
-                sweep = tension.Sweep;
+                // Up to the kink the motion is smooth: its rate at the start leads there sooner than what lies beyond.
+                double sign = start < 0 ? -1.0 : 1.0;
+                double first = sign * start / Math.Max(0, -sign * _world.Nets[i].TensionRate(sweep.StartAcceleration, side));
+                double secant = sweep.Length * start / (start - end);
+                EventLocator.Locate(ref sweep, new TensionLeft<TSweep>(_world.Nets[i], side, sign), first < sweep.Length ? first : secant);
             }
         }
     }
 
-    private struct NetTension<TSweep> : IFunction
+    /// <summary>What is left until the tension of a net changes its sign.</summary>
+    private readonly struct TensionLeft<TSweep>(NetSheet net, double side, double sign) : IEventFunction<TSweep>
         where TSweep : struct, ISweep
     {
-        public TSweep Sweep;
-        private readonly NetSheet _net;
-        private readonly double _side;
-
-        public NetTension(NetSheet net, double side, in TSweep sweep)
+        public bool Evaluate(ref TSweep sweep, double tau, out double value, out double correction)
         {
-            _net = net;
-            _side = side;
-            Sweep = sweep;
-        }
-
-        public bool Evaluate(double x, out double value)
-        {
-            Sweep.Step(x);
-            value = _net.Tension(Sweep.Velocity, _side);
-            return Math.Abs(value) < 1e-13;
+            value = sign * net.Tension(sweep.Velocity, side);
+            bool isThere = Math.Abs(value) < Kink;
+            double rate = isThere ? 0 : sign * net.TensionRate(sweep.EndAcceleration(), side);
+            correction = rate < 0 ? -value / rate : double.NaN;
+            return isThere;
         }
     }
 }

@@ -21,7 +21,7 @@ internal sealed class RestPhase
         }
 
         double h = run.Left;
-        Vector3d velocity = _world.CarrierOf(in s).Velocity;
+        Vector3d velocity = _world.HangsInNet(in s) ? Vector3d.Zero : _world.CarrierOf(in s).Velocity;
         var path = PathCubic.Line(s.Position, in velocity, h);
         double at = new ContactSearch(_world, in path, s.Time).First(in s, (int)s.Carrier - _world.FirstCollider, out Separation met);
         bool meets = at <= h;

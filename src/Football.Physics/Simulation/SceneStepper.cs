@@ -59,7 +59,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         _set = new ContactSetPhase(around, guard, _contact);
         _surface = new SurfacePhase<TIntegrator>(scene, settings, around, _pulled, jump, guard, _contact, _set);
         _rest = new RestPhase(world, guard);
-        _flight = new FlightPhase<TIntegrator>(around, this, Limit, jump, guard);
+        _flight = new FlightPhase<TIntegrator>(around, this, Limit, jump, guard, _contact);
     }
 
     public override World World => Around.World;

@@ -43,7 +43,7 @@ internal sealed class WorldContact
         }
 
         Collider hit = _world.Colliders[collider];
-        bool carried = s.Motion != MotionState.Airborne;
+        bool carried = s.Motion != MotionState.Airborne && !_world.HangsInNet(in s);
         if (!carried && _world.IsLevel && hit == _world.Ground)
         {
             // Height and climb are known here: what was left of them is rounding, what counts as touching, or the tolerance of a bisection.
@@ -252,11 +252,21 @@ internal sealed class WorldContact
     }
 
     /// <summary>The ball comes to rest on what carries it.</summary>
-    public void Rest(ref BallState s, ref StepRun run)
+    public void Rest(ref BallState s, ref StepRun run) => Rest(ref s, _world.CarrierOf(in s).Velocity, ref run);
+
+    /// <summary>The ball comes to rest in a net.</summary>
+    public void RestInNet(ref BallState s, int net, ref StepRun run)
+    {
+        s.Carrier = _world.ThingOfNet(net);
+        s.Branch = DragBranch.Unknown;
+        Rest(ref s, Vector3d.Zero, ref run);
+    }
+
+    private static void Rest(ref BallState s, in Vector3d velocity, ref StepRun run)
     {
         run.Log.Events.Add(new BallEvent(BallEventKind.Rest, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
         run.Log.Halted |= run.Log.StopAt == StopAt.Rest;
-        s.Velocity = _world.CarrierOf(in s).Velocity;
+        s.Velocity = velocity;
         s.SetGroundSpin(Vector3d.Zero);
         s.Motion = MotionState.Stopped;
     }
@@ -373,7 +383,7 @@ internal sealed class WorldContact
         s.ClearUntil = 0;
         s.Branch = DragBranch.Unknown;
         s.SqueezeSpeed = Math.Max(s.SqueezeSpeed, velocity.Length);
-        if (s.Motion == MotionState.Airborne)
+        if (s.Motion == MotionState.Airborne || _world.HangsInNet(in s))
         {
             Fly(ref s, in velocity, in spin);
             return;
