@@ -274,6 +274,12 @@ internal readonly struct ContactSearch
                 return double.PositiveInfinity;
             }
 
+            if (t == 0 && hollow == 0 && !(FirstContact(path.DistanceTo(at.Normal, gap), until) <= until))
+            {
+                // What is convex lies behind the plane of its nearest point, and the path does not come to that: so it is along a wall, however the path bends.
+                return double.PositiveInfinity;
+            }
+
             double step = gap > Touching ? Safe(gap, rate, bend) : Along(rate, bend);
             if (hollow > 0)
             {

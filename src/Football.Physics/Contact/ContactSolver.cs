@@ -20,11 +20,11 @@ internal static class ContactSolver
     private const double Settled = 1e-13;
 
     /// <summary>The same for impulses that only say where the forces at the end of a part are asked for.</summary>
-    public const double Foreseen = 1e-10;
+    public const double Foreseen = 1e-8;
 
     /// <summary>
-    /// Where they still change by no more than this after the last round, or where Newton's method gains little, they are known well enough: loads that are not
-    /// determined, as those of a ball that a player holds against a post, creep.
+    /// Where they still change by no more than this after the last round, or where Newton's method gains little or was wrong twice, they are known well enough: loads
+    /// that are not determined, as those of a ball that a player holds against a post, creep.
     /// </summary>
     private const double Known = 1e-8;
 
@@ -33,6 +33,7 @@ internal static class ContactSolver
 
     /// <summary>After so many rounds what bears, grips and slips is taken for known; after twice as many each time that this was wrong.</summary>
     private const int RoundsBetween = 2;
+    private const int RoundsOfWrong = 2 * RoundsBetween;
 
     /// <summary>Velocity and spin after the time, m/s and rad/s, where without contacts they would be what is handed over.</summary>
     /// <param name="set">The contacts; they take the impulses, and have those of the time before, or none, to begin with.</param>
@@ -72,7 +73,7 @@ internal static class ContactSolver
                 continue;
             }
 
-            if (change <= Known && change > Little * before.Change)
+            if (change <= Known && (change > Little * before.Change || between > RoundsOfWrong))
             {
                 return true;
             }

@@ -70,8 +70,10 @@ internal sealed class NetSheet
     public double TensionRate(in Vector3d acceleration, double side) => _damping * DepthRate(in acceleration, side);
 
     /// <summary>How fast the net changes the motion at a depth, 1/s.</summary>
-    public double RateAt(double depth) =>
-        (depth * ((_stiffness * _damping) + _tangential + _spin)) + Math.Sqrt(_stiffness);
+    public double RateAt(double depth) => (depth * RatePerDepth) + Math.Sqrt(_stiffness);
+
+    /// <summary>By how much that is faster for each metre deeper, 1/(m s).</summary>
+    public double RatePerDepth => (_stiffness * _damping) + _tangential + _spin;
 
     /// <summary>
     /// How far the path of a piece may be off the quintic through its ends' places, velocities and accelerations, m: |x⁽⁶⁾| h⁶/46080, with a force that settles at

@@ -63,7 +63,7 @@ internal struct SurfaceSystem : IMotionSystem
         return Sliding(time, in at, in on);
     }
 
-    public readonly double LongestPart(in Motion at, double jerk, double h) => World.LongestPartInNets(Nets, NetSides, in at, jerk, h);
+    public readonly double LongestPart(in Motion at, double jerk) => World.LongestPartInNets(Nets, NetSides, in at, jerk);
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
     {

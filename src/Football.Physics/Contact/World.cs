@@ -451,21 +451,22 @@ internal sealed class World
     /// <summary>
     /// The longest part of a step in which nets change the motion by no more than a small share, s. RK4's error in a part of c/λ is |ȧ| c⁴/(120 λ²) in the time 1/λ.
     /// </summary>
-    public double LongestPartInNets(ulong nets, ulong sides, in Motion at, double jerk, double h)
+    public double LongestPartInNets(ulong nets, ulong sides, in Motion at, double jerk)
     {
-        double longest = h;
+        double longest = double.PositiveInfinity;
         double speed = at.Velocity.Length;
         for (int i = 0; i < Nets.Length && nets >> i != 0; i++)
         {
             if ((nets >> i & 1) != 0)
             {
-                // As deep as it may come within the part.
                 double depth = Math.Max(0, Nets[i].Depth(at.Position, SideOf(sides, i)));
                 double rate = Nets[i].RateAt(depth);
                 double change = Math.Sqrt(Math.Sqrt(120.0 * ErrorInNets * rate * rate / jerk));
                 change = Math.Min(LargestChangeInNets, Math.Max(UsualChangeInNets, change));
-                double part = change / Nets[i].RateAt(depth + (longest * speed));
-                longest = Math.Min(longest, change / Nets[i].RateAt(depth + (Math.Min(longest, part) * speed)));
+
+                // As deep as it may come within the part p: p λ(δ + p v) = c, quadratic in p.
+                double bend = Nets[i].RatePerDepth * speed;
+                longest = Math.Min(longest, 2.0 * change / (rate + Math.Sqrt((rate * rate) + (4.0 * bend * change))));
             }
         }
 

@@ -6,11 +6,10 @@ internal interface IMotionSystem
     /// <summary>v̇ and ω̇.</summary>
     void Rates(double time, in Motion at, out MotionRates rates);
 
-    /// <summary>How long a part of a step may be that <see cref="Substeps"/> takes, s; all of it where nothing asks for parts.</summary>
+    /// <summary>How long a part of a step may be that <see cref="Substeps"/> takes, s; infinite where nothing asks for parts.</summary>
     /// <param name="at">Where the part starts.</param>
     /// <param name="jerk">|ȧ| there, m/s³; infinite where it is not known.</param>
-    /// <param name="h">What is left of the step, s.</param>
-    double LongestPart(in Motion at, double jerk, double h);
+    double LongestPart(in Motion at, double jerk);
 
     /// <summary>Moves the ball to the end of a step, orientation and all.</summary>
     /// <param name="s">The ball at the step's start.</param>

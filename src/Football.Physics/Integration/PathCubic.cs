@@ -102,11 +102,11 @@ internal readonly struct PathCubic
     }
 
     /// <summary>Its distance from a plane, less another distance, as a function of time.</summary>
-    public PathDistance DistanceTo(PlaneShape plane, double less)
-    {
-        Vector3d n = plane.Normal;
-        return new PathDistance(plane.DistanceTo(in _c0) - less, Vector3d.Dot(in _c1, in n), Vector3d.Dot(in _c2, in n), Vector3d.Dot(in _c3, in n), Length);
-    }
+    public PathDistance DistanceTo(PlaneShape plane, double less) => DistanceTo(plane.Normal, plane.DistanceTo(in _c0) - less);
+
+    /// <summary>Its distance from a plane by the plane's normal and that distance at the start.</summary>
+    public PathDistance DistanceTo(in Vector3d n, double start) =>
+        new(start, Vector3d.Dot(in _c1, in n), Vector3d.Dot(in _c2, in n), Vector3d.Dot(in _c3, in n), Length);
 
     /// <summary>The place at a time, m.</summary>
     public Vector3d At(double t) => _c0 + (t * (_c1 + (t * (_c2 + (t * _c3)))));

@@ -6,6 +6,14 @@ namespace Football.Physics;
 /// </summary>
 internal struct Substeps : IIntegrator
 {
+    /// <summary>A step that is taken again goes on from so many parts before its end: a search for what happens in it hardly goes back further.</summary>
+    private const double Before = 3.0;
+
+    // Where it goes on from: how far that is, the next part, and all of the step until there.
+    private double _done;
+    private double _part;
+    private MotionStep _step;
+
     /// <summary>Right-hand sides of the step before.</summary>
     public int Stages { get; private set; }
 
@@ -26,22 +34,40 @@ internal struct Substeps : IIntegrator
     public void Advance<TSystem>(ref TSystem system, double time, in Motion from, double h, out MotionStep step)
         where TSystem : struct, IMotionSystem
     {
+        // What is taken of a step does not depend on how long the step is, but for its last part: a step that is taken again goes on from where it did not end yet.
         ClassicalRungeKutta method = default;
-        double part = system.LongestPart(in from, double.PositiveInfinity, h);
-        double done = part;
-        method.Advance(ref system, time, in from, done, out step);
-        Stages = method.Stages;
-        double jerk = JerkIn(in from, in step, part);
-        while (done < h)
+        bool goesOn = _done > 0 && _done < h;
+        double done = goesOn ? _done : 0;
+        double part = goesOn ? _part : system.LongestPart(in from, double.PositiveInfinity);
+        step = goesOn ? _step : new MotionStep { End = from };
+        Stages = 0;
+        while (true)
         {
-            part = system.LongestPart(in step.End, jerk, h - done);
+            bool isLast = done + part >= h;
             Motion at = step.End;
-            method.Advance(ref system, time + done, in at, part, out MotionStep next);
-            step.Rotation = RotationVector.Then(in step.Rotation, in next.Rotation);
-            step.End = next.End;
-            done += part;
+            method.Advance(ref system, time + done, in at, isLast ? h - done : part, out MotionStep next);
             Stages += method.Stages;
-            jerk = JerkIn(in at, in next, part);
+            double jerk = JerkIn(in at, in next, part);
+            if (done > 0)
+            {
+                next.Rotation = RotationVector.Then(in step.Rotation, in next.Rotation);
+                next.StartRates = step.StartRates;
+            }
+
+            step = next;
+            if (isLast)
+            {
+                return;
+            }
+
+            done += part;
+            part = system.LongestPart(in step.End, jerk);
+            if (done + (Before * part) < h)
+            {
+                _done = done;
+                _part = part;
+                _step = step;
+            }
         }
     }
 

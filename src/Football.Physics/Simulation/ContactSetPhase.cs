@@ -32,6 +32,9 @@ internal sealed class ContactSetPhase
     /// <summary>Out of what squeezes it a ball is put by no more than this, m/s.</summary>
     private const double OutOfTheWay = 5.0;
 
+    /// <summary>From here on, m, the path that is shown of a squeezed ball runs along what stands still.</summary>
+    private const double AllButTouching = 1e-4;
+
     /// <summary>A way off all contacts goes off each by at least this share.</summary>
     private const double Room = 0.1;
 
@@ -367,12 +370,12 @@ internal sealed class ContactSetPhase
         Show(in before, in after, in v, in w, ref run);
     }
 
-    /// <summary>How fast a way leads off a thing where the ball touches it, m/s; 0 where it does not.</summary>
+    /// <summary>How fast a way leads off a thing where the ball all but touches it, m/s; 0 where it does not.</summary>
     private double OffAt(Collider collider, in Vector3d place, double time, in Vector3d velocity, out Vector3d normal)
     {
         ShapePoint at = collider.At(place, time);
         normal = at.Normal;
-        return at.Distance - _around.Radius <= ContactSearch.Touching ? Vector3d.Dot(in velocity, in normal) : 0;
+        return at.Distance - _around.Radius <= AllButTouching ? Vector3d.Dot(in velocity, in normal) : 0;
     }
 
     /// <summary>The contact that bears most names the carrier; the one before does as long as it bears about as much. Whether that slips says whether the ball slides or rolls.</summary>

@@ -26,7 +26,7 @@ internal struct FlightSystem : IMotionSystem
             noSpin.SpinAcceleration + (share * (spinning.SpinAcceleration - noSpin.SpinAcceleration)));
     }
 
-    public readonly double LongestPart(in Motion at, double jerk, double h) => Around.World.LongestPartInNets(Nets, NetSides, in at, jerk, h);
+    public readonly double LongestPart(in Motion at, double jerk) => Around.World.LongestPartInNets(Nets, NetSides, in at, jerk);
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
     {

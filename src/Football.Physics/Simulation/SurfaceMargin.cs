@@ -10,17 +10,28 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
     /// <summary>A limit that is still this share of what it was where it ends has jumped, as the load does at an edge: the piece ends so much beyond.</summary>
     private const double Jump = 1e-3;
 
-    /// <summary>That share of the piece.</summary>
+    /// <summary>That share of the piece; a jump is known well enough to the second.</summary>
     private const double Beyond = 1e-7;
+    private const double JumpWidth = 1e-8;
 
     public MotionSweep<SurfaceSystem, TIntegrator> Sweep;
     private readonly SurfaceLimit _what;
     private readonly double _time;
+    private readonly double _length;
+
+    // Where it was positive last, and where not first; more than the third so close to the change of sign is a jump.
+    private double _last;
+    private double _first;
+    private double _jump;
 
     public SurfaceMargin(SurfaceLimit what, in MotionSweep<SurfaceSystem, TIntegrator> sweep, double time)
     {
         _what = what;
         _time = time;
+        _length = sweep.Length;
+        _first = sweep.Length;
+        _last = 0;
+        _jump = 0;
         Sweep = sweep;
     }
 
@@ -28,7 +39,9 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
     {
         Sweep.Step(x);
         value = Of(in Sweep.Taken.End, x);
-        return false;
+        _last = value > 0 ? x : _last;
+        _first = value > 0 ? _first : x;
+        return Math.Abs(value) > _jump && _first - _last < JumpWidth * _length;
     }
 
     public double Of(in Motion at, double after)
@@ -95,8 +108,9 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
             double start = margin.Of(new Motion(s.Position, s.Velocity, s.Spin), 0);
             if (start > 0)
             {
+                margin._jump = Jump * start;
                 double x = Roots.Illinois(ref margin, 0, start, sweep.Length, end, 1e-13 * sweep.Length, 60);
-                jumps = Math.Abs(margin.Of(in margin.Sweep.Taken.End, x)) > Jump * start;
+                jumps = Math.Abs(margin.Of(in margin.Sweep.Taken.End, x)) > margin._jump;
                 if (jumps)
                 {
                     margin.Sweep.Step(Math.Min(sweep.Length, x + beyond));

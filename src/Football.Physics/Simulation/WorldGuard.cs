@@ -188,7 +188,8 @@ internal sealed class WorldGuard
         where TSweep : struct, ISweep
     {
         sought.Evaluate(sweep.Position, sweep.Velocity, time + sweep.Length, out double atEnd, out _);
-        if (EventLocator.Locate(ref sweep, new Closing<TSweep>(in sought, time), tau))
+        bool dips = atEnd > 0;
+        if (EventLocator.Locate(ref sweep, new Closing<TSweep>(in sought, time, dips), tau) && !dips)
         {
             return true;
         }
@@ -205,18 +206,23 @@ internal sealed class WorldGuard
     {
         private readonly Separation _gap;
         private readonly double _start;
+        private readonly bool _dips;
 
-        public Closing(in Separation gap, double start)
+        /// <param name="gap">The gap.</param>
+        /// <param name="start">Time at the start of the piece, s.</param>
+        /// <param name="dips">Whether it is open again at the piece's end: then a search that is past its least ends, for it may close nowhere.</param>
+        public Closing(in Separation gap, double start, bool dips)
         {
             _gap = gap;
             _start = start;
+            _dips = dips;
         }
 
         public bool Evaluate(ref TSweep sweep, double tau, out double value, out double correction)
         {
             _gap.Evaluate(sweep.Position, sweep.Velocity, _start + tau, out value, out double rate);
             correction = rate < 0 ? -value / rate : double.NaN;
-            if (Math.Abs(value) <= Closed)
+            if (Math.Abs(value) <= Closed || (_dips && value > 0 && rate >= 0))
             {
                 return true;
             }
