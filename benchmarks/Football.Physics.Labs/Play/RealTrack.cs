@@ -76,7 +76,7 @@ internal static class RealTrack
             foreach ((string name, Ground ground, bool rolls) in Grounds.Where(row => !row.Rolls || from == 0))
             {
                 var simulator = new Simulator(fit.Scene with { Ground = ground with { Height = 0 }, Forces = new ForceSet() });
-                (double Bounce, double Kept)[] made = [.. all.Select(piece => Bounce(simulator, piece, rolls))];
+                (double Bounce, double Kept)[] made = [.. all.Select(piece => Bounce(simulator, piece, SpinOf(simulator, fit.Pieces, piece, rolls)))];
                 double offBounce = Median(made.Zip(all, (shares, piece) => shares.Bounce - piece.Restitution!.Value));
                 double offKept = Median(made.Zip(all, (shares, piece) => shares.Kept - piece.Kept));
                 bool within = Math.Abs(offBounce) <= 0.05 && Math.Abs(offKept) <= 0.05;
@@ -96,15 +96,38 @@ internal static class RealTrack
 
     private static double Along(Vector3d v) => Math.Sqrt((v.X * v.X) + (v.Z * v.Z));
 
-    private static (double Bounce, double Kept) Bounce(Simulator simulator, MatchPiece piece, bool rolls)
+    /// <summary>
+    /// The spin before an impact. After another impact it is what that one made of the spin before it, on the same surface: short flights between bounces tell little
+    /// of their spin. Else it is that of the flight; or, to see what it matters, that of a ball that rolls, ŷ × v/r.
+    /// </summary>
+    private static Vector3d SpinOf(Simulator simulator, IReadOnlyList<MatchPiece> pieces, MatchPiece piece, bool rolls)
     {
-        // ŷ × v/r: what a ball has after a bounce or two, and no short flight tells of
-        Vector3d v = piece.VelocityBefore;
-        Vector3d spin = rolls ? new Vector3d(v.Z, 0, -v.X) / simulator.Scene.Ball.Radius : piece.SpinBefore;
+        if (rolls)
+        {
+            return new Vector3d(piece.VelocityBefore.Z, 0, -piece.VelocityBefore.X) / simulator.Scene.Ball.Radius;
+        }
+
+        int before = pieces.ToList().IndexOf(piece) - 1;
+        while (before >= 0 && pieces[before].Kind is MatchPieceKind.Flight or MatchPieceKind.Lost)
+        {
+            before--;
+        }
+
+        bool follows = before >= 0 && pieces[before].Kind == MatchPieceKind.Impact;
+        return follows ? Impact(simulator, pieces[before], SpinOf(simulator, pieces, pieces[before], false)).Spin : piece.SpinBefore;
+    }
+
+    private static BallEvent Impact(Simulator simulator, MatchPiece piece, Vector3d spin)
+    {
         var log = new StepLog();
-        BallState ball = simulator.Launch(new Vector3d(0, simulator.ContactHeight, 0), v, spin);
+        BallState ball = simulator.Launch(new Vector3d(0, simulator.ContactHeight, 0), piece.VelocityBefore, spin);
         simulator.Run(ref ball, 0.002, 1, StopAt.Impact, log);
-        Vector3d after = log.Events[0].Velocity;
+        return log.Events[0];
+    }
+
+    private static (double Bounce, double Kept) Bounce(Simulator simulator, MatchPiece piece, Vector3d spin)
+    {
+        Vector3d after = Impact(simulator, piece, spin).Velocity;
         Vector3d before = piece.VelocityBefore;
         double square = (before.X * before.X) + (before.Z * before.Z);
         return (after.Y / -before.Y, square > 0 ? ((before.X * after.X) + (before.Z * after.Z)) / square : 1);

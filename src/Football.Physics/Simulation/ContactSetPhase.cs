@@ -11,7 +11,7 @@ internal sealed class ContactSetPhase
     private const double Part = 0.5e-3;
 
     /// <summary>Parts of a step at most: in long ones they are longer.</summary>
-    private const int MostParts = 64;
+    private const int MostParts = 40;
 
     /// <summary>Rounds of the solver where the ball may have no room.</summary>
     private const int SqueezedRounds = 20;

@@ -51,6 +51,9 @@ internal ref struct StepRun
     /// <summary>Impacts so far.</summary>
     public int AllImpacts;
 
+    /// <summary>How often the ball has begun to slip for want of grip.</summary>
+    public int Slips;
+
     /// <summary>Impacts since time last went on.</summary>
     public int Impacts;
 

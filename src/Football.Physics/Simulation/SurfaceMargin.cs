@@ -83,8 +83,12 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
     /// Ends a piece where the load or the grip ends, where a rolling ball comes to rest, or where the spin about the normal reaches zero under drilling
     /// friction: each is a number that is positive until then.
     /// </summary>
+    /// <param name="sweep">The piece.</param>
+    /// <param name="s">The ball at its start.</param>
+    /// <param name="rolls">Whether it rolls.</param>
+    /// <param name="keepsGrip">Whether it does so whatever the grip.</param>
     /// <returns>Whether it ends beyond a jump of one of them, as at an edge.</returns>
-    public static bool EndPiece(ref MotionSweep<SurfaceSystem, TIntegrator> sweep, in BallState s, bool rolls)
+    public static bool EndPiece(ref MotionSweep<SurfaceSystem, TIntegrator> sweep, in BallState s, bool rolls, bool keepsGrip)
     {
         // The same length beyond the edge for all: one of them after the other would come back before it.
         double beyond = Beyond * sweep.Length;
@@ -93,7 +97,7 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
         sweep.Evaluations++;
         for (var what = SurfaceLimit.Load; what <= SurfaceLimit.Spin; what++)
         {
-            if (!rolls && what is SurfaceLimit.Grip or SurfaceLimit.Rest)
+            if ((!rolls && what is SurfaceLimit.Grip or SurfaceLimit.Rest) || (keepsGrip && what == SurfaceLimit.Grip))
             {
                 continue;
             }

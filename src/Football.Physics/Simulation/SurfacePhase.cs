@@ -39,6 +39,12 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>A slip smaller than this, m/s, is none to the thesis' heuristic (2.28).</summary>
     private const double HeuristicSlip = 1e-3;
 
+    /// <summary>
+    /// How often a roll may lose its grip in a step. A net that is slack and tight in turn makes a ball on the ground grip and slip in turn, the sooner the less it
+    /// slips; after so many it grips for the rest of the step, which no work is done by.
+    /// </summary>
+    private const int MostSlips = 2;
+
     /// <summary>Onto what it meets a ball is put so often at most, and until it is no farther off than this, m.</summary>
     private const int MostPuts = 16;
     private const double Closed = 1e-12;
@@ -101,11 +107,12 @@ internal sealed class SurfacePhase<TIntegrator>
 
         double sliding = system.SlidingFriction(in on);
         Vector3d traction = system.Traction(in on);
-        bool grips = system.Grips(in on);
+        bool grips = system.Grips(in on) || run.Slips >= MostSlips;
         Vector3d moving = rolls ? on.Velocity : system.SlipOf(in from, in on.Normal);
         double size = moving.Length;
         if (rolls && !grips)
         {
+            run.Slips++;
             _contact.StartSliding(ref s, ref run);
             return;
         }
@@ -229,7 +236,7 @@ internal sealed class SurfacePhase<TIntegrator>
         SurfacePath.Shorten(ref sweep, in s, system.Carrier, _around.Radius, order);
         _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
         double crossing = sweep.Length;
-        bool overEdge = SurfaceMargin<TMethod>.EndPiece(ref sweep, in s, system.Rolls);
+        bool overEdge = SurfaceMargin<TMethod>.EndPiece(ref sweep, in s, system.Rolls, run.Slips >= MostSlips);
         SurfaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
         _nets.EndWhereSlack(ref sweep, in s);
         bool meets = _guard.EndAtFirst(ref sweep, in s, order, out Separation met);
@@ -335,7 +342,7 @@ internal sealed class SurfacePhase<TIntegrator>
             run.Log.Show(in before, in s, in acceleration, in atEnd, _integrator.Order);
         }
 
-        if (!run.Log.Halted && system.Grips(in there))
+        if (!run.Log.Halted && (system.Grips(in there) || run.Slips >= MostSlips))
         {
             _contact.StartRolling(ref s, ref run);
         }
