@@ -178,6 +178,31 @@ public sealed class NetTests
         Assert.True(two[0].Position.X > place.X + 0.05, $"{two[0].Position}");
     }
 
+    /// <summary>Deep in the net and rolling out as fast as that comes back, a ball grips and slips in turn: no step of it tells or takes more than others.</summary>
+    [Fact]
+    public void A_ball_that_the_net_lets_go_takes_no_endless_steps()
+    {
+        var simulator = new Simulator(s_scene);
+        var log = new StepLog();
+        for (int i = 0; i < 40; i++)
+        {
+            double speed = 0.715 + (0.0005 * i);
+            BallState state = simulator.Launch(new Vector3d(-1.23, 0.11, -23.71), new Vector3d(0, 0, speed), new Vector3d(speed / 0.11, 0, 0));
+            NetSheet back = simulator.World.Nets[0];
+            state.Nets = 1;
+            state.NetSides = back.Depth(state.Position, 1) > back.Depth(state.Position, -1) ? 1UL : 0;
+            for (int k = 0; k < 300; k++)
+            {
+                log.Clear();
+                simulator.Step(ref state, 1.0 / 60, log);
+                Assert.Equal(0, log.Stalled);
+                Assert.True(log.Events.Count <= 24 && log.Evaluations < 6000, $"{speed}, step {k}: {log.Events.Count} events, {log.Evaluations} evaluations");
+            }
+
+            Assert.Equal(0UL, state.Nets);
+        }
+    }
+
     private static BallState Shot(Simulator simulator, Shots random)
     {
         var from = new Vector3d(random.Uniform(-10, 10), 0.11, random.Uniform(-12, 0));
