@@ -173,6 +173,15 @@ internal sealed class StadiumMatches
             return;
         }
 
+        // What presses a squeezed ball is not told touch by touch: it may come and go within the step.
+        for (double since = 0; before.Motion == MotionState.Squeezed && since < frame; since += 0.001)
+        {
+            if (stadium.ToMoving(_ahead.PositionAt(before.Time + since), since) < Stadium.BallRadius + Apart)
+            {
+                return;
+            }
+        }
+
         foreach (ref readonly BallEvent item in stadium.Ball.Events)
         {
             string name = item.Thing > 0 ? stadium.Ball.Simulator.NameOf(item.Thing) ?? "" : "";

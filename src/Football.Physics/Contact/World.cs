@@ -9,7 +9,7 @@ internal sealed class World
     private const double UsualChangeInNets = 0.03;
 
     /// <summary>... and by up to this one where it has settled: as much as RK4 follows without an error of more than the second, m/s, in the time that it settles in.</summary>
-    private const double LargestChangeInNets = 0.3;
+    private const double LargestChangeInNets = 0.6;
     private const double ErrorInNets = 3e-9;
 
     /// <summary>A ball that is no farther off what carries it than this, m, is on it: the last bits of a place in a stadium.</summary>
