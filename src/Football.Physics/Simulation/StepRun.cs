@@ -9,6 +9,9 @@ internal ref struct StepRun
     /// <summary>Impacts that one step may have. After them the ball stays on what it hits.</summary>
     public const int MostImpacts = 256;
 
+    /// <summary>Events of a step that make a crowd.</summary>
+    private const int MostInCrowd = 14;
+
     /// <summary>Pieces of a step, whatever asks for them.</summary>
     private const int MostPieces = 1 << 13;
 
@@ -87,6 +90,9 @@ internal ref struct StepRun
 
     /// <summary>The length of the next part: what is left, or an equal share of it where the step had to be divided, s.</summary>
     public readonly double Next => Part > 0 && Left > Part ? Left / Math.Ceiling((Left / Part) - 1e-9) : Left;
+
+    /// <summary>True when the step has told so much that slow impacts are counted and told no more.</summary>
+    public readonly bool IsCrowded => Log.Events.Count - FirstEvent >= MostInCrowd;
 
     /// <summary>Counts a piece before it is taken.</summary>
     /// <returns>False where the step has had all pieces, or all evaluations, that a step may have.</returns>

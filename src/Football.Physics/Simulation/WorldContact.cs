@@ -6,9 +6,6 @@ internal sealed class WorldContact
     /// <summary>More impacts than this at one instant, and the rest of it is without restitution, at all contacts together: two contacts, and eight.</summary>
     private const int MostAtOnce = 10;
 
-    /// <summary>Events of a step after which that holds, where something that moves has touched the ball lately.</summary>
-    private const int MostInCrowd = 14;
-
     /// <summary>More than this in a step that were taken together, and the ball has no room.</summary>
     private const int MostUntold = 3;
 
@@ -35,8 +32,8 @@ internal sealed class WorldContact
     /// <summary>An impact with a collider that the ball touches, and what becomes of the ball.</summary>
     public void Impact(ref BallState s, int collider, ref StepRun run)
     {
-        bool isCrowded = run.Log.Events.Count - run.FirstEvent >= MostInCrowd && s.Time < s.SqueezeUntil;
-        if (run.Impacts++ >= MostAtOnce || isCrowded)
+        // Neither at one instant, nor in a crowd where something that moves has touched the ball lately.
+        if (run.Impacts++ >= MostAtOnce || (run.IsCrowded && s.Time < s.SqueezeUntil))
         {
             ImpactAtOnce(ref s, collider, ref run);
             return;
@@ -72,7 +69,16 @@ internal sealed class WorldContact
             run.Log.Halted |= run.Log.HaltsAtPush;
         }
 
-        run.Log.Events.Add(new BallEvent(BallEventKind.Impact, thing, in n, s.Time, s.Position, in v, in w, in velocity, in spin));
+        // A ball that trembles in a corner would tell of each time that it comes back.
+        if (run.IsCrowded && Vector3d.Dot(surface - v, in n) < _world.MinimumBounceSpeed)
+        {
+            run.Log.Untold++;
+        }
+        else
+        {
+            run.Log.Events.Add(new BallEvent(BallEventKind.Impact, thing, in n, s.Time, s.Position, in v, in w, in velocity, in spin));
+        }
+
         run.Log.Halted |= run.Log.StopAt == StopAt.Impact;
         s.Branch = DragBranch.Unknown;
         bool may = run.Hit();
@@ -409,8 +415,8 @@ internal sealed class WorldContact
     /// <summary>The ball stays on a thing, and is put onto it: it slides, or rolls.</summary>
     private void Stay(ref BallState s, int thing, in Vector3d velocity, in Vector3d spin, ref StepRun run)
     {
-        // What slid there at this instant already, before it was hit again, slides on.
-        bool slidOn = run.Impacts > 1 && s.Motion == MotionState.Sliding && s.Carrier == thing;
+        // What slid there at this instant already, before it was hit again, slides on; in a crowd what slid there at all.
+        bool slidOn = (run.Impacts > 1 || run.IsCrowded) && s.Motion == MotionState.Sliding && s.Carrier == thing;
         s.Velocity = velocity;
         s.SetGroundSpin(in spin);
         s.Carrier = thing;
