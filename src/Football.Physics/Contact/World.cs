@@ -12,9 +12,6 @@ internal sealed class World
     private const double LargestChangeInNets = 0.6;
     private const double ErrorInNets = 3e-9;
 
-    /// <summary>A ball that is no farther off what carries it than this, m, is on it: the last bits of a place in a stadium.</summary>
-    private const double OnSurface = 1e-14;
-
     private readonly string[] _names;
     /// <summary>Around what moves by itself: the first of <see cref="Moving"/>, for bodies are its last.</summary>
     private readonly MovingSpheres _movers = new();
@@ -415,8 +412,7 @@ internal sealed class World
     {
         ShapePoint at = collider.At(s.Position, s.Time);
         Vector3d n = at.Normal;
-        double gap = Ball.Radius - at.Distance;
-        s.Position += Math.Abs(gap) > OnSurface ? gap * n : Vector3d.Zero;
+        s.Position += (Ball.Radius - at.Distance) * n;
         s.Velocity -= Vector3d.Dot(s.Velocity - collider.Velocity, in n) * n;
         if (IsLevel && collider == Ground)
         {
