@@ -25,6 +25,30 @@ public sealed class PeopleTests
         Assert.InRange(presses.Deepest, 0, 1e-9);
     }
 
+    /// <summary>Presses that were found to tremble in a corner, to be let go by a net and to be pressed deep into one: what a step tells and takes is bounded.</summary>
+    [Theory]
+    [InlineData("Corner", 20261129, 57, 1000)]
+    [InlineData("Net", 20261126, 22, 2000)]
+    [InlineData("Net", 20261125, 243, 2000)]
+    [InlineData("Net", 20261125, 524, 2000)]
+    public void A_ball_that_trembles_tells_and_takes_no_more_than_others(string against, long seed, int index, long mostEvaluations)
+    {
+        var presses = new Presses(Enum.Parse<PressKind>(against));
+        presses.Play(seed, index);
+        Assert.InRange(presses.Meter.MostEvents, 1, StepMeter.MostAllowed);
+        Assert.InRange(presses.Meter.MostEvaluations, 1, mostEvaluations);
+        Assert.Equal((1, 0, 0), (presses.Cases, presses.Inside, presses.Behind));
+    }
+
+    /// <summary>Two pinches that were a quarter of a percent too fast, by what gravity did to a squeezed ball.</summary>
+    [Fact]
+    public void Gravity_makes_a_squeezed_ball_no_faster_than_it_falls()
+    {
+        var pinches = new Pinches();
+        pinches.Play(20261125, 2364);
+        Assert.Equal(0, pinches.TooFast);
+    }
+
     [Fact]
     public void Two_players_make_no_ball_faster_than_they_may_and_let_it_go()
     {
