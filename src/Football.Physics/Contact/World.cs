@@ -458,7 +458,9 @@ internal sealed class World
                 double depth = Math.Max(0, Nets[i].Depth(at.Position, SideOf(sides, i)));
                 double rate = Nets[i].RateAt(depth);
                 double change = Math.Sqrt(Math.Sqrt(120.0 * ErrorInNets * rate * rate / jerk));
-                change = Math.Min(LargestChangeInNets, Math.Max(UsualChangeInNets, change));
+
+                // Also where a net without stiffness makes that no number.
+                change = change > UsualChangeInNets ? Math.Min(LargestChangeInNets, change) : UsualChangeInNets;
 
                 // As deep as it may come within the part p: p λ(δ + p v) = c, quadratic in p.
                 double bend = Nets[i].RatePerDepth * speed;

@@ -26,7 +26,7 @@ public sealed class StepLog
 
     /// <summary>
     /// Impacts that were not told one by one: where things that move press the ball, those of one instant after the tenth, of one step after its fourteenth event,
-    /// are taken together. While the ball is <see cref="MotionState.Squeezed"/> there are none.
+    /// are taken together; and after that event those slower than the slowest bounce, as of a ball that trembles in a corner. While the ball is <see cref="MotionState.Squeezed"/> there are none.
     /// </summary>
     public long Untold { get; internal set; }
 

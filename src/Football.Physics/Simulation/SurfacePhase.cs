@@ -40,8 +40,8 @@ internal sealed class SurfacePhase<TIntegrator>
     private const double HeuristicSlip = 1e-3;
 
     /// <summary>
-    /// How often a roll may lose its grip in a step. A net that is slack and tight in turn makes a ball on the ground grip and slip in turn, the sooner the less it
-    /// slips; after so many it grips for the rest of the step, which no work is done by.
+    /// How often a roll in a net may lose its grip in a step. One that is slack and tight in turn makes a ball on the ground grip and slip in turn, the sooner the less
+    /// it slips; after so many it grips for the rest of the step: friction does no work on what rolls.
     /// </summary>
     private const int MostSlips = 2;
 
@@ -107,7 +107,7 @@ internal sealed class SurfacePhase<TIntegrator>
 
         double sliding = system.SlidingFriction(in on);
         Vector3d traction = system.Traction(in on);
-        bool grips = system.Grips(in on) || run.Slips >= MostSlips;
+        bool grips = system.Grips(in on) || KeepsGrip(in s, in run);
         Vector3d moving = rolls ? on.Velocity : system.SlipOf(in from, in on.Normal);
         double size = moving.Length;
         if (rolls && !grips)
@@ -205,6 +205,9 @@ internal sealed class SurfacePhase<TIntegrator>
         return closing * h > share * size ? share * size / closing : h;
     }
 
+    /// <summary>True for a ball in a net that has lost its grip too often in the step.</summary>
+    private static bool KeepsGrip(in BallState s, in StepRun run) => s.Nets != 0 && run.Slips >= MostSlips;
+
     /// <summary>How many times longer than usual a step is; 1 for shorter ones.</summary>
     private static double Coarseness(double step) => Math.Max(1.0, step / UsualStep);
 
@@ -236,7 +239,7 @@ internal sealed class SurfacePhase<TIntegrator>
         SurfacePath.Shorten(ref sweep, in s, system.Carrier, _around.Radius, order);
         _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
         double crossing = sweep.Length;
-        bool overEdge = SurfaceMargin<TMethod>.EndPiece(ref sweep, in s, system.Rolls, run.Slips >= MostSlips);
+        bool overEdge = SurfaceMargin<TMethod>.EndPiece(ref sweep, in s, system.Rolls, KeepsGrip(in s, in run));
         SurfaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
         _nets.EndWhereSlack(ref sweep, in s);
         bool meets = _guard.EndAtFirst(ref sweep, in s, order, out Separation met);
@@ -342,7 +345,7 @@ internal sealed class SurfacePhase<TIntegrator>
             run.Log.Show(in before, in s, in acceleration, in atEnd, _integrator.Order);
         }
 
-        if (!run.Log.Halted && (system.Grips(in there) || run.Slips >= MostSlips))
+        if (!run.Log.Halted && (system.Grips(in there) || KeepsGrip(in s, in run)))
         {
             _contact.StartRolling(ref s, ref run);
         }
