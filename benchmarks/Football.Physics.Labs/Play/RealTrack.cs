@@ -14,10 +14,7 @@ internal static class RealTrack
         ("generic", BallProperties.Football), ("brazuca", BallProperties.Brazuca), ("trionda", BallProperties.Trionda), ("modern", BallProperties.Modern),
     ];
 
-    private static readonly (string Name, Ground Ground, bool Rolls)[] Grounds =
-    [
-        ("dryTurf", Ground.DryTurf, false), ("wetTurf", Ground.WetTurf, false), ("matchTurf", Ground.MatchTurf, false), ("matchTurf", Ground.MatchTurf, true),
-    ];
+    private static readonly (string Name, Ground Ground)[] Grounds = [("dryTurf", Ground.DryTurf), ("wetTurf", Ground.WetTurf), ("matchTurf", Ground.MatchTurf)];
 
     public static void Add(string file, double? altitude, LabTable flights, LabTable impacts, LabReport report, Action<string> said)
     {
@@ -73,17 +70,16 @@ internal static class RealTrack
             double bounce = Median(all.Select(piece => piece.Restitution!.Value));
             double kept = Median(all.Select(piece => piece.Kept));
             table.Add(file, Text(from, to), "seen", all.Length, bounce, kept, null, null, "");
-            foreach ((string name, Ground ground, bool rolls) in Grounds.Where(row => !row.Rolls || from == 0))
+            foreach ((string name, Ground ground) in Grounds)
             {
                 var simulator = new Simulator(fit.Scene with { Ground = ground with { Height = 0 }, Forces = new ForceSet() });
-                (double Bounce, double Kept)[] made = [.. all.Select(piece => Bounce(simulator, piece, SpinOf(simulator, fit.Pieces, piece, rolls)))];
+                (double Bounce, double Kept)[] made = [.. all.Select(piece => Bounce(simulator, piece, SpinOf(simulator, fit.Pieces, piece)))];
                 double offBounce = Median(made.Zip(all, (shares, piece) => shares.Bounce - piece.Restitution!.Value));
                 double offKept = Median(made.Zip(all, (shares, piece) => shares.Kept - piece.Kept));
                 bool within = Math.Abs(offBounce) <= 0.05 && Math.Abs(offKept) <= 0.05;
-                string shown = rolls ? name + ", rolling before" : name;
                 table.Add(
-                    file, Text(from, to), shown, all.Length, Median(made.Select(shares => shares.Bounce)), Median(made.Select(shares => shares.Kept)), offBounce, offKept,
-                    name == "matchTurf" && !rolls ? Verdict.Of(within) : "");
+                    file, Text(from, to), name, all.Length, Median(made.Select(shares => shares.Bounce)), Median(made.Select(shares => shares.Kept)), offBounce, offKept,
+                    name == "matchTurf" ? Verdict.Of(within) : "");
             }
         }
     }
@@ -97,24 +93,24 @@ internal static class RealTrack
     private static double Along(Vector3d v) => Math.Sqrt((v.X * v.X) + (v.Z * v.Z));
 
     /// <summary>
-    /// The spin before an impact. After another impact it is what that one made of the spin before it, on the same surface: short flights between bounces tell little
-    /// of their spin. Else it is that of the flight; or, to see what it matters, that of a ball that rolls, ŷ × v/r.
+    /// The spin before an impact: that of the flight; after another impact, of whose short flight little is told, the one with which the same surface lets the ball slip there as far as
+    /// its law says, at the velocity that was seen: Δω = n × Δv / r. A ball that gripped rolls.
     /// </summary>
-    private static Vector3d SpinOf(Simulator simulator, IReadOnlyList<MatchPiece> pieces, MatchPiece piece, bool rolls)
+    private static Vector3d SpinOf(Simulator simulator, IReadOnlyList<MatchPiece> pieces, MatchPiece piece)
     {
-        if (rolls)
-        {
-            return new Vector3d(piece.VelocityBefore.Z, 0, -piece.VelocityBefore.X) / simulator.Scene.Ball.Radius;
-        }
-
         int before = pieces.ToList().IndexOf(piece) - 1;
         while (before >= 0 && pieces[before].Kind is MatchPieceKind.Flight or MatchPieceKind.Lost)
         {
             before--;
         }
 
-        bool follows = before >= 0 && pieces[before].Kind == MatchPieceKind.Impact;
-        return follows ? Impact(simulator, pieces[before], SpinOf(simulator, pieces, pieces[before], false)).Spin : piece.SpinBefore;
+        if (before < 0 || pieces[before].Kind != MatchPieceKind.Impact)
+        {
+            return piece.SpinBefore;
+        }
+
+        BallEvent impact = Impact(simulator, pieces[before], SpinOf(simulator, pieces, pieces[before]));
+        return impact.Spin + (Vector3d.Cross(Vector3d.Up, pieces[before].Velocity - impact.Velocity) / simulator.Scene.Ball.Radius);
     }
 
     private static BallEvent Impact(Simulator simulator, MatchPiece piece, Vector3d spin)

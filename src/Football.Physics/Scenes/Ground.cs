@@ -100,13 +100,15 @@ public sealed record Ground
 
     /// <summary>
     /// The turf of a match, mown and watered, as balls bounce on it in play: restitution 0.61 at a vertical drop, rising with obliqueness to 0.8 and more (η 0.85, measured on the impacts of one
-    /// minute of one match), impact friction 0.41 (likewise: 0.28 … 0.46). Meets the windows of the rigs for a wet natural pitch (drop 0.60 … 1.00 m, angle 45 … 80 %, roll 4 … 10 m);
+    /// minute of one match), impact friction 0.41 (likewise: 0.28 … 0.46), e_t −0.10 (likewise, of slow balls: −0.2 … 0.05). Meets the windows of the rigs for a wet natural pitch (drop 0.60 … 1.00 m, angle 45 … 80 %, roll 4 … 10 m);
     /// the rest guess.
     /// </summary>
     public static Ground MatchTurf { get; } = new()
     {
         NormalRestitution = 0.61,
         RestitutionRise = 0.85,
+        TangentialRestitutionX = -0.1,
+        TangentialRestitutionZ = -0.1,
         ImpactFriction = 0.41,
         SlidingFriction = 0.35,
     };

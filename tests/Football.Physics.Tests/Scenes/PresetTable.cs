@@ -94,6 +94,7 @@ internal static class PresetTable
             {
                 ["e₆"] = ("measured", "impacts of one minute of one match: 0.60 ± 0.05; FIFA's rigs: drop 0.60 … 1.00 m"),
                 ["η"] = ("measured", "the same impacts: 0.6 … 1"),
+                ["e_t"] = ("measured", "the same impacts, eight slow ones that grip: −0.2 … 0.05"),
                 ["μ_i"] = ("measured", "the same impacts: 0.34 ± 0.05, scatter 0.28 … 0.46; the angle of a wet pitch, 45 … 80 %, asks for 0.40"),
             }),
             ("hard ground", Ground.HardGround, new()),
