@@ -1,3 +1,4 @@
+using Football.Physics.Engines;
 using Football.Physics.Prediction;
 
 namespace Football.Web;

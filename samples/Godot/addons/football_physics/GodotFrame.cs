@@ -1,4 +1,5 @@
 #nullable enable
+using Football.Physics.Engines;
 using Godot;
 
 namespace Football.Physics.GodotAddon;

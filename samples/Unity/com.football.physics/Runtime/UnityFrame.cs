@@ -1,3 +1,5 @@
+using Football.Physics.Engines;
+
 namespace Football.Physics.Unity
 {
     /// <summary>Conversions between the library's types and Unity's, through the one mapping of handedness.</summary>
