@@ -20,7 +20,8 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PROJECTS = ["Football.Physics.Tests", "Football.Physics.Labs.Tests"]
-LIBRARY = "src/Football.Physics"
+# The library, and its parts in packages of their own: a file's place begins with the room that they are.
+PARTS = {"": "src/Football.Physics", "Batch": "src/Football.Physics.Batch", "Engines": "src/Football.Physics.Engines", "Thesis": "src/Football.Physics.Thesis", "Tracks": "src/Football.Physics.Tracks"}
 OTHERS = "FullyQualifiedName!~Football.Tool.Tests.&FullyQualifiedName!~.Architecture.&FullyQualifiedName!~.Api.&FullyQualifiedName!~ChangedLawTests&FullyQualifiedName!~ProfileTests&FullyQualifiedName!~ReferenceBoundTests"
 ENVIRONMENT = {**os.environ, "DOTNET_CLI_TELEMETRY_OPTOUT": "1", "MSBUILDDISABLENODEREUSE": "1"}
 
@@ -49,15 +50,17 @@ def named(tests):
 
 
 def place(mutation):
-    """Its file, or the only other that has its text; None where its text does not stand exactly once."""
-    def count(path):
-        return path.read_text().count(mutation["old"])
+    """Its project and its file there, or the only other that has its text; None where its text does not stand exactly once."""
+    def count(found):
+        return (ROOT / found[0] / found[1]).read_text().count(mutation["old"])
 
-    path = ROOT / LIBRARY / mutation["file"]
-    if path.exists() and count(path) > 0:
-        return mutation["file"] if count(path) == 1 else None
-    others = [path for path in (ROOT / LIBRARY).rglob("*.cs") if count(path) > 0]
-    return others[0].relative_to(ROOT / LIBRARY) if len(others) == 1 and count(others[0]) == 1 else None
+    room, _, rest = mutation["file"].partition("/")
+    named = (PARTS[room], rest) if room in PARTS else (PARTS[""], mutation["file"])
+    if (ROOT / named[0] / named[1]).exists() and count(named) > 0:
+        return named if count(named) == 1 else None
+    others = [(part, str(path.relative_to(ROOT / part))) for part in PARTS.values() for path in (ROOT / part).rglob("*.cs")]
+    others = [found for found in others if not found[1].startswith(("bin/", "obj/")) and count(found) > 0]
+    return others[0] if len(others) == 1 and count(others[0]) == 1 else None
 
 
 def main():
@@ -74,7 +77,8 @@ def main():
         work = pathlib.Path(work)
         for name in ["BannedSymbols.txt", "Directory.Build.props", "Directory.Build.targets", "Directory.Packages.props", "global.json", "README.md", "LICENSE"]:
             shutil.copy(ROOT / name, work / name)
-        shutil.copytree(ROOT / LIBRARY, work / LIBRARY, ignore=shutil.ignore_patterns("bin"))
+        for part in [*PARTS.values(), "src/Packaging"]:
+            shutil.copytree(ROOT / part, work / part, ignore=shutil.ignore_patterns("bin"))
         for project in PROJECTS:
             shutil.copytree(ROOT / "tests" / project / "bin/Release/net10.0", work / project)
         (work / "Football.Physics.sln").write_text("")
@@ -87,17 +91,21 @@ def main():
             sys.exit("without any mistake these fail: " + ", ".join(sorted(set(plain))))
 
         for m in wanted:
-            path = work / LIBRARY / places[m["name"]]
+            part, file = places[m["name"]]
+            path = work / part / file
             text = path.read_text()
             path.write_text(text.replace(m["old"], m["new"]))
-            build = run(["dotnet", "build", "-c", "Release", LIBRARY, "-f", "net10.0", "-p:TargetFrameworks=net10.0", "-p:RunAnalyzers=false",
+            build = run(["dotnet", "build", "-c", "Release", part, "-f", "net10.0", "-p:TargetFrameworks=net10.0", "-p:RunAnalyzers=false",
                          "--nologo", "-v", "q", "-o", str(work / "mutant")], work)
             path.write_text(text)
             if build.returncode != 0:
                 sys.exit(f"{m['name']} does not compile:\n" + build.stdout[-2000:])
 
             for project in PROJECTS:
-                shutil.copy(work / "mutant/Football.Physics.dll", work / project / "Football.Physics.dll")
+                for built in PARTS.values():
+                    name = pathlib.Path(built).name + ".dll"
+                    if (work / "mutant" / name).exists():
+                        shutil.copy(work / "mutant" / name, work / project / name)
             failed = [test for project in sorted({projects[test] for test in m["tests"]})
                       for test in failures(work, m["name"], project, named([test for test in m["tests"] if projects[test] == project]))]
             others = [] if failed else failures(work, m["name"], PROJECTS[0], OTHERS)

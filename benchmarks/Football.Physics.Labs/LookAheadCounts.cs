@@ -178,7 +178,7 @@ internal sealed class LookAheadCounts
         double damping = Math.Pow(10, AimSets.Between(random, -2, 3));
         double stiffness = random.Next(2) == 0 ? 0 : Math.Pow(10, AimSets.Between(random, 1, 5));
         double friction = stiffness > 0 ? 0.1 * damping : damping;
-        IForce net = Force.From(ball =>
+        IForce net = IForce.From(ball =>
         {
             double depth = -11 - ball.Position.Z;
             return stiffness > 0

@@ -112,7 +112,7 @@ public sealed class BundleTests : IDisposable
     [Fact]
     public void A_scene_with_code_or_another_one_than_the_match_s_has_no_bundle()
     {
-        Scene own = Scene.Default with { Forces = ForceSet.Measured with { Custom = [Force.From(_ => Vector3d.Zero)] } };
+        Scene own = Scene.Default with { Forces = ForceSet.Measured with { Custom = [IForce.From(_ => Vector3d.Zero)] } };
         Assert.StartsWith("scene: forces.custom[0] ", Assert.Throws<InvalidOperationException>(() => Bundle(own, out _)).Message);
         var runner = new FixedStepRunner();
         MatchSegment segment = runner.Record();

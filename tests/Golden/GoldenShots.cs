@@ -57,7 +57,7 @@ public static class GoldenShots
         yield return Named("constant", Scene.Published with { Forces = ForceSet.Constant });
         yield return Named("vacuum", Scene.Vacuum);
         yield return Named("windy", Scene.Published with { Air = new Air { Wind = new Vector3d(3.5, 0.5, 6) } });
-        IForce gust = Force.From(ball => new Vector3d(0.3 * ball.Position.Y, 0, 0.01 * ball.AirVelocity.Z));
+        IForce gust = IForce.From(ball => new Vector3d(0.3 * ball.Position.Y, 0, 0.01 * ball.AirVelocity.Z));
         yield return Named("custom", Scene.Published with { Forces = ForceSet.Published with { Custom = new[] { gust } }, Ground = Ground.PublishedWetTurf });
     }
 

@@ -12,10 +12,13 @@ internal static class ApiGroups
         ("Scenes: ball, air, ground", ["Scenes", "Scenes/Winds"]),
         ("Things that the ball meets", ["Scenes/Shapes", "Contact"]),
         ("Where the ball will be", ["Prediction"]),
-        ("Which kick", ["Aiming", "Tracks", "Thesis"]),
-        ("Many at once", ["Batch"]),
+        ("Which kick", ["Aiming"]),
         ("Step by step, and the methods", ["Simulation", "Integration", "State"]),
         ("Vectors and limits", ["Numerics"]),
+        ("Many at once: Football.Physics.Batch", ["Batch"]),
+        ("From a track: Football.Physics.Tracks", ["Tracks"]),
+        ("In an engine: Football.Physics.Engines", ["Engines"]),
+        ("The methods of the thesis: Football.Physics.Thesis", ["Thesis"]),
     ];
 
     /// <summary>Types that are things, or forces, though they stand among the scenes.</summary>
@@ -35,10 +38,11 @@ internal static class ApiGroups
         ["SphereCast"] = "Things that the ball meets",
     };
 
-    private static readonly Dictionary<string, string> s_folders = Directory
-        .EnumerateFiles(Path.Combine(Repository.Root, "src", "Football.Physics"), "*.cs", SearchOption.AllDirectories)
-        .GroupBy(file => Path.GetFileNameWithoutExtension(file))
-        .ToDictionary(files => files.Key, files => Path.GetRelativePath(Path.Combine(Repository.Root, "src", "Football.Physics"), Path.GetDirectoryName(files.First())!).Replace('\\', '/'));
+    private static readonly Dictionary<string, string> s_folders =
+        ((string Project, string Room)[])[("Football.Physics", ""), ("Football.Physics.Batch", "Batch/"), ("Football.Physics.Tracks", "Tracks/"), ("Football.Physics.Engines", "Engines/"), ("Football.Physics.Thesis", "Thesis/")]
+            .SelectMany(part => FoldersOf(Path.Combine(Repository.Root, "src", part.Project), part.Room))
+            .GroupBy(file => file.Name)
+            .ToDictionary(files => files.Key, files => files.First().Folder);
 
     /// <summary>All titles, in order.</summary>
     public static IEnumerable<string> Titles => s_groups.Select(group => group.Title).Append(Others);
@@ -51,6 +55,10 @@ internal static class ApiGroups
         string folder = s_folders.GetValueOrDefault(name, "");
         return s_moved.GetValueOrDefault(name) ?? Titled(folder) ?? Titled(folder.Split('/')[0]) ?? Others;
     }
+
+    private static IEnumerable<(string Name, string Folder)> FoldersOf(string root, string room) =>
+        from file in Directory.EnumerateFiles(root, "*.cs", SearchOption.AllDirectories)
+        select (Path.GetFileNameWithoutExtension(file), room + Path.GetRelativePath(root, Path.GetDirectoryName(file)!).Replace('\\', '/').TrimStart('.'));
 
     private static string? Titled(string folder) => s_groups.Where(group => group.Folders.Contains(folder)).Select(group => group.Title).FirstOrDefault();
 }

@@ -148,7 +148,7 @@ public sealed class TrackFitTests
         }
 
         Vector3d asLaws = End(new Simulator(scaled));
-        Scene asForce = scene with { Forces = scene.Forces with { Custom = [.. scaled.Forces.Custom, Force.From(_ => Vector3d.Zero)] } };
+        Scene asForce = scene with { Forces = scene.Forces with { Custom = [.. scaled.Forces.Custom, IForce.From(_ => Vector3d.Zero)] } };
         Assert.InRange(Vector3d.Distance(asLaws, End(new Simulator(asForce))), 0, 1e-6);
         Assert.InRange(Vector3d.Distance(asLaws, End(new Simulator(scene))), 0.5, 10);
 

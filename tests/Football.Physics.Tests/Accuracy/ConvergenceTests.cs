@@ -109,7 +109,7 @@ public sealed class ConvergenceTests
     public void Flights_with_a_force_of_the_game_keep_the_order(Integrator integrator, double coarsest, double low, double high)
     {
         // An updraught that fades with height, and a gust in time.
-        var gust = Force.From(ball =>
+        var gust = IForce.From(ball =>
             new Vector3d(0.4 * Math.Sin(3 * ball.Time), 0.3 * Math.Exp(-0.2 * ball.Position.Y), 0.01 * ball.AirVelocity.X));
         Scene scene = Scene.Published with { Forces = ForceSet.Published with { Coefficients = CoefficientForm.Regularised, Drag = ForceLaw.Constant, Magnus = ForceLaw.Constant, Custom = [gust] } };
         var random = new Shots(77);

@@ -169,7 +169,7 @@ public sealed class ValidationTests
     public void A_null_among_the_forces_of_the_game_is_refused()
     {
         Assert.Throws<ArgumentNullException>(() => new Simulator(s_scene with { Forces = ForceSet.Published with { Custom = [null!] } }));
-        Assert.Throws<ArgumentNullException>(() => Force.From(null!));
+        Assert.Throws<ArgumentNullException>(() => IForce.From(null!));
     }
 
     [Fact]

@@ -17,11 +17,12 @@ internal static class Rooms
         "Simulation",
         "Derivatives",
         "Prediction",
-        "Tracks",
         "Aiming",
-        "Thesis",
-        "Batch",
         "Game",
+        "Thesis",
+        "Tracks",
+        "Batch",
+        "Engines",
     ];
 
     /// <summary>Every place where a file names a type of a room above its own, and every file that is in no room.</summary>

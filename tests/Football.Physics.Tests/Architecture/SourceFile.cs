@@ -13,10 +13,14 @@ internal sealed class SourceFile
         Types = DeclaredType.In(Tokens);
     }
 
-    /// <summary>Every file of the library.</summary>
-    public static IReadOnlyList<SourceFile> Library { get; } = Read(System.IO.Path.Combine(RepositoryFiles.Root, "src", "Football.Physics"));
+    /// <summary>Every file of the library, and of its parts in packages of their own, each of which is a room.</summary>
+    public static IReadOnlyList<SourceFile> Library { get; } =
+    [
+        .. Read("Football.Physics", ""), .. Read("Football.Physics.Batch", "Batch/"), .. Read("Football.Physics.Tracks", "Tracks/"), .. Read("Football.Physics.Engines", "Engines/"), .. Read("Football.Physics.Thesis", "Thesis/"),
+        .. Read("Packaging/Polyfills", "Polyfills/"),
+    ];
 
-    /// <summary>Path below the library's folder, with slashes.</summary>
+    /// <summary>Path below the library's folder, with slashes; that of a part begins with the name of its room.</summary>
     public string Path { get; }
 
     public string Text { get; }
@@ -31,12 +35,13 @@ internal sealed class SourceFile
 
     public int Lines => Text.Split('\n').Length - (Text.EndsWith('\n') ? 1 : 0);
 
-    private static IReadOnlyList<SourceFile> Read(string folder) =>
-    [
-        .. from file in Directory.EnumerateFiles(folder, "*.cs", SearchOption.AllDirectories)
-           let path = System.IO.Path.GetRelativePath(folder, file).Replace('\\', '/')
-           where !path.StartsWith("bin/", StringComparison.Ordinal) && !path.StartsWith("obj/", StringComparison.Ordinal)
-           orderby path
-           select new SourceFile(path, File.ReadAllText(file)),
-    ];
+    private static IEnumerable<SourceFile> Read(string folder, string room)
+    {
+        string root = System.IO.Path.Combine(RepositoryFiles.Root, "src", folder);
+        return from file in Directory.EnumerateFiles(root, "*.cs", SearchOption.AllDirectories)
+               let path = System.IO.Path.GetRelativePath(root, file).Replace('\\', '/')
+               where !path.StartsWith("bin/", StringComparison.Ordinal) && !path.StartsWith("obj/", StringComparison.Ordinal)
+               orderby path
+               select new SourceFile(room + path, File.ReadAllText(file));
+    }
 }

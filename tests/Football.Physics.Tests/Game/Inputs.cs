@@ -21,7 +21,7 @@ internal static class Inputs
             Air = new Air { WindField = new WindByHeight(6, 1, -2, gusts: new Gusts { Seed = 11 }) },
             Forces = ForceSet.Measured with { KnuckleSeed = -5 },
         }),
-        new(Scene.Published with { Forces = ForceSet.Published with { Custom = [Force.From(ball => new Vector3d(0.1 * ball.Velocity.Y, 0, 0.2))] } }),
+        new(Scene.Published with { Forces = ForceSet.Published with { Custom = [IForce.From(ball => new Vector3d(0.1 * ball.Velocity.Y, 0, 0.2))] } }),
     ];
 
     public static Gen<Simulator> Simulators => Gen.Elements(s_simulators);

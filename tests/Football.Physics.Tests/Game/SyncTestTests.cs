@@ -24,7 +24,7 @@ public sealed class SyncTestTests
     public void A_force_that_remembers_is_found_out_in_one_tick()
     {
         double calls = 0;
-        IForce wobble = Force.From(_ => new Vector3d(1e-3 * ++calls, 0, 0));
+        IForce wobble = IForce.From(_ => new Vector3d(1e-3 * ++calls, 0, 0));
         var runner = new FixedStepRunner(new Simulator(new Scene { Forces = ForceSet.Measured with { Custom = [wobble] } }));
         var rollback = new Rollback(runner);
         runner.QueueKick(speed: 25, direction: new Vector3d(0, 0.3, -1));

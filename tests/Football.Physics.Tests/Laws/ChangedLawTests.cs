@@ -65,7 +65,7 @@ public sealed class ChangedLawTests : IDisposable
 
         string[] sources =
         [
-            .. Files("src/Football.Physics"), .. Files("benchmarks/Football.Physics.Yardsticks"), .. Files(Tests + "/Laws"), .. Files(Tests + "/Support"),
+            .. Files("src/Football.Physics"), .. Files("src/Football.Physics.Batch"), .. Files("src/Packaging"), .. Files("benchmarks/Football.Physics.Yardsticks"), .. Files(Tests + "/Laws"), .. Files(Tests + "/Support"),
             Tests + "/Batch/BatchScenes.cs", Tests + "/Batch/LaneLawTests.cs", Tests + "/Batch/LaneLawPointTests.cs",
         ];
         foreach (string file in sources.Where(file => Path.GetFileNameWithoutExtension(file) != nameof(ChangedLawTests)))
@@ -73,13 +73,16 @@ public sealed class ChangedLawTests : IDisposable
             Write(file, RepositoryFiles.Text(file));
         }
 
-        const string Library = "src/Football.Physics/Football.Physics.csproj";
-        Write(Library, Regex.Replace(RepositoryFiles.Text(Library), "<Import [^>]*/>", "").Replace(
-            "<TargetFrameworks>netstandard2.1;net8.0;net10.0</TargetFrameworks>", "<TargetFramework>net10.0</TargetFramework>", StringComparison.Ordinal));
+        foreach (string file in (string[])["src/Football.Physics/Football.Physics.csproj", "src/Football.Physics.Batch/Football.Physics.Batch.csproj", "src/Packaging/Package.props", "src/Packaging/Package.targets"])
+        {
+            Write(file, Regex.Replace(RepositoryFiles.Text(file), "<Import Project=\"[^/\"]*\" />", "").Replace(
+                "<TargetFrameworks>netstandard2.1;net8.0;net10.0</TargetFrameworks>", "<TargetFramework>net10.0</TargetFramework>", StringComparison.Ordinal));
+        }
+
         const string Project = Tests + "/Football.Physics.Tests.csproj";
         const string Yardsticks = "<ProjectReference Include=\"../../benchmarks/Football.Physics.Yardsticks/Football.Physics.Yardsticks.csproj\" />";
         const string Compiled = "<Compile Include=\"../../benchmarks/Football.Physics.Yardsticks/Plain/FittedLaws.cs;../../benchmarks/Football.Physics.Yardsticks/Shots/SeededRandom.cs\" />";
-        Write(Project, string.Join('\n', RepositoryFiles.Text(Project).Split('\n').Where(line => !line.Contains("Football.Scenarios", StringComparison.Ordinal)))
+        Write(Project, string.Join('\n', RepositoryFiles.Text(Project).Split('\n').Where(line => !Regex.IsMatch(line, @"Football\.(Scenarios|Physics\.(Engines|Thesis|Tracks)/)")))
             .Replace(Yardsticks, Compiled, StringComparison.Ordinal));
     }
 

@@ -16,7 +16,7 @@ public sealed class CustomForceTests
         Scene heavy = profile.Scene() with { Gravity = 9.81 + 2, Forces = profile.Forces() with { Buoyancy = false } };
         Scene pulled = profile.Scene() with
         {
-            Forces = profile.Forces() with { Buoyancy = false, Custom = [Force.From(_ => new Vector3d(0, -2 * 0.43, 0))] },
+            Forces = profile.Forces() with { Buoyancy = false, Custom = [IForce.From(_ => new Vector3d(0, -2 * 0.43, 0))] },
         };
         BallEvent expected = Flight.ToImpact(heavy, integrator, 0.01, new Vector3d(0, 0.11, 0), new Vector3d(16, 9, 3), new Vector3d(3, 30, -9));
         BallEvent actual = Flight.ToImpact(pulled, integrator, 0.01, new Vector3d(0, 0.11, 0), new Vector3d(16, 9, 3), new Vector3d(3, 30, -9));
@@ -34,7 +34,7 @@ public sealed class CustomForceTests
         var builtIn = Scene.Published with { Air = new Air { Wind = new Vector3d(3, 1, -2) }, Forces = ForceSet.Published with { Drag = ForceLaw.Constant, DragCoefficient = Coefficient, Coefficients = CoefficientForm.Regularised } };
         Scene copy = builtIn with
         {
-            Forces = builtIn.Forces with { Drag = ForceLaw.None, Custom = [Force.From(ball => -k * ball.AirVelocity.Length * ball.AirVelocity)] },
+            Forces = builtIn.Forces with { Drag = ForceLaw.None, Custom = [IForce.From(ball => -k * ball.AirVelocity.Length * ball.AirVelocity)] },
         };
         BallState expected = Flight.Play(builtIn, Flight.With(integrator), 0.01, 2, StopAt.Time, s_high, new Vector3d(20, 5, 3), new Vector3d(3, 30, -9), out _);
         BallState actual = Flight.Play(copy, Flight.With(integrator), 0.01, 2, StopAt.Time, s_high, new Vector3d(20, 5, 3), new Vector3d(3, 30, -9), out _);
@@ -48,7 +48,7 @@ public sealed class CustomForceTests
     public void A_force_that_does_nothing_changes_nothing_through_a_whole_life(Profile profile)
     {
         Scene scene = profile.Scene() with { Air = new Air { Wind = new Vector3d(2, 0, 1) } };
-        Scene idle = scene with { Forces = profile.Forces() with { Custom = [Force.From(_ => Vector3d.Zero)] } };
+        Scene idle = scene with { Forces = profile.Forces() with { Custom = [IForce.From(_ => Vector3d.Zero)] } };
         var random = new Shots(81);
         for (int i = 0; i < 20; i++)
         {
@@ -71,7 +71,7 @@ public sealed class CustomForceTests
         var scene = Scene.Published with
         {
             Gravity = 0,
-            Forces = ForceSet.Published with { Drag = ForceLaw.None, Coefficients = form, Custom = [Force.From(_ => Vector3d.Zero)] },
+            Forces = ForceSet.Published with { Drag = ForceLaw.None, Coefficients = form, Custom = [IForce.From(_ => Vector3d.Zero)] },
         };
         BallState end = Flight.Play(scene, SolverSettings.Default, 0.01, 1, StopAt.Time, s_high, new Vector3d(20, 5, 3), new Vector3d(3, 30, -9), out _);
         Assert.Equal(new Vector3d(20, 5, 3).Length, end.Velocity.Length, 1e-6);
@@ -138,7 +138,7 @@ public sealed class CustomForceTests
         {
             Gravity = 0,
             Ball = new BallProperties { Mass = 2 },
-            Forces = ForceSet.None with { Custom = [Force.From(_ => new Vector3d(4, 0, 0)), Force.From(_ => new Vector3d(2, 0, 6))] },
+            Forces = ForceSet.None with { Custom = [IForce.From(_ => new Vector3d(4, 0, 0)), IForce.From(_ => new Vector3d(2, 0, 6))] },
         };
         BallState state = Flight.Play(scene, SolverSettings.Default, 0.1, 1, StopAt.Time, s_high, Vector3d.Zero, Vector3d.Zero, out _);
         Assert.InRange(Vector3d.Distance(state.Velocity, new Vector3d(3, 0, 3)), 0, 1e-13);
@@ -148,7 +148,7 @@ public sealed class CustomForceTests
     [Fact]
     public void A_push_along_the_ground_works_against_the_rolling_friction()
     {
-        var push = Force.From(ball => ball.Motion == MotionState.Rolling ? new Vector3d(0.5, 99, 0) : Vector3d.Zero);
+        var push = IForce.From(ball => ball.Motion == MotionState.Rolling ? new Vector3d(0.5, 99, 0) : Vector3d.Zero);
         Scene scene = Scene.Vacuum with { Forces = ForceSet.None with { Custom = [push] } };
         BallState state = Flight.Play(
             scene, SolverSettings.Default, 0.01, 1, StopAt.Time, new Vector3d(0, 0.11, 0), new Vector3d(2, 0, 0), new Vector3d(0, 0, -2 / 0.11), out _);

@@ -182,7 +182,7 @@ public sealed class ThrowingForceTests
         foreach (bool torque in (bool[])[false, true])
         {
             var force = new Poison(value, torque, 0.1);
-            var ball = new Ball(profile.Scene() with { Forces = profile.Forces() with { Custom = [Force.From(_ => Vector3d.Up), force] } });
+            var ball = new Ball(profile.Scene() with { Forces = profile.Forces() with { Custom = [IForce.From(_ => Vector3d.Up), force] } });
             ball.Kick(s_velocity, s_spin);
             BallState before = ball.State;
             InvalidOperationException refused = Assert.Throws<InvalidOperationException>((Action)(() =>
@@ -206,9 +206,9 @@ public sealed class ThrowingForceTests
     {
         IForce[] forces =
         [
-            Force.From(ball => 500 * (new Vector3d(0, 3, 0) - ball.Position)),
-            Force.From(ball => -90 * ball.Velocity),
-            Force.From(_ => new Vector3d(1e300, 0, 0)),
+            IForce.From(ball => 500 * (new Vector3d(0, 3, 0) - ball.Position)),
+            IForce.From(ball => -90 * ball.Velocity),
+            IForce.From(_ => new Vector3d(1e300, 0, 0)),
         ];
         foreach (IForce force in forces)
         {

@@ -103,7 +103,7 @@ public sealed class WindFieldTests
     {
         Scene field = Scene.Measured with { Air = new Air { WindField = new UniformWind(s_wind) } };
         Scene wind = Scene.Measured with { Air = new Air { Wind = s_wind } };
-        var force = Force.From(ball => 0.01 * ball.AirVelocity);
+        var force = IForce.From(ball => 0.01 * ball.AirVelocity);
         var forces = ForceSet.Measured with { Custom = [force] };
         Same(field with { Forces = forces }, wind with { Forces = forces }, Integrator.Rk4, 1e-9);
     }

@@ -72,7 +72,7 @@ public sealed class PassingTests
     [InlineData(0, 500)]
     public void Stiff_forces_do_not_diverge_at_the_default_step(double damping, double stiffness)
     {
-        IForce net = Force.From(ball => (-damping * ball.Velocity) - (stiffness * new Vector3d(0, 0, Math.Min(0, ball.Position.Z + 11))));
+        IForce net = IForce.From(ball => (-damping * ball.Velocity) - (stiffness * new Vector3d(0, 0, Math.Min(0, ball.Position.Z + 11))));
         var simulator = new Simulator(Scene.Published with { Forces = ForceSet.Published with { Custom = [net] } });
         BallState ball = simulator.Launch(new Vector3d(0, 1.5, 0), new Vector3d(1, 3, -20), default);
         var path = new Trajectory(16384);

@@ -144,7 +144,7 @@ public sealed class DeterminismTests
     public void The_state_holds_no_references() => Assert.False(RuntimeHelpers.IsReferenceOrContainsReferences<BallState>());
 
     private static Scene WithForce(Profile profile) =>
-        profile.Scene() with { Forces = profile.Forces() with { Custom = [Force.From(ball => new Vector3d(0.01 * ball.Velocity.X, 0, 0.02))] } };
+        profile.Scene() with { Forces = profile.Forces() with { Custom = [IForce.From(ball => new Vector3d(0.01 * ball.Velocity.X, 0, 0.02))] } };
 
     private static void Live(Simulator simulator, StepLog log)
     {

@@ -20,7 +20,7 @@ public sealed class ThreadTests
         ["constant decay"] = Scene.Published with { Forces = ForceSet.Published with { SpinDecay = ForceLaw.Constant, SpinDecayCoefficient = 1e-3 } },
         ["vacuum"] = Scene.Vacuum,
         ["strong air"] = Scene.Published with { Ball = new BallProperties { Mass = 1e-3 } },
-        ["own force"] = Scene.Published with { Forces = ForceSet.Published with { Custom = [Force.From(ball => new Vector3d(0.1 * ball.Velocity.Y, 0, 0.2))] } },
+        ["own force"] = Scene.Published with { Forces = ForceSet.Published with { Custom = [IForce.From(ball => new Vector3d(0.1 * ball.Velocity.Y, 0, 0.2))] } },
     };
 
     [Theory]

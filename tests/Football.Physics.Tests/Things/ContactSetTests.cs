@@ -61,7 +61,7 @@ public sealed class ContactSetTests
         {
             Ground = Vacuum().Ground with { SlidingFriction = GroundFriction, RollingFriction = 0, RollingFrictionBySpeed = 0, SpinDamping = 0, DrillingLength = 0 },
             Obstacles = [Board("wall", new Vector3d(0, 5, -0.5 - Radius), new Vector3d(200, 5, 0.5)) with { Surface = new Surface { SlidingFriction = WallFriction, RollingFriction = 0 } }],
-            Forces = Vacuum().Forces with { Custom = [Force.From(ball => new Vector3d(0, 0, -Pressing * Vacuum().Ball.Mass))] },
+            Forces = Vacuum().Forces with { Custom = [IForce.From(ball => new Vector3d(0, 0, -Pressing * Vacuum().Ball.Mass))] },
         };
         double alpha = scene.Ball.InertiaFactor;
         double ground = GroundFriction * 9.81;
