@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Packs the library and uses the package as a stranger would: from a local feed, with an empty package cache, on .NET, as a
+# Packs the library and its parts, and uses the packages as a stranger would: from a local feed, with an empty package cache, on .NET, as a
 # NativeAOT program and on Mono. Every program prints the golden hashes, which must be those of tests/Golden/golden.txt.
 #   tests/package.sh            one line a check; exit code 1 at the first that fails
 # Needs mono and mcs (Debian: mono-devel), unzip, and a C compiler for NativeAOT.
@@ -54,10 +54,11 @@ copy() {
 
 # --- the package
 
+parts=(Football.Physics Football.Physics.{Batch,Engines,Thesis,Tracks})
 version=0.1.0-local.$(date -u +%Y%m%d%H%M%S)
 # Analyzers say nothing about the bytes; the solution's own build runs them.
 pack() {
-  (cd "$1" && env -u NUGET_PACKAGES -u CI dotnet pack -c Release src/Football.Physics -o "$2" "-p:Version=$version" -p:RunAnalyzers=false "${@:3}")
+  (cd "$1" && env -u NUGET_PACKAGES -u CI dotnet pack -c Release src/Packages.proj -o "$2" "-p:Version=$version" -p:RunAnalyzers=false "${@:3}")
 }
 # entries PACKAGE: each entry with its size, time and CRC; but for code compiled ahead of time, and for the lines about the file itself.
 entries() { unzip -lv "$1" | grep -v ' runtimes/' | sed '1d;$d'; }
@@ -66,43 +67,54 @@ copy "$work/one"
 copy "$work/two/elsewhere"
 quietly "pack" pack "$work/one" "$feed" -p:PackReadyToRun=true -p:ContinuousIntegrationBuild=true
 package=$feed/Football.Physics.$version.nupkg
-ok "dotnet pack: $(basename "$package"), validated: the same API on every target, nothing gone that the last version had"
+ok "dotnet pack: $(cd "$feed" && echo *.nupkg), validated: the same API on every target, nothing gone that the last version had"
 
-list=$(unzip -Z1 "$package")
-for target in netstandard2.1 net8.0 net10.0; do
-  has "$list" "lib/$target/Football.Physics.dll" "no assembly for $target"
-  has "$list" "lib/$target/Football.Physics.xml" "no documentation for $target"
-  has "$(unzip -Z1 "${package%.nupkg}.snupkg")" "lib/$target/Football.Physics.pdb" "no symbols for $target"
-done
-for system in win-x64 linux-x64; do
-  for target in net8.0 net10.0; do
-    has "$list" "runtimes/$system/lib/$target/Football.Physics.dll" "no code compiled ahead of time for $system, $target"
+for part in "${parts[@]}"; do
+  each=$feed/$part.$version.nupkg
+  list=$(unzip -Z1 "$each")
+  for target in netstandard2.1 net8.0 net10.0; do
+    has "$list" "lib/$target/$part.dll" "$part: no assembly for $target"
+    has "$list" "lib/$target/$part.xml" "$part: no documentation for $target"
+    has "$(unzip -Z1 "${each%.nupkg}.snupkg")" "lib/$target/$part.pdb" "$part: no symbols for $target"
+    documented=$(unzip -p "$each" "lib/$target/$part.xml")
+    if grep -qE 'Physics\.(World|Stepper|Goal\.Out|FlightPhase|Batch\.Lanes?\b)' <<< "$documented"; then fail "$part: documentation of what is not public, in $target"; fi
   done
+  for system in win-x64 linux-x64; do
+    for target in net8.0 net10.0; do
+      has "$list" "runtimes/$system/lib/$target/$part.dll" "$part: no code compiled ahead of time for $system, $target"
+    done
+  done
+  nuspec=$(unzip -p "$each" "$part.nuspec")
+  has "$list" README.md "$part: no README"
+  has "$list" icon.png "$part: no icon"
+  has "$nuspec" '<license type="expression">MIT</license>' "$part: no licence expression"
+  has "$nuspec" '<readme>README.md</readme>' "$part: README not named"
+  has "$nuspec" '<icon>icon.png</icon>' "$part: icon not named"
+  # The library has no dependency; a part has it alone, and of its own version.
+  dependencies=$({ grep -o '<dependency [^>]*>' <<< "$nuspec" || true; } | sort -u)
+  if [[ $part == Football.Physics ]]; then
+    [[ -z $dependencies ]] || fail "the package has dependencies"
+  else
+    [[ $dependencies == "<dependency id=\"Football.Physics\" version=\"[$version]\" "* && $(wc -l <<< "$dependencies") == 1 ]] || fail "$part depends on $dependencies"
+  fi
+  readme=$(unzip -p "$each" README.md)
+  has "$readme" "# Football.Physics" "$part: the README is not in the package"
+  if grep -qE '\]\((docs|src|samples)/' <<< "$readme"; then fail "the README has links that end on a page of a feed"; fi
+  if LC_ALL=C grep -qaF "$work" <(unzip -p "$each"); then fail "something in $part names a folder of this machine"; fi
+  if grep -qF "$work" <<< "$nuspec"; then fail "$part names a folder of this machine"; fi
 done
-nuspec=$(unzip -p "$package" Football.Physics.nuspec)
-has "$list" README.md "no README"
-has "$list" icon.png "no icon"
-has "$nuspec" '<license type="expression">MIT</license>' "no licence expression"
-has "$nuspec" '<readme>README.md</readme>' "README not named"
-has "$nuspec" '<icon>icon.png</icon>' "icon not named"
-if grep -q '<dependency ' <<< "$nuspec"; then fail "the package has dependencies"; fi
-readme=$(unzip -p "$package" README.md)
-has "$readme" "# Football.Physics" "the README is not in the package"
-if grep -qE '\]\((docs|src|samples)/' <<< "$readme"; then fail "the README has links that end on a page of a feed"; fi
-for target in netstandard2.1 net8.0 net10.0; do
-  documented=$(unzip -p "$package" "lib/$target/Football.Physics.xml")
-  has "$documented" 'T:Football.Physics.Ball"' "no documentation of Ball"
-  has "$documented" 'M:Football.Physics.Ball.Kick(' "no documentation of Ball.Kick"
-  if grep -qE 'Physics\.(World|Stepper|Goal\.Out|FlightPhase)' <<< "$documented"; then fail "documentation of what is not public, in $target"; fi
-done
-if LC_ALL=C grep -qaF "$work" <(unzip -p "$package"); then fail "something in the package names a folder of this machine"; fi
-if grep -qF "$work" <<< "$nuspec"; then fail "the package names a folder of this machine"; fi
-ok "contents, $(( $(stat -c %s "$package") / 1024 )) KiB: 3 assemblies with documentation and symbols, 4 with code compiled ahead of time, README, icon, licence, no dependency"
+documented=$(unzip -p "$package" lib/netstandard2.1/Football.Physics.xml)
+has "$documented" 'T:Football.Physics.Ball"' "no documentation of Ball"
+has "$documented" 'M:Football.Physics.Ball.Kick(' "no documentation of Ball.Kick"
+ok "contents, ${#parts[@]} packages, $(( $(stat -c %s "$package") / 1024 )) KiB that of the library: 3 assemblies each with documentation and symbols, 4 with code compiled ahead of time, README, icon, licence; no dependency but on the library"
 
 # Code ahead of time is made from these assemblies by a tool of .NET's own, for a minute: not twice.
 quietly "pack again" pack "$work/two/elsewhere" "$work/feed2"
-diff <(entries "$package") <(entries "$work/feed2/$(basename "$package")") > "$log" || fail "packed in another folder, the .nupkg differs"
-cmp "${package%.nupkg}.snupkg" "$work/feed2/Football.Physics.$version.snupkg" > "$log" 2>&1 || fail "packed in another folder, the .snupkg differs"
+for part in "${parts[@]}"; do
+  each=$part.$version
+  diff <(entries "$feed/$each.nupkg") <(entries "$work/feed2/$each.nupkg") > "$log" || fail "packed in another folder, $part.nupkg differs"
+  cmp "$feed/$each.snupkg" "$work/feed2/$each.snupkg" > "$log" 2>&1 || fail "packed in another folder, $part.snupkg differs"
+done
 ok "deterministic: packed in another folder, on no build server, the assemblies, documentation and .snupkg are the same bytes"
 
 # --- the package for Unity
@@ -120,11 +132,11 @@ for link in documentationUrl:Documentation~/index.md changelogUrl:CHANGELOG.md l
   grep -qF "\"${link%%:*}\": \"$address/blob/HEAD/samples/Unity/com.football.physics/${link#*:}\"," "$manifest" || fail "the package for Unity has no ${link%%:*}"
 done
 sed -i '/Url": /d' "$manifest"
-diff -r -x Football.Physics.dll -x Football.Physics.xml samples/Unity/com.football.physics "$work/unity/package" > "$log" || fail "the package for Unity is not its folder"
-for kind in dll xml; do
-  cmp <(unzip -p "$package" lib/netstandard2.1/Football.Physics.$kind) "$work/unity/package/Plugins/Football.Physics.$kind" > "$log" 2>&1 || fail "the package for Unity has another Football.Physics.$kind"
+diff -r -x '*.dll' -x '*.xml' samples/Unity/com.football.physics "$work/unity/package" > "$log" || fail "the package for Unity is not its folder"
+for file in Football.Physics{,.Engines}.{dll,xml}; do
+  cmp <(unzip -p "$feed/${file%.*}.$version.nupkg" "lib/netstandard2.1/$file") "$work/unity/package/Plugins/$file" > "$log" 2>&1 || fail "the package for Unity has another $file"
 done
-ok "package for Unity, $(basename "$tarball"): the folder with its $(find "$work/unity/package" -name '*.meta' | wc -l) fixed ids, its links, and the assembly of the .nupkg"
+ok "package for Unity, $(basename "$tarball"): the folder with its $(find "$work/unity/package" -name '*.meta' | wc -l) fixed ids, its links, and the assemblies of the .nupkg"
 
 build_copy() { (cd "$work/two/elsewhere" && env -u NUGET_PACKAGES -u CI dotnet build -c Release -f net10.0 --no-restore -p:RunAnalyzers=false src/Football.Physics); }
 remotes() { git -C "$work/two/elsewhere" remote; }
@@ -150,14 +162,14 @@ consume() {
 }
 
 quietly "consumer" consume ready
-[[ $(uname -m) != x86_64 || -e $work/ready/runtimes/linux-x64/lib/net10.0/Football.Physics.dll ]] || fail "the consumer has no code compiled ahead of time"
+[[ $(uname -m) != x86_64 || -e $work/ready/runtimes/linux-x64/lib/net10.0/Football.Physics.Batch.dll ]] || fail "the consumer has no code compiled ahead of time"
 same "package on .NET, code compiled ahead of time" "$work/ready/consumer"
 same "package on .NET, such code alone" env DOTNET_TieredCompilation=0 "$work/ready/consumer"
 same "package on .NET, such code, no AVX2, no FMA" env DOTNET_EnableAVX2=0 DOTNET_EnableFMA=0 "$work/ready/consumer"
 quietly "consumer of the net10.0 assembly" consume net10 -p:LibraryAsset=net10.0
 same "net10.0 assembly on .NET" "$work/net10/consumer"
 cp -R "$work/net10" "$work/net8"
-unzip -p "$package" lib/net8.0/Football.Physics.dll > "$work/net8/Football.Physics.dll"
+for part in Football.Physics{,.Batch}; do unzip -p "$feed/$part.$version.nupkg" "lib/net8.0/$part.dll" > "$work/net8/$part.dll"; done
 same "net8.0 assembly in the same program" "$work/net8/consumer"
 quietly "consumer of the netstandard2.1 assembly" consume netstandard -p:LibraryAsset=netstandard2.1
 same "netstandard2.1 assembly on .NET" "$work/netstandard/consumer"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the library for Unity, puts it into the package's Plugins and packs the package for the package manager.
+# Builds the library and its part for engines for Unity, puts them into the package's Plugins and packs the package for the package manager.
 #   samples/Unity/build.sh [DIR]     the .tgz in DIR (default out)
 # FOOTBALL_ADDRESS=https://… is where the repository's pages are, for the links of the package manager; default the address of "origin".
 set -euo pipefail
@@ -11,8 +11,10 @@ export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 MSBUILDTERMINALLOGGER=off M
 
 package=samples/Unity/com.football.physics
 version=$(sed -n 's/.*"version": "\(.*\)".*/\1/p' "$package/package.json")
-dotnet build -c Release -f netstandard2.1 src/Football.Physics -v q >&2
-cp src/Football.Physics/bin/Release/netstandard2.1/Football.Physics.{dll,xml} "$package/Plugins/"
+for part in Football.Physics{,.Engines}; do
+  dotnet build -c Release -f netstandard2.1 "src/$part" -v q >&2
+  cp "src/$part/bin/Release/netstandard2.1/$part".{dll,xml} "$package/Plugins/"
+done
 
 # Links need an address; where the repository has none, the package manager opens the files in the package.
 staged=$(mktemp -d)

@@ -38,8 +38,12 @@ internal static class ApiGroups
         ["SphereCast"] = "Things that the ball meets",
     };
 
-    private static readonly Dictionary<string, string> s_folders =
-        ((string Project, string Room)[])[("Football.Physics", ""), ("Football.Physics.Batch", "Batch/"), ("Football.Physics.Tracks", "Tracks/"), ("Football.Physics.Engines", "Engines/"), ("Football.Physics.Thesis", "Thesis/")]
+    private static readonly (string Project, string Room)[] s_parts =
+    [
+        ("Football.Physics", ""), ("Football.Physics.Batch", "Batch/"), ("Football.Physics.Engines", "Engines/"), ("Football.Physics.Thesis", "Thesis/"), ("Football.Physics.Tracks", "Tracks/"),
+    ];
+
+    private static readonly Dictionary<string, string> s_folders = s_parts
             .SelectMany(part => FoldersOf(Path.Combine(Repository.Root, "src", part.Project), part.Room))
             .GroupBy(file => file.Name)
             .ToDictionary(files => files.Key, files => files.First().Folder);

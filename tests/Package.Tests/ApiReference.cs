@@ -6,7 +6,7 @@ using System.Xml.Linq;
 
 namespace Football.Physics.Package.Tests;
 
-/// <summary>Writes the public surface of an assembly and its XML documentation as one Markdown page.</summary>
+/// <summary>Writes the public surface of assemblies and their XML documentation as one Markdown page.</summary>
 internal sealed partial class ApiReference
 {
     private const BindingFlags Declared = BindingFlags.Public | BindingFlags.Instance | BindingFlags.Static | BindingFlags.DeclaredOnly;
@@ -18,18 +18,18 @@ internal sealed partial class ApiReference
 
     private ApiReference(Dictionary<string, XElement> documents) => _documents = documents;
 
-    public static string Make(Assembly assembly)
+    public static string Make(IReadOnlyList<Assembly> assemblies)
     {
-        var documents = XDocument.Load(Path.ChangeExtension(assembly.Location, ".xml")).Descendants("member")
+        var documents = assemblies.SelectMany(assembly => XDocument.Load(Path.ChangeExtension(assembly.Location, ".xml")).Descendants("member"))
             .ToDictionary(member => member.Attribute("name")!.Value);
         var reference = new ApiReference(documents);
-        reference.Write(assembly);
+        reference.Write(assemblies);
         return reference._page.ToString();
     }
 
-    private void Write(Assembly assembly)
+    private void Write(IReadOnlyList<Assembly> assemblies)
     {
-        Type[] types = [.. assembly.GetExportedTypes().Where(type => type.Namespace!.StartsWith("Football", StringComparison.Ordinal)).OrderBy(Name, StringComparer.Ordinal)];
+        Type[] types = [.. assemblies.SelectMany(assembly => assembly.GetExportedTypes()).Where(type => type.Namespace!.StartsWith("Football", StringComparison.Ordinal)).OrderBy(Name, StringComparer.Ordinal)];
         (string Title, Type[] Types)[] groups = [.. ApiGroups.Titles.Select(title => (title, types.Where(type => ApiGroups.Of(type) == title).ToArray())).Where(group => group.Item2.Length > 0)];
         _page.Append("# API reference\n\nBy what one does with it. Made from the documentation in the code by `tests/regenerate.sh`; a test keeps it current.\n");
         var anchors = new Dictionary<string, int>();

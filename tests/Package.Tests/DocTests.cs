@@ -195,7 +195,8 @@ public sealed class DocTests
         string trusted = (string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!;
         return trusted.Split(Path.PathSeparator)
             .Where(file => Path.GetFileName(file) is var name
-                && (name.StartsWith("System.", StringComparison.Ordinal) || name is "netstandard.dll" or "mscorlib.dll" or "Football.Physics.dll"
+                && (name.StartsWith("System.", StringComparison.Ordinal) || name is "netstandard.dll" or "mscorlib.dll"
+                    or "Football.Physics.dll" or "Football.Physics.Batch.dll" or "Football.Physics.Engines.dll" or "Football.Physics.Thesis.dll" or "Football.Physics.Tracks.dll"
                     || (engine && (name.StartsWith("Football.Physics.", StringComparison.Ordinal) || name is "GodotSharp.dll" or "UnityEngine.dll"))))
             .Select(file => MetadataReference.CreateFromFile(file));
     }

@@ -17,7 +17,6 @@ internal sealed class SourceFile
     public static IReadOnlyList<SourceFile> Library { get; } =
     [
         .. Read("Football.Physics", ""), .. Read("Football.Physics.Batch", "Batch/"), .. Read("Football.Physics.Tracks", "Tracks/"), .. Read("Football.Physics.Engines", "Engines/"), .. Read("Football.Physics.Thesis", "Thesis/"),
-        .. Read("Packaging/Polyfills", "Polyfills/"),
     ];
 
     /// <summary>Path below the library's folder, with slashes; that of a part begins with the name of its room.</summary>

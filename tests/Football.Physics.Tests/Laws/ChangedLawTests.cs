@@ -133,12 +133,12 @@ public sealed class ChangedLawTests : IDisposable
         }
     }
 
-    /// <summary>Loads the copy's library where this process has its own already.</summary>
+    /// <summary>Loads the copy's library, and its batches, where this process has its own already.</summary>
     private sealed class CopyContext(string assembly) : AssemblyLoadContext("changed law", isCollectible: true)
     {
         private readonly string _folder = Path.GetDirectoryName(assembly)!;
 
         protected override Assembly? Load(AssemblyName assemblyName) =>
-            assemblyName.Name == typeof(Scene).Assembly.GetName().Name ? LoadFromAssemblyPath(Path.Combine(_folder, assemblyName.Name + ".dll")) : null;
+            assemblyName.Name == typeof(Scene).Assembly.GetName().Name || assemblyName.Name == typeof(BallBatch).Assembly.GetName().Name ? LoadFromAssemblyPath(Path.Combine(_folder, assemblyName.Name + ".dll")) : null;
     }
 }
