@@ -15,7 +15,6 @@ internal static class Rooms
         "Contact",
         "Events",
         "Simulation",
-        "Derivatives",
         "Prediction",
         "Aiming",
         "Game",

@@ -1,4 +1,4 @@
-namespace Football.Physics.Prediction;
+namespace Football.Physics.Batch;
 
 /// <summary>The surfaces in the space of motions at which something happens.</summary>
 internal sealed class EventSurface
