@@ -16,6 +16,7 @@ cat > "$work/app/app.csproj" << END
   </PropertyGroup>
   <ItemGroup>
     <PackageReference Include="Football.Physics" Version="$version" />
+    <PackageReference Include="Football.Physics.Batch" Version="$version" />
     <Compile Include="$table/Quick/FirstUseTable.cs;$table/Quick/Child.cs;$table/Quick/Text.cs" />
   </ItemGroup>
 </Project>
@@ -33,7 +34,7 @@ else
 }
 END
 {
-  dotnet pack src/Football.Physics -c Release -o "$work/feed" "-p:Version=$version" -p:PackReadyToRun=true -p:RunAnalyzers=false
+  dotnet pack src/Packages.proj -c Release -o "$work/feed" "-p:Version=$version" -p:PackReadyToRun=true -p:RunAnalyzers=false
   NUGET_PACKAGES=$work/cache dotnet build "$work/app" -c Release --source "$work/feed" -o "$work/out"
 } > "$work/log" 2>&1 || { tail -n 5 "$work/log" >&2; exit 1; }
 "$work/out/app"
