@@ -34,6 +34,8 @@ internal abstract class AirLaws
         ForceSet forces = scene.Forces;
         bool hasConstants = forces.Drag == ForceLaw.Constant || forces.Magnus == ForceLaw.Constant || forces.SpinDecay == ForceLaw.Constant;
         bool hasFits = forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical || forces.SpinDecay == ForceLaw.Empirical;
+
+        // Tables are of fitted laws, with factors for what is left out; with a constant law, or none at all, each is asked by itself.
         return hasConstants || !hasFits ? new MixedLaws(scene, drag, lift) : forces.Coefficients switch
         {
             CoefficientForm.Published => new TableLaws<PublishedLaw>(scene, drag, lift),
@@ -52,6 +54,8 @@ internal abstract class AirLaws
         double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
         bool spins = spinSquared > AirRates.NoSpin;
+
+        // |ω̂ × u|² = |ω × u|²/|ω|², then lift and decay per unit of spin.
         double perSquared = spins ? 1.0 / spinSquared : 0;
         double rate = spins ? Math.Sqrt(spinSquared) : 0;
         Factors(speedSquared, rate, perSquared * crossSquared, region, out drag, out lift, out decay);

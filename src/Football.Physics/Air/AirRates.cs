@@ -35,11 +35,15 @@ internal static class AirRates
         double rate = Math.Sqrt((wx * wx) + (wy * wy) + (wz * wz));
         rate = rate > NoSpin ? rate : 0;
         double perRate = rate > 0 ? 1.0 / rate : 0;
+
+        // |ω̂ × u|² = |ω × u|²/|ω|²
         double x = (wy * uz) - (wz * uy);
         double y = (wz * ux) - (wx * uz);
         double z = (wx * uy) - (wy * ux);
         double acrossSquared = perRate * perRate * ((x * x) + (y * y) + (z * z));
         laws.Factors((ux * ux) + (uy * uy) + (uz * uz), rate, acrossSquared, branch, out drag, out lift, out decay);
+
+        // Per unit of spin, for L (ω × u) and −decay ω; without spin the decay is an angular deceleration.
         if (rate > 0)
         {
             lift *= perRate;

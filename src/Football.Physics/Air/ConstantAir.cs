@@ -11,6 +11,7 @@ internal struct ConstantAir : IFlightAir
 
     public ConstantAir(Scene scene)
     {
+        // The constants are the laws' factors in a flow of 1 m/s with a spin of 1 rad/s.
         AirFlow unit = default;
         unit.Speed = 1;
         unit.SpinRate = 1;
@@ -54,6 +55,7 @@ internal struct ConstantAir : IFlightAir
     public readonly bool FactorsPerSpin(
         double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
+        // Per unit of spin the lift is k_L, and the decay k.
         bool spins = spinSquared > AirRates.NoSpin;
         drag = _drag * Math.Sqrt(speedSquared);
         lift = _lift;

@@ -69,6 +69,7 @@ internal readonly struct DragJump
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool MayCross(DragBranch branch, in DragJump from, in DragJump rate, in DragJump to, double h)
     {
+        // A look ahead from the start as well: a surface may be crossed and crossed back within the step.
         double speedAhead = from.Speed + (h * rate.Speed);
         double spinAhead = from.Spin + (h * rate.Spin);
         if (branch == DragBranch.Spinning)
@@ -96,12 +97,16 @@ internal readonly struct DragJump
         bool inside = branch == DragBranch.Spinning;
         var path = new JumpPath(in from, in fromRate, in to, in toRate, h);
         double low = 0;
+
+        // Sampled first: a step may visit the law with spin and leave it again between its ends.
         for (int i = 1; i <= Samples; i++)
         {
             double high = (double)i / Samples;
             if (path.IsInside(high) != inside || (!inside && path.PassesThrough(low, ref high)))
             {
                 path.Narrow(ref low, ref high, inside);
+
+                // Crossed is the surface whose function is the smaller one.
                 bySpeed = path.Speed(high) < path.Spin(high);
                 return high;
             }

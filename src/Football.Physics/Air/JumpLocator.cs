@@ -43,6 +43,8 @@ internal static class JumpLocator
             DragJump rates = sweep.EndJumpRate();
             double function = _bySpeed ? at.Speed : at.Spin;
             double rate = _bySpeed ? rates.Speed : rates.Spin;
+
+            // Positive before the crossing from whichever side, and Newton's −f/f'.
             value = rate > 0 ? -function : function;
             correction = -function / rate;
             if (!(Math.Abs(correction) < _longest))
@@ -50,6 +52,7 @@ internal static class JumpLocator
                 return true;
             }
 
+            // So little is left that the end can be moved, and the step need not be taken again.
             bool isClose = Math.Abs(correction) <= EventLocator.Negligible;
             if (isClose && tau + correction > 0)
             {

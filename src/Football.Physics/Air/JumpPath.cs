@@ -37,6 +37,7 @@ internal readonly struct JumpPath
     /// <param name="high">Where it ends, not inside; then a fraction that is.</param>
     public bool PassesThrough(double low, ref double high)
     {
+        // One function is positive before, the other after: where they overlap the law with spin holds in between.
         bool spinRises = Speed(low) > 0 && Spin(high) > 0;
         if (!(spinRises || (Spin(low) > 0 && Speed(high) > 0)))
         {

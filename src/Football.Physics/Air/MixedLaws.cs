@@ -48,6 +48,7 @@ internal sealed class MixedLaws : AirLaws
         lift = 0;
         if (speedSquared > StillAir)
         {
+            // Drag and lift read the same fitted C_D: once for both.
             if (_fits)
             {
                 flow.SpinParameter = _radius * flow.SpinRate / flow.Speed;

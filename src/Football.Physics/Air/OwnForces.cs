@@ -31,6 +31,7 @@ internal sealed class OwnForces
     /// <exception cref="InvalidOperationException">A force is not finite.</exception>
     public void AddTo(in ForceInput ball, ref AirFactors factors)
     {
+        // What they see is the flow with the wind of the place in it.
         ForceSum sum = default;
         ForceInput seen = ball.In(in factors.AirVelocity);
         for (int i = 0; i < _forces.Length; i++)

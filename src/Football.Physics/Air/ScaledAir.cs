@@ -39,6 +39,8 @@ public sealed class ScaledAir : IForce
     public void Apply(in ForceInput ball, ref ForceSum sum)
     {
         Vector3d u = ball.AirVelocity;
+
+        // What the scene's own laws give here, of which the factors add the rest.
         DragBranch branch = Laws.Jumps ? DragJump.At(u.LengthSquared, _radius * _radius * ball.Spin.LengthSquared).Branch : DragBranch.Unknown;
         Vector3d w = ball.Spin;
         AirRates.Factors(Laws, u.X, u.Y, u.Z, w.X, w.Y, w.Z, branch, out double drag, out double lift, out _);

@@ -89,6 +89,7 @@ internal struct SceneAir : IFlightAir
     public readonly void Factors(
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
+        // In a field the jump is not located: the branch is that of the flow here.
         DragBranch here = _jumpsInField ? DragJump.At(speedSquared, _radiusSquared * spinRate * spinRate).Branch : region;
         _laws.Factors(speedSquared, spinRate, acrossSquared, here, out drag, out lift, out decay);
     }
@@ -110,6 +111,7 @@ internal struct SceneAir : IFlightAir
     /// <returns>|ω|, rad/s; 0 where it is too small for a reciprocal.</returns>
     public readonly double Evaluate(in ForceInput ball, DragBranch branch, out AirFactors factors)
     {
+        // u = v − W(p, t)
         Vector3d u = _wind is null ? ball.AirVelocity : ball.AirVelocity - _wind.At(ball.Time, ball.Position);
         Vector3d w = ball.Spin;
         factors.AirVelocity = u;
@@ -118,6 +120,8 @@ internal struct SceneAir : IFlightAir
         factors.SpinAcceleration = Vector3d.Zero;
         DragBranch here = _jumpsInField ? DragJump.At(u.LengthSquared, _radiusSquared * w.LengthSquared).Branch : branch;
         double rate = AirRates.Factors(_laws, u.X, u.Y, u.Z, w.X, w.Y, w.Z, here, out factors.Drag, out factors.Lift, out factors.Decay);
+
+        // The knuckle force acts in flight alone, and there it asks for the distance flown.
         if (_knuckle is not null && ball.Motion == MotionState.Airborne)
         {
             factors.AirSpeed = u.Length;

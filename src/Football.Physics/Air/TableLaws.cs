@@ -25,6 +25,8 @@ internal sealed class TableLaws<TLaw> : AirLaws
         _ofDrag = Drags ? drag : 0;
         _ofLift = Lifts ? lift : 0;
         _ofDecay = SpinDecays ? 1 : 0;
+
+        // Lift reads the same C_D as drag, and jumps with it.
         Jumps = law.Jumps && (Drags || Lifts);
         Bound = BoundUpTo(2.0 * Limits.Speed);
         OrdinaryBound = BoundUpTo(OrdinarySpeed);

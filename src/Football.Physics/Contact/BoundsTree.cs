@@ -40,6 +40,8 @@ internal sealed class BoundsTree
         while (node < _bounds.Length)
         {
             int here = node;
+
+            // What does not touch this box touches nothing of its branch.
             if (!_bounds[here].Touches(in box))
             {
                 node = _after[here];
@@ -65,6 +67,8 @@ internal sealed class BoundsTree
         while (node < _bounds.Length)
         {
             double met = way.Meets(in _bounds[node]);
+
+            // Met later than what was found, or not at all: so is all of its branch.
             if (!(met < until))
             {
                 node = _after[node];
@@ -82,6 +86,7 @@ internal sealed class BoundsTree
     /// <returns>The node after it.</returns>
     private int Build(Bounds3d[] boxes, int[] items, int from, int to, int node)
     {
+        // The box around all items, and that around their centres, which says along which axis to split.
         Bounds3d all = boxes[items[from]];
         Bounds3d centers = boxes[items[from]].AtCenter;
         for (int i = from + 1; i < to; i++)

@@ -180,6 +180,7 @@ internal sealed class Collider
     /// <summary>A path as the thing sees it in its own frame.</summary>
     public PathCubic Seen(in PathCubic path, double time)
     {
+        // Into the frame that moves along, then into its axes: the thing stands still there.
         ref readonly RigidMotion motion = ref Motion;
         PathCubic seen = path.SeenFrom(motion.GoneBy(time), motion.Velocity);
         return motion.IsTurned ? seen.InAxes(in motion) : seen;

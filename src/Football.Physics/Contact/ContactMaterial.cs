@@ -124,6 +124,7 @@ internal readonly struct ContactMaterial
 
     private static double AtRest(double atRigSpeed, double perSpeed)
     {
+        // e₀ = e₆ √(1 + (6/V_e)²)
         double x = RigSpeed * perSpeed;
         return x > 0 ? atRigSpeed * Math.Sqrt(1.0 + (x * x)) : atRigSpeed;
     }

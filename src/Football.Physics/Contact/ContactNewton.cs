@@ -19,6 +19,7 @@ internal static class ContactNewton
     /// <param name="w">Spin, rad/s.</param>
     public static void Step(Span<Contact> set, BallProperties ball, double duration, ref TurningResistance resistance, ref Vector3d v, ref Vector3d w)
     {
+        // Per mass: a tangential impulse turns the ball by 1/(α r), and takes (1 + α)/α of itself from the slip.
         double r = ball.Radius;
         double perTurn = 1.0 / (ball.InertiaFactor * r);
         double grip = ball.InertiaFactor / (1.0 + ball.InertiaFactor);
@@ -35,6 +36,8 @@ internal static class ContactNewton
             Vector3d n = contact.Normal;
             Vector3d t1 = Tangent(in n);
             Vector3d t2 = Vector3d.Cross(in n, in t1);
+
+            // A load that bears must end the closing; one that does not must be zero.
             double closing = ContactSolver.Closing(in contact, duration, in v);
             bool bears = contact.Load - closing > 0;
             rows[3 * i] = new Row { AlongV = n, PushV = n, Residual = bears ? closing : contact.Load, OfMotion = bears ? 1 : 0, OfItself = bears ? 0 : 1, LoadRow = -1 };
@@ -63,6 +66,7 @@ internal static class ContactNewton
             rows[size - 1] = Drilling(in contact, ball, duration, resistance.Drilling, in w, 3 * bearer);
         }
 
+        // Residual + derivative × change = 0: one linear system for the changes of all impulses.
         Fill(system, rows, size);
         if (!Eliminate(system, size))
         {
@@ -74,6 +78,8 @@ internal static class ContactNewton
         {
             double change = system[(i * (size + 1)) + size];
             bool isLoad = i < 3 * contacts && i % 3 == 0;
+
+            // No load becomes less than none.
             change = isLoad ? Math.Max(change, -set[i / 3].Load) : change;
             v += change * rows[i].PushV;
             w += change * rows[i].PushW;
@@ -104,6 +110,8 @@ internal static class ContactNewton
         double damping = TurningResistance.Damping(in contact, ball, duration);
         double perLoad = TurningResistance.DrillingPerLoad(in contact, ball);
         double damped = (about - drilling) / (1.0 + damping);
+
+        // Within what the load allows the spin about the normal ends; else it is damped, and loses that.
         bool ends = Math.Abs(damped) <= perLoad * contact.Load;
         double resisted = damped > 0 ? perLoad : -perLoad;
         return new Row
@@ -123,6 +131,7 @@ internal static class ContactNewton
         Span<Row> rows, in Vector3d pushV1, in Vector3d pushV2, in Vector3d alongW1, in Vector3d alongW2,
         in Vector3d pushW1, in Vector3d pushW2, in Slipping slip, in Slipping push, double grip, double friction, double load, int loadRow)
     {
+        // T = F − g s: no longer than μ N, it grips and the slip must vanish; longer, F must be μ N T/|T|.
         double first = push.First - (grip * slip.First);
         double second = push.Second - (grip * slip.Second);
         double size = Math.Sqrt((first * first) + (second * second));
@@ -180,6 +189,7 @@ internal static class ContactNewton
             }
         }
 
+        // Row by row: what the motion does, the unknown itself, the load that bounds it, the turning of its direction.
         for (int i = 0; i < size; i++)
         {
             ref readonly Row row = ref rows[i];
@@ -223,6 +233,7 @@ internal static class ContactNewton
         int width = size + 1;
         for (int column = 0; column < size; column++)
         {
+            // The largest of the column is the pivot: the smaller ones would magnify rounding.
             int pivot = column;
             for (int i = column + 1; i < size; i++)
             {
@@ -244,6 +255,7 @@ internal static class ContactNewton
                 own[j] = value;
             }
 
+            // The rows below lose their part in this column.
             Span<double> pivoted = own.Slice(column);
             for (int i = column + 1; i < size; i++)
             {
@@ -256,6 +268,7 @@ internal static class ContactNewton
             }
         }
 
+        // Back substitution.
         for (int i = size - 2; i >= 0; i--)
         {
             Span<double> row = system.Slice(i * width, width);

@@ -68,6 +68,7 @@ internal readonly struct ContactSearch
             return best;
         }
 
+        // Broad phase: an engine's cast, and what the box of the path touches. Narrow phase: a walk along the gap of each.
         _world.Engine?.LookAlong(in _path, _time);
         var near = new NearThings(_world, _bounds.Grown(_world.Ball.Radius), _time, _path.Length);
         while (near.NextCollider(out int thing))
@@ -116,6 +117,8 @@ internal readonly struct ContactSearch
             double until = Math.Min(best, _path.Length);
             double at = double.PositiveInfinity;
             Separation gap = default;
+
+            // Nets that it is not in may be met; mouths that it has not come through may be entered, until the line was passed.
             if (thing < goals)
             {
                 int net = thing - nets;
@@ -220,6 +223,8 @@ internal readonly struct ContactSearch
         while (t <= until)
         {
             plane.Evaluate(_path.At(t), _path.VelocityAt(t), _time + t, out double gap, out double rate);
+
+            // Beyond the plane, or on it and going on.
             if (gap < -2.0 * Touching || (gap <= Touching && rate < -Approaching))
             {
                 return t;
@@ -240,6 +245,7 @@ internal readonly struct ContactSearch
             return FirstContact(_path.DistanceTo(plane, r), until);
         }
 
+        // What moves sees the path in its own frame, where it stands still itself.
         PathCubic path = _path;
         Bounds3d bounds = _bounds;
         if (collider.Moves)
@@ -253,6 +259,7 @@ internal readonly struct ContactSearch
             return double.PositiveInfinity;
         }
 
+        // M: the path bends by its own acceleration, and the wall of a hollow towards it by |v|² κ/(1 − κ d); a convex one bends away.
         double speed = path.FastestSpeed;
         double hollow = collider.HollowCurvature;
         double bend = _bend + (hollow > 0 ? speed * speed * hollow / (1.0 - ((1.0 + NearHollow) * r * hollow)) : 0);
@@ -281,6 +288,8 @@ internal readonly struct ContactSearch
             }
 
             double step = gap > Touching ? Safe(gap, rate, bend) : Along(rate, bend);
+
+            // Far from a hollow M does not hold, but the gap closes no faster than at full speed; near it, only until it may be far again.
             if (hollow > 0)
             {
                 double bySpeed = Math.Max(gap, 0) / speed;
@@ -322,6 +331,8 @@ internal readonly struct ContactSearch
     private static bool Advance(ref double t, double step, double shortest, double until)
     {
         double next = t + Math.Max(step, shortest);
+
+        // A step that was stretched must not leap over the end of the path, where the gap may have closed.
         next = next > until && t + step <= until && t < until ? until : next;
         t = next;
         return next <= until;
@@ -335,6 +346,8 @@ internal readonly struct ContactSearch
         while (true)
         {
             sought.Evaluate(_path.At(t), _path.VelocityAt(t), _time + t, out double gap, out double rate);
+
+            // Closed and falling is what is sought; closed and at rest falls nowhere.
             if (gap <= Touching)
             {
                 if (rate < -Approaching && (t > 0 || gap > 0 || sought.What == SeparationKind.NetLeft))
@@ -395,6 +408,8 @@ internal readonly struct ContactSearch
     {
         condition.Evaluate(in place, in velocity, 0, out double value, out double rate);
         double bend = condition.Bends * _bend;
+
+        // Until it may close; just closed and not falling, until it may go on; closed, no time.
         double safe = value > Touching ? Safe(value, rate, bend)
             : value > -Touching && rate >= 0 ? Along(rate, bend)
             : 0;
@@ -420,6 +435,7 @@ internal readonly struct ContactSearch
     /// <summary>The positive root of f + f' s − ½ M s², without cancellation.</summary>
     private static double Safe(double gap, double rate, double bend)
     {
+        // s = (f' + √(f'² + 2 M f))/M, which for f' < 0 is 2 f/(√(…) − f').
         double root = Math.Sqrt((rate * rate) + (2.0 * bend * gap));
         return rate < 0 ? 2.0 * gap / (root - rate) : bend > 0 ? (rate + root) / bend : double.PositiveInfinity;
     }

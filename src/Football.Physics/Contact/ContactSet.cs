@@ -35,6 +35,7 @@ internal static class ContactSet
         int kept = 0;
         for (int i = 0; i < count; i++)
         {
+            // (v − V)·n: neither closing nor leaving; or a mover beside the ball that is slower than what bounces.
             double rate = Vector3d.Dot(s.Velocity - set[i].Velocity, in set[i].Normal);
             bool stays = set[i].Gap <= ContactSearch.Touching && rate >= -ContactSearch.Approaching && rate <= ContactSearch.Leaving;
             if (stays || (lingers && set[i].Moves && Math.Abs(rate) < world.MinimumBounceSpeed))
@@ -51,6 +52,8 @@ internal static class ContactSet
     public static int Near(World world, in BallState s, double reach, Span<Contact> set)
     {
         int count = 0;
+
+        // Broad phase by boxes, then the distance itself.
         var near = NearThings.Within(world, s.Position, s.Time, reach);
         while (near.NextCollider(out int i))
         {
@@ -63,6 +66,8 @@ internal static class ContactSet
             }
 
             var contact = new Contact(i, collider, in at, gap, world.Ball.Radius, in s);
+
+            // Of flat things side by side one stands for all; where there is no place left the farthest gives way.
             int place = PlaceOf(in contact, set, count);
             if (place >= 0)
             {
@@ -156,6 +161,8 @@ internal static class ContactSet
     public static void Hold(World world, ref BallState s, Span<Contact> set)
     {
         bool moved = true;
+
+        // Projections in turn until none moves the ball; what stands still comes last in a round, so that it is never entered.
         for (int round = 0; round < MostRounds && moved; round++)
         {
             moved = false;
@@ -176,6 +183,8 @@ internal static class ContactSet
     public static void Separate(World world, ref BallState s)
     {
         Span<Contact> room = stackalloc Contact[Most];
+
+        // With what lies beside it: out of one thing the ball must not be put into another.
         Span<Contact> set = room.Slice(0, Near(world, in s, Beside, room));
         foreach (ref readonly Contact contact in set)
         {
@@ -227,6 +236,8 @@ internal static class ContactSet
         double gap = at.Distance - world.Ball.Radius;
         double off = Vector3d.Dot(s.Velocity - collider.Velocity, at.Normal);
         bool bears = contact.Load > 0;
+
+        // What bears keeps the ball on itself, with no speed off it; all else only keeps it out.
         s.Velocity -= (bears ? off : gap <= ContactSearch.Touching ? Math.Min(0, off) : 0) * at.Normal;
         gap = bears ? gap : Math.Min(0, gap);
         s.Position -= gap * at.Normal;

@@ -54,6 +54,7 @@ internal static class ContactSolver
         int next = between - 1;
         for (int round = 0; round < MostRounds; round++)
         {
+            // A round of projected Gauss–Seidel, which may be the last.
             change = Round(set, ball, duration, ref resistance, ref v, ref w);
             if (change <= settled)
             {
@@ -73,12 +74,15 @@ internal static class ContactSolver
                 continue;
             }
 
+            // Close, and rounds gain little more: so it is with loads that are not determined.
             if (change <= Known && (change > Little * before.Change || between > RoundsOfWrong))
             {
                 return true;
             }
 
             before.Change = double.PositiveInfinity;
+
+            // Once in a while a step of Newton's method. What it begins from is kept, for it may take a contact that slips for one that grips.
             if (set.Length > 1 && round >= next && round < MostRounds - 1)
             {
                 next = round + between;
@@ -108,6 +112,7 @@ internal static class ContactSolver
     /// <summary>The impulses that the contacts have already.</summary>
     private static void Begin(Span<Contact> set, BallProperties ball, ref Vector3d v, ref Vector3d w)
     {
+        // Warm start: velocity and spin as the impulses that are there leave them.
         foreach (ref readonly Contact contact in set)
         {
             v += (contact.Load * contact.Normal) + contact.Friction;
@@ -128,6 +133,7 @@ internal static class ContactSolver
             scale += contact.Load;
         }
 
+        // Rolling resistance and drilling act on the heaviest contact alone.
         change = Math.Max(change, ball.Radius * resistance.Act(set, ball, duration, in v, ref w));
         return change > 0 ? change / scale : 0;
     }
@@ -136,6 +142,7 @@ internal static class ContactSolver
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Closing(in Contact contact, double duration, in Vector3d v)
     {
+        // (v − V)·n + gap/h: the gap may close in the time; where there is none, only what touches counts.
         double gap = duration > 0 ? Math.Max(0, contact.Gap) / duration : contact.Gap > ContactSearch.Touching ? double.MaxValue : 0;
         return Vector3d.Dot(v - contact.Velocity, in contact.Normal) + gap;
     }
@@ -204,6 +211,8 @@ internal struct TurningResistance
     public double Act(Span<Contact> set, BallProperties ball, double duration, in Vector3d v, ref Vector3d w)
     {
         int heaviest = ContactSet.Heaviest(set);
+
+        // Another contact is the heaviest now: what was resisted on the last one is given back.
         if (heaviest != Bearer)
         {
             w -= Rolling + (Bearer < 0 ? Vector3d.Zero : Drilling * set[Bearer].Normal);
@@ -219,6 +228,8 @@ internal struct TurningResistance
 
         ref readonly Contact contact = ref set[heaviest];
         Vector3d n = contact.Normal;
+
+        // About the normal: ω_n/(1 + k) by damping, k = c_ω h/I, then drilling towards zero by at most b μ_s J_n/I.
         double about = Vector3d.Dot(in w, in n);
         double damped = (about - Drilling) / (1.0 + Damping(in contact, ball, duration));
         double most = DrillingPerLoad(in contact, ball) * contact.Load;
@@ -227,6 +238,7 @@ internal struct TurningResistance
         Drilling += drilled;
         w += drilled * n;
 
+        // Across it: against the rolling, by no more than the load allows, and not beyond its end.
         double resistance = MostRolling(in contact, ball, in v);
         Vector3d turning = w - (Vector3d.Dot(in w, in n) * n) - Rolling;
         double size = turning.Length;

@@ -73,6 +73,7 @@ internal sealed class EngineThings
     /// <summary>Finds what is near a place, by a distance, m, where the last cast has not been there.</summary>
     public void LookAt(in Vector3d position, double time, double distance)
     {
+        // Within what the last cast has covered nothing new can be found.
         if (!_isKnown || !(DistanceFromLast(in position) + _ballRadius + Math.Max(0.5 * Beside, distance) <= _around))
         {
             Look(in position, in position, _ballRadius + distance, time, 0);
@@ -116,6 +117,8 @@ internal sealed class EngineThings
         Vector3d from = way.From;
         Vector3d to = from + (way.Duration * way.Velocity);
         Look(in from, in to, way.Around, way.Time, way.Duration);
+
+        // A cast finds what is near the way; whether the way meets it is asked of its box, which sees the way go by.
         for (int i = 0; i < Count; i++)
         {
             Collider collider = _colliders[_found[i] - _first];
@@ -151,6 +154,8 @@ internal sealed class EngineThings
         {
             EngineCollider hit = _hits.At(i);
             hit.FoundAt(now);
+
+            // A collider keeps its place from cast to cast: the index of a carrier stays good.
             int place = PlaceOf(hit);
             _foundAt[place] = _casts;
             _found[Count++] = _first + place;
@@ -185,6 +190,8 @@ internal sealed class EngineThings
     {
         Vector3d way = _to - _from;
         double square = way.LengthSquared;
+
+        // The nearest point of the segment that was cast along.
         double share = square > 0 ? Vector3d.Dot(position - _from, in way) / square : 0;
         return (position - (_from + (Math.Min(1, Math.Max(0, share)) * way))).Length;
     }

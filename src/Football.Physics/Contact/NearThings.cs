@@ -52,6 +52,7 @@ internal struct NearThings
         NearThings near = At(world, s.Position, s.Time);
         while (near.NextCollider(out int i))
         {
+            // The deepest; of two as deep the first of the scene, for the walk has no order.
             double overlap = world.Ball.Radius - world.Colliders[i].At(s.Position, s.Time).Distance;
             overlapsBody |= i != carrier && overlap > ContactSearch.Touching && world.Colliders[i].IsBody;
             if (i != carrier && (overlap > depth || (overlap == depth && i < deepest)))
@@ -144,6 +145,8 @@ internal struct NearThings
     private readonly bool Touches(int moving)
     {
         Collider collider = _world.Colliders[moving];
+
+        // The box that it sweeps in the time.
         Bounds3d bounds = collider.BoundsAt(_time);
         if (_duration > 0)
         {

@@ -79,6 +79,8 @@ internal readonly struct Separation
         {
             case SeparationKind.Contact:
                 Collider collider = _world.Colliders[_index];
+
+                // A plane that stands still: (p − c)·n − r, and no curvature.
                 if (collider.StandingPlane is { } plane)
                 {
                     value = plane.DistanceTo(in position) - _world.Ball.Radius;
@@ -126,6 +128,8 @@ internal readonly struct Separation
         bool isLength = (_axis & 3) == 0;
         value = isLength ? place.X - net.HalfLength : place.Y - net.HalfWidth;
         rate = isLength ? speed.X : speed.Y;
+
+        // A net reaches as far beyond its edge as the ball is deep in another: what that lets out is caught here.
         if (_deepest >= 0)
         {
             value -= _world.Nets[_deepest].Depth(in position, _deepestSide);

@@ -53,6 +53,8 @@ internal readonly struct SlipDecay
     {
         double size = slip.Length;
         double c = push.Length;
+
+        // k|s| + c·s falls at the rate k² − |c|², and is zero at the end; ∫ŝ = (s₀ + c t)/k there.
         double left = (k * k) - (c * c);
         Time = ((k * size) + Vector3d.Dot(in slip, in push)) / left;
         Direction = (slip + (Time * push)) / k;

@@ -87,15 +87,21 @@ internal struct SurfaceSystem : IMotionSystem
     public readonly SurfaceForces ForcesOn(double time, in Motion at)
     {
         SurfaceForces on;
+
+        // n, ṅ = H (v − V) and (v − V)ᵀH(v − V) of the carrier under the ball.
         ShapePoint point = Carrier.At(in at.Position, time);
         on.Normal = point.Normal;
         Vector3d n = on.Normal;
         on.Velocity = at.Velocity - Carrier.Velocity;
         on.Turning = point.Curvature * on.Velocity;
         on.Centripetal = Vector3d.Dot(in on.Velocity, in on.Turning);
+
+        // N/m = −a_b·n − (v − V)ᵀH(v − V): what the surface must give so that the ball follows it.
         var body = new Vector3d(0, Around.Upward, 0);
         double load = -Vector3d.Dot(in body, in n) - on.Centripetal;
         on.Body = Tangential(in body, in n);
+
+        // a_air = L (ω × u) − D u and own forces; along n it counts in the load where the air loads.
         Vector3d u = at.Velocity - Around.Wind;
         var ball = new ForceInput(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding);
         double rate = Around.Air.Evaluate(in ball, Branch, out AirFactors air);
@@ -107,6 +113,8 @@ internal struct SurfaceSystem : IMotionSystem
         on.Torque = (-air.Decay * at.Spin) + air.SpinAcceleration;
         on.Spins = rate > 0;
         on.Braking = on.Spins ? air.Decay * rate : air.Decay;
+
+        // Of a net all counts along the surface, and across it what presses the ball on.
         double pressing = 0;
         if (Nets != 0)
         {
@@ -138,6 +146,8 @@ internal struct SurfaceSystem : IMotionSystem
     public readonly Vector3d Drive(in SurfaceForces on)
     {
         double alpha = World.Ball.InertiaFactor;
+
+        // (a_b + a_air + α r T × n)/(1 + α); where the air is not shared with the spin, a_b/(1 + α) + a_air.
         Vector3d shared = World.SharesAir ? on.Body + on.Air + (alpha * World.Ball.Radius * Vector3d.Cross(in on.Torque, in on.Normal)) : on.Body;
         Vector3d drive = shared / (1.0 + alpha);
         return World.SharesAir ? drive : drive + on.Air;
@@ -177,6 +187,8 @@ internal struct SurfaceSystem : IMotionSystem
     private readonly MotionRates Sliding(double time, in Motion at, in SurfaceForces on)
     {
         Vector3d n = on.Normal;
+
+        // ŝ, and the direction at the start where a stage has passed zero: friction must not push the slip on beyond it.
         Vector3d slip = SlipOf(in at, in n);
         double size = slip.Length;
         Vector3d s = size > 0 && Vector3d.Dot(in slip, in Direction) > 0 ? slip / size : Direction;
@@ -184,6 +196,8 @@ internal struct SurfaceSystem : IMotionSystem
 
         // A ball without spin is held by the air as friction begins to turn it, and no more than that.
         double turning = Math.Max(0, Turning(in on) - (on.Spins ? 0 : on.Braking));
+
+        // v̇ = a_t − μ_s (N/m) ŝ − (v − V)ᵀH(v − V) n
         Vector3d acceleration = on.Body + on.Air - (friction * s) - (on.Centripetal * n);
         Vector3d spin = on.Torque
             + (turning * Vector3d.Cross(in n, in s))
@@ -206,6 +220,7 @@ internal struct SurfaceSystem : IMotionSystem
             return new MotionRates(Vector3d.Zero, aboutRate * n);
         }
 
+        // v̇_t = drive + α r ω_n n × ṅ/(1 + α) − (c₀ + c₁|v|)(N/m) v̂
         double speed = on.Velocity.Length;
         bool goesOn = speed > 0 && Vector3d.Dot(in on.Velocity, in Direction) > 0;
         Vector3d direction = goesOn ? on.Velocity / speed : Direction;

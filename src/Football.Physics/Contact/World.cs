@@ -41,6 +41,8 @@ internal sealed class World
         IsLevelGroundAlone = IsLevel && IsBare;
         IsPlaneAlone = IsBare && scene.Ground.Heights is null;
         LevelContact = scene.Ground.IsNone || !scene.Ground.IsLevel ? double.NegativeInfinity : scene.Ground.Height + Ball.Radius;
+
+        // In the order of their numbers: ground, obstacles and frames of goals, bodies, an engine's places; then nets and goals.
         if (!IsBare)
         {
             Bodies = scene.Bodies is { Count: > 0 } ? scene.Bodies : null;
@@ -83,6 +85,7 @@ internal sealed class World
             }
         }
 
+        // Nets and goals stand still, and are in the tree as well.
         for (int i = 0; i < Nets.Length + Goals.Length; i++)
         {
             leaves.Add(Colliders.Length + i);
@@ -91,6 +94,8 @@ internal sealed class World
         Moving = moving.ToArray();
         Unbounded = unbounded.ToArray();
         Leaves = leaves.ToArray();
+
+        // The broad phase of all that stands still and has bounds.
         var boxes = new Bounds3d[Leaves.Length];
         for (int i = 0; i < boxes.Length; i++)
         {
@@ -388,6 +393,8 @@ internal sealed class World
         for (int i = 0; i < Goals.Length; i++)
         {
             ulong bit = 1UL << i;
+
+            // Before the mouth it is out; behind it in, where it came through the opening.
             if (Goals[i].BeforeMouth(s.Position) > 0)
             {
                 s.GoalsEntered &= ~bit;
@@ -412,6 +419,8 @@ internal sealed class World
     {
         ShapePoint at = collider.At(s.Position, s.Time);
         Vector3d n = at.Normal;
+
+        // p + (r − d) n, and no speed off the surface.
         s.Position += (Ball.Radius - at.Distance) * n;
         s.Velocity -= Vector3d.Dot(s.Velocity - collider.Velocity, in n) * n;
         if (IsLevel && collider == Ground)
@@ -457,6 +466,8 @@ internal sealed class World
             {
                 double depth = Math.Max(0, Nets[i].Depth(at.Position, SideOf(sides, i)));
                 double rate = Nets[i].RateAt(depth);
+
+                // c of a part c/λ, from |ȧ| c⁴/(120 λ²) = ε.
                 double change = Math.Sqrt(Math.Sqrt(120.0 * ErrorInNets * rate * rate / jerk));
 
                 // Also where a net without stiffness makes that no number.

@@ -126,6 +126,7 @@ public readonly struct BallEvent : IFormattable
             throw new ArgumentNullException(nameof(ball));
         }
 
+        // ½ m (|v|² − |v'|²) + ½ I (|ω|² − |ω'|²)
         double linear = VelocityBefore.LengthSquared - Velocity.LengthSquared;
         double angular = SpinBefore.LengthSquared - Spin.LengthSquared;
         return 0.5 * ((ball.Mass * linear) + (ball.MomentOfInertia * angular));

@@ -74,6 +74,7 @@ public sealed class EventBuffer
     /// <summary>Drops the events before a time.</summary>
     internal void Forget(double before)
     {
+        // In order of time those before it are the first ones.
         int gone = 0;
         while (gone < Count && _events[gone].Time < before)
         {
@@ -90,6 +91,8 @@ public sealed class EventBuffer
     internal void Add(in BallEvent item)
     {
         Impacts += item.Kind == BallEventKind.Impact ? 1 : 0;
+
+        // Full: it grows, or the first of the last ones is missed.
         if (Count == _events.Length)
         {
             MakeRoom();
@@ -106,12 +109,14 @@ public sealed class EventBuffer
             Add(in other._events[i]);
         }
 
+        // What the other one has missed is missed here too.
         Dropped += other.Dropped;
     }
 
     /// <summary>Takes back what was added since there were so many; of those that were missed meanwhile the last ones cannot come back.</summary>
     internal void TakeBack(int count, long missed, long impacts)
     {
+        // Where some were missed meanwhile the last ones have moved up, and only the first ones are still what they were.
         Count = Dropped == missed ? count : Math.Min(count, Most - Last);
         Dropped = missed + (count - Count);
         Impacts = impacts;
@@ -120,12 +125,14 @@ public sealed class EventBuffer
     /// <summary>Grows, or misses the first of the last ones.</summary>
     private void MakeRoom()
     {
+        // Twice as many, up to the bound.
         if (Count < Most)
         {
             Array.Resize(ref _events, (int)Math.Min(2L * Count, Most));
             return;
         }
 
+        // The first ones stay, the last ones move up by one place.
         Array.Copy(_events, Count - Last + 1, _events, Count - Last, Last - 1);
         Count--;
         Dropped++;

@@ -86,6 +86,8 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
     {
         double half = 0.5 * h;
         double sixth = h / 6.0;
+
+        // The rates at the start, twice in the middle and at the end; for the position they are the stages' velocities.
         system.Rates(time, in from, out MotionRates k1);
         Motion second = from.After(half, in from.Velocity, in k1);
         system.Rates(time + half, in second, out MotionRates k2);
@@ -94,6 +96,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         Motion fourth = from.After(h, in third.Velocity, in k3);
         system.Rates(time + h, in fourth, out MotionRates k4);
 
+        // y' = y + h/6 (k₁ + 2 k₂ + 2 k₃ + k₄)
         Vector3d velocity = from.Velocity + (2.0 * (second.Velocity + third.Velocity)) + fourth.Velocity;
         Vector3d acceleration = k1.Acceleration + (2.0 * (k2.Acceleration + k3.Acceleration)) + k4.Acceleration;
         Vector3d spinAcceleration = k1.SpinAcceleration + (2.0 * (k2.SpinAcceleration + k3.SpinAcceleration)) + k4.SpinAcceleration;
@@ -103,6 +106,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
             from.Spin + (sixth * spinAcceleration),
             from.AirDistance + (sixth * (k1.AirSpeed + (2.0 * (k2.AirSpeed + k3.AirSpeed)) + k4.AirSpeed)));
 
+        // The axis may turn on the way: from the spins at start, middle and end.
         step.Rotation = RotationVector.Of(in from.Spin, 0.5 * (second.Spin + third.Spin), in step.End.Spin, h);
         step.StartRates = k1;
     }

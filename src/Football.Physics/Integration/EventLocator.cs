@@ -42,6 +42,7 @@ internal static class EventLocator
                 return true;
             }
 
+            // Positive is before the event: the bracket closes from that side, or from the other.
             if (value > 0)
             {
                 low = tau;
@@ -51,6 +52,7 @@ internal static class EventLocator
                 high = tau;
             }
 
+            // Newton or the secant as long as they stay in the bracket, else its middle.
             double next = tau + correction;
             tau = next > low && next < high ? next : 0.5 * (low + high);
             if (high - low <= 1e-15 * length)

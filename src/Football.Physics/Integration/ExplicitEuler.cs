@@ -21,9 +21,13 @@ internal readonly struct ExplicitEuler : IIntegrator
         double uy = motion.Velocity.Y - wind.Y;
         double uz = motion.Velocity.Z - wind.Z;
         double w = motion.SpinRate;
+
+        // k = f(y)
         FlightRates.At(
             ref air, in start, branch, upward, 0, 0, 0, 0, 0, motion.Axis.X, motion.Axis.Y, motion.Axis.Z, ux, uy, uz, w,
             out double ax, out double ay, out double az, out double b, out double s);
+
+        // y' = y + h k, the way by the velocity at the start
         double ex = ux + (h * ax);
         double ey = uy + (h * ay);
         double ez = uz + (h * az);

@@ -52,6 +52,7 @@ internal static class FlightRates
         out double airSpeed)
         where TAir : struct, IFlightLaws
     {
+        // The wind by place and time, over the steady one.
         if (air.HasField)
         {
             Vector3d wind = air.WindAt(start.Time + h, start.Position.X + px, start.Position.Y + py, start.Position.Z + pz);
@@ -66,10 +67,14 @@ internal static class FlightRates
         double cz = (nx * uy) - (ny * ux);
         air.Factors(
             (ux * ux) + (uy * uy) + (uz * uz), spin, (cx * cx) + (cy * cy) + (cz * cz), branch, out double drag, out double lift, out double decay);
+
+        // a = L (ω̂ × u) − D u + g ŷ
         ax = (lift * cx) - (drag * ux);
         ay = ((lift * cy) - (drag * uy)) + upward;
         az = (lift * cz) - (drag * uz);
         airSpeed = 0;
+
+        // A side force depends on the distance flown through the air, which is integrated with the motion.
         if (air.HasField && air.HasSide)
         {
             airSpeed = Math.Sqrt((ux * ux) + (uy * uy) + (uz * uz));

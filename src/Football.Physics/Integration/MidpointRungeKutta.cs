@@ -60,6 +60,8 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         where TSystem : struct, IMotionSystem
     {
         double half = 0.5 * h;
+
+        // Half a step by the rates at the start, and the whole one by those in the middle.
         system.Rates(time, in from, out step.StartRates);
         Motion middle = from.After(half, in from.Velocity, in step.StartRates);
         system.Rates(time + half, in middle, out MotionRates k2);

@@ -25,6 +25,7 @@ internal readonly struct PathCubic
     {
         get
         {
+            // A velocity that is quadratic in time lies in the hull of its three control points.
             Vector3d middle = _c1 + (Length * _c2);
             return Math.Sqrt(Math.Max(_c1.LengthSquared, Math.Max(middle.LengthSquared, VelocityAt(Length).LengthSquared)));
         }
@@ -45,6 +46,7 @@ internal readonly struct PathCubic
     {
         get
         {
+            // The control points of the cubic as a Bézier curve, which lies in their hull.
             Vector3d first = _c0 + (Length / 3.0 * _c1);
             Vector3d second = _c0 + (Length * ((2.0 / 3.0 * _c1) + (Length / 3.0 * _c2)));
             Vector3d end = At(Length);
@@ -88,9 +90,12 @@ internal readonly struct PathCubic
             return Line(in position, in velocity, 0);
         }
 
+        // How far the end is off the straight way.
         Vector3d bend = end - position - (h * velocity);
         double perLength = 1.0 / h;
         double perSquared = perLength * perLength;
+
+        // p₀ + v₀ t + (p₁ − p₀ − v₀ h) t²/h²
         if (isQuadratic)
         {
             return new PathCubic(in position, in velocity, perSquared * bend, default, h);

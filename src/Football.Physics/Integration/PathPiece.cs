@@ -149,6 +149,8 @@ public readonly struct PathPiece
         double before = Vector3d.Dot(StartPosition - point, in normal);
         double after = Vector3d.Dot(EndPosition - point, in normal);
         time = Time;
+
+        // From the plane itself it does not cross it.
         if (before == 0)
         {
             return false;
@@ -166,6 +168,7 @@ public readonly struct PathPiece
                 return false;
             }
 
+            // Up to where it turns there is one crossing.
             end = Roots.Illinois(ref approach, 0, atStart, 1, atEnd, Closeness, MostEvaluations);
             after = Vector3d.Dot(PositionAt(Time + (end * Length)) - point, in normal);
             if (before < 0 == after < 0)
@@ -202,6 +205,8 @@ public readonly struct PathPiece
         approach.Evaluate(1, out double atEnd);
         double turn = atCrossing < 0 && atEnd > 0 ? Roots.Illinois(ref approach, low, atCrossing, 1, atEnd, Closeness, MostEvaluations) : low;
         var distance = new PlaneDistance(in this, in point, in normal, before < 0);
+
+        // The secant from the turn behind the plane to the end before it, for a first guess.
         distance.Evaluate(turn, out double behind, out _);
         double start = behind > 0 ? turn + ((1 - turn) * behind / (behind + Math.Abs(after))) : turn;
         time = Time + (Roots.Newton(ref distance, turn, 1, start) * Length);

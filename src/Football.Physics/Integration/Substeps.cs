@@ -48,6 +48,8 @@ internal struct Substeps : IIntegrator
             method.Advance(ref system, time + done, in at, isLast ? h - done : part, out MotionStep next);
             Stages += method.Stages;
             double jerk = JerkIn(in at, in next, part);
+
+            // Rotations follow one another; the rates at the start are those of the first part.
             if (done > 0)
             {
                 next.Rotation = RotationVector.Then(in step.Rotation, in next.Rotation);
@@ -60,6 +62,7 @@ internal struct Substeps : IIntegrator
                 return;
             }
 
+            // How fast the forces change says how long the next part may be; what is long before the end is kept to go on from.
             done += part;
             part = system.LongestPart(in step.End, jerk);
             if (done + (Before * part) < h)

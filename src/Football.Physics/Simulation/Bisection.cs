@@ -14,6 +14,8 @@ internal static class Bisection
         {
             half *= 0.5;
             double next = below ? tau - half : tau + half;
+
+            // Below the last bit of τ there is nothing left to halve.
             if (next == tau)
             {
                 break;

@@ -33,6 +33,7 @@ internal sealed class BodyPush
             return;
         }
 
+        // First what carried it: the game may have taken it away from under the ball.
         LetGo(ref s, ref run);
         int deepest = NearThings.Deepest(_world, in s, out bool overlapsBody);
 
@@ -52,6 +53,7 @@ internal sealed class BodyPush
             _contact.BeginSqueeze(ref s, pressing, ref run);
         }
 
+        // Pushed through the plane of a goal's mouth it has entered that, or left it.
         if (overlapsBody)
         {
             _world.PassMouths(ref s, in from);
@@ -80,6 +82,8 @@ internal sealed class BodyPush
     {
         BallState pushed = s;
         pushed.Position = from;
+
+        // The push as a straight path in next to no time: nothing that stands still may be met on it.
         var path = PathCubic.Line(in from, (s.Position - from) / AtOnce, AtOnce);
         return new ContactSearch(_world, in path, s.Time).First(in pushed, s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - _world.FirstCollider, out Separation met) <= AtOnce
             && met.What == SeparationKind.Contact && !_world.Colliders[met.Index].Moves;
@@ -94,6 +98,8 @@ internal sealed class BodyPush
         }
 
         Collider carrier = _world.CarrierOf(in s);
+
+        // An engine may not have the collider any more.
         if (_world.Engine is { } engine && engine.Has((int)s.Carrier - _world.FirstCollider))
         {
             engine.LookAt(s.Position, s.Time, ContactSearch.Touching);
@@ -104,6 +110,7 @@ internal sealed class BodyPush
             }
         }
 
+        // Let go where a gap has opened, or where the carrier no longer moves along with the ball.
         ShapePoint at = carrier.At(s.Position, s.Time);
         double off = Vector3d.Dot(s.Velocity - carrier.Velocity, at.Normal);
         if (Math.Abs(at.Distance - _world.Ball.Radius) > ContactSearch.Touching || Math.Abs(off) > ContactSearch.Approaching)
@@ -121,6 +128,8 @@ internal sealed class BodyPush
         }
 
         Vector3d up = _world.CarrierOf(in s).At(s.Position, s.Time).Normal;
+
+        // n_t/|n_t|²: so far along the carrier that the gap closes.
         Vector3d along = normal - (Vector3d.Dot(in normal, in up) * up);
         double share = along.LengthSquared;
 

@@ -76,6 +76,8 @@ internal sealed class BodyTube
         _longestStep = longest;
         _strayed = _bodies.Strayed;
         double free = _bodies.FreeFor(in way);
+
+        // Without room to spare the answer is for this step, and no tube is kept.
         _duration = spare > 0 ? free : -1;
         return dt <= free;
     }

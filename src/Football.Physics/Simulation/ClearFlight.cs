@@ -48,6 +48,8 @@ internal sealed class ClearFlight
         _shareInPath = Math.Max(0.5, shareInPath);
         _friction = world.Ground is { } ground ? ground.Materials.Max(material => Math.Max(material.SlidingFriction, material.RollingFriction)) : 0;
         _tube = world.Bodies is { } bodies ? new BodyTube(bodies, world.Ball.Radius) : null;
+
+        // All that the answer depends on: a state that is taken to another scene must not bring it along.
         var key = new ClearKey();
         key.Add(limit.Bound.PerSpeed);
         key.Add(limit.Bound.PerSpin);
@@ -92,6 +94,7 @@ internal sealed class ClearFlight
 
     private bool Holds(ref BallState s, double dt, in Push push)
     {
+        // An engine may move its colliders between two steps: it is asked in each.
         if (_world.Engine is { } engine)
         {
             double bend = Bend(in push, dt, dt);
@@ -101,6 +104,7 @@ internal sealed class ClearFlight
             }
         }
 
+        // The answer that the state brings along; bodies, which stray, have theirs in the tube.
         bool isKnown = s.Time + dt <= s.ClearUntil && s.ClearIn == Key;
         if (isKnown && (_tube is null || _tube.Holds(in s, dt, push.AirSpeedSquared, push.SpinRate)))
         {
@@ -132,6 +136,8 @@ internal sealed class ClearFlight
     private bool IsFree(ref BallState s, double dt, double steps, in Push push)
     {
         double ahead = steps * dt;
+
+        // The ball, and as far around its straight way as it may bend in that time.
         double around = _world.Ball.Radius + Bend(in push, ahead, ahead);
         double free = _world.FreeFor(new StraightWay(s.Position, s.Velocity, s.Time, ahead, around));
         s.ClearUntil = s.Time + free;
@@ -172,6 +178,7 @@ internal sealed class ClearFlight
     /// <param name="during">t, s.</param>
     private double Bend(in Push push, double ahead, double during)
     {
+        // c a t² with a = (1 + μ)(g + λ |u|), λ how fast the air can change the motion.
         double most = SpeedLater(in push, ahead);
         double acceleration = push.Friction * (_weight + (RateAtMost(most, push.SpinRate) * most));
         return _shareInPath * acceleration * during * during;

@@ -63,6 +63,8 @@ internal sealed class ContactSetPhase
         Span<Contact> room = stackalloc Contact[ContactSet.Most];
         Span<Contact> last = stackalloc Contact[ContactSet.Most];
         int before = 0;
+
+        // Parts of equal length; a long step has longer ones, not more.
         double part = run.Left / Math.Min(MostParts, Math.Ceiling(run.Left / Part));
         bool taken = false;
         int named = 0;
@@ -75,19 +77,25 @@ internal sealed class ContactSetPhase
                 return taken;
             }
 
+            // Warm start: a contact that was there in the part before begins with its impulses.
             ContactSet.Continue(set, last.Slice(0, before));
             double h = run.Left / Math.Max(1.0, Math.Round(run.Left / part));
+
+            // Predict: v + h a with the forces at the start. These impulses only say where the forces at the end are asked for.
             var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
             MotionRates start = Free(in s, s.Time, in from, h);
             Vector3d v = from.Velocity + (h * start.Acceleration);
             Vector3d w = from.Spin + (h * start.SpinAcceleration);
             bool solved = ContactSolver.Solve(set, _world.Ball, h, ref v, ref w, ContactSolver.Foreseen);
             run.Log.Evaluations++;
+
+            // One contact alone bears it and nothing there moves, or none does: the phase of a single surface takes the ball on.
             if (Bearers(set, h, out int bearer) < 2 && (bearer < 0 || !ContactSet.HasMover(set)))
             {
                 return taken | (bearer >= 0 && HandOver(ref s, set[bearer].Collider, ref run));
             }
 
+            // No impulses satisfy all contacts, or they would make the ball faster than what presses it may: there is no room.
             if (!solved || _contact.IsTooFast(ref s, set, in v))
             {
                 _contact.BeginSqueeze(ref s, set[bearer].Collider, ref run);
@@ -124,15 +132,21 @@ internal sealed class ContactSetPhase
             bool meets = at <= h;
             double length = meets ? at : h;
             double share = length / h;
+
+            // v and ω are linear in a part, so also where it is cut short.
             BallState at0 = s;
             v = from.Velocity + (share * (v - from.Velocity));
             w = from.Spin + (share * (w - from.Spin));
             Move(ref s, length, 0.5 * (from.Velocity + v), in v, in w, in start, ref run);
+
+            // Back onto the contacts that bear it: on a curved one the straight way leads off.
             Hold(ref s, set);
             Show(in at0, in s, at0.Velocity, s.Velocity, ref run);
             Name(ref s, set, ref named, ref run);
             set.CopyTo(last);
             before = set.Length;
+
+            // What is met on the way, or closes where the ball is, ends this phase: what becomes of the ball decides which one goes on.
             if (meets && !run.Log.Halted)
             {
                 _guard.Meet(ref s, in met, ref run);
@@ -160,6 +174,8 @@ internal sealed class ContactSetPhase
         while (run.Left > 0 && !run.Log.Halted)
         {
             double h = run.Left / Math.Max(1.0, Math.Round(run.Left / part));
+
+            // What the forces alone would make of it: v + h a, ω + h ω̇.
             var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
             MotionRates free = Free(in s, s.Time, in from, h);
             Vector3d v = from.Velocity + (h * free.Acceleration);
@@ -172,6 +188,8 @@ internal sealed class ContactSetPhase
             // All that it may come to in this part: by itself, at twice the speed of what hits it, which comes too, and by being put out of that.
             double reach = ContactSearch.Touching + (h * (v.Length + (3.0 * _world.FastestMover) + OutOfTheWay));
             Span<Contact> set = room.Slice(0, ContactSet.Near(_world, in s, reach, room));
+
+            // Contact impulses as far as a few rounds find them: without room there need be no answer.
             ContactSolver.Try(set, _world.Ball, h, ref v, ref w);
 
             // Out of the way of what moves whatever friction does, as fast as it may be; and never into what stands still.
@@ -183,6 +201,8 @@ internal sealed class ContactSetPhase
             // f² = |v|² + 2 h f W·d: what the forces W do on the way d at the speed f that it comes to.
             double worked = h * Vector3d.Dot(Working(in free, in from), in kept) / Math.Max(kept.Length, Still);
             double fastest = Math.Max(s.SqueezeSpeed, worked + Math.Sqrt((worked * worked) + (came * came)));
+
+            // Cut to that speed; what stands still has the last word.
             double speed = v.Length;
             v = speed > fastest ? fastest / speed * v : v;
             KeepOff(set, h, movers: false, ref v);
@@ -192,6 +212,8 @@ internal sealed class ContactSetPhase
             bool passes = new ContactSearch(_world, in path, s.Time).FirstPassage(in s, out Separation passed) is var at && at <= h;
             BallState before = s;
             Move(ref s, passes ? at : h, in v, in v, in w, in free, ref run);
+
+            // Depenetration: out of what moves at a bounded speed, out of what stands still at once.
             PushOut(ref s, set, OutOfTheWay * h, before.Position);
             isFree = IsFree(in s, set);
             ShowSqueezed(in before, in s, set, ref run);
@@ -201,6 +223,7 @@ internal sealed class ContactSetPhase
             }
         }
 
+        // Free where no mover pressed it against anything in the last part, or where a direction leads off all that it touches.
         if ((isFree || HasRoom(in s)) && !run.Log.Halted)
         {
             _contact.EndSqueeze(ref s, ref run);
@@ -212,6 +235,7 @@ internal sealed class ContactSetPhase
     /// </summary>
     private MotionRates Free(in BallState s, double time, in Motion at, double h)
     {
+        // The drag law is locked to the branch at the start of the part: its jump is not located here.
         DragBranch branch = _around.Air.Jumps ? DragJump.At(in at, in _around.Wind, _around.Radius).Branch : DragBranch.Unknown;
         MotionRates rates = new FlightSystem { Around = _around }.On(branch, time, in at);
         Vector3d acceleration = rates.Acceleration;
@@ -229,6 +253,8 @@ internal sealed class ContactSetPhase
         // A part is too long for absurd spins alone: what they do is bounded.
         acceleration = NoMore(in acceleration, MostSpeed / h);
         spinAcceleration = NoMore(in spinAcceleration, (at.Spin.Length + MostSpin) / h);
+
+        // 1/(1 + h λ) of a net's push, with λ how fast it settles: what an implicit step would take.
         if (s.Nets != 0)
         {
             MotionRates nets = _world.PushOfNets(s.Nets, s.NetSides, in at);
@@ -243,6 +269,7 @@ internal sealed class ContactSetPhase
     /// <summary>The acceleration without what is along ω × u, the Magnus force: it turns with the velocity and does no work, where that turns at once as where it turns slowly.</summary>
     private Vector3d Working(in MotionRates free, in Motion at)
     {
+        // a − (a·m) m/|m|², m = ω × u; where all of the air counts the weight is left out of this.
         var weight = new Vector3d(0, _world.SharesAir ? _around.Upward : 0, 0);
         Vector3d other = free.Acceleration - weight;
         Vector3d magnus = Vector3d.Cross(in at.Spin, at.Velocity - _around.Wind);
@@ -284,6 +311,7 @@ internal sealed class ContactSetPhase
     /// <summary>A ball with no more energy than one at rest rests, where all that touches it stands still and holds it.</summary>
     private bool Rests(ref BallState s, scoped Span<Contact> set, in MotionRates free, ref StepRun run)
     {
+        // Not among what moves: only what stands still holds a ball for good.
         foreach (ref readonly Contact contact in set)
         {
             if (contact.Moves || contact.Velocity != Vector3d.Zero)
@@ -297,6 +325,7 @@ internal sealed class ContactSetPhase
             return false;
         }
 
+        // Released from a standstill: where the contacts take away all that the forces give in a part, they hold it.
         Span<Contact> held = stackalloc Contact[ContactSet.Most];
         set.CopyTo(held);
         ContactSet.Forget(held.Slice(0, set.Length));
@@ -357,6 +386,8 @@ internal sealed class ContactSetPhase
         Vector3d way = (after.Position - before.Position) / h;
         Vector3d v = way;
         Vector3d w = way;
+
+        // Tangents of a Hermite path: none at its start that leads into what stands still, none at its end that comes out of it.
         foreach (ref readonly Contact contact in set)
         {
             if (!contact.Moves)
@@ -388,6 +419,7 @@ internal sealed class ContactSetPhase
             return;
         }
 
+        // Hysteresis: of two that bear about as much the one that was named stays, or they would take turns.
         double most = set[named].Load;
         for (int i = 0; i < set.Length; i++)
         {
@@ -403,6 +435,7 @@ internal sealed class ContactSetPhase
             return;
         }
 
+        // A slip ends below one threshold and begins above a higher one: between them it may be over in the next part.
         if (slip < Slip.Rolling && s.Motion != MotionState.Rolling)
         {
             told++;
@@ -424,6 +457,7 @@ internal sealed class ContactSetPhase
             closes = false;
             foreach (ref readonly Contact contact in set)
             {
+                // (v − V)·n + gap/h < 0 would overlap within the part: projected out, contact by contact, until none does.
                 double closing = Vector3d.Dot(v - contact.Velocity, in contact.Normal) + (Math.Max(0, contact.Gap) / h);
                 if ((movers || !contact.Moves) && closing < 0)
                 {
@@ -506,6 +540,7 @@ internal sealed class ContactSetPhase
             s.Position += contact.Moves && gap < 0 ? Math.Min(most, -gap) * at.Normal : Vector3d.Zero;
         }
 
+        // No place clear of what stands still: back to where it was, without speed.
         if (!ContactSet.KeepOut(_world, ref s, set))
         {
             s.Position = back;

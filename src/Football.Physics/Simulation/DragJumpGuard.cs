@@ -35,6 +35,8 @@ internal sealed class DragJumpGuard
         DragJump start = sweep.StartJump;
         DragJump startRate = sweep.StartJumpRate;
         DragJump end = sweep.EndJump;
+
+        // No crossing in sight; or the step chatters between the branches and has had its splits.
         if (run.Splits >= StepRun.MaximumSplits || !DragJump.MayCross(branch, in start, in startRate, in end, h))
         {
             return true;
@@ -51,6 +53,7 @@ internal sealed class DragJumpGuard
             }
         }
 
+        // Where the interpolant crosses nothing after all, the whole piece stands.
         TSweep whole = sweep;
         if (!JumpLocator.Locate(ref sweep, branch, in start, in startRate, h))
         {
@@ -59,6 +62,7 @@ internal sealed class DragJumpGuard
             return true;
         }
 
+        // What holds from the crossing on: the other branch, or a slide along the surface.
         next = Resolve(s.Time + sweep.Length, sweep.EndMotion, in s, ref run);
         return true;
     }
@@ -75,6 +79,7 @@ internal sealed class DragJumpGuard
             return along;
         }
 
+        // The other surface is met: the sliding mode ends where its function reaches zero, by the secant.
         DragJump end = sweep.EndJump;
         double other = along == DragBranch.AlongCriticalSpeed ? end.Spin : end.Speed;
         if (other <= 0)
@@ -85,6 +90,7 @@ internal sealed class DragJumpGuard
             return DragBranch.NoSpin;
         }
 
+        // The mode lasts as long as the share of the law with spin is between 0 and 1.
         double share = sweep.System.SpinningShare(time + h, in sweep.Taken.End, out _, out _);
         run.Log.Evaluations += 2;
         if (share is >= 0 and <= 1)
@@ -92,6 +98,7 @@ internal sealed class DragJumpGuard
             return along;
         }
 
+        // Beyond that one law alone leads off the surface: from where the share reaches its limit, by the secant.
         double startShare = sweep.System.SpinningShare(time, in from, out _, out _);
         run.Log.Evaluations += 2;
         run.Splits++;
@@ -122,6 +129,7 @@ internal sealed class DragJumpGuard
             return;
         }
 
+        // On the ground no sliding mode is followed: from the crossing on the other branch holds.
         run.Splits++;
         TSweep whole = sweep;
         if (start.Branch == branch && JumpLocator.Locate(ref sweep, branch, in start, in startRate, h))
@@ -152,6 +160,8 @@ internal sealed class DragJumpGuard
         FlightSystem system = _flight;
         system.Nets = s.Nets;
         system.NetSides = s.NetSides;
+
+        // Of the two surfaces the one that the ball is nearer to.
         DragJump here = system.JumpAt(in at);
         DragBranch along = here.NearerToSpeed ? DragBranch.AlongCriticalSpeed : DragBranch.AlongCriticalSpin;
         system.Branch = along;
@@ -165,6 +175,8 @@ internal sealed class DragJumpGuard
         // a: how the law with spin moves across the surface towards its own side; b: how the law without does. A ball whose speed nothing
         // changes (lift alone, no drag, no gravity) moves neither way: rates of rounding are no reason to follow the surface.
         double rounding = Rounding * system.JumpRateScale(in at, in spinning);
+
+        // Filippov: where both laws push back onto the surface, along it; where both lead to one side, the law of that side; else the other than before.
         return a < -rounding && b > rounding && share > 0 && share < 1 ? along
             : a > 0 && b > 0 ? DragBranch.Spinning
             : a < 0 && b < 0 ? DragBranch.NoSpin

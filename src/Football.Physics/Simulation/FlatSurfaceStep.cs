@@ -121,6 +121,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         _bodyZ = Vector3d.Dot(in body, in _axisZ);
         _weight = -Vector3d.Dot(in body, in _normal);
 
+        // The constants of the equations in the remarks: what of the weight and of the air counts in the load, a slide, a roll and its traction.
         BallProperties ball = scene.Ball;
         double alpha = ball.InertiaFactor;
         _radius = ball.Radius;

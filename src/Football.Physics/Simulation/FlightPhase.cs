@@ -50,23 +50,30 @@ internal sealed class FlightPhase<TIntegrator>
     /// <summary>The next piece of a flight.</summary>
     public void Take(ref BallState s, ref StepRun run)
     {
+        // First what happens where the ball is: it hits what it touches, or hangs in a net with all forces in balance.
         if (_guard.HitsAtOnce(ref s, ref run) || (s.Nets != 0 && RestsInNet(ref s, ref run)))
         {
             return;
         }
 
         Vector3d u = s.Velocity - _around.Wind;
+
+        // The branch of the drag law that this piece is locked to.
         if (_around.Air.Jumps && (s.Branch == DragBranch.Unknown || !_jump.Acts))
         {
             s.Branch = DragJump.At(u.LengthSquared, _around.RadiusSquared * s.SpinRate * s.SpinRate).Branch;
         }
 
+        // With a constant axis the spin is one number; own forces, a sliding mode of the drag law and nets take the whole vector.
         bool hasAxis = !_around.Air.TurnsAxis && s.Branch < DragBranch.AlongCriticalSpeed && s.Nets == 0;
+
+        // As long as stability allows: a length that is shorter than asked for is kept for the parts to come.
         double asked = run.Next;
         double h = Longest(in s, in u, asked, hasAxis && !_around.Air.Varies, ref run.Spirals);
         run.Keep(h, asked);
         if (s.Nets != 0)
         {
+            // A net settles faster than a step is long: RK4 in parts.
             TakeWithoutAxis<Substeps>(ref s, ref run, h);
         }
         else if (run.Spirals)
@@ -101,11 +108,14 @@ internal sealed class FlightPhase<TIntegrator>
     private bool RestsInNet(ref BallState s, ref StepRun run)
     {
         var at = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
+
+        // ½ m |v|² + ½ I |ω|²
         if (!(0.5 * ((_world.Ball.Mass * s.Velocity.LengthSquared) + (_world.Ball.MomentOfInertia * at.Spin.LengthSquared)) <= _world.RestEnergy))
         {
             return false;
         }
 
+        // Slow alone is not enough, for at a turning point it is slow too: all forces, the nets' among them, must balance.
         FlightSystem system = _system;
         system.Nets = s.Nets;
         system.NetSides = s.NetSides;
@@ -142,6 +152,8 @@ internal sealed class FlightPhase<TIntegrator>
     {
         DragBranch next = s.Branch;
         bool goes = !_jump.Acts || _jump.EndAtCrossing(ref sweep, in s, ref run, out next);
+
+        // Spin that ends before the jump ends the piece there, on its own branch.
         if (goes && sweep.Taken.SpinRate < 0 && _around.Air.SpinDecays)
         {
             EndSpin(ref sweep, s.SpinRate);
@@ -165,6 +177,8 @@ internal sealed class FlightPhase<TIntegrator>
         sweep.Step(h);
         DragBranch next = s.Branch;
         bool goes = true;
+
+        // The drag law's jump: along one of its surfaces to where the sliding mode ends, else to the first crossing.
         if (_jump.Acts)
         {
             if (s.Branch >= DragBranch.AlongCriticalSpeed)
@@ -178,6 +192,7 @@ internal sealed class FlightPhase<TIntegrator>
             }
         }
 
+        // Then the kink of a net's force, where the integrator would lose its order; before the jump the branch is still the piece's.
         if (goes && s.Nets != 0)
         {
             double length = sweep.Length;
@@ -200,6 +215,7 @@ internal sealed class FlightPhase<TIntegrator>
             return;
         }
 
+        // The first thing that is met, if any, shortens the piece once more.
         double length = sweep.Length;
         bool meets = _guard.EndAtFirst(ref sweep, in s, order, out Separation met);
         if (!meets)
@@ -215,6 +231,7 @@ internal sealed class FlightPhase<TIntegrator>
             before = s;
         }
 
+        // The ball goes to the end; if it ends before the jump, on the same branch.
         sweep.MoveTo(ref s);
         s.Branch = sweep.Length < length ? s.Branch : next;
         run.Advance(ref s, sweep.Length);
@@ -243,6 +260,7 @@ internal sealed class FlightPhase<TIntegrator>
     private static void EndSpin<TMethod>(ref FlightSweep<TMethod> sweep, double spinRate)
         where TMethod : struct, IIntegrator
     {
+        // The secant for a first guess; then the step is taken again until the spin is zero at its end.
         double tau = sweep.Length * spinRate / (spinRate - sweep.Taken.SpinRate);
         EventLocator.Locate(ref sweep, new SpinLeft<TMethod>(spinRate), tau);
         sweep.EndSpin();
@@ -257,6 +275,8 @@ internal sealed class FlightPhase<TIntegrator>
         {
             double spin = s.Spin.Length;
             double most = Math.Sqrt(speedSquared) + _fastestWind;
+
+            // The quick bound first; where that is not enough a closer one, in a field by the speed that the ball has in its wind.
             h = asked * _limit.RateAtMost(most, spin) <= StabilityLimit.LargestChange
                 ? asked
                 : _limit.PartOf(ref _around.Air, asked, _fastestWind > 0 ? AirSpeed(in s, in u) : most, spin, s.Branch, ref spirals);
@@ -267,6 +287,7 @@ internal sealed class FlightPhase<TIntegrator>
             h = _limit.PartOf(ref _around.Air, asked, Math.Sqrt(speedSquared), s.SpinRate, s.Branch, ref spirals);
         }
 
+        // Methods that come down from a hop faster than they went up take it in parts, or bounces would grow.
         return _integrator.GainsByHops ? _limit.WithinHop(h, s.Position.Y - _world.LevelContact, s.Velocity.Y) : h;
     }
 

@@ -66,6 +66,8 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         Vector3d position = s.Position;
         double y = position.Y;
         DragBranch branch = s.Branch;
+
+        // Along a surface of the jump, or going down at contact height, no step is taken whole.
         if (branch >= DragBranch.AlongCriticalSpeed || (y <= _contactHeight && vy < 0))
         {
             return WholeFlight.NotTaken;
@@ -77,6 +79,8 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         double uz = vz - _wind.Z;
         double speedSquared = (ux * ux) + (uy * uy) + (uz * uz);
         double mostSquared = speedSquared;
+
+        // In a field the flow may be faster by the fastest wind.
         if (_air.HasField)
         {
             double most = Math.Sqrt(speedSquared) + _fastestWind;
@@ -89,6 +93,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
             s.Branch = branch;
         }
 
+        // Stability, hops and the broad phase: each may ask for pieces.
         bool covered = _air.Covers(speedSquared, spin, dt);
         if ((_air.Acts && !_limit.AllowsWhole(dt, mostSquared, spin, covered))
             || (_integrator.GainsByHops && _limit.WithinHop(dt, y - _contactHeight, vy) < dt)
@@ -161,6 +166,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private bool MayCrossJump(DragBranch branch, double ux, double uy, double uz, double speedSquared, double spin, in FlightStep step, double h)
     {
+        // G and S at both ends, and at the start their rates by 2 u·a and 2 r² |ω| d|ω|/dt.
         var start = DragJump.At(speedSquared, _radiusSquared * spin * spin);
         var rate = DragJump.Rate(
             2.0 * ((ux * step.StartAcceleration.X) + (uy * step.StartAcceleration.Y) + (uz * step.StartAcceleration.Z)),
@@ -180,6 +186,8 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         double gained = h * _upward;
         double climb = vy + gained;
         double height = s.Position.Y + (h * (vy + (_integrator.ShareInPath * gained)));
+
+        // The guards of every flight; a step that is watched is left to the pieces.
         if (height < _contactHeight || (vy < 0 && climb > 0) || log.Observer is not null)
         {
             return WholeFlight.NotTaken;

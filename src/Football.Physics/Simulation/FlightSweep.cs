@@ -63,6 +63,7 @@ internal struct FlightSweep<TIntegrator> : IFlightSweep
 
     public void Nudge(double dt)
     {
+        // On by dt with the rates at the end, extrapolated from those of the start and the mean of the step.
         Vector3d a = Extrapolate.Rate(in _fromAirVelocity, in _taken.AirVelocity, in _taken.StartAcceleration, Length);
         double b = Extrapolate.Rate(_from.SpinRate, _taken.SpinRate, _taken.StartSpinAcceleration, Length);
         _taken.Path += dt * (_taken.AirVelocity + ((0.5 * dt) * a));

@@ -49,6 +49,8 @@ internal struct FlightSystem : IMotionSystem
         var ball = new ForceInput(time, in at.Position, in at.Velocity, in u, in at.Spin, MotionState.Airborne, at.AirDistance);
         around.Air.Evaluate(in ball, branch, out AirFactors air);
         u = air.AirVelocity;
+
+        // a = L (ω × u) − D u + g ŷ,  ω̇ = −decay ω
         Vector3d acceleration = (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u) + new Vector3d(0, around.Upward, 0);
         Vector3d spinAcceleration = -air.Decay * at.Spin;
         if (around.Air.Varies)
@@ -77,6 +79,8 @@ internal struct FlightSystem : IMotionSystem
         bool speed = Branch == DragBranch.AlongCriticalSpeed;
         double a = speed ? inside.Speed : inside.Spin;
         double b = speed ? outside.Speed : outside.Spin;
+
+        // s a + (1 − s) b = 0 at s = b/(b − a): between 0 and 1 where the two laws push towards the surface from both sides.
         return b > a ? b / (b - a) : a > 0 ? 2.0 : -1.0;
     }
 

@@ -59,6 +59,7 @@ internal struct MotionSweep<TSystem, TIntegrator> : IFlightSweep
 
     public void Nudge(double dt)
     {
+        // On by dt with the rates at the end, extrapolated from those of the start and the mean of the step.
         Motion end = Taken.End;
         Vector3d a = Extrapolate.Rate(in _from.Velocity, in end.Velocity, in Taken.StartRates.Acceleration, Length);
         Vector3d b = Extrapolate.Rate(in _from.Spin, in end.Spin, in Taken.StartRates.SpinAcceleration, Length);

@@ -24,6 +24,7 @@ internal sealed class NetGuard
         {
             if ((s.Nets >> i & 1) != 0)
             {
+                // How far the path may be off falls with the sixth power of the length.
                 while (_world.Nets[i].Bends(s.Position, s.Velocity, World.SideOf(s.NetSides, i), h) > LargestBend)
                 {
                     h *= Shorter;
@@ -60,6 +61,7 @@ internal sealed class NetGuard
                 continue;
             }
 
+            // A change of sign of 1 + b δ̇ is the kink; a piece that begins at one has it behind itself.
             double side = World.SideOf(s.NetSides, i);
             double start = _world.Nets[i].Tension(s.Velocity, side);
             double end = _world.Nets[i].Tension(sweep.Velocity, side);
@@ -80,6 +82,7 @@ internal sealed class NetGuard
     {
         public bool Evaluate(ref TSweep sweep, double tau, out double value, out double correction)
         {
+            // Newton on ± (1 + b δ̇), whose rate takes the acceleration at the end.
             value = sign * net.Tension(sweep.Velocity, side);
             bool isThere = Math.Abs(value) < Kink;
             double rate = isThere ? 0 : sign * net.TensionRate(sweep.EndAcceleration(), side);

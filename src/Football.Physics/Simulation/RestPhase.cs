@@ -20,6 +20,7 @@ internal sealed class RestPhase
             return;
         }
 
+        // It moves along with what carries it, straight on, up to the first thing that comes its way.
         double h = run.Left;
         Vector3d velocity = _world.HangsInNet(in s) ? Vector3d.Zero : _world.CarrierOf(in s).Velocity;
         var path = PathCubic.Line(s.Position, in velocity, h);
@@ -28,6 +29,8 @@ internal sealed class RestPhase
         h = meets ? at : h;
         s.Position = path.At(h);
         run.Advance(ref s, h);
+
+        // Waiting is no integrated piece.
         run.Log.Steps--;
         if (meets)
         {

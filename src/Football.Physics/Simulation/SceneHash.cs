@@ -20,6 +20,8 @@ internal static class SceneHash
         {
             key.Add(net.Bounds);
             key.Add(net.Normal);
+
+            // A net by how it pushes a ball in one motion.
             MotionRates push = net.Push(new Motion(net.Bounds.Min, new Vector3d(1, 2, 3), new Vector3d(3, 2, 1)), 1);
             key.Add(push.Acceleration);
             key.Add(push.SpinAcceleration);
@@ -66,11 +68,14 @@ internal static class SceneHash
         key.Add(scene.Air.Density);
         key.Add(scene.Air.KinematicViscosity);
         key.Add(scene.Air.Wind);
+
+        // A wind field is code: what it answers stands for it.
         for (int i = 0; i < Places && scene.Air.WindField is not null; i++)
         {
             key.Add(scene.Air.WindField.At(0.7 * i, Place(i)));
         }
 
+        // The laws by their factors at speeds and spins of a match.
         for (int i = 0; i < Places; i++)
         {
             simulator.AirFactors(2 + (2.5 * i), 6.0 * ((7 * i) % Places), out double drag, out double lift, out double decay);
@@ -79,6 +84,7 @@ internal static class SceneHash
             key.Add(decay);
         }
 
+        // No seed is told from every integer.
         key.Add(scene.Forces.KnuckleSeed is { } seed ? seed : -0.5);
         foreach (IForce force in scene.Forces.Custom)
         {
@@ -100,6 +106,7 @@ internal static class SceneHash
 
     private static void AddColliders(ref SceneKey key, World world)
     {
+        // What an engine finds comes and goes, and is no part of the scene.
         foreach (Collider collider in world.Colliders.Where(collider => world.Engine is null || !world.Engine.Colliders.Contains(collider)))
         {
             key.Add(collider.Mass);

@@ -42,6 +42,8 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         _wind = around.Wind;
         _upward = around.Upward;
         Limit = StabilityLimit.Of(scene, in _air, 0, _upward, _integrator.Order);
+
+        // A step across the jump is of first order: a method of that order gains nothing by locating it.
         var jump = new DragJumpGuard(around, settings.LocateJump && _integrator.Order > 1);
         LocatesJump = jump.Acts;
         World world = around.World;
@@ -75,6 +77,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
     public override void Step(ref BallState s, double dt, StepLog log)
     {
+        // A whole step on flat ground, if nothing happens in it; else piece by piece.
         if (!(s.Motion is MotionState.Rolling or MotionState.Sliding && _flat is not null && _flat.TryWhole(ref s, dt, s.Time + dt, log)))
         {
             TakePieces(ref s, dt, log, WholeFlight.NotTaken, default);
@@ -181,11 +184,14 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     private void TakeAll(ref BallState s, double dt, StepLog log, WholeFlight whole, in FlightStep taken)
     {
         var run = new StepRun(dt, s.Time, log);
+
+        // What was already taken as flight is cut at what happens in it.
         if (whole == WholeFlight.Ends)
         {
             _flight.Finish(ref s, ref run, in taken, dt);
         }
 
+        // Depenetration: out of the ground, and out of bodies that the game has put over the ball.
         if (!log.Halted)
         {
             s.ClearUntil = 0;
@@ -225,6 +231,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
             isTried = false;
         }
 
+        // The clock ends where the step does; the pieces add up to that but for rounding.
         if (!log.Halted)
         {
             s.Time = run.End;
@@ -235,6 +242,8 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     private void TakeFlight(ref BallState s, ref StepRun run, bool isTried)
     {
         FlightStep taken = default;
+
+        // Not where the step was divided, nor for a ball that level ground holds.
         WholeFlight whole = isTried || run.Part > 0 || _flight.IsHeld(in s) ? WholeFlight.NotTaken : TryWhole(ref s, run.Left, run.End, run.Log, out taken);
         switch (whole)
         {

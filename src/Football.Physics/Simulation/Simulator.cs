@@ -85,6 +85,8 @@ public sealed class Simulator
         state.BaseOrientation = orientation.Normalized();
         state.SetFlightSpin(spin);
         state.Motion = MotionState.Airborne;
+
+        // Carried, where it touches something slowly enough; and in a goal, where it is behind the mouth of one.
         _stepper.Settle(ref state);
         state.GoalsEntered = _world.GoalsEnteredAt(state.Position);
         return state;
@@ -146,6 +148,7 @@ public sealed class Simulator
             RefuseStep(dt, log);
         }
 
+        // Bodies that were moved for another time refuse the step before anything changes.
         _world.Bodies?.CheckTimes(state.Time);
         log!.Halted = false;
         log.StopAt = StopAt.Time;
@@ -156,6 +159,7 @@ public sealed class Simulator
     /// <summary>Takes a step. A force of the game's own may refuse it, and the ball is where it was then.</summary>
     private void Take(ref BallState state, double dt, StepLog log)
     {
+        // At rest where nothing moves a step is its time alone.
         if (state.Motion == MotionState.Stopped && !_world.Moves)
         {
             state.Time += dt;
@@ -168,6 +172,7 @@ public sealed class Simulator
             return;
         }
 
+        // On a copy: an own force may throw half way.
         BallState next = state;
         _stepper.Step(ref next, dt, log);
         state = next;
@@ -253,6 +258,8 @@ public sealed class Simulator
         log.Halted = false;
         log.StopAt = stopAt;
         double end = state.Time + duration;
+
+        // A remainder of less than a billionth of a step is the clock's rounding.
         double last = end - (1e-9 * timeStep);
         while (state.Time < last)
         {

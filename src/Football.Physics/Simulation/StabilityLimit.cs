@@ -61,7 +61,11 @@ internal readonly struct StabilityLimit
     {
         RateBound ofAir = air.Bound;
         RateBound bound = WithFall(in ofAir, upward);
+
+        // A hop is divided into 3e/(1 − e) pieces at least; without weight there are no hops.
         double restitution = -upward > SurfaceForces.Least ? Math.Min(scene.Ground.NormalRestitution, MostElastic) : 0;
+
+        // Without drag nothing takes away what a method of low order adds to a velocity that it turns.
         bool spirals = order < 4 && air.Lifts && !(air.Drags && ofAir.PerSpeed > 0);
         return new StabilityLimit(in bound, upward, wholeUpTo, 3.0 * restitution / (1.0 - restitution), spirals, order);
     }
@@ -83,6 +87,7 @@ internal readonly struct StabilityLimit
             return true;
         }
 
+        // Half of the change for each of the two parts of P |u| + Q |ω| + C, so that no root is needed.
         double bySpeed = h * _bound.PerSpeed;
         double bySpin = h * ((_bound.PerSpin * spinRate) + _bound.Constant);
         return !(bySpeed * bySpeed * Math.Max(speedSquared, StillAir) > 0.25 * LargestChange * LargestChange || bySpin > 0.5 * LargestChange);
@@ -105,6 +110,8 @@ internal readonly struct StabilityLimit
     public double PartOf(ref SceneAir air, double left, double speed, double spinRate, DragBranch branch, ref bool spirals, double damping = 0)
     {
         speed = Math.Max(speed, SlowestAir);
+
+        // How many times over the forces could change the motion in this time.
         double pieces = left * (RateAtMost(speed, spinRate) + damping);
         if (pieces > FewPieces && branch < DragBranch.AlongCriticalSpeed)
         {
@@ -121,6 +128,7 @@ internal readonly struct StabilityLimit
             return left;
         }
 
+        // Equal parts: none of them longer than the limit, and no sliver at the end.
         double part = left / Math.Ceiling(pieces / LargestChange);
         spirals = _spirals || SpiralsIn(ref air, part, speed, spinRate, branch);
         return part;
@@ -163,6 +171,7 @@ internal readonly struct StabilityLimit
     [MethodImpl(MethodImplOptions.NoInlining)]
     private double PartOfHop(double h, double least, double up)
     {
+        // What is shorter than the shortest hop counts as staying down, and needs no pieces.
         double hop = Math.Max(2.0 * Math.Sqrt(up), ShortestHop * -_upward);
         return least > hop ? h / Math.Ceiling(least / hop) : h;
     }
@@ -189,6 +198,8 @@ internal static class TurnLimit
         double left = size + along;
         double leftSquared = left * left;
         double changed = (along * along) + (across * across);
+
+        // θ = across/left, x² = changed/left²: θ x⁴ ≤ E, without a division.
         return left > 0 && across <= LargestTurn * left && across * (changed * changed) <= LargestError * left * (leftSquared * leftSquared);
     }
 }

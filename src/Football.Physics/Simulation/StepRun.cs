@@ -123,6 +123,8 @@ internal ref struct StepRun
     public bool IsCrowdedAt(double time)
     {
         double since = time - _lastHit;
+
+        // A pause begins the count anew, and several at one instant are one.
         _hits = since > CrowdedFor ? 1 : since > AtOnce ? _hits + 1 : _hits;
         _lastHit = time;
         return _hits > MostHits;
@@ -133,6 +135,8 @@ internal ref struct StepRun
     {
         s.Time = Math.Min(s.Time + h, End);
         Left -= h;
+
+        // Impacts at one instant are counted until time goes on.
         Impacts = h > 0 ? 0 : Impacts;
         Log.Steps++;
     }

@@ -21,6 +21,8 @@ internal static class StepperFactory
         where TIntegrator : struct, IIntegrator
     {
         var air = SceneAir.Of(scene);
+
+        // Own forces may turn the axis of the spin: no step along a constant axis is compiled.
         if (air.TurnsAxis)
         {
             return new SceneStepper<TIntegrator>(scene, settings, in air);
@@ -28,6 +30,8 @@ internal static class StepperFactory
 
         ForceSet forces = scene.Forces;
         bool mixes = forces.Custom.Count > 0 || forces.Drag != forces.Magnus || forces.Magnus != forces.SpinDecay;
+
+        // The measured law in a field, any mixture point by point, and the airs of one law each.
         return (mixes, air.Varies, forces.Drag, forces.Coefficients) switch
         {
             (false, true, ForceLaw.Empirical, CoefficientForm.Measured) => InField<MeasuredLaw, TIntegrator>(scene, settings, in air),

@@ -28,6 +28,7 @@ internal static class SurfaceBorder
             return;
         }
 
+        // Bisection of the piece's length: which surface is under the ball has no slope to follow.
         double low = 0;
         double high = sweep.Length;
         var beyond = new Beyond<TSweep>(in sweep, carrier, patch);

@@ -39,6 +39,8 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
     {
         Sweep.Step(x);
         value = Of(in Sweep.Taken.End, x);
+
+        // How narrow the bracket of the sign change is: in a narrow one a value that stays large has jumped.
         _last = value > 0 ? x : _last;
         _first = value > 0 ? _first : x;
         return Math.Abs(value) > _jump && _first - _last < JumpWidth * _length;
@@ -93,6 +95,8 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
         // The same length beyond the edge for all: one of them after the other would come back before it.
         double beyond = Beyond * sweep.Length;
         bool jumps = false;
+
+        // One evaluation at the end for all margins; searched for is only one that is negative there.
         SurfaceForces atEnd = sweep.System.ForcesOn(s.Time + sweep.Length, in sweep.Taken.End);
         sweep.Evaluations++;
         for (var what = SurfaceLimit.Load; what <= SurfaceLimit.Spin; what++)
@@ -112,6 +116,7 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
             double start = margin.Of(new Motion(s.Position, s.Velocity, s.Spin), 0);
             if (start > 0)
             {
+                // The first zero by the Illinois method, on the step itself; what is not small there has jumped, as at an edge.
                 margin._jump = Jump * start;
                 double x = Roots.Illinois(ref margin, 0, start, sweep.Length, end, 1e-13 * sweep.Length, 60);
                 jumps = Math.Abs(margin.Of(in margin.Sweep.Taken.End, x)) > margin._jump;
@@ -120,6 +125,7 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
                     margin.Sweep.Step(Math.Min(sweep.Length, x + beyond));
                 }
 
+                // The margins that follow are asked of the shortened piece.
                 sweep = margin.Sweep;
                 atEnd = sweep.System.ForcesOn(s.Time + sweep.Length, in sweep.Taken.End);
                 sweep.Evaluations++;

@@ -29,6 +29,7 @@ internal static class SurfacePath
         double farthest = Farthest * radius;
         for (int i = 0; i < MostTries; i++)
         {
+            // How far the path is off its surface in the middle, and at the end.
             var path = PathCubic.Of(ref sweep, s.Position, s.Velocity, order);
             double half = 0.5 * path.Length;
             double off = Math.Max(

@@ -88,6 +88,7 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>The next piece of a slide or a roll.</summary>
     public void Take(ref BallState s, ref StepRun run)
     {
+        // What the ball hits where it is goes first, then a set of contacts, which has a phase of its own.
         if (!_world.IsPlaneAlone && (_guard.HitsAtOnce(ref s, ref run) || _set.Take(ref s, ref run)))
         {
             return;
@@ -110,6 +111,8 @@ internal sealed class SurfacePhase<TIntegrator>
         bool grips = system.Grips(in on) || KeepsGrip(in s, in run);
         Vector3d moving = rolls ? on.Velocity : system.SlipOf(in from, in on.Normal);
         double size = moving.Length;
+
+        // A roll that needs more than the friction there is begins to slip.
         if (rolls && !grips)
         {
             run.Slips++;
@@ -117,12 +120,14 @@ internal sealed class SurfacePhase<TIntegrator>
             return;
         }
 
+        // A slide without slip that friction can hold rolls.
         if (!rolls && size < Slip.Rolling && grips)
         {
             _contact.StartRolling(ref s, ref run);
             return;
         }
 
+        // A roll rests, or is pinned where rolling friction holds it against the push; from a standstill it goes where the push leads.
         if (rolls)
         {
             Vector3d drive = system.Drive(in on);
@@ -148,14 +153,19 @@ internal sealed class SurfacePhase<TIntegrator>
             moving = size < Slip.Rolling ? traction : moving;
         }
 
+        // The direction of the slip or the roll: friction keeps to it where a stage passes zero.
         double length = moving.Length;
         system.Direction = length > 0 ? moving / length : Vector3d.Zero;
+
+        // How long the piece may be: first by stability, nets, borders and the turning normal, then by how fast the direction turns.
         double h = LongestPiece(in s, in from, in on, ref run);
         if (size >= Slip.Rolling)
         {
             MotionRates rates = system.RatesUnder(in on, s.Time, in from);
             double most = rolls ? system.RollingFriction(in on, size) : sliding;
             Vector3d rate = rolls ? rates.Acceleration + (on.Centripetal * on.Normal) : SlipRate(in on, in rates);
+
+            // Near its end the direction of a slip turns ever faster: there it is done in closed form.
             if (!rolls && _endsSlipExactly && sliding > 0 && EndSlip(ref s, ref run, ref system, in from, in on, in moving, h))
             {
                 return;
@@ -164,6 +174,7 @@ internal sealed class SurfacePhase<TIntegrator>
             h = most > 0 && (rolls || _endsSlipExactly) ? Shorten(h, run.Length, system.Direction, size, in rate, on.Turning == Vector3d.Zero) : h;
         }
 
+        // Take it: in a net by RK4 in parts, for that settles faster than a step is long.
         if (s.Nets != 0)
         {
             TakePiece<Substeps>(ref s, ref run, ref system, in from, h);
@@ -178,6 +189,7 @@ internal sealed class SurfacePhase<TIntegrator>
             TakePiece<TIntegrator>(ref s, ref run, ref system, in from, h);
         }
 
+        // The thesis' end of a slide is looked for at the end of a piece.
         if (!_endsSlipExactly && sliding > 0 && s.Motion == MotionState.Sliding && !rolls && !run.Log.Halted)
         {
             EndSlipByHeuristic(ref s, ref run, size);
@@ -196,9 +208,12 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <param name="isFlat">Whether the surface is flat: on a curved one the rate itself changes on the way.</param>
     private static double Shorten(double h, double step, in Vector3d direction, double size, in Vector3d rate, bool isFlat)
     {
+        // The rate along the direction, and across it, which turns it.
         double along = Vector3d.Dot(in rate, in direction);
         double acrossSquared = Math.Max(0, rate.LengthSquared - (along * along));
         double closing = Math.Sqrt(acrossSquared + (along < 0 ? along * along : 0));
+
+        // The less of the rate is across, the longer the piece, as the fourth root.
         double straight = isFlat && acrossSquared < closing * closing * OftenTurns ? Math.Sqrt(Math.Sqrt(OftenTurns * closing * closing / Math.Max(acrossSquared, 1e-300))) : 1.0;
         double least = Math.Min(LeastShareOfLong, LeastShare * Math.Sqrt(Coarseness(step)));
         double share = Math.Min(LargestShare, least * straight);
@@ -236,6 +251,8 @@ internal sealed class SurfacePhase<TIntegrator>
         int order = default(TMethod).Order;
         var sweep = new MotionSweep<SurfaceSystem, TMethod>(in system, s.Time, in from, _around.Wind, _around.Radius);
         sweep.Step(h);
+
+        // What may end it, one after the other: off a curved surface, the jump, load, grip, rest and spin, a border, a net's kink, what is met.
         SurfacePath.Shorten(ref sweep, in s, system.Carrier, _around.Radius, order);
         _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
         double crossing = sweep.Length;
@@ -243,8 +260,12 @@ internal sealed class SurfacePhase<TIntegrator>
         SurfaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
         _nets.EndWhereSlack(ref sweep, in s);
         bool meets = _guard.EndAtFirst(ref sweep, in s, order, out Separation met);
+
+        // Ended before the jump it is still on the branch that it was taken on.
         s.Branch = sweep.Length < crossing ? system.Branch : s.Branch;
         run.Log.Evaluations += sweep.Evaluations;
+
+        // Move, and put the ball back onto its carrier, and onto what it meets.
         BallState before = s;
         before.Branch = system.Branch;
         sweep.MoveTo(ref s);
@@ -278,7 +299,11 @@ internal sealed class SurfacePhase<TIntegrator>
         double perLoad = (1.0 + (1.0 / _alpha)) * system.Material.SlidingFriction;
         Vector3d push = system.SlipPush(in on);
         double friction = perLoad * on.Load;
+
+        // In a net and on a curved surface the push changes with the place: only the very end is short enough there.
         double most = s.Nets == 0 && on.Turning == Vector3d.Zero ? longest : Math.Min(longest, CurvedSlideEnd);
+
+        // |s| < k t: it may end in this piece; |c|² < k²: friction outweighs the push, so that it does end.
         if (!(slip.Length < friction * most) || !(push.LengthSquared < LargestPush * friction * friction))
         {
             return false;
@@ -297,6 +322,8 @@ internal sealed class SurfacePhase<TIntegrator>
         double endFriction = perLoad * there.Load;
         double change = (endPush - push).Length * (endPush.Length + push.Length);
         double loadChange = endFriction - friction;
+
+        // Where the means still leave out too much, a piece is taken first.
         if (!(decay.Time * (change + (loadChange * loadChange)) <= SlideEndIn(run.Length) * friction * friction))
         {
             return false;
@@ -314,11 +341,14 @@ internal sealed class SurfacePhase<TIntegrator>
         double lastTurning = system.AboutRate(in there, in end);
         about += 0.5 * t * (turning + lastTurning);
         end = SlipEnd(in system, in from, in decay, sliding, in start, in last, about, in on.Normal);
+
+        // Not where the spin about the normal ends, or another surface begins, before the slip does.
         if (system.SpinSign * about < 0 || system.Carrier.PatchAt(s.Position) != system.Carrier.PatchAt(in end.Position))
         {
             return false;
         }
 
+        // Nor where anything is met on the way.
         var path = PathCubic.Line(s.Position, (end.Position - s.Position) / t, t);
         if (new ContactSearch(_world, in path, s.Time).First(in s, (int)s.Carrier - _world.FirstCollider, out _) <= t)
         {
@@ -331,6 +361,8 @@ internal sealed class SurfacePhase<TIntegrator>
         Vector3d turn = (t * from.Spin) + ((t * t / 6.0) * ((2.0 * torque) + lastTorque))
             + ((sliding / (_alpha * _around.Radius)) * Vector3d.Cross(on.Normal, decay.Twice))
             + ((t * t / 12.0) * Vector3d.Cross(end.Spin, from.Spin));
+
+        // Move the ball to the end of the slip.
         BallState before = s;
         s.BaseOrientation = s.BaseOrientation.Turned(in turn);
         s.Position = end.Position;
@@ -345,6 +377,7 @@ internal sealed class SurfacePhase<TIntegrator>
             run.Log.Show(in before, in s, in acceleration, in atEnd, _integrator.Order);
         }
 
+        // The slip is over: it rolls, if friction holds it there.
         if (!run.Log.Halted && (system.Grips(in there) || KeepsGrip(in s, in run)))
         {
             _contact.StartRolling(ref s, ref run);
@@ -377,6 +410,8 @@ internal sealed class SurfacePhase<TIntegrator>
         Collider carrier = _world.CarrierOf(in s);
         double damping = carrier.MaterialAt(s.Position).SpinDamping / _inertia;
         double h = _limit.PartOf(ref _around.Air, asked, (from.Velocity - _around.Wind).Length, from.Spin.Length, s.Branch, ref run.Spirals, damping);
+
+        // |ṅ| h bounds how far the normal turns; a net and the narrowest surface bound the piece as well.
         double turning = on.Turning.Length;
         h = turning * h > LargestTurn ? LargestTurn / turning : h;
         h = Math.Min(h, _nets.LongestPiece(in s, h));
@@ -415,6 +450,8 @@ internal sealed class SurfacePhase<TIntegrator>
     private Vector3d PutOnto(ref BallState s, Collider carrier, int collider)
     {
         Vector3d n = carrier.At(s.Position, s.Time).Normal;
+
+        // Newton along the carrier, by −gap n_t/|n_t|², and back onto the carrier.
         for (int i = 0; i < MostPuts; i++)
         {
             ShapePoint at = _world.Colliders[collider].At(s.Position, s.Time);

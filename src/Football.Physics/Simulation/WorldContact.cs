@@ -48,6 +48,7 @@ internal sealed class WorldContact
             s.Velocity = new Vector3d(s.Velocity.X, Math.Min(s.Velocity.Y, 0), s.Velocity.Z);
         }
 
+        // The impulse by Coulomb's law in the frame of the contact, relative to the surface's velocity there.
         ShapePoint at = hit.At(s.Position, s.Time);
         Vector3d n = at.Normal;
         Vector3d v = s.Velocity;
@@ -56,6 +57,8 @@ internal sealed class WorldContact
         Vector3d surface = hit.SurfaceVelocity(s.Position - (_world.Ball.Radius * n), s.Time);
         GivingWay way = hit.GivesWay ? GivingWay.Of(_world.Ball, hit.Mass) : default;
         CoulombImpact.Apply(_world.Ball, in hit.MaterialAt(s.Position), in way, in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin);
+
+        // Hit by movers in quick succession it is no faster than the fastest of them makes it: being batted to and fro gives no energy.
         if (hit.Moves)
         {
             double restitution = hit.MaterialAt(s.Position).LargestRestitutionAt(Vector3d.Dot(surface - v, in n));
@@ -63,6 +66,7 @@ internal sealed class WorldContact
             velocity = again ? NoFaster(in velocity, in n, s.SqueezeSpeed) : velocity;
         }
 
+        // What has a mass gets the opposite impulse, m (v − v').
         if (hit.GivesWay && run.Log.Pushes)
         {
             hit.Push(_world.Ball.Mass * (v - velocity), s.Time);
@@ -80,8 +84,12 @@ internal sealed class WorldContact
         }
 
         run.Log.Halted |= run.Log.StopAt == StopAt.Impact;
+
+        // The velocity has jumped: the branch of the drag law is read from the flow again.
         s.Branch = DragBranch.Unknown;
         bool may = run.Hit();
+
+        // So many hits by movers in so short a time: there is no room.
         if (hit.Moves && run.IsCrowdedAt(s.Time))
         {
             s.Velocity = velocity;
@@ -90,11 +98,14 @@ internal sealed class WorldContact
             return;
         }
 
+        // w = (v' − V)·n, the speed off the surface, decides what becomes of the ball.
         double off = Vector3d.Dot(velocity - hit.Velocity, in n);
 
         // What would be back within a microsecond stays down: so an impact takes time, however strong the ball is pressed.
         bool bounces = may && off >= _world.MinimumBounceSpeed && !IsBackAtOnce(in s, off, velocity - (off * n), in spin, hit, in at);
         velocity = bounces ? velocity : velocity - (off * n);
+
+        // Carried by something else it keeps that, unless the impulse lifts it.
         if (carried && s.Carrier != thing)
         {
             KeepCarrier(ref s, in velocity, in spin, hit.Velocity, in n, bounces, ref run);
@@ -115,11 +126,15 @@ internal sealed class WorldContact
     private void ImpactAtOnce(ref BallState s, int collider, ref StepRun run)
     {
         run.Log.Untold++;
+
+        // All contacts as one set, over no time and without restitution.
         Span<Contact> room = stackalloc Contact[ContactSet.Most];
         Span<Contact> set = room.Slice(0, ContactSet.Near(_world, in s, ContactSearch.Touching, room));
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
         bool solved = ContactSolver.Solve(set, _world.Ball, 0, ref v, ref w) && !Closes(set, in v) && run.Untold++ < MostUntold;
+
+        // No impulses keep all of them from closing, or it takes them again and again: squeezed.
         if (!solved || IsTooFast(ref s, set, in v))
         {
             BeginSqueeze(ref s, collider, ref run);
@@ -128,6 +143,8 @@ internal sealed class WorldContact
 
         s.Velocity = v;
         s.SetGroundSpin(in w);
+
+        // What bears it most carries it, if the forces press it there; else it flies.
         int bearer = ContactSet.Heaviest(set);
         if (bearer >= 0 && IsPressed(in s, set[bearer].Collider))
         {
@@ -177,6 +194,7 @@ internal sealed class WorldContact
     /// <param name="velocity">What became of its velocity, m/s.</param>
     public bool IsTooFast(ref BallState s, Span<Contact> set, in Vector3d velocity)
     {
+        // (1 + e) |V| of the fastest mover that pushes; −1 where none does.
         double fastest = -1.0;
         foreach (ref readonly Contact contact in set)
         {
@@ -211,6 +229,7 @@ internal sealed class WorldContact
             return velocity;
         }
 
+        // What goes off the surface is kept; along it what that leaves of the square, |v|² = off² + along².
         double off = Vector3d.Dot(in velocity, in n);
         double left = (fastest * fastest) - (off * off);
         Vector3d along = velocity - (off * n);
@@ -287,6 +306,7 @@ internal sealed class WorldContact
             return;
         }
 
+        // Newton on the distance: one step on a plane, a few where the ground is curved.
         for (int i = 0; i < MostRaises && _world.Ground is { } ground; i++)
         {
             ShapePoint at = ground.At(s.Position);
@@ -311,6 +331,7 @@ internal sealed class WorldContact
     /// <summary>A ball that is placed: carried, where it touches something slowly enough and is pressed on it; else in the air.</summary>
     public void Settle(ref BallState s)
     {
+        // Of several things that would take it the first of the scene does.
         int first = int.MaxValue;
         var near = NearThings.At(_world, s.Position, s.Time);
         while (near.NextCollider(out int i))
@@ -356,6 +377,8 @@ internal sealed class WorldContact
         Collider carrier = _world.CarrierOf(in s);
         Vector3d n = carrier.At(s.Position, s.Time).Normal;
         double off = Vector3d.Dot(velocity - carrier.Velocity, in n);
+
+        // Its speed off the carrier: that of a bounce, and it leaves; into the carrier, an impact there at the same instant; between, it stays.
         if (off >= _world.MinimumBounceSpeed)
         {
             Leave(ref s, in velocity, in spin, ref run);
@@ -386,6 +409,7 @@ internal sealed class WorldContact
     /// <summary>Another ball has hit this one: it keeps its carrier unless the impulse lifts it. One that is pressed goes on as it went, but for its speed.</summary>
     public void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, bool presses, ref StepRun run)
     {
+        // What was free ahead, and the branch of the drag law, belong to the old velocity.
         s.ClearUntil = 0;
         s.Branch = DragBranch.Unknown;
         s.SqueezeSpeed = Math.Max(s.SqueezeSpeed, velocity.Length);
@@ -449,6 +473,8 @@ internal sealed class WorldContact
         Vector3d along = velocity - collider.Velocity;
         double airSpeed = (velocity - _around.Wind).Length;
         double most = Math.Abs(_around.Upward) + Math.Abs(Vector3d.Dot(in along, at.Curvature * along)) + (airSpeed * _ofAir.At(airSpeed, spin.Length));
+
+        // A hop lasts 2 w/(N/m): below the shortest hop it is none.
         return (_around.Air.Varies || off < 0.5 * StabilityLimit.ShortestHop * most)
             && off < 0.5 * StabilityLimit.ShortestHop * Load(in s, in velocity, in spin, collider, in at);
     }

@@ -35,6 +35,7 @@ internal sealed class WorldGuard
         var near = NearThings.At(_world, s.Position, s.Time);
         while (near.NextCollider(out int i))
         {
+            // The first of the scene counts, in whatever order the walk comes to them.
             if (i == carrier || i > first)
             {
                 continue;
@@ -42,6 +43,7 @@ internal sealed class WorldGuard
 
             Separation.OfContact(_world, i).Evaluate(s.Position, s.Velocity, s.Time, out double gap, out double rate);
 
+            // Closing is an impact. Neither closing nor leaving, but pressed there, a ball in the air is taken up.
             bool touches = gap <= ContactSearch.Touching;
             bool hits = touches && rate < -ContactSearch.Approaching;
             bool presses = touches && !hits && rate <= ContactSearch.Leaving && carrier < 0 && _contact.IsPressed(in s, i);
@@ -84,14 +86,18 @@ internal sealed class WorldGuard
 
         for (int i = 0; i < MostSearches; i++)
         {
+            // Time of impact on the cubic of the piece, then on the integrator's own step; once more, for the shortened piece has another cubic.
             var path = PathCubic.Of(ref sweep, s.Position, s.Velocity, order);
             var search = new ContactSearch(_world, in path, s.Time);
             double at = search.First(in s, carrier, out Separation found);
+
+            // Nothing before what is met already, or the same contact a rounding earlier.
             if (!(at <= path.Length) || (met.What != SeparationKind.None && (at >= path.Length * (1.0 - 1e-9) || IsAgain(ref sweep, in met, in found, s.Time, path.Length - at))))
             {
                 break;
             }
 
+            // It touches and closes at the start: a piece of no length.
             if (at == 0)
             {
                 sweep.Step(0);
@@ -99,6 +105,7 @@ internal sealed class WorldGuard
                 break;
             }
 
+            // The thesis' search knows the level ground alone.
             if (_bisects && IsLevelGround(in found) && sweep.Position.Y < _world.LevelContact)
             {
                 Bisection.End(ref sweep, _tolerance, _world.LevelContact);
@@ -178,6 +185,7 @@ internal sealed class WorldGuard
             return false;
         }
 
+        // What closes in the time between is no more than what counts as touching.
         met.Evaluate(sweep.Position, sweep.Velocity, time + sweep.Length, out _, out double rate);
         return before * -rate <= 4.0 * ContactSearch.Touching;
     }
@@ -188,6 +196,8 @@ internal sealed class WorldGuard
         where TSweep : struct, ISweep
     {
         sought.Evaluate(sweep.Position, sweep.Velocity, time + sweep.Length, out double atEnd, out _);
+
+        // Open at both ends the gap dips: there may be a root, or none.
         bool dips = atEnd > 0;
         if (EventLocator.Locate(ref sweep, new Closing<TSweep>(in sought, time, dips), tau) && !dips)
         {
@@ -221,12 +231,15 @@ internal sealed class WorldGuard
         public bool Evaluate(ref TSweep sweep, double tau, out double value, out double correction)
         {
             _gap.Evaluate(sweep.Position, sweep.Velocity, _start + tau, out value, out double rate);
+
+            // Newton: −f/f', where the gap falls.
             correction = rate < 0 ? -value / rate : double.NaN;
             if (Math.Abs(value) <= Closed || (_dips && value > 0 && rate >= 0))
             {
                 return true;
             }
 
+            // So little is left that the end can be moved along the motion, and the step need not be taken again.
             bool isClose = tau + correction >= 0 && EventLocator.IsLinear(ref sweep, correction);
             if (isClose)
             {

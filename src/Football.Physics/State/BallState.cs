@@ -111,8 +111,11 @@ public struct BallState : IFormattable
     /// <summary>Sets the spin of a ball in the air.</summary>
     internal void SetFlightSpin(in Vector3d spin)
     {
+        // The angle turned so far is about the old axis.
         FoldRotation();
         double rate = spin.Length;
+
+        // What is too small to have an axis is no spin; an axis there is nevertheless, of length 1.
         bool spins = rate > NoSpin;
         SpinAxis = spins ? spin / rate : Vector3d.Up;
         SpinRate = spins ? rate : 0;
@@ -122,6 +125,8 @@ public struct BallState : IFormattable
     internal void SetGroundSpin(in Vector3d spin)
     {
         FoldRotation();
+
+        // On the ground the axis is the spin itself, and its size 1.
         SpinAxis = spin;
         SpinRate = 1;
     }

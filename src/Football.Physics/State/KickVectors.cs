@@ -66,6 +66,8 @@ public static class KickVectors
     internal static void FromAngles(double speed, double elevation, in Vector3d flat, double top, double side, out Vector3d velocity, out Vector3d spin)
     {
         Elementary.SinCos(elevation, out double sin, out double cos);
+
+        // v (cos ε d + sin ε ŷ), ω = top (ŷ × d) + side ŷ
         velocity = Limited(new Vector3d(speed * cos * flat.X, speed * sin, speed * cos * flat.Z), Limits.Speed);
         spin = Limited(Spin(top, side, in flat), Limits.Spin);
     }
@@ -74,6 +76,8 @@ public static class KickVectors
     internal static Vector3d Limited(in Vector3d vector, double limit)
     {
         double squared = vector.LengthSquared;
+
+        // Not longer than the limit by its last bit either, or the launch would refuse what the kick has just checked.
         return squared < limit * limit * (1.0 - 1e-14) ? vector : (1.0 - 1e-14) * Math.Min(1.0, limit / Math.Sqrt(squared)) * vector;
     }
 

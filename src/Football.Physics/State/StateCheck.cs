@@ -34,6 +34,7 @@ internal static class StateCheck
             return false;
         }
 
+        // In flight a unit axis, a rate and the angle turned.
         double axis = state.SpinAxis.LengthSquared;
         if (state.Motion == MotionState.Airborne)
         {

@@ -33,6 +33,8 @@ internal sealed class FactorTable
         _fineOffset = (int)(fine.LowestBits >> fine.Shift);
         _coarseShift = whole.Shift;
         _coarseOffset = (int)(whole.LowestBits >> whole.Shift) - fine.Segments;
+
+        // The fine segments come first in memory, then the coarse ones.
         for (int i = 0; i < fine.Segments; i++)
         {
             Fill(ref _segments[i], functions, fine.Start(i), fine.Start(i + 1));
@@ -56,6 +58,7 @@ internal sealed class FactorTable
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Evaluate(double x, out LawFactors values)
     {
+        // The bits of a number, shifted, are exponent and segment: the index, without a logarithm.
         long bits = BitConverter.DoubleToInt64Bits(x);
         nint index = (ulong)(bits - _fineLowest) < _fineSpan
             ? (nint)(bits >> _fineShift) - _fineOffset
@@ -71,6 +74,7 @@ internal sealed class FactorTable
 
     private static void Fill(ref Segment segment, Functions functions, double low, double high)
     {
+        // The cubic through the four Chebyshev points: nearly the best one for its greatest error.
         var at = new ChebyshevPoints(low, high);
         functions(at.X0, out LawFactors f0);
         functions(at.X1, out LawFactors f1);

@@ -155,6 +155,7 @@ internal struct TableAir<TLaw> : IFlightAir
     public void ByFunctions(
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
+        // In still air the decay is that at the slowest speed, and there is no force.
         double speed = Math.Sqrt(speedSquared);
         bool moves = speed > StillAir;
         speed = moves ? speed : StillAir;

@@ -43,6 +43,8 @@ internal readonly struct TableRange
         _gravity = Math.Abs(Weight.UpwardAcceleration(scene));
         _perSpeed = forces.PerSpeed;
         _perSpin = forces.PerSpin;
+
+        // So short a step changes little at every speed and spin: two bounds of |u|² are enough for it.
         _short = Math.Min(LargestChange / (_perSpeed * fastest), LargestChange / (_perSpin * fastestSpin));
         _short = Math.Min(_short, ShortFall / Math.Max(1, _gravity));
         double fall = _short * _gravity;
@@ -59,6 +61,7 @@ internal readonly struct TableRange
             return speedSquared > _leastSquare && speedSquared < _mostSquare;
         }
 
+        // A longer one by what gravity, drag and lift do at this speed and spin.
         double fall = h * _gravity;
         double least = Slower * (_slowest + fall);
         double most = _fastest - fall;

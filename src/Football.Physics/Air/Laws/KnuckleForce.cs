@@ -43,6 +43,7 @@ internal sealed class KnuckleForce
             sum += 0.5 * w * w;
         }
 
+        // c = 1/√(Σ w²/2), so that the standard deviation of f is 1
         double scale = 1.0 / Math.Sqrt(sum);
         var amplitude = new Quad(scale * Weight[0], scale * Weight[1], scale * Weight[2], scale * Weight[3]);
         _first = new FourWaves(seed, 0, r, amplitude);
@@ -80,6 +81,8 @@ internal sealed class KnuckleForce
 
         double speed = Math.Sqrt(speedSquared);
         double strength = _perMass * Power.Of(Math.Min(speed, Fastest) / 30.0) * fade;
+
+        // ê₁ = û × ŷ normalised, ẑ where û is vertical; ê₂ = ê₁ × û
         Vector3d along = u / speed;
         var level = new Vector3d(-along.Z, 0, along.X);
         double across = level.Length;

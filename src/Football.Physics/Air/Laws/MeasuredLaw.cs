@@ -46,6 +46,8 @@ internal struct MeasuredLaw : ITableLaw
     }
 
     public readonly LawTables Tables =>
+
+        // Of the curve alone, and of all its Reynolds numbers: what a scene cuts off is not in the tables.
         Shared.GetValue(_curve, static curve => new LawTables(new MeasuredLaw { _drag = new ReynoldsDrag(curve), _largest = double.PositiveInfinity }, Reynolds, Crisis));
 
     // C_L |u| ≤ L |u|
@@ -100,6 +102,7 @@ internal struct MeasuredLaw : ITableLaw
         // L = ½ρA/m |u|² C_L/(|u| sin) = ½ρA/m r|ω| C_L/S, for S|u| = r|ω| sin and |ω̂ × u| = |u| sin
         lift = _k * _radius * spinRate * bySpeed.Third * bySpin.Second;
 
+        // |ω|˙ = −(k |u| + ε ρ/1.2) |ω|
         decay = _decay.PerSpin(speed) * spinRate;
     }
 

@@ -115,8 +115,12 @@ internal sealed class BallCluster
         _step = dt;
         _end = _start + dt;
         double end = _end;
+
+        // By number, so that the bits do not depend on the order in which they joined.
         Array.Sort(_cluster, 0, _clusterCount);
         _pressCount = 0;
+
+        // What they pushed in the first try goes back with them.
         Restore(motions);
         _simulators[0].World.Engine?.PutPushesBack();
         int begun = 0;
@@ -133,6 +137,7 @@ internal sealed class BallCluster
                 Try(states, _cluster[begun], end, stopAt);
             }
 
+            // Up to the first thing that happens every ball goes as if it were alone.
             Happening first = FindFirst(end);
             if (!(first.Time <= end) || impacts >= MostImpacts)
             {
@@ -144,6 +149,7 @@ internal sealed class BallCluster
             impacts++;
             if (first.IsMeeting)
             {
+                // As many impacts at one instant as contacts and some more, as in a pile: the rest of it without restitution.
                 bool presses = atOnce > MostAtOnce + (_clusterCount * (_clusterCount - 1) / 2);
                 ended = Collide(states, in first, presses, stopAt, watched);
                 Try(states, first.Ball, end, stopAt);
@@ -155,6 +161,7 @@ internal sealed class BallCluster
             }
         }
 
+        // Nothing more happens: on to the end of the step, or up to what ended it.
         for (int k = 0; k < _clusterCount; k++)
         {
             int i = _cluster[k];
@@ -194,11 +201,15 @@ internal sealed class BallCluster
     private void Try(BallState[] states, int i, double end, StopAt stopAt)
     {
         World world = _simulators[i].World;
+
+        // A try pushes what has a mass as the step would: afterwards that is put back.
         world.ReadMotions(_motionsKept);
         world.Engine?.KeepPushes();
         _trials[i].Run(_simulators[i], in states[i], Left(in states[i], end), stopAt);
         world.Engine?.PutPushesBack();
         Restore(_motionsKept);
+
+        // Struck, it may get farther than was expected of it, and meet balls that were no neighbours.
         double reach = (states[i].Position - _before[i].Position).Length + _trials[i].Reach;
         for (int k = 0; reach > _reaches[i] && k < Count; k++)
         {
@@ -223,6 +234,7 @@ internal sealed class BallCluster
                 int j = _cluster[b];
                 if (j > i && MayMeet(i, _reaches[i], j, _reaches[j]))
                 {
+                    // Not beyond what was found first so far, nor beyond where one of the two halts.
                     double until = Math.Min(Math.Min(end, first.Time), Math.Min(_trials[i].HaltsAt, _trials[j].HaltsAt));
                     double from = Math.Max(Math.Max(_trials[i].From, _trials[j].From), PressedUntil(i, j));
                     double time = _trials[i].Meets(_trials[j], Distance(i, j), from, until, atEnd: until < end);
@@ -284,6 +296,8 @@ internal sealed class BallCluster
         BallProperties ball = _simulators[i].Scene.Ball;
         BallProperties other = _simulators[j].Scene.Ball;
         double gap = BallContact.Gap(in states[i], ball.Radius, in states[j], other.Radius, out Vector3d n, out double rate);
+
+        // Gently they press each other: no restitution, friction alone, and apart again after a while.
         presses |= rate > -BallContact.Gentle;
         ContactMaterial material = presses ? new ContactMaterial(0, 0, _friction) : _contact;
         BallContact.Impact(ball, other, in material, in n, in states[i], in states[j], out Motion first, out Motion second);
@@ -305,6 +319,7 @@ internal sealed class BallCluster
             its.Events.Add(new BallEvent(i, -n, time, in states[j], in second.Velocity, in second.Spin));
         }
 
+        // What becomes of each: on the ground it keeps its carrier, unless the impulse lifts it.
         _simulators[i].Struck(ref states[i], in first.Velocity, in first.Spin, in n, presses, own);
         _simulators[j].Struck(ref states[j], in second.Velocity, in second.Spin, -n, presses, its);
         return stopAt == StopAt.Impact && !presses;
@@ -319,6 +334,8 @@ internal sealed class BallCluster
         {
             BallState a = Look(states, met.Ball, time);
             BallState b = Look(states, met.Other, time);
+
+            // Newton on the gap of the two steps, t − f/f', not before both balls are there.
             double gap = BallContact.Gap(in a, _simulators[met.Ball].Scene.Ball.Radius, in b, _simulators[met.Other].Scene.Ball.Radius, out _, out double rate);
             double next = rate < 0 ? Math.Max(from, time - (gap / rate)) : time;
             if (Math.Abs(gap) <= Closed || next == time || Math.Abs(next - met.Time) > Press)
@@ -350,6 +367,8 @@ internal sealed class BallCluster
     private bool Push(BallState[] states, in Happening met, double end, StopAt stopAt, StepLog[]? watched)
     {
         World world = _simulators[0].World;
+
+        // The ball goes up to what it pushes, which then moves differently.
         world.ReadMotions(_motions);
         StepLog own = LogOf(met.Ball, watched);
         own.HaltsAtPush = true;
@@ -406,6 +425,7 @@ internal sealed class BallCluster
         {
             if (_motions[m].Velocity != _motionsAfter[m].Velocity)
             {
+                // All that it sweeps until the end, pushed and not pushed.
                 Bounds3d box = world.BoundsOfMover(m, time);
                 box = box.With(box.Moved((end - time) * _motions[m].Velocity)).With(box.Moved((end - time) * _motionsAfter[m].Velocity));
                 if (box.Grown(reach).Touches(new Bounds3d(s.Position, s.Position)))

@@ -44,6 +44,7 @@ internal static class BallContact
             return;
         }
 
+        // J_n = (1 + e)(−u·n)/(1/m₁ + 1/m₂), and −(1 + e_t) s/κ along the surfaces, at most μ J_n.
         double givesWay = (1.0 / ball.Mass) + (1.0 / other.Mass);
         double firstTurns = ball.Radius * ball.Radius / ball.MomentOfInertia;
         double secondTurns = other.Radius * other.Radius / other.MomentOfInertia;
@@ -60,6 +61,8 @@ internal static class BallContact
         double kept = material.Spin * about;
         kept = kept > 0 ? Math.Max(0, kept - drilled) : Math.Min(0, kept + drilled);
         double torque = (kept - about) / eases;
+
+        // v₁ += J/m₁, ω₁ −= (r₁/I₁) n × J; v₂ −= J/m₂, ω₂ −= (r₂/I₂) n × J
         Vector3d turning = Vector3d.Cross(in n, in impulse);
         a = new Motion(
             first.Position,

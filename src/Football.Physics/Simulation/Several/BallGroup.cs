@@ -183,11 +183,14 @@ public sealed class BallGroup
 
         World world = _simulators[0].World;
         world.Bodies?.CheckTimes(states[0].Time);
+
+        // A lone ball that moves nothing: its own step, and no bookkeeping.
         if (Count == 1 && log is not null && _motionsBefore.Length == 0)
         {
             return StepAlone(ref states[0], dt, log, stopAt);
         }
 
+        // To go back to, where balls may meet or a force throws.
         world.ReadMotions(_motionsBefore);
         bool ended;
         Array.Copy(states, _before, Count);
@@ -241,6 +244,8 @@ public sealed class BallGroup
         for (int i = 0; i < all.Length; i++)
         {
             Check.GivenItem(nameof(balls), i, balls[i], "a ball");
+
+            // Equal balls share a compiled scene.
             int same = 0;
             while (same < i && !balls[same].Equals(balls[i]))
             {
@@ -295,6 +300,8 @@ public sealed class BallGroup
             _simulators[i].Advance(ref s, dt, log);
             halts |= log.Halted;
             log.Halted = false;
+
+            // Within what its sphere was made for, also between events: else its reach has to be measured.
             bool keeps = _neighbours.Holds(i, in before, in s, dt) && (first == log.Events.Count || KeepsPace(i, first));
             _reaches[i] = keeps ? _neighbours.ReachOf(i) : double.PositiveInfinity;
             holds &= keeps;
@@ -322,6 +329,7 @@ public sealed class BallGroup
                 continue;
             }
 
+            // Its step once more, with its path watched.
             _measure.Run(_simulators[i], in _before[i], dt, StopAt.Time);
             _reaches[i] = _measure.Reach;
             holds &= _neighbours.Holds(i, in _before[i], _reaches[i], dt);
@@ -391,6 +399,7 @@ public sealed class BallGroup
             }
         }
 
+        // Those of the cluster are in logs of their own.
         for (int k = 0; k < _cluster.Count; k++)
         {
             StepLog own = _logs[_cluster[k]];
@@ -418,6 +427,7 @@ public sealed class BallGroup
             Array.Resize(ref _told, 2 * count);
         }
 
+        // Insertion is stable: a ball's own events stay in order.
         int place = count;
         for (; place > 0 && (_told[place - 1].Time > happened.Time || (_told[place - 1].Time == happened.Time && _told[place - 1].Ball > happened.Ball)); place--)
         {

@@ -49,6 +49,8 @@ internal sealed class BallNeighbours
     public bool Holds(int ball, in BallState before, in BallState after, double dt)
     {
         ref readonly Sphere sphere = ref _spheres[ball];
+
+        // Inside the room of its sphere, and neither farther nor faster than that was made for.
         double x = before.Position.X - sphere.Center.X;
         double y = before.Position.Y - sphere.Center.Y;
         double z = before.Position.Z - sphere.Center.Z;
@@ -77,6 +79,8 @@ internal sealed class BallNeighbours
         {
             ref Sphere sphere = ref _spheres[i];
             double ahead = Ahead * dt;
+
+            // Its speed with a fall and a nudge on top; how far that leads in one step, and in all steps ahead.
             double most = before[i].Velocity.Length + (Fall * ahead) + (LeastRoom / ahead);
             double reach = Math.Max(1.1 * most * dt, reaches[i]);
             double room = Math.Max(LeastRoom + ((before[i].Velocity.Length + (0.5 * Fall * ahead)) * ahead), reach);
@@ -107,6 +111,8 @@ internal sealed class BallNeighbours
         }
 
         _count = 0;
+
+        // What overlaps along x is compared in space.
         for (int i = 0; i < _order.Length; i++)
         {
             int a = _order[i];

@@ -44,6 +44,8 @@ internal sealed class BallTrial : PieceObserver
         Reach = 0;
         simulator.Advance(ref End, duration, Log);
         HaltsAt = Log.Halted ? End.Time : double.PositiveInfinity;
+
+        // Where it was put at the end without a piece, as out of an overlap, counts as well.
         Vector3d last = _count > 0 ? _paths[_count - 1].At(_paths[_count - 1].Length) : start.Position;
         Reach += (End.Position - last).Length;
     }
@@ -77,6 +79,7 @@ internal sealed class BallTrial : PieceObserver
             index++;
         }
 
+        // Between pieces, and after the last, it stays where it is.
         bool isOn = index < _count && time >= _times[index];
         start = isOn ? _times[index] : time;
         until = isOn ? _times[index] + _paths[index].Length : index < _count ? _times[index] : double.PositiveInfinity;
@@ -96,12 +99,14 @@ internal sealed class BallTrial : PieceObserver
         double time = from;
         while (time < until || (atEnd && time == until))
         {
+            // Two cubics, up to the earlier of their ends: over that the relative acceleration has one bound.
             PathCubic mine = At(time, ref i, out double start, out double end);
             PathCubic its = other.At(time, ref j, out double otherStart, out double otherEnd);
             double last = Math.Min(until, Math.Min(end, otherEnd));
             double bend = mine.GreatestAcceleration + its.GreatestAcceleration;
             do
             {
+                // f = |p₁ − p₂| − d, and f'.
                 Vector3d apart = mine.At(time - start) - its.At(time - otherStart);
                 double length = apart.Length;
                 double gap = length - distance;
