@@ -33,6 +33,8 @@ internal sealed class AimContext
     {
         Scene scene = game.Scene;
         HasThings = scene.Obstacles.Count > 0 || scene.Nets.Count > 0 || scene.Goals.Count > 0 || scene.Bodies is not null || scene.EngineColliders is not null;
+
+        // Misses are measured in the whole scene; searched is without its things, and for smooth crossings without its ground too.
         var real = new Simulator(scene, SolverSettings.Default);
         Scene open = HasThings ? WithoutThings(scene) : scene;
         _simulator = HasThings ? new Simulator(open, SolverSettings.Default) : real;
@@ -90,6 +92,7 @@ internal sealed class AimContext
     /// <param name="mostIterations">Iterations that it may have.</param>
     public void Begin(int mostIterations)
     {
+        // Flights that may be spent, sixteen an iteration; less those that a search which has begun may still take.
         _most = Math.Min(mostIterations, int.MaxValue / (2 * SimulationsPerIteration)) * SimulationsPerIteration;
         _most -= Math.Min(_most / 2, LongestSearch);
         _spent = 0;

@@ -32,6 +32,8 @@ public sealed partial class Aimer
         double high = request.Speed;
         double atLow = SpeedAt(request, in slow) - speed;
         double atHigh = SpeedAt(request, in fast) - speed;
+
+        // The wanted speed lies outside of what both give.
         if (!(atLow <= 0 && atHigh >= 0))
         {
             return Failed(atLow > 0 ? slow : fast, AimStatus.OutOfReach);
@@ -56,6 +58,7 @@ public sealed partial class Aimer
                 break;
             }
 
+            // The bracket keeps its signs: too slow below, too fast above.
             if (off < 0)
             {
                 low = middle;

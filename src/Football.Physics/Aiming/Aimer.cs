@@ -55,6 +55,8 @@ public sealed partial class Aimer
         Begin(request);
         AimSolution solution = Search(request);
         AimResult result = Report(request, in solution, measure);
+
+        // Where the flight is not what the search said, and nothing in its way explains that, its long steps were at fault.
         bool blocked = result.Status == AimStatus.Blocked;
         bool astray = result.Miss > ((1.0 + Astray) * solution.Miss) + (Astray * NearMiss);
         if (!result.HitsTarget && !blocked && (solution.Status == AimStatus.Hit || solution.Miss < NearMiss || astray))
@@ -132,6 +134,8 @@ public sealed partial class Aimer
             MaximumElevationDegrees = 80,
         };
         Find(request);
+
+        // One request for each road of the search: low, high, too slow, through a point, along the ground, slowest, at a time.
         AimResult high = Find(request with { Arc = AimArc.High });
         Find(request with { Speed = 8 });
         Find(request with { Through = new Vector3d(1, contact + 2, -9) });
@@ -143,6 +147,7 @@ public sealed partial class Aimer
     /// <summary>The other arc, and where the spin may be chosen other spins on both, nearest first: what is a hit there is not blocked.</summary>
     private AimResult Around(AimRequest request, in AimResult blocked, bool measure)
     {
+        // With its own spin on the other arc first; then rings of spins about its own, from the nearest on, on both arcs.
         AimArc other = request.Arc == AimArc.Low ? AimArc.High : AimArc.Low;
         AimResult found = With(request, other, request.TopSpin, request.SideSpin, measure);
         for (int ring = 1; ring <= SpinRings && request.SpinIsFree && !found.HitsTarget; ring++)
@@ -159,6 +164,7 @@ public sealed partial class Aimer
 
     private bool Slowest(AimRequest request, out AimSolution solution)
     {
+        // In the air, and along the ground where that is slower still.
         bool flies = _general.Slowest(request, out solution);
         if (_context.Shooting.CanRoll(request) && _direct.SlowestRoll(request, flies ? solution.Speed : request.Speed, out AimSolution roll))
         {
@@ -181,6 +187,7 @@ public sealed partial class Aimer
     private static void SpinOnRing(AimRequest request, int ring, int place, out double top, out double side)
     {
         // Sidespin first: it is what mostly goes round.
+        // A square ring of 8 n places, by its four edges.
         int along = (place % (2 * ring)) - ring;
         int edge = place / (2 * ring);
         int x = edge switch { 0 => ring, 1 => -ring, 2 => -along, _ => along };
@@ -195,6 +202,7 @@ public sealed partial class Aimer
     {
         if (!_general.AtTime(request, time, out AimSolution solution))
         {
+            // Why there is none: the search ran out of flights, or has seen all there is.
             solution.Status = _context.IsSpent ? AimStatus.NotConverged : AimStatus.OutOfReach;
         }
 
@@ -239,6 +247,8 @@ public sealed partial class Aimer
     internal AimResult Report(AimRequest request, in AimSolution solution, bool measure, bool passes)
     {
         solution.Vectors(out Vector3d velocity, out Vector3d spin);
+
+        // The solver's own estimate, where nothing can be in the way.
         if (!measure && !_context.HasThings && solution.Miss < double.PositiveInfinity)
         {
             double? throughMiss = request.Through is null ? null : solution.ThroughMiss;
@@ -269,6 +279,8 @@ public sealed partial class Aimer
         // The thesis' methods have iterations of their own; what is looked at from here on is no part of the search.
         int iterations = solution.Iterations > 0 ? solution.Iterations : _context.Iterations;
         int simulations = _context.Simulations;
+
+        // The arc: low for a roll, a flat kick to a target no lower, and what does not hit; else the slope of the speed over the time tells.
         TargetFrame frame = _context.Frame(request);
         bool rolls = _context.StaysDown(in frame.From, velocity.Y);
         bool hits = status is AimStatus.Hit or AimStatus.TargetOnly;

@@ -161,6 +161,8 @@ internal sealed class MeasuredFlight : ApproachFlight
         _met = 0;
         _fast = state.Time;
         Blocker = NoThing;
+
+        // Where nothing is to be met first, the start is an approach too: a kick may lead away at once.
         if (HasMetAll)
         {
             TakeEnd(in state, state.Velocity);
@@ -198,6 +200,7 @@ internal sealed class MeasuredFlight : ApproachFlight
             return false;
         }
 
+        // An impact, or a passing of the target or of the point on the way, lies within the step: its pieces are looked at. Else the end will do.
         bool doubts = ended || Passes(in before, in after, after.Velocity)
             || (_through is { } point && Vector3d.Dot(before.Position - point, before.Velocity) < 0 && Vector3d.Dot(after.Position - point, after.Velocity) > 0);
         if (!doubts)
@@ -217,6 +220,8 @@ internal sealed class MeasuredFlight : ApproachFlight
         }
 
         _throughSquared = Math.Min(_throughSquared, piece.ClosestApproach(in point, out _));
+
+        // Over only where it comes no closer to either.
         return isPast && IsPast(piece.Motion, piece.EndPosition - point, piece.EndVelocity, _throughSquared);
     }
 
@@ -227,6 +232,8 @@ internal sealed class MeasuredFlight : ApproachFlight
         {
             ref readonly BallEvent e = ref events[i];
             NoteBlocker(in e);
+
+            // A net slows the ball, but ends nothing.
             if (e.Kind != BallEventKind.Impact)
             {
                 continue;
@@ -237,6 +244,7 @@ internal sealed class MeasuredFlight : ApproachFlight
                 return true;
             }
 
+            // One of those asked for: the flight goes on, and after the last of them the approach begins.
             ended = false;
             _met++;
             if (HasMetAll)
@@ -252,6 +260,7 @@ internal sealed class MeasuredFlight : ApproachFlight
 
         if (!HasMetAll)
         {
+            // A ball that stays on the ground bounces off it no more; one at rest, or that creeps down a net, meets nothing more.
             bool staysDown = after.Motion is MotionState.Sliding or MotionState.Rolling && after.Carrier == 0 && _things[_met] == 0;
             return staysDown || after.Motion == MotionState.Stopped || Creeps(in after);
         }
@@ -284,6 +293,7 @@ internal sealed class MeasuredFlight : ApproachFlight
     /// <summary>True when the ball creeps down a net, and gets nowhere in time.</summary>
     private bool Creeps(in BallState state)
     {
+        // A ball in a net swings for long: given up where it is slow for a while, and twice its speed would not bring it there in time.
         double speed = state.Velocity.Length;
         if (state.Nets == 0 || speed > Slow)
         {
@@ -327,6 +337,7 @@ internal class KickLook : ApproachFlight
     /// <param name="timeStep">Step of the flight, s.</param>
     public virtual Approach Fly(in TargetFrame frame, in Vector3d targetVelocity, in Kick kick, double speed, double timeStep)
     {
+        // Flown until it comes no closer; the start counts as an approach.
         kick.Vectors(speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
         BallState state = Simulator.Launch(frame.From, velocity, spin);
         Frame = frame;
@@ -381,6 +392,7 @@ internal class KickLook : ApproachFlight
     /// <summary>True when the target is below the way: to the right of the motion as seen in the plane of way and height.</summary>
     protected bool IsAbove(in Vector3d gap, in Vector3d ahead)
     {
+        // The side of the way on which the target lies, in the vertical plane: the sign of the cross product of way and gap.
         Vector3d moving = Velocity - TargetVelocity;
         return (Vector3d.Dot(in moving, in ahead) * gap.Y) - (moving.Y * Vector3d.Dot(in gap, in ahead)) > 0;
     }
@@ -411,10 +423,14 @@ internal sealed class TurningLook : KickLook
     {
         _isBeyond = false;
         Approach approach = base.Fly(in frame, in targetVelocity, in kick, speed, timeStep);
+
+        // The target was turned to where the ball is; turning the kick back by that bearing brings the ball to the target.
         Vector3d went = (Position - frame.From).Horizontal;
         double length = went.Length;
         Vector3d ahead = length > 1e-9 ? went / length : kick.Direction(in frame.Forward);
         approach.Kick.Azimuth -= length > 0 ? Elementary.Atan2(Vector3d.Dot(in went, in frame.Left), Vector3d.Dot(in went, in frame.Forward)) : 0;
+
+        // A way that ends before the target's distance passes below it, whatever its last direction says.
         approach.Above = _isBeyond && IsAbove(approach.Gap, in ahead);
         return approach;
     }

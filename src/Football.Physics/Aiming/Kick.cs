@@ -91,6 +91,7 @@ internal readonly struct TargetFrame
 
     public TargetFrame(in Vector3d from, in Vector3d target)
     {
+        // Straight above or below there is no direction: then it is −z.
         Vector3d flat = (target - from).Horizontal;
         From = from;
         Target = target;

@@ -31,6 +31,8 @@ internal sealed class KickFlight
             BallState before = state;
             double step = _observer.StepFrom(in before, out bool watches);
             bool ended = false;
+
+            // Unwatched at first, and judged by its ends.
             if (!watches)
             {
                 ended = Take(ref state, step, _log);
@@ -39,6 +41,7 @@ internal sealed class KickFlight
 
             if (watches)
             {
+                // From the same start, so that it is the same step to the last bit.
                 state = before;
                 ended = Take(ref state, step, _watched);
             }

@@ -118,6 +118,7 @@ internal sealed class LeastSquares
                 return true;
             }
 
+            // A kick beside this one that does not get there says nothing of a slope.
             if (measures && !Measure(x))
             {
                 return false;
@@ -126,11 +127,14 @@ internal sealed class LeastSquares
             Iterations++;
             double before = cost;
             bool improved = Improve(x, ref cost, ref damping);
+
+            // Not even along a Jacobian that is measured here: there is no way down.
             if (!improved && measures)
             {
                 return false;
             }
 
+            // Updated as long as steps are quick; measured again once one is not.
             measures = !(cost < Quick * before);
             slow = cost > Slow * before ? slow + 1 : 0;
             if (slow == MostSlow)
@@ -182,6 +186,7 @@ internal sealed class LeastSquares
         {
             if (Step(x, damping) && _problem.Fly(_next, _nextResiduals))
             {
+                // Taken where it helps; the next one is damped less, and so nearer to Newton's.
                 double next = Squares(_nextResiduals);
                 if (next < cost)
                 {
@@ -277,6 +282,7 @@ internal sealed class LeastSquares
                 _system[row + b] = a == b && _held[a] ? 1 : _held[a] || _held[b] ? 0 : Product(a, b);
             }
 
+            // (JᵀJ + λ diag JᵀJ) Δx = −Jᵀr: damping by each unknown's own scale.
             double sum = 0;
             for (int i = 0; i < _problem.Equations && !_held[a]; i++)
             {

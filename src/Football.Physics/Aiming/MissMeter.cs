@@ -34,6 +34,7 @@ internal sealed class MissMeter
     /// <param name="time">When to measure, or at the first impact if that is before, s after the kick; null for the closest approach.</param>
     public MeasuredMiss Measure(AimRequest request, in Vector3d velocity, in Vector3d spin, double? time = null)
     {
+        // The kick that was measured last, as a solver and then the report ask for it.
         if (ReferenceEquals(request, _measured) && velocity == _measuredVelocity && spin == _measuredSpin && time == _measuredTime)
         {
             return _miss;
@@ -45,6 +46,8 @@ internal sealed class MissMeter
 
         // On the clock of the scene the target has been on its way since time 0.
         Vector3d target = AimContext.Raised(_simulator, request.Target) - (request.KickTime * request.TargetVelocity);
+
+        // At a time: where the ball is then, and not where it was closest.
         if (time is { } end)
         {
             int blocker = _shot.FlyTo(ref state, step, end);
@@ -91,6 +94,7 @@ internal static class MeasuringStep
     /// <summary>True when, at a speed, drag or lift are so much stronger than gravity that ways bend into loops, or end in the air.</summary>
     public static bool IsRuledByAir(Simulator simulator, double upward, double speed, double spinRate)
     {
+        // Drag or lift at the greatest speed through the air, against weight less buoyancy.
         double most = speed + simulator.Scene.Air.Wind.Length;
         simulator.AirFactors(most, spinRate, out double drag, out double lift);
         return most * Math.Max(drag, Math.Abs(lift)) > Ruling * Math.Abs(upward);

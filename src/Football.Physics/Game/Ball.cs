@@ -41,6 +41,7 @@ public sealed class Ball
                 return;
             }
 
+            // As a kick with the velocity that it has: the new scene decides what motion that is, and raises the ball where its ground is higher.
             BallState moved = _state;
             value.Kick(ref moved, _state.Velocity, _state.Spin);
             moved.Motion = _state.Motion == MotionState.Stopped && moved.Motion == MotionState.Rolling ? MotionState.Stopped : moved.Motion;
@@ -144,6 +145,8 @@ public sealed class Ball
     internal static BallState AtRest(Simulator simulator, in Vector3d position)
     {
         BallState state = simulator.Launch(position, Vector3d.Zero, Vector3d.Zero);
+
+        // On the ground without speed it has nothing to roll with.
         if (state.Motion == MotionState.Rolling)
         {
             state.Motion = MotionState.Stopped;

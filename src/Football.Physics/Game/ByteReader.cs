@@ -11,6 +11,7 @@ internal struct ByteReader
     /// <exception cref="FormatException">The checksum does not hold.</exception>
     public ByteReader(ReadOnlySpan<byte> bytes)
     {
+        // A copy: what was checked cannot change while it is read.
         byte[] copy = bytes.ToArray();
         if (!Crc32.Holds(copy))
         {
@@ -27,6 +28,7 @@ internal struct ByteReader
     /// <summary>A number in them is out of range.</summary>
     public static FormatException Broken(ArgumentOutOfRangeException refusal)
     {
+        // Without what the runtime adds about its parameter: that is a name of ours.
         string message = refusal.Message;
         int end = message.LastIndexOf(". (Parameter", StringComparison.Ordinal);
         return new FormatException($"The bytes are broken: {(end > 0 ? message[..end] : message)}.", refusal);
@@ -49,6 +51,8 @@ internal struct ByteReader
     public long Long()
     {
         ulong value = 0;
+
+        // Groups of seven bits, lowest first; the top bit of a byte says that another follows.
         for (int shift = 0; shift < 63; shift += 7)
         {
             Need(1);

@@ -19,6 +19,7 @@ internal struct ByteWriter
     /// <summary>An integer in as many groups of seven bits as it needs.</summary>
     public void Integer(ulong value)
     {
+        // 64 bits take ten groups of seven at most.
         Reserve(10);
         for (; value >= 0x80; value >>= 7)
         {
@@ -39,6 +40,7 @@ internal struct ByteWriter
     /// <summary>The bytes written, and their checksum.</summary>
     public byte[] ToArray()
     {
+        // Room for the checksum, which is of all before it.
         Bits(0, Crc32.Size);
         byte[] all = _bytes.AsSpan(0, _count).ToArray();
         Crc32.Seal(all);

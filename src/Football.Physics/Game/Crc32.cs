@@ -21,6 +21,7 @@ internal static class Crc32
         {
             for (int i = 0; i < bytes.Length; i++)
             {
+                // A byte at a time; the bits are reflected, lowest first, as in zip.
                 crc = (crc >> 8) ^ s_table[(byte)(crc ^ first[i])];
             }
         }
@@ -40,6 +41,7 @@ internal static class Crc32
         var table = new uint[256];
         for (uint i = 0; i < table.Length; i++)
         {
+            // The remainder of each byte, by shifting out its eight bits.
             uint crc = i;
             for (int bit = 0; bit < 8; bit++)
             {

@@ -104,6 +104,7 @@ public sealed class FixedStepRunner
                 throw new InvalidOperationException("simulator: a rollback follows the runner; allowed: a scene with as many bodies, and obstacles that have a mass.");
             }
 
+            // How a ball goes on in another scene is told by one place alone, Ball.Simulator.
             var ball = new Ball(_simulator) { State = _states[0] };
             ball.Simulator = value;
             _simulator = value;
@@ -285,12 +286,15 @@ public sealed class FixedStepRunner
     {
         Check.Index(nameof(ball), ball, _states.Length);
         BallState placed = Ball.AtRest(SimulatorOf(ball), in position);
+
+        // Kicks of this ball that wait are taken back; those of the other balls stay.
         for (int i = Kicks.FirstAt(Tick); i < Kicks.Count;)
         {
             KickInput kick = Kicks[i];
             i += kick.Ball == ball && Kicks.Remove(kick.Tick, kick.Player, ball) ? 0 : 1;
         }
 
+        // The balls of a group have one clock.
         if (_group is not null)
         {
             placed.Time = _states[ball].Time;
@@ -317,6 +321,7 @@ public sealed class FixedStepRunner
         _left += counted;
         try
         {
+            // Time is taken off after the step: where one throws, what it did not get is still there to be dropped.
             for (; _left >= TimeStep; _left -= TimeStep)
             {
                 StepOnce();
@@ -325,6 +330,7 @@ public sealed class FixedStepRunner
         }
         catch
         {
+            // Else the next frame would try the step that throws, and those behind it, once more.
             DropWholeSteps();
             throw;
         }
@@ -359,6 +365,7 @@ public sealed class FixedStepRunner
             return new BallPose(state.Position, state.Orientation);
         }
 
+        // A straight way between the ends of the step would cut the corner of a bounce: it goes through the events in it.
         fraction = fraction > 0 ? fraction : 0;
         double time = previous.Time + (fraction * span);
         double t0 = previous.Time;
@@ -384,6 +391,7 @@ public sealed class FixedStepRunner
             p0 = happened.Position;
         }
 
+        // Straight between two events; the turn is spread evenly over the whole step.
         double part = t1 > t0 ? (time - t0) / (t1 - t0) : 1;
         Quaterniond orientation = Slerp.Between(previous.Orientation, state.Orientation, fraction);
         return new BallPose(p0 + (part * (p1 - p0)), in orientation);
@@ -417,6 +425,7 @@ public sealed class FixedStepRunner
             throw new ArgumentException($"states has {states.Length} balls; allowed: {_states.Length}, one each.", nameof(states));
         }
 
+        // All are looked at before any is set.
         foreach (ref readonly BallState state in states.AsSpan())
         {
             Check.Advances(nameof(TimeStep), TimeStep, state.Time);
@@ -424,6 +433,7 @@ public sealed class FixedStepRunner
             Check.Within("states' time", state.Time, states[0].Time, states[0].Time);
         }
 
+        // Where it was before is of no use: until the next step it is drawn where it is put.
         Array.Copy(states, _states, _states.Length);
         Array.Copy(states, _previous, _states.Length);
         Tick = tick;
@@ -483,6 +493,7 @@ public sealed class FixedStepRunner
 
     private void StepOnce()
     {
+        // What a step changes, its kicks included, is kept: one that throws has changed nothing.
         Array.Copy(_states, _before, _states.Length);
         World world = _simulator.World;
         if (_motions.Length > 0)
@@ -501,6 +512,7 @@ public sealed class FixedStepRunner
                 SimulatorOf(kick.Ball).Kick(ref _states[kick.Ball], kick.Velocity, kick.Spin);
             }
 
+            // Drawn from after the kicks on: what they do to the ball belongs to the start of the step.
             Array.Copy(_states, _previous, _states.Length);
             _log.Clear();
             if (_group is null)
@@ -523,6 +535,7 @@ public sealed class FixedStepRunner
             throw;
         }
 
+        // Rounded as a part of the step: hashes, recording and rollback see what the wire form holds.
         Tick++;
         if (_wireTicks > 0 && Tick % _wireTicks == 0)
         {
@@ -542,6 +555,7 @@ public sealed class FixedStepRunner
     /// <summary>The bodies are put where they are at this tick, and who plays it again is told.</summary>
     private void MoveBodies(World world)
     {
+        // The game itself comes first: it also says where bodies were at ticks that are played again.
         if (BodiesAt is { } bodiesAt)
         {
             bodiesAt(Time);
@@ -553,6 +567,7 @@ public sealed class FixedStepRunner
             History?.PutBodies(Tick, bodies);
         }
 
+        // Now they are where this step finds them: only that is of use to who plays it again.
         if (world.Bodies is { } moved)
         {
             History?.KeepBodies(Tick, moved);
@@ -571,6 +586,7 @@ public sealed class FixedStepRunner
     {
         if (Kicks.Count > 0 && Kicks[0].Tick < Tick - _kickTicks)
         {
+            // The oldest tick that a rollback or the recording may still go back to keeps its kicks.
             long oldest = Tick - _kickTicks;
             oldest = Math.Min(oldest, History?.OldestTick ?? oldest);
             Kicks.RemoveBefore(Math.Min(oldest, Recording?.StartTick ?? oldest));

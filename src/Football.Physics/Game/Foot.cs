@@ -44,6 +44,8 @@ public sealed record Foot
     {
         Validate(ball, in velocity, in spin);
         Check.Size("foot.velocity", footVelocity, Limits.Speed, "m/s");
+
+        // The ball is met by a mass that gives way, by the impact law that all contacts have.
         Vector3d n = Direction(normal);
         CoulombImpact.Apply(ball, Material, GivingWay.Of(ball, Mass), in n, in footVelocity, in velocity, in spin, out Vector3d after, out Vector3d spinAfter);
 
@@ -77,11 +79,14 @@ public sealed record Foot
         Validate(ball, in velocity, in spin);
         Check.Size("kick.velocity", wantedVelocity, Limits.Speed, "m/s");
         Check.Size("kick.spin", wantedSpin, Limits.Spin, "rad/s");
+
+        // Without an impulse there is no direction to strike in.
         if (!((wantedVelocity - velocity).Length > 0))
         {
             throw Check.Refusal("kick.velocity", wantedVelocity.ToString(), "another velocity than the ball has");
         }
 
+        // The strike in closed form; where the leg is fast enough for it, that is all.
         FootStrike wanted = Inverse(ball, in velocity, in spin, in wantedVelocity, in wantedSpin);
         if (wanted.FootVelocity.Length <= FastestSpeed)
         {
@@ -92,6 +97,7 @@ public sealed record Foot
         var part = new Part(this, ball, in velocity, in spin, in wantedVelocity, in wantedSpin);
         for (int i = Shares - 1; i >= 0; i--)
         {
+            // From the whole kick downwards: the first share that the leg can give brackets the greatest.
             double low = (double)i / Shares;
             if (part.Takes(low).Length <= FastestSpeed)
             {
@@ -101,6 +107,7 @@ public sealed record Foot
             }
         }
 
+        // Not even a small share, as where the ball itself comes fast: the same swing, as fast as the leg can.
         Vector3d swing = FastestSpeed / wanted.FootVelocity.Length * wanted.FootVelocity;
         return new FootStrike(Strike(ball, velocity, spin, swing, wanted.Normal));
     }
@@ -114,6 +121,8 @@ public sealed record Foot
         Vector3d impulse = ball.Mass * (wantedVelocity - velocity);
         double size = impulse.Length;
         Vector3d direction = impulse / size;
+
+        // A touch turns the ball about axes across the impulse alone: Δω = (r/I) J × n. What lies along it stays as it was.
         Vector3d turn = wantedSpin - spin;
         double lost = Vector3d.Dot(in turn, in direction);
         Vector3d across = turn - (lost * direction);
@@ -200,6 +209,7 @@ public sealed record Foot
 
         public bool Evaluate(double x, out bool holds)
         {
+            // True where the foot would have to be too fast, or the number is none.
             holds = !(Takes(x).Length <= _foot.FastestSpeed);
             return false;
         }

@@ -50,6 +50,7 @@ internal sealed class Keyframes(int balls, int movers)
     /// <summary>Reads what <see cref="Write"/> wrote.</summary>
     public void Read(ref ByteReader reader)
     {
+        // The least that a keyframe takes: states in full, motions whose numbers are all left out.
         for (int count = reader.Count((Snapshot.Size * balls) + (5 * movers)); count > 0; count--)
         {
             Grow();
@@ -70,6 +71,7 @@ internal sealed class Keyframes(int balls, int movers)
         Count++;
         if (Count * balls > _states.Length)
         {
+            // Both grow alike, so that a keyframe has the same place in each.
             Array.Resize(ref _states, 2 * _states.Length);
             Array.Resize(ref _motions, 2 * _motions.Length);
         }

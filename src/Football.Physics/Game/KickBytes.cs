@@ -11,6 +11,7 @@ internal static class KickBytes
 
     public static void Write(in KickInput kick, ref ByteWriter writer)
     {
+        // Two bytes: 6 bits for the velocity, 6 for the spin, one for another ball than the first.
         ulong forms = PackedNumbers.Forms(kick.Velocity) | (PackedNumbers.Forms(kick.Spin) << 6) | (kick.Ball > 0 ? OtherBall : 0);
         writer.Bits(forms, 2);
         if (kick.Ball > 0)
@@ -30,6 +31,7 @@ internal static class KickBytes
         Vector3d spin = PackedNumbers.Vector(forms >> 6, ref reader);
         try
         {
+            // What a kick of the game may not be, one of the bytes may not be either.
             return new KickInput(tick, velocity, spin, player, ball);
         }
         catch (ArgumentOutOfRangeException refusal)

@@ -43,6 +43,7 @@ public sealed class KickLog
     /// <param name="kick">The kick.</param>
     public void Add(in KickInput kick)
     {
+        // Sorted as it is added: who arrives first makes no difference to the order in which kicks act.
         int index = First(kick.Tick, kick.Player, kick.Ball);
         if (index < Count && _kicks[index].Order(kick.Tick, kick.Player, kick.Ball) == 0)
         {
@@ -122,6 +123,7 @@ public sealed class KickLog
 
     internal void Write(ref ByteWriter writer)
     {
+        // Count, then of each the ticks since the one before, the player, and the kick itself.
         writer.Integer((ulong)Count);
         long last = 0;
         for (int i = 0; i < Count; i++)
@@ -141,6 +143,7 @@ public sealed class KickLog
         long tick = 0;
         for (int i = 0; i < count; i++)
         {
+            // A sum beyond 63 bits turns negative, which the kick refuses.
             tick += reader.Long();
             KickInput kick = KickBytes.Read(tick, reader.Int(), ref reader);
             if (i > 0 && log._kicks[i - 1].Order(kick.Tick, kick.Player, kick.Ball) >= 0)
@@ -158,6 +161,7 @@ public sealed class KickLog
     /// <summary>The first kick that is not before (tick, player, ball).</summary>
     private int First(long tick, int player, int ball)
     {
+        // Bisection: all before low come earlier, none from high on does.
         int low = 0;
         int high = Count;
         while (low < high)

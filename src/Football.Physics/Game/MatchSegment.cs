@@ -138,8 +138,11 @@ public sealed class MatchSegment
 
         int keyframe = Math.Min((int)((tick - StartTick) / KeyframeTicks), _keyframes.Count);
         long from = StartTick + ((long)keyframe * KeyframeTicks);
+
+        // Played on from where the runner is, if that lies between and is a state of the segment.
         if (replay.Tick < from || replay.Tick > tick || Snapshot.Hash(replay.States) != HashAt(replay.Tick))
         {
+            // Else from the last keyframe before. Bodies first: a rollback that follows the runner begins anew with what is there.
             World world = replay.Simulator.World;
             world.Bodies?.ForgetTimes();
             if (world.Movers > 0)
@@ -162,6 +165,7 @@ public sealed class MatchSegment
     /// <summary>The segment as bytes, the same on every machine.</summary>
     public byte[] ToBytes()
     {
+        // The runner may have kicks from before and after: only those of the segment are written.
         var kicks = new KickLog();
         for (int i = Kicks.FirstAt(StartTick); i < Kicks.Count && Kicks[i].Tick < EndTick; i++)
         {
@@ -169,6 +173,8 @@ public sealed class MatchSegment
         }
 
         var writer = new ByteWriter();
+
+        // Head: format, library version, hash of the scene, length of a step, first tick, rounding, whether an engine moved its colliders.
         writer.Bits(Format, 5);
         writer.Integer((ulong)Version.Length);
         foreach (char letter in Version)
@@ -181,6 +187,8 @@ public sealed class MatchSegment
         writer.Integer((ulong)StartTick);
         writer.Integer((ulong)WireTicks);
         writer.Bits(EngineMoves ? 1UL : 0, 1);
+
+        // The start: the balls, then all that is moved.
         writer.Integer((ulong)_start.Length);
         for (int i = 0; i < _start.Length; i++)
         {
@@ -193,8 +201,11 @@ public sealed class MatchSegment
             PlacementLog.Write(in _motions[i], ref writer);
         }
 
+        // What happened: kicks, then where the game put its bodies.
         kicks.Write(ref writer);
         Bodies.Write(StartTick, EndTick, ref writer);
+
+        // What came of it: a hash after every step, and keyframes. ToArray adds the checksum of all.
         writer.Integer((ulong)_count);
         for (int i = 0; i < _count; i++)
         {
@@ -222,6 +233,8 @@ public sealed class MatchSegment
 
         Replay(simulator, EngineMoves ? static _ => { }
         : null);
+
+        // A text for people, which a scenario can be made of; what is played again is the segment beside it.
         string about = new SceneText().Begin()
             .Text("library", Version)
             .Text("runtime", RuntimeInformation.FrameworkDescription)
@@ -244,6 +257,8 @@ public sealed class MatchSegment
     public static MatchSegment FromBytes(ReadOnlySpan<byte> bytes)
     {
         var reader = new ByteReader(bytes);
+
+        // In the order of ToBytes; each number is checked as it is read, for the bytes may come from anywhere.
         ReadFormat(ref reader);
         string version = ReadVersion(ref reader);
         ulong sceneHash = reader.Bits(8);
@@ -256,6 +271,8 @@ public sealed class MatchSegment
 
         int wireTicks = reader.Int();
         bool engineMoves = reader.Bits(1) != 0;
+
+        // A count is checked against the bytes that are left, so that a broken one asks for no memory.
         int balls = reader.Count(Snapshot.Size);
         if (balls is 0 or > MostBalls)
         {
@@ -270,6 +287,7 @@ public sealed class MatchSegment
 
         try
         {
+            // What a runner would refuse is refused here, as broken bytes.
             Check.Within("wireTicks", wireTicks, 0, FixedStepRunner.MostWireTicks);
             Check.Within("timeStep", timeStep, 0, Limits.Time, exclusiveLow: true);
             Check.Advances("timeStep", timeStep, start[0].Time);
@@ -291,6 +309,8 @@ public sealed class MatchSegment
 
         KickLog kicks = KickLog.Read(ref reader);
         PlacementLog bodies = PlacementLog.Read(ref reader);
+
+        // An index that no body has would only be met in the middle of a replay.
         if (bodies.HighestBody() >= motions.Length)
         {
             throw ByteReader.Broken("a body is moved that is none of those at the start");
@@ -303,6 +323,7 @@ public sealed class MatchSegment
             segment.Add(reader.Bits(8));
         }
 
+        // The hashes are known by now, so that the keyframes can be compared with them.
         segment._keyframes.Read(ref reader);
         segment.CheckKeyframes();
         reader.End();
@@ -313,6 +334,8 @@ public sealed class MatchSegment
     internal void Add(BallState[] states, World world)
     {
         Add(Snapshot.Hash(states));
+
+        // Keyframe i is of tick StartTick + 64 (i + 1): the start itself is kept apart.
         if (_count % KeyframeTicks == 0)
         {
             _keyframes.Add(states, world);
@@ -340,6 +363,7 @@ public sealed class MatchSegment
             return false;
         }
 
+        // Hashes, keyframes and bodies from there on are of a way that was not gone.
         _count = (int)(tick - StartTick);
         _keyframes.Keep(_count / KeyframeTicks);
         Bodies.RemoveFrom(tick);
@@ -355,6 +379,8 @@ public sealed class MatchSegment
     private static void Write(ZipArchive zip, string name, byte[] bytes)
     {
         ZipArchiveEntry entry = zip.CreateEntry(name);
+
+        // One date for all, so that the same match gives the same bytes.
         entry.LastWriteTime = new DateTimeOffset(2000, 1, 1, 0, 0, 0, TimeSpan.Zero);
         using Stream file = entry.Open();
         file.Write(bytes);
@@ -402,6 +428,7 @@ public sealed class MatchSegment
 
         for (int i = 0; i < _keyframes.Count; i++)
         {
+            // A keyframe with a valid checksum of its own may still be of another match: Seek would land beside the recording.
             if (Snapshot.Hash(_keyframes.StatesOf(i).ToArray()) != _hashes[((i + 1) * KeyframeTicks) - 1])
             {
                 throw ByteReader.Broken("a keyframe is not the state of its tick");
@@ -413,6 +440,8 @@ public sealed class MatchSegment
     internal static ulong MatchHash(FixedStepRunner runner)
     {
         var key = new SceneKey();
+
+        // All that a step depends on besides state, kicks and bodies: two peers with the same hash make the same bits.
         key.Add(runner.TimeStep);
         key.Add(runner.WireTicks);
         key.Add(runner.Balls);
@@ -429,6 +458,7 @@ public sealed class MatchSegment
         ulong hash = 0;
         for (int i = 0; i < runner.Balls; i++)
         {
+            // Mixed in order, so that two balls that are exchanged give another hash; one ball has its own.
             ulong own = runner.SimulatorOf(i).SceneHash;
             hash = i == 0 ? own : ((hash ^ own) * 0x9FB21C651E98DF25UL) ^ (hash >> 32);
         }
@@ -455,6 +485,7 @@ public sealed class MatchSegment
 
     private FixedStepRunner Replay(FixedStepRunner runner, Action<double>? bodiesAt)
     {
+        // Another scene, or other settings, would only end in a divergence that nobody could explain.
         ulong hash = HashOf(runner);
         World world = runner.Simulator.World;
         if (runner.Balls != Balls || hash != SceneHash || world.Movers != _motions.Length)
@@ -474,11 +505,13 @@ public sealed class MatchSegment
             runner.Kicks.Add(in Kicks[i]);
         }
 
+        // All that is moved, then the balls, as they were at the start.
         if (world.Movers > 0)
         {
             world.WriteMotions(_motions);
         }
 
+        // No kick is forgotten: Seek goes back to any tick.
         runner.KickTicks = Limits.Tick;
         runner.WireTicks = WireTicks;
         runner.BodiesAt = bodiesAt;

@@ -13,6 +13,7 @@ internal static class PackedNumbers
     /// <summary>The form of a number, two bits.</summary>
     public static ulong Form(double value)
     {
+        // By the bits: −0 is no zero here, and comes back as −0.
         long bits = BitConverter.DoubleToInt64Bits(value);
         return bits == 0 ? Zero : BitConverter.DoubleToInt64Bits((double)(float)value) == bits ? (ulong)Single : Double;
     }

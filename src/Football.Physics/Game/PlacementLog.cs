@@ -4,6 +4,8 @@ namespace Football.Physics;
 internal sealed class PlacementLog
 {
     private Entry[] _entries = new Entry[64];
+
+    // Sorted by tick; what is forgotten at the front stays in the array until half of that is.
     private int _first;
     private int _end;
 
@@ -48,6 +50,7 @@ internal sealed class PlacementLog
             _first++;
         }
 
+        // Moved to the front once more than half is empty: over time each entry is copied about once.
         if (2 * _first > _entries.Length)
         {
             Array.Copy(_entries, _first, _entries, 0, Count);
@@ -68,6 +71,7 @@ internal sealed class PlacementLog
         long last = 0;
         for (int i = start; i < end; i++)
         {
+            // Ticks as differences, which are small: one byte mostly.
             writer.Integer((ulong)(_entries[i].Tick - last));
             writer.Integer((ulong)_entries[i].Body);
             Write(in _entries[i].Motion, ref writer);
@@ -79,6 +83,8 @@ internal sealed class PlacementLog
     public static PlacementLog Read(ref ByteReader reader)
     {
         var log = new PlacementLog();
+
+        // No entry takes fewer bytes, so that a broken count is refused before memory is asked for.
         int count = reader.Count(6);
         long tick = 0;
         for (int i = 0; i < count; i++)
@@ -106,6 +112,7 @@ internal sealed class PlacementLog
     /// <summary>A motion as bytes: the forms of its numbers, then those.</summary>
     public static void Write(in RigidMotion motion, ref ByteWriter writer)
     {
+        // 34 bits of forms in five bytes: place 6, velocity 6, spin 6, rotation 6 + 2, time 2, pivot 6. Of the pivot only what it is off the place.
         Quaterniond q = motion.Orientation;
         ulong forms = PackedNumbers.Forms(motion.Origin) | (PackedNumbers.Forms(motion.Velocity) << 6) | (PackedNumbers.Forms(motion.Spin) << 12)
             | (PackedNumbers.Forms(new Vector3d(q.X, q.Y, q.Z)) << 18) | (PackedNumbers.Form(q.W) << 24) | (PackedNumbers.Form(motion.Time) << 26)
@@ -132,6 +139,8 @@ internal sealed class PlacementLog
         };
         Vector3d q = PackedNumbers.Vector(forms >> 18, ref reader);
         motion.Orientation = new Quaterniond(q.X, q.Y, q.Z, PackedNumbers.Number(forms >> 24, ref reader));
+
+        // Not written: it follows from the rotation.
         motion.IsTurned = motion.Orientation != Quaterniond.Identity;
         motion.Time = PackedNumbers.Number(forms >> 26, ref reader);
         motion.Pivot = motion.Origin + PackedNumbers.Vector(forms >> 28, ref reader);
@@ -166,6 +175,7 @@ internal sealed class PlacementLog
     /// <summary>The first that is not before a tick.</summary>
     private int FirstAt(long tick)
     {
+        // Bisection: all before low are of earlier ticks, none from high on is.
         int low = _first;
         int high = _end;
         while (low < high)

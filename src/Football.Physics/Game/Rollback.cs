@@ -37,6 +37,8 @@ public sealed class Rollback
         _balls = runner.Balls;
         _movers = runner.Simulator.World.Movers;
         _bodies = keepsBodies ? new PlacementLog() : null;
+
+        // Rings of ticks + 1 places, the present among them: tick t lies at t mod (ticks + 1).
         _states = new BallState[(ticks + 1) * _balls];
         _motions = new RigidMotion[(ticks + 1) * _movers];
         _from = new BallState[_balls];
@@ -128,7 +130,11 @@ public sealed class Rollback
         }
 
         RefuseUnknownPlaces(tick);
+
+        // Put into the ring: PlayAgain starts from there.
         _states[PlaceOf(tick) + ball] = state;
+
+        // Nothing follows the present that could be played: the runner itself is set, without forgetting the past for it.
         if (tick == Runner.Tick)
         {
             _replays = true;
@@ -173,6 +179,7 @@ public sealed class Rollback
     /// <summary>Begins anew where the runner went.</summary>
     internal void Begin(long tick)
     {
+        // A runner that plays again comes here too: then the ring is still that of the match.
         if (!_replays)
         {
             OldestTick = tick;
@@ -190,6 +197,7 @@ public sealed class Rollback
             return;
         }
 
+        // The oldest place is written over, and what was kept of bodies before it is not needed any more.
         OldestTick = Math.Max(OldestTick, tick - Ticks);
         Array.Copy(Runner.States, 0, _states, PlaceOf(tick), _balls);
         KeepMotions(tick);
@@ -205,6 +213,8 @@ public sealed class Rollback
         }
 
         _bodies?.Record(tick, bodies);
+
+        // Known even where they are not kept: the last tick at which one moved says how far back nobody can go.
         for (int i = 0; i < bodies.Count && _bodiesMoved < tick; i++)
         {
             _bodiesMoved = bodies.IsTold(i) ? tick : _bodiesMoved;
@@ -235,6 +245,7 @@ public sealed class Rollback
     /// <summary>Refuses to play steps again in which something moved of which nobody says where it was.</summary>
     private void RefuseUnknownPlaces(long from)
     {
+        // The game that says where bodies are at any time can be asked again.
         if (Runner.BodiesAt is not null || from >= Runner.Tick)
         {
             return;
@@ -277,6 +288,7 @@ public sealed class Rollback
         _replays = true;
         try
         {
+            // Bodies, then balls, as they were at that tick; from there with the kicks that are known now.
             if (_movers > 0)
             {
                 world.WriteMotions(MotionsAt(from));
@@ -288,6 +300,8 @@ public sealed class Rollback
             {
                 Runner.Step();
                 Events.Add(Runner.Events);
+
+                // What comes out takes the place of what was kept; the first tick that differs is told.
                 bool same = true;
                 for (int i = 0; i < _balls; i++)
                 {
@@ -310,6 +324,7 @@ public sealed class Rollback
             _replays = false;
         }
 
+        // The step to come finds the bodies where the game put them before all this.
         if (world.Bodies is { } moved)
         {
             _waiting.Apply(now, moved);

@@ -19,6 +19,8 @@ internal sealed class SceneText
     public SceneText Add(Simulator simulator)
     {
         SolverSettings settings = simulator.Settings;
+
+        // A scenario has no word for it.
         if (!settings.LocateJump)
         {
             throw Code("solver.locateJump");
@@ -86,6 +88,7 @@ internal sealed class SceneText
             return;
         }
 
+        // A field of the library has words; one of the game's own, or a steady wind on top, has not.
         if (air.WindField is not WindByHeight wind || air.Wind != Vector3d.Zero || wind.GroundHeight != ground.Height)
         {
             throw Code("air.windField");
@@ -213,6 +216,7 @@ internal sealed class SceneText
 
     private void Braced(Action members)
     {
+        // Nested objects each begin with their own first member.
         bool before = _first;
         _first = true;
         _text.Append('{');
@@ -234,6 +238,7 @@ internal sealed class SceneText
         _text.Append('"');
         foreach (char letter in text)
         {
+            // Quotes, backslashes and control characters as \uXXXX, which every reader of JSON knows.
             if (letter is '"' or '\\' or < ' ')
             {
                 _text.Append("\\u").Append(((int)letter).ToString("x4", CultureInfo.InvariantCulture));
@@ -250,6 +255,7 @@ internal sealed class SceneText
     /// <summary>Seventeen digits are every double: the shortest text is not the number on each of Unity's runtimes.</summary>
     private static string Digits(double value)
     {
+        // The shortest text, where it reads back as the same number.
         string brief = value.ToString("R", CultureInfo.InvariantCulture);
         return double.Parse(brief, CultureInfo.InvariantCulture).Equals(value) ? brief : value.ToString("G17", CultureInfo.InvariantCulture);
     }

@@ -12,6 +12,8 @@ internal static class Slerp
     public static Quaterniond Between(in Quaterniond from, in Quaterniond to, double fraction)
     {
         double cosine = (from.X * to.X) + (from.Y * to.Y) + (from.Z * to.Z) + (from.W * to.W);
+
+        // q and −q are one rotation: the nearer of the two is the shorter way.
         double sign = cosine < 0 ? -1.0 : 1.0;
         double distance = (sign * cosine) - 1.0;
         double a = Weight(1.0 - fraction, distance);
@@ -29,6 +31,8 @@ internal static class Slerp
     {
         double square = t * t;
         double sum = 1.0;
+
+        // Horner, from the innermost bracket outwards.
         for (int i = Terms; i >= 1; i--)
         {
             sum = 1.0 + (((square - (i * i)) / (i * ((2 * i) + 1)) * distance) * sum);

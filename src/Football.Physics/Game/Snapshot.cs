@@ -33,6 +33,7 @@ public static class Snapshot
         ulong hash = 0;
         for (int i = 0; i < states.Length; i++)
         {
+            // A hash of hashes: multiplied in between, so that the order of the balls counts.
             ulong own = Hash(in states[i]);
             hash = i == 0 ? own : ((hash ^ own) * 0x9FB21C651E98DF25UL) ^ (hash >> 32);
         }
@@ -45,6 +46,7 @@ public static class Snapshot
     /// <param name="b">The other state.</param>
     public static bool Same(in BallState a, in BallState b)
     {
+        // Words are compared, not numbers: every field counts, and each bit of it.
         Span<ulong> left = stackalloc ulong[StateFields.Count];
         Span<ulong> right = stackalloc ulong[StateFields.Count];
         StateFields.Read(in a, left);
@@ -88,9 +90,11 @@ public static class Snapshot
         StateFields.Read(in state, words);
         for (int i = 0; i < Fields; i++)
         {
+            // Byte i is byte i mod 8 of word i/8, lowest first, whatever the machine.
             destination[i] = (byte)(words[i >> 3] >> ((i & 7) << 3));
         }
 
+        // The last four bytes are the checksum of the fields.
         Crc32.Seal(destination.Slice(0, Size));
     }
 
@@ -120,6 +124,7 @@ public static class Snapshot
         words.Clear();
         for (int i = 0; i < Fields; i++)
         {
+            // Byte by byte: neither the order of bytes nor the alignment of a machine matters.
             words[i >> 3] |= (ulong)bytes[i] << ((i & 7) << 3);
         }
 
@@ -127,6 +132,7 @@ public static class Snapshot
         StateFields.Write(words, ref state);
         try
         {
+            // A right checksum says only that the bytes are what was written: a sender may write NaN.
             StateCheck.Validate(in state);
         }
         catch (ArgumentOutOfRangeException refusal)
@@ -177,6 +183,7 @@ public static class Snapshot
 
         private void Mix(ulong word)
         {
+            // Xor, multiply by an odd number, fold the high half down: each step is a bijection of the hash.
             ulong h = (Hash ^ word) * 0x9FB21C651E98DF25UL;
             Hash = h ^ (h >> 32);
         }

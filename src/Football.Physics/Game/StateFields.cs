@@ -39,6 +39,7 @@ internal static class StateFields
     public static void Visit<TVisitor>(ref BallState state, ref TVisitor visitor)
         where TVisitor : struct, IFieldVisitor
     {
+        // Properties are read, visited and set again: what a visitor changes, such as the one that puts bits in, gets back.
         double time = state.Time;
         visitor.Number(ref time);
         state.Time = time;
@@ -143,6 +144,7 @@ internal static class StateFields
 
         public void Member(ref int value)
         {
+            // No enumeration has so large a member, and none a negative one: the check refuses −1.
             ulong word = *Next++;
             value = word <= int.MaxValue ? (int)word : -1;
         }

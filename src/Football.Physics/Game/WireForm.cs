@@ -12,6 +12,7 @@ internal static class WireForm
 {
     public const int Size = 24;
 
+    // Units per metre, m/s and rad/s: powers of two, so that decoding a whole number of units is exact.
     private const double PerMetre = 1024;
     private const double PerSpeed = 512;
     private const double PerSpin = 8;
@@ -66,6 +67,8 @@ internal static class WireForm
         }
 
         var bits = default(WireBits);
+
+        // Only what comes out again to the last bit is written: a ball that was not rounded, or that has more state than the form, is not.
         if (!TryEncode(simulator, timeStep, in state, ref bits) || !TryDecode(simulator, timeStep, in bits, out BallState read) || !Snapshot.Same(in state, in read))
         {
             return false;
@@ -86,6 +89,8 @@ internal static class WireForm
         // The items of a read-only span cannot be asked for on older runtimes of Mono.
         Span<byte> bytes = stackalloc byte[Size];
         source.Slice(0, Size).CopyTo(bytes);
+
+        // Each state has one form: bytes that would be written otherwise are refused.
         var bits = WireBits.Read(bytes);
         var again = default(WireBits);
         return TryDecode(simulator, timeStep, in bits, out BallState state) && TryEncode(simulator, timeStep, in state, ref again) && again.Equals(in bits)
@@ -105,6 +110,7 @@ internal static class WireForm
                 return false;
             }
 
+            // A fixed point of encoding and decoding is what can be sent without loss.
             if (Snapshot.Same(in next, in rounded))
             {
                 return true;
@@ -119,6 +125,8 @@ internal static class WireForm
     private static bool TryEncode(Simulator simulator, double timeStep, in BallState s, ref WireBits bits)
     {
         bool flies = s.Motion == MotionState.Airborne;
+
+        // No bits for nets, contacts off the level ground, a knuckle force under way or a squeeze: such a ball stays as it is.
         bool holds = (flies || (s.Motion != MotionState.Squeezed && s.Carrier == 0 && simulator.World.IsLevel && s.Position.Y == simulator.ContactHeight))
             && s.Nets == 0 && s.AirDistance == 0 && s.SqueezeUntil <= s.Time && (s.GoalsEntered | s.GoalsPassed) < 4;
         if (!holds)
@@ -126,9 +134,12 @@ internal static class WireForm
             return false;
         }
 
+        // Layout, 191 of 192 bits from the lowest on: motion 3, goals 2 + 2, time 22, x 18, z 18, height 16, velocity 3 × 16, spin 3 × 13, rotation 2 + 3 × 7.
         bits.Put((ulong)s.Motion, 3);
         bits.Put(s.GoalsEntered, 2);
         bits.Put(s.GoalsPassed, 2);
+
+        // Time in whole steps; on the ground the height is that of contact, and takes its bits as 0.
         double steps = Math.Round(s.Time / timeStep);
         holds = PutWhole(steps, 22, ref bits)
             & PutSigned(s.Position.X * PerMetre, 18, ref bits)
@@ -155,12 +166,16 @@ internal static class WireForm
         WireBits bits = written.FromStart();
         s = default;
         ulong motion = bits.Take(3);
+
+        // Three bits could also name a squeezed ball, which has no wire form, or no motion at all.
         if (motion > (ulong)MotionState.Stopped)
         {
             return false;
         }
 
         s.Motion = (MotionState)motion;
+
+        // Each is taken as it was put: the same order, and the inverse of each scale.
         s.GoalsEntered = bits.Take(2);
         s.GoalsPassed = bits.Take(2);
         s.Time = bits.Take(22) * timeStep;
@@ -187,6 +202,7 @@ internal static class WireForm
             return false;
         }
 
+        // A flight keeps its spin axis and counts an angle about it; on the ground the spin is a vector.
         s.Velocity = velocity;
         if (flies)
         {
@@ -201,6 +217,7 @@ internal static class WireForm
     /// <summary>The height of a ball in the air, in units: above the ground, where that is level.</summary>
     private static double Height(Simulator simulator, double y)
     {
+        // At least one unit above contact: rounded down the ball would start the next step in the ground.
         double least = Math.Floor((simulator.World.LevelContact - Lowest) * PerMetre) + 1;
         return Math.Max(Math.Round((y - Lowest) * PerMetre), least);
     }
@@ -215,6 +232,7 @@ internal static class WireForm
 
     private static bool PutWhole(double units, int count, ref WireBits bits)
     {
+        // NaN and what is out of range fail both comparisons, and put zeros.
         bool holds = units >= 0 && units < 1L << count;
         bits.Put(holds ? (ulong)units : 0, count);
         return holds;
@@ -222,6 +240,7 @@ internal static class WireForm
 
     private static void PutRotation(Quaterniond q, ref WireBits bits)
     {
+        // Smallest three: the largest part is left out, for it follows from the norm 1, and the others are within ±√½.
         Span<double> parts = stackalloc double[] { q.X, q.Y, q.Z, q.W };
         int largest = 0;
         for (int i = 1; i < 4; i++)
@@ -255,6 +274,7 @@ internal static class WireForm
             }
         }
 
+        // q² sums to 1; the largest part was taken as positive.
         parts[largest] = Math.Sqrt(Math.Max(rest, 0));
         q = new Quaterniond(parts[0], parts[1], parts[2], parts[3]);
         return rest > 0;
@@ -274,6 +294,7 @@ internal struct WireBits
     {
         for (int i = 0; i < count; i++, _at++)
         {
+            // Three words without a branch: the bit goes to the one that holds place _at.
             ulong bit = (word >> i & 1) << (_at & 63);
             _low |= _at < 64 ? bit : 0;
             _middle |= _at is >= 64 and < 128 ? bit : 0;

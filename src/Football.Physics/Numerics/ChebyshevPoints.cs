@@ -13,6 +13,7 @@ internal readonly struct ChebyshevPoints
 
     public ChebyshevPoints(double low, double high)
     {
+        // x_k = mid ∓ half · cos((2k + 1) π/8).
         double mid = 0.5 * (low + high);
         double half = 0.5 * (high - low);
         X0 = mid - (half * Outer);

@@ -93,6 +93,7 @@ internal static class Check
     /// <param name="time">The latest time that the clock must go on from, s.</param>
     public static void Advances(string field, double step, double time)
     {
+        // With room: even a quarter of the step must move the clock.
         if (!(time + (0.25 * step) > time && time <= double.MaxValue))
         {
             throw Refusal(field, Text(step), $"more than the rounding of a clock at {Text(time)} s");
@@ -117,6 +118,7 @@ internal static class Check
 
     public static void Rotation(string field, in Quaterniond value)
     {
+        // Its norm is divided by: neither 0 nor infinite after squaring.
         double size = value.LengthSquared;
         if (!(size > 1e-200 && size < 1e200))
         {

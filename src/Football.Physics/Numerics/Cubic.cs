@@ -32,12 +32,16 @@ internal readonly struct Cubic
         double x1 = at.X1;
         double x2 = at.X2;
         double x3 = at.X3;
+
+        // Newton's table: each column from the one before.
         double f01 = (f1 - f0) / (x1 - x0);
         double f12 = (f2 - f1) / (x2 - x1);
         double f23 = (f3 - f2) / (x3 - x2);
         double f012 = (f12 - f01) / (x2 - x0);
         double f123 = (f23 - f12) / (x3 - x1);
         double f0123 = (f123 - f012) / (x3 - x0);
+
+        // f₀ + (x − x₀)(f₀₁ + (x − x₁)(f₀₁₂ + (x − x₂) f₀₁₂₃)), multiplied out.
         return new Cubic(
             f0 - (f01 * x0) + (f012 * x0 * x1) - (f0123 * x0 * x1 * x2),
             f01 - (f012 * (x0 + x1)) + (f0123 * ((x0 * x1) + (x0 * x2) + (x1 * x2))),

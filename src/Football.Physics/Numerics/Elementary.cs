@@ -19,6 +19,8 @@ internal static class Elementary
     public static double Exp(double x)
     {
         x = x < -708.0 ? -708.0 : x > 708.0 ? 708.0 : x;
+
+        // x = k ln 2 + r; ln 2 in two parts, so that r has all its digits.
         double k = Math.Floor((x * Log2E) + 0.5);
         double r = (x - (k * Ln2High)) - (k * Ln2Low);
 
@@ -36,12 +38,15 @@ internal static class Elementary
         p = (p * r) + (1.0 / 6.0);
         p = (p * r) + 0.5;
         p = 1.0 + (r + (r * r * p));
+
+        // 2^k is put together from its exponent bits.
         return p * BitConverter.Int64BitsToDouble(((long)k + 1023L) << 52);
     }
 
     /// <summary>The natural logarithm of a positive normal number. Absolute error below 1e-15 near 1, relative below 3e-16 elsewhere.</summary>
     public static double Log(double x)
     {
+        // x = 2^e m, with m from √½ to √2, so that the logarithm is small near 1.
         long bits = BitConverter.DoubleToInt64Bits(x);
         double e = (bits >> 52) - 1023L;
         double m = BitConverter.Int64BitsToDouble((bits & 0x000FFFFFFFFFFFFFL) | 0x3FF0000000000000L);
@@ -65,6 +70,8 @@ internal static class Elementary
         p = (p * z) + (1.0 / 7.0);
         p = (p * z) + (1.0 / 5.0);
         p = (p * z) + (1.0 / 3.0);
+
+        // Summed from the smallest part on.
         double tail = 2.0 * s * z * p;
         return (e * Ln2High) + ((2.0 * s) + (tail + (e * Ln2Low)));
     }
@@ -78,11 +85,13 @@ internal static class Elementary
     /// <summary>Sine and cosine. Absolute error below 2e-16 for |x| ≤ 1e5; finite for every finite x.</summary>
     public static void SinCos(double x, out double sin, out double cos)
     {
+        // Beyond, k times the parts of π/2 would not be exact: whole turns are taken off first.
         if (!(x < 1e5 && x > -1e5))
         {
             x %= TwoPi;
         }
 
+        // x = k π/2 + r.
         double k = Math.Floor((x * TwoOverPi) + 0.5);
         double r = ((x - (k * HalfPi1)) - (k * HalfPi2)) - (k * HalfPi3);
         double z = r * r;
@@ -106,6 +115,7 @@ internal static class Elementary
         c = (c * z) + (1.0 / 24.0);
         c = 1.0 - ((0.5 * z) - (z * z * c));
 
+        // Each quarter of a turn exchanges the two, and a sign.
         switch ((long)k & 3L)
         {
             case 0:
@@ -138,6 +148,7 @@ internal static class Elementary
             return 0;
         }
 
+        // To 0 … 1, where the series holds: atan q = π/2 − atan 1/q.
         double angle = ay <= ax ? AtanUnit(ay / ax) : (0.5 * Pi) - AtanUnit(ax / ay);
         angle = x < 0 ? Pi - angle : angle;
         return y < 0 ? -angle : angle;
@@ -149,6 +160,8 @@ internal static class Elementary
         // atan x = atan c + atan((x − c)/(1 + x c)) with c = 0, tan π/8 or 1, so that |z| ≤ tan π/16 = 0.199.
         const double TanEighth = 0.41421356237309504880;
         const double PiEighth = 0.39269908169872415481;
+
+        // The bounds between them are tan π/16 and tan 3π/16.
         double c = x < 0.19891236737965800691 ? 0 : x < 0.66817863791929891999 ? TanEighth : 1;
         double offset = c == 0 ? 0 : c == 1 ? 2 * PiEighth : PiEighth;
         double z = (x - c) / (1.0 + (x * c));

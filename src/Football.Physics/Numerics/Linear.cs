@@ -13,12 +13,14 @@ internal static class Linear
         int width = n + 1;
         for (int i = 0; i < n; i++)
         {
+            // The largest of the column becomes the pivot: a small one would blow up rounding.
             int pivot = i;
             for (int k = i + 1; k < n; k++)
             {
                 pivot = Math.Abs(a[(k * width) + i]) > Math.Abs(a[(pivot * width) + i]) ? k : pivot;
             }
 
+            // Nothing to divide by, or not a number.
             if (!(Math.Abs(a[(pivot * width) + i]) > 1e-300))
             {
                 return false;
@@ -31,6 +33,7 @@ internal static class Linear
 
             for (int row = i + 1; row < n; row++)
             {
+                // Zeros below the pivot.
                 double factor = a[(row * width) + i] / a[(i * width) + i];
                 for (int k = i; k < width; k++)
                 {
@@ -39,6 +42,7 @@ internal static class Linear
             }
         }
 
+        // Back substitution.
         for (int i = n - 1; i >= 0; i--)
         {
             double sum = a[(i * width) + n];

@@ -16,6 +16,7 @@ internal static class LogarithmTable
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Of(double x)
     {
+        // x = 2^e m with 1 ≤ m < 2: ln x = e ln 2 + ln m.
         long bits = BitConverter.DoubleToInt64Bits(x);
         ref readonly Cubic c = ref Segments[(int)(bits >> (52 - SegmentBits)) & ((1 << SegmentBits) - 1)];
         double m = BitConverter.Int64BitsToDouble((bits & 0x000FFFFFFFFFFFFFL) | 0x3FF0000000000000L);

@@ -20,6 +20,7 @@ internal static class NormalDistribution
             return x > 0 ? 1 : 0;
         }
 
+        // Each term is the last times x²/n: all of one sign, so that nothing cancels.
         double sum = x;
         double term = x;
         double square = x * x;
@@ -35,6 +36,7 @@ internal static class NormalDistribution
     /// <summary>Two independent numbers, from two that are uniform in 0 … 1 (Box and Muller).</summary>
     public static void Draw(double first, double second, out double a, out double b)
     {
+        // 1 − u is never 0, whose logarithm there is none of.
         double radius = Math.Sqrt(-2.0 * Elementary.Log(1.0 - first));
         Elementary.SinCos(2.0 * Math.PI * second, out double sine, out double cosine);
         a = radius * cosine;
@@ -59,7 +61,10 @@ internal static class NormalDistribution
             return 0;
         }
 
+        // A deviation of 0 is a very small one: the rectangle is then hit or not.
         double spread = Math.Max(deviationX, 1e-12);
+
+        // Only where the density is not nothing.
         double low = Math.Max((x0 - meanX) / spread, -Farthest);
         double high = Math.Min((x1 - meanX) / spread, Farthest);
         if (!(high > low))
@@ -67,6 +72,7 @@ internal static class NormalDistribution
             return 0;
         }
 
+        // Given x, y is normal about μ_y + ρ σ_y x with deviation σ_y √(1 − ρ²).
         double rest = Math.Max(1e-12, deviationY * Math.Sqrt(Math.Max(0, 1.0 - (correlation * correlation))));
         double width = (high - low) / Intervals;
         double sum = 0;
@@ -75,6 +81,8 @@ internal static class NormalDistribution
             double x = low + (i * width);
             double middle = meanY + (correlation * deviationY * x);
             double inside = Integral((y1 - middle) / rest) - Integral((y0 - middle) / rest);
+
+            // Simpson: 1, 4, 2, 4, …, 4, 1.
             double weight = i == 0 || i == Intervals ? 1 : (i & 1) != 0 ? 4 : 2;
             sum += weight * inside * Elementary.Exp((-0.5 * x * x) - HalfLogTwoPi);
         }

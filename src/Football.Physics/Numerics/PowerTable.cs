@@ -17,6 +17,8 @@ internal sealed class PowerTable
     public PowerTable(double q)
     {
         const double Ln2 = 0.69314718055994530942;
+
+        // (2^(e − 1023))^q for every exponent that the bits can have.
         for (int e = 0; e < _scale.Length; e++)
         {
             _scale[e] = Elementary.Exp(q * (e - 1023) * Ln2);
@@ -35,6 +37,7 @@ internal sealed class PowerTable
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public double Of(double x)
     {
+        // x = 2^e m with 1 ≤ m < 2: x^q = (2^e)^q m^q.
         long bits = BitConverter.DoubleToInt64Bits(x);
         ref readonly Cubic c = ref _segment[(int)(bits >> (52 - SegmentBits)) & (Segments - 1)];
         double m = BitConverter.Int64BitsToDouble((bits & 0x000FFFFFFFFFFFFFL) | 0x3FF0000000000000L);

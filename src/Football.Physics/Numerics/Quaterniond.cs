@@ -100,6 +100,8 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
     internal Quaterniond Turned(in Vector3d rotation)
     {
         double z = 0.25 * rotation.LengthSquared;
+
+        // z = (θ/2)². Beyond θ/2 = 2 the series would be too long: sine and cosine instead.
         if (!(z <= 4.0))
         {
             return (FromRotationVector(in rotation) * this).Normalized();
@@ -118,12 +120,14 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
         }
         else
         {
+            // Horner, in two parts: more terms for up to 2 rad of half the angle.
             double highC = C6 + (z * (C7 + (z * (C8 + (z * (C9 + (z * (C10 + (z * (C11 + (z * C12)))))))))));
             double highS = S6 + (z * (S7 + (z * (S8 + (z * (S9 + (z * (S10 + (z * (S11 + (z * S12)))))))))));
             c = 1.0 + (z * (C1 + (z * (C2 + (z * (C3 + (z * (C4 + (z * (C5 + (z * highC)))))))))));
             s = 1.0 + (z * (S1 + (z * (S2 + (z * (S3 + (z * (S4 + (z * (S5 + (z * highS)))))))))));
         }
 
+        // The vector part is sin(θ/2)/θ times the rotation vector.
         s *= 0.5;
         Quaterniond turned = new Quaterniond(s * rotation.X, s * rotation.Y, s * rotation.Z, c) * this;
 

@@ -38,6 +38,8 @@ public sealed record LookAheadRequest
     {
         Check.Within("lookAhead.duration", Duration, 0, Limits.Time, exclusiveLow: true);
         Check.Within("lookAhead.timeStep", TimeStep, 0, Limits.Time, exclusiveLow: true);
+
+        // At most 10¹² steps.
         Check.AtLeast("lookAhead.timeStep", TimeStep, Duration * 1e-12);
         Check.Defined("lookAhead.stopAt", StopAt, (int)StopAt, 3);
         UntilPlane?.Validate("lookAhead.untilPlane");

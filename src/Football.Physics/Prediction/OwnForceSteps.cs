@@ -29,6 +29,8 @@ internal static class OwnForceSteps
     {
         double shortest = request.TimeStep * Shortest;
         double end = state.Time + request.Duration;
+
+        // An end that is reached to rounding is reached: no last step of nothing.
         double last = end - (1e-9 * request.TimeStep);
         double step = Math.Min(FirstStep, request.TimeStep);
         log.Halted = false;
@@ -36,6 +38,8 @@ internal static class OwnForceSteps
         while (state.Time < last && !log.Halted && state.Motion != MotionState.Stopped)
         {
             double length = Math.Min(step, end - state.Time);
+
+            // Tried on copies first: the step is made once it is known to be short enough.
             double difference = Difference(simulator, in state, length, trial);
             if (difference > Tolerance && length > shortest)
             {
@@ -43,6 +47,7 @@ internal static class OwnForceSteps
                 continue;
             }
 
+            // Not even the shortest follows, or what comes out is no number.
             if (!(difference <= Lost))
             {
                 throw new InvalidOperationException(FormattableString.Invariant(
@@ -50,6 +55,8 @@ internal static class OwnForceSteps
             }
 
             simulator.Advance(ref state, length, log);
+
+            // Far below the tolerance: the next is tried twice as long, up to what was asked for.
             if (difference < Plenty * Tolerance)
             {
                 step = Math.Min(2.0 * step, request.TimeStep);
@@ -67,6 +74,8 @@ internal static class OwnForceSteps
         simulator.Step(ref halves, 0.5 * length, trial);
         simulator.Step(ref halves, 0.5 * length, trial);
         double place = Vector3d.Distance(whole.Position, halves.Position);
+
+        // A velocity that is off would soon be a place that is off.
         double velocity = VelocityTime * Vector3d.Distance(whole.Velocity, halves.Velocity);
         return place > velocity ? place : velocity;
     }

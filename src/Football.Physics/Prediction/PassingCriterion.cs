@@ -51,6 +51,7 @@ internal sealed class PassingCriterion
     /// <summary>True when the ball comes no closer after a piece.</summary>
     public bool HasPassed(in PathPiece piece)
     {
+        // Squared. It has not passed while it comes closer, or is no farther off than at its closest, or where the wind blows it back.
         _closest = Math.Min(_closest, piece.ClosestApproach(in _point, out _));
         Vector3d away = (piece.EndPosition - _point).Horizontal;
         Vector3d flat = piece.EndVelocity.Horizontal;
@@ -60,6 +61,7 @@ internal sealed class PassingCriterion
             return false;
         }
 
+        // A ball that spins back fast may be turned by the ground: now where it slides, later where it still flies and will bounce.
         double speed = flat.Length;
         bool flies = piece.Motion == MotionState.Airborne;
         double radius = _simulator!.Scene.Ball.Radius;
@@ -69,10 +71,13 @@ internal sealed class PassingCriterion
             return false;
         }
 
+        // The Magnus acceleration, lift · |u|, may turn the velocity for as long as the ball flies.
         double air = (piece.EndVelocity - _wind).Length;
         _simulator.AirFactors(air, _spinRate, out _, out double lift);
         double across = Math.Abs(lift) * air;
         double left = Math.Max(0, _end - piece.EndTime);
+
+        // Only where it falls for certain, and in still air if it bounces on, does the flight have an end.
         if (flies && -_upward > across && (_untilImpact || _wind == Vector3d.Zero))
         {
             left = Math.Min(left, FallMargin * TimeInAir(piece.EndPosition.Y - _simulator.ContactHeight, piece.EndVelocity.Y, -_upward - across));
@@ -90,6 +95,7 @@ internal sealed class PassingCriterion
     /// <summary>How long a ball flies, s: to its first impact, or with all hops after it, each lower by the restitution.</summary>
     private double TimeInAir(double height, double climb, double gravity)
     {
+        // v² = c² + 2 g h; hops of 2 v eⁿ/g each sum to 2 v e/((1 − e) g).
         double impact = Math.Sqrt((climb * climb) + (2.0 * gravity * Math.Max(0, height)));
         double e = _untilImpact ? 0 : Math.Min(_restitution, MostElastic);
         return (climb + impact + (2.0 * impact * e / (1.0 - e))) / gravity;

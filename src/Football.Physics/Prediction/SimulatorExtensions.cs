@@ -30,6 +30,8 @@ public static class SimulatorExtensions
         request.CheckClock(in from);
         BallState.Launched(in from);
         Run(simulator, in from, request, into, endsWhenFull: false);
+
+        // A path that fills the memory exactly is complete: only one for which it was too small is flown a second time.
         if (into.Overflows)
         {
             // Again, up to where there is room.
@@ -58,17 +60,22 @@ public static class SimulatorExtensions
             throw new ArgumentException($"from has {from.Length} balls, into {into.Length} trajectories; allowed: {group.Count} of both, as many as the group.");
         }
 
+        // One ball at its plane would end the path of all.
         if (request.UntilPlane is not null || request.UntilPassing is not null)
         {
             throw Check.Refusal(request.UntilPlane is null ? "lookAhead.untilPassing" : "lookAhead.untilPlane", "given", "none where there are several balls");
         }
 
         request.CheckClock(in from[0]);
+
+        // All balls of a group have one step: where forces of a game's own act, the longest that is taken as it is.
         double step = group.SimulatorOf(0).Scene.Forces.Custom.Count > 0 ? Math.Min(request.TimeStep, LongestOwnStep) : request.TimeStep;
         BallState[] states = [.. from];
         for (int i = 0; i < into.Length; i++)
         {
             Check.GivenItem(nameof(into), i, into[i], "a trajectory");
+
+            // Each path keeps the pieces and events of its own ball.
             into[i].Begin(group.SimulatorOf(i), in from[i], request, endsWhenFull: false);
         }
 
@@ -79,6 +86,7 @@ public static class SimulatorExtensions
         }
         finally
         {
+            // Also where something throws: bodies go back to where the game has them, and each path ends where its ball got to.
             EndMoving(group.SimulatorOf(0), into[0]);
             for (int i = 0; i < into.Length; i++)
             {
@@ -109,6 +117,7 @@ public static class SimulatorExtensions
         foreach ((Vector3d velocity, Vector3d spin) in ((Vector3d, Vector3d)[])
             [(new Vector3d(2, 7, -22), new Vector3d(10, 30, 0)), (new Vector3d(0, 2, -12), Vector3d.Zero), (new Vector3d(0, 0, -8), Vector3d.Zero)])
         {
+            // Ahead and step by step, to its rest: what both of them compile.
             BallState ball = simulator.Launch(from, velocity, spin);
             simulator.LookAhead(in ball, look, path);
             for (int i = 0; i < MostFrames && ball.Motion != MotionState.Stopped; i++)
@@ -121,6 +130,7 @@ public static class SimulatorExtensions
             path.ClosestApproach(at.Position);
         }
 
+        // Contacts of several things at once happen only where there are things.
         if (!simulator.World.IsBare)
         {
             Press(simulator.Settings, log);
@@ -148,6 +158,7 @@ public static class SimulatorExtensions
         BeginMoving(simulator, into, in state);
         try
         {
+            // Bodies are moved between steps that are known before, short ones where forces of a game's own act; else stiff forces may divide a step.
             if (into.OnStep is { } move)
             {
                 double longest = simulator.Scene.Forces.Custom.Count > 0 ? LongestOwnStep : request.TimeStep;
@@ -164,6 +175,7 @@ public static class SimulatorExtensions
         }
         catch
         {
+            // The pieces of the step that threw are taken back.
             into.Break(in state);
             throw;
         }
@@ -184,6 +196,8 @@ public static class SimulatorExtensions
         if (path.OnStep is not null || world.GivesWay)
         {
             world.KeepMotions();
+
+            // To where they are at the start: the game may have moved them for another time.
             path.OnStep?.Invoke(in from);
         }
     }
@@ -215,6 +229,7 @@ public static class SimulatorExtensions
         {
             while (state.Time < end && !path.Log.Halted && state.Motion != MotionState.Stopped)
             {
+                // Kept for where the memory ends within the step: then it is as if that had not been made.
                 BallState before = state;
                 StepLogMark mark = path.Log.Mark();
                 simulator.Advance(ref state, timeStep, path.Log);

@@ -45,6 +45,7 @@ public sealed partial class Trajectory
                 continue;
             }
 
+            // The first crossing of a piece goes the way from the side on which it starts, a second one back.
             bool along = Vector3d.Dot(piece.StartPosition - plane.Point, plane.Normal) < 0;
             if (IsWanted(direction, along) && index-- == 0)
             {
@@ -73,6 +74,8 @@ public sealed partial class Trajectory
         for (int i = 0; i < Count; i++)
         {
             ref readonly PathPiece piece = ref Piece(i);
+
+            // A curve may come near a segment several times within a piece: each part is searched by itself.
             double part = piece.Length / Parts;
             for (int k = 0; k < Parts; k++)
             {
@@ -101,9 +104,12 @@ public sealed partial class Trajectory
         while (count < places.Length && time < EndTime)
         {
             places[count++] = PositionAt(time);
+
+            // Not summed up, so that rounding does not grow.
             time = StartTime + (count * interval);
         }
 
+        // The end itself, where there is room for it.
         if (count < places.Length)
         {
             places[count++] = Final.Position;
@@ -120,6 +126,7 @@ public sealed partial class Trajectory
     /// <summary>Golden section over a part of a piece.</summary>
     private static double Closest(in PathPiece piece, double a, double b, in Vector3d from, in Vector3d to)
     {
+        // (3 − √5)/2: each step keeps one of the two inner points, and needs one new distance.
         const double Golden = 0.38196601125010515;
         double x = a + (Golden * (b - a));
         double y = b - (Golden * (b - a));
@@ -153,6 +160,8 @@ public sealed partial class Trajectory
     {
         Vector3d along = to - from;
         double squared = along.LengthSquared;
+
+        // The foot of the perpendicular, kept between the ends.
         double share = squared > 0 ? Vector3d.Dot(point - from, in along) / squared : 0;
         share = share < 0 ? 0 : share > 1 ? 1 : share;
         return Vector3d.Distance(in point, from + (share * along));

@@ -74,6 +74,7 @@ public sealed partial class Trajectory
     {
         get
         {
+            // Each piece knows its own highest point; without any the ball stays where it is.
             double apex = Count > 0 ? double.NegativeInfinity : _final.Position.Y;
             for (int i = 0; i < Count; i++)
             {
@@ -109,6 +110,7 @@ public sealed partial class Trajectory
     /// <returns>False where it does not within the look-ahead.</returns>
     public bool TryGetRest(out BallEvent rest)
     {
+        // Nothing happens after rest: it can only be the last event.
         rest = Events.Count > 0 ? Events[Events.Count - 1] : default;
         return Events.Count > 0 && rest.Kind == BallEventKind.Rest;
     }
@@ -166,6 +168,7 @@ public sealed partial class Trajectory
     /// <param name="point">The point, m.</param>
     public PathPoint ClosestApproach(Vector3d point)
     {
+        // By squares: a root for the best alone.
         var best = new PathPoint(_final.Time, _final.Position, _final.Velocity, Vector3d.Distance(_final.Position, in point));
         double bestSquared = best.Distance * best.Distance;
         for (int i = 0; i < Count; i++)
@@ -190,6 +193,8 @@ public sealed partial class Trajectory
     internal void Begin(Simulator simulator, in BallState from, LookAheadRequest request, bool endsWhenFull)
     {
         _recorder.EndsWhenFull = endsWhenFull;
+
+        // The same delegate as long as the request has the same one: a look-ahead allocates nothing.
         if (_bodiesAt != request.BodiesAt)
         {
             Action<double>? bodiesAt = request.BodiesAt;
@@ -224,6 +229,7 @@ public sealed partial class Trajectory
     /// <summary>Ends it with the state before a step that failed: the pieces of that step are none.</summary>
     internal void Break(in BallState final)
     {
+        // What began at or after that state belongs to the step that failed.
         while (Count > 0 && _pieces[Count - 1].Time >= final.Time)
         {
             Count--;
@@ -236,12 +242,14 @@ public sealed partial class Trajectory
     /// <summary>Forgets the pieces and events before a time.</summary>
     internal void Forget(double before)
     {
+        // The piece that the time falls into stays, and so the path begins at or before it.
         int gone = 0;
         while (gone < Count - 1 && _pieces[gone].EndTime <= before)
         {
             gone++;
         }
 
+        // Moved to the front; the events of the time before go too.
         if (gone > 0)
         {
             Array.Copy(_pieces, gone, _pieces, 0, Count - gone);
@@ -282,6 +290,7 @@ public sealed partial class Trajectory
     /// <summary>The piece that a time falls into: the later one where two meet; −1 where there is none.</summary>
     private int Find(double time)
     {
+        // Bisection for the last piece that begins at or before the time; the first for all that is earlier.
         int low = 0;
         int high = Count - 1;
         while (low < high)
@@ -335,6 +344,8 @@ public sealed partial class Trajectory
         public override bool Add(in PathPiece piece)
         {
             PathPiece[] pieces = _owner._pieces;
+
+            // There is no room: the step is ended, and whoever asked may look ahead again up to where there is.
             if (_owner.Count == pieces.Length)
             {
                 Overflows = true;
@@ -342,6 +353,8 @@ public sealed partial class Trajectory
             }
 
             pieces[_owner.Count++] = piece;
+
+            // Ends with the last place of memory, at the plane, or where the ball comes no closer any more.
             bool full = EndsWhenFull && _owner.Count == pieces.Length;
             _owner.IsComplete = !full;
             return full || (_untilPlane && piece.Crosses(_plane.Point, _plane.Normal, out _)) || (_untilPassing && _passing!.HasPassed(in piece));

@@ -63,7 +63,10 @@ public sealed class TrajectoryCache
             return true;
         }
 
+        // The ball keeps to the path: its past is dropped, and its end extended in whole steps.
         Path.Forget(real.Time);
+
+        // A path that an event ended, or its memory within a step, has nothing to be extended by.
         if (Path.EndsWhole)
         {
             _simulator.Extend(Path, real.Time + _request.Duration, _request.TimeStep, _request.StopAt);
@@ -75,11 +78,13 @@ public sealed class TrajectoryCache
 
     private bool OnPath(in BallState real)
     {
+        // Before the path, or beyond an end at which it still moves, there is nothing to compare with.
         if (!(real.Time >= Path.StartTime && (real.Time <= Path.EndTime || Path.Final.Motion == MotionState.Stopped)))
         {
             return false;
         }
 
+        // The velocity too: a kick is seen at once, not when the ball has gone somewhere else.
         return Vector3d.Distance(Path.PositionAt(real.Time), real.Position) <= Tolerance
             && Vector3d.Distance(Path.VelocityAt(real.Time), real.Velocity) <= Tolerance * VelocityShare;
     }

@@ -23,6 +23,8 @@ public sealed record Air
         Check.Within("air.density", Density, 0, 100);
         Check.Within("air.kinematicViscosity", KinematicViscosity, 1e-7, 0.1);
         Check.Size("air.wind", Wind, Limits.Speed, "m/s");
+
+        // How fast it can be is all that is known of a game's own wind: flights rely on it.
         if (WindField is not null)
         {
             Check.Within("air.windField.fastest", WindField.Fastest, 0, Limits.Speed);

@@ -93,6 +93,8 @@ public sealed record BallProperties
         Check.Within("ball.radius", Radius, 0.02, 5);
         Check.Within("ball.inertiaFactor", InertiaFactor, 0.1, 1);
         Check.Within("ball.knuckleForce", KnuckleForce, 0, 100);
+
+        // Also where the laws of the scene do not follow it: another scene may.
         DragCurve.Validate();
     }
 }

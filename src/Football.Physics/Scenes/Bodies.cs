@@ -46,6 +46,8 @@ public sealed class Bodies : IReadOnlyList<Body>
         Check.Given(nameof(name), name);
         Check.Given(nameof(shape), shape);
         Check.Within(nameof(mass), mass, 0, double.PositiveInfinity, exclusiveLow: true);
+
+        // Simulators have counted them: a later one would not be in their lists, nor in snapshots of motions.
         if (_inUse)
         {
             throw new InvalidOperationException("bodies: a simulator uses them already; add all of them before it is built.");
@@ -86,6 +88,8 @@ public sealed class Bodies : IReadOnlyList<Body>
     internal double FreeFor(in StraightWay way)
     {
         double free = way.Duration;
+
+        // Of those whose sphere comes near the middle of the way, when the way first meets their box: broad phase, then slabs.
         double half = 0.5 * way.Duration;
         double time = way.Time + half;
         Vector3d middle = way.Middle;
@@ -126,6 +130,7 @@ public sealed class Bodies : IReadOnlyList<Body>
     /// <summary>A body was moved: for a step to come, or within a look-ahead, after which it is put back.</summary>
     internal void Told(Body body, double time)
     {
+        // What a look-ahead moves is put back: no step is told of it.
         if (_lookAhead)
         {
             return;
@@ -150,6 +155,7 @@ public sealed class Bodies : IReadOnlyList<Body>
     {
         for (int i = 0; i < Count; i++)
         {
+            // The first that is at fault is named.
             if (_bodies[i].ToldAt == _steps && !(Math.Abs(_bodies[i].Time - now) <= Foresight))
             {
                 throw Check.Refusal(
@@ -174,6 +180,7 @@ public sealed class Bodies : IReadOnlyList<Body>
     /// <summary>Puts all back to where they were when that was remembered.</summary>
     internal void PutBack()
     {
+        // Through Motion, so that what was relied on meanwhile is known to have moved.
         for (int i = 0; i < _kept.Length; i++)
         {
             _bodies[i].Motion = _kept[i];

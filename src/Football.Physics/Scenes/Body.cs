@@ -82,9 +82,12 @@ public sealed class Body
         // How far any point of it may be from where it was expected.
         ref RigidMotion motion = ref Placement.Motion;
         double jump = (position - motion.GoneBy(time)).Length + (Bodies.Foresight * (velocity - motion.Velocity).Length);
+
+        // The same orientation as before keeps its bits: to normalise it again might change the last.
         Quaterniond turned = orientation == motion.Orientation ? orientation : orientation.Normalized();
         if (turned != motion.Orientation)
         {
+            // A turn by θ moves a point at r by 2 r sin(θ/2), and |q·q₀| = cos(θ/2).
             double cosine = (turned.X * motion.Orientation.X) + (turned.Y * motion.Orientation.Y)
                 + (turned.Z * motion.Orientation.Z) + (turned.W * motion.Orientation.W);
             jump += 2.0 * _extent * Math.Sqrt(Math.Max(0, 1.0 - (cosine * cosine)));
@@ -97,6 +100,8 @@ public sealed class Body
         motion.Velocity = velocity;
         motion.Spin = spin;
         motion.Time = time;
+
+        // Told last, when it is where it says: broad phase, and who records.
         _all.Moved(jump, time, again);
         _all.Update(this);
         _all.Told(this, time);
@@ -116,6 +121,7 @@ public sealed class Body
         get => Placement.Motion;
         set
         {
+            // As MoveTo, but with the largest jump that a turn can be.
             double jump = (value.GoneBy(value.Time) - Placement.Motion.GoneBy(value.Time)).Length + (Bodies.Foresight * (value.Velocity - Velocity).Length);
             bool turns = value.Orientation != Orientation;
             _all.Moved(jump + (turns ? 2.0 * _extent : 0), value.Time, again: true);

@@ -74,6 +74,7 @@ public sealed record DragCurve
     /// <summary>The curve with its crisis elsewhere: its width, and where drag rises again, in proportion.</summary>
     internal DragCurve WithCrisisAt(double reynolds)
     {
+        // Kept within the ranges that Validate allows: the result is always a curve.
         double moved = Math.Min(MostReynolds, Math.Max(LeastCriticalReynolds, reynolds));
         double share = moved / CriticalReynolds;
         double width = Math.Min(MostWidth, Math.Max(LeastWidth, share * Width));
@@ -99,6 +100,8 @@ public sealed record DragCurve
     public static DragCurve OfRoughness(double roughness)
     {
         Check.Within(nameof(roughness), roughness, 0, 1);
+
+        // Geometric between the two crises: 272 000 (80 000/272 000)^ρ.
         double critical = SmoothCrisis * Elementary.Exp(roughness * Elementary.Log(LeastCriticalReynolds / SmoothCrisis));
         double supercritical = 0.141 + (0.022 * roughness);
         return new DragCurve

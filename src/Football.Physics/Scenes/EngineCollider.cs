@@ -83,6 +83,8 @@ public sealed class EngineCollider
         Check.Rotation("orientation", orientation);
         Check.Size("velocity", velocity, Limits.Speed, "m/s");
         Check.Size("spin", spin, Limits.Spin, "rad/s");
+
+        // Only a new orientation costs a new box.
         if (orientation != Placement.Motion.Orientation)
         {
             Placement.Turn(orientation.Normalized());
@@ -110,6 +112,8 @@ public sealed class EngineCollider
         Check.Size("velocity", velocity, Limits.Speed, "m/s");
         Check.Within("curvature", curvature, 0, Limits.Length);
         ((TangentShape)Shape).Set(in unit, curvature);
+
+        // The tangent shape is at the origin of its own frame: the point of contact.
         Placement.Motion.Origin = point;
         Placement.Motion.Pivot = point;
         Placement.Motion.Velocity = velocity;
@@ -151,6 +155,7 @@ public sealed class EngineCollider
     /// <summary>Forgets its last push.</summary>
     internal void ForgetPush()
     {
+        // Taken back, unless the engine has placed it anew since: then the push is no part of where it is.
         if (_pushedAt == Placement.Motion.Time && !_isAsPlaced)
         {
             Placement.Motion.Origin -= _gone;
@@ -166,6 +171,8 @@ public sealed class EngineCollider
     {
         ref RigidMotion motion = ref Placement.Motion;
         motion.Time = time;
+
+        // Placed anew at the same time of the engine, which knows nothing of the push yet.
         if (_isAsPlaced && _pushedAt == time)
         {
             motion.Origin += _gone;

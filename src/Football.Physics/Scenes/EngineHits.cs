@@ -18,6 +18,8 @@ public sealed class EngineHits
     public void Add(EngineCollider collider)
     {
         Check.Given(nameof(collider), collider);
+
+        // An engine may report a collider more than once.
         if (Array.IndexOf(_found, collider, 0, Count) >= 0)
         {
             return;

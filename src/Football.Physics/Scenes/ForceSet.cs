@@ -60,6 +60,8 @@ public sealed record ForceSet
         Check.Within("forces.dragCoefficient", DragCoefficient, 0, 10);
         Check.Within("forces.magnusCoefficient", MagnusCoefficient, -10, 10);
         Check.Given("forces.custom", Custom);
+
+        // Else the first step would fail, far from whoever left it out.
         foreach (IForce force in Custom)
         {
             if (force is null)

@@ -43,6 +43,8 @@ public sealed record Goal
     {
         Surface surface = Surface ?? (laws.Coefficients == CoefficientForm.Measured ? Physics.Surface.GoalFrame : Physics.Surface.PublishedGoalFrame);
         double side = (0.5 * Width) + PostRadius;
+
+        // The opening is between the inner edges: the axes lie a radius outside and above.
         var up = new Vector3d(0, Height + PostRadius, 0);
         Vector3d left = Center - (side * Right);
         Vector3d right = Center + (side * Right);
@@ -64,6 +66,8 @@ public sealed record Goal
 
         double side = (0.5 * Width) + PostRadius;
         double top = Height + PostRadius;
+
+        // The back net leans from bar depth at the top to its depth on the ground.
         Vector3d back = -Out;
         Vector3d highest = Center + (DepthAtBar * back) + new Vector3d(0, top, 0);
         Vector3d lowest = Center + (DepthOnGround * back);
@@ -86,6 +90,8 @@ public sealed record Goal
             HalfLength = side,
             HalfWidth = 0.5 * DepthAtBar,
         };
+
+        // Sides are rectangles, as deep everywhere as the goal is on the ground.
         Vector3d middle = Center + (0.5 * DepthOnGround * back) + new Vector3d(0, 0.5 * top, 0);
         yield return Side("left net", middle - (side * Right), in back, top);
         yield return Side("right net", middle + (side * Right), in back, top);

@@ -33,6 +33,7 @@ internal readonly struct GoalMouth
     {
         get
         {
+            // A flat box: from the foot of one post to the top of the other.
             Vector3d left = Center - (_halfWidth * _right);
             Vector3d right = Center + (_halfWidth * _right) + new Vector3d(0, _height, 0);
             return Bounds3d.Around(left, 0, 0, 0).With(Bounds3d.Around(right, 0, 0, 0));
@@ -73,6 +74,7 @@ internal readonly struct GoalMouth
     /// <summary>True when a straight way comes through the opening.</summary>
     public bool IsEntered(in Vector3d from, in Vector3d to)
     {
+        // Where the straight way comes through the plane, linear in both distances.
         double before = BeforeMouth(in from);
         double after = BeforeMouth(in to);
         return before > 0 && after <= 0 && IsOpen(from + (before / (before - after) * (to - from)));

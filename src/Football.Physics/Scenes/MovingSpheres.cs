@@ -19,6 +19,7 @@ internal sealed class MovingSpheres
     {
         if (_count % Lanes == 0)
         {
+            // Room for four at a time; lanes of none are infinitely far, so that they never count.
             int start = _fours.Length;
             Array.Resize(ref _fours, start + (Fields * Lanes));
             for (int lane = 0; lane < Lanes; lane++)
@@ -45,6 +46,8 @@ internal sealed class MovingSpheres
         _fours[i + (4 * Lanes)] = velocity.Y;
         _fours[i + (5 * Lanes)] = velocity.Z;
         _fours[i + (6 * Lanes)] = 0.5 * (box.Max - box.Min).Length;
+
+        // |v_x| + |v_y| + |v_z| ≥ |v|: a bound without a root.
         _fours[i + (7 * Lanes)] = Math.Abs(velocity.X) + Math.Abs(velocity.Y) + Math.Abs(velocity.Z);
     }
 
@@ -57,6 +60,7 @@ internal sealed class MovingSpheres
     /// <returns>False where there is none.</returns>
     public bool Next(in Vector3d middle, double reach, double time, double half, ref int index)
     {
+        // Four that are far are passed over at once; of four of which one may be near each is looked at.
         for (; index < _count; index++)
         {
             if (index % Lanes == 0 && AreFar(index, in middle, reach, time, half))
@@ -82,6 +86,8 @@ internal sealed class MovingSpheres
         Quad x = Quad.From(_fours, i) + (t * Quad.From(_fours, i + (3 * Lanes))) - Quad.Of(middle.X);
         Quad y = Quad.From(_fours, i + Lanes) + (t * Quad.From(_fours, i + (4 * Lanes))) - Quad.Of(middle.Y);
         Quad z = Quad.From(_fours, i + (2 * Lanes)) + (t * Quad.From(_fours, i + (5 * Lanes))) - Quad.Of(middle.Z);
+
+        // As far as both may go in half of the way's time, from where they are at its middle.
         Quad near = Quad.Of(reach) + Quad.From(_fours, i + (6 * Lanes)) + (Quad.Of(half) * Quad.From(_fours, i + (7 * Lanes)));
         return ((x * x) + (y * y) + (z * z)).IsAbove(near * near);
     }

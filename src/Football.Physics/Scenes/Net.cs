@@ -43,6 +43,8 @@ public sealed record Net
     {
         _ = Name ?? throw Check.Refusal(field + ".name", "null", "a name");
         Check.Place(field + ".center", Center);
+
+        // Both directions are needed, and at right angles: the third edge is their product.
         Vector3d normal = Check.Direction(field + ".normal", Normal);
         Vector3d along = Check.Direction(field + ".along", Along);
         if (Math.Abs(Vector3d.Dot(in normal, in along)) > 1e-6)

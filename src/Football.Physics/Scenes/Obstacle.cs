@@ -29,9 +29,12 @@ public sealed record Obstacle
 
     internal void Validate(string field, BallProperties ball)
     {
+        // A serializer, or a with-expression, may leave null where the type says there is none.
         _ = Name ?? throw Check.Refusal(field + ".name", "null", "a name");
         _ = Shape ?? throw Check.Refusal(field + ".shape", "null", "a shape");
         _ = Surface ?? throw Check.Refusal(field + ".surface", "null", "a surface");
+
+        // The search for contact relies on it: no hollow bends more than half as much as the ball.
         Check.Within(field + ".shape.hollowCurvature", Shape.HollowCurvature, 0, 0.5 / ball.Radius);
         Surface.Validate(field + ".surface", ball.MostDamping);
         Check.Size(field + ".velocity", Velocity, Limits.Speed, "m/s");

@@ -14,6 +14,7 @@ internal sealed class ObstacleMotions
         var movable = new List<int>();
         for (int i = 0; i < _placements.Length; i++)
         {
+            // Only what has a mass is placed anew by impacts; all else stays where the scene has it.
             Obstacle obstacle = obstacles[i];
             if (obstacle.Mass < double.PositiveInfinity)
             {
@@ -29,6 +30,8 @@ internal sealed class ObstacleMotions
         _movable = movable.ToArray();
         _start = new RigidMotion[_movable.Length];
         _kept = new RigidMotion[_movable.Length];
+
+        // Where they are at time 0, to go back to.
         Read(_start);
     }
 
@@ -44,6 +47,7 @@ internal sealed class ObstacleMotions
     /// <summary>An impact changes the velocity of one.</summary>
     public void Push(Placement placement, in Vector3d velocity, double time)
     {
+        // By the version who has looked among them sees that they are no longer there.
         placement.Motion.GoOn(in velocity, time);
         Version++;
     }

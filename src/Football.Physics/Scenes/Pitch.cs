@@ -60,9 +60,12 @@ public sealed record Pitch
                 return [];
             }
 
+            // The middle planes of the boards.
             double x = (0.5 * Width) + BoardDistance + BoardHalfThickness;
             double z = (0.5 * Length) + BoardDistance + BoardHalfThickness;
             double reach = x + BoardHalfThickness;
+
+            // Boards that stand in the net's way leave a gap for the goal with its posts.
             double mouth = BoardDistance > Goal.DepthOnGround ? 0 : (0.5 * Goal.Width) + (2.0 * Goal.PostRadius);
             var boards = new List<Obstacle> { Board("left board", -x, -z, -x, z), Board("right board", x, -z, x, z) };
             foreach ((string name, double end) in new[] { ("far board", -z), ("near board", z) })
@@ -88,6 +91,8 @@ public sealed record Pitch
     public Scene On(Scene? scene = null)
     {
         scene ??= Scene.Default;
+
+        // A pitch lies on the ground of its scene, which may be higher.
         var up = new Vector3d(0, scene.Ground.IsNone ? 0 : scene.Ground.Height, 0);
         return scene with
         {
@@ -98,6 +103,7 @@ public sealed record Pitch
 
     private static Obstacle Raised(Obstacle board, in Vector3d up)
     {
+        // All boards are boxes along the axes: made above.
         var box = (BoxShape)board.Shape;
         return board with { Shape = new BoxShape(box.Center + up, box.HalfSize) };
     }

@@ -24,6 +24,8 @@ internal sealed class Placement
     {
         Motion.Orientation = orientation;
         Motion.IsTurned = orientation != Quaterniond.Identity;
+
+        // Turned once, not at each look: in between it is only moved.
         _turned = Motion.Turned(in _own);
     }
 

@@ -30,6 +30,7 @@ internal struct RigidMotion
     /// <summary>It goes on from a time with another velocity.</summary>
     public void GoOn(in Vector3d velocity, double time)
     {
+        // Up to the time with the old velocity, from there with the new one: nothing jumps.
         Vector3d gone = (time - Time) * Velocity;
         Origin += gone;
         Pivot += gone;
@@ -47,6 +48,7 @@ internal struct RigidMotion
     /// <summary>Distance, normal and curvature of a shape that moves so, seen from a point at a time.</summary>
     public readonly ShapePoint At(IShape shape, in Vector3d position, double time)
     {
+        // The point as the shape sees it, in its own axes; the answer back in those of the world.
         Vector3d from = position - GoneBy(time);
         if (!IsTurned)
         {
@@ -54,6 +56,8 @@ internal struct RigidMotion
         }
 
         ShapePoint own = shape.At(ToOwn(in from));
+
+        // The curvature is a bilinear form: its entries along the axes of the world.
         Vector3d x = ToOwn(new Vector3d(1, 0, 0));
         Vector3d y = ToOwn(new Vector3d(0, 1, 0));
         Vector3d z = ToOwn(new Vector3d(0, 0, 1));
@@ -67,6 +71,7 @@ internal struct RigidMotion
     /// <summary>A box in the world around a box of the shape, at its origin.</summary>
     public readonly Bounds3d Turned(in Bounds3d own)
     {
+        // A turned box reaches Σ |R_ik| h_k along each axis; one that does not end reaches everywhere.
         Vector3d half = 0.5 * (own.Max - own.Min);
         if (!IsTurned || !half.IsFinite)
         {

@@ -70,6 +70,7 @@ public sealed record Scene
     /// <exception cref="ArgumentNullException">A part is null; the message names it.</exception>
     public void Validate()
     {
+        // What is null is named before anything of it is read.
         Check.Given("ball", Ball);
         Check.Given("air", Air);
         Check.Given("forces", Forces);
@@ -77,6 +78,8 @@ public sealed record Scene
         Check.Given("obstacles", Obstacles);
         Check.Given("nets", Nets);
         Check.Given("goals", Goals);
+
+        // Parts alone, then what depends on several: the least mass on the air, the most damping and the sharpest hollow on the ball.
         Ball.Validate();
         Air.Validate();
         Check.Within("gravity", Gravity, 0, 1000);
@@ -89,6 +92,7 @@ public sealed record Scene
     /// <summary>Refuses a ball that is too light: it holds some of the air that it displaces, and nothing ends its spin at once.</summary>
     private void ValidateLightness()
     {
+        // With less mass the buoyancy alone would be more than twenty times its weight.
         double displaced = Buoyancy.DisplacedMass(Ball, Air);
         if (!(Ball.Mass >= 0.05 * displaced))
         {
@@ -114,12 +118,16 @@ public sealed record Scene
         Check.Within("ground.impactFriction", Ground.ImpactFriction, 0, double.PositiveInfinity);
         Check.Within("ground.rollingFrictionBySpeed", Ground.RollingFrictionBySpeed, 0, 1);
         Check.Within("ground.drillingLength", Ground.DrillingLength, 0, 1);
+
+        // The height of no ground is −∞.
         if (!Ground.IsNone)
         {
             Check.Within("ground.height", Ground.Height, -Limits.Length, Limits.Length);
         }
 
         Check.Defined("ground.aerodynamics", Ground.Aerodynamics, (int)Ground.Aerodynamics, 3);
+
+        // A ground that leans over, or is a wall, has no above.
         Vector3d normal = Check.Direction("ground.normal", Ground.Normal);
         Check.Within("ground.normal[1]", normal.Y, 0, 1, exclusiveLow: true);
         if (!Ground.IsLevel || Ground.Pattern is not null)
@@ -130,6 +138,7 @@ public sealed record Scene
 
     private void ValidateShape(in Vector3d normal)
     {
+        // Along x and z means nothing on a slope: one number for all directions.
         if (!Ground.IsLevel && Ground.TangentialRestitutionX != Ground.TangentialRestitutionZ)
         {
             throw Check.Refusal(
@@ -138,6 +147,7 @@ public sealed record Scene
                 "two equal numbers on ground that is not level");
         }
 
+        // Its surfaces are checked here, for it is asked for them by number in a step.
         if (Ground.Pattern is { } pattern)
         {
             Check.Within("ground.pattern.leastWidth", pattern.LeastWidth, 0, double.PositiveInfinity, exclusiveLow: true);
@@ -148,10 +158,13 @@ public sealed record Scene
             }
         }
 
+        // A ball can lie in every hollow: slopes of at most 1, curvatures of at most half its own.
         if (Ground.Heights is { } heights)
         {
             Check.Within("ground.heights (its steepest slope)", heights.SteepestSlope, 0, 1);
             Check.Within("ground.heights (its strongest curvature, 1/m)", heights.StrongestCurvature, 0, 0.5 / Ball.Radius);
+
+            // Heights are along the vertical: a plane cannot be tilted too.
             if (normal != Vector3d.Up)
             {
                 throw Check.Refusal("ground.normal", Ground.Normal.ToString(), "straight up where there are heights");
@@ -168,6 +181,8 @@ public sealed record Scene
         }
 
         Bodies?.Validate(Ball);
+
+        // Nets of goals count too: all share the 64 bits of a state.
         int nets = Nets.Count;
         for (int i = 0; i < Nets.Count; i++)
         {

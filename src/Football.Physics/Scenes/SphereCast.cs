@@ -7,6 +7,8 @@ public readonly struct SphereCast
     {
         From = from;
         Vector3d way = to - from;
+
+        // Without a way there is no direction: engines want one of length 1 all the same.
         Distance = way.Length;
         Direction = Distance > 0 ? way / Distance : Vector3d.Up;
         Radius = radius;

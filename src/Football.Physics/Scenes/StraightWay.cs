@@ -60,6 +60,8 @@ internal readonly struct StraightWay
     {
         double enter = 0;
         double leave = double.PositiveInfinity;
+
+        // The ball is a point, and the box larger by what lies near; it is inside where it is between all three pairs of planes.
         Slab(box.Min.X - Around - From.X, box.Max.X + Around - From.X, Inverse(Velocity.X), ref enter, ref leave);
         Slab(box.Min.Y - Around - From.Y, box.Max.Y + Around - From.Y, Inverse(Velocity.Y), ref enter, ref leave);
         Slab(box.Min.Z - Around - From.Z, box.Max.Z + Around - From.Z, Inverse(Velocity.Z), ref enter, ref leave);
@@ -68,6 +70,7 @@ internal readonly struct StraightWay
 
     private static void Slab(double low, double high, double inverse, ref double enter, ref double leave)
     {
+        // Which plane comes first depends on the direction.
         double first = inverse < 0 ? high * inverse : low * inverse;
         double last = inverse < 0 ? low * inverse : high * inverse;
         enter = first > enter ? first : enter;

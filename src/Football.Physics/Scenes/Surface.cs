@@ -92,6 +92,8 @@ public sealed record Surface
     public static Surface Of(Ground ground)
     {
         Check.Given(nameof(ground), ground);
+
+        // A thing has one tangential restitution: that along x is taken.
         return new Surface
         {
             NormalRestitution = ground.NormalRestitution,

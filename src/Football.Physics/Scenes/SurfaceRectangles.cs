@@ -17,6 +17,7 @@ public sealed class SurfaceRectangles : ISurfacePattern
         LeastWidth = Limits.Length;
         for (int i = 0; i < rectangles.Length; i++)
         {
+            // Copied, corner by corner: who gave the array cannot change it afterwards.
             (Vector3d min, Vector3d max, Surface surface) = rectangles[i];
             string field = Check.Item("rectangles", i);
             Check.Given(field + ".surface", surface);
@@ -26,6 +27,8 @@ public sealed class SurfaceRectangles : ISurfacePattern
             Check.Within(field + ".max[2]", max.Z, min.Z, Limits.Length, exclusiveLow: true);
             _rectangles[i] = new Rectangle(min.X, min.Z, max.X, max.Z);
             surfaces[i] = surface;
+
+            // The narrowest side of all: no step on the ground may pass over it unseen.
             LeastWidth = Math.Min(LeastWidth, Math.Min(max.X - min.X, max.Z - min.Z));
         }
 
@@ -41,6 +44,7 @@ public sealed class SurfaceRectangles : ISurfacePattern
     /// <inheritdoc/>
     public int At(double x, double z)
     {
+        // The last one on top; −1, the ground's own, where there is none.
         int i = _rectangles.Length - 1;
         while (i >= 0 && !_rectangles[i].Holds(x, z))
         {

@@ -33,6 +33,7 @@ public sealed record Weather
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public Air ToAir()
     {
+        // The ranges that the formulas below are meant for.
         Check.Within("air.weather.temperature", Temperature, -60, 60);
         Check.Within("air.weather.humidity", Humidity, 0, 1);
         Check.Within("air.weather.pressure", Pressure, 10_000, 120_000);

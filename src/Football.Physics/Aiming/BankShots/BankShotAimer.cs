@@ -187,6 +187,7 @@ public sealed class BankShotAimer
             throw Check.Refusal(Check.Item("aim.after", place), name, FormattableString.Invariant($"{name}[0] … {name}[{same - 1}]: the scene has {same} of that name"));
         }
 
+        // "name[k]" is the k-th of that name, unless a thing is called just so.
         int bracket = name.LastIndexOf('[');
         if (same == 0 && bracket > 0 && name[^1] == ']'
             && int.TryParse(name.AsSpan(bracket + 1, name.Length - bracket - 2), NumberStyles.None, CultureInfo.InvariantCulture, out int index))

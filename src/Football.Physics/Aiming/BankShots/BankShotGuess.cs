@@ -136,6 +136,8 @@ internal sealed class BankShotGuess
 
             a /= la;
             b /= lb;
+
+            // ∇f of the two lengths; along the surface it is zero where angle in equals angle out.
             Vector3d slope = a + b;
 
             // Of ∇∇f = (1 − aaᵀ)/l_a + (1 − bbᵀ)/l_b − (∇f·n) H along the surface what makes no step too long: without aaᵀ and bbᵀ (Weiszfeld)
@@ -152,6 +154,7 @@ internal sealed class BankShotGuess
                 return;
             }
 
+            // Newton along the surface, but turning the normal no farther than it can be trusted.
             Vector3d move = (((xy * gy) - (yy * gx)) / determinant * c.Level) + (((xy * gx) - (xx * gy)) / determinant * c.Steep);
             double bend = (c.Curvature * move).Length;
             c.GoTo(c.Place + (Math.Min(1.0, LargestBend / Math.Max(bend, 1e-9)) * move), _ball.Radius, _time);
@@ -212,6 +215,7 @@ internal struct BankShotContact
         ShapePoint at = Thing.At(in Place, time);
         for (int i = 0; i < MostRaises && Math.Abs(at.Distance - radius) > 1e-12; i++)
         {
+            // Along the normal, again and again, until the ball just touches.
             Place += (radius - at.Distance) * at.Normal;
             at = Thing.At(in Place, time);
         }

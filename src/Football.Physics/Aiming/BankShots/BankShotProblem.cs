@@ -166,6 +166,7 @@ internal sealed class BankShotProblem : ILeastSquares
                 return gap.IsFinite;
             }
 
+            // How far the contact may move in an iteration: by its leg's length, and by what turns its normal.
             double bend = (contact.Curvature * new Vector3d(1, 1, 1)).Length;
             _reach[leg] = Math.Min(LargestShare * Math.Max(0.1, x[FirstTime + leg] * state.Velocity.Length), LargestBend / Math.Max(bend, 1e-9));
             Vector3d touched = end - (_ball.Radius * contact.Normal);

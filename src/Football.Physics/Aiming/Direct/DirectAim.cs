@@ -51,10 +51,12 @@ internal sealed class DirectAim
                 return solution;
             }
 
+            // Where ways bend the steep kick may be there first: the low arc is the one that is.
             Approach steeper = _closest.Find(_problem, AimArc.High);
             return steeper.Miss <= _problem.Tolerance && steeper.Time < solution.Time ? Solution(in steeper, AimStatus.Hit) : solution;
         }
 
+        // No flight is left for a search: straight at the target, so that the answer is a kick at all.
         if (_context.IsSpent)
         {
             return new AimSolution
@@ -105,6 +107,7 @@ internal sealed class DirectAim
         double high = fastest;
         for (double speed = fastest; high - low > RollWidth * high && !_context.IsSpent; speed = 0.5 * (low + high))
         {
+            // A bisection from the fastest on: where even that stops short there is none.
             bool hits = Rolls(request, speed, out _);
             if (!hits && speed == fastest)
             {

@@ -29,6 +29,7 @@ internal sealed class DirectTwoPointAim
 
     public AimSolution Find(AimRequest request)
     {
+        // A point that is not on the way to the target is left out, but in a wind, which may carry the ball by it.
         if (!_problem.SetThrough(request))
         {
             AimSolution alone = _direct.Find(request);
@@ -68,6 +69,7 @@ internal sealed class DirectTwoPointAim
         single.ThroughMiss = ThroughMissOf(in single.Kick);
         if (single.Status != AimStatus.Hit)
         {
+            // Those spins may bring it down too early: once more with all the lift that is allowed.
             AimSolution lifted = _direct.Find(request, request.Speed, request.Arc, -request.MaximumTopSpin, 0);
             if (lifted.Status == AimStatus.Hit || lifted.Miss < single.Miss)
             {

@@ -66,6 +66,8 @@ internal struct FittedFlight
         double slowing = drag * speed * time;
         double end = speed * Math.Min(Slowest, 1.0 / (1.0 + slowing));
         double middle = Math.Max(speed / (1.0 + (0.5 * slowing)), 0.5 * (speed + end));
+
+        // The laws at three speeds, and at the middle one with a little less spin.
         context.Factors(speed, _spinRate, out double drag0, out double lift0, out double decay0);
         context.Factors(middle, _spinRate, out double drag1, out double lift1, out _);
         context.Factors(end, _spinRate, out double drag2, out double lift2, out double decay2);
@@ -117,6 +119,8 @@ internal struct FittedFlight
         Vector3d position = _from + _path + (_time * _wind);
         Vector3d velocity = _velocity + _wind;
         Rates(in _velocity, _time, out Vector3d a);
+
+        // Two steps of fixed-point iteration: the time at a steady speed, then at the mean speed over that time.
         double gap = -crossing.Beyond(in position, _time);
         double outward = crossing.Outward(in velocity);
         double tau = gap / outward;
@@ -138,6 +142,7 @@ internal struct FittedFlight
         double h = left / steps;
         for (int i = 0; i < steps; i++)
         {
+            // The path of the same four stages: u + h (k₁ + k₂ + k₃)/6.
             Vector3d u = _velocity;
             double start = _time + (i * h);
             Rates(in u, start, out Vector3d k1);
@@ -154,6 +159,7 @@ internal struct FittedFlight
     /// <summary>u̇ = L (ω̂ × u) − D u + g.</summary>
     private readonly void Rates(in Vector3d u, double time, out Vector3d rates)
     {
+        // D and L of this |u|² in Newton's form, less what the lost spin takes of them.
         double loss = _lost + (time * (_decay - (time * _decaySlope)));
         double squared = u.LengthSquared;
         double past = squared - _endSquared;

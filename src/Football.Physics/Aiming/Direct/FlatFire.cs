@@ -61,6 +61,7 @@ internal struct FlatFire
     /// <param name="across">How it moves with the velocity across it, s.</param>
     public readonly Vector3d Launch(in Vector3d way, in Vector3d axis, double time, out Vector3d direction, out double along, out double across)
     {
+        // Fixed-point iteration: the direction tells the fall and the bend, these tell the direction.
         double x = Math.Max(way.Length, 1e-3) / time;
         Vector3d air = Vector3d.Zero;
         for (int i = 0; i < 5; i++)
@@ -76,6 +77,8 @@ internal struct FlatFire
         }
 
         Ways(x, time, out double went, out double speed, out _, out _);
+
+        // ∂p/∂v along the way, t/(1 + τ), and across it, s/x.
         direction = air;
         along = time * speed / x;
         across = went / x;
@@ -149,6 +152,8 @@ internal struct FlatFire
             }
 
             best = Math.Abs(excess);
+
+            // Newton, but no more than three times as long or short: far from the root the slope is none.
             double next = t - (excess / slope);
             t = next > 3.0 * t ? 3.0 * t : next < 0.3 * t ? 0.3 * t : next;
         }

@@ -89,6 +89,8 @@ internal sealed class PlaneNewton
             Miss = PlaneProblem.MissOf(R);
             ThroughMiss = PlaneProblem.ThroughMissOf(R);
             Time = _problem.Time;
+
+            // A flight in the long steps of a rehearsed kick only foretells; to hit, it is flown in shorter ones.
             bool hits = isSure && Miss <= _problem.Tolerance && !(through && _step.ThroughAsked(R) > _problem.ThroughTolerance);
             if ((hits && through) || !_step.Solve(_problem, X, R, out bool sameHeld))
             {
@@ -101,11 +103,14 @@ internal sealed class PlaneNewton
             {
                 TakeStep();
                 Array.Copy(_nextX, X, N);
+
+                // Estimated, not flown: what the correction leaves by the measure of the one before.
                 Miss *= left;
                 R[PlaneProblem.TargetUp] *= left;
                 return true;
             }
 
+            // Slow in a row, or as often as is allowed: given up.
             stalled = size < Progress * least ? 0 : stalled + 1;
             if (hits || flights >= limit || stalled == _patience.Stalled)
             {
@@ -165,6 +170,8 @@ internal sealed class PlaneNewton
 
             TakeFlown();
             double next = Asked(R);
+
+            // Bounded below, for one lucky correction says little of the next.
             contraction = Math.Max(next / size, _patience.LeastContraction);
             if (!(contraction < _patience.MostContraction))
             {
@@ -174,6 +181,7 @@ internal sealed class PlaneNewton
             size = next;
         }
 
+        // Nothing was learnt: back to the guess.
         Array.Copy(_guess, X, N);
         _problem.ForgetRehearsals();
         return false;

@@ -66,6 +66,8 @@ internal sealed class PlaneShooter : KickObserver
         _target.Reset();
         _through.Reset();
         Lowest = double.PositiveInfinity;
+
+        // Steps end at the time at which the first plane is expected, then at that of the second.
         BallState state = _simulator.LaunchAt(from, velocity, spin, 0);
         _longestStep = longestStep;
         _targetTime = targetTime;
@@ -207,6 +209,8 @@ internal struct PlaneCrossing
         double length = end.Time - start.Time;
         double before = Beyond(start.Position, start.Time);
         double after = Beyond(end.Position, end.Time);
+
+        // In units of the step. The ball must begin before the plane, and end beyond it or shortly before.
         double slope = length * Outward(end.Velocity);
         if (!(before < 0 && after > -Reach * slope && slope > 0))
         {
@@ -215,6 +219,8 @@ internal struct PlaneCrossing
 
         var left = new WayLeft(new CubicHermite(-before, -length * Outward(start.Velocity), -after, -slope));
         double farthest = 1.0 + (2.0 * Reach);
+
+        // From the tangent at the end of the step, where it is most exact.
         double s = Roots.Newton(ref left, 0, farthest, 1.0 - (after / slope), Closeness);
         if (!(s > 0 && s < farthest && left.Curve.C1 < 0 && left.Curve.SlopeAt(s) < 0))
         {
@@ -234,6 +240,7 @@ internal struct PlaneCrossing
     /// <returns>True where it is.</returns>
     public bool Find(in PathPiece piece)
     {
+        // As the point sees it.
         PathPiece relative = _pointVelocity == Vector3d.Zero ? piece : piece.SeenFrom(in _pointVelocity);
         if (!IsBehind(relative.EndPosition) || !relative.Crosses(in _point, in _normal, out double time))
         {

@@ -65,6 +65,7 @@ internal sealed class PlaneStep
         Set(PlaneProblem.TargetLeft, PlaneProblem.TargetUp, in _angles);
         for (int k = PlaneProblem.Top; k <= PlaneProblem.Side; k++)
         {
+            // Forward difference in fitted air.
             double kept = x[k];
             x[k] = kept + SpinChange;
             bool reaches = problem.Rehearse(x, _changed);
@@ -138,6 +139,8 @@ internal sealed class PlaneStep
         }
 
         sameHeld = topWasHeld == _held[PlaneProblem.Top] && sideWasHeld == _held[PlaneProblem.Side];
+
+        // The elevation stays within its bounds; the spins do by then.
         double elevation = x[PlaneProblem.Elevation];
         Change[PlaneProblem.Elevation] =
             Math.Min(Math.Max(Change[PlaneProblem.Elevation], problem.Bounds.Lowest - elevation), problem.Bounds.Highest - elevation);
@@ -245,6 +248,7 @@ internal struct CrossingJacobian
             byElevation -= sine / cosine * Vector3d.Dot(in turning, in across) * across;
         }
 
+        // The turned way no longer ends on the plane: back along the velocity until it does.
         double speed = Vector3d.Dot(crossing.Velocity, in frame.Forward);
         Vector3d slope = speed > 1e-3 ? crossing.Velocity / speed : frame.Forward;
         byElevation -= Vector3d.Dot(in byElevation, in frame.Forward) * slope;
@@ -261,6 +265,7 @@ internal struct CrossingJacobian
     /// <returns>False where the Jacobian is singular.</returns>
     public readonly bool Solve(double up, double left, out double elevation, out double azimuth)
     {
+        // J Δ = −r, by Cramer's rule.
         double determinant = (_upByElevation * _leftByAzimuth) - (_upByAzimuth * _leftByElevation);
         elevation = ((_upByAzimuth * left) - (_leftByAzimuth * up)) / determinant;
         azimuth = ((_leftByElevation * up) - (_upByElevation * left)) / determinant;

@@ -63,9 +63,13 @@ internal struct ApproachBracket
             }
 
             Parabola(out double slope, out double curvature);
+
+            // The vertex, where the parabola opens upwards and has it between the outer two; else the least of the three.
             double x = curvature > 0 ? -slope / curvature : 0;
             bool within = curvature > 0 && x > -left && x < right;
             double vertex = within ? Middle.Miss - (0.5 * slope * slope / curvature) : LeastMiss;
+
+            // Off by ½ |q| (l r)², with a third derivative like the second.
             double doubt = left * right;
             return vertex - (0.5 * Math.Abs(curvature) * doubt * doubt);
         }
@@ -77,6 +81,8 @@ internal struct ApproachBracket
         double x = elevation - three.Elevation;
         double x1 = one.Elevation - three.Elevation;
         double x2 = two.Elevation - three.Elevation;
+
+        // Newton's divided differences, from the third point.
         double s1 = (one.Miss - three.Miss) / x1;
         double s2 = (two.Miss - three.Miss) / x2;
         double q = (s1 - s2) / (x1 - x2);
@@ -95,6 +101,7 @@ internal struct ApproachBracket
     /// <summary>Takes a kick between the middle one and a neighbour into the three, and leaves one out.</summary>
     public void Insert(in Approach next, bool becomesMiddle)
     {
+        // The least stays in the middle; at a bound, where an outer one is less, the three move towards that.
         bool left = next.Elevation < Middle.Elevation;
         double outer = left ? Low.Miss : High.Miss;
         if (becomesMiddle || next.Miss < Middle.Miss || outer < Middle.Miss)

@@ -111,6 +111,7 @@ internal sealed class ApproachByElevation
             approach = Fly(step);
         }
 
+        // In still air that was all: the flight has told its own azimuth.
         if (TurnWithAzimuth)
         {
             _kick.Azimuth = approach.Kick.Azimuth;
@@ -165,6 +166,8 @@ internal sealed class ApproachByElevation
         }
 
         Elementary.SinCos(turn, out double sin, out double cos);
+
+        // As complex numbers, forward the real and left the imaginary axis.
         double f1 = Vector3d.Dot(in one, in _frame.Forward);
         double l1 = Vector3d.Dot(in one, in _frame.Left);
         double f2 = Vector3d.Dot(in other, in _frame.Forward);
@@ -222,6 +225,7 @@ internal sealed class HitSearch
             return true;
         }
 
+        // Without a change of sign there is no root between.
         if (one.SignedMiss < 0 == other.SignedMiss < 0)
         {
             return false;
@@ -239,6 +243,7 @@ internal sealed class HitSearch
     /// <summary>The hit at the lower end of the elevations that pass above.</summary>
     private bool BelowLowArc(in ApproachBracket at)
     {
+        // The lowest of the three that passes above, and the one below it; where there is none, it is looked for at the bound.
         Approach above = at.Low.Above ? at.Low : at.Middle.Above ? at.Middle : at.High;
         Approach below = at.Low.Above || at.Middle.Above ? at.Low : at.Middle;
         return FromBound(in below, in above, _approaches.Bounds.Lowest);
@@ -254,6 +259,7 @@ internal sealed class HitSearch
 
     private bool FromBound(in Approach outer, in Approach above, double bound)
     {
+        // Where even the outer one passes above, the bound itself is flown: beyond it nothing is allowed.
         Approach below = outer.Above && outer.Elevation != bound ? _approaches.At(bound) : outer;
         return !below.Above && Between(in below, in above);
     }
@@ -279,6 +285,8 @@ internal sealed class HitSearch
         {
             // It begins with the azimuth of the nearer of the two that it lies between.
             Approach next = _approaches.HitAt(x, _one.Miss < _other.Miss ? _one : _other);
+
+            // The two kicks between which the root lies are kept, for the azimuth and to see a jump.
             value = next.SignedMiss;
             Hits = _approaches.Accept(in next);
             if (value < 0 == _one.SignedMiss < 0)

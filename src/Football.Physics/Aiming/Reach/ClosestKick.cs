@@ -62,6 +62,8 @@ internal sealed class ClosestKick
     private bool Flying(PlaneProblem problem, AimArc arc)
     {
         ElevationBounds bounds = _approaches.Bounds;
+
+        // A single elevation is flown, not searched.
         if (bounds.Highest - bounds.Lowest < 1e-9)
         {
             return _approaches.Accept(_approaches.At(bounds.Lowest));
@@ -103,6 +105,8 @@ internal sealed class RollingKick
 
         // On the ground there are two ways to go: to roll along it, whatever the elevation, or to leave it at a steeper one.
         LowerBound = problem.Request.TargetVelocity.Y == 0 ? Math.Abs(problem.Frame.Target.Y - _context.Game.ContactHeight) : 0;
+
+        // sin ε = climb: what leaves the ground faster than the least bounce flies.
         double climb = _context.Scene.Ground.MinimumBounceSpeed / problem.Speed;
         double steepEnough = climb < 1 ? Elementary.Atan2(climb, Math.Sqrt(1.0 - (climb * climb))) * (1.0 + 1e-9) : double.PositiveInfinity;
         _approaches.Bounds = new ElevationBounds(Math.Max(bounds.Lowest, steepEnough), bounds.Highest);
@@ -153,6 +157,7 @@ internal sealed class CoarseSearch
             return hit;
         }
 
+        // A clear miss needs no closer look; near the target the parabola may hide a hit.
         return at.LeastMiss > ClearMiss * frame.Distance && at.LeastMiss > 10 * _approaches.Tolerance;
     }
 

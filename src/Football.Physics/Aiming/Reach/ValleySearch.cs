@@ -28,12 +28,16 @@ internal sealed class ValleySearch
         {
             double left = at.Left;
             double right = at.Right;
+
+            // The three are as close together as is of use, or lie above what is to be had elsewhere, or tell the bottom well enough.
             if (!(left > 0 && right > 0) || Math.Max(left, right) < 1e-6 || at.LowerBound > enough || !Move(in at, out double move))
             {
                 return false;
             }
 
             Approach next = _approaches.At(at.Middle.Elevation + move, in at.Middle);
+
+            // On the other side of the way: between it and its neighbours the signed miss has roots.
             bool crossed = next.Above != above;
             at.Insert(in next, becomesMiddle: crossed);
             if (crossed)
@@ -79,6 +83,7 @@ internal sealed class ValleySearch
             move = left > right ? -Math.Min(0.5 * left, least) : Math.Min(0.5 * right, least);
         }
 
+        // Between the neighbours, and not too near to either.
         move = Math.Min(Math.Max(move, -0.9 * left), 0.9 * right);
         return true;
     }
@@ -121,6 +126,8 @@ internal sealed class WaveSearch
         for (int i = -MostWaves; i <= MostWaves; i++)
         {
             double elevation = best.Elevation + (i * Wave);
+
+            // Beyond a bound there is nothing to look at.
             if (!_approaches.Bounds.Contain(elevation))
             {
                 continue;
@@ -175,6 +182,8 @@ internal sealed class WaveSearch
         for (int i = 0; i < MostHalvings && !_approaches.IsSpent; i++)
         {
             double best = _approaches.Best.Miss;
+
+            // What the descent would have come to there, without the step.
             double promised = ApproachBracket.Extrapolate(in one, in two, in three, beyond.Elevation);
             if (!(Math.Max(0, promised) < best - (StepCloseness * Math.Max(1.0, best))))
             {
@@ -189,6 +198,7 @@ internal sealed class WaveSearch
                 return true;
             }
 
+            // As promised: the step lies farther on. Else it lies before.
             if (Math.Abs(look.Miss - ApproachBracket.Extrapolate(in one, in two, in three, middle)) < 0.25 * (beyond.Miss - promised))
             {
                 (one, two, three) = (two, three, look);
@@ -236,6 +246,8 @@ internal sealed class CompassSearch
                 {
                     Approach best = _approaches.Best;
                     Kick kick = best.Kick;
+
+                    // Elevations first; of a ball that rolls they change nothing.
                     double move = i % 2 == 0 ? step : -step;
                     kick.Elevation = i < 2 ? _approaches.Bounds.Clamp(kick.Elevation + move) : kick.Elevation;
                     kick.Azimuth += i < 2 ? 0 : move;

@@ -74,6 +74,7 @@ internal sealed class DirectionScan
         {
             for (int k = -1; k <= 1; k++)
             {
+                // Azimuths go round; elevations end at their bounds.
                 int other = (i * _columns) + ((column + k + _columns) % _columns);
                 if (_squares[other] < _squares[at])
                 {
@@ -93,6 +94,7 @@ internal sealed class DirectionScan
             return;
         }
 
+        // Sorted by insertion; when the list is full the farthest falls out.
         int at = Count < MostStarts ? Count++ : MostStarts - 1;
         while (at > 0 && square < _startSquares[at - 1])
         {

@@ -117,6 +117,7 @@ internal sealed class GeneralAim
             }
         }
 
+        // On a bound, in still air that does not rule, without a spin that turns the ball back, there is no other kick to look for.
         bool turnsBack = request.TopSpin != 0 && closest.Kick.Elevation > Steep;
         if (!isBound || _problem.IsRuledByAir || !_context.Scene.Air.IsStill || turnsBack)
         {
@@ -157,6 +158,7 @@ internal sealed class GeneralAim
             _x[ShootingProblem.Elevation] = bound;
         }
 
+        // Three unknowns for three residuals.
         _problem.Free(held, false);
         bool found = _problem.Solver.Solve(_x, isMeasured: true);
         _problem.Free(held, true);
@@ -325,6 +327,7 @@ internal sealed class GeneralAim
         speed = 0;
         for (double width = 0.3; width > 0.1; width *= 0.5)
         {
+            // A parabola through three times; where it has no least, on in the direction that falls.
             double ratio = Elementary.Exp(width);
             double below = Model(time / ratio, top, side).Length;
             speed = Model(time, top, side).Length;
@@ -345,6 +348,7 @@ internal sealed class GeneralAim
         double far = isEarlier ? Earliest * slowest : Math.Min(Latest * slowest, AimContext.LongestFlight);
         for (int i = 0; i < Halvings; i++)
         {
+            // Bisection in the logarithm of the time: on either side of the slowest the speed changes one way.
             double middle = Math.Sqrt(near * far);
             Vector3d velocity = Model(middle, top, side);
             bool isNear = elevation is { } bound ? ElevationOf(in velocity) > bound == isEarlier : velocity.Length < speed;

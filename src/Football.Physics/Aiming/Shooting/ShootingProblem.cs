@@ -105,10 +105,14 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         double spinRate = Math.Sqrt(through
             ? (request.MaximumTopSpin * request.MaximumTopSpin) + (request.MaximumSideSpin * request.MaximumSideSpin)
             : (request.TopSpin * request.TopSpin) + (request.SideSpin * request.SideSpin));
+
+        // Where the air rules, ways bend within a step: shorter ones.
         bool ruled = IsRuledByAir = _context.IsRuledByAir(request.Speed, spinRate);
         _step = Math.Min(ruled ? RuledByAirStep : double.PositiveInfinity, _context.Steps.HitWithin(tolerance));
         _scanStep = ruled ? 0.5 * ScanStep : ScanStep;
         ElevationBounds bounds = ElevationBounds.Of(request);
+
+        // Bounds of the unknowns; of a roll the elevation is held, and of a kick of given speed the speed.
         Bound(Elevation, rolls ? bounds.Clamp(0) : bounds.Lowest, rolls ? bounds.Clamp(0) : bounds.Highest);
         Bound(Azimuth, double.NegativeInfinity, double.PositiveInfinity);
         Bound(LogSpeed, Elementary.Log(1e-3), Elementary.Log(Math.Min(Limits.Speed, 1.5 * request.Speed)));
@@ -199,6 +203,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         }
         else
         {
+            // Through the air that the wind carries along, with the mean drag and lift of that way.
             Vector3d air = toTarget - (time * wind);
             Vector3d flat = toTarget.Horizontal.Length > 0 ? toTarget.Horizontal / toTarget.Horizontal.Length : _frame.Forward;
             double spinRate = spins.SpinRate;
@@ -352,6 +357,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
     /// <summary>Closest approach of a step, as if it were straight.</summary>
     private static double Closest(in BallState before, in BallState after, in Vector3d point, in Vector3d velocity, out double time)
     {
+        // Relative to the point, which may move: least of |start + part · way|².
         Vector3d start = before.Position - point - (before.Time * velocity);
         Vector3d way = after.Position - point - (after.Time * velocity) - start;
         double squared = way.LengthSquared;

@@ -52,6 +52,8 @@ public sealed class ShieldAnswer
         _request = request;
         Margin = double.NegativeInfinity;
         int safe = 0;
+
+        // All directions and distances: the best place, and the share of those that are safe. The farthest first, whose margins are kept.
         for (int ring = Rings; ring >= 1; ring--)
         {
             for (int i = 0; i < Directions; i++)
@@ -95,6 +97,8 @@ public sealed class ShieldAnswer
     public double MarginAt(Vector3d place)
     {
         Check.Place(nameof(place), place);
+
+        // When he himself is there: he needs no time to react, for he has the ball.
         Vector3d own = (place - _request.Player.Position).Horizontal;
         double he = new RunnerMotion(_request.Player.Reacting(0), _request.Time).ArrivalAt(own.Length);
         double first = he + Forever;
@@ -125,11 +129,14 @@ public sealed class ShieldAnswer
         double straight = (b - a).Length;
         double first = a.Length;
         double second = b.Length;
+
+        // Who stands at or within the body does not go around it.
         if (!(straight > 0) || !(first > radius) || !(second > radius))
         {
             return straight;
         }
 
+        // Where the straight line comes closest to the body, and how close.
         double along = -Vector3d.Dot(in a, b - a) / (straight * straight);
         double passes = (a + (Math.Min(1, Math.Max(0, along)) * (b - a))).Length;
         if (passes >= radius)

@@ -71,6 +71,8 @@ internal abstract class TouchProblem : ILeastSquares
     public bool Solve(double[] x)
     {
         _flights = 0;
+
+        // The last flight of a solve may be one that was turned down: the best is flown once more, so that strike and end are its own.
         bool hit = _solver.Solve(x);
         _flights = 0;
         bool flies = Fly(x, _solver.Residuals);
@@ -92,6 +94,8 @@ internal abstract class TouchProblem : ILeastSquares
     {
         End = Ball;
         Simulator.Kick(ref End, KickVectors.Limited(in velocity, Limits.Speed), KickVectors.Limited(in spin, Limits.Spin));
+
+        // Followed to the time that is asked for, bounces and all.
         Log.Clear();
         Simulator.Run(ref End, TimeStep, duration, StopAt.Time, Log, null);
     }
@@ -158,6 +162,8 @@ internal sealed class DribbleProblem : TouchProblem
         velocity = new Vector3d(x[0], 0, x[1]);
         Vector3d rolling = Rolling(in velocity);
         double rate = rolling.Length;
+
+        // Rolling spin, and topspin x₂ about the same axis on top.
         spin = rolling + (rate > 0 ? x[2] / rate * rolling : Vector3d.Zero);
     }
 }
@@ -240,6 +246,8 @@ internal sealed class FirstTimeProblem : TouchProblem
         Ball = ball;
         _request = request;
         _speed = speed;
+
+        // The plane through the target across the way there: a shot misses by height and aside in it.
         Vector3d flat = (request.Target - ball.Position).Horizontal;
         Vector3d forward = flat / flat.Length;
         _plane = new Plane3d(request.Target, forward);
@@ -267,6 +275,8 @@ internal sealed class FirstTimeProblem : TouchProblem
     {
         End = Ball;
         Simulator.Kick(ref End, KickVectors.Limited(in velocity, Limits.Speed), KickVectors.Limited(in spin, Limits.Spin));
+
+        // The true flight; what it misses by in the plane is what the solver sees, the closest approach what the answer tells.
         Simulator.LookAhead(in End, _look, _path);
         End = _path.Final;
         Closest = _path.ClosestApproach(_request.Target);

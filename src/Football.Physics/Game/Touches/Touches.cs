@@ -34,6 +34,7 @@ public sealed class Touches
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public Touches(Scene? scene = null, Foot? foot = null, TouchSpread? spread = null)
     {
+        // Without bodies and engine colliders: the foot that strikes is one of them, and would be in the way.
         Scene own = (scene ?? Scene.Default) with { Bodies = null, EngineColliders = null };
         Foot = foot ?? new Foot { FastestSpeed = 25 };
         Spread = spread ?? new TouchSpread();
@@ -67,6 +68,8 @@ public sealed class Touches
 
         // 1. The velocity over the ground that brings it there in time. 2. Where it is then too slow or too fast, a topspin, as far as it helps.
         _dribble.Set(in ball, request);
+
+        // First guess: the mean velocity over the ground.
         Vector3d mean = (request.Wanted - ball.Position).Horizontal / request.After;
         _x[0] = mean.X;
         _x[1] = mean.Z;
@@ -76,16 +79,20 @@ public sealed class Touches
         if (pace > Pace)
         {
             (double x, double z) = (_x[0], _x[1]);
+
+            // Three unknowns for place and pace; kept where it hits, or is still near enough and the pace is better.
             _dribble.Free(spin: true);
             bool helps = _dribble.Solve(_x) || (Off(_dribble.Residuals) < request.Tolerance && Math.Abs(_dribble.Residuals[2]) < pace);
             _dribble.Free(spin: false);
             if (!helps)
             {
+                // Back to the touch without topspin.
                 (_x[0], _x[1], _x[2]) = (x, z, 0);
                 _dribble.Solve(_x);
             }
         }
 
+        // What is told is what this touch does: place, pace and strike.
         _dribble.Fly(_x, _residuals);
         double miss = Off(_residuals);
         double paceMiss = Math.Abs(_residuals[2]);
@@ -111,11 +118,15 @@ public sealed class Touches
         Vector3d velocity = request.Velocity.Horizontal;
         _x[0] = velocity.X;
         _x[1] = velocity.Z;
+
+        // First guess: the ball goes as the player does at once.
         _trap.Solve(_x);
         _trap.Fly(_x, _residuals);
         double off = Off(_residuals);
         FootStrike strike = _trap.Strike;
         BallState end = _trap.End;
+
+        // How far from where the player would have it: the ball's own way less his.
         double gone = (end.Position - ball.Position - (request.After * velocity)).Horizontal.Length;
         TouchStatus status = off <= request.Tolerance ? TouchStatus.Done : !strike.FastEnough ? TouchStatus.FootTooSlow : TouchStatus.OutOfReach;
         double chance = Chance(_trap, in strike, r => Off(r) <= request.Within);
@@ -144,10 +155,13 @@ public sealed class Touches
         bool fast = false;
         for (int i = 0; i < MostSpeeds && !fast; i++)
         {
+            // Unmeasured: it is only where the search for the strike begins.
             AimResult aim = _aimer.Find(AimFor(in ball, request, speed), measure: false);
             _shot.Set(in ball, request, speed);
             SolveShot(in aim, request.MaximumElevationDegrees);
             fast = _shot.Strike.FastEnough;
+
+            // Below what the foot gave the ball, and by a twentieth at least: a few tries are enough.
             speed = fast ? speed : Math.Max(0.5, Math.Min(0.95 * speed, 0.995 * _shot.Strike.Velocity.Length));
         }
 
@@ -220,11 +234,16 @@ public sealed class Touches
         int good = 0;
         for (int i = 0; i < Spread.Draws; i++)
         {
+            // Five independent errors a draw; the same ones for every touch, so that two can be compared.
             NormalDistribution.Draw(SplitMix64.At(Seed, 6 * i), SplitMix64.At(Seed, (6 * i) + 1), out double a, out double b);
             NormalDistribution.Draw(SplitMix64.At(Seed, (6 * i) + 2), SplitMix64.At(Seed, (6 * i) + 3), out double c, out double d);
             NormalDistribution.Draw(SplitMix64.At(Seed, (6 * i) + 4), SplitMix64.At(Seed, (6 * i) + 5), out double e, out _);
+
+            // Where it touches by a metre on the ball's surface is an angle of the normal: Δ/r.
             double turn = Math.PI / 180.0 * Spread.DirectionDegrees;
             double tilt = Spread.Contact / _simulator.Scene.Ball.Radius;
+
+            // A foot of another speed, direction and point of contact strikes, and the ball goes where it goes.
             Vector3d foot = (1.0 + (0.01 * Spread.SpeedPercent * a)) * Turned(meant.FootVelocity, turn * b, turn * c);
             Vector3d normal = Turned(meant.Normal, tilt * d, tilt * e);
             FootStrike strike = Foot.Strike(
@@ -245,6 +264,8 @@ public sealed class Touches
         }
 
         Vector3d along = vector / length;
+
+        // Two axes across it; from up, or where it is nearly that, from x.
         Vector3d across = Vector3d.Cross(Math.Abs(along.Y) < 0.9 ? Vector3d.Up : new Vector3d(1, 0, 0), in along);
         across /= across.Length;
         Vector3d turned = along + (first * across) + (second * Vector3d.Cross(in along, in across));

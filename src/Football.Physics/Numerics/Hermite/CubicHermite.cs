@@ -42,6 +42,7 @@ internal readonly struct CubicHermite
             return 1.0;
         }
 
+        // The form without cancellation: (−c₂ + √D)/(3 c₃) with both multiplied by c₂ + √D.
         double s = -c1 / (c2 + Math.Sqrt(discriminant));
         return s > 0 && s < 1 ? s : 1.0;
     }

@@ -29,6 +29,7 @@ internal static class Roots
                 break;
             }
 
+            // Positive below the root: what was evaluated becomes the end on its side.
             if (value > 0)
             {
                 low = x;
@@ -40,6 +41,8 @@ internal static class Roots
 
             // x' = x − f/f'
             double next = x - (value / slope);
+
+            // Also where the slope is 0 or not a number.
             if (!(next > low && next < high))
             {
                 next = 0.5 * (low + high);
@@ -76,6 +79,7 @@ internal static class Roots
         bool wasBelow = false;
         for (int i = 1; i <= most; i++)
         {
+            // Where the chord between the ends is zero; where the value at the lower end is not known, the middle.
             double secant = low + ((high - low) * atLow / (atLow - atHigh));
             x = i % BisectionEvery == 0 || double.IsNaN(secant) ? 0.5 * (low + high) : secant;
             if (function.Evaluate(x, out double value) || value == 0)
@@ -83,6 +87,7 @@ internal static class Roots
                 break;
             }
 
+            // On which side of the root: its sign is not that of the upper end.
             bool below = value < 0 != atHigh < 0;
             double stays = i > 1 && below == wasBelow ? 0.5 : 1.0;
             double moved;
@@ -123,6 +128,8 @@ internal static class Roots
         for (int i = 0; i < halvings; i++)
         {
             double middle = 0.5 * (low + high);
+
+            // No double is left between the two.
             if (!(middle > low && middle < high))
             {
                 break;

@@ -53,6 +53,7 @@ public sealed class Interception
         _windows.Count = 0;
         for (int i = 0; i < _runners; i++)
         {
+            // One list for all: the windows of runner i are those from _starts[i] to _starts[i + 1].
             _starts[i] = _windows.Count;
             new WindowSearch(_path, in _motions[i], i, firstOnly: false, _windows).Run(start, _path.End);
             _earliest[i] = _windows.Count > _starts[i] ? _windows.Items[_starts[i]] : new InterceptWindow(i, double.PositiveInfinity, double.PositiveInfinity, default, default);
@@ -83,6 +84,8 @@ public sealed class Interception
             new WindowSearch(_path, in _motions[i], i, firstOnly: true, _firsts).Run(start, _path.End, second + Instant);
             _earliest[i] = _firsts.Count > 0 ? _firsts.Items[0] : new InterceptWindow(i, double.PositiveInfinity, double.PositiveInfinity, default, default);
             double from = _earliest[i].From;
+
+            // The two earliest so far.
             second = Math.Min(second, Math.Max(first, from));
             first = Math.Min(first, from);
         }
@@ -128,6 +131,8 @@ public sealed class Interception
         double start = now ?? path.StartTime;
         Check.Finite(nameof(now), start);
         Check.Finite(nameof(until), until ?? 0);
+
+        // Memory grows to the most runners that were ever asked for.
         if (_motions.Length < runners.Length)
         {
             _motions = new RunnerMotion[runners.Length];
@@ -142,6 +147,7 @@ public sealed class Interception
             _motions[i] = new RunnerMotion(in runners[i], start);
         }
 
+        // As long as asked for, where the ball lies still; else up to the end of the path.
         _path.Take(path, until ?? path.EndTime);
         return Math.Max(start, _path.Start);
     }
@@ -160,6 +166,8 @@ public sealed class Interception
         for (int i = 0; i < _runners; i++)
         {
             double from = _earliest[i].From;
+
+            // The lowest index within a nanosecond of the earliest; all others are behind him.
             if (First < 0 && from <= least + Instant && !double.IsPositiveInfinity(from))
             {
                 First = i;

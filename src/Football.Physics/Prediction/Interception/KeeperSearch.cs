@@ -25,6 +25,8 @@ internal readonly struct KeeperSearch
     public KeeperAnswer Run(Trajectory path, in Player keeper, Goal goal, double now)
     {
         var mouth = new GoalMouth(goal);
+
+        // The shot: where the path comes through the goal's plane from the pitch, and up to when he may meet it.
         bool crosses = path.TryGetCrossing(new Plane3d(mouth.Center, mouth.Out), out PathPoint crossing) && Vector3d.Dot(crossing.Velocity, mouth.Out) < 0;
         _spans.Take(path, path.EndTime);
         double end = crosses ? crossing.Time : _spans.End;
@@ -40,6 +42,8 @@ internal readonly struct KeeperSearch
         mouth.Place(in middle, out double aside, out _);
         double radius = motion.RadiusAt(end);
         double half = radius > Math.Abs(off) ? Math.Sqrt((radius * radius) - (off * off)) : double.NegativeInfinity;
+
+        // And where the ball comes: aside and height, by which it is on target or not.
         mouth.Place(crossing.Position, out double ballAside, out double height);
         return new KeeperAnswer
         {
@@ -73,6 +77,8 @@ internal readonly struct KeeperSearch
     {
         double low = keeper.Reaction;
         double high = Math.Max(low, end - now);
+
+        // Even one who only goes on as he does until the ball is there meets it.
         if (Meets(keeper.Reacting(high), now, begin, end))
         {
             return now + high;
@@ -88,12 +94,14 @@ internal readonly struct KeeperSearch
     /// <summary>The latest reaction of an interval with whose end he does not meet the ball; NaN where there is none.</summary>
     private double Latest(in Player keeper, double now, double begin, double end, double low, double high, double rate, double shortest, ref int tries)
     {
+        // With the reaction in the middle and so much more reach as half the interval is worth he would meet the ball, if any in it does.
         double half = 0.5 * (high - low);
         if (++tries > MostTries || !Meets(keeper.Reacting(low + half, rate * half), now, begin, end))
         {
             return double.NaN;
         }
 
+        // Short enough: by its earlier end, and where that does, to the nanosecond.
         if (2.0 * half <= shortest)
         {
             if (!Meets(keeper.Reacting(low), now, begin, end))
@@ -106,6 +114,7 @@ internal readonly struct KeeperSearch
             return low;
         }
 
+        // The later half first: the first that is found is the latest of all.
         double later = Latest(in keeper, now, begin, end, low + half, high, rate, shortest, ref tries);
         return later >= low ? later : Latest(in keeper, now, begin, end, low, low + half, rate, shortest, ref tries);
     }

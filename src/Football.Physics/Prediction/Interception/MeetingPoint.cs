@@ -24,6 +24,8 @@ internal struct MeetingPoint
         Vector3d v = span.VelocityAt(time);
         runner.MiddleAt(time, out double x, out double z);
         runner.MiddleVelocity(reacts, out double vx, out double vz);
+
+        // w = ball − middle of his circle, over the ground; R the radius of that.
         double dx = p.X - x;
         double dz = p.Z - z;
         double radius = runner.RadiusAt(time);
@@ -33,6 +35,8 @@ internal struct MeetingPoint
         at.Distance = Math.Sqrt(squared);
         at._near = (radius * radius) - squared;
         at._nearRate = 2.0 * ((radius * runner.GrowthAt(time)) - (dx * (v.X - vx)) - (dz * (v.Z - vz)));
+
+        // h − h₀ and h₁ − h: their rates are ±ẏ.
         at._low = p.Y - runner.Lowest;
         at._high = runner.Highest - p.Y;
         at._climb = v.Y;

@@ -51,6 +51,7 @@ internal struct PathSpan
     /// <summary>A piece of path; its length is above 0.</summary>
     public static PathSpan Of(in PathPiece piece, double end)
     {
+        // c₀ + c₁ s + … + c₅ s⁵ in s = (t − start)/length, by the degree that the integrator's piece has.
         double h = piece.Length;
         PathSpan span = default;
         span.Start = piece.Time;
@@ -61,9 +62,12 @@ internal struct PathSpan
         Vector3d rise = piece.EndPosition - piece.StartPosition - span._c1;
         switch (piece.Degree)
         {
+            // What position at the end is off steady motion is the quadratic part.
             case 2:
                 span._c2 = rise;
                 break;
+
+            // The cubic Hermite interpolant of both positions and velocities.
             case 3:
                 Vector3d turn = h * (piece.EndVelocity - piece.StartVelocity);
                 span._c2 = (3.0 * rise) - turn;
@@ -126,6 +130,7 @@ internal struct PathSpan
         Vector3d v4 = _c1 + (2.0 * _c2) + (3.0 * _c3) + (4.0 * _c4) + (5.0 * _c5);
         Speed = _perLength * Math.Sqrt(Math.Max(Math.Max(Math.Max(Flat(in _c1), Flat(in v1)), Flat(in v2)), Math.Max(Flat(in v3), Flat(in v4))));
 
+        // The height itself, of degree 5.
         double y1 = _c0.Y + (0.2 * _c1.Y);
         double y2 = _c0.Y + (0.4 * _c1.Y) + (0.1 * _c2.Y);
         double y3 = _c0.Y + (0.6 * _c1.Y) + (0.3 * _c2.Y) + (0.1 * _c3.Y);

@@ -25,8 +25,12 @@ internal sealed class PathSpans
     {
         Count = 0;
         Start = path.StartTime;
+
+        // A ball at rest can be waited for; one that still moves is unknown from the end of the path on.
         End = path.Final.Motion == MotionState.Stopped ? Math.Max(until, path.StartTime) : Math.Min(until, path.EndTime);
         int pieces = path.Count;
+
+        // A wait after each piece at most, and the rest at the end.
         if (Items.Length < (2 * pieces) + 1)
         {
             Items = new PathSpan[(2 * pieces) + 1];
@@ -35,6 +39,8 @@ internal sealed class PathSpans
         for (int i = 0; i < pieces; i++)
         {
             ref readonly PathPiece piece = ref path.Piece(i);
+
+            // Up to where the next begins, so that rounding leaves no gap between them.
             double end = i + 1 < pieces ? path.Piece(i + 1).Time : piece.EndTime;
             bool waits = end - piece.EndTime > Meeting;
             end = waits ? piece.EndTime : end;
@@ -55,6 +61,7 @@ internal sealed class PathSpans
             Items[Count++] = PathSpan.Straight(last, End, path.Final.Position, path.Final.Position);
         }
 
+        // From the end backwards: the greatest speed from each span on.
         double fastest = 0;
         for (int i = Count - 1; i >= 0; i--)
         {

@@ -56,6 +56,7 @@ internal readonly struct RunnerMotion
     /// <summary>The middle of his circle, m.</summary>
     public void MiddleAt(double time, out double x, out double z)
     {
+        // He goes on until he reacts; from then on the circle grows about where he was then.
         double before = Math.Min(time - Start, 0);
         x = _x + (before * _velocityX);
         z = _z + (before * _velocityZ);
@@ -85,6 +86,7 @@ internal readonly struct RunnerMotion
     /// <summary>The first time at which a distance from the middle is within his circle, s: the inverse of <see cref="RadiusAt"/>.</summary>
     public double ArrivalAt(double distance)
     {
+        // s = √(2 d/a) up to ½ v²/a, then d/v + v/2a.
         double run = distance - Reach;
         return run <= 0 ? Start
             : run <= 0.5 * _speed * _rampTime ? Start + Math.Sqrt(2.0 * run / _acceleration)

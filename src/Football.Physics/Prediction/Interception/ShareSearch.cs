@@ -34,6 +34,8 @@ internal sealed class ShareSearch
         _motions = motions;
         _starts = starts;
         _runners = runners;
+
+        // From edge to edge of windows, between which the same runners can meet the ball, and no farther than a span of path.
         double t = NextEdge(double.NegativeInfinity);
         while (t < _path.End)
         {
@@ -63,6 +65,7 @@ internal sealed class ShareSearch
     /// <summary>The owners of an interval over which the same runners can meet the ball.</summary>
     private void Split(in PathSpan span, double a, double b)
     {
+        // Windows are looked up in the middle, away from their ends.
         double middle = 0.5 * (a + b);
         int owner = Owner(in span, a, middle, out double lead);
         if (owner < 0)
@@ -74,6 +77,7 @@ internal sealed class ShareSearch
         int last = Owner(in span, b, middle, out _);
         for (int changes = 0; owner != last && changes < _runners; changes++)
         {
+            // The first change of owner, by bisection; then on from there, until the owner at the end is reached.
             double low = a;
             double high = b;
             var changed = new OwnerChanged(this, in span, middle, owner);
@@ -81,6 +85,8 @@ internal sealed class ShareSearch
             Add(owner, a, high, lead);
             a = high;
             int next = Owner(in span, a, middle, out lead);
+
+            // Level to rounding: it would not get on.
             last = next == owner ? owner : last;
             owner = next;
         }
@@ -102,6 +108,7 @@ internal sealed class ShareSearch
                 continue;
             }
 
+            // When he could be where the ball is at that time: at the latest then, for he can meet it.
             ref readonly RunnerMotion runner = ref _motions[i];
             runner.MiddleAt(time, out double cx, out double cz);
             double arrival = Math.Min(time, runner.ArrivalAt(Math.Sqrt(((x - cx) * (x - cx)) + ((z - cz) * (z - cz)))));
@@ -136,6 +143,7 @@ internal sealed class ShareSearch
 
     private void Add(int runner, double from, double to, double lead)
     {
+        // The same owner goes on: one share, with the lead that he had at its start.
         if (Count > 0 && Items[Count - 1].Player == runner && from - Items[Count - 1].To <= Shortest)
         {
             InterceptShare before = Items[Count - 1];

@@ -30,6 +30,8 @@ internal sealed class WindowList
     public void End(double from, double to)
     {
         InterceptWindow last = Items[Count - 1];
+
+        // A touch without length leaves no window, but one that went on and ended there again stays.
         if (!(to > from) && last.From == from)
         {
             Count--;

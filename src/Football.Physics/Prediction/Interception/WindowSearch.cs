@@ -49,6 +49,7 @@ internal struct WindowSearch
         double nearUntil = double.NegativeInfinity;
         for (int i = _path.Count > 0 ? _path.Find(from) : 0; i < _path.Count && t < until && t <= latest && !_done; i++)
         {
+            // A part may lead far beyond its span: then spans are passed over.
             ref readonly PathSpan span = ref _path.Items[i];
             while (t < span.End && t < until && t <= latest && !_done)
             {
@@ -68,27 +69,35 @@ internal struct WindowSearch
     {
         bool reacts = t >= _runner.Start;
         end = !reacts && end > _runner.Start ? _runner.Start : end;
+
+        // Out of his height throughout.
         if (span.Highest < _runner.Lowest || span.Lowest > _runner.Highest)
         {
             Leave(t);
             return end;
         }
 
+        // Within his height throughout: only the distance is left to decide.
         bool level = span.Lowest >= _runner.Lowest && span.Highest <= _runner.Highest;
         bool near = end <= nearUntil;
         if (!near)
         {
             span.PlaceAt(t, out double x, out double z);
             _runner.MiddleAt(t, out double cx, out double cz);
+
+            // How far apart they are, and by how much the end of the part can change that.
             double distance = Math.Sqrt(((x - cx) * (x - cx)) + ((z - cz) * (z - cz)));
             double drift = (span.Speed + _runner.CarriedAt(t)) * (end - t);
             double gap = distance - _runner.RadiusAt(t);
+
+            // Too far even so. No sooner can they meet than at both their greatest speeds: up to then nothing is asked.
             if (distance - drift > _runner.RadiusAt(end))
             {
                 Leave(t);
                 return Math.Max(end, t + (gap / (span.SpeedFromHere + _runner.Fastest)));
             }
 
+            // Well within his circle; how long at least is remembered for the parts to come.
             near = gap <= -drift;
             nearUntil = near ? t - (gap / (span.SpeedFromHere + _runner.CarriedAt(t))) : nearUntil;
         }
@@ -114,6 +123,7 @@ internal struct WindowSearch
         MeetingPoint.At(in span, in _runner, start, reacts, out MeetingPoint low);
         while (level >= 0 && !_done)
         {
+            // Interval number of the 2^level of this size; the last ends where the part does, whatever rounding says.
             double h = length / (1L << level);
             double a = start + (number * h);
             double b = number + 1 == 1L << level ? end : start + ((number + 1) * h);
@@ -146,6 +156,7 @@ internal struct WindowSearch
         bool hopeless = false;
         for (var what = MeetingCondition.Near; what <= MeetingCondition.NotTooHigh; what++)
         {
+            // Each condition by its values at the ends and a bound of its second derivative: holds throughout, never, or changes.
             double start = low.Value(what);
             double end = high.Value(what);
             double bend = what == MeetingCondition.Near ? NearBend(in span, a, b, in low) : span.VerticalAcceleration;
@@ -162,6 +173,7 @@ internal struct WindowSearch
                 return true;
             }
 
+            // One condition that changes once can be solved for; more, or one that may change twice, is halved.
             hopeless |= open >= 0 || !monotone;
             open = (int)what;
         }
@@ -183,6 +195,7 @@ internal struct WindowSearch
             return false;
         }
 
+        // So short that it does not matter: decided by the ends.
         bool holds = true;
         for (var what = MeetingCondition.Near; what <= MeetingCondition.NotTooHigh; what++)
         {
@@ -204,6 +217,7 @@ internal struct WindowSearch
     /// <summary>A bound of |q̈| over an interval, q = R² − |w|²: 2 (Ṙ² + R R̈ + |ẇ|² + |w| |ẅ|).</summary>
     private readonly double NearBend(in PathSpan span, double a, double b, in MeetingPoint low)
     {
+        // Each factor by its largest over the interval: growth and radius at its end, the distance by how far both can go.
         double growth = _runner.GrowthAt(b);
         double speed = span.Speed + _runner.CarriedAt(a);
         double farthest = low.Distance + (speed * (b - a));
@@ -213,6 +227,7 @@ internal struct WindowSearch
     /// <summary>The instant at which the one condition that changes does so.</summary>
     private void Cross(in PathSpan span, double a, double b, bool reacts, MeetingCondition what, double start)
     {
+        // Newton from the end at which the condition does not hold, with the sign so that it falls.
         bool falls = start >= 0;
         var margin = new MeetingMargin(in span, in _runner, what, reacts, falls);
         double at = Roots.Newton(ref margin, a, b, falls ? b : a);

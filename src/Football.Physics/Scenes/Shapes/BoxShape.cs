@@ -29,6 +29,8 @@ public sealed class BoxShape : IShape
         Center = center;
         HalfSize = halfSize;
         Rotation = rotation.Normalized();
+
+        // Its axes in the world, which every look needs.
         _x = Rotation.Rotate(new Vector3d(1, 0, 0));
         _y = Rotation.Rotate(new Vector3d(0, 1, 0));
         _z = Rotation.Rotate(new Vector3d(0, 0, 1));
@@ -76,7 +78,10 @@ public sealed class BoxShape : IShape
                 : new ShapePoint(beyondZ, z < 0 ? -_z : _z, SymmetricMatrix3d.Zero);
         }
 
+        // Outside: from the nearest point of the box.
         Vector3d normal = ((x < 0 ? -outX : outX) / l * _x) + ((y < 0 ? -outY : outY) / l * _y) + ((z < 0 ? -outZ : outZ) / l * _z);
+
+        // Beyond one pair of faces it is a plane, beyond two an edge, beyond three a corner.
         int beyond = (outX > 0 ? 1 : 0) + (outY > 0 ? 1 : 0) + (outZ > 0 ? 1 : 0);
         SymmetricMatrix3d curvature = beyond == 1 ? SymmetricMatrix3d.Zero
             : beyond == 3 ? SymmetricMatrix3d.AroundPoint(in normal, l)

@@ -52,10 +52,14 @@ public sealed class CapsuleShape : IShape
         // From the middle, so that the two ends are the same to the last bit.
         Vector3d from = point - _middle;
         double along = Vector3d.Dot(in from, in _axis);
+
+        // Beside the segment it is a cylinder, beyond its ends a sphere.
         bool beside = Math.Abs(along) < _half;
         Vector3d nearest = (beside ? along : along > 0 ? _half : -_half) * _axis;
         Vector3d away = from - nearest;
         double l = away.Length;
+
+        // On the axis itself there is no direction away from it: any across will do.
         if (!(l > 0))
         {
             return new ShapePoint(-Radius, Across(in _axis), SymmetricMatrix3d.Zero);

@@ -50,6 +50,8 @@ public sealed class HeightField : IShape
         OriginX = originX;
         OriginZ = originZ;
         Spacing = spacing;
+
+        // A copy, so that who gave the array cannot change the ground under a ball.
         _values = new double[_rows * _columns];
         _highest = double.NegativeInfinity;
         for (int i = 0; i < _rows; i++)
@@ -123,6 +125,8 @@ public sealed class HeightField : IShape
     {
         double x = point.X;
         double z = point.Z;
+
+        // Straight below first.
         Patch patch = Sample(x, z);
         double above = point.Y - patch.Height;
         if (Math.Abs(above) * StrongestCurvature > NearBy)
@@ -135,6 +139,7 @@ public sealed class HeightField : IShape
         // The nearest point: (S − p)·S_x = 0, (S − p)·S_z = 0, by Newton's method.
         for (int i = 0; i < MostIterations; i++)
         {
+            // f and g are the two conditions; their Jacobian is symmetric.
             double up = patch.Height - point.Y;
             double f = (x - point.X) + (up * patch.SlopeX);
             double g = (z - point.Z) + (up * patch.SlopeZ);
@@ -154,6 +159,8 @@ public sealed class HeightField : IShape
         }
 
         Vector3d normal = patch.Normal;
+
+        // Signed: the normal points upwards, out of the ground.
         double distance = Vector3d.Dot(point - new Vector3d(x, patch.Height, z), in normal);
         return new ShapePoint(distance, in normal, patch.CurvatureAt(distance));
     }
@@ -162,6 +169,8 @@ public sealed class HeightField : IShape
     {
         double slope = 0;
         double curvature = 0;
+
+        // Beyond the border too: there the ground still bends.
         for (int i = -SamplesOfCell; i <= (_rows + 1) * SamplesOfCell; i++)
         {
             for (int j = -SamplesOfCell; j <= (_columns + 1) * SamplesOfCell; j++)
@@ -180,12 +189,18 @@ public sealed class HeightField : IShape
     {
         double u = (x - OriginX) / Spacing;
         double w = (z - OriginZ) / Spacing;
+
+        // The cell, and where in it.
         double floorU = Math.Floor(u);
         double floorW = Math.Floor(w);
         var alongX = new Basis(u - floorU);
         var alongZ = new Basis(w - floorW);
+
+        // Far outside all is the border; kept near it before the conversion, for an int holds no 1e300.
         int i = (int)Math.Min(Math.Max(floorU, -4), _rows + 4);
         int j = (int)Math.Min(Math.Max(floorW, -4), _columns + 4);
+
+        // Sixteen values; beyond the border each is that of the border.
         int column0 = Math.Min(Math.Max(j - 1, 0), _columns - 1);
         int column1 = Math.Min(Math.Max(j, 0), _columns - 1);
         int column2 = Math.Min(Math.Max(j + 1, 0), _columns - 1);
@@ -198,6 +213,8 @@ public sealed class HeightField : IShape
             double c1 = _values[row + column1];
             double c2 = _values[row + column2];
             double c3 = _values[row + column3];
+
+            // Along z first, value, slope and bend; along x these are then weighted.
             double value = (alongZ.Value0 * c0) + (alongZ.Value1 * c1) + (alongZ.Value2 * c2) + (alongZ.Value3 * c3);
             double slope = (alongZ.Slope0 * c0) + (alongZ.Slope1 * c1) + (alongZ.Slope2 * c2) + (alongZ.Slope3 * c3);
             double bend = (alongZ.Bend0 * c0) + (alongZ.Bend1 * c1) + (alongZ.Bend2 * c2) + (alongZ.Bend3 * c3);
@@ -209,6 +226,7 @@ public sealed class HeightField : IShape
             sum.ZZ += alongX.Value(k) * bend;
         }
 
+        // From derivatives by fractions of a cell to those by metres.
         double per = 1.0 / Spacing;
         sum.SlopeX *= per;
         sum.SlopeZ *= per;
@@ -236,6 +254,7 @@ public sealed class HeightField : IShape
 
         public Basis(double u)
         {
+            // Written by u and by 1 − u, so that the four are symmetric to the last bit.
             double v = 1.0 - u;
             Value0 = v * v * v / 6.0;
             Value1 = ((((3.0 * u) - 6.0) * u * u) + 4.0) / 6.0;
@@ -282,6 +301,7 @@ public sealed class HeightField : IShape
         {
             get
             {
+                // First fundamental form (e, f, g); the second is (h_xx, h_xz, h_zz)/√(e g − f²).
                 double e = 1.0 + (SlopeX * SlopeX);
                 double f = SlopeX * SlopeZ;
                 double g = 1.0 + (SlopeZ * SlopeZ);

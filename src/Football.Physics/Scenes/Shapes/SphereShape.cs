@@ -30,6 +30,7 @@ public sealed class SphereShape : IShape
     /// <inheritdoc/>
     public ShapePoint At(in Vector3d point)
     {
+        // At the centre itself every direction is outward: up is taken.
         Vector3d from = point - Center;
         double l = from.Length;
         Vector3d normal = l > 0 ? from / l : Vector3d.Up;

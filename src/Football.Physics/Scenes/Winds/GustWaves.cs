@@ -19,6 +19,7 @@ internal sealed class GustWaves
     /// <param name="speed">Speed of the wind at the reference height, m/s.</param>
     public GustWaves(Gusts gusts, double speed)
     {
+        // Wave numbers, one drawn in each band, and the share of the variance that its band has.
         double q = BandRatio;
         double low = 0.05;
         Span<double> turnsPerMetre = stackalloc double[Bands];
@@ -41,6 +42,7 @@ internal sealed class GustWaves
             low = high;
         }
 
+        // Amplitudes, so that the variances sum to that of the component, and phases that are drawn.
         double deviation = gusts.Intensity * speed;
         Span<double> sines = stackalloc double[Bands];
         Span<double> cosines = stackalloc double[Bands];
@@ -59,6 +61,7 @@ internal sealed class GustWaves
                 largest += amplitude;
             }
 
+            // All waves at their crests at once.
             Largest += largest * Unit(component);
             for (int block = 0; block < _waves.Length; block++)
             {
@@ -86,6 +89,7 @@ internal sealed class GustWaves
         var far = Quad.Of(distance);
         foreach (ref readonly FourWaves waves in _waves.AsSpan())
         {
+            // Four waves at a time; in turns, so that whole ones are taken off exactly.
             QuadSine.SinCos(waves.TurnsPerMetre * far, out Quad sin, out Quad cos);
             along += (waves.AlongSin * sin) + (waves.AlongCos * cos);
             across += (waves.AcrossSin * sin) + (waves.AcrossCos * cos);

@@ -45,6 +45,8 @@ public sealed class WindByHeight : IWind
 
         // A direction that has length 1 to rounding stays as it is: what was read from here makes the same wind.
         size = Math.Abs(size - 1) <= 1e-15 ? 1 : size;
+
+        // Unlike other parts of a scene it is checked where it is made: a scene sees only an IWind.
         gusts?.Validate();
         Speed = speed;
         Direction = new Vector3d(directionX / size, 0, directionZ / size);
@@ -54,10 +56,14 @@ public sealed class WindByHeight : IWind
         GroundHeight = groundHeight;
         _alongX = Direction.X;
         _alongZ = Direction.Z;
+
+        // What each step needs, without a division.
         _perRoughness = 1.0 / roughness;
         _perLogarithm = speed / Elementary.Log((referenceHeight + roughness) / roughness);
         _perSpeed = speed > 0 ? 1.0 / speed : 0;
         _gusts = gusts is { Intensity: > 0 } && speed > 0 ? new GustWaves(gusts, speed) : null;
+
+        // The mean far above any place, with all gusts at their largest: a bound that flights rely on.
         Vector3d largest = new Vector3d(speed, 0, 0) + (_gusts?.Largest ?? Vector3d.Zero);
         Fastest = _perSpeed * MeanAt(4.0 * Limits.Length) * largest.Length;
         Check.Within("air.wind.speed (with its gusts, at any height)", Fastest, 0, Limits.Speed);
@@ -91,6 +97,7 @@ public sealed class WindByHeight : IWind
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal Vector3d At(double time, double x, double y, double z)
     {
+        // Below the ground as on it: the logarithm ends there.
         double height = y - GroundHeight;
         height = height > 0 ? height : 0;
         double mean = MeanAt(height);
