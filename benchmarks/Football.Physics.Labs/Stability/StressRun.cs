@@ -161,11 +161,17 @@ internal sealed class StressRun
     /// <summary>How long a hop lasts at least: 2 v/a with the largest downward acceleration; semi-implicit Euler, which falls before it rises, half as long.</summary>
     private double ShortestHop(in BallEvent impact)
     {
+        // One that rises more slowly than a bounce has to stays down, and lift may take it off the ground again at any time: that is no hop.
+        if (impact.Velocity.Y < _scene.Scene.Ground.MinimumBounceSpeed)
+        {
+            return 0;
+        }
+
         // Forward again as fast as it came, and explicit Euler a little faster.
         double speed = 1.5 * (impact.Velocity - _scene.Scene.Air.Wind).Length;
         double down = Math.Max(0, -_scene.Upward) + _air.Size(speed, _scene.Scene.Ball.Radius * impact.Spin.Length);
         double tolerance = _scene.Settings.CollisionTiming == CollisionTiming.Bisection ? 2 * _scene.Settings.CollisionTolerance : 1e-12;
-        return impact.Velocity.Y > 0 ? ((1 - 1e-6) * impact.Velocity.Y / Math.Max(down, 1e-300)) - tolerance : 0;
+        return ((1 - 1e-6) * impact.Velocity.Y / Math.Max(down, 1e-300)) - tolerance;
     }
 
     private StressFailure? Energy(in BallState before, double dt)

@@ -76,8 +76,8 @@ internal sealed class Collider
     /// <summary>True when the ball moves it.</summary>
     public bool GivesWay => Mass < double.PositiveInfinity;
 
-    /// <summary>The velocity that the scene gives it, m/s; 0 for what the game, or an engine, moves.</summary>
-    public Vector3d GivenVelocity => _motion.Velocity;
+    /// <summary>The motion that the scene gives it; none for what the game, or an engine, moves.</summary>
+    public ref readonly RigidMotion Given => ref _motion;
 
     /// <summary>True when the game, or an engine, moves it.</summary>
     public bool IsBody => _placement is not null && _obstacles is null;

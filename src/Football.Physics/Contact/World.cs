@@ -344,7 +344,7 @@ internal sealed class World
             key.Add(high.Distance);
             key.Add(high.Normal);
             key.Add(in collider.Bounds);
-            key.Add(collider.GivenVelocity);
+            key.Add(collider.Given.Velocity);
         }
     }
 

@@ -24,15 +24,6 @@ internal sealed class PlacementLog
         }
     }
 
-    /// <summary>Adds what another log has of a tick.</summary>
-    public void Copy(PlacementLog other, long tick)
-    {
-        for (int i = other.FirstAt(tick); i < other._end && other._entries[i].Tick == tick; i++)
-        {
-            Add(other._entries[i]);
-        }
-    }
-
     /// <summary>Puts the bodies where they were for a tick's step.</summary>
     public void Apply(long tick, Bodies bodies)
     {
@@ -85,7 +76,7 @@ internal sealed class PlacementLog
         var log = new PlacementLog();
 
         // No entry takes fewer bytes, so that a broken count is refused before memory is asked for.
-        int count = reader.Count(6);
+        int count = reader.Count(7);
         long tick = 0;
         for (int i = 0; i < count; i++)
         {

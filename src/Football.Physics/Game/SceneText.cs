@@ -252,7 +252,7 @@ internal sealed class SceneText
         _text.Append('"');
     }
 
-    /// <summary>Seventeen digits are every double: the shortest text is not the number on each of Unity's runtimes.</summary>
+    /// <summary>The shortest text of a number, or seventeen digits where that is another number on one of Unity's runtimes.</summary>
     private static string Digits(double value)
     {
         // The shortest text, where it reads back as the same number.

@@ -20,7 +20,7 @@ public sealed record LookAheadRequest
     public Plane3d? UntilPlane { get; init; }
 
     /// <summary>
-    /// A point that ends it once the ball has passed it: once it is further away over the ground than it ever was, recedes, and neither wind, spin nor
+    /// A point that ends it once the ball has passed it: once it is further away over the ground than at its closest, recedes, and neither wind, spin nor
     /// things in the way can bring it back. Default none.
     /// </summary>
     public Vector3d? UntilPassing { get; init; }

@@ -2,7 +2,7 @@ namespace Football.Physics.Prediction;
 
 /// <summary>Tells when a ball that passed a point comes no closer to it any more.</summary>
 /// <remarks>
-/// Over the ground the ball is further away than it ever was, and recedes. Drag only slows it, towards the wind; the Magnus force turns its
+/// Over the ground the ball is further away than it was at its closest, and recedes. Drag only slows it, towards the wind; the Magnus force turns its
 /// velocity by Ω = lift |u|/|v|; a bounce or a slide turns it only where the ball spins back fast. Where those, over the time that is
 /// left, could bring it back, it has not passed.
 /// </remarks>

@@ -95,6 +95,7 @@ public sealed record BallProperties
         Check.Within("ball.knuckleForce", KnuckleForce, 0, 100);
 
         // Also where the laws of the scene do not follow it: another scene may.
+        Check.Given("ball.dragCurve", DragCurve);
         DragCurve.Validate();
     }
 }

@@ -22,7 +22,9 @@ public sealed class Body
         Surface = surface;
         Mass = mass;
         Bounds3d own = shape.Bounds;
-        _extent = Math.Max(own.Min.Length, own.Max.Length);
+
+        // No point of the box is farther from the origin than its farthest corner.
+        _extent = new Vector3d(Math.Max(-own.Min.X, own.Max.X), Math.Max(-own.Min.Y, own.Max.Y), Math.Max(-own.Min.Z, own.Max.Z)).Length;
         Placement = new Placement(in own);
     }
 

@@ -151,6 +151,7 @@ public sealed record Scene
         if (Ground.Pattern is { } pattern)
         {
             Check.Within("ground.pattern.leastWidth", pattern.LeastWidth, 0, double.PositiveInfinity, exclusiveLow: true);
+            Check.Given("ground.pattern.surfaces", pattern.Surfaces);
             for (int i = 0; i < pattern.Surfaces.Count; i++)
             {
                 Check.GivenItem("ground.pattern.surfaces", i, pattern.Surfaces[i], "a surface");

@@ -21,8 +21,13 @@ internal static class SceneHash
             key.Add(net.Bounds);
             key.Add(net.Normal);
 
-            // A net by how it pushes a ball in one motion.
-            MotionRates push = net.Push(new Motion(net.Bounds.Min, new Vector3d(1, 2, 3), new Vector3d(3, 2, 1)), 1);
+            key.Add(net.ReturnSpeed);
+            key.Add(net.HalfLength);
+            key.Add(net.HalfWidth);
+            key.Add(net.InFrame(new Vector3d(1, 2, 3)));
+
+            // The rest of a net by how it pushes a ball in its middle, which goes on into it: the tension is positive then.
+            MotionRates push = net.Push(new Motion(0.5 * (net.Bounds.Min + net.Bounds.Max), new Vector3d(1, 2, 3) - (5 * net.Normal), new Vector3d(3, 2, 1)), 1);
             key.Add(push.Acceleration);
             key.Add(push.SpinAcceleration);
         }
@@ -110,7 +115,9 @@ internal static class SceneHash
         foreach (Collider collider in world.Colliders.Where(collider => world.Engine is null || !world.Engine.Colliders.Contains(collider)))
         {
             key.Add(collider.Mass);
-            key.Add(collider.GivenVelocity);
+            key.Add(collider.Given.Velocity);
+            key.Add(collider.Given.Spin);
+            key.Add(collider.Given.Pivot);
             key.Add(in collider.Bounds);
             for (int i = 0; i < Places; i++)
             {
@@ -133,6 +140,7 @@ internal static class SceneHash
     {
         key.Add(material.SlowRestitution);
         key.Add(material.PerRestitutionSpeed);
+        key.Add(material.RestitutionRise);
         key.Add(material.TangentialX);
         key.Add(material.TangentialZ);
         key.Add(material.Spin);

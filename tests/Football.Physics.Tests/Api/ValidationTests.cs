@@ -166,8 +166,10 @@ public sealed class ValidationTests
     }
 
     [Fact]
-    public void A_null_among_the_forces_of_the_game_is_refused()
+    public void A_null_where_something_is_needed_is_refused_by_name()
     {
+        Assert.Equal("ball.dragCurve", Assert.Throws<ArgumentNullException>(() => new Simulator(s_scene with { Ball = new BallProperties { DragCurve = null! } })).ParamName);
+        Assert.Equal("ground.pattern.surfaces", Assert.Throws<ArgumentNullException>(() => new Simulator(s_scene with { Ground = new Ground { Pattern = new NoSurfaces() } })).ParamName);
         Assert.Throws<ArgumentNullException>(() => new Simulator(s_scene with { Forces = ForceSet.Published with { Custom = [null!] } }));
         Assert.Throws<ArgumentNullException>(() => IForce.From(null!));
     }
@@ -232,5 +234,14 @@ public sealed class ValidationTests
             "solver.collisionTolerance" => new Simulator(s_scene, new SolverSettings { CollisionTolerance = value }),
             _ => throw new ArgumentOutOfRangeException(nameof(field), field, "unknown"),
         };
+    }
+
+    private sealed class NoSurfaces : ISurfacePattern
+    {
+        public IReadOnlyList<Surface> Surfaces => null!;
+
+        public double LeastWidth => 1;
+
+        public int At(double x, double z) => 0;
     }
 }

@@ -35,6 +35,24 @@ public sealed class BallGroupTests
         }
     }
 
+    /// <summary>A heavy ball throws a light one farther than either would have got alone: who lies there is met, whatever its number.</summary>
+    [Fact]
+    public void A_ball_that_was_struck_meets_one_that_nobody_would_have_reached()
+    {
+        BallProperties heavy = new() { Mass = 4 };
+        BallProperties light = new() { Mass = 0.1 };
+        var group = new BallGroup(new Scene(), [.. Enumerable.Repeat(new BallProperties(), 7), heavy, light, new BallProperties()]);
+        BallState[] balls = [.. Enumerable.Range(0, 10).Select(i => group.SimulatorOf(i).Launch(new Vector3d(20 + (3 * i), 5, 0), Vector3d.Zero, Vector3d.Zero))];
+        balls[7] = group.SimulatorOf(7).Launch(new Vector3d(0, 5, 0), new Vector3d(0, 0, -20), Vector3d.Zero);
+        balls[8] = group.SimulatorOf(8).Launch(new Vector3d(0, 5, -1), Vector3d.Zero, Vector3d.Zero);
+        balls[9] = group.SimulatorOf(9).Launch(new Vector3d(0, 5, -2.9), Vector3d.Zero, Vector3d.Zero);
+        var log = new StepLog();
+        group.Step(balls, 0.1, log);
+        Assert.Contains(log.Events.Span.ToArray(), hit => hit.Ball == 8 && hit.OtherBall == 9);
+        Assert.True(balls[9].Velocity.Z < -2, $"the last ball goes at {balls[9].Velocity}");
+        Assert.True((balls[8].Position - balls[9].Position).Length >= 0.22 - 1e-9);
+    }
+
     [Fact]
     public void A_ball_that_hits_a_resting_one_gives_it_its_motion_and_no_energy_comes_from_it()
     {

@@ -211,7 +211,7 @@ internal sealed class BallCluster
 
         // Struck, it may get farther than was expected of it, and meet balls that were no neighbours.
         double reach = (states[i].Position - _before[i].Position).Length + _trials[i].Reach;
-        for (int k = 0; reach > _reaches[i] && k < Count; k++)
+        for (int k = 0; reach > _reaches[i] && k < _isIn.Length; k++)
         {
             if (!_isIn[k] && MayMeet(i, reach, k, _reaches[k]))
             {
