@@ -17,6 +17,7 @@ cat > "$work/app/app.csproj" << END
   <ItemGroup>
     <PackageReference Include="Football.Physics" Version="$version" />
     <PackageReference Include="Football.Physics.Batch" Version="$version" />
+    <Using Include="Football.Physics;Football.Physics.Aiming;Football.Physics.Batch;Football.Physics.Prediction" />
     <Compile Include="$table/Quick/FirstUseTable.cs;$table/Quick/Child.cs;$table/Quick/Text.cs" />
   </ItemGroup>
 </Project>
