@@ -10,6 +10,9 @@ public sealed class Client(int seed, HashLog hashes, string? otherVersion = null
 {
     private const int RollbackTicks = 128;
 
+    /// <summary>So many ticks of inputs are sent at most.</summary>
+    private const int MostTicks = 200;
+
     /// <summary>Its inputs are to come to the server so many ticks before they are needed.</summary>
     private const int LeastSpare = 2;
     private const int MostSpare = 7;
@@ -56,7 +59,9 @@ public sealed class Client(int seed, HashLog hashes, string? otherVersion = null
             Packets.Of(PacketKind.Inputs, writer =>
             {
                 writer.Write(_confirmed);
-                writer.WriteInputs(_match, 1, _serverHas, _match.Tick);
+
+                // Not more than a packet and the memory hold: older ones the server has guessed long since.
+                writer.WriteInputs(_match, 1, Math.Max(_serverHas, _match.Tick - MostTicks), _match.Tick);
             }),
         ];
     }
@@ -102,9 +107,15 @@ public sealed class Client(int seed, HashLog hashes, string? otherVersion = null
         (long from, TeamInput[] theirs) = reader.ReadInputs();
         (_, TeamInput[] ours) = reader.ReadInputs();
         long to = Math.Min(from + theirs.Length, _match.Tick);
-        if (from > _confirmed || to <= _confirmed)
+        if (from > _confirmed)
         {
-            return;     // older than what is known, or something between is missing: the next packet has it
+            _rollback = null;   // what is missing in between the server sends no more: join again
+            return;
+        }
+
+        if (to <= _confirmed)
+        {
+            return;     // older than what is known
         }
 
         long? wrong = null;

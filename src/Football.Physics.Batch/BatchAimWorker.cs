@@ -17,6 +17,9 @@ internal sealed class BatchAimWorker
     private readonly int[] _active = new int[LaneGroup.Size];
     private readonly double _windUp;
 
+    /// <summary>True where the air alone may lift a ball that has begun to fall.</summary>
+    private readonly bool _floats;
+
     /// <summary>Upward speed from which on a kick leaves the ground, m/s.</summary>
     private readonly double _leavesGround;
 
@@ -30,6 +33,7 @@ internal sealed class BatchAimWorker
         _start = new BatchAimStart(_aimer.Context, Step);
         _newton = new BatchAimNewton(_aimer.Context);
         _windUp = scene.Air.Wind.Y;
+        _floats = _aimer.Context.Upward > 0 || scene.Air.Wind.Y > 0;
         _leavesGround = _aimer.Context.Upward > 0 ? 0 : scene.Ground.MinimumBounceSpeed;
         _lanes = LaneFlight.Covers(scene) ? LaneFlight.Create(scene, fourthOrder: true, Step, lanes, upAlongX: true) : null;
     }
@@ -134,10 +138,10 @@ internal sealed class BatchAimWorker
     }
 
     /// <summary>
-    /// True when a kick that hits keeps to the bounds, leaves the ground, and cannot touch it again before: a ball that rises or has no lift up falls but once.
+    /// True when a kick that hits keeps to the bounds, leaves the ground, and cannot touch it again before: a ball that rises, or that nothing lifts, falls but once.
     /// </summary>
     private bool StaysClear(in BatchAimState s) =>
-        s.DirectionUp >= _lowest && s.DirectionUp <= _highest && (s.DirectionUp >= 0 || s.Top >= 0)
+        s.DirectionUp >= _lowest && s.DirectionUp <= _highest && (s.DirectionUp >= 0 || (s.Top >= 0 && !_floats))
         && !(s.OnGround && s.Speed * s.DirectionUp < _leavesGround);
 
     private static void Write(BatchAims aims, BatchKicks kicks, int index, in BatchAimState s)

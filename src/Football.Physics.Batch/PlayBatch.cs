@@ -9,13 +9,14 @@ public sealed class PlayBatch
 {
     private readonly Trajectory[] _paths;
     private readonly GroupRun _groups;
+    private readonly GroupRun _alone;
     private BatchLaunches? _launches;
     private BatchPlays? _plays;
     private LookAheadRequest? _request;
 
     /// <summary>Prepares for balls of a compiled scene.</summary>
     /// <param name="simulator">The scene.</param>
-    /// <param name="threads">How many threads. The results do not depend on it. 1 … 1024; default 1.</param>
+    /// <param name="threads">How many threads; one where a ball may move what it meets. The results do not depend on it. 1 … 1024; default 1.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="threads"/> is out of range.</exception>
     public PlayBatch(Simulator simulator, int threads = 1)
@@ -29,6 +30,7 @@ public sealed class PlayBatch
         }
 
         _groups = new GroupRun(threads, (thread, from, count) => Play(thread, from, count));
+        _alone = new GroupRun(1, (thread, from, count) => Play(thread, from, count));
     }
 
     /// <summary>The scene.</summary>
@@ -51,7 +53,10 @@ public sealed class PlayBatch
         _plays = plays ?? throw new ArgumentNullException(nameof(plays));
         _request = request ?? throw new ArgumentNullException(nameof(request));
         Check.Within(nameof(count), count, 0, Math.Min(launches.Capacity, plays.Capacity));
-        _groups.Run(count, progress, cancellation);
+
+        // What an impact moves, what an engine says and where the game has its bodies belong to the simulator: one ball at a time.
+        bool isShared = Simulator.World.GivesWay || Simulator.World.Engine is not null || request.BodiesAt is not null;
+        (isShared ? _alone : _groups).Run(count, progress, cancellation);
     }
 
     private void Play(int thread, int from, int count)
@@ -89,7 +94,7 @@ public sealed class PlayBatch
             velocity = crossing.Velocity;
         }
 
-        int bounces = 0;
+        long bounces = 0;
         bool scored = false;
         for (int i = 0; i < path.Events.Count; i++)
         {
@@ -101,10 +106,12 @@ public sealed class PlayBatch
             }
         }
 
+        // To its end a path has as many as were counted, also those that its memory of events has no place for.
+        bounces = crossed ? bounces : path.Events.Impacts;
         plays.Crossed[index] = crossed;
         plays.Rests[index] = !crossed && end.Motion == MotionState.Stopped;
         plays.Scored[index] = scored;
-        plays.Bounces[index] = bounces;
+        plays.Bounces[index] = (int)bounces;
         plays.Time[index] = time;
         plays.Position[index] = position;
         plays.Velocity[index] = velocity;

@@ -50,7 +50,7 @@ public sealed class KeeperDive
     /// <param name="goal">The goal that he guards.</param>
     /// <param name="ahead">The scene as he expects it, which he is no part of.</param>
     /// <param name="feet">Where he stands, m.</param>
-    /// <param name="abilities">How fast he reacts and moves, how far and how high he reaches; his place and velocity do not count. Default null: <see cref="Typical"/>.</param>
+    /// <param name="abilities">How fast he reacts and moves, how far he reaches, and from and to which height over his feet; his place and velocity do not count. Default null: <see cref="Typical"/>.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public KeeperDive(Body body, Goal goal, Simulator ahead, Vector3d feet, Player? abilities = null)
@@ -106,6 +106,9 @@ public sealed class KeeperDive
             // It was placed: a new start.
             (_from, _to, _end) = (_home, _home, double.NegativeInfinity);
             _start = double.PositiveInfinity;
+
+            // He has not decided anything about this path yet, though it may be the one that is kept.
+            _path.Invalidate();
         }
 
         _now = ball.Time;
@@ -143,7 +146,7 @@ public sealed class KeeperDive
         Count++;
     }
 
-    /// <summary>He as the search has him: at his feet, without motion.</summary>
+    /// <summary>He as the search has him: at his feet, without motion; its heights are those of the world.</summary>
     private Player Standing(in Vector3d feet) => new()
     {
         Position = feet,
@@ -151,8 +154,8 @@ public sealed class KeeperDive
         Acceleration = _abilities.Acceleration,
         Speed = _abilities.Speed,
         Reach = _abilities.Reach,
-        LowestHeight = _abilities.LowestHeight,
-        HighestHeight = _abilities.HighestHeight,
+        LowestHeight = _feet.Y + _abilities.LowestHeight,
+        HighestHeight = _feet.Y + _abilities.HighestHeight,
     };
 
     /// <summary>How he lies when his hands are where the ball will be, or as near to it as he comes.</summary>

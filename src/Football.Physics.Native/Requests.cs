@@ -24,11 +24,21 @@ internal static unsafe class Requests
     public static CompiledScene Scene(ReadOnlySpan<byte> json)
     {
         InputFields fields = Fields(json);
-        Scene scene = SceneInput.Scene(fields.Root);
-        SolverSettings settings = SceneInput.Solver(fields.Root, out _);
-        fields.Check();
         try
         {
+            Scene scene = SceneInput.Scene(fields.Root);
+            SolverSettings settings = SceneInput.Solver(fields.Root, out _);
+            fields.Check();
+
+            // A scene of any number of balls and threads: nothing in it may be moved by one of them.
+            for (int i = 0; i < scene.Obstacles.Count; i++)
+            {
+                if (double.IsFinite(scene.Obstacles[i].Mass))
+                {
+                    throw new RefusedException($"obstacles[{i}].mass", scene.Obstacles[i].Mass.ToString(System.Globalization.CultureInfo.InvariantCulture), "none here: a scene is shared by all its balls");
+                }
+            }
+
             return new CompiledScene(scene, settings);
         }
         catch (ArgumentException e) when (LibraryRefusal.Of(e, fields) is { } refusal)

@@ -72,12 +72,12 @@ public sealed class MatchBundle
             root.Text(name, "");
         }
 
-        SolverSettings settings = SceneInput.Solver(root, out _);
-        Scene scene = SceneInput.Scene(root.Object("scene")) with { Bodies = WorldInput.Bodies(root) };
-        fields.Check();
         Simulator simulator;
         try
         {
+            SolverSettings settings = SceneInput.Solver(root, out _);
+            Scene scene = SceneInput.Scene(root.Object("scene")) with { Bodies = WorldInput.Bodies(root) };
+            fields.Check();
             simulator = new Simulator(scene, settings);
         }
         catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields, "scene") is { } said)

@@ -51,7 +51,7 @@ public static class ScenarioRun
             Samples = samples,
             NameOf = simulator.NameOf,
             ImpulseOf = ImpulseOf(scenario, _ => scenario.Scene.Ball, several: false),
-            Derivatives = scenario.Derivatives ? DerivativesOf(scenario, simulator) : null,
+            Derivatives = scenario.Derivatives ? DerivativesOf(scenario) : null,
         };
         return IsFinite(outcome)
             ? outcome
@@ -137,8 +137,10 @@ public static class ScenarioRun
         return final;
     }
 
-    private static LaunchDerivatives DerivativesOf(Scenario scenario, Simulator simulator)
+    private static LaunchDerivatives DerivativesOf(Scenario scenario)
     {
+        // In a scene of their own: the run has moved what gives way.
+        var simulator = new Simulator(scenario.Scene, scenario.Settings);
         var derivatives = new LaunchDerivatives(simulator);
         BallState state = simulator.Launch(scenario.Position, scenario.Velocity, scenario.Spin, scenario.Orientation);
         derivatives.Run(ref state, scenario.TimeStep, scenario.Duration, scenario.StopAt);

@@ -36,6 +36,8 @@ public sealed unsafe class CallTests
     [InlineData("", "the input is")]
     [InlineData("{\"solver\": {\"integrator\": \"rk9\"}}", "solver.integrator is \"rk9\"; allowed: ")]
     [InlineData("{\"obstacles\": [{\"shape\": \"sphere\", \"center\": [0, 0, 0], \"radius\": -1}]}", "obstacles[0].radius is -1; allowed: ")]
+    [InlineData("{\"air\": {\"weather\": {\"temperature\": 100}}}", "air.weather.temperature is 100; allowed: ")]
+    [InlineData("{\"obstacles\": [{\"shape\": \"sphere\", \"center\": [0, 1, -5], \"radius\": 0.1, \"mass\": 3}]}", "obstacles[0].mass is 3; allowed: none here")]
     public void A_scene_that_is_refused_has_a_sentence_and_no_handle(string json, string sentence)
     {
         NativeScene* scene = (NativeScene*)1;

@@ -246,4 +246,34 @@ public sealed class SimulateTests
     [Fact]
     public void A_byte_order_mark_and_line_ends_do_not_matter() =>
         Assert.Equal(FootballCommand.Play($"{{{L}}}").GetRawText(), FootballCommand.Play($"\uFEFF\r\n{{\r\n{L}\r\n}}\r\n").GetRawText());
+
+    /// <summary>A writer may send the mark of the byte order by itself, and what follows later.</summary>
+    [Theory]
+    [InlineData(1)]
+    [InlineData(3)]
+    [InlineData(4)]
+    public void A_byte_order_mark_that_comes_alone_is_not_the_end(int piece)
+    {
+        using var stream = new InPieces([0xEF, 0xBB, 0xBF, .. "{\"a\": 1}\n{\"a\": 2}\n"u8], piece);
+        var lines = new Scenarios.Input.LineReader(stream);
+        Assert.NotNull(lines.ReadLine());
+        Assert.NotNull(lines.ReadLine());
+        Assert.Null(lines.ReadLine());
+    }
+
+    /// <summary>The derivatives are of the run, also where that has moved what it met.</summary>
+    [Fact]
+    public void Derivatives_are_of_a_scene_that_nothing_has_moved()
+    {
+        string Light(double mass) => FootballCommand.Play(
+            """{"launch":{"position":[0,0.11,0],"velocity":[0,0,-20]},"obstacles":[{"shape":"sphere","center":[0,0.11,-5],"radius":0.1,"mass":MASS}],"derivatives":true,"stop":{"at":"impact"}}"""
+            .Replace("MASS", mass.ToString(System.Globalization.CultureInfo.InvariantCulture), StringComparison.Ordinal))
+            .GetProperty("derivatives").GetRawText();
+        Assert.Equal(Light(1e6), Light(0.5));
+    }
+
+    private sealed class InPieces(byte[] all, int piece) : MemoryStream(all)
+    {
+        public override int Read(Span<byte> buffer) => base.Read(buffer[..Math.Min(buffer.Length, piece)]);
+    }
 }

@@ -99,14 +99,17 @@ internal sealed class PassJudge
     /// <summary>True when a kick meets a thing of the scene within a time.</summary>
     private bool MeetsThing(in Vector3d from, in Vector3d velocity, in Vector3d spin, double time)
     {
-        if (_amongThings is null)
+        // Who has the ball already meets it where it is.
+        if (_amongThings is null || !(time > 0))
         {
             return false;
         }
 
+        // Only to see: what gives way stays where it is for the next kick.
         BallState ball = _amongThings.Launch(from, velocity, spin);
         _log.Clear();
-        _amongThings.Run(ref ball, TimeStep, time, StopAt.Time, _log);
+        _log.Pushes = false;
+        _amongThings.RunChecked(ref ball, TimeStep, time, StopAt.Time, _log, null);
         bool meets = _log.Events.Dropped > 0;
         foreach (ref readonly BallEvent happened in _log.Events.Span)
         {

@@ -116,6 +116,11 @@ public sealed record KickSpread
                     throw Check.Refusal("spread's correlations", ToString(), "those of a positive definite matrix");
                 }
 
+                if (i != j && pivot <= 1e-9 && Math.Abs(sum) > 1e-6)
+                {
+                    throw Check.Refusal("spread's correlations", ToString(), "those of a positive definite matrix");
+                }
+
                 factor[(i * Count) + j] = i == j ? Math.Sqrt(Math.Max(0, sum)) : pivot > 1e-9 ? sum / pivot : 0;
                 factor[(j * Count) + i] = i == j ? factor[(i * Count) + i] : 0;
             }

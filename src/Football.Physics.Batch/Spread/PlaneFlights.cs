@@ -13,7 +13,7 @@ internal sealed class PlaneFlights
     private readonly LaneFlight? _lanes;
     private readonly LaneDomain _domain;
     private readonly LaneGroup _group = new();
-    private readonly Trajectory _path = new();
+    private Trajectory _path = new();
     private readonly Vector3d _wind;
 
     public PlaneFlights(Simulator simulator)
@@ -106,6 +106,13 @@ internal sealed class PlaneFlights
         BallState ball = _simulator.Launch(from, velocity, spin);
         var request = new LookAheadRequest { Duration = Longest, UntilPlane = goal.Plane };
         _simulator.LookAhead(in ball, request, _path);
+        while (!_path.IsComplete)
+        {
+            // Nothing but its memory ends a path early.
+            _path = new Trajectory(2 * _path.Pieces.Length);
+            _simulator.LookAhead(in ball, request, _path);
+        }
+
         return _path.TryGetCrossing(goal.Plane, out PathPoint at) ? new PlaneCrossingPoint(at.Time, at.Position) : new PlaneCrossingPoint(-1, from);
     }
 

@@ -45,9 +45,9 @@ internal readonly struct SpreadKick
         Elementary.SinCos(by[2], out double sine, out double cosine);
 
         // v = V (cos ε d + sin ε ŷ), d turned about ŷ by the azimuth, and the spin with it
-        velocity = speed * ((flat * ((cosine * _direction) + (sine * _left))) + new Vector3d(0, up, 0));
+        velocity = KickVectors.Limited(speed * ((flat * ((cosine * _direction) + (sine * _left))) + new Vector3d(0, up, 0)), Limits.Speed);
         Vector3d turned = new((cosine * Spin.X) + (sine * Spin.Z), Spin.Y, (cosine * Spin.Z) - (sine * Spin.X));
-        spin = (1.0 + by[3]) * turned;
+        spin = KickVectors.Limited((1.0 + by[3]) * turned, Limits.Spin);
     }
 
     /// <summary>How velocity and spin change with one of the four numbers.</summary>

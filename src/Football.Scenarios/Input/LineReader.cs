@@ -60,7 +60,9 @@ public sealed class LineReader(Stream input)
         bool first = BytesRead == 0;
         _start = 0;
         _end = input.Read(_chunk);
-        while (first && _end is 1 or 2 && input.Read(_chunk.AsSpan(_end)) is > 0 and int more)
+
+        // A mark of the byte order may come in pieces, or alone: what follows it is looked for.
+        while (first && _end is > 0 and <= 3 && "\uFEFF"u8.StartsWith(_chunk.AsSpan(0, _end)) && input.Read(_chunk.AsSpan(_end)) is > 0 and int more)
         {
             _end += more;
         }

@@ -59,6 +59,8 @@ public class CollisionObject3D : Node3D
 
     public int ShapeOwnerGetShapeCount(uint owner) => 1;
 
+    public bool IsShapeOwnerDisabled(uint owner) => false;
+
     public Shape3D ShapeOwnerGetShape(uint owner, int shape) => _shapes[(int)owner].Shape;
 
     public Transform3D ShapeOwnerGetTransform(uint owner) => _shapes[(int)owner].Transform;
@@ -163,7 +165,10 @@ public class PhysicsDirectSpaceState3D : GodotObject
             info.Add("rid", body.GetRid());
             info.Add("normal", normal);
             info.Add("point", at - (normal * body.Distance(at)));
-            info.Add("linear_velocity", body.LinearVelocity);
+
+            // As the engine's own: the velocity of the body at the point of contact.
+            Vector3 spin = body is RigidBody3D rigid ? rigid.AngularVelocity : Vector3.Zero;
+            info.Add("linear_velocity", body.LinearVelocity + spin.Cross(at - (normal * body.Distance(at)) - body.GlobalTransform.Origin));
         }
 
         return info;

@@ -174,4 +174,21 @@ public sealed class BatchAimerTests
 
         return aims;
     }
+
+    /// <summary>What is lighter than the air falls as it was kicked, turns, and rises: the ground may be in between.</summary>
+    [Fact]
+    public void A_balloon_that_would_go_through_the_ground_is_no_hit_of_the_lanes()
+    {
+        Scene scene = new() { Ball = new BallProperties { Mass = 0.005 }, Forces = new ForceSet { Drag = ForceLaw.None, Magnus = ForceLaw.None, SpinDecay = ForceLaw.None } };
+        var aims = new BatchAims(1) { MinimumElevationDegrees = -45 };
+        aims.Set(0, new Vector3d(0, 0.5, 0), new Vector3d(0, 0.5, -20), 10);
+        var kicks = new BatchKicks(1);
+        new BatchAimer(scene).Find(aims, kicks, 1);
+        AimResult alone = new Aimer(scene).Find(aims.Request(0));
+        Assert.Equal(alone.Status, kicks.Status[0]);
+        if (alone.Status == AimStatus.Hit)
+        {
+            Assert.Equal(alone.Velocity.Y, kicks.Velocity[0].Y, 0.05);
+        }
+    }
 }

@@ -87,4 +87,34 @@ public sealed class PlayBatchTests
     {
         public void Report(int value) => tell(value);
     }
+
+    /// <summary>Balls that push what they meet share no thread: the answer is that of one.</summary>
+    [Fact]
+    public void Among_things_that_give_way_the_threads_do_not_count()
+    {
+        Scene scene = new() { Obstacles = [new Obstacle { Shape = new SphereShape(new Vector3d(0, 0.5, -9), 0.8), Mass = 3 }] };
+        BatchLaunches launches = Launches();
+        var one = new BatchPlays(Count);
+        var four = new BatchPlays(Count);
+        new PlayBatch(new Simulator(scene)).Play(launches, one, Count, new LookAheadRequest { Duration = 4 });
+        new PlayBatch(new Simulator(scene), 4).Play(launches, four, Count, new LookAheadRequest { Duration = 4 });
+        for (int i = 0; i < Count; i++)
+        {
+            Assert.Equal(one.Position[i], four.Position[i]);
+            Assert.Equal(one.Bounces[i], four.Bounces[i]);
+        }
+    }
+
+    [Fact]
+    public void All_bounces_are_counted()
+    {
+        Scene scene = Scene.Published with { Forces = new ForceSet { Buoyancy = false, Drag = ForceLaw.None, Magnus = ForceLaw.None, SpinDecay = ForceLaw.None }, Ground = Ground.PublishedTurf with { NormalRestitution = 1 } };
+        var launches = new BatchLaunches(1);
+        launches.Set(0, new Vector3d(0, 0.2, 0), Vector3d.Zero, Vector3d.Zero);
+        var plays = new BatchPlays(1);
+        new PlayBatch(new Simulator(scene)).Play(launches, plays, 1, new LookAheadRequest { Duration = 600, StopAt = StopAt.Time });
+
+        // A hop of 9 cm takes 2 √(2 h/g).
+        Assert.Equal(600 / (2 * Math.Sqrt(2 * 0.09 / scene.Gravity)), plays.Bounces[0], 2.0);
+    }
 }

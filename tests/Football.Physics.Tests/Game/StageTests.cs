@@ -305,4 +305,36 @@ public sealed class StageTests
 
         return (stage.Keepers[0].Count > 0, scored);
     }
+
+    /// <summary>A keeper reaches as high over his feet on any ground; and one whose time goes back dives for the same shot again.</summary>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(12)]
+    [InlineData(-5)]
+    public void A_keeper_saves_on_any_level_and_again_after_a_rollback(double level)
+    {
+        var stage = new Stage(Scene.Default with { Ground = Ground.DryTurf with { Height = level } });
+        stage.Add(Goal with { Center = new Vector3d(0, level, -11) });
+        stage.AddKeeper(0, new Vector3d(0, level, -10.4));
+        stage.Compile();
+        BallState ball = stage.Game.Launch(new Vector3d(0, level + 0.11, 0), new Vector3d(1.5, 2.5, -14), Vector3d.Zero);
+        var runner = new FixedStepRunner(stage.Game, 1 / 240.0);
+        runner.Restore(0, ball);
+        for (int i = 0; i < 12; i++)
+        {
+            stage.BeforeStep(runner.State);
+            runner.Step();
+        }
+
+        Assert.Equal(1, stage.Keepers[0].Count);
+        Assert.True(stage.Keepers[0].Answer.Saves);
+        runner.Restore(11, runner.State with { Time = runner.State.Time - (1 / 240.0) });
+        for (int i = 0; i < 40; i++)
+        {
+            stage.BeforeStep(runner.State);
+            runner.Step();
+        }
+
+        Assert.True(stage.Keepers[0].Dives, "he stands");
+    }
 }

@@ -137,4 +137,17 @@ public sealed class PassFanTests
         simulator.Run(ref kicked, 0.01, other.Meeting.Time, StopAt.Time, log);
         Assert.DoesNotContain(log.Events.Span.ToArray(), item => item.Thing > 0);
     }
+
+    /// <summary>A mate who has the ball at his feet meets it before anything stands in the way; and what gives way stands where it stood for the next kick and the next call.</summary>
+    [Fact]
+    public void Among_things_that_give_way_every_call_has_the_same_answer()
+    {
+        Obstacle[] cones = [.. Enumerable.Range(-4, 9).Select(i => new Obstacle { Name = $"cone {i}", Shape = new SphereShape(new Vector3d(0.7 * i, 0.2, -6), 0.2), Mass = 0.3 })];
+        var fan = new PassFan(Scene.Measured with { Obstacles = cones });
+        PassFanRequest along = s_request with { MinimumElevationDegrees = 0 };
+        PassChoice first = fan.Find(along, s_mates, s_opponents);
+        Assert.True(first.IsFound);
+        Assert.Equal(first, fan.Find(along, s_mates, s_opponents));
+        Assert.True(fan.Find(along, [new Player { Position = along.From }], []).IsFound);
+    }
 }

@@ -100,4 +100,17 @@ public sealed class ScatterTests
         Assert.Equal(0.25, NormalDistribution.Rectangle(0, 0, 1, 2, 0, 0, 99, 0, 99), 1e-6);
         Assert.Equal(0.25 + (Math.Asin(0.6) / (2 * Math.PI)), NormalDistribution.Rectangle(0, 0, 1, 2, 0.6, 0, 99, 0, 99), 1e-6);
     }
+
+    [Fact]
+    public void Correlations_that_contradict_one_another_are_refused()
+    {
+        var spread = new KickSpread { SpeedWithElevation = 1, SpeedWithAzimuth = 0.5, ElevationWithAzimuth = -0.5 };
+        Assert.Contains("correlations", Assert.Throws<ArgumentOutOfRangeException>(() => new GoalChance(Scene.Measured).Find(s_from, s_velocity, s_spin, spread, s_goal)).Message, StringComparison.Ordinal);
+        Assert.True(new GoalChance(Scene.Measured).Find(s_from, s_velocity, s_spin, spread with { ElevationWithAzimuth = 0.5 }, s_goal).OnTarget >= 0);
+    }
+
+    /// <summary>A kick that is drawn is within the limits of a kick, also where the one that is meant is near them.</summary>
+    [Fact]
+    public void Kicks_near_the_limits_are_drawn_within_them() =>
+        Assert.InRange(new GoalChance(Scene.Measured).FindByFlights(s_from, new Vector3d(0, 30, -990), new Vector3d(0, 9_900, 0), new KickSpread { SpinPercent = 10 }, s_goal, null, 500).OnTarget, 0, 1);
 }

@@ -81,16 +81,24 @@ public partial class FootballBall : Node3D
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it, and the ball goes on as before.</exception>
     public void Apply()
     {
+        // All of the new before any of the old goes: what is refused changes nothing.
         _stamp = Stamp();
-        _scene = NewScene();
+        FootballScene scene = NewScene();
+        bool begins = _runner is null;
         if (_runner is null)
         {
             double timeStep = 1.0 / Engine.PhysicsTicksPerSecond;
-            _runner = new FixedStepRunner(_scene.Stage.Game, timeStep, Math.Max(timeStep, 0.25));
+            _runner = new FixedStepRunner(scene.Stage.Game, timeStep, Math.Max(timeStep, 0.25));
         }
         else
         {
-            _runner.Simulator = _scene.Stage.Game;
+            _runner.Simulator = scene.Stage.Game;
+        }
+
+        _scene = scene;
+        if (begins)
+        {
+            Place(GlobalPosition);
         }
 
         DrawSkin();
@@ -117,9 +125,8 @@ public partial class FootballBall : Node3D
 
         FootballWarmUp.Begin();
         _start = GlobalTransform.Basis;
-        Apply();
         Set("physics_interpolation_mode", InterpolationOff);
-        Place(GlobalPosition);
+        Apply();
     }
 
     /// <inheritdoc/>
@@ -131,7 +138,10 @@ public partial class FootballBall : Node3D
         }
 
         ApplyChanges();
-        FixedStepRunner runner = Runner;
+        if (_runner is not { } runner)
+        {
+            return;     // its first scene was refused, which was said; the next one that is none makes it begin
+        }
 
         // Godot has its bodies where they are at this time, on the clock of the ball.
         _scene!.CollidersAreAt(runner.State.Time, GreatestSpeed);
@@ -152,6 +162,11 @@ public partial class FootballBall : Node3D
         if (Engine.IsEditorHint())
         {
             DrawPreview();
+            return;
+        }
+
+        if (_runner is null)
+        {
             return;
         }
 

@@ -89,21 +89,29 @@ public sealed class FootballColliders : IEngineColliders
 
         _excluded.Add(rest["rid"].AsRid());
         ulong id = rest["collider_id"].AsUInt64();
+        Vector3 point = rest["point"].AsVector3();
+
+        // That of the body's surface there: v + ω × r.
         Vector3 velocity = rest["linear_velocity"].AsVector3();
-        if (GodotObject.InstanceFromId(id) is not CollisionObject3D body || !AddShapes(id, body, velocity, hits))
+        if (GodotObject.InstanceFromId(id) is not CollisionObject3D body || !AddShapes(id, body, point, velocity, hits))
         {
             EngineCollider plane = Known(id, -1, (GodotObject.InstanceFromId(id) as Node)?.Name.ToString() ?? "body", null);
-            plane.TouchAt(GodotFrame.FromGodot(rest["point"].AsVector3()), GodotFrame.FromGodot(rest["normal"].AsVector3()), GodotFrame.FromGodot(velocity));
+            plane.TouchAt(GodotFrame.FromGodot(point), GodotFrame.FromGodot(rest["normal"].AsVector3()), GodotFrame.FromGodot(velocity));
             hits.Add(plane);
         }
 
         return true;
     }
 
-    /// <summary>Adds all shapes of a body, where the library knows them all.</summary>
-    private bool AddShapes(ulong id, CollisionObject3D body, Vector3 velocity, EngineHits hits)
+    /// <summary>Adds all shapes of a body that are not switched off, where the library knows them all.</summary>
+    /// <param name="id">The body's number.</param>
+    /// <param name="body">The body.</param>
+    /// <param name="point">Where it is touched.</param>
+    /// <param name="velocity">The velocity of its surface there.</param>
+    /// <param name="hits">Where they go.</param>
+    private bool AddShapes(ulong id, CollisionObject3D body, Vector3 point, Vector3 velocity, EngineHits hits)
     {
-        int[] owners = body.GetShapeOwners();
+        int[] owners = System.Array.FindAll(body.GetShapeOwners(), owner => !body.IsShapeOwnerDisabled((uint)owner));
         foreach (int owner in owners)
         {
             if (body.ShapeOwnerGetShapeCount((uint)owner) != 1 || Shape(body.ShapeOwnerGetShape((uint)owner, 0)) is null)
@@ -117,7 +125,10 @@ public sealed class FootballColliders : IEngineColliders
         {
             EngineCollider known = Known(id, owner, body.Name.ToString(), body.ShapeOwnerGetShape((uint)owner, 0));
             Transform3D at = body.GlobalTransform * body.ShapeOwnerGetTransform((uint)owner);
-            known.MoveTo(GodotFrame.FromGodot(at.Origin), GodotFrame.FromGodot(at.Basis.GetRotationQuaternion()), GodotFrame.FromGodot(velocity), GodotFrame.SpinFromGodot(spin));
+
+            // Where the shape has its origin the body goes by ω × r less fast than where it is touched.
+            Vector3 there = velocity - spin.Cross(point - at.Origin);
+            known.MoveTo(GodotFrame.FromGodot(at.Origin), GodotFrame.FromGodot(at.Basis.GetRotationQuaternion()), GodotFrame.FromGodot(there), GodotFrame.SpinFromGodot(spin));
             hits.Add(known);
         }
 
@@ -126,15 +137,16 @@ public sealed class FootballColliders : IEngineColliders
 
     private EngineCollider Known(ulong body, int owner, string name, Shape3D? shape)
     {
-        if (!_known.TryGetValue((body, owner), out EngineCollider? known))
+        // A body that is frozen, set free or made heavier is another thing to the ball.
+        var met = GodotObject.InstanceFromId(body) as CollisionObject3D;
+        double mass = _pushes && met is RigidBody3D { Freeze: false } free ? free.Mass : double.PositiveInfinity;
+        if (!_known.TryGetValue((body, owner), out EngineCollider? known) || known.Mass != mass)
         {
             Surface surface = GodotObject.InstanceFromId(body) is Node node && node.HasMeta("football_surface")
                 ? SurfaceOf(node.GetMeta("football_surface").AsString())
                 : Surface.GoalFrame;
-            var met = GodotObject.InstanceFromId(body) as CollisionObject3D;
-            double mass = _pushes && met is RigidBody3D { Freeze: false } free ? free.Mass : double.PositiveInfinity;
             known = shape is not null && Shape(shape) is { } own ? new EngineCollider(name, own, surface) { Mass = mass } : new EngineCollider(name, surface) { Mass = mass };
-            _known.Add((body, owner), known);
+            _known[(body, owner)] = known;
             if (met is not null)
             {
                 _bodies.Add(known, met);

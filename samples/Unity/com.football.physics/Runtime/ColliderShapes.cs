@@ -16,11 +16,9 @@ namespace Football.Physics.Unity
 
         /// <summary>A collider as the ball sees it; its surface is that of a FootballSurface on its game object.</summary>
         /// <param name="collider">The collider.</param>
-        /// <param name="pushes">True where a body that moves freely gives way by its mass.</param>
-        public static EngineCollider Make(Collider collider, bool pushes)
+        /// <param name="mass">The mass by which it gives way, kg; infinite where it does not.</param>
+        public static EngineCollider Make(Collider collider, double mass)
         {
-            Rigidbody body = collider.attachedRigidbody;
-            double mass = pushes && body != null && !body.isKinematic ? body.mass : double.PositiveInfinity;
             Surface surface = collider.TryGetComponent(out FootballSurface given) ? given.Surface : Surface.GoalFrame;
             IShape shape = Shape(collider);
             return shape == null

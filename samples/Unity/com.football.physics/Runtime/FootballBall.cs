@@ -127,15 +127,24 @@ namespace Football.Physics.Unity
             {
                 _stamp = Stamp();
                 TryGetComponent(out Rigidbody own);
-                _scene = new FootballScene(preset, hits.value, greatestSpeed, own);
-                if (_runner == null)
+
+                // All of the new before any of the old goes: what is refused changes nothing.
+                var scene = new FootballScene(preset, hits.value, greatestSpeed, own);
+                bool begins = _runner == null;
+                if (begins)
                 {
-                    _runner = new FixedStepRunner(_scene.Stage.Game, TimeStep, Math.Max(TimeStep, 0.25));
+                    _runner = new FixedStepRunner(scene.Stage.Game, TimeStep, Math.Max(TimeStep, 0.25));
                 }
                 else
                 {
                     StepBy(TimeStep);
-                    _runner.Simulator = _scene.Stage.Game;
+                    _runner.Simulator = scene.Stage.Game;
+                }
+
+                _scene = scene;
+                if (begins)
+                {
+                    Place(transform.position);
                 }
             }
         }
@@ -160,7 +169,6 @@ namespace Football.Physics.Unity
         {
             FootballWarmUp.Begin();
             BeKinematic();
-            Apply();
             _elapsed = 0.0;
             _steps = 0;
             if (GetComponentInChildren<Renderer>() == null)
@@ -168,7 +176,7 @@ namespace Football.Physics.Unity
                 gameObject.AddComponent<FootballSkin>();
             }
 
-            Place(transform.position);
+            Apply();
         }
 
         private void FixedUpdate()
@@ -176,6 +184,11 @@ namespace Football.Physics.Unity
             using (s_step.Auto())
             {
                 ApplyChanges();
+                if (_runner == null)
+                {
+                    return;     // its first scene was refused, which was said; the next one that is none makes it begin
+                }
+
                 _elapsed += Time.fixedDeltaTime;
                 _scene.GreatestSpeed = greatestSpeed;
 
@@ -201,6 +214,11 @@ namespace Football.Physics.Unity
         {
             using (s_draw.Auto())
             {
+                if (_runner == null)
+                {
+                    return;
+                }
+
                 if (!_warned && (transform.position - _drawnAt).magnitude > Moved)
                 {
                     _warned = true;

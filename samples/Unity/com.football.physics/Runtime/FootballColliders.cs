@@ -87,14 +87,16 @@ namespace Football.Physics.Unity
                 return;
             }
 
-            if (!_known.TryGetValue(collider, out EngineCollider known))
+            // A body that was made kinematic, set free or made heavier is another thing to the ball.
+            Rigidbody body = collider.attachedRigidbody;
+            double mass = _pushes && body != null && !body.isKinematic ? body.mass : double.PositiveInfinity;
+            if (!_known.TryGetValue(collider, out EngineCollider known) || known.Mass != mass)
             {
-                known = ColliderShapes.Make(collider, _pushes);
-                _known.Add(collider, known);
+                known = ColliderShapes.Make(collider, mass);
+                _known[collider] = known;
                 _engines.Add(known, collider);
             }
 
-            Rigidbody body = collider.attachedRigidbody;
             if (ColliderShapes.HasShape(collider))
             {
                 Vector3 place = collider.transform.position;

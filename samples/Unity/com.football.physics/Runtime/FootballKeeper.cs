@@ -58,7 +58,7 @@ namespace Football.Physics.Unity
                 Acceleration = FootballPreset.Typed(acceleration),
                 Speed = FootballPreset.Typed(speed),
                 Reach = FootballPreset.Typed(reach),
-                HighestHeight = FootballPreset.Typed(highest) + transform.position.y,
+                HighestHeight = FootballPreset.Typed(highest),
             });
         }
 

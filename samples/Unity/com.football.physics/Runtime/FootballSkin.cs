@@ -35,6 +35,7 @@ namespace Football.Physics.Unity
         private void OnDisable()
         {
             _drawing.Clear();
+            _drawing = null;
             GetComponent<MeshFilter>().sharedMesh = null;
             GetComponent<MeshRenderer>().sharedMaterial = null;
         }
