@@ -275,6 +275,78 @@ public sealed class GodotPlayTests : IDisposable
         Assert.True(rebounds[0] < rebounds[1] - 5, $"{rebounds[0]}, {rebounds[1]} m/s");
     }
 
+    /// <summary>What the ball has met before is frozen, or set free: it counts from then on.</summary>
+    [Fact]
+    public void A_body_that_is_frozen_after_it_was_met_gives_way_no_more()
+    {
+        FootballBall ball = NewBall();
+        var cone = new RigidBody3D { Name = "cone", Mass = 0.5f, GlobalPosition = new Vector3(0, 0.5f, -6) };
+        cone.Add(new SphereShape3D { Radius = 0.5f }, Transform3D.Identity);
+        World3D.Only.DirectSpaceState.All.Add(cone);
+        ball.HitMask = 1;
+        var rebounds = new List<float>();
+        foreach (bool frozen in (bool[])[false, true, false])
+        {
+            cone.Freeze = frozen;
+            cone.LinearVelocity = Vector3.Zero;
+            ball.Place(new Vector3(0, 0.11f, 0));
+            ball.Emitted.Clear();
+            ball.KickWith(new Vector3(0, 2, -20), Vector3.Zero);
+            for (int i = 0; i < 40 && ball.Emitted.Count == 0; i++)
+            {
+                ball._PhysicsProcess(Frame);
+            }
+
+            rebounds.Add(((Vector3)ball.Emitted[0].Arguments[2].Value).Z);
+        }
+
+        Assert.True(rebounds[1] > rebounds[0] + 5 && rebounds[1] > rebounds[2] + 5, string.Join(", ", rebounds));
+    }
+
+    /// <summary>The surface of a bar that turns goes by ω × r where it is hit, and no faster.</summary>
+    [Fact]
+    public void A_bar_that_turns_hits_as_fast_as_its_surface_goes_there()
+    {
+        FootballBall ball = NewBall();
+        var bar = new RigidBody3D { Name = "bar", Freeze = true, GlobalPosition = new Vector3(-1, 0.5f, -3), AngularVelocity = new Vector3(0, -4, 0) };
+        bar.Add(new BoxShape3D { Size = new Vector3(4, 1, 0.2f) }, Transform3D.Identity);
+        World3D.Only.DirectSpaceState.All.Add(bar);
+        ball.HitMask = 1;
+        ball.KickWith(new Vector3(0, 2, -10), Vector3.Zero);
+        for (int i = 0; i < 40 && ball.Emitted.Count == 0; i++)
+        {
+            ball._PhysicsProcess(Frame);
+        }
+
+        // v' = u + e (u − v), with u = ω × r = 4 m/s towards the ball, a metre from the middle.
+        var before = (Vector3)ball.Emitted[0].Arguments[1].Value;
+        var after = (Vector3)ball.Emitted[0].Arguments[2].Value;
+        double closing = 4 - before.Z;
+        double e = Surface.GoalFrame.NormalRestitution;
+        double v = Surface.GoalFrame.RestitutionSpeed;
+        double restitution = e * Math.Sqrt(1 + (36 / (v * v))) / Math.Sqrt(1 + (closing * closing / (v * v)));
+        Assert.Equal(4 + (restitution * closing), after.Z, 0.2);
+    }
+
+    /// <summary>A first scene that is refused is told once; the ball begins, where its node is, with the first one that is none.</summary>
+    [Fact]
+    public void A_ball_whose_first_scene_is_refused_begins_when_that_is_put_right()
+    {
+        var preset = new FootballPreset { Gravity = -3 };
+        var ball = new FootballBall { Preset = preset, GlobalPosition = new Vector3(2, 0.11f, -4) };
+        Assert.Throws<ArgumentOutOfRangeException>(ball._Ready);
+        for (int i = 0; i < 5; i++)
+        {
+            ball._PhysicsProcess(Frame);
+            ball._Process(Frame);
+        }
+
+        preset.Gravity = 9.81f;
+        ball._PhysicsProcess(Frame);
+        Assert.InRange(Vector3d.Distance(ball.Runner.State.Position, new Vector3d(2, 0.11, -4)), 0, 0.02);
+        Assert.True(ball.Runner.Tick > 0);
+    }
+
     [Fact]
     public void A_keeper_dives_and_is_seen_to_and_a_wall_stops_a_low_shot()
     {
