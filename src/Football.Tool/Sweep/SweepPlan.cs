@@ -59,10 +59,10 @@ internal sealed class SweepPlan
         Scene.Aim is null && Scene.StopAt == SweepStop.Impact && !Row.WatchesFlight && Scene.Orientation is null && Scenes <= MostLaneScenes
         && BallBatch.FliesSideBySide(Scene.Scene) && Scene.Solver == SolverSettings.Default with { Integrator = Scene.Solver.Integrator };
 
-    /// <summary>Whether the kicks are found many at a time.</summary>
+    /// <summary>Whether the kicks are found many at a time: low ones, at a target that lies still, whenever and however fast they get there.</summary>
     public bool AimsInLanes =>
-        Scene.Aim is { Method: AimMethod.Direct, Request: { Through: null, SpinIsFree: false } request } && SceneFields.Length == 0 && BallBatch.FliesSideBySide(Scene.Scene)
-        && request.MaximumIterations == new AimRequest().MaximumIterations;
+        Scene.Aim is { Method: AimMethod.Direct, Slowest: false, ArrivalTime: null, ArrivalSpeed: null, After: null, Request: { Through: null, SpinIsFree: false, Arc: AimArc.Low } request }
+        && request.TargetVelocity == Vector3d.Zero && SceneFields.Length == 0 && BallBatch.FliesSideBySide(Scene.Scene) && request.MaximumIterations == new AimRequest().MaximumIterations;
 
     /// <summary>Makes use of a scene that has values of its own in some fields.</summary>
     /// <param name="value">The value of each of <see cref="SceneFields"/>.</param>
