@@ -85,7 +85,8 @@ internal sealed class FlightFinder
     public List<FlightPath> Find(CancellationToken cancellation)
     {
         // 1. The best division into cubics. 2. Those that fall. 3. Neighbours that are one flight.
-        int longest = Math.Max(8, (int)(LongestPiece / _runs.Wait));
+        // Where waits are next to nothing, more of them are in the longest piece than an int can count.
+        int longest = (int)Math.Max(8, Math.Min(LongestPiece / _runs.Wait, _runs.Points.Length));
         var segments = new TrackSegments(_runs.Points, Math.Sqrt((_runs.Noise * _runs.Noise) + (CubicError * CubicError)), longest, Price);
         int first = 0;
         foreach (int end in _runs.Ends)

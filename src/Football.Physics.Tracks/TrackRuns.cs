@@ -15,8 +15,9 @@ internal sealed class TrackRuns
     private const double ThirdDifference = 4.47213595499958;
     private const double Median = 0.6745;
 
-    public TrackRuns(TrackPoint[] track)
+    public TrackRuns(TrackPoint[] seen)
     {
+        TrackPoint[] track = WithoutRepeats(seen);
         Wait = UsualWait(track);
         Noise = NoiseOf(track);
         Points = WithoutSpikes(track);
@@ -47,6 +48,21 @@ internal sealed class TrackRuns
 
     /// <summary>True when a track has a gap between two times.</summary>
     public bool IsGap(double from, double to) => to - from > Math.Max(GapShare * Wait, LeastGap);
+
+    /// <summary>One point a time: a wait of zero is none.</summary>
+    private static TrackPoint[] WithoutRepeats(TrackPoint[] track)
+    {
+        List<TrackPoint> kept = [track[0]];
+        for (int i = 1; i < track.Length; i++)
+        {
+            if (track[i].Time > track[i - 1].Time)
+            {
+                kept.Add(track[i]);
+            }
+        }
+
+        return [.. kept];
+    }
 
     private static double UsualWait(TrackPoint[] track)
     {
@@ -91,11 +107,6 @@ internal sealed class TrackRuns
         List<TrackPoint> kept = [];
         for (int i = 0; i < track.Length; i++)
         {
-            if (i > 0 && track[i].Time <= track[i - 1].Time)
-            {
-                continue;
-            }
-
             bool isInside = i >= 2 && i + 2 < track.Length && track[i + 2].Time - track[i - 2].Time < 5 * Wait;
             if (!isInside || Off(track, i) <= most || Off(track, i) < Math.Max(Off(track, i - 1), Off(track, i + 1)) || !IsSmoothWithout(track, i, most))
             {

@@ -79,6 +79,35 @@ public sealed class MatchTests
         Assert.Equal(2, FootballCommand.Run("", "fit").ExitCode);
     }
 
+    [Theory]
+    [InlineData("--batch")]
+    [InlineData("--jobs", "2")]
+    public void What_is_of_batches_is_refused_by_name(params string[] option)
+    {
+        FootballCommand done = Match(Track("t,x,y,z"), option);
+        Assert.Equal((2, ""), (done.ExitCode, done.Output));
+        Assert.StartsWith($"football: {option[0]} is given; allowed: without --match.", done.Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_drawing_does_not_take_the_place_of_the_track()
+    {
+        string file = Path.Combine(Path.GetTempPath(), Path.GetRandomFileName() + ".csv");
+        try
+        {
+            string track = Track("t,x,y,z");
+            File.WriteAllText(file, track);
+            FootballCommand done = FootballCommand.Run("", "fit", "--match", file, "--plot", file);
+            Assert.Equal(1, done.ExitCode);
+            Assert.Matches("^football: --plot is \".*\", which is the input's file too; allowed: a file of its own.$", done.ErrorLine);
+            Assert.Equal(track, File.ReadAllText(file));
+        }
+        finally
+        {
+            File.Delete(file);
+        }
+    }
+
     [Fact]
     public void Only_what_is_free_has_a_deviation()
     {

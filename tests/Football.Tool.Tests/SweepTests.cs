@@ -19,6 +19,14 @@ public sealed class SweepTests
     }
 
     [Fact]
+    public void Shards_of_a_table_have_one_header()
+    {
+        string all = Sweep("--count", "10", "--format", "csv");
+        Assert.Equal(all, string.Concat(Enumerable.Range(1, 3).Select(i => Sweep("--count", "10", "--format", "csv", "--shard", $"{i}/3"))));
+        Assert.Equal(11, all.Count(c => c == '\n'));
+    }
+
+    [Fact]
     public void A_longer_sweep_begins_with_the_shorter_one()
     {
         Assert.StartsWith(Sweep("--count", "20"), Sweep("--count", "50"), StringComparison.Ordinal);

@@ -15,16 +15,23 @@ internal static class AimRun
     /// <exception cref="RefusedException">Its numbers, though each allowed, grew beyond what a double can hold.</exception>
     public static AimResult Find(AimScenario scenario)
     {
-        ThesisAimer aimer = Compiled(scenario);
+        AimResult result = Find(scenario, Compiled(scenario));
+        return IsFinite(in result)
+            ? result
+            : throw new RefusedException("the motion is not finite; allowed: a scenario whose places and speeds stay within what a double can hold.");
+    }
+
+    /// <summary>Finds it, whatever its numbers are.</summary>
+    /// <param name="scenario">What is asked for.</param>
+    /// <param name="aimer">An aimer of its scene.</param>
+    public static AimResult Find(AimScenario scenario, ThesisAimer aimer)
+    {
         AimRequest request = scenario.Request;
-        AimResult result = scenario.After is { } after ? new BankShotAimer(scenario.Scene).Find(request, after)
+        return scenario.After is { } after ? new BankShotAimer(scenario.Scene).Find(request, after)
             : scenario.Slowest ? aimer.Direct.FindSlowest(request)
             : scenario.ArrivalTime is { } time ? aimer.Direct.FindAtTime(request, time)
             : scenario.ArrivalSpeed is { } speed ? aimer.Direct.FindAtSpeed(request, speed)
             : aimer.Find(request, scenario.Method);
-        return IsFinite(in result)
-            ? result
-            : throw new RefusedException("the motion is not finite; allowed: a scenario whose places and speeds stay within what a double can hold.");
     }
 
     /// <summary>The thread's last aimer where the scene is the same, as it mostly is in a batch.</summary>

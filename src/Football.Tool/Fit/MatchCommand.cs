@@ -10,6 +10,7 @@ namespace Football.Tool.Fit;
 internal sealed class MatchCommand
 {
     private static readonly string[] Free = ["wind", "drag", "crisis", "lift", "surface", "height"];
+    private static readonly string[] s_ofBatches = ["--batch", "--jobs"];
 
     private readonly Option<string?> _match = new("--match")
     {
@@ -48,6 +49,15 @@ internal sealed class MatchCommand
                     result.AddError($"{option.Name} goes with --match.");
                 }
             }
+
+            // A match is one track, which is fitted by one thread.
+            foreach (Option option in match ? command.Options.Where(option => s_ofBatches.Contains(option.Name)) : [])
+            {
+                if (result.GetResult(option) is { Implicit: false })
+                {
+                    result.AddError($"{option.Name} is given; allowed: without --match.");
+                }
+            }
         });
     }
 
@@ -58,6 +68,7 @@ internal sealed class MatchCommand
     public int Run(ParseResult parsed, FieldOverride[] given, bool json, Terminal terminal)
     {
         string file = parsed.GetValue(_match)!;
+        OutputFile.RefuseSame([file], ("--plot", parsed.GetValue(_plot)));
         MatchFitRequest request = Request(parsed.GetValue(_free));
         List<FieldOverride> overrides = [];
         void Set(string path, object? value)

@@ -24,6 +24,7 @@ internal sealed class SketchedBall
     private readonly ReplayShot _shot;
     private readonly double _total;
     private readonly (double X, double Y, double Metre)[] _seen;
+    private readonly bool[] _isSeen;
     private readonly Vector3d[] _way;
     private readonly Quaterniond[] _turns;
     private readonly string _times;
@@ -37,19 +38,29 @@ internal sealed class SketchedBall
     public SketchedBall(Eye eye, ReplayShot shot, string id, double end, double total)
     {
         (_eye, _shot, _id, _total) = (eye, shot, id, total);
-        (Vector3d Place, Quaterniond Turn)[] frames = [.. Frames(shot.Track, end).Where(frame => eye.On(frame.Place) is not null)];
+        (Vector3d Place, Quaterniond Turn)[] frames = [.. Frames(shot.Track, end)];
         _way = [.. frames.Select(frame => frame.Place)];
         _turns = [.. frames.Select(frame => frame.Turn)];
-        _seen = [.. _way.Select(place => eye.On(place)!.Value)];
+
+        // Behind the eye it waits unseen where it was seen before, or will be seen at first.
+        (double X, double Y, double Metre)?[] seen = [.. _way.Select(eye.On)];
+        (double X, double Y, double Metre) last = seen.FirstOrDefault(at => at is not null) ?? default;
+        _isSeen = [.. seen.Select(at => at is not null)];
+        _seen = [.. seen.Select(at => last = at ?? last)];
         _times = Times(_seen.Select((_, i) => i * Frame / total).Append(1));
     }
 
     /// <summary>Its places, frame by frame.</summary>
     public static IEnumerable<Vector3d> Way(Track track, double end) => Frames(track, end).Select(frame => frame.Place);
 
-    /// <summary>What others refer to: the ball as it moves.</summary>
-    public XElement Definition()
+    /// <summary>What others refer to: the ball as it moves; null where it is never seen.</summary>
+    public XElement? Definition()
     {
+        if (!_isSeen.Contains(true))
+        {
+            return null;
+        }
+
         string r = Values(_seen.Select(at => Radius(at)));
         int[] turned = [.. Enumerable.Range(0, (_seen.Length + Turned - 1) / Turned)];
         return Svg.Element(
@@ -72,10 +83,15 @@ internal sealed class SketchedBall
                         ]))));
     }
 
-    /// <summary>Its shadow: straight below it, wider and fainter the higher it is.</summary>
-    public XElement Shadow(Func<Vector3d, double> groundAt)
+    /// <summary>Its shadow: straight below it, wider and fainter the higher it is; null where the ball is never seen.</summary>
+    public XElement? Shadow(Func<Vector3d, double> groundAt)
     {
-        (double X, double Y, double Metre)[] below = [.. _way.Select((place, i) => _eye.On(new Vector3d(place.X, groundAt(place), place.Z)) ?? _seen[i])];
+        if (!_isSeen.Contains(true))
+        {
+            return null;
+        }
+
+        (double X, double Y, double Metre)[] below = [.. _way.Select((place, i) => (_isSeen[i] ? _eye.On(new Vector3d(place.X, groundAt(place), place.Z)) : null) ?? _seen[i])];
         double[] heights = [.. _way.Select(place => Math.Max(0, place.Y - groundAt(place) - _shot.Track.Radius))];
         return Svg.Element(
             "g",
@@ -85,7 +101,7 @@ internal sealed class SketchedBall
                 "ellipse",
                 [("rx", 1.0), ("ry", 0.3), ("fill", "#06120a"), ("fill-opacity", 0.5)],
                 Transform("scale", Values(below.Select((at, i) => Radius(at) * (1.2 + (0.2 * heights[i]))))),
-                Animation("fill-opacity", Values(heights.Select(height => 0.55 / (1 + (0.3 * height)))))));
+                Animation("fill-opacity", Values(heights.Select((height, i) => _isSeen[i] ? 0.55 / (1 + (0.3 * height)) : 0)))));
     }
 
     /// <summary>Its way and itself where they are nearer than one depth and no nearer than the next.</summary>
@@ -94,7 +110,7 @@ internal sealed class SketchedBall
     /// <param name="colour">The colour of the way.</param>
     public IEnumerable<XElement> Between(double from, double to, string colour)
     {
-        bool[] here = [.. _seen.Select(at => at.Metre >= from && at.Metre < to)];
+        bool[] here = [.. _seen.Select((at, i) => _isSeen[i] && at.Metre >= from && at.Metre < to)];
         if (!here.Contains(true))
         {
             yield break;

@@ -118,7 +118,8 @@ internal static class SweepCommand
         "rows",
         progress =>
         {
-            using var sink = new StreamSink(terminal.Output, run.Format.Header(0, shard.Rows));
+            // Parts one after the other have one header.
+            using var sink = new StreamSink(terminal.Output, shard.Index == 1 ? run.Format.Header(0, shard.Rows) : []);
             run.RunAsync(shard, sink, rows => progress.Report(rows, shard.Rows)).GetAwaiter().GetResult();
             return ExitCode.Done;
         },

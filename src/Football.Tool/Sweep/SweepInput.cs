@@ -103,6 +103,7 @@ internal static class SweepInput
 
         JsonObject ranges = document["ranges"] as JsonObject
             ?? throw new RefusedException("ranges", Quote.Short(document["ranges"]!.ToJsonString()), """an object of fields and their ranges, like {"air.wind[0]": [-5, 5]}""");
+        DrawnField[] before = [.. drawn];
         foreach ((string name, JsonNode? node) in ranges)
         {
             string path = FieldPath.Plain(name);
@@ -110,7 +111,8 @@ internal static class SweepInput
             JsonElement value = JsonSerializer.SerializeToElement(node);
             int number = direct.ToList().FindIndex(field => field.Path == path);
             FieldRange? range = RangeInput.Read(said, value, number >= 0 ? direct[number].Allowed : null);
-            drawn.RemoveAll(field => field.Path == path);
+            IReadOnlyList<JsonElement> values = range is ChoiceRange choice ? choice.Values : [value];
+            drawn.RemoveAll(field => field.Path == path || (before.Contains(field) && values.Any(set => Sets(set, path, field.Path))));
             MakeVector(document, path);
             JsonNode? first = range is null ? node?.DeepClone() : Node(range, range.Ends.First());
             FieldPlace.Put(document, FieldPath.Split(path), first, said);
@@ -119,6 +121,25 @@ internal static class SweepInput
                 drawn.Add(new DrawnField(path, range, number));
             }
         }
+    }
+
+    /// <summary>Whether the value of a field says what another field within it is.</summary>
+    private static bool Sets(JsonElement value, string path, string within)
+    {
+        if (!within.StartsWith(path + ".", StringComparison.Ordinal))
+        {
+            return false;
+        }
+
+        foreach (string part in FieldPath.Split(within[(path.Length + 1)..]))
+        {
+            if (value.ValueKind != JsonValueKind.Object || !value.TryGetProperty(part, out value))
+            {
+                return false;
+            }
+        }
+
+        return true;
     }
 
     /// <summary>A vector that is zero where nothing is said has components all the same.</summary>
@@ -162,7 +183,9 @@ internal static class SweepInput
             new BallBatch(scene.Scene, scene.BatchSettings).Fly(new BatchLaunches(1), new BatchFlights(1), 0, scene.Duration);
         }
 
-        new Simulator(scene.Scene, scene.Solver).Launch(DirectField.Vector(scene.Numbers, DirectField.Position), Vector3d.Zero, Vector3d.Zero);
+        var simulator = new Simulator(scene.Scene, scene.Solver);
+        plan.Meet(scene, simulator.Names);
+        simulator.Launch(DirectField.Vector(scene.Numbers, DirectField.Position), Vector3d.Zero, Vector3d.Zero);
         return true;
     }
 }

@@ -12,8 +12,12 @@ internal sealed class SweepMerge
 {
     private const int Chunk = 1 << 20;
 
+    /// <summary>What the names of files end with of which it is not yet known whether all is well.</summary>
+    private const string New = ".new";
+
     private readonly string _folder;
     private readonly MergeFaults _faults = new();
+    private readonly List<string> _made = [];
     private readonly byte[] _chunk = new byte[Chunk];
 
     private SweepMerge(string folder) => _folder = folder;
@@ -65,14 +69,45 @@ internal sealed class SweepMerge
             throw new RefusedException("DIR", $"{Quote.File(_folder)}, which holds another sweep beside its shards", "a folder of shards alone");
         }
 
-        File.Delete(Path.Combine(_folder, Manifest.Done));
+        if (before is null && File.Exists(Path.Combine(_folder, Manifest.Unfinished)))
+        {
+            throw new RefusedException("DIR", $"{Quote.File(_folder)}, which holds an unfinished sweep beside its shards", "a folder of shards alone");
+        }
+
+        try
+        {
+            Manifest merged = WriteNew(shards, progress);
+            if (!_faults.Any)
+            {
+                // Nobody takes files of two merges for one.
+                File.Delete(Path.Combine(_folder, Manifest.Done));
+                foreach (FileRecord file in merged.Files)
+                {
+                    File.Move(Path.Combine(_folder, file.Name + New), Path.Combine(_folder, file.Name), overwrite: true);
+                }
+            }
+
+            return merged;
+        }
+        finally
+        {
+            // Not those of another merge that is under way.
+            _made.ForEach(File.Delete);
+        }
+    }
+
+    /// <summary>Writes the files of the whole under new names.</summary>
+    private Manifest WriteNew(List<ShardFolder> shards, Progress progress)
+    {
+        Manifest first = shards[0].Manifest;
         long total = shards.Sum(shard => shard.Manifest.Files.Sum(file => file.Bytes));
         long done = 0;
         RowFormat format = RowFormat.Create(first.Identity.Format, Schema.Read(Path.Combine(shards[0].Path, Schema.Name)));
         List<FileRecord> files = [];
         for (int f = 0; f < first.Files.Count; f++)
         {
-            using var to = DataFile.Create(_folder, first.Files[f].Name, Header(shards[0], f, first.Identity));
+            using var to = DataFile.Create(_folder, first.Files[f].Name + New, Header(shards[0], f, first.Identity));
+            _made.Add(Path.Combine(_folder, first.Files[f].Name + New));
             foreach (ShardFolder shard in shards)
             {
                 // The schema is the same in all of them.
@@ -88,7 +123,7 @@ internal sealed class SweepMerge
             }
 
             to.FlushToDisk();
-            files.Add(to.Record);
+            files.Add(to.Record with { Name = first.Files[f].Name });
         }
 
         return new Manifest(

@@ -13,6 +13,9 @@ internal sealed class SweepPlan
 
     private const double MostGridPoints = 1e15;
 
+    /// <summary>Of the fields under stop and solver those that lanes take as they come.</summary>
+    private static readonly string[] s_ofLanes = ["stop.time", "solver.integrator", "solver.timeStep", "solver.precision"];
+
     private readonly JsonObject _document;
 
     public SweepPlan(string text, long seed, JsonObject document, SweepScene scene, RowRequest row, IReadOnlyList<DrawnField> fields)
@@ -54,15 +57,31 @@ internal sealed class SweepPlan
     /// <summary>How many scenes there are; infinitely many where a field of them is drawn from numbers without gaps.</summary>
     public double Scenes => SceneFields.Aggregate(1.0, (product, i) => product * ((Fields[i].Range as ChoiceRange)?.Values.Count ?? double.PositiveInfinity));
 
-    /// <summary>Whether the balls are flown many at a time.</summary>
+    /// <summary>Names of all things that scenes of rows have, those of <see cref="Scene"/> first.</summary>
+    public List<string> Things { get; } = [];
+
+    /// <summary>Whether scenes of rows have goals.</summary>
+    public bool HasGoals { get; private set; }
+
+    /// <summary>Whether the balls are flown many at a time: no row asks for more than the first impact.</summary>
     public bool FliesInLanes =>
-        Scene.Aim is null && Scene.StopAt == SweepStop.Impact && !Row.WatchesFlight && Scene.Orientation is null && Scenes <= MostLaneScenes
+        Scene.Aim is null && !SceneFields.Any(i => MayLeaveLanes(Fields[i])) && Scene.StopAt == SweepStop.Impact && !Row.WatchesFlight && Scene.Orientation is null && Scenes <= MostLaneScenes
         && BallBatch.FliesSideBySide(Scene.Scene) && Scene.Solver == SolverSettings.Default with { Integrator = Scene.Solver.Integrator };
 
-    /// <summary>Whether the kicks are found many at a time.</summary>
+    /// <summary>Whether the kicks are found many at a time: low ones, at a target that lies still, whenever and however fast they get there.</summary>
     public bool AimsInLanes =>
-        Scene.Aim is { Method: AimMethod.Direct, Request: { Through: null, SpinIsFree: false } request } && SceneFields.Length == 0 && BallBatch.FliesSideBySide(Scene.Scene)
-        && request.MaximumIterations == new AimRequest().MaximumIterations;
+        Scene.Aim is { Method: AimMethod.Direct, Slowest: false, ArrivalTime: null, ArrivalSpeed: null, After: null, Request: { Through: null, SpinIsFree: false, Arc: AimArc.Low } request }
+        && request.TargetVelocity == Vector3d.Zero && SceneFields.Length == 0 && BallBatch.FliesSideBySide(Scene.Scene) && request.MaximumIterations == new AimRequest().MaximumIterations;
+
+    /// <summary>Takes note of what is in a scene that rows may have.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="things">Names of its things.</param>
+    public void Meet(SweepScene scene, IReadOnlyList<string> things)
+    {
+        // In the scene of all rows things may share a name.
+        Things.AddRange(Things.Count == 0 ? things : things.Except(Things));
+        HasGoals |= scene.Scene.Goals.Count > 0;
+    }
 
     /// <summary>Makes use of a scene that has values of its own in some fields.</summary>
     /// <param name="value">The value of each of <see cref="SceneFields"/>.</param>
@@ -85,6 +104,8 @@ internal sealed class SweepPlan
             return use(scene);
         });
     }
+
+    private static bool MayLeaveLanes(DrawnField field) => field.Parts[0] is "stop" or "solver" ? !s_ofLanes.Contains(field.Path) : field.Parts is ["launch"] or ["launch", "orientation", ..];
 
     /// <summary>The last grid changes from row to row, each before it whenever all after it have been gone through.</summary>
     private void SetStrides()

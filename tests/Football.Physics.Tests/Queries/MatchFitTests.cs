@@ -64,6 +64,20 @@ public sealed class MatchFitTests
     }
 
     [Fact]
+    public void Points_that_are_given_twice_count_once()
+    {
+        TrackPoint[] track = Track(noise: 0.003);
+        MatchFitResult once = new MatchFit(Known).Find(track);
+        MatchFitResult twice = new MatchFit(Known).Find([.. track.SelectMany(point => new[] { point, point })]);
+        Assert.True(once.Flights >= 3);
+        Assert.Equal(once.Flights, twice.Flights);
+        Assert.Equal(once.Noise, twice.Noise);
+        Assert.Equal(
+            once.Pieces.Select(piece => (piece.Kind, piece.From, piece.To, piece.Points, piece.Velocity, piece.Spin)),
+            twice.Pieces.Select(piece => (piece.Kind, piece.From, piece.To, piece.Points, piece.Velocity, piece.Spin)));
+    }
+
+    [Fact]
     public void What_is_not_asked_for_stays_the_scenes()
     {
         var request = new MatchFitRequest { Wind = false, Drag = false, Surface = false, Height = false };

@@ -165,6 +165,35 @@ public sealed class ReplayTests
     }
 
     [Fact]
+    public void A_ball_behind_the_eye_is_drawn_when_it_comes_into_sight_or_not_at_all()
+    {
+        string folder = Directory.CreateTempSubdirectory("football-behind-").FullName;
+        string Shot(string name, string launch)
+        {
+            string file = Path.Combine(folder, name);
+            File.WriteAllText(file, $"{{\"launch\":{{{launch}}},\"stop\":{{\"at\":\"time\",\"time\":2}}}}");
+            return file;
+        }
+
+        string drawn = Path.Combine(folder, "behind.svg");
+        FootballCommand done = FootballCommand.Run(
+            "", "replay", Shot("ahead.json", "\"position\":[0,0.11,0],\"velocity\":[0,6,-20]"), Shot("passes.json", "\"position\":[1,0.11,17],\"velocity\":[0,6,-20]"),
+            Shot("stays.json", "\"position\":[1,0.11,17],\"velocity\":[0,6,5]"), "-o", Path.Combine(folder, "page.html"), "--svg", drawn);
+        Assert.Equal(("", 0), (done.Error.Split('\n').FirstOrDefault(line => line.StartsWith("football: ", StringComparison.Ordinal)) ?? "", done.ExitCode));
+        var svg = System.Xml.Linq.XDocument.Load(drawn);
+        string[] ids = [.. svg.Descendants().Where(element => element.Name.LocalName == "g" && element.Attribute("id") is not null).Select(element => element.Attribute("id")!.Value)];
+        Assert.Equal(["replay-0", "replay-1"], ids);
+
+        // Both stories last as long: the second ball is hidden at first, and moves by the same clock.
+        string[] clocks = [.. svg.Descendants().Where(element => element.Attribute("type")?.Value == "translate").Select(element => element.Attribute("keyTimes")!.Value).Distinct()];
+        Assert.Single(clocks);
+        System.Xml.Linq.XElement[] uses = [.. svg.Descendants().Where(element => element.Name.LocalName == "use" && element.Attribute("href")?.Value == "#replay-1")];
+        Assert.NotEmpty(uses);
+        Assert.All(uses, use => Assert.Equal("hidden", use.Attribute("visibility")!.Value));
+        Directory.Delete(folder, recursive: true);
+    }
+
+    [Fact]
     public void What_is_wrong_is_refused_before_anything_is_played()
     {
         FootballCommand done = FootballCommand.Run(Shot, "replay", "-", "-o", "");

@@ -140,7 +140,39 @@ public sealed class SweepFolderTests : IDisposable
         Flip(At("parts", "shard-2-of-2", "rows.csv"), 1000);
         FootballCommand done = Merge();
         Assert.Equal((1, "football: shard 2 of 2 is torn: shard-2-of-2/rows.csv has other bytes than its manifest says."), (done.ExitCode, done.ErrorLine));
-        Assert.False(File.Exists(At("parts", "manifest.json")));
+        Assert.Empty(Directory.GetFiles(At("parts")));
+    }
+
+    [Fact]
+    public void A_merge_that_is_refused_leaves_the_one_before()
+    {
+        Write("csv", "one", 60);
+        for (int i = 1; i <= 2; i++)
+        {
+            Write("csv", "parts", 60, "--shard", $"{i}/2");
+        }
+
+        Assert.Equal(0, Merge().ExitCode);
+        Flip(At("parts", "shard-2-of-2", "rows.csv"), 1000);
+        Assert.Equal(1, Merge().ExitCode);
+        AssertSame("one", "parts");
+        Assert.Equal(Directory.GetFiles(At("one")).Length, Directory.GetFiles(At("parts")).Length);
+    }
+
+    [Fact]
+    public void A_merge_does_not_write_over_an_unfinished_sweep()
+    {
+        Interrupt("csv", "parts", 500);
+        byte[] before = File.ReadAllBytes(At("parts", "rows.csv"));
+        for (int i = 1; i <= 2; i++)
+        {
+            Write("csv", "parts", 500, "--shard", $"{i}/2");
+        }
+
+        FootballCommand done = Merge();
+        Assert.Equal(1, done.ExitCode);
+        Assert.Matches("^football: DIR is \".*parts\", which holds an unfinished sweep beside its shards; allowed: a folder of shards alone.$", done.ErrorLine);
+        Assert.Equal(before, File.ReadAllBytes(At("parts", "rows.csv")));
     }
 
     [Theory]

@@ -62,6 +62,45 @@ public sealed class SweepRangesTests
         Assert.Equal(["[0,1,0]", "[3,2,-4]"], rows.Select(row => row.GetProperty("launch.position").GetString()!).Distinct().Order());
     }
 
+    [Fact]
+    public void Where_a_flight_ends_may_differ_from_row_to_row()
+    {
+        IReadOnlyList<JsonElement> rows = Rows(8, "stop.at={\"grid\":[\"impact\",\"rest\"]}", "launch.speed={\"list\":[18]}");
+        Assert.Equal(["impact", "rest", "impact", "rest"], rows.Take(4).Select(row => row.GetProperty("end").GetString()!));
+    }
+
+    [Fact]
+    public void How_the_ball_is_turned_at_first_may_differ_from_row_to_row()
+    {
+        Assert.True(Rows(4, "launch.orientation={\"grid\":[[0,0,0,1],[0,1,0,0]]}").All(row => row.TryGetProperty("bounces", out _)), "flown one by one, which a turned ball is");
+        Assert.False(Rows(4, "solver.timeStep={\"grid\":[0.01,0.02]}")[0].TryGetProperty("bounces", out _), "flown in lanes, each with its own step");
+    }
+
+    [Fact]
+    public void A_range_of_launches_says_what_their_members_are()
+    {
+        IReadOnlyList<JsonElement> rows = Rows(4, "launch={\"grid\":[{\"speed\":20,\"elevation\":10},{\"speed\":30,\"elevation\":15}]}");
+        Assert.Equal([20, 30, 20, 30], Numbers("speed", rows));
+        Assert.Equal([10, 15, 10, 15], Numbers("elevation", rows));
+        Assert.Equal(4, Numbers("topSpin", rows).Distinct().Count());
+        JsonElement alone = FootballCommand.Run(
+            "", "sweep", "--count", "1", "--set", "launch.speed=30", "--set", "launch.elevation=15", "--set", FormattableString.Invariant($"launch.topSpin={Numbers("topSpin", rows)[1]:R}"),
+            "--set", FormattableString.Invariant($"launch.sideSpin={Numbers("sideSpin", rows)[1]:R}")).Result;
+        Assert.Equal(alone.GetProperty("position")[2].GetDouble(), rows[1].GetProperty("position")[2].GetDouble(), 1e-3);
+    }
+
+    [Fact]
+    public void Things_are_those_of_the_rows_own_scene()
+    {
+        const string Keeper = """{"name":"keeper","shape":"box","center":[0,1.2,-19.5],"halfSize":[3.6,1.2,0.2]}""";
+        IReadOnlyList<JsonElement> rows = [.. FootballCommand.Run(
+            """{"goals":[{"center":[0,0,-20],"facing":[0,0,1]}],"launch":{"speed":25,"elevation":8,"topSpin":0,"sideSpin":0},"row":{"events":2,"hits":["keeper"]},"stop":{"at":"time","time":2}}""",
+            "sweep", "-", "--count", "4", "--range", $"obstacles={{\"grid\":[[],[{Keeper}]]}}").Lines];
+        Assert.Equal(["goal", "save", "goal", "save"], rows.Select(row => row.GetProperty("outcome").GetString()!));
+        Assert.Equal([0, 1, 0, 1], rows.Select(row => Math.Min(1, row.GetProperty("hits")[0].GetInt32())));
+        Assert.Equal([false, true, false, true], rows.Select(row => row.GetProperty("events.surface").EnumerateArray().Any(surface => surface.GetString() == "keeper")));
+    }
+
     [Theory]
     [InlineData("air.wind[0]=[-9,9]")]
     [InlineData("air.wind[0]={\"list\":[-9,0,9]}")]

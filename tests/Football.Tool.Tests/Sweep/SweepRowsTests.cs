@@ -81,6 +81,25 @@ public sealed class SweepRowsTests
         }
     }
 
+    [Theory]
+    [InlineData("\"target\": [2, 0.5, -18], \"speed\": 17, \"arc\": \"high\", \"elevation\": {\"max\": 80}")]
+    [InlineData("\"target\": [2, 0.5, -18], \"speed\": 25, \"targetVelocity\": [3, 0, 0]")]
+    [InlineData("\"target\": [2, 0.5, -18], \"speed\": 30, \"slowest\": true")]
+    [InlineData("\"target\": [2, 0.5, -18], \"speed\": 30, \"arrival\": {\"time\": 1.2}")]
+    [InlineData("\"target\": [2, 0.5, -18], \"speed\": 30, \"arrival\": {\"speed\": 15}")]
+    [InlineData("\"target\": [2, 0.5, -18], \"speed\": 17, \"after\": [\"ground\"], \"tolerance\": 0.001")]
+    public void Whatever_an_aim_asks_for_its_row_is_the_answer_of_aim(string asked)
+    {
+        string aim = $"{{\"aim\": {{\"from\": [0, 0.11, 0], {asked}}}}}";
+        JsonElement row = Assert.Single(Rows(aim, 1));
+        JsonElement found = FootballCommand.Run(aim, "aim", "-").Result;
+        Assert.Equal("hit", found.GetProperty("status").GetString());
+        foreach (string name in (string[])["status", "velocity", "spin", "miss", "time", "closest", "iterations", "simulations"])
+        {
+            Assert.Equal(found.GetProperty(name).GetRawText(), row.GetProperty(name).GetRawText());
+        }
+    }
+
     [Fact]
     public void Rows_of_a_scene_among_others_are_those_of_the_scene_alone()
     {

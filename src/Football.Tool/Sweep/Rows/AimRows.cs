@@ -1,4 +1,5 @@
 using Football.Scenarios.Input;
+using Football.Tool.Aim;
 using Football.Tool.Sweep.Columns;
 
 namespace Football.Tool.Sweep.Rows;
@@ -31,7 +32,7 @@ internal sealed class AimRows : RowMaker
                 From = Draws.Vector(about, DirectField.From, i),
                 Target = Draws.Vector(about, DirectField.Target, i),
             };
-            _found = scene.Aimer.Find(request, about.Aim.Method);
+            _found = AimRun.Find(about.Aim with { Request = request }, scene.Aimer);
             Fill(i, 1);
         }
     }

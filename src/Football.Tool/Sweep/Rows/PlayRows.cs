@@ -12,22 +12,18 @@ internal sealed class PlayRows : LaunchRows
     private static readonly string[] s_kinds = [.. Enum.GetValues<BallEventKind>().Select(kind => Words.Of(kind)), NoThing];
 
     private readonly CompiledScenes<CompiledScene> _scenes;
-
-    /// <summary>Names of the things of the scene, the ground first.</summary>
-    private readonly IReadOnlyList<string> _things;
-
     private Trajectory _path = new();
+    private CompiledScene _scene = null!;
     private PlayEnd _end;
     private int _lastEvent;
 
     public PlayRows(SweepPlan plan, int capacity)
         : base(plan, capacity)
     {
-        _scenes = new CompiledScenes<CompiledScene>(plan, Draws, scene => new CompiledScene(scene));
-        _things = new Simulator(plan.Scene.Scene).Names;
-        foreach (string name in plan.Row.Hits.Where(name => !_things.Contains(name)))
+        _scenes = new CompiledScenes<CompiledScene>(plan, Draws, scene => new CompiledScene(scene, plan.Things));
+        foreach (string name in plan.Row.Hits.Where(name => !plan.Things.Contains(name)))
         {
-            throw new RefusedException("row.hits", Quote.Short(name), string.Join(" | ", _things));
+            throw new RefusedException("row.hits", Quote.Short(name), string.Join(" | ", plan.Things));
         }
     }
 
@@ -37,12 +33,14 @@ internal sealed class PlayRows : LaunchRows
     {
         for (int i = 0; i < count; i++)
         {
-            CompiledScene scene = _scenes.Of(i);
-            Prepare(scene.Scene, i);
-            Play(scene, i);
+            _scene = _scenes.Of(i);
+            Prepare(_scene.Scene, i);
+            Play(_scene, i);
             Fill(i, 1);
         }
     }
+
+    protected override SweepScene SceneOf(int row) => _scene.Scene;
 
     protected override IEnumerable<ColumnSource> AnswerSources() =>
     [
@@ -63,12 +61,11 @@ internal sealed class PlayRows : LaunchRows
 
     private IEnumerable<ColumnSource> OutcomeSources()
     {
-        Scene scene = Plan.Scene.Scene;
-        if (scene.Goals.Count > 0)
+        if (Plan.HasGoals)
         {
             yield return new ColumnSource(
                 Column.Word("outcome", "goal: all of the ball was in one; else save: an obstacle was hit; else post: the frame of a goal was hit; else miss", s_outcomes),
-                (to, row, _) => to.Words[row] = (byte)Outcome(scene.Obstacles.Count));
+                (to, row, _) => to.Words[row] = (byte)Outcome(_scene.Scene.Scene.Obstacles.Count));
         }
 
         if (Plan.Row.Hits.Count > 0)
@@ -93,7 +90,7 @@ internal sealed class PlayRows : LaunchRows
         }
 
         string[] places = [.. Enumerable.Range(0, n).Select(k => FormattableString.Invariant($"{k}"))];
-        string[] surfaces = [.. _things.Take(Column.MostWords - 1), NoThing];
+        string[] surfaces = [.. Plan.Things.Take(Column.MostWords - 1), NoThing];
         ColumnSource Vector(string name, string unit, string meaning, Func<BallEvent, Vector3d> of) => new(
             Column.Vector($"events.{name}", unit, meaning).Along(places),
             (to, row, _) => Each(row, (k, place) => to.Set(place, k <= _lastEvent ? of(_path.Events[k]) : new Vector3d(double.NaN, double.NaN, double.NaN))));
@@ -103,7 +100,7 @@ internal sealed class PlayRows : LaunchRows
             new(Column.Word("events.kind", "what happened", s_kinds).Along(places),
                 (to, row, _) => Each(row, (k, place) => to.Words[place] = (byte)(k <= _lastEvent ? (int)_path.Events[k].Kind : s_kinds.Length - 1))),
             new(Column.Word("events.surface", "what was hit or met", surfaces).Along(places),
-                (to, row, _) => Each(row, (k, place) => to.Words[place] = (byte)(k <= _lastEvent && _path.Events[k].Thing is >= 0 and int thing && thing < surfaces.Length ? thing : surfaces.Length - 1))),
+                (to, row, _) => Each(row, (k, place) => to.Words[place] = (byte)(k <= _lastEvent && _scene.Place(_path.Events[k].Thing) is >= 0 and int thing && thing < surfaces.Length ? thing : surfaces.Length - 1))),
             new(Column.Real("events.time", "s", "when").Along(places),
                 (to, row, _) => Each(row, (k, place) => to.Reals[place] = k <= _lastEvent ? _path.Events[k].Time : double.NaN)),
             Vector("position", "m", "where the centre was", happened => happened.Position),
@@ -170,7 +167,7 @@ internal sealed class PlayRows : LaunchRows
         }
     }
 
-    private string NameOf(int thing) => thing >= 0 && thing < _things.Count ? _things[thing] : NoThing;
+    private string NameOf(int thing) => _scene.Place(thing) is >= 0 and int place ? Plan.Things[place] : NoThing;
 
     private int Count(Func<BallEvent, bool> counts)
     {
@@ -190,23 +187,37 @@ internal sealed class PlayRows : LaunchRows
         return Count(happened => happened.Kind == BallEventKind.Goal) > 0 ? 1 : Hit(1, obstacles) ? 3 : Hit(obstacles + 1, int.MaxValue) ? 2 : 0;
     }
 
-    private sealed class CompiledScene(SweepScene scene)
+    private sealed class CompiledScene
     {
-        public SweepScene Scene { get; } = scene;
+        /// <summary>Where each thing of the scene is among those of all scenes.</summary>
+        private readonly int[] _places;
 
-        public Simulator Simulator { get; } = new(scene.Scene, scene.Solver);
-
-        public LookAheadRequest Request { get; } = new()
+        public CompiledScene(SweepScene scene, List<string> things)
         {
-            Duration = scene.Duration,
-            TimeStep = scene.TimeStep,
-            StopAt = scene.StopAt switch
+            Scene = scene;
+            Simulator = new Simulator(scene.Scene, scene.Solver);
+            _places = [.. Simulator.Names.Select((name, i) => i < things.Count && things[i] == name ? i : things.IndexOf(name))];
+            Request = new LookAheadRequest
             {
-                SweepStop.Impact => StopAt.Impact,
-                SweepStop.Time => StopAt.Time,
-                _ => StopAt.Rest,
-            },
-            UntilPlane = scene.Plane,
-        };
+                Duration = scene.Duration,
+                TimeStep = scene.TimeStep,
+                StopAt = scene.StopAt switch
+                {
+                    SweepStop.Impact => StopAt.Impact,
+                    SweepStop.Time => StopAt.Time,
+                    _ => StopAt.Rest,
+                },
+                UntilPlane = scene.Plane,
+            };
+        }
+
+        public SweepScene Scene { get; }
+
+        public Simulator Simulator { get; }
+
+        public LookAheadRequest Request { get; }
+
+        /// <summary>Where a thing of the scene is among those of all scenes; −1 for none of them.</summary>
+        public int Place(int thing) => thing >= 0 && thing < _places.Length ? _places[thing] : -1;
     }
 }

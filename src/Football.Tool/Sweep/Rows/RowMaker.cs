@@ -66,6 +66,9 @@ internal abstract class RowMaker
         }
     }
 
+    /// <summary>The scene of a row whose columns are being filled, as far as columns of launches and aims depend on it.</summary>
+    protected virtual SweepScene SceneOf(int row) => Plan.Scene;
+
     /// <summary>Answers what was drawn, and fills the columns.</summary>
     protected abstract void Answer(int count);
 
@@ -123,7 +126,7 @@ internal abstract class RowMaker
                 {
                     for (int i = from; i < from + count; i++)
                     {
-                        to.Reals[i] = Draws.Number(Plan.Scene, number, i);
+                        to.Reals[i] = Draws.Number(SceneOf(i), number, i);
                     }
                 });
             }
