@@ -119,10 +119,15 @@ public sealed class Stage
 
     /// <summary>Checks all of it and compiles both scenes.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
-    /// <exception cref="InvalidOperationException">The stage is compiled already.</exception>
+    /// <exception cref="InvalidOperationException">The stage is compiled already, or it has keepers and its scene has bodies.</exception>
     public void Compile()
     {
         RequireOpen();
+        if (_planned.Count > 0 && Scene.Bodies is not null)
+        {
+            throw new InvalidOperationException("The scene has bodies, and a keeper is one of the stage's own; allowed: bodies of the scene, or keepers.");
+        }
+
         Scene still = _goals.Count + _obstacles.Count == 0 ? Scene : Scene with
         {
             Goals = [.. Scene.Goals, .. _goals],

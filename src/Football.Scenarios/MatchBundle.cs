@@ -99,9 +99,15 @@ public sealed class MatchBundle
             throw new RefusedException(name, $"{entry.Length} bytes", $"{LargestEntry} bytes at most");
         }
 
+        // As it comes: the length that the file names may be any number.
         using Stream from = entry.Open();
-        var bytes = new byte[entry.Length];
-        from.ReadExactly(bytes);
-        return bytes;
+        using var bytes = new MemoryStream();
+        var part = new byte[64 * 1024];
+        for (int read = from.Read(part); read > 0 && bytes.Length <= entry.Length; read = from.Read(part))
+        {
+            bytes.Write(part, 0, read);
+        }
+
+        return bytes.Length == entry.Length ? bytes.ToArray() : throw new RefusedException(name, $"{bytes.Length} bytes", $"{entry.Length}, as the zip file says");
     }
 }

@@ -63,23 +63,30 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
     {
         const string Allowed = "a table [[…], …] of finite numbers, with rows of one length";
         if (Take(name) is not { ValueKind: JsonValueKind.Array } value
-            || !value.EnumerateArray().All(row => row.ValueKind == JsonValueKind.Array && row.GetArrayLength() == value[0].GetArrayLength())
-            || value.GetArrayLength() == 0 || value[0].GetArrayLength() == 0)
+            || value.GetArrayLength() == 0 || value[0] is not { ValueKind: JsonValueKind.Array } first || first.GetArrayLength() is not (> 0 and int columns)
+            || !value.EnumerateArray().All(row => row.ValueKind == JsonValueKind.Array && row.GetArrayLength() == columns))
         {
             return Refuse<double[,]?>(name, Allowed, null);
         }
 
-        var table = new double[value.GetArrayLength(), value[0].GetArrayLength()];
-        for (int i = 0; i < table.GetLength(0); i++)
+        // Row by row: an element by its index is looked for from the first one on.
+        var table = new double[value.GetArrayLength(), columns];
+        int i = 0;
+        foreach (JsonElement row in value.EnumerateArray())
         {
-            for (int j = 0; j < table.GetLength(1); j++)
+            int j = 0;
+            foreach (JsonElement number in row.EnumerateArray())
             {
-                table[i, j] = NumberOf(value[i][j]);
+                table[i, j] = NumberOf(number);
                 if (!double.IsFinite(table[i, j]))
                 {
                     return Refuse<double[,]?>($"{name}[{i}][{j}]", FiniteNumber, null);
                 }
+
+                j++;
             }
+
+            i++;
         }
 
         return table;

@@ -85,8 +85,17 @@ internal sealed class MatchCommand
         using var plot = OutputFile.Open("--plot", parsed.GetValue(_plot));
         InputCase input = InputCase.Read(new InputLine("{}"u8.ToArray(), false), [.. overrides, .. given]);
         InputFields fields = input.Scenario ?? throw input.Refusal!;
-        Scene scene = SceneInput.Scene(fields.Root);
-        fields.Check();
+        Scene scene;
+        try
+        {
+            scene = SceneInput.Scene(fields.Root);
+            fields.Check();
+        }
+        catch (ArgumentException e) when (LibraryRefusal.Of(e, fields) is { } refusal)
+        {
+            throw refusal;
+        }
+
         using Stream stream = Arguments.OpenInput(file, terminal);
         TrackPoint[] track = TrackReader.Read(stream, terminal.Person.WriteLine);
         MatchFitResult fit;

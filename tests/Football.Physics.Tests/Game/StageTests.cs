@@ -306,6 +306,15 @@ public sealed class StageTests
         return (stage.Keepers[0].Count > 0, scored);
     }
 
+    [Fact]
+    public void Bodies_of_a_scene_and_keepers_are_not_mixed_up()
+    {
+        var stage = new Stage(Scene.Default with { Bodies = new Bodies() });
+        stage.Add(Goal);
+        stage.AddKeeper(0, new Vector3d(0, 0, -10.4));
+        Assert.Contains("bodies", Assert.Throws<InvalidOperationException>(stage.Compile).Message, StringComparison.Ordinal);
+    }
+
     /// <summary>A keeper reaches as high over his feet on any ground; and one whose time goes back dives for the same shot again.</summary>
     [Theory]
     [InlineData(0)]
