@@ -78,6 +78,15 @@ public sealed class MatchFitTests
     }
 
     [Fact]
+    public void Points_that_follow_at_once_do_not_cut_flights_short()
+    {
+        TrackPoint[] track = [.. Track(noise: 0.003).SelectMany(point => new[] { point, new TrackPoint(point.Time + 1e-10, point.Position, point.Noise) })];
+        MatchFitResult fit = new MatchFit(Known).Find(track);
+        Assert.True(fit.Flights >= 3, $"{fit.Flights}");
+        Assert.InRange(fit.Covered, 0.97, 1);
+    }
+
+    [Fact]
     public void What_is_not_asked_for_stays_the_scenes()
     {
         var request = new MatchFitRequest { Wind = false, Drag = false, Surface = false, Height = false };

@@ -72,7 +72,7 @@ public sealed class SweepRangesTests
     [Fact]
     public void How_the_ball_is_turned_at_first_may_differ_from_row_to_row()
     {
-        Assert.True(Rows(4, "launch.orientation={\"grid\":[[0,0,0,1],[0,1,0,0]]}").All(row => row.TryGetProperty("bounces", out _)), "flown one by one, which a turned ball is");
+        Assert.True(Rows(4, "launch={\"grid\":[{\"speed\":20},{\"speed\":20,\"orientation\":[0,1,0,0]}]}").All(row => row.TryGetProperty("bounces", out _)), "flown one by one, which a turned ball is");
         Assert.False(Rows(4, "solver.timeStep={\"grid\":[0.01,0.02]}")[0].TryGetProperty("bounces", out _), "flown in lanes, each with its own step");
     }
 
