@@ -106,20 +106,21 @@ internal readonly struct StabilityLimit
     /// <param name="branch">Branch of the drag law.</param>
     /// <param name="spirals">Set where the method would make a velocity longer in such parts, which the Magnus force only turns.</param>
     /// <param name="damping">Rate at which a surface damps the spin, 1/s.</param>
+    /// <param name="gain">By how much the friction of a surface may make the ball faster in the step, m/s.</param>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public double PartOf(ref SceneAir air, double left, double speed, double spinRate, DragBranch branch, ref bool spirals, double damping = 0)
+    public double PartOf(ref SceneAir air, double left, double speed, double spinRate, DragBranch branch, ref bool spirals, double damping = 0, double gain = 0)
     {
         speed = Math.Max(speed, SlowestAir);
+        double fastest = speed + gain;
 
         // How many times over the forces could change the motion in this time.
-        double pieces = left * (RateAtMost(speed, spinRate) + damping);
+        double pieces = left * (RateAtMost(fastest, spinRate) + damping);
         if (pieces > FewPieces && branch < DragBranch.AlongCriticalSpeed)
         {
-            // The bound adds what each law could do; twice what they do here is enough, and in still air what they are about to do.
-            air.Factors(speed * speed, spinRate, speed * speed, branch, out double drag, out double lift, out double decay);
-            double ofSpin = spinRate > 0 ? Math.Min(decay / spinRate, (_bound.PerSpeed * speed) + (_bound.PerSpin * spinRate)) : 0;
-            double here = 2.0 * (drag + Math.Abs(lift) + ofSpin);
-            double closer = left * (here + _bound.Constant + damping);
+            // The bound adds what each law could do; twice what they do here is enough, and where friction may bring the ball, and in still air what they are about to do.
+            double here = RateAt(ref air, speed, spinRate, branch);
+            here = gain > 0 ? Math.Max(here, RateAt(ref air, fastest, spinRate, branch)) : here;
+            double closer = left * ((2.0 * here) + _bound.Constant + damping);
             pieces = closer < pieces ? closer : pieces;
         }
 
@@ -132,6 +133,13 @@ internal readonly struct StabilityLimit
         double part = left / Math.Ceiling(pieces / LargestChange);
         spirals = _spirals || SpiralsIn(ref air, part, speed, spinRate, branch);
         return part;
+    }
+
+    /// <summary>How fast the laws change the motion at a speed and a spin, 1/s.</summary>
+    private double RateAt(ref SceneAir air, double speed, double spinRate, DragBranch branch)
+    {
+        air.Factors(speed * speed, spinRate, speed * speed, branch, out double drag, out double lift, out double decay);
+        return drag + Math.Abs(lift) + (spinRate > 0 ? Math.Min(decay / spinRate, (_bound.PerSpeed * speed) + (_bound.PerSpin * spinRate)) : 0);
     }
 
     /// <summary>

@@ -408,8 +408,10 @@ internal sealed class SurfacePhase<TIntegrator>
     {
         double asked = run.Next;
         Collider carrier = _world.CarrierOf(in s);
-        double damping = carrier.MaterialAt(s.Position).SpinDamping / _inertia;
-        double h = _limit.PartOf(ref _around.Air, asked, (from.Velocity - _around.Wind).Length, from.Spin.Length, s.Branch, ref run.Spirals, damping);
+        ContactMaterial material = carrier.MaterialAt(s.Position);
+        double gain = s.Motion == MotionState.Sliding ? asked * material.SlidingFriction * on.Load : 0;
+        double h = _limit.PartOf(
+            ref _around.Air, asked, (from.Velocity - _around.Wind).Length, from.Spin.Length, s.Branch, ref run.Spirals, material.SpinDamping / _inertia, gain);
 
         // |ṅ| h bounds how far the normal turns; a net and the narrowest surface bound the piece as well.
         double turning = on.Turning.Length;
