@@ -1,0 +1,91 @@
+using Football.Physics.Laws;
+
+namespace Football.Physics.Tests.Laws;
+
+/// <summary>What every form of the air promises to those who ask it.</summary>
+public sealed class AirContractTests
+{
+    private sealed class Nothing : IForce
+    {
+        public void Apply(in ForceInput ball, ref ForceSum sum)
+        {
+        }
+    }
+
+    /// <summary>a = L (ω × u) and ω̇ = −decay ω by a spin vector are those by its axis and its size: for fast airs, laws one by one, and all that a scene has.</summary>
+    [Theory]
+    [InlineData(CoefficientForm.Published)]
+    [InlineData(CoefficientForm.Regularised)]
+    [InlineData(CoefficientForm.Measured)]
+    public void By_the_spin_vector_and_by_its_axis_the_factors_are_the_same(CoefficientForm form)
+    {
+        Scene scene = LawGrid.Scene with { Forces = ForceSet.Published with { Coefficients = form } };
+        Scene mixed = scene with { Forces = scene.Forces with { Magnus = ForceLaw.Constant } };
+        Scene constant = scene with { Forces = ForceSet.Constant with { SpinDecayCoefficient = 0.05 } };
+        Scene none = scene with { Forces = ForceSet.None };
+        PerSpin(SceneAir.Of(scene));
+        PerSpin(SceneAir.Of(mixed));
+        PerSpin(SceneAir.Of(constant));
+        PerSpin(new ConstantAir(constant));
+        PerSpin(default(NoAir));
+        PerSpin(new FieldAir<MeasuredLaw>(scene, SceneAir.Of(scene)));
+        PerSpin(form switch
+        {
+            CoefficientForm.Measured => (IFlightAir)new TableAir<MeasuredLaw>(scene),
+            CoefficientForm.Regularised => new TableAir<RegularisedLaw>(scene),
+            _ => new TableAir<PublishedLaw>(scene),
+        });
+        Assert.False(SceneAir.Of(none).Acts);
+        Assert.True(SceneAir.Of(mixed).Acts);
+    }
+
+    private static void PerSpin(IFlightAir air)
+    {
+        foreach (double speed in new[] { 0.2, 3.0, 13, 25, 60 })
+        {
+            foreach (double spin in new[] { 1e-120, 0.5, 8, 40, 300 })
+            {
+                const double Across = 0.6;
+                double squared = speed * speed;
+                air.Factors(squared, spin, Across * squared, DragBranch.Spinning, out double drag, out double lift, out double decay);
+                bool spins = air.FactorsPerSpin(squared, spin * spin, Across * squared * spin * spin, DragBranch.Spinning, out double d, out double l, out double q);
+                Assert.Equal(spin > 1e-100, spins);
+                Assert.Equal(drag, d, 1e-9 * Math.Max(1, drag));
+                if (spins)
+                {
+                    Assert.Equal(lift / spin, l, 1e-9 * Math.Max(1, Math.Abs(lift / spin)));
+                    Assert.Equal(decay / spin, q, 1e-9 * Math.Max(1, decay / spin));
+                }
+            }
+        }
+    }
+
+    [Fact]
+    public void Laws_alone_are_what_no_force_of_the_games_own_and_no_field_is_beside()
+    {
+        var scene = new Scene();
+        Assert.True(SceneAir.HasLawsAlone(scene));
+        Assert.True(SceneAir.HasLawsAlone(scene with { Forces = scene.Forces with { Custom = [new ScaledAir(scene, 1.1, 0.9)] } }));
+        Assert.False(SceneAir.HasLawsAlone(scene with { Forces = scene.Forces with { Custom = [new Nothing()] } }));
+        Assert.False(SceneAir.HasLawsAlone(scene with { Forces = scene.Forces with { Custom = [new ScaledAir(scene, 1.1, 0.9), new Nothing()] } }));
+        Assert.False(SceneAir.HasLawsAlone(scene with { Forces = scene.Forces with { KnuckleSeed = 4 } }));
+        Assert.False(SceneAir.HasLawsAlone(scene with { Air = scene.Air with { WindField = new WindByHeight(3, 1, 0) } }));
+
+        // Of another ball it is a force like any other.
+        Scene lighter = scene with { Ball = scene.Ball with { Mass = 0.3 } };
+        Assert.False(SceneAir.HasLawsAlone(scene with { Forces = scene.Forces with { Custom = [new ScaledAir(lighter, 1.1, 0.9)] } }));
+    }
+
+    /// <summary>Up to there no step that the tables cover can be too long for the forces: nor a tenth longer at their ends.</summary>
+    [Fact]
+    public void Steps_that_are_short_for_the_fastest_ball_of_the_tables_are_short_for_all()
+    {
+        var air = new TableAir<MeasuredLaw>(LawGrid.Scene);
+        double fastestSpin = 1.9 * 120 / LawGrid.Scene.Ball.Radius;
+        foreach (RateBound bound in new[] { new RateBound(0.03, 0.002, 0.4), new RateBound(0.01, 0, 0), new RateBound(0, 0.01, 0), new RateBound(0, 0, 2) })
+        {
+            double h = air.WholeUpTo(in bound);
+            Assert.InRange(h * bound.At(120, fastestSpin), 0.4, 0.5 + 1e-12);
+        }
+    }
+}
