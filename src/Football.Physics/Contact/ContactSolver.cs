@@ -28,6 +28,9 @@ internal static class ContactSolver
     /// </summary>
     private const double Known = 1e-8;
 
+    /// <summary>Slower than this, m/s, contacts may close that are solved. Of a set without an answer the loads grow without end, so that they too change by ever smaller shares.</summary>
+    private const double Closed = 1e-6;
+
     /// <summary>Little: the change is more than this share of what it was.</summary>
     private const double Little = 0.1;
 
@@ -42,8 +45,22 @@ internal static class ContactSolver
     /// <param name="v">Velocity, m/s.</param>
     /// <param name="w">Spin, rad/s.</param>
     /// <param name="settled">Where impulses change by less than this share of themselves and the speeds, they are found.</param>
+    /// <param name="closing">How fast a contact may close, m/s.</param>
     /// <returns>Whether an answer was found.</returns>
-    public static bool Solve(Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w, double settled = Settled)
+    public static bool Solve(
+        Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w, double settled = Settled, double closing = Closed)
+    {
+        bool found = Settles(set, ball, duration, ref v, ref w, settled);
+        foreach (ref readonly Contact contact in set)
+        {
+            found &= Closing(in contact, duration, in v) >= -closing;
+        }
+
+        return found;
+    }
+
+    /// <summary>Rounds and steps of Newton's method until the impulses change no more.</summary>
+    private static bool Settles(Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w, double settled)
     {
         Begin(set, ball, ref v, ref w);
         Span<Contact> kept = stackalloc Contact[set.Length];

@@ -132,7 +132,7 @@ internal sealed class WorldContact
         Span<Contact> set = room.Slice(0, ContactSet.Near(_world, in s, ContactSearch.Touching, room));
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
-        bool solved = ContactSolver.Solve(set, _world.Ball, 0, ref v, ref w) && !Closes(set, in v) && run.Untold++ < MostUntold;
+        bool solved = ContactSolver.Solve(set, _world.Ball, 0, ref v, ref w, closing: ContactSearch.Approaching) && run.Untold++ < MostUntold;
 
         // No impulses keep all of them from closing, or it takes them again and again: squeezed.
         if (!solved || IsTooFast(ref s, set, in v))
@@ -154,19 +154,6 @@ internal sealed class WorldContact
         {
             Fly(ref s, in v, in w);
         }
-    }
-
-    private static bool Closes(Span<Contact> set, in Vector3d v)
-    {
-        foreach (ref readonly Contact contact in set)
-        {
-            if (Vector3d.Dot(v - contact.Velocity, in contact.Normal) < -ContactSearch.Approaching)
-            {
-                return true;
-            }
-        }
-
-        return false;
     }
 
     /// <summary>Begins a squeeze: moving things leave the ball no room.</summary>

@@ -1,0 +1,211 @@
+using Football.Physics.Shapes;
+
+namespace Football.Physics.Tests.Things;
+
+/// <summary>
+/// The impulses of a contact set against what they must be, whoever found them: J_n ≥ 0, no contact closes, J_n only where it would, |J_t| ≤ μ J_n,
+/// and as much as that against the slip where one is left.
+/// </summary>
+public sealed class ContactSolverTests
+{
+    private const double Radius = 0.11;
+
+    [Theory]
+    [InlineData(1, 0, true)]
+    [InlineData(2, 0.01, true)]
+    [InlineData(3, 0.01, true)]
+    [InlineData(4, 0.02, true)]
+    [InlineData(5, 0.01, false)]
+    [InlineData(3, 0, false)]
+    public void Impulses_are_those_of_Coulombs_law_at_all_contacts_at_once(int count, double duration, bool turns)
+    {
+        var random = new Random(100 + count);
+        int solved = 0;
+        int slipped = 0;
+        int gripped = 0;
+        int open = 0;
+        for (int i = 0; i < 300; i++)
+        {
+            World world = WorldOf(random, count, moves: i % 3 == 0, resists: turns && i % 2 == 0, duration > 0 ? 0.03 : 0, out BallState state);
+            Span<Contact> set = new Contact[ContactSet.Most];
+            set = set[..ContactSet.Near(world, in state, 0.1, set)];
+            Assert.Equal(count, set.Length);
+            BallProperties ball = world.Ball;
+            Vector3d freeV = state.Velocity;
+            Vector3d freeW = state.Spin;
+            Vector3d v = freeV;
+            Vector3d w = freeW;
+            if (!ContactSolver.Solve(set, ball, duration, ref v, ref w))
+            {
+                continue;
+            }
+
+            solved++;
+            double scale = freeV.Length + (Radius * freeW.Length) + 1;
+            double close = 2e-6 * scale;
+
+            // Velocity and spin are what the impulses make of them; what is left over is the resistance to turning.
+            Vector3d pushed = freeV;
+            Vector3d turned = freeW;
+            int heaviest = 0;
+            for (int k = 0; k < count; k++)
+            {
+                pushed += (set[k].Load * set[k].Normal) + set[k].Friction;
+                turned -= Vector3d.Cross(set[k].Normal, set[k].Friction) / (ball.InertiaFactor * Radius);
+                heaviest = set[k].Load > set[heaviest].Load ? k : heaviest;
+            }
+
+            Assert.InRange((v - pushed).Length, 0, close);
+            if (!(set[heaviest].Load > 0))
+            {
+                Assert.InRange((w - turned).Length * Radius, 0, close);
+                continue;
+            }
+
+            Resistance(in set[heaviest], ball, duration, in v, w - turned, in turned, in w, close);
+            for (int k = 0; k < count; k++)
+            {
+                ref Contact contact = ref set[k];
+                double most = contact.Material.SlidingFriction * contact.Load;
+                Vector3d relative = v - contact.Velocity;
+                double off = Vector3d.Dot(in relative, contact.Normal);
+                double closing = off + (duration > 0 ? Math.Max(0, contact.Gap) / duration : 0);
+                Vector3d slip = relative - (off * contact.Normal) + (Radius * Vector3d.Cross(contact.Normal, in w));
+                Assert.True(contact.Load >= 0);
+                Assert.True(closing >= -close, $"{closing} of {i}, {k}");
+                Assert.True(contact.Load * closing <= close * scale, $"bears {contact.Load} while it opens at {closing}");
+                Assert.Equal(0, Vector3d.Dot(contact.Friction, contact.Normal), close);
+                Assert.True(contact.Friction.Length <= most + close);
+                if (contact.Load < 0.01)
+                {
+                    open++;
+                }
+                else if (contact.Friction.Length < most * (1 - 1e-3))
+                {
+                    // It grips.
+                    gripped++;
+                    Assert.InRange(slip.Length, 0, 20 * close);
+                }
+                else if (slip.Length > 0.05)
+                {
+                    // It slips: all of the friction, against the slip.
+                    slipped++;
+                    Assert.Equal(-1, Vector3d.Dot(contact.Friction / contact.Friction.Length, slip / slip.Length), 1e-4);
+                }
+            }
+        }
+
+        Assert.InRange(solved, count > 4 ? 100 : 200, 300);
+        Assert.True(slipped > 20 && gripped + slipped > 100, $"{slipped} slipped, {gripped} gripped");
+        Assert.True(count < 3 || open > 20, $"{open} open");
+    }
+
+    /// <summary>About the normal by damping and drilling, across it by rolling: against the turning, no more than the load gives, all of it where turning is left.</summary>
+    private static void Resistance(in Contact contact, BallProperties ball, double duration, in Vector3d v, Vector3d taken, in Vector3d before, in Vector3d after, double close)
+    {
+        Vector3d n = contact.Normal;
+        ContactMaterial material = contact.Material;
+        double inertia = ball.MomentOfInertia;
+        double drills = material.DrillingLength * material.SlidingFriction * ball.Mass / inertia * contact.Load;
+        double free = Vector3d.Dot(in before, in n);
+
+        // Damped implicitly, ω/(1 + c h/I), then drilled towards zero.
+        double damped = free / (1 + (material.SpinDamping * duration / inertia));
+        double expected = Math.Sign(damped) * Math.Max(0, Math.Abs(damped) - drills);
+        double spinScale = 20 * close / Radius;
+        Assert.Equal(expected, Vector3d.Dot(in after, in n), spinScale);
+
+        Vector3d across = taken - (Vector3d.Dot(in taken, in n) * n);
+        Vector3d turning = after - (Vector3d.Dot(in after, in n) * n);
+        double share = material.RollingFriction + (material.RollingFrictionBySpeed * (v - contact.Velocity).Length);
+        double most = contact.Rolls ? (1 + ball.InertiaFactor) * share * contact.Load / (ball.InertiaFactor * Radius) : 0;
+        Assert.InRange(across.Length, 0, most + spinScale);
+        if (contact.Rolls && turning.Length > 0.1 && most > 0.01)
+        {
+            Assert.Equal(most, across.Length, spinScale + (0.01 * most));
+            Assert.True(Vector3d.Dot(in across, in turning) < 0);
+        }
+    }
+
+    [Fact]
+    public void Impulses_that_are_there_already_are_taken_on()
+    {
+        var random = new Random(9);
+        for (int i = 0; i < 100; i++)
+        {
+            World world = WorldOf(random, 3, moves: false, resists: false, 0, out BallState state);
+            Span<Contact> set = new Contact[ContactSet.Most];
+            set = set[..ContactSet.Near(world, in state, 0.1, set)];
+            Vector3d v = state.Velocity;
+            Vector3d w = state.Spin;
+            if (!ContactSolver.Solve(set, world.Ball, 0.01, ref v, ref w))
+            {
+                continue;
+            }
+
+            Contact[] first = set.ToArray();
+            Vector3d again = state.Velocity;
+            Vector3d turn = state.Spin;
+            Assert.True(ContactSolver.Solve(set, world.Ball, 0.01, ref again, ref turn));
+            Assert.InRange((v - again).Length, 0, 1e-6);
+            Assert.InRange(Radius * (w - turn).Length, 0, 1e-6);
+
+            // And a few rounds more change nothing of them, with or without them to begin with.
+            again = state.Velocity;
+            turn = state.Spin;
+            ContactSolver.Try(first, world.Ball, 0.01, ref again, ref turn);
+            Assert.InRange((v - again).Length, 0, 1e-6);
+        }
+    }
+
+    /// <summary>Spheres about a ball that goes anywhere: a set of contacts with gaps, frictions and velocities of their own.</summary>
+    private static World WorldOf(Random random, int count, bool moves, bool resists, double gap, out BallState state)
+    {
+        Vector3d Any(double size) => size * new Vector3d(random.NextDouble() - 0.5, random.NextDouble() - 0.5, random.NextDouble() - 0.5);
+        var place = new Vector3d(0.3, 40, -0.2);
+        var obstacles = new List<Obstacle>();
+        Vector3d middle = Any(2).Normalized();
+        for (int i = 0; i < count; i++)
+        {
+            // Most of them on one side, so that there is somewhere to go.
+            Vector3d n = (middle + Any(2.2)).Normalized();
+            double free = random.Next(2) == 0 ? 0 : gap * random.NextDouble();
+            obstacles.Add(new Obstacle
+            {
+                Name = $"sphere {i}",
+                Shape = new SphereShape(place - ((Radius + 0.5 + free) * n), 0.5),
+                Velocity = moves ? Any(2) : Vector3d.Zero,
+                Surface = new Surface
+                {
+                    SlidingFriction = 0.1 + random.NextDouble(),
+                    RollingFriction = resists ? 0.05 : 0,
+                    RollingFrictionBySpeed = resists ? 0.01 : 0,
+                    SpinDamping = resists ? 0.01 : 0,
+                    DrillingLength = resists ? 0.02 : 0,
+                },
+            });
+        }
+
+        Scene scene = new()
+        {
+            Ball = new BallProperties { Radius = Radius },
+            Ground = Ground.None,
+            Obstacles = obstacles,
+        };
+        var simulator = new Simulator(scene);
+
+        // Sometimes it rolls, so that the resistance to rolling acts.
+        Vector3d velocity = (Any(6) - (2 * random.NextDouble() * middle));
+        Vector3d spin = random.Next(2) == 0 ? Any(120) : Vector3d.Zero;
+        if (resists && random.Next(2) == 0)
+        {
+            Vector3d n = ((place - ((SphereShape)obstacles[0].Shape).Center) / (place - ((SphereShape)obstacles[0].Shape).Center).Length).Normalized();
+            Vector3d relative = velocity - obstacles[0].Velocity;
+            relative -= Vector3d.Dot(in relative, in n) * n;
+            spin = Vector3d.Cross(in n, in relative) / Radius;
+        }
+
+        state = simulator.Launch(place, velocity, spin);
+        return simulator.World!;
+    }
+}
