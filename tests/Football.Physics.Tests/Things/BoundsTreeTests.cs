@@ -48,6 +48,34 @@ public sealed class BoundsTreeTests
         Assert.Equal(0, new StraightWay(new Vector3d(10, 1, 1), Vector3d.Zero, 0, 1, 0.5).Meets(in box));
     }
 
+    /// <summary>Whichever way a row goes, a branch is a stretch of it: one of its boxes is found by some dozen of the tree's.</summary>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(1)]
+    [InlineData(2)]
+    public void Along_a_row_a_box_is_found_by_few_others(int axis)
+    {
+        var random = new Random(2);
+        const int Count = 128;
+        int[] places = [.. Enumerable.Range(0, Count)];
+        random.Shuffle(places);
+        Bounds3d[] boxes =
+        [
+            .. places.Select(place =>
+            {
+                // A little apart on the other axes too, and nowhere at the origin.
+                var center = new Vector3d(7 + (0.5 * random.NextDouble()), 9 + (0.5 * random.NextDouble()), 11 + (0.5 * random.NextDouble()));
+                center += (5 + (2.0 * place)) * new Vector3d(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
+                return Bounds3d.Around(in center, 0.6, 0.6, 0.6);
+            }),
+        ];
+        var tree = new BoundsTree(boxes);
+        var nodes = (Bounds3d[])typeof(BoundsTree).GetField("_bounds", System.Reflection.BindingFlags.NonPublic | System.Reflection.BindingFlags.Instance)!.GetValue(tree)!;
+        Assert.Equal((2 * Count) - 1, nodes.Length);
+        double touched = boxes.Average(box => nodes.Count(node => node.Touches(in box)));
+        Assert.InRange(touched, 8, 9);
+    }
+
     private static Bounds3d Box(Random random, double most)
     {
         double Size() => most * random.NextDouble();
