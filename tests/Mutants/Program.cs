@@ -33,7 +33,8 @@ if (!Directory.Exists(room) && !File.Exists(room))
 string[] things = ["Things.EdgeTests", "Things.BodyTests", "Things.SurfacePatternTests", "Things.GoalTests", "Reference.AmongReferenceTests", "Things.WorldReferenceTests"];
 string[] tests = args[0].Split('/')[0] switch
 {
-    "Contact" => ["Things.CoulombImpactTests", "Things.SurfaceNumbersTests", "Things.BoundsTreeTests", "Things.EngineColliderTests", "Things.ContactSetTests", "Motion.DefaultGroundTests",
+    "Contact" => ["Things.CoulombImpactTests", "Things.SurfaceNumbersTests", "Things.BoundsTreeTests", "Things.EngineColliderTests", "Things.ContactSetTests", "Things.ContactSolverTests", "Things.ContactNewtonTests", "Things.ContactSearchTests",
+        "Things.NearContactTests", "Things.NetSheetTests", "Motion.DefaultGroundTests",
         "Motion.MeasuredImpactTests", "Motion.SlipDecayTests", "Motion.RollTests", "Motion.SlideTests", .. things],
     "Air" => ["Laws.AirContractTests", "Laws.AirLawTests", "Laws.AirRatesTests", "Laws.DragJumpTests", "Laws.KnuckleForceTests", "Laws.MeasuredLawTests", "Laws.ScaledAirTests", "Laws.TableLawTests", "Laws.TableRangeTests",
         "Motion.WindFieldTests", "Scenes.WindTests", "Motion.SpinDecayTests", "Motion.CustomForceTests", "Reference.MeasuredReferenceTests", "Reference.ReferenceTests"],
