@@ -33,7 +33,7 @@ if (!Directory.Exists(room) && !File.Exists(room))
 string[] things = ["Things.EdgeTests", "Things.BodyTests", "Things.SurfacePatternTests", "Things.GoalTests", "Reference.AmongReferenceTests", "Things.WorldReferenceTests"];
 string[] tests = args[0].Split('/')[0] switch
 {
-    "Contact" => ["Things.CoulombImpactTests", "Things.SurfaceNumbersTests", "Things.BoundsTreeTests", "Things.EngineColliderTests", "Things.ContactSetTests", "Motion.DefaultGroundTests",
+    "Contact" => ["Things.CoulombImpactTests", "Things.SurfaceNumbersTests", "Things.BoundsTreeTests", "Things.NetSheetTests", "Things.ContactSolverTests", "Things.EngineColliderTests", "Things.ContactSetTests", "Motion.DefaultGroundTests",
         "Motion.MeasuredImpactTests", "Motion.SlipDecayTests", "Motion.RollTests", "Motion.SlideTests", .. things],
     "Air" => ["Laws.AirLawTests", "Laws.AirRatesTests", "Laws.KnuckleForceTests", "Laws.MeasuredLawTests", "Laws.TableLawTests", "Motion.WindFieldTests", "Scenes.WindTests", "Motion.SpinDecayTests", "Motion.CustomForceTests", "Reference.MeasuredReferenceTests", "Reference.ReferenceTests"],
     "Simulation" => ["Motion.*", "Things.WorldOrderTests", "Things.ContactSetTests", "Reference.MeasuredRunTests", "Reference.ReferenceTests", .. things],

@@ -48,6 +48,43 @@ public sealed class BoundsTreeTests
         Assert.Equal(0, new StraightWay(new Vector3d(10, 1, 1), Vector3d.Zero, 0, 1, 0.5).Meets(in box));
     }
 
+    /// <summary>A row of boxes is split along the row, wherever it lies: so the walk over all of them goes along it.</summary>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(1)]
+    [InlineData(2)]
+    public void It_is_split_along_the_axis_on_which_boxes_lie_apart(int axis)
+    {
+        foreach (double away in new[] { 0.0, 5000, -5000 })
+        {
+            int[] places = [5, 2, 7, 0, 6, 3, 1, 4];
+            Vector3d Of(double along, double beside) => axis == 0 ? new Vector3d(along, away + beside, beside) : axis == 1 ? new Vector3d(beside, along, away + beside) : new Vector3d(away + beside, beside, along);
+            Bounds3d[] boxes = [.. places.Select((place, i) => Bounds3d.Around(Of(10 * place, 0.01 * i), 1, 1, 1))];
+            Assert.Equal(places.Order(), Walk(boxes).Select(i => places[i]));
+        }
+    }
+
+    /// <summary>Of boxes at one place the first comes first.</summary>
+    [Fact]
+    public void Boxes_at_one_place_keep_their_order()
+    {
+        Bounds3d[] boxes = [.. Enumerable.Range(0, 20).Select(i => Bounds3d.Around(new Vector3d(1, 2, 3), 1 + i, 1, 1))];
+        Assert.Equal(Enumerable.Range(0, 20), Walk(boxes));
+    }
+
+    private static List<int> Walk(Bounds3d[] boxes)
+    {
+        var tree = new BoundsTree(boxes);
+        var found = new List<int>();
+        int node = 0;
+        while (tree.Next(Bounds3d.Everywhere, ref node, out int item))
+        {
+            found.Add(item);
+        }
+
+        return found;
+    }
+
     private static Bounds3d Box(Random random, double most)
     {
         double Size() => most * random.NextDouble();
