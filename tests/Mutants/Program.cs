@@ -34,7 +34,7 @@ string[] things = ["Things.EdgeTests", "Things.BodyTests", "Things.SurfacePatter
 string[] tests = args[0].Split('/')[0] switch
 {
     "Contact" => ["Things.CoulombImpactTests", "Things.SurfaceNumbersTests", "Things.BoundsTreeTests", "Things.EngineColliderTests", "Things.ContactSetTests", "Things.ContactSolverTests", "Things.ContactNewtonTests", "Things.ContactSearchTests",
-        "Things.NearContactTests", "Things.NetSheetTests", "Motion.DefaultGroundTests",
+        "Things.NearContactTests", "Things.NetSheetTests", "Things.NetForceTests", "Motion.DefaultGroundTests",
         "Motion.MeasuredImpactTests", "Motion.SlipDecayTests", "Motion.RollTests", "Motion.SlideTests", .. things],
     "Air" => ["Laws.AirContractTests", "Laws.AirLawTests", "Laws.AirRatesTests", "Laws.DragJumpTests", "Laws.KnuckleForceTests", "Laws.MeasuredLawTests", "Laws.ScaledAirTests", "Laws.TableLawTests", "Laws.TableRangeTests",
         "Motion.WindFieldTests", "Scenes.WindTests", "Motion.SpinDecayTests", "Motion.CustomForceTests", "Reference.MeasuredReferenceTests", "Reference.ReferenceTests"],
