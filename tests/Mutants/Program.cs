@@ -36,7 +36,7 @@ string[] tests = args[0].Split('/')[0] switch
     "Contact" => ["Things.CoulombImpactTests", "Things.SurfaceNumbersTests", "Things.BoundsTreeTests", "Things.EngineColliderTests", "Things.ContactSetTests", "Motion.DefaultGroundTests",
         "Motion.MeasuredImpactTests", "Motion.SlipDecayTests", "Motion.RollTests", "Motion.SlideTests", .. things],
     "Air" => ["Laws.AirLawTests", "Laws.AirRatesTests", "Laws.KnuckleForceTests", "Laws.MeasuredLawTests", "Laws.TableLawTests", "Motion.WindFieldTests", "Scenes.WindTests", "Motion.SpinDecayTests", "Motion.CustomForceTests", "Reference.MeasuredReferenceTests", "Reference.ReferenceTests"],
-    "Simulation" => ["Several.Ball*", "Things.WorldContactTests", "Things.BodyTubeTests", "Motion.*", "Things.WorldOrderTests", "Things.ContactSetTests", "Reference.MeasuredRunTests", "Reference.ReferenceTests", .. things],
+    "Simulation" => ["Several.*", "Things.WorldContactTests", "Things.BodyTubeTests", "Motion.*", "Things.WorldOrderTests", "Things.ContactSetTests", "Reference.MeasuredRunTests", "Reference.ReferenceTests", .. things],
     _ => [args[0] + ".*"],
 };
 

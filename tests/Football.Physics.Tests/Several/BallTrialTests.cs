@@ -1,5 +1,3 @@
-using Football.Physics.Prediction;
-
 namespace Football.Physics.Tests.Several;
 
 /// <summary>The ways of two balls, piece by piece, and when they meet: against fine sampling and closed forms.</summary>
