@@ -194,8 +194,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         int patch = _materials.Length > 1 ? _world.Ground!.PatchAt(s.Position) : -1;
         StepOn on;
         ref readonly Material material = ref _materials[patch + 1];
-        double gain = rolls ? 0 : dt * material.Sliding * _weight;
-        double airSpeed = Math.Abs(airX) + Math.Abs(_windUp) + Math.Abs(airZ) + _fastestWind + gain;
+        double airSpeed = Math.Abs(airX) + Math.Abs(_windUp) + Math.Abs(airZ) + _fastestWind + (rolls ? 0 : dt * material.Sliding * _weight);
         double spinAtMost = Math.Abs(start.WX) + Math.Abs(start.WY) + Math.Abs(start.WZ);
         if (!(size >= Slip.Rolling) || !(dt * (_limit.RateAtMost(airSpeed, spinAtMost) + material.Damping) <= StabilityLimit.LargestChange)
             || (!rolls && size < SoonOver * dt * material.SlipFriction * _weight)

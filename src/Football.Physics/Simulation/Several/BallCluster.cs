@@ -116,7 +116,7 @@ internal sealed class BallCluster
         _end = _start + dt;
         double end = _end;
 
-        // By number, so that the bits do not depend on the order in which they joined.
+        // By number: of what happens at one time the first that is asked for counts.
         Array.Sort(_cluster, 0, _clusterCount);
         _pressCount = 0;
 
@@ -128,6 +128,7 @@ internal sealed class BallCluster
         int atOnce = 0;
         double last = double.NegativeInfinity;
         bool ended = false;
+        bool pushed = false;
         while (!ended)
         {
             // A ball that joins later begins at the step's start, as it was there.
@@ -158,6 +159,7 @@ internal sealed class BallCluster
             else
             {
                 ended = Push(states, in first, end, stopAt, watched);
+                pushed = true;
             }
         }
 
@@ -173,6 +175,9 @@ internal sealed class BallCluster
             {
                 Commit(states, i, last, watched);
             }
+
+            // What was free ahead of any ball was so before something was pushed.
+            states[i].ClearUntil = pushed ? 0 : states[i].ClearUntil;
         }
 
         return ended;
@@ -248,17 +253,8 @@ internal sealed class BallCluster
         return first;
     }
 
-    /// <summary>The earlier of two events. At one time that of the ball of the lower number, its meeting with another ball first, that with the lower one before.</summary>
-    private static Happening Earlier(in Happening next, in Happening first)
-    {
-        if (next.Time != first.Time || double.IsPositiveInfinity(next.Time))
-        {
-            return next.Time < first.Time ? next : first;
-        }
-
-        bool precedes = next.Lower != first.Lower ? next.Lower < first.Lower : next.Higher < first.Higher;
-        return precedes ? next : first;
-    }
+    /// <summary>The earlier of two events. At one time that which is asked first: that of the ball of the lower number, its meetings with others first, that with the lowest before.</summary>
+    private static Happening Earlier(in Happening next, in Happening first) => next.Time < first.Time ? next : first;
 
     /// <summary>How long a ball goes to a time within the step, s: a whole step is that to the last bit.</summary>
     private double Left(in BallState s, double time) => s.Time == _start && time == _end ? _step : Math.Max(0, time - s.Time);
@@ -328,7 +324,7 @@ internal sealed class BallCluster
     /// <summary>When two balls touch by their own steps: Newton's method from what their dense paths say.</summary>
     private double Locate(BallState[] states, in Happening met)
     {
-        double from = Math.Max(states[met.Ball].Time, states[met.Other].Time);
+        double from = Math.Max(Math.Max(states[met.Ball].Time, states[met.Other].Time), PressedUntil(met.Ball, met.Other));
         double time = Math.Max(from, met.Time);
         for (int k = 0; k < MostNewton; k++)
         {
@@ -493,12 +489,6 @@ internal sealed class BallCluster
 
         /// <summary>True when two balls meet.</summary>
         public bool IsMeeting => Other != NoOther;
-
-        /// <summary>The lower number of the two.</summary>
-        public int Lower => IsMeeting ? Math.Min(Ball, Other) : Ball;
-
-        /// <summary>The higher one; none is the highest.</summary>
-        public int Higher => IsMeeting ? Math.Max(Ball, Other) : int.MaxValue;
     }
 
     private readonly struct Pressing(int ball, int other, double until)

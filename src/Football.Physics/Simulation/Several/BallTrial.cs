@@ -118,8 +118,8 @@ internal sealed class BallTrial : PieceObserver
 
                 // The gap bends down by the relative acceleration at most: nothing can happen before f + f' s − ½ M s² = 0.
                 double room = Math.Max(0, gap);
-                double root = rate + Math.Sqrt((rate * rate) + (2.0 * bend * room));
-                double ahead = bend > 0 ? root / bend : rate < 0 ? -room / rate : double.PositiveInfinity;
+                double root = Math.Sqrt((rate * rate) + (2.0 * bend * room));
+                double ahead = rate < 0 ? 2.0 * room / (root - rate) : bend > 0 ? (rate + root) / bend : double.PositiveInfinity;
                 time += Math.Max(ahead, ShortestAdvance + (Rounding * time));
             }
             while (time < last || (atEnd && time == until && last == until));

@@ -1,0 +1,132 @@
+namespace Football.Physics.Tests.Things;
+
+/// <summary>The tube along a ball's way in which no body is: for how long, how wide, how fast a ball it is good.</summary>
+public sealed class BodyTubeTests
+{
+    private const double Step = 0.01;
+    private const double Ahead = 0.16;
+    private const double Bend = 0.4;
+    private const double Width = 0.1 + (0.5 * Bend);
+    private const double AirSpeed = 12;
+    private const double Spin = 30;
+
+    private static readonly Simulator Nowhere = new(Scene.Default with { Ground = Ground.None });
+    private static readonly Vector3d From = new(1, 2, 3);
+    private static readonly Vector3d Velocity = new(5, -4, 3);
+
+    [Fact]
+    public void A_ball_on_its_way_stays_in_it_to_its_end_and_no_longer()
+    {
+        BodyTube tube = Made(new Bodies());
+        Assert.True(Holds(tube, 0, Step));
+        Assert.True(Holds(tube, Ahead - Step - 1e-12, Step));
+        Assert.False(Holds(tube, Ahead - Step + 1e-9, Step));
+        Assert.False(Holds(tube, -1e-9, Step));
+        Assert.True(Holds(tube, 0.05, Step / 2));
+        Assert.False(Holds(tube, 0.05, Step * 1.001));
+        BallState s = At(0.05, default, default);
+        Assert.True(tube.Holds(in s, Step, AirSpeed * AirSpeed, Spin));
+        Assert.False(tube.Holds(in s, Step, (AirSpeed * AirSpeed) + 1e-9, Spin));
+        Assert.False(tube.Holds(in s, Step, AirSpeed * AirSpeed, Spin + 1e-9));
+    }
+
+    /// <summary>How far it is off the way, and how far its velocity takes it off in the step: each direction counts, and the sum of them is the width at most.</summary>
+    [Fact]
+    public void A_ball_off_the_way_is_in_it_up_to_its_width()
+    {
+        BodyTube tube = Made(new Bodies());
+        Vector3d[] ways = [new(1, 0, 0), new(-1, 0, 0), new(0, 1, 0), new(0, -1, 0), new(0, 0, 1), new(0, 0, -1), new(0.5, 0.5, 0), new(0.2, -0.3, 0.5), new(-0.5, 0, 0.5)];
+        foreach (Vector3d way in ways)
+        {
+            foreach ((double share, bool holds) in new[] { (0.999, true), (1.001, false) })
+            {
+                foreach (double time in new[] { 0, 0.1 })
+                {
+                    BallState off = At(time, share * Width * way, default);
+                    Assert.Equal(holds, tube.Holds(in off, Step, 0, 0));
+                    BallState turned = At(time, default, share * Width / Step * way);
+                    Assert.Equal(holds, tube.Holds(in turned, Step, 0, 0));
+                    BallState both = At(time, 0.5 * share * Width * way, 0.5 * share * Width / Step * way);
+                    Assert.Equal(holds, tube.Holds(in both, Step, 0, 0));
+                }
+            }
+        }
+    }
+
+    /// <summary>By how much bodies have strayed since, the tube is narrower.</summary>
+    [Fact]
+    public void Bodies_that_stray_make_it_narrower()
+    {
+        var bodies = new Bodies();
+        Body body = bodies.Add("far", new SphereShape(default, 0.2));
+        body.MoveTo(new Vector3d(50, 50, 50), default, 0);
+        BodyTube tube = Made(bodies);
+        BallState s = At(0, new Vector3d(Width / 2, 0, 0), default);
+        Assert.True(tube.Holds(in s, Step, 0, 0));
+        body.MoveTo(new Vector3d(50 + (0.4 * Width), 50, 50), default, 0);
+        Assert.True(tube.Holds(in s, Step, 0, 0));
+        body.MoveTo(new Vector3d(50 + Width, 50, 50), default, 0);
+        Assert.False(tube.Holds(in s, Step, 0, 0));
+
+        // A new one begins at what they have strayed by then.
+        tube = Made(bodies);
+        Assert.True(tube.Holds(in s, Step, 0, 0));
+    }
+
+    /// <summary>Up to a body in its way it is free; how near one may be beside it: the ball, its width, what is spare and the bend of a step.</summary>
+    [Theory]
+    [InlineData(0.08, 0.07)]
+    [InlineData(0.3, 0.02)]
+    public void It_ends_where_a_body_comes_near(double spare, double bendOfStep)
+    {
+        double around = 0.11 + Width + spare + bendOfStep;
+        foreach ((double extra, bool free) in new[] { (1e-6, true), (-1e-6, false) })
+        {
+            // A slab beside the way: at the start of it, for the whole time.
+            var bodies = new Bodies();
+            Body slab = bodies.Add("slab", new BoxShape(default, new Vector3d(20, 1, 20)));
+            slab.MoveTo(new Vector3d(0, -1 - around - extra, 0), default, 0);
+            var tube = new BodyTube(bodies, 0.11);
+            BallState s = Nowhere.Launch(default, new Vector3d(5, 0, 0), default);
+            Assert.Equal(free, tube.Renew(in s, 0, Step, Step, Ahead, spare, AirSpeed, bendOfStep, Bend));
+            Assert.Equal(free, tube.Holds(in s, Step, 0, 0));
+        }
+
+        // A wall that the way reaches after 0.05 s.
+        var walls = new Bodies();
+        Body wall = walls.Add("wall", new BoxShape(default, new Vector3d(1, 20, 20)));
+        wall.MoveTo(new Vector3d(1 + around + (5 * 0.05), 0, 0), default, 0);
+        var way = new BodyTube(walls, 0.11);
+        BallState ball = Nowhere.Launch(default, new Vector3d(5, 0, 0), default);
+        Assert.True(way.Renew(in ball, 0, 0.05 - 1e-6, 0.05, Ahead, spare, AirSpeed, bendOfStep, Bend));
+        Assert.True(way.Holds(in ball, 0.05 - 1e-6, 0, 0));
+        Assert.False(way.Renew(in ball, 0, 0.05 + 1e-6, 0.06, Ahead, spare, AirSpeed, bendOfStep, Bend));
+        Assert.False(way.Holds(in ball, 0.05 + 1e-6, 0, 0));
+
+        // Without room to spare the answer is kept for no other step.
+        Assert.True(way.Renew(in ball, 0, Step, Step, Ahead, 0, AirSpeed, bendOfStep, Bend));
+        Assert.False(way.Holds(in ball, Step, 0, 0));
+        Assert.False(way.Holds(in ball, 0, 0, 0));
+    }
+
+    private static bool Holds(BodyTube tube, double time, double dt)
+    {
+        BallState s = At(time, default, default);
+        return tube.Holds(in s, dt, AirSpeed * AirSpeed, Spin);
+    }
+
+    private static BallState At(double time, Vector3d off, Vector3d faster)
+    {
+        BallState s = Nowhere.Launch(From + (time * Velocity) + off, Velocity + faster, default);
+        s.Time = 2 + time;
+        return s;
+    }
+
+    private static BodyTube Made(Bodies bodies)
+    {
+        var tube = new BodyTube(bodies, 0.11);
+        BallState s = At(0, default, default);
+        Assert.True(tube.Renew(in s, Spin, Step, Step, Ahead, 0.1, AirSpeed, 0.05, Bend));
+        return tube;
+    }
+}
