@@ -77,3 +77,18 @@ internal interface IEventFunction<TSweep>
     /// <returns>True where the search ends: at the event, or where no other length would be nearer to it.</returns>
     bool Evaluate(ref TSweep sweep, double tau, out double value, out double correction);
 }
+
+/// <summary>The rate at a step's end, from its start and its mean.</summary>
+internal static class Extrapolate
+{
+    /// <summary>Below this length, s, the difference of the ends is mostly rounding.</summary>
+    private const double Shortest = 1e-6;
+
+    /// <summary>2 (f₁ − f₀)/h − f₀'.</summary>
+    public static double Rate(double from, double to, double startRate, double h) =>
+        h > Shortest ? ((2.0 * (to - from)) / h) - startRate : startRate;
+
+    /// <inheritdoc cref="Rate(double, double, double, double)"/>
+    public static Vector3d Rate(in Vector3d from, in Vector3d to, in Vector3d startRate, double h) =>
+        h > Shortest ? ((2.0 / h) * (to - from)) - startRate : startRate;
+}
