@@ -121,6 +121,50 @@ public sealed class EngineColliderTests
         }
     }
 
+    /// <summary>The places go to those that were found longest ago, and who lost one and comes back gets another.</summary>
+    [Fact]
+    public void A_collider_that_lost_its_place_comes_back_and_one_that_is_often_near_keeps_its_own()
+    {
+        var engine = new Kept();
+        var simulator = new Simulator(Scene.Vacuum with { EngineColliders = engine, Gravity = 0 }, s_rk4);
+        EngineCollider[] all = [.. Enumerable.Range(0, 300).Select(i => new EngineCollider($"pole {i}", new SphereShape(new Vector3d(0, 5, -1), 0.2)))];
+        var often = new EngineCollider("often", new SphereShape(new Vector3d(0, 5, 1), 0.2));
+        int place = -1;
+        foreach (int i in Enumerable.Range(0, 300).Concat(Enumerable.Range(0, 300)).Concat([7, 7, 290, 7]))
+        {
+            Assert.Equal($"pole {i}", simulator.NameOf(Meet(all[i], -20)));
+            int its = Meet(often, 20);
+            Assert.Equal("often", simulator.NameOf(its));
+            Assert.True(place < 0 || its == place);
+            place = its;
+        }
+
+        int Meet(EngineCollider collider, double speed)
+        {
+            engine.Near = collider;
+            BallState state = simulator.Launch(new Vector3d(0, 5, 0), new Vector3d(0, 0, speed), Vector3d.Zero);
+            var log = new StepLog();
+            simulator.Step(ref state, 0.1, log);
+            return log.Events[0].Thing;
+        }
+    }
+
+    /// <summary>An engine that finds one collider.</summary>
+    private sealed class Kept : IEngineColliders
+    {
+        public EngineCollider? Near { get; set; }
+
+        public double Time => 0;
+
+        public double GreatestSpeed => 0;
+
+        public void Cast(in SphereCast cast, EngineHits hits)
+        {
+            Near!.MoveTo(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, Vector3d.Zero);
+            hits.Add(Near);
+        }
+    }
+
     [Fact]
     public void An_engine_is_more_than_the_ground_alone()
     {
