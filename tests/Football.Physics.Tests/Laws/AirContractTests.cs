@@ -1,5 +1,3 @@
-using Football.Physics.Laws;
-
 namespace Football.Physics.Tests.Laws;
 
 /// <summary>What every form of the air promises to those who ask it.</summary>

@@ -1,5 +1,3 @@
-using Football.Physics.Laws;
-
 namespace Football.Physics.Tests.Laws;
 
 /// <summary>Factors of drag and lift against coefficients that have them already.</summary>

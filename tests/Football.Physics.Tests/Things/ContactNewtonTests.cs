@@ -1,5 +1,3 @@
-using Football.Physics.Shapes;
-
 namespace Football.Physics.Tests.Things;
 
 /// <summary>A step of Newton's method from close to the answer: what it leaves of an error is of the error's square.</summary>

@@ -1,5 +1,3 @@
-using Football.Physics.Shapes;
-
 namespace Football.Physics.Tests.Things;
 
 /// <summary>Balls with several contacts, drawn at random.</summary>

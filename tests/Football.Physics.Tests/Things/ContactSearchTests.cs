@@ -1,5 +1,3 @@
-using Football.Physics.Shapes;
-
 namespace Football.Physics.Tests.Things;
 
 /// <summary>The time of impact on paths that bend, against looking at every thing at every ten-thousandth of the path.</summary>
