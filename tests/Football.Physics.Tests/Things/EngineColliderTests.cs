@@ -126,7 +126,7 @@ public sealed class EngineColliderTests
     public void A_collider_that_lost_its_place_comes_back_and_one_that_is_often_near_keeps_its_own()
     {
         var engine = new Kept();
-        var simulator = new Simulator(Scene.Vacuum with { EngineColliders = engine, Gravity = 0 }, s_rk4);
+        var simulator = new Simulator(new Scene { EngineColliders = engine, Gravity = 0 }, s_rk4);
         EngineCollider[] all = [.. Enumerable.Range(0, 300).Select(i => new EngineCollider($"pole {i}", new SphereShape(new Vector3d(0, 5, -1), 0.2)))];
         var often = new EngineCollider("often", new SphereShape(new Vector3d(0, 5, 1), 0.2));
         int place = -1;
