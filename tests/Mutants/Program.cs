@@ -15,13 +15,8 @@ if (args.Length is 0 or > 3)
     return 2;
 }
 
-string root = AppContext.BaseDirectory;
-while (!File.Exists(Path.Combine(root, "Football.Physics.sln")))
-{
-    root = Path.GetDirectoryName(root) ?? throw new InvalidOperationException("There is no Football.Physics.sln above the program.");
-}
-
-string library = Path.Combine(root, "src/Football.Physics");
+string root = LibrarySources.Root;
+string library = LibrarySources.Folder;
 string room = Path.Combine(library, args[0]);
 if (!Directory.Exists(room) && !File.Exists(room))
 {
@@ -34,7 +29,7 @@ string[] things = ["Things.EdgeTests", "Things.BodyTests", "Things.SurfacePatter
 string[] tests = args[0].Split('/')[0] switch
 {
     "Contact" => ["Things.CoulombImpactTests", "Things.SurfaceNumbersTests", "Things.BoundsTreeTests", "Things.EngineColliderTests", "Things.ContactSetTests", "Things.ContactSolverTests", "Things.ContactNewtonTests", "Things.ContactSearchTests",
-        "Things.NearContactTests", "Things.NetSheetTests", "Things.NetForceTests", "Motion.DefaultGroundTests",
+        "Things.NearContactTests", "Things.NetSheetTests", "Motion.DefaultGroundTests",
         "Motion.MeasuredImpactTests", "Motion.SlipDecayTests", "Motion.RollTests", "Motion.SlideTests", .. things],
     "Air" => ["Laws.AirContractTests", "Laws.AirLawTests", "Laws.AirRatesTests", "Laws.DragJumpTests", "Laws.KnuckleForceTests", "Laws.MeasuredLawTests", "Laws.ScaledAirTests", "Laws.TableLawTests", "Laws.TableRangeTests",
         "Motion.WindFieldTests", "Scenes.WindTests", "Motion.SpinDecayTests", "Motion.CustomForceTests", "Reference.MeasuredReferenceTests", "Reference.ReferenceTests"],
@@ -48,22 +43,10 @@ int count = args.Length > 1 ? int.Parse(args[1], CultureInfo.InvariantCulture) :
 int seed = args.Length > 2 ? int.Parse(args[2], CultureInfo.InvariantCulture) : 1;
 
 // The sources as they are, and all that can be got wrong in them.
-CSharpParseOptions parsing = new CSharpParseOptions(LanguageVersion.CSharp13).WithPreprocessorSymbols(
-    "NET", "NET5_0_OR_GREATER", "NET6_0_OR_GREATER", "NET7_0_OR_GREATER", "NET8_0_OR_GREATER", "NET9_0_OR_GREATER", "NET10_0", "NET10_0_OR_GREATER",
-    "NETCOREAPP", "NETCOREAPP3_0_OR_GREATER", "NETCOREAPP3_1_OR_GREATER", "RELEASE");
-string generated = Path.Combine(library, "obj/Release/net10.0");
-SyntaxTree[] trees = Directory.EnumerateFiles(library, "*.cs", SearchOption.AllDirectories)
-    .Where(path => !path.Contains("/bin/", StringComparison.Ordinal) && !path.Contains("/Polyfills/", StringComparison.Ordinal) && (!path.Contains("/obj/", StringComparison.Ordinal) || Path.GetDirectoryName(path) == generated))
-    .Order(StringComparer.Ordinal)
-    .Select(path => CSharpSyntaxTree.ParseText(File.ReadAllText(path), parsing, path))
-    .ToArray();
+CSharpParseOptions parsing = LibrarySources.Parsing;
+SyntaxTree[] trees = LibrarySources.Files.Select(path => CSharpSyntaxTree.ParseText(File.ReadAllText(path), parsing, path)).ToArray();
 string built = Path.Combine(root, "tests/Football.Physics.Tests/bin/Release/net10.0");
-MetadataReference[] references = ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!).Split(':')
-    .Where(path => Path.GetFileName(path).StartsWith("System.", StringComparison.Ordinal) && !path.Contains("CodeAnalysis", StringComparison.Ordinal))
-    .Select(path => (MetadataReference)MetadataReference.CreateFromFile(path))
-    .ToArray();
-var compilation = CSharpCompilation.Create("Football.Physics", trees, references, new CSharpCompilationOptions(
-    OutputKind.DynamicallyLinkedLibrary, optimizationLevel: OptimizationLevel.Release, allowUnsafe: true, nullableContextOptions: NullableContextOptions.Enable));
+CSharpCompilation compilation = LibrarySources.Compilation(trees);
 SyntaxTree[] mutated = trees.Where(tree => tree.FilePath == room || tree.FilePath.StartsWith(room + "/", StringComparison.Ordinal)).ToArray();
 Mutant[] all = mutated.SelectMany(tree => Mutator.Of(tree.FilePath, tree.GetRoot(), compilation.GetSemanticModel(tree))).ToArray();
 
@@ -143,7 +126,7 @@ List<Mutant> Compile(string folder, out int refused)
             marked[file.Key] = CSharpSyntaxTree.ParseText(changed.ToFullString(), parsing, file.Key);
         }
 
-        CSharpCompilation with = CSharpCompilation.Create("Football.Physics", trees.Select(tree => marked.GetValueOrDefault(tree.FilePath, tree)), references, compilation.Options)
+        CSharpCompilation with = LibrarySources.Compilation(trees.Select(tree => marked.GetValueOrDefault(tree.FilePath, tree)))
             .AddSyntaxTrees(CSharpSyntaxTree.ParseText(Switch, parsing));
         using var image = new MemoryStream();
         Diagnostic[] errors = with.Emit(image).Diagnostics.Where(at => at.Severity == DiagnosticSeverity.Error).ToArray();

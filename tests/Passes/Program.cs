@@ -1,25 +1,17 @@
 using System.Diagnostics;
 using System.Globalization;
 using Football.Physics;
+using Football.Physics.Mutants;
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
 using Microsoft.CodeAnalysis.CSharp.Syntax;
 
 // How many files of the library a reader passes who follows a step:
 //   dotnet run -c Release --project tests/Passes [-- --list]
-// Each method of the sources is compiled with a mark of its file, and the default scene is played twice: what only the first play passes is made at first use.
-string root = AppContext.BaseDirectory;
-while (!File.Exists(Path.Combine(root, "Football.Physics.sln")))
-{
-    root = Path.GetDirectoryName(root) ?? throw new InvalidOperationException("There is no Football.Physics.sln above the program.");
-}
-
-string library = Path.Combine(root, "src/Football.Physics");
-string[] files = Directory.EnumerateFiles(library, "*.cs", SearchOption.AllDirectories)
-    .Where(path => !path.Contains("/bin/", StringComparison.Ordinal) && !path.Contains("/Polyfills/", StringComparison.Ordinal)
-        && (!path.Contains("/obj/", StringComparison.Ordinal) || Path.GetDirectoryName(path) == Path.Combine(library, "obj/Release/net10.0")))
-    .Order(StringComparer.Ordinal).ToArray();
-string work = Path.Combine(root, "artifacts/passes");
+// Each method of the sources is compiled with a mark of its file, and each play is played twice: what only the first one passes is made at first use.
+string library = LibrarySources.Folder;
+string[] files = LibrarySources.Files;
+string work = Path.Combine(LibrarySources.Root, "artifacts/passes");
 if (Environment.GetEnvironmentVariable("FOOTBALL_MARKED") != "1")
 {
     return Compile() ? Again() : 2;
@@ -79,19 +71,13 @@ void Tell(string what, double seconds, Func<Simulator, BallState> launch, Scene 
 
 bool Compile()
 {
-    CSharpParseOptions parsing = new CSharpParseOptions(LanguageVersion.CSharp13).WithPreprocessorSymbols(
-        "NET", "NET5_0_OR_GREATER", "NET6_0_OR_GREATER", "NET7_0_OR_GREATER", "NET8_0_OR_GREATER", "NET9_0_OR_GREATER", "NET10_0", "NET10_0_OR_GREATER",
-        "NETCOREAPP", "NETCOREAPP3_0_OR_GREATER", "NETCOREAPP3_1_OR_GREATER", "RELEASE");
-    MetadataReference[] references = ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!).Split(':')
-        .Where(path => Path.GetFileName(path).StartsWith("System.", StringComparison.Ordinal) && !path.Contains("CodeAnalysis", StringComparison.Ordinal))
-        .Select(path => (MetadataReference)MetadataReference.CreateFromFile(path)).ToArray();
+    CSharpParseOptions parsing = LibrarySources.Parsing;
     var trees = files.Select((path, number) => CSharpSyntaxTree.ParseText(
         Marker.Marked(File.ReadAllText(path), CSharpSyntaxTree.ParseText(File.ReadAllText(path), parsing).GetRoot(), number), parsing, path)).ToList();
     trees.Add(CSharpSyntaxTree.ParseText($$"""
         public static class Passed { public static readonly bool[] Files = new bool[{{files.Length}}]; public static void At(int file) => Files[file] = true; }
         """, parsing));
-    var compilation = CSharpCompilation.Create("Football.Physics", trees, references, new CSharpCompilationOptions(
-        OutputKind.DynamicallyLinkedLibrary, optimizationLevel: OptimizationLevel.Release, allowUnsafe: true, nullableContextOptions: NullableContextOptions.Enable));
+    CSharpCompilation compilation = LibrarySources.Compilation(trees);
     if (Directory.Exists(work))
     {
         Directory.Delete(work, true);

@@ -29,7 +29,7 @@ internal static class ContactSolver
     private const double Known = 1e-8;
 
     /// <summary>Slower than this, m/s, contacts may close that are solved. Of a set without an answer the loads grow without end, so that they too change by ever smaller shares.</summary>
-    private const double Closed = 1e-6;
+    private const double LargestClosing = 1e-6;
 
     /// <summary>Little: the change is more than this share of what it was.</summary>
     private const double Little = 0.1;
@@ -48,7 +48,7 @@ internal static class ContactSolver
     /// <param name="closing">How fast a contact may close, m/s.</param>
     /// <returns>Whether an answer was found.</returns>
     public static bool Solve(
-        Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w, double settled = Settled, double closing = Closed)
+        Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w, double settled = Settled, double closing = LargestClosing)
     {
         bool found = Settles(set, ball, duration, ref v, ref w, settled);
         foreach (ref readonly Contact contact in set)

@@ -408,7 +408,7 @@ internal sealed class SurfacePhase<TIntegrator>
     {
         double asked = run.Next;
         Collider carrier = _world.CarrierOf(in s);
-        ContactMaterial material = carrier.MaterialAt(s.Position);
+        ref readonly ContactMaterial material = ref carrier.MaterialAt(s.Position);
         double gain = s.Motion == MotionState.Sliding ? asked * material.SlidingFriction * on.Load : 0;
         double h = _limit.PartOf(
             ref _around.Air, asked, (from.Velocity - _around.Wind).Length, from.Spin.Length, s.Branch, ref run.Spirals, material.SpinDamping / _inertia, gain);

@@ -3,12 +3,8 @@ namespace Football.Physics.Tests.Laws;
 /// <summary>What every form of the air promises to those who ask it.</summary>
 public sealed class AirContractTests
 {
-    private sealed class Nothing : IForce
-    {
-        public void Apply(in ForceInput ball, ref ForceSum sum)
-        {
-        }
-    }
+    /// <summary>A force that is none: beside it a scaled air is taken as a force like any other.</summary>
+    private static readonly IForce s_nothing = IForce.From(_ => Vector3d.Zero);
 
     /// <summary>a = L (ω × u) and ω̇ = −decay ω by a spin vector are those by its axis and its size: for fast airs, laws one by one, and all that a scene has.</summary>
     [Theory]
@@ -69,8 +65,8 @@ public sealed class AirContractTests
         var scene = new Scene();
         Assert.True(SceneAir.HasLawsAlone(scene));
         Assert.True(SceneAir.HasLawsAlone(scene with { Forces = scene.Forces with { Custom = [new ScaledAir(scene, 1.1, 0.9)] } }));
-        Assert.False(SceneAir.HasLawsAlone(scene with { Forces = scene.Forces with { Custom = [new Nothing()] } }));
-        Assert.False(SceneAir.HasLawsAlone(scene with { Forces = scene.Forces with { Custom = [new ScaledAir(scene, 1.1, 0.9), new Nothing()] } }));
+        Assert.False(SceneAir.HasLawsAlone(scene with { Forces = scene.Forces with { Custom = [s_nothing] } }));
+        Assert.False(SceneAir.HasLawsAlone(scene with { Forces = scene.Forces with { Custom = [new ScaledAir(scene, 1.1, 0.9), s_nothing] } }));
         Assert.False(SceneAir.HasLawsAlone(scene with { Forces = scene.Forces with { KnuckleSeed = 4 } }));
         Assert.False(SceneAir.HasLawsAlone(scene with { Air = scene.Air with { WindField = new WindByHeight(3, 1, 0) } }));
 

@@ -4,12 +4,7 @@ namespace Football.Physics.Tests.Laws;
 public sealed class ScaledAirTests
 {
     /// <summary>A force that is none: beside it a scaled air is taken as a force like any other.</summary>
-    private sealed class Nothing : IForce
-    {
-        public void Apply(in ForceInput ball, ref ForceSum sum)
-        {
-        }
-    }
+    private static readonly IForce s_nothing = IForce.From(_ => Vector3d.Zero);
 
     private static Vector3d Land(Scene scene)
     {
@@ -35,7 +30,7 @@ public sealed class ScaledAirTests
         var scaled = new ScaledAir(plain, drag, lift);
         Assert.Equal((drag, lift), (scaled.Drag, scaled.Lift));
         Vector3d alone = Land(plain with { Forces = plain.Forces with { Custom = [scaled] } });
-        Vector3d beside = Land(plain with { Forces = plain.Forces with { Custom = [scaled, new Nothing()] } });
+        Vector3d beside = Land(plain with { Forces = plain.Forces with { Custom = [scaled, s_nothing] } });
         Assert.InRange(Vector3d.Distance(expected, alone), 0, 1e-9);
         Assert.InRange(Vector3d.Distance(expected, beside), 0, 1e-6);
         Assert.InRange(Vector3d.Distance(expected, Land(plain)), 0.1, 20);
@@ -50,7 +45,7 @@ public sealed class ScaledAirTests
         Scene plain = new() { Forces = ForceSet.Published with { Coefficients = form } };
         var scaled = new ScaledAir(plain, 1.3, 0.6);
         Vector3d alone = Land(plain with { Forces = plain.Forces with { Custom = [scaled] } });
-        Vector3d beside = Land(plain with { Forces = plain.Forces with { Custom = [scaled, new Nothing()] } });
+        Vector3d beside = Land(plain with { Forces = plain.Forces with { Custom = [scaled, s_nothing] } });
         Assert.InRange(Vector3d.Distance(alone, beside), 0, 1e-5);
     }
 

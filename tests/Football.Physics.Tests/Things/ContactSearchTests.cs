@@ -1,6 +1,6 @@
 namespace Football.Physics.Tests.Things;
 
-/// <summary>The time of impact on paths that bend, against looking at every thing at every ten-thousandth of the path.</summary>
+/// <summary>The time of impact on paths that bend, against looking at every thing at four thousand places of the path.</summary>
 public sealed class ContactSearchTests
 {
     private const double Radius = 0.11;

@@ -2,60 +2,159 @@ using Football.Physics.Tests.Support;
 
 namespace Football.Physics.Tests.Things;
 
-/// <summary>Nets as they are asked: their boxes, which of them a ball is in, and how long a part of a step in them may be.</summary>
+/// <summary>A net by itself: its box, what it does to a ball at a depth, how fast, and how far a part of a step may go.</summary>
 public sealed class NetSheetTests
 {
+    private static readonly BallProperties Ball = Scene.Default.Ball;
+    private static readonly Vector3d Normal = new Vector3d(1, 2, 0.5).Normalized();
+    private static readonly Vector3d Along = Vector3d.Cross(in Normal, new Vector3d(0.3, -0.4, 1)).Normalized();
+
+    private static readonly Net Net = new() { Center = new Vector3d(3, 2, -1), Normal = Normal, Along = Along, HalfLength = 2, HalfWidth = 0.7 };
+
     [Fact]
-    public void A_box_around_a_net_is_as_large_as_the_net()
+    public void Its_box_is_that_of_its_corners()
     {
-        var random = new Random(3);
-        for (int i = 0; i < 100; i++)
+        Vector3d across = Vector3d.Cross(in Normal, in Along);
+        Vector3d[] corners = [.. from a in new[] { -2.0, 2 } from b in new[] { -0.7, 0.7 } select Net.Center + (a * Along) + (b * across)];
+        Bounds3d box = new NetSheet(Net, Ball).Bounds;
+        Assert.Equal(corners.Min(at => at.X), box.Min.X, 1e-12);
+        Assert.Equal(corners.Min(at => at.Y), box.Min.Y, 1e-12);
+        Assert.Equal(corners.Min(at => at.Z), box.Min.Z, 1e-12);
+        Assert.Equal(corners.Max(at => at.X), box.Max.X, 1e-12);
+        Assert.Equal(corners.Max(at => at.Y), box.Max.Y, 1e-12);
+        Assert.Equal(corners.Max(at => at.Z), box.Max.Z, 1e-12);
+    }
+
+    /// <summary>At a depth δ it pulls with k δ/m, by b δ̇ more, holds along itself and takes spin: each from its own equation, on both sides.</summary>
+    [Theory]
+    [InlineData(1)]
+    [InlineData(-1)]
+    public void It_pulls_holds_and_takes_spin_by_its_depth(double side)
+    {
+        var sheet = new NetSheet(Net, Ball);
+        const double Depth = 0.08;
+        Vector3d place = Net.Center + (side * (Ball.Radius - Depth) * Normal) + (0.4 * Along);
+        var spin = new Vector3d(3, -20, 7);
+        foreach ((double inward, double along) in new[] { (0.0, 0.0), (0.3, 2.0), (-0.2, -1.0), (-3.0, 1.0) })
         {
-            Vector3d normal = new Vector3d(random.NextDouble() - 0.5, random.NextDouble() - 0.5, random.NextDouble() - 0.5).Normalized();
-            Vector3d along = Vector3d.Cross(in normal, new Vector3d(random.NextDouble(), 0.3, random.NextDouble() - 2)).Normalized();
-            Vector3d across = Vector3d.Cross(in normal, in along);
-            var center = new Vector3d(random.Next(-5, 5), 1, random.Next(-5, 5));
-            var net = new NetSheet(new Net { Center = center, Normal = normal, Along = along, HalfLength = 3.5, HalfWidth = 1.2 }, new BallProperties());
-            Vector3d[] corners = [.. from a in new[] { -3.5, 3.5 } from b in new[] { -1.2, 1.2 } select center + (a * along) + (b * across)];
-            Bounds3d box = net.Bounds;
-            foreach (Func<Vector3d, double> axis in new Func<Vector3d, double>[] { p => p.X, p => p.Y, p => p.Z })
-            {
-                Assert.Equal(corners.Min(axis), axis(box.Min), 1e-12);
-                Assert.Equal(corners.Max(axis), axis(box.Max), 1e-12);
-            }
+            MotionRates push = sheet.Push(new Football.Physics.Motion(place, (-side * inward * Normal) + (along * Along), in spin), side);
+            double pull = Math.Max(0, Net.Stiffness * Depth * (1 + (Net.Damping * inward))) / Ball.Mass;
+            Assert.Equal(side * pull, Vector3d.Dot(push.Acceleration, in Normal), 1e-9);
+            Assert.Equal(-Net.TangentialDamping * Depth * along / Ball.Mass, Vector3d.Dot(push.Acceleration, in Along), 1e-9);
+            Assert.Equal(0, (push.SpinAcceleration + (Net.SpinDamping * Depth / Ball.MomentOfInertia * spin)).Length, 1e-9);
+        }
+
+        MotionRates off = sheet.Push(new Football.Physics.Motion(Net.Center + (side * 2 * Ball.Radius * Normal), Along, in spin), side);
+        Assert.Equal(0, off.Acceleration.Length + off.SpinAcceleration.Length);
+    }
+
+    /// <summary>Its rates, by differences of the push itself: those of the damped pull, the hold and the spin together, and √(k/m) of the spring.</summary>
+    [Theory]
+    [InlineData(0.0)]
+    [InlineData(0.05)]
+    [InlineData(0.2)]
+    public void Its_rate_is_that_of_all_that_it_does(double depth)
+    {
+        var sheet = new NetSheet(Net, Ball);
+        Vector3d place = Net.Center + ((Ball.Radius - depth) * Normal);
+        MotionRates At(Vector3d velocity, Vector3d spin) => sheet.Push(new Football.Physics.Motion(in place, in velocity, in spin), 1);
+        double pull = Vector3d.Dot(At(Vector3d.Zero, Vector3d.Zero).Acceleration - At(0.1 * Normal, Vector3d.Zero).Acceleration, in Normal) / 0.1;
+        double hold = -Vector3d.Dot(At(Along, Vector3d.Zero).Acceleration, in Along);
+        double spin = -At(Vector3d.Zero, Vector3d.Up).SpinAcceleration.Y;
+        Assert.Equal(pull + hold + spin + Math.Sqrt(Net.Stiffness / Ball.Mass), sheet.RateAt(depth), 1e-8);
+    }
+
+    /// <summary>A spring alone, x⁽⁶⁾ = −k³ x, and a hold alone, x⁽⁶⁾ = −λ⁵ v: |x⁽⁶⁾| h⁶/46080.</summary>
+    [Fact]
+    public void A_path_bends_off_its_ends_by_its_sixth_derivative()
+    {
+        const double Depth = 0.05;
+        Vector3d place = Net.Center + ((Ball.Radius - Depth) * Normal);
+        Net spring = Net with { Damping = 0, TangentialDamping = 0 };
+        Net hold = Net with { Stiffness = 0, Damping = 0 };
+        double k = Net.Stiffness / Ball.Mass;
+        foreach (double h in new[] { 0.001, 0.004 })
+        {
+            double expected = Math.Pow(h, 6) * k * k * k * Depth / 46080;
+            Assert.Equal(1, new NetSheet(spring, Ball).Bends(in place, Vector3d.Zero, 1, h) / expected, 1e-10);
+            double deepest = Depth + (3 * h);
+            double lambda = Net.TangentialDamping / Ball.Mass * deepest;
+            double held = Math.Pow(h, 6) * Math.Pow(lambda, 5) * 3 / 46080;
+            Assert.Equal(1, new NetSheet(hold, Ball).Bends(in place, 3 * Along, 1, h) / held, 1e-10);
+            Assert.Equal(0, new NetSheet(hold, Ball).Bends(in place, 3 * Normal, 1, h), 1e-25);
+
+            // With its damping the pull settles at k b δ + √k, and is 1 + b δ̇ as strong.
+            double rate = (k * Net.Damping * deepest) + Math.Sqrt(k);
+            double pulled = Math.Pow(h, 6) * Math.Pow(rate, 4) * k * deepest * (1 + (Net.Damping * 3)) / 46080;
+            Assert.Equal(1, new NetSheet(Net with { TangentialDamping = 0 }, Ball).Bends(in place, -3 * Normal, 1, h) / pulled, 1e-10);
+        }
+    }
+
+    /// <summary>A part p is as long as p λ(δ + p v) = c allows, with c by the fourth root of λ²/|ȧ|; the shortest of all nets that hold the ball counts.</summary>
+    [Fact]
+    public void A_part_of_a_step_in_nets_is_as_long_as_the_rate_at_its_end_allows()
+    {
+        Net other = Net with { Name = "other", Stiffness = 4000 };
+        Scene scene = Scene.Default with { Nets = [Net, other] };
+        var world = new World(scene);
+        var sheet = new NetSheet(Net, scene.Ball);
+        double At(double depth, double speed, double jerk, ulong nets = 1, ulong sides = 3) =>
+            world.LongestPartInNets(nets, sides, new Football.Physics.Motion(Net.Center + ((Ball.Radius - depth) * Normal), speed * Along, Vector3d.Zero), jerk);
+        double slow = At(0, 0, 0) * sheet.RateAt(0);
+        foreach ((double depth, double speed) in new[] { (0.0, 0.0), (0.05, 0.0), (0.05, 3.0), (0.1, 20.0) })
+        {
+            double part = At(depth, speed, 0);
+            Assert.Equal(slow, part * sheet.RateAt(depth + (part * speed)), 1e-9);
+            Assert.Equal(At(depth, speed, 0, 2), Math.Min(part, At(depth, speed, 0, 3)), 1e-12);
+            Assert.True(At(depth, speed, 0, 2) < part);
+        }
+
+        // Off the net it is as at its face; the other side is another depth.
+        Assert.Equal(At(0, 0, 0), At(-0.05, 0, 0), 1e-12);
+        Assert.Equal(At((2 * Ball.Radius) - 0.05, 0, 0), At(0.05, 0, 0, 1, 0), 1e-12);
+        Assert.Equal(double.PositiveInfinity, At(0.05, 1, 0, 0));
+
+        // Sixteen times the jerk, half the part; four times the square of the rate, its fourth root more.
+        double jerk = sheet.RateAt(0) * sheet.RateAt(0) * 120 * 3e-9 / Math.Pow(0.2, 4);
+        Assert.Equal(0.2, At(0, 0, jerk) * sheet.RateAt(0), 1e-9);
+        Assert.Equal(0.1, At(0, 0, 16 * jerk) * sheet.RateAt(0), 1e-9);
+        Assert.Equal(At(0, 0, 1e12), At(0, 0, 1e15), 1e-15);
+    }
+
+    /// <summary>The deepest of the nets that the ball is in, the first of those as deep; none where it is in none.</summary>
+    [Fact]
+    public void The_deepest_net_is_looked_for_among_those_that_the_ball_is_in()
+    {
+        Net[] nets = [.. new[] { 0.0, 0.03, 0.06, 0.03 }.Select(off => Net with { Center = Net.Center + (off * Normal) })];
+        var world = new World(Scene.Default with { Nets = nets });
+        BallState state = default;
+        state.Position = Net.Center + (0.08 * Normal);
+        foreach ((ulong inside, ulong sides, int expected) in new (ulong, ulong, int)[] { (0, 15, -1), (1, 15, 0), (15, 15, 2), (11, 15, 1), (10, 15, 1), (9, 15, 3), (3, 15, 1), (15, 0, 0), (8, 15, 3), (14, 0, 1) })
+        {
+            state.Nets = inside;
+            state.NetSides = sides;
+            Assert.Equal(expected, world.DeepestNet(in state));
         }
     }
 
     [Fact]
-    public void A_ball_is_deepest_in_the_net_that_it_is_deepest_in()
+    public void A_ball_hangs_in_a_net_that_stopped_there_and_on_nothing_else()
     {
         var simulator = new Simulator(Pitch.Standard.On());
         World world = simulator.World!;
-        var random = new Random(8);
-        for (int i = 0; i < 300; i++)
+        BallState state = simulator.Launch(new Vector3d(0, 1, 53), new Vector3d(1, 0, 0), Vector3d.Zero);
+        foreach (MotionState motion in new[] { MotionState.Airborne, MotionState.Stopped })
         {
-            BallState state = simulator.Launch(new Vector3d(8 * (random.NextDouble() - 0.5), 0.2 + (3 * random.NextDouble()), 52.5 + (3 * random.NextDouble())), new Vector3d(1, 0, 0), Vector3d.Zero);
-            state.Nets = (ulong)random.Next(1 << world.Nets.Length);
-            state.NetSides = (ulong)random.Next(1 << world.Nets.Length);
-            int expected = -1;
-            double most = double.NegativeInfinity;
-            for (int net = 0; net < world.Nets.Length; net++)
+            foreach (ulong nets in new[] { 0ul, 2ul })
             {
-                // δ = r − σ (p − c)·n
-                double side = (state.NetSides >> net & 1) != 0 ? 1 : -1;
-                double depth = world.Ball.Radius - (side * world.Nets[net].PlaceInFrame(state.Position).Z);
-                if ((state.Nets >> net & 1) != 0 && depth > most)
+                foreach (int carrier in new[] { 0, world.ThingOfNet(0), world.ThingOfNet(1) })
                 {
-                    most = depth;
-                    expected = net;
+                    state.Motion = motion;
+                    state.Nets = nets;
+                    state.Carrier = carrier;
+                    Assert.Equal(motion == MotionState.Stopped && nets != 0 && carrier != 0, world.HangsInNet(in state));
                 }
             }
-
-            Assert.Equal(expected, world.DeepestNet(in state));
-            Assert.False(world.HangsInNet(in state));
-            state.Motion = MotionState.Stopped;
-            state.Carrier = random.Next(2) == 0 ? 0 : world.ThingOfNet(random.Next(world.Nets.Length));
-            Assert.Equal(state.Carrier != 0 && state.Nets != 0, world.HangsInNet(in state));
         }
     }
 
