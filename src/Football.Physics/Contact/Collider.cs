@@ -70,6 +70,15 @@ internal sealed class Collider
     /// <summary>V, m/s.</summary>
     public Vector3d Velocity => Motion.Velocity;
 
+    /// <summary>Ω of its material, rad/s.</summary>
+    public Vector3d Spin => Motion.Spin;
+
+    /// <summary>True when the shape itself rotates within a step: bodies and engine colliders. The spin of an obstacle moves only its surface.</summary>
+    public bool Rotates => IsBody && Motion.Spin != Vector3d.Zero;
+
+    /// <summary>Velocity of the shape at a point, m/s: with Ω where the shape itself rotates. A gap to the ball changes by the ball's velocity relative to this one.</summary>
+    public Vector3d ShapeVelocity(in Vector3d point, double time) => Rotates ? SurfaceVelocity(in point, time) : Velocity;
+
     /// <summary>Mass behind its surface, kg; infinite where the ball does not move it.</summary>
     public double Mass { get; private set; } = double.PositiveInfinity;
 
