@@ -79,6 +79,15 @@ internal sealed class Collider
     /// <summary>Velocity of the shape at a point, m/s: with Ω where the shape itself rotates. A gap to the ball changes by the ball's velocity relative to this one.</summary>
     public Vector3d ShapeVelocity(in Vector3d point, double time) => Rotates ? SurfaceVelocity(in point, time) : Velocity;
 
+    /// <summary>V_p, the velocity of its material, continued to a point, m/s.</summary>
+    public Vector3d MaterialVelocity(in Vector3d point, double time) => Spin == Vector3d.Zero ? Velocity : SurfaceVelocity(in point, time);
+
+    /// <summary>How far a point is inside the border of the flat face that it is over, m; negative beyond it, infinite where the shape has no such border.</summary>
+    public double FaceMargin(in Vector3d position, double time) => _shape is BoxShape box ? box.FaceMargin(Motion.ToShape(in position, time)) : double.PositiveInfinity;
+
+    /// <summary>True when its shape has flat faces with borders, as a box does.</summary>
+    public bool HasFaces => _shape is BoxShape;
+
     /// <summary>Mass behind its surface, kg; infinite where the ball does not move it.</summary>
     public double Mass { get; private set; } = double.PositiveInfinity;
 
@@ -212,13 +221,13 @@ internal readonly struct ContactMaterial
     private const double HalfRise = 2.8;
 
     /// <summary>e₀ = e₆ √(1 + (6/V_e)²).</summary>
-    public readonly double SlowRestitution;
+    public double SlowRestitution { get; init; }
 
     /// <summary>1/V_e, s/m.</summary>
     public readonly double PerRestitutionSpeed;
 
     /// <summary>η.</summary>
-    public readonly double RestitutionRise;
+    public double RestitutionRise { get; init; }
 
     /// <summary>e_t along x, and along every direction but z.</summary>
     public readonly double TangentialX;
@@ -289,6 +298,9 @@ internal readonly struct ContactMaterial
         Spin = 1;
         ImpactFriction = friction;
     }
+
+    /// <summary>The same surface without restitution.</summary>
+    public ContactMaterial WithoutRestitution() => this with { SlowRestitution = 0, RestitutionRise = 0 };
 
     /// <summary>
     /// e = e_n + η (1 − e_n) v_t⁴/(v_t⁴ + (C v_n)⁴), e_n = e₀/√(1 + (v_n/V_e)²): a ball that grazes ploughs less. At most 1.

@@ -73,13 +73,14 @@ internal readonly struct ContactSearch
         var near = new NearThings(_world, _bounds.Grown(_world.Ball.Radius), _time, _path.Length);
         while (near.NextCollider(out int thing))
         {
-            double at = thing == carrier || ContactSet.Has(held, thing) ? double.PositiveInfinity : FirstContact(_world.Colliders[thing], Math.Min(best, _path.Length));
+            bool seam = false;
+            double at = thing == carrier || ContactSet.Has(held, thing) ? double.PositiveInfinity : FirstContact(thing, carrier, Math.Min(best, _path.Length), out seam);
 
             // Of what is met at one instant the first of the scene comes first, however the walk goes.
             if (at < best || (at == best && thing < first.Index))
             {
                 best = at;
-                first = Separation.OfContact(_world, thing);
+                first = seam ? Separation.OfSeam(_world, thing) : Separation.OfContact(_world, thing);
             }
         }
 
@@ -236,9 +237,11 @@ internal readonly struct ContactSearch
         return double.PositiveInfinity;
     }
 
-    /// <summary>When the ball touches a collider first, coming closer; infinite where it does not.</summary>
-    private double FirstContact(Collider collider, double until)
+    /// <summary>When the ball touches a collider first, coming closer, or when that begins to carry it at a seam; infinite where neither happens.</summary>
+    private double FirstContact(int thing, int carrier, double until, out bool seam)
     {
+        seam = false;
+        Collider collider = _world.Colliders[thing];
         double r = _world.Ball.Radius;
         if (collider.StandingPlane is { } plane)
         {
@@ -265,6 +268,7 @@ internal readonly struct ContactSearch
         double bend = _bend + (hollow > 0 ? speed * speed * hollow / (1.0 - ((1.0 + NearHollow) * r * hollow)) : 0);
         double shortest = ShortestOf(in path);
         double t = 0;
+        bool crosses = false;
         while (true)
         {
             ShapePoint at = collider.At(path.At(t));
@@ -272,7 +276,27 @@ internal readonly struct ContactSearch
             double rate = Vector3d.Dot(path.VelocityAt(t), at.Normal);
             if (gap <= Touching && rate < -Approaching)
             {
-                return t;
+                // At a flush seam nothing happens: on, until the ball is over the face and the normals are one.
+                double passage = Flush.Passage(_world, thing, _path.At(t), _path.VelocityAt(t), _time + t);
+                if (!(passage > 0))
+                {
+                    return t;
+                }
+
+                t += Math.Max(passage, shortest);
+                crosses = true;
+                if (t > until)
+                {
+                    return double.PositiveInfinity;
+                }
+
+                seam = carrier >= 0 && Flush.CarrierAt(_world, carrier, _path.At(t), _time + t) == thing;
+                if (seam)
+                {
+                    return t;
+                }
+
+                continue;
             }
 
             if (t == 0 && gap <= Touching && rate <= Leaving && _bend == 0)
@@ -281,7 +305,7 @@ internal readonly struct ContactSearch
                 return double.PositiveInfinity;
             }
 
-            if (t == 0 && hollow == 0 && !(FirstContact(path.DistanceTo(at.Normal, gap), until) <= until))
+            if ((t == 0 || crosses) && hollow == 0 && !(FirstContact(path.DistanceTo(at.Normal, gap - path.ClimbAlong(at.Normal, t)), until, t) <= until))
             {
                 // What is convex lies behind the plane of its nearest point, and the path does not come to that: so it is along a wall, however the path bends.
                 return double.PositiveInfinity;
@@ -304,11 +328,11 @@ internal readonly struct ContactSearch
     }
 
     /// <summary>When the ball touches a plane first, coming closer; infinite where it does not.</summary>
-    private double FirstContact(in PathDistance distance, double until)
+    private double FirstContact(in PathDistance distance, double until, double from = 0)
     {
         double bend = distance.GreatestFall;
         double shortest = ShortestOf(in _path);
-        double t = 0;
+        double t = from;
         while (true)
         {
             double gap = distance.At(t);

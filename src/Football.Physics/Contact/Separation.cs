@@ -36,6 +36,9 @@ internal readonly struct Separation
     /// <summary>The distance between the ball and a collider.</summary>
     public static Separation OfContact(World world, int collider) => new(world, SeparationKind.Contact, collider, 0, 0);
 
+    /// <summary>The place where a collider that is flush with the carrier begins to carry the ball.</summary>
+    public static Separation OfSeam(World world, int collider) => new(world, SeparationKind.Seam, collider, 0, 0);
+
     /// <summary>
     /// Distance left until the ball is in a net: across its plane, or beside it, where the net reaches as far beyond its edge as the ball is deep in another one: so
     /// what it presses out of one net is caught by the next, where the two are joined.
@@ -146,6 +149,9 @@ internal enum SeparationKind
 
     /// <summary>It touches a collider.</summary>
     Contact,
+
+    /// <summary>It comes to a flush surface that carries it from there on.</summary>
+    Seam,
 
     /// <summary>It meets a net.</summary>
     NetMet,

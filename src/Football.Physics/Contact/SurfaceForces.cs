@@ -9,13 +9,28 @@ internal struct SurfaceForces
     /// <summary>n.</summary>
     public Vector3d Normal;
 
-    /// <summary>v − V, m/s.</summary>
+    /// <summary>q, the velocity relative to the shape, m/s.</summary>
     public Vector3d Velocity;
 
-    /// <summary>ṅ = H (v − V), 1/s.</summary>
+    /// <summary>v − V_p, the velocity relative to the carrier's material, m/s: rolling friction acts against it. It is q where nothing rotates.</summary>
+    public Vector3d Rolling;
+
+    /// <summary>V_c, the velocity of the surface at the contact point, m/s.</summary>
+    public Vector3d Surface;
+
+    /// <summary>A, the rate of change of V_c along the path, m/s²; 0 where the carrier does not rotate.</summary>
+    public Vector3d SurfaceRate;
+
+    /// <summary>Acceleration of the carrier's material at the ball's centre along the surface, m/s²; 0 where the carrier does not rotate.</summary>
+    public Vector3d MaterialRate;
+
+    /// <summary>r ω_n n × ṅ, m/s²: what a spin about a normal that turns asks of friction.</summary>
+    public Vector3d Gyration;
+
+    /// <summary>ṅ = Hq, and Ω × n + Hq where the shape rotates, 1/s.</summary>
     public Vector3d Turning;
 
-    /// <summary>(v−V)ᵀH(v−V), m/s².</summary>
+    /// <summary>qᵀHq − A_s·n, m/s²: the ball stays on the surface with n·v̇ = −this.</summary>
     public double Centripetal;
 
     /// <summary>Gravity, buoyancy and nets along the surface, m/s².</summary>

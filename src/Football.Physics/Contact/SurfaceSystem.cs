@@ -1,10 +1,13 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>
-/// A ball that slides or rolls on a surface. With n the normal, V the carrier's velocity, H the curvature, a_t what acts along the surface and
-/// N/m = max(0, −a_b·n − (v−V)ᵀH(v−V)), less the air's part along n where it counts:
-/// sliding v̇_t = a_t − μ_s (N/m) ŝ, ω̇ = (μ_s N r/I) n × ŝ + torques; rolling v̇_t = (a_b,t + α r ω_n n × ṅ)/(1+α) + a_air,t/κ − (μ_r + c₁|v|)(N/m) v̂,
-/// ω_t = n × (v−V)/r. The normal part of v̇ keeps the ball on the surface.
+/// A ball that slides or rolls on a surface (world.md, Carried by any surface). With n the normal, q the velocity relative to the shape, H the curvature, V_c and V_p
+/// the velocities of the carrier's material at the contact point and at the ball's centre, A the rate of V_c, a_t what acts along the surface and
+/// N/m = max(0, −(a_b − A_s)·n − qᵀHq), less the air's part along n where it counts:
+/// sliding v̇_t = a_t − μ_s (N/m) ŝ, ω̇ = (μ_s N r/I) n × ŝ + torques; rolling v̇_t = (a_b,t + α (A_t + r ω_n n × ṅ))/(1+α) + a_air,t/κ − (μ_r + c₁|v−V_p|)(N/m) v̂,
+/// ω_t = n × (v−V_c)/r. The normal part of v̇ keeps the ball on the surface.
 /// </summary>
 internal struct SurfaceSystem : IMotionSystem
 {
@@ -24,10 +27,16 @@ internal struct SurfaceSystem : IMotionSystem
     /// <summary>Direction of the slip, or of a roll, at the piece's start: what friction keeps to where a stage passes zero.</summary>
     public Vector3d Direction;
 
-    /// <summary>True when the ball stands on its spot and only spins about the normal.</summary>
+    /// <summary>True when the ball stands on its spot of the carrier and only spins about the normal.</summary>
     public bool Pinned;
 
-    /// <summary>Which way it spins about the normal: drilling friction keeps to it.</summary>
+    /// <summary>True when the ball is on a flat face all along the piece: then <see cref="FaceNormal"/> is its normal, and no shape is looked at.</summary>
+    public bool IsFace;
+
+    /// <summary>The normal of that face.</summary>
+    public Vector3d FaceNormal;
+
+    /// <summary>Which way it spins about the normal, relative to the carrier: drilling friction keeps to it.</summary>
     public double SpinSign;
 
     /// <summary>The spin at the piece's start, rad/s.</summary>
@@ -83,20 +92,33 @@ internal struct SurfaceSystem : IMotionSystem
     /// <summary>How fast friction turns a ball that slides, rad/s².</summary>
     private readonly double Turning(in SurfaceForces on) => SlidingFriction(in on) / (World.Ball.InertiaFactor * World.Ball.Radius);
 
+    /// <summary>n.</summary>
+    public readonly Vector3d NormalAt(in Vector3d position, double time) => IsFace ? FaceNormal : Carrier.At(in position, time).Normal;
+
     /// <summary>Everything but friction.</summary>
     public readonly SurfaceForces ForcesOn(double time, in Motion at)
     {
-        SurfaceForces on;
+        Unsafe.SkipInit(out SurfaceForces on);
 
-        // n, ṅ = H (v − V) and (v − V)ᵀH(v − V) of the carrier under the ball.
-        ShapePoint point = Carrier.At(in at.Position, time);
+        // n, ṅ and qᵀHq − A_s·n of the carrier under the ball.
+        ShapePoint point = IsFace ? new ShapePoint(World.Ball.Radius, in FaceNormal, SymmetricMatrix3d.Zero) : Carrier.At(in at.Position, time);
         on.Normal = point.Normal;
         Vector3d n = on.Normal;
         on.Velocity = at.Velocity - Carrier.Velocity;
         on.Turning = point.Curvature * on.Velocity;
         on.Centripetal = Vector3d.Dot(in on.Velocity, in on.Turning);
+        on.Rolling = on.Velocity;
+        on.Surface = Carrier.Velocity;
+        on.SurfaceRate = Vector3d.Zero;
+        on.MaterialRate = Vector3d.Zero;
+        if (Carrier.Spin != Vector3d.Zero)
+        {
+            AddRotation(in point, time, in at, ref on);
+        }
 
-        // N/m = −a_b·n − (v − V)ᵀH(v − V): what the surface must give so that the ball follows it.
+        on.Gyration = on.Turning == Vector3d.Zero ? Vector3d.Zero : World.Ball.Radius * Vector3d.Dot(in at.Spin, in n) * Vector3d.Cross(in n, in on.Turning);
+
+        // N/m = −(a_b − A_s)·n − qᵀHq: what the surface must give so that the ball follows it.
         var body = new Vector3d(0, Around.Upward, 0);
         double load = -Vector3d.Dot(in body, in n) - on.Centripetal;
         on.Body = Tangential(in body, in n);
@@ -130,16 +152,49 @@ internal struct SurfaceSystem : IMotionSystem
         return on;
     }
 
+    /// <summary>What changes where the carrier rotates (world.md, On a carrier that moves, rotates or accelerates).</summary>
+    private readonly void AddRotation(in ShapePoint point, double time, in Motion at, ref SurfaceForces on)
+    {
+        Vector3d n = on.Normal;
+        Vector3d spin = Carrier.Spin;
+        Vector3d contact = at.Position - (World.Ball.Radius * n);
+        on.Surface = Carrier.SurfaceVelocity(in contact, time);
+        Vector3d material = Carrier.SurfaceVelocity(in at.Position, time);
+        on.Rolling = Tangential(at.Velocity - material, in n);
+        on.MaterialRate = Tangential(Vector3d.Cross(in spin, material - Carrier.Velocity), in n);
+        if (Carrier.Rotates)
+        {
+            // q = v − V_p, ṅ = Ω × n + Hq, A_s = Ω × (Ω × (p − o)) + 2 Ω × q
+            Vector3d q = at.Velocity - material;
+            Vector3d bent = point.Curvature * q;
+            on.Velocity = q;
+            on.Turning = Vector3d.Cross(in spin, in n) + bent;
+            on.Centripetal = Vector3d.Dot(in q, in bent)
+                - Vector3d.Dot(Vector3d.Cross(in spin, (material - Carrier.Velocity) + (2.0 * q)), in n);
+        }
+
+        // A = Ω × (ċ − V), ċ = v − r ṅ
+        on.SurfaceRate = Tangential(Vector3d.Cross(in spin, at.Velocity - (World.Ball.Radius * on.Turning) - Carrier.Velocity), in n);
+    }
+
     /// <summary>
-    /// What friction must give so that the ball does not slip, per mass: α/(1+α) of what pushes it along the surface, less what the torque of the air
-    /// turns by itself where that is shared.
+    /// What friction must give so that the ball does not slip, per mass, with the other sign: α/(1+α) of what pushes it along the surface, less what the surface
+    /// itself gains, and less what the torque of the air turns by itself where that is shared.
     /// </summary>
     public readonly Vector3d Traction(in SurfaceForces on)
     {
         double alpha = World.Ball.InertiaFactor;
         Vector3d pushed = World.SharesAir ? on.Body + on.Air : on.Body;
-        Vector3d traction = alpha / (1.0 + alpha) * pushed;
+        Vector3d traction = alpha / (1.0 + alpha) * (pushed - on.SurfaceRate - on.Gyration);
         return World.SharesAir ? traction - (alpha * World.Ball.Radius / (1.0 + alpha) * Vector3d.Cross(in on.Torque, in on.Normal)) : traction;
+    }
+
+    /// <summary>The push on a ball that moves along with its carrier, relative to that, m/s²: rolling friction holds it, or not.</summary>
+    public readonly Vector3d PushFromRest(in SurfaceForces on)
+    {
+        // (a_b,t − A_s,t)/(1 + α), with A_s the acceleration of the carrier's material.
+        Vector3d drive = World.SharesAir ? Drive(in on) : on.Body / (1.0 + World.Ball.InertiaFactor);
+        return drive - (on.MaterialRate / (1.0 + World.Ball.InertiaFactor));
     }
 
     /// <summary>Acceleration along the surface of a ball that rolls, friction apart, m/s².</summary>
@@ -154,15 +209,11 @@ internal struct SurfaceSystem : IMotionSystem
     }
 
     /// <summary>True when rolling friction holds a ball that has come to a halt. Where the air is not shared with the spin, a ball at rest stays whatever the wind.</summary>
-    public readonly bool Rests(in SurfaceForces on)
-    {
-        Vector3d drive = World.SharesAir ? Drive(in on) : on.Body / (1.0 + World.Ball.InertiaFactor);
-        return drive.Length <= RollingFriction(in on, 0);
-    }
+    public readonly bool Rests(in SurfaceForces on) => PushFromRest(in on).Length <= RollingFriction(in on, 0);
 
     /// <summary>The slip velocity relative to the carrier, m/s.</summary>
-    public readonly Vector3d SlipOf(in Motion at, in Vector3d normal) =>
-        Slip.Of(at.Velocity - Carrier.Velocity, in at.Spin, in normal, World.Ball.Radius);
+    public readonly Vector3d SlipOf(in Motion at, in SurfaceForces on) =>
+        Slip.Of(at.Velocity - on.Surface, in at.Spin, in on.Normal, World.Ball.Radius);
 
     /// <summary>True when friction can hold the ball without slip.</summary>
     public readonly bool Grips(in SurfaceForces on) => Traction(in on).Length + SurfaceForces.Least <= SlidingFriction(in on);
@@ -175,11 +226,14 @@ internal struct SurfaceSystem : IMotionSystem
         (Material.RollingFriction + (Material.RollingFrictionBySpeed * speed)) * on.Load;
 
     /// <summary>Acceleration of the slip velocity, friction apart, m/s²: the push along the surface, and r n × the torques.</summary>
-    public readonly Vector3d SlipPush(in SurfaceForces on) => on.Body + on.Air + (World.Ball.Radius * Vector3d.Cross(in on.Normal, in on.Torque));
+    public readonly Vector3d SlipPush(in SurfaceForces on) => on.Body + on.Air + (World.Ball.Radius * Vector3d.Cross(in on.Normal, in on.Torque)) - on.SurfaceRate;
 
     /// <summary>The rate of the spin about the normal while the ball slides, rad/s².</summary>
     public readonly double AboutRate(in SurfaceForces on, in Motion at) =>
-        AboutNormal(Vector3d.Dot(in at.Spin, in on.Normal), in on) + Vector3d.Dot(in on.Torque, in on.Normal);
+        AboutNormal(AboutCarrier(in at.Spin, in on.Normal), in on) + Vector3d.Dot(in on.Torque, in on.Normal);
+
+    /// <summary>(ω − Ω)·n, rad/s.</summary>
+    public readonly double AboutCarrier(in Vector3d spin, in Vector3d normal) => Vector3d.Dot(in spin, in normal) - Vector3d.Dot(Carrier.Spin, in normal);
 
     /// <summary>The part of a vector along the surface.</summary>
     public static Vector3d Tangential(in Vector3d vector, in Vector3d normal) => vector - (Vector3d.Dot(in vector, in normal) * normal);
@@ -189,7 +243,7 @@ internal struct SurfaceSystem : IMotionSystem
         Vector3d n = on.Normal;
 
         // ŝ, and the direction at the start where a stage has passed zero: friction must not push the slip on beyond it.
-        Vector3d slip = SlipOf(in at, in n);
+        Vector3d slip = SlipOf(in at, in on);
         double size = slip.Length;
         Vector3d s = size > 0 && Vector3d.Dot(in slip, in Direction) > 0 ? slip / size : Direction;
         double friction = SlidingFriction(in on);
@@ -201,7 +255,7 @@ internal struct SurfaceSystem : IMotionSystem
         Vector3d acceleration = on.Body + on.Air - (friction * s) - (on.Centripetal * n);
         Vector3d spin = on.Torque
             + (turning * Vector3d.Cross(in n, in s))
-            + (AboutNormal(Vector3d.Dot(in at.Spin, in n), in on) * n);
+            + (AboutNormal(AboutCarrier(in at.Spin, in n), in on) * n);
         return new MotionRates(in acceleration, in spin);
     }
 
@@ -211,29 +265,32 @@ internal struct SurfaceSystem : IMotionSystem
         double r = World.Ball.Radius;
         double alpha = World.Ball.InertiaFactor;
         double about = Vector3d.Dot(in at.Spin, in n);
-        Vector3d rolling = Vector3d.Cross(in n, in on.Velocity) / r;
+        Vector3d sliding = at.Velocity - on.Surface;
+        Vector3d rolling = Vector3d.Cross(in n, in sliding) / r;
 
-        // ω̇_n = −(c_ω/I) ω_n + T·n/I + ω_t·ṅ
-        double aboutRate = AboutNormal(about, in on) + Vector3d.Dot(in on.Torque, in n) + Vector3d.Dot(in rolling, in on.Turning);
-        if (Pinned)
+        // ω̇_n = −(c_ω/I) (ω − Ω)·n + T·n/I + ω_t·ṅ
+        double aboutRate = AboutNormal(AboutCarrier(in at.Spin, in n), in on) + Vector3d.Dot(in on.Torque, in n) + Vector3d.Dot(in rolling, in on.Turning);
+        if (Pinned && Carrier.Spin == Vector3d.Zero)
         {
             return new MotionRates(Vector3d.Zero, aboutRate * n);
         }
 
-        // v̇_t = drive + α r ω_n n × ṅ/(1 + α) − (c₀ + c₁|v|)(N/m) v̂
-        double speed = on.Velocity.Length;
-        bool goesOn = speed > 0 && Vector3d.Dot(in on.Velocity, in Direction) > 0;
-        Vector3d direction = goesOn ? on.Velocity / speed : Direction;
-        Vector3d along = Drive(in on)
-            + (alpha * r * about / (1.0 + alpha) * Vector3d.Cross(in n, in on.Turning))
-            - (RollingFriction(in on, speed) * direction);
+        // v̇_t = drive + α (A_t + r ω_n n × ṅ)/(1 + α) − (c₀ + c₁|v|)(N/m) v̂; one that stands on its spot goes as the carrier's material does.
+        double speed = on.Rolling.Length;
+        bool goesOn = speed > 0 && Vector3d.Dot(in on.Rolling, in Direction) > 0;
+        Vector3d direction = goesOn ? on.Rolling / speed : Direction;
+        Vector3d along = Pinned ? on.MaterialRate
+            : Drive(in on)
+                + (alpha * r * about / (1.0 + alpha) * Vector3d.Cross(in n, in on.Turning))
+                + (alpha / (1.0 + alpha) * on.SurfaceRate)
+                - (RollingFriction(in on, speed) * direction);
 
-        // ω = n × (v−V)/r + ω_n n, and so ω̇
-        Vector3d spin = ((Vector3d.Cross(in on.Turning, in on.Velocity) + Vector3d.Cross(in n, in along)) / r) + (aboutRate * n) + (about * on.Turning);
+        // ω = n × (v−V_c)/r + ω_n n, and so ω̇
+        Vector3d spin = ((Vector3d.Cross(in on.Turning, in sliding) + Vector3d.Cross(in n, along - on.SurfaceRate)) / r) + (aboutRate * n) + (about * on.Turning);
         return new MotionRates(along - (on.Centripetal * n), in spin);
     }
 
-    /// <summary>Angular acceleration about the normal by the surface, rad/s²: −(c_ω/I) ω_n − sign(ω_n) b μ_s N/I.</summary>
+    /// <summary>Angular acceleration about the normal by the surface, rad/s²: −(c_ω/I) ω_n − sign(ω_n) b μ_s N/I, with ω_n relative to the carrier.</summary>
     private readonly double AboutNormal(double about, in SurfaceForces on)
     {
         double inertia = World.Ball.MomentOfInertia;

@@ -422,7 +422,7 @@ internal sealed class World
 
         // p + (r − d) n, and no speed off the surface.
         s.Position += (Ball.Radius - at.Distance) * n;
-        s.Velocity -= Vector3d.Dot(s.Velocity - collider.Velocity, in n) * n;
+        s.Velocity -= Vector3d.Dot(s.Velocity - collider.ShapeVelocity(s.Position, s.Time), in n) * n;
         if (IsLevel && collider == Ground)
         {
             s.Position = new Vector3d(s.Position.X, LevelContact, s.Position.Z);
@@ -431,9 +431,17 @@ internal sealed class World
         return n;
     }
 
-    /// <summary>½ m |v−V|² + ½ I ω², J.</summary>
-    public double Energy(in Motion at, Collider carrier) =>
-        (0.5 * Ball.Mass * (at.Velocity - carrier.Velocity).LengthSquared) + (0.5 * Ball.MomentOfInertia * at.Spin.LengthSquared);
+    /// <summary>Energy of the motion relative to the carrier, ½ m |v−V_p|² + ½ I |ω−Ω|², J.</summary>
+    public double Energy(in Motion at, Collider carrier, double time) =>
+        (0.5 * Ball.Mass * (at.Velocity - carrier.MaterialVelocity(in at.Position, time)).LengthSquared) + (0.5 * Ball.MomentOfInertia * (at.Spin - carrier.Spin).LengthSquared);
+
+    /// <summary>V_c, the velocity of a surface that a ball touches, at the contact point, m/s.</summary>
+    /// <param name="collider">The surface.</param>
+    /// <param name="position">The ball's centre, m.</param>
+    /// <param name="normal">n.</param>
+    /// <param name="time">When, s.</param>
+    public Vector3d SurfaceVelocity(Collider collider, in Vector3d position, in Vector3d normal, double time) =>
+        collider.Spin == Vector3d.Zero ? collider.Velocity : collider.SurfaceVelocity(position - (Ball.Radius * normal), time);
 
     /// <summary>Force of the nets that the ball is in.</summary>
     public MotionRates PushOfNets(ulong nets, ulong sides, in Motion at)

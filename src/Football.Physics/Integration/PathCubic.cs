@@ -113,6 +113,9 @@ internal readonly struct PathCubic
     public PathDistance DistanceTo(in Vector3d n, double start) =>
         new(start, Vector3d.Dot(in _c1, in n), Vector3d.Dot(in _c2, in n), Vector3d.Dot(in _c3, in n), Length);
 
+    /// <summary>How far it gets along a direction from its start to a time, m.</summary>
+    public double ClimbAlong(in Vector3d direction, double t) => Vector3d.Dot(At(t) - _c0, in direction);
+
     /// <summary>The place at a time, m.</summary>
     public Vector3d At(double t) => _c0 + (t * (_c1 + (t * (_c2 + (t * _c3)))));
 

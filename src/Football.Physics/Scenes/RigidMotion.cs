@@ -38,6 +38,9 @@ internal struct RigidMotion
         Time = time;
     }
 
+    /// <summary>A point of the world in the frame of its shape.</summary>
+    public readonly Vector3d ToShape(in Vector3d position, double time) => ToOwn(position - GoneBy(time));
+
     /// <summary>A vector of the world in the axes of its shape.</summary>
     public readonly Vector3d ToOwn(in Vector3d vector) =>
         IsTurned ? new Quaterniond(-Orientation.X, -Orientation.Y, -Orientation.Z, Orientation.W).Rotate(in vector) : vector;

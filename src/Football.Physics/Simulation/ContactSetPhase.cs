@@ -320,7 +320,7 @@ internal sealed class ContactSetPhase
             }
         }
 
-        if (!(_world.Energy(new Motion(s.Position, s.Velocity, s.Spin), _world.CarrierOf(in s)) <= _world.RestEnergy * (1.0 + 1e-12)))
+        if (!(_world.Energy(new Motion(s.Position, s.Velocity, s.Spin), _world.CarrierOf(in s), s.Time) <= _world.RestEnergy * (1.0 + 1e-12)))
         {
             return false;
         }

@@ -67,7 +67,7 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
             case SurfaceLimit.Spin:
                 // Without drilling friction nothing happens at zero.
                 return system.Material.DrillingLength > 0 && system.SpinSign != 0
-                    ? system.SpinSign * Vector3d.Dot(in at.Spin, system.Carrier.At(in at.Position, _time + after).Normal)
+                    ? system.SpinSign * system.AboutCarrier(in at.Spin, system.NormalAt(in at.Position, _time + after))
                     : 0;
             case SurfaceLimit.Load:
                 return on.FreeLoad;
@@ -77,7 +77,7 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
                 bool held = system.Rests(in on);
 
                 // The root of the energy falls all but linearly.
-                return held ? Math.Sqrt(system.World.Energy(in at, system.Carrier)) - Math.Sqrt(system.World.RestEnergy) : 1;
+                return held ? Math.Sqrt(system.World.Energy(in at, system.Carrier, _time + after)) - Math.Sqrt(system.World.RestEnergy) : 1;
         }
     }
 

@@ -89,9 +89,19 @@ internal sealed class SurfacePhase<TIntegrator>
     public void Take(ref BallState s, ref StepRun run)
     {
         // What the ball hits where it is goes first, then a set of contacts, which has a phase of its own.
-        if (!_world.IsPlaneAlone && (_guard.HitsAtOnce(ref s, ref run) || _set.Take(ref s, ref run)))
+        if (!_world.IsPlaneAlone)
         {
-            return;
+            if (_guard.HitsAtOnce(ref s, ref run))
+            {
+                return;
+            }
+
+            // Of flush surfaces another may carry the ball from here on: only the material and the velocity of the surface change.
+            s.Carrier = Flush.CarrierOf(_world, in s) + _world.FirstCollider;
+            if (_set.Take(ref s, ref run))
+            {
+                return;
+            }
         }
 
         // What acts here, and what becomes of the ball at once: it leaves, rests, grips, or slips.
@@ -109,7 +119,7 @@ internal sealed class SurfacePhase<TIntegrator>
         double sliding = system.SlidingFriction(in on);
         Vector3d traction = system.Traction(in on);
         bool grips = system.Grips(in on) || KeepsGrip(in s, in run);
-        Vector3d moving = rolls ? on.Velocity : system.SlipOf(in from, in on.Normal);
+        Vector3d moving = rolls ? on.Rolling : system.SlipOf(in from, in on);
         double size = moving.Length;
 
         // A roll that needs more than the friction there is begins to slip.
@@ -130,9 +140,9 @@ internal sealed class SurfacePhase<TIntegrator>
         // A roll rests, or is pinned where rolling friction holds it against the push; from a standstill it goes where the push leads.
         if (rolls)
         {
-            Vector3d drive = system.Drive(in on);
+            Vector3d drive = system.Drive(in on) - on.MaterialRate;
             bool held = drive.Length <= system.RollingFriction(in on, 0);
-            if (system.Rests(in on) && _world.Energy(in from, system.Carrier) <= _world.RestEnergy * (1.0 + 1e-12))
+            if (system.Rests(in on) && _world.Energy(in from, system.Carrier, s.Time) <= _world.RestEnergy * (1.0 + 1e-12))
             {
                 _contact.Rest(ref s, ref run);
                 return;
@@ -142,7 +152,7 @@ internal sealed class SurfacePhase<TIntegrator>
             if (system.Pinned)
             {
                 // What was left of its speed is none: it does not creep.
-                s.Velocity = system.Carrier.Velocity;
+                s.Velocity = system.Carrier.MaterialVelocity(s.Position, s.Time);
                 from = new Motion(s.Position, s.Velocity, s.Spin);
             }
 
@@ -163,7 +173,7 @@ internal sealed class SurfacePhase<TIntegrator>
         {
             MotionRates rates = system.RatesUnder(in on, s.Time, in from);
             double most = rolls ? system.RollingFriction(in on, size) : sliding;
-            Vector3d rate = rolls ? rates.Acceleration + (on.Centripetal * on.Normal) : SlipRate(in on, in rates);
+            Vector3d rate = rolls ? rates.Acceleration + (on.Centripetal * on.Normal) - on.MaterialRate : SlipRate(in on, in rates);
 
             // Near its end the direction of a slip turns ever faster: there it is done in closed form.
             if (!rolls && _endsSlipExactly && sliding > 0 && EndSlip(ref s, ref run, ref system, in from, in on, in moving, h))
@@ -237,7 +247,8 @@ internal sealed class SurfacePhase<TIntegrator>
     private void EndSlipByHeuristic(ref BallState s, ref StepRun run, double before)
     {
         Collider carrier = _world.CarrierOf(in s);
-        double after = Slip.Of(s.Velocity - carrier.Velocity, s.Spin, carrier.At(s.Position, s.Time).Normal, _around.Radius).Length;
+        Vector3d n = carrier.At(s.Position, s.Time).Normal;
+        double after = Slip.Of(s.Velocity - _world.SurfaceVelocity(carrier, s.Position, in n, s.Time), s.Spin, in n, _around.Radius).Length;
         if (after > before || after < HeuristicSlip)
         {
             _contact.EndSlip(ref s, ref run);
@@ -253,7 +264,15 @@ internal sealed class SurfacePhase<TIntegrator>
         sweep.Step(h);
 
         // What may end it, one after the other: off a curved surface, the jump, load, grip, rest and spin, a border, a net's kink, what is met.
-        SurfacePath.Shorten(ref sweep, in s, system.Carrier, _around.Radius, order);
+        if (system.IsFace)
+        {
+            FaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
+        }
+        else
+        {
+            SurfacePath.Shorten(ref sweep, in s, system.Carrier, _around.Radius, order);
+        }
+
         _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
         double crossing = sweep.Length;
         bool overEdge = SurfaceMargin<TMethod>.EndPiece(ref sweep, in s, system.Rolls, KeepsGrip(in s, in run));
@@ -313,7 +332,7 @@ internal sealed class SurfacePhase<TIntegrator>
         double turning = system.AboutRate(in on, in from);
         Vector3d start = on.Body + on.Air - (on.Centripetal * on.Normal);
         var decay = new SlipDecay(in slip, in push, friction);
-        Motion end = SlipEnd(in system, in from, in decay, system.SlidingFriction(in on), in start, in start, about + (decay.Time * turning), in on.Normal);
+        Motion end = SlipEnd(in system, s.Time, in from, in decay, system.SlidingFriction(in on), in start, in start, about + (decay.Time * turning), in on.Normal);
 
         // And with the means: the end is known to what they leave out.
         SurfaceForces there = system.ForcesOn(s.Time + decay.Time, in end);
@@ -340,10 +359,10 @@ internal sealed class SurfacePhase<TIntegrator>
         double sliding = 0.5 * system.Material.SlidingFriction * (on.Load + there.Load);
         double lastTurning = system.AboutRate(in there, in end);
         about += 0.5 * t * (turning + lastTurning);
-        end = SlipEnd(in system, in from, in decay, sliding, in start, in last, about, in on.Normal);
+        end = SlipEnd(in system, s.Time, in from, in decay, sliding, in start, in last, about, in on.Normal);
 
         // Not where the spin about the normal ends, or another surface begins, before the slip does.
-        if (system.SpinSign * about < 0 || system.Carrier.PatchAt(s.Position) != system.Carrier.PatchAt(in end.Position))
+        if (system.SpinSign * (about - Vector3d.Dot(system.Carrier.Spin, in on.Normal)) < 0 || system.Carrier.PatchAt(s.Position) != system.Carrier.PatchAt(in end.Position))
         {
             return false;
         }
@@ -390,18 +409,19 @@ internal sealed class SurfacePhase<TIntegrator>
     /// The motion where a slip ends: v = v₀ + ∫a − μ_s N/m ∫ŝ, p = p₀ + v₀ t + ∫∫a − μ_s N/m ∫∫ŝ with a linear in time, and the spin of a roll.
     /// </summary>
     private Motion SlipEnd(
-        in SurfaceSystem system, in Motion from, in SlipDecay decay, double sliding, in Vector3d first, in Vector3d last, double about, in Vector3d normal)
+        in SurfaceSystem system, double time, in Motion from, in SlipDecay decay, double sliding, in Vector3d first, in Vector3d last, double about, in Vector3d normal)
     {
         double t = decay.Time;
         Vector3d velocity = from.Velocity + ((0.5 * t) * (first + last)) - (sliding * decay.Direction);
         Vector3d position = from.Position + (t * from.Velocity) + ((t * t / 6.0) * ((2.0 * first) + last)) - (sliding * decay.Twice);
-        Vector3d spin = Slip.RollingSpin(velocity - system.Carrier.Velocity, about, in normal, _around.Radius);
+        Vector3d surface = _world.SurfaceVelocity(system.Carrier, in position, in normal, time + t);
+        Vector3d spin = Slip.RollingSpin(velocity - surface, about, in normal, _around.Radius);
         return new Motion(in position, in velocity, in spin);
     }
 
-    /// <summary>ṡ = v̇_t + r n × ω̇.</summary>
+    /// <summary>ṡ = v̇_t − A_t + r n × ω̇.</summary>
     private Vector3d SlipRate(in SurfaceForces on, in MotionRates rates) =>
-        SurfaceSystem.Tangential(in rates.Acceleration, on.Normal) + (_around.Radius * Vector3d.Cross(on.Normal, in rates.SpinAcceleration));
+        SurfaceSystem.Tangential(in rates.Acceleration, on.Normal) + (_around.Radius * Vector3d.Cross(on.Normal, in rates.SpinAcceleration)) - on.SurfaceRate;
 
     /// <summary>The longest piece that stability, nets and the turning of the normal allow, s.</summary>
     private double LongestPiece(in BallState s, in Motion from, in SurfaceForces on, ref StepRun run)
@@ -439,12 +459,14 @@ internal sealed class SurfacePhase<TIntegrator>
 
         Vector3d spin = s.SpinAxis;
         double about = Vector3d.Dot(in spin, in n);
+        double carried = Vector3d.Dot(system.Carrier.Spin, in n);
 
-        // Friction, damping and the air's decay end the spin about the normal, and reverse nothing.
+        // Friction, damping and the air's decay end the spin about the normal, relative to the carrier, and reverse nothing.
         bool brakesAlone = system.Material.DrillingLength > 0 || (!_around.Air.Varies && _isFlat && system.Carrier == _world.Ground);
-        double kept = Vector3d.Dot(in system.StartSpin, in n) * about < 0 && brakesAlone ? 0 : about;
-        s.SpinAxis = system.Rolls ? Slip.RollingSpin(s.Velocity - system.Carrier.Velocity, kept, in n, _around.Radius)
-            : kept == about ? spin : spin - (about * n);
+        double kept = system.AboutCarrier(in system.StartSpin, in n) * (about - carried) < 0 && brakesAlone ? carried : about;
+        Vector3d surface = _world.SurfaceVelocity(system.Carrier, s.Position, in n, s.Time);
+        s.SpinAxis = system.Rolls ? Slip.RollingSpin(s.Velocity - surface, kept, in n, _around.Radius)
+            : kept == about ? spin : spin - ((about - kept) * n);
     }
 
     /// <summary>Puts the ball onto something else that it touches too, along what carries it: back and forth, where those are curved.</summary>
@@ -475,7 +497,8 @@ internal sealed class SurfacePhase<TIntegrator>
     private SurfaceSystem System(in BallState s, in Motion from, bool rolls)
     {
         Collider carrier = _world.CarrierOf(in s);
-        double about = Vector3d.Dot(from.Spin, carrier.At(s.Position, s.Time).Normal);
+        ShapePoint at = carrier.At(s.Position, s.Time);
+        double about = Vector3d.Dot(from.Spin, at.Normal) - Vector3d.Dot(carrier.Spin, at.Normal);
         return new SurfaceSystem
         {
             Around = _around,
@@ -487,6 +510,8 @@ internal sealed class SurfacePhase<TIntegrator>
             NetSides = s.NetSides,
             Rolls = rolls,
             StartSpin = from.Spin,
+            IsFace = carrier.HasFaces && !carrier.Rotates && at.IsFlat,
+            FaceNormal = at.Normal,
             SpinSign = about > Slip.Rolling ? 1.0 : about < -Slip.Rolling ? -1.0 : 0.0,
         };
     }

@@ -12,6 +12,9 @@ internal sealed class WorldContact
     /// <summary>Time, s, for which a moving thing that touched the ball bounds the speed that the next may give it.</summary>
     private const double Lately = 0.1;
 
+    /// <summary>A ball that something other than its weight presses stays on a surface where it would be back within this, s.</summary>
+    private const double ShortestPressedHop = 1e-3;
+
     /// <summary>A ball is raised out of the ground in so many steps: more than one where that is curved.</summary>
     private const int MostRaises = 4;
 
@@ -54,9 +57,12 @@ internal sealed class WorldContact
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
         int thing = collider + _world.FirstCollider;
-        Vector3d surface = hit.SurfaceVelocity(s.Position - (_world.Ball.Radius * n), s.Time);
+        Vector3d contact = s.Position - (_world.Ball.Radius * n);
+        Vector3d surface = hit.SurfaceVelocity(in contact, s.Time);
+        Vector3d shape = hit.ShapeVelocity(in contact, s.Time);
         GivingWay way = hit.GivesWay ? GivingWay.Of(_world.Ball, hit.Mass) : default;
-        CoulombImpact.Apply(_world.Ball, in hit.MaterialAt(s.Position), in way, in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin);
+        ref readonly ContactMaterial material = ref hit.MaterialAt(s.Position);
+        CoulombImpact.Apply(_world.Ball, in material, in way, in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin);
 
         // Hit by movers in quick succession it is no faster than the fastest of them makes it: being batted to and fro gives no energy.
         if (hit.Moves)
@@ -65,6 +71,20 @@ internal sealed class WorldContact
             bool again = Touches(ref s, (1.0 + restitution) * surface.Length);
             velocity = again ? NoFaster(in velocity, in n, s.SqueezeSpeed) : velocity;
         }
+
+        // w = (v' − V')·n, the speed off the surface, decides what becomes of the ball. What gives way goes on with V' = V − (m/M)(v' − v).
+        bool may = run.Hit();
+        double off = Vector3d.Dot(velocity - shape + (way.Ratio * (velocity - v)), in n);
+        bool bounces = may && !StaysAfter(in s, off, velocity - (off * n), in spin, hit, in at);
+        if (!bounces && hit.GivesWay)
+        {
+            // A ball that stays on what gives way has had an impact without restitution: momentum is conserved.
+            ContactMaterial dead = material.WithoutRestitution();
+            CoulombImpact.Apply(_world.Ball, in dead, in way, in n, in surface, in v, in w, out velocity, out spin);
+            off = 0;
+        }
+
+        velocity = bounces ? velocity : velocity - (off * n);
 
         // What has a mass gets the opposite impulse, m (v − v').
         if (hit.GivesWay && run.Log.Pushes)
@@ -87,7 +107,6 @@ internal sealed class WorldContact
 
         // The velocity has jumped: the branch of the drag law is read from the flow again.
         s.Branch = DragBranch.Unknown;
-        bool may = run.Hit();
 
         // So many hits by movers in so short a time: there is no room.
         if (hit.Moves && run.IsCrowdedAt(s.Time))
@@ -98,28 +117,58 @@ internal sealed class WorldContact
             return;
         }
 
-        // w = (v' − V)·n, the speed off the surface, decides what becomes of the ball.
-        double off = Vector3d.Dot(velocity - hit.Velocity, in n);
-
-        // What would be back within a microsecond stays down: so an impact takes time, however strong the ball is pressed.
-        bool bounces = may && off >= _world.MinimumBounceSpeed && !IsBackAtOnce(in s, off, velocity - (off * n), in spin, hit, in at);
-        velocity = bounces ? velocity : velocity - (off * n);
-
         // Carried by something else it keeps that, unless the impulse lifts it.
         if (carried && s.Carrier != thing)
         {
-            KeepCarrier(ref s, in velocity, in spin, hit.Velocity, in n, bounces, ref run);
+            KeepCarrier(ref s, in velocity, in spin, hit.ShapeVelocity(in contact, s.Time), in n, bounces ? -1 : collider, ref run);
             return;
         }
 
-        // Where a step has had its impacts, or is spent, the ball stays on what it hits even if the air would lift it.
-        if (!bounces && (!may || Load(in s, in velocity, in spin, hit, in at) > SurfaceForces.Least))
+        if (bounces)
+        {
+            Fly(ref s, in velocity, in spin);
+        }
+        else
         {
             Stay(ref s, thing, in velocity, in spin, ref run);
-            return;
+        }
+    }
+
+    /// <summary>True when a ball that leaves a surface with a speed stays on it: something presses it back at once (world.md, After the impact).</summary>
+    /// <param name="s">The ball before.</param>
+    /// <param name="off">w, m/s.</param>
+    /// <param name="velocity">Its velocity along the surface, m/s.</param>
+    /// <param name="spin">Its spin after, rad/s.</param>
+    /// <param name="collider">The surface.</param>
+    /// <param name="at">Its place, normal and curvature under the ball.</param>
+    private bool StaysAfter(in BallState s, double off, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
+    {
+        // a_b·n ≤ −|a_b|/2: its weight presses it on a surface up to 60° steep. Anything else presses it only if it would be back within a millisecond.
+        bool byWeight = -2.0 * _around.Upward * at.Normal.Y >= Math.Abs(_around.Upward) && _around.Upward != 0;
+        double hop = byWeight ? StabilityLimit.ShortestHop : ShortestPressedHop;
+        if (!(byWeight && off < _world.MinimumBounceSpeed) && !_around.Air.Varies)
+        {
+            // Few are: what the air can do at most says so without asking it.
+            Vector3d along = velocity - collider.ShapeVelocity(s.Position, s.Time);
+            double airSpeed = (velocity - _around.Wind).Length;
+            double most = Math.Abs(_around.Upward) + Math.Abs(Vector3d.Dot(in along, at.Curvature * along)) + (airSpeed * _ofAir.At(airSpeed, spin.Length))
+                + MostOfRotation(collider, in s, in along);
+            if (s.Nets == 0 && off >= 0.5 * hop * most)
+            {
+                return false;
+            }
         }
 
-        Fly(ref s, in velocity, in spin);
+        // A hop lasts 2 w/(N/m): below the shortest hop it is none.
+        double load = Load(in s, in velocity, in spin, collider, in at);
+        return load > SurfaceForces.Least && (off < 0.5 * hop * load || (byWeight && off < _world.MinimumBounceSpeed));
+    }
+
+    /// <summary>The most that |A_s·n| may be on a carrier that rotates, m/s².</summary>
+    private static double MostOfRotation(Collider collider, in BallState s, in Vector3d along)
+    {
+        double spin = collider.Spin.Length;
+        return spin * (((collider.MaterialVelocity(s.Position, s.Time) - collider.Velocity).Length) + (2.0 * along.Length));
     }
 
     /// <summary>All that the ball touches at once, without restitution: what stands still is then not come closer to; what moves may squeeze it.</summary>
@@ -241,7 +290,8 @@ internal sealed class WorldContact
         Collider carrier = _world.CarrierOf(in s);
         Vector3d n = carrier.At(s.Position, s.Time).Normal;
         Vector3d before = s.Spin;
-        Vector3d spin = Slip.RollingSpin(s.Velocity - carrier.Velocity, Vector3d.Dot(in before, in n), in n, _world.Ball.Radius);
+        Vector3d surface = _world.SurfaceVelocity(carrier, s.Position, in n, s.Time);
+        Vector3d spin = Slip.RollingSpin(s.Velocity - surface, Vector3d.Dot(in before, in n), in n, _world.Ball.Radius);
         s.SetGroundSpin(in spin);
         s.Motion = MotionState.Rolling;
         run.Log.Events.Add(new BallEvent(BallEventKind.Roll, (int)s.Carrier, in n, s.Time, s.Position, s.Velocity, in before, s.Velocity, in spin));
@@ -263,23 +313,27 @@ internal sealed class WorldContact
         Fly(ref s, in velocity, in spin);
     }
 
-    /// <summary>The ball comes to rest on what carries it.</summary>
-    public void Rest(ref BallState s, ref StepRun run) => Rest(ref s, _world.CarrierOf(in s).Velocity, ref run);
+    /// <summary>The ball comes to rest on what carries it, and moves along with that.</summary>
+    public void Rest(ref BallState s, ref StepRun run)
+    {
+        Collider carrier = _world.CarrierOf(in s);
+        Rest(ref s, carrier.MaterialVelocity(s.Position, s.Time), carrier.Spin, ref run);
+    }
 
     /// <summary>The ball comes to rest in a net.</summary>
     public void RestInNet(ref BallState s, int net, ref StepRun run)
     {
         s.Carrier = _world.ThingOfNet(net);
         s.Branch = DragBranch.Unknown;
-        Rest(ref s, Vector3d.Zero, ref run);
+        Rest(ref s, Vector3d.Zero, Vector3d.Zero, ref run);
     }
 
-    private static void Rest(ref BallState s, in Vector3d velocity, ref StepRun run)
+    private static void Rest(ref BallState s, in Vector3d velocity, in Vector3d spin, ref StepRun run)
     {
         run.Log.Events.Add(new BallEvent(BallEventKind.Rest, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
         run.Log.Halted |= run.Log.StopAt == StopAt.Rest;
         s.Velocity = velocity;
-        s.SetGroundSpin(Vector3d.Zero);
+        s.SetGroundSpin(in spin);
         s.Motion = MotionState.Stopped;
     }
 
@@ -334,7 +388,7 @@ internal sealed class WorldContact
             Vector3d n = _world.Hold(ref s, collider);
             s.Velocity = velocity;
             s.Carrier = first + _world.FirstCollider;
-            bool rolls = Slip.Of(velocity - collider.Velocity, in spin, in n, _world.Ball.Radius).Length < Slip.Rolling;
+            bool rolls = Slip.Of(velocity - _world.SurfaceVelocity(collider, s.Position, in n, s.Time), in spin, in n, _world.Ball.Radius).Length < Slip.Rolling;
             s.SetGroundSpin(in spin);
             s.Motion = rolls ? MotionState.Rolling : MotionState.Sliding;
         }
@@ -348,7 +402,7 @@ internal sealed class WorldContact
     {
         Collider collider = _world.Colliders[index];
         ShapePoint at = collider.At(s.Position, s.Time);
-        double off = Vector3d.Dot(s.Velocity - collider.Velocity, at.Normal);
+        double off = Vector3d.Dot(s.Velocity - collider.ShapeVelocity(s.Position, s.Time), at.Normal);
         velocity = s.Velocity - (off * at.Normal);
 
         // On a level pitch that is so up to the speed of the slowest bounce; on anything else what comes closer hits.
@@ -358,20 +412,21 @@ internal sealed class WorldContact
     }
 
     /// <summary>A carried ball was hit by something else: it keeps its carrier unless the impulse lifts it.</summary>
+    /// <param name="s">The ball before.</param>
+    /// <param name="velocity">Its velocity after, m/s.</param>
+    /// <param name="spin">Its spin after, rad/s.</param>
+    /// <param name="hitVelocity">Velocity of what hit it, m/s.</param>
+    /// <param name="hitNormal">Normal there.</param>
+    /// <param name="pressing">The collider that it hit and stays on; −1 where it bounces off that, or another ball hit it.</param>
+    /// <param name="run">The step.</param>
     private void KeepCarrier(
-        ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d hitVelocity, in Vector3d hitNormal, bool bounces, ref StepRun run)
+        ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d hitVelocity, in Vector3d hitNormal, int pressing, ref StepRun run)
     {
         Collider carrier = _world.CarrierOf(in s);
         Vector3d n = carrier.At(s.Position, s.Time).Normal;
-        double off = Vector3d.Dot(velocity - carrier.Velocity, in n);
+        double off = Vector3d.Dot(velocity - carrier.ShapeVelocity(s.Position, s.Time), in n);
 
-        // Its speed off the carrier: that of a bounce, and it leaves; into the carrier, an impact there at the same instant; between, it stays.
-        if (off >= _world.MinimumBounceSpeed)
-        {
-            Leave(ref s, in velocity, in spin, ref run);
-            return;
-        }
-
+        // w_s < 0, its speed into the carrier: an impact there at the same instant.
         if (off < -ContactSearch.Approaching)
         {
             s.Velocity = velocity;
@@ -381,10 +436,23 @@ internal sealed class WorldContact
             return;
         }
 
+        // Lifted off the carrier and pressed on what it hit, with no speed off that: it climbs that, as a kerb.
+        if (off > ContactSearch.Approaching && pressing >= 0)
+        {
+            Stay(ref s, pressing + _world.FirstCollider, in velocity, in spin, ref run);
+            return;
+        }
+
+        if (off >= _world.MinimumBounceSpeed)
+        {
+            Leave(ref s, in velocity, in spin, ref run);
+            return;
+        }
+
         Vector3d kept = velocity - (off * n);
         Vector3d along = hitNormal - (Vector3d.Dot(in hitNormal, in n) * n);
         double share = along.LengthSquared;
-        if (!bounces && share > 1e-12)
+        if (pressing >= 0 && share > 1e-12)
         {
             // Neither off the carrier nor into what it hit.
             kept -= Vector3d.Dot(kept - hitVelocity, in hitNormal) / share * along;
@@ -408,7 +476,7 @@ internal sealed class WorldContact
 
         if (!presses && s.Motion != MotionState.Squeezed)
         {
-            KeepCarrier(ref s, in velocity, in spin, Vector3d.Zero, in n, bounces: true, ref run);
+            KeepCarrier(ref s, in velocity, in spin, Vector3d.Zero, in n, -1, ref run);
             return;
         }
 
@@ -419,7 +487,8 @@ internal sealed class WorldContact
         s.Motion = s.Motion == MotionState.Stopped ? MotionState.Rolling : s.Motion;
         if (s.Motion == MotionState.Rolling)
         {
-            s.SetGroundSpin(Slip.RollingSpin(s.Velocity - carrier.Velocity, Vector3d.Dot(s.Spin, in up), in up, _world.Ball.Radius));
+            Vector3d surface = _world.SurfaceVelocity(carrier, s.Position, in up, s.Time);
+            s.SetGroundSpin(Slip.RollingSpin(s.Velocity - surface, Vector3d.Dot(s.Spin, in up), in up, _world.Ball.Radius));
         }
     }
 
@@ -434,7 +503,8 @@ internal sealed class WorldContact
         s.Motion = MotionState.Sliding;
         Collider carrier = _world.CarrierOf(in s);
         Vector3d n = _world.Hold(ref s, carrier);
-        if (Slip.Of(s.Velocity - carrier.Velocity, in spin, in n, _world.Ball.Radius).Length < Slip.Rolling && Grips(in s, carrier, ref run))
+        Vector3d surface = _world.SurfaceVelocity(carrier, s.Position, in n, s.Time);
+        if (Slip.Of(s.Velocity - surface, in spin, in n, _world.Ball.Radius).Length < Slip.Rolling && Grips(in s, carrier, ref run))
         {
             StartRolling(ref s, ref run);
         }
@@ -453,25 +523,12 @@ internal sealed class WorldContact
         return system.Grips(in on);
     }
 
-    /// <summary>True when a ball that leaves a surface is back within a microsecond.</summary>
-    private bool IsBackAtOnce(in BallState s, double off, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
-    {
-        // Few are: what the air can do at most says so without asking it.
-        Vector3d along = velocity - collider.Velocity;
-        double airSpeed = (velocity - _around.Wind).Length;
-        double most = Math.Abs(_around.Upward) + Math.Abs(Vector3d.Dot(in along, at.Curvature * along)) + (airSpeed * _ofAir.At(airSpeed, spin.Length));
-
-        // A hop lasts 2 w/(N/m): below the shortest hop it is none.
-        return (_around.Air.Varies || off < 0.5 * StabilityLimit.ShortestHop * most)
-            && off < 0.5 * StabilityLimit.ShortestHop * Load(in s, in velocity, in spin, collider, in at);
-    }
-
     /// <summary>N/m, m/s², were the ball to follow the surface.</summary>
     private double Load(in BallState s, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
     {
         // Where the air does not count, a load by weight alone says enough.
         Vector3d along = velocity - collider.Velocity;
-        double byWeight = _world.AirLoads ? 0 : (-_around.Upward * at.Normal.Y) - Vector3d.Dot(in along, at.Curvature * along);
+        double byWeight = _world.AirLoads || collider.Rotates ? 0 : (-_around.Upward * at.Normal.Y) - Vector3d.Dot(in along, at.Curvature * along);
         return byWeight > SurfaceForces.Least ? byWeight : System(in s, collider).ForcesOn(s.Time, new Motion(s.Position, in velocity, in spin)).FreeLoad;
     }
 

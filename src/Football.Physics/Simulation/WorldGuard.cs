@@ -45,7 +45,7 @@ internal sealed class WorldGuard
 
             // Closing is an impact. Neither closing nor leaving, but pressed there, a ball in the air is taken up.
             bool touches = gap <= ContactSearch.Touching;
-            bool hits = touches && rate < -ContactSearch.Approaching;
+            bool hits = touches && rate < -ContactSearch.Approaching && !(Flush.Passage(_world, i, s.Position, s.Velocity, s.Time) > 0);
             bool presses = touches && !hits && rate <= ContactSearch.Leaving && carrier < 0 && _contact.IsPressed(in s, i);
             takesUp = presses || (takesUp && !hits);
             first = hits || presses ? i : first;
@@ -97,6 +97,14 @@ internal sealed class WorldGuard
                 break;
             }
 
+            // At a seam another surface carries the ball on: the piece ends where the ball is over that.
+            if (found.What == SeparationKind.Seam)
+            {
+                sweep.Step(at);
+                met = found;
+                break;
+            }
+
             // It touches and closes at the start: a piece of no length.
             if (at == 0)
             {
@@ -139,6 +147,9 @@ internal sealed class WorldGuard
         {
             case SeparationKind.Contact:
                 _contact.Impact(ref s, met.Index, ref run);
+                break;
+            case SeparationKind.Seam:
+                s.Carrier = met.Index + _world.FirstCollider;
                 break;
             case SeparationKind.NetMet:
                 s.Nets |= 1UL << met.Index;

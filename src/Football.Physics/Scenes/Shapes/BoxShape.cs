@@ -55,6 +55,18 @@ public sealed class BoxShape : IShape
         (Math.Abs(_x.Y) * HalfSize.X) + (Math.Abs(_y.Y) * HalfSize.Y) + (Math.Abs(_z.Y) * HalfSize.Z),
         (Math.Abs(_x.Z) * HalfSize.X) + (Math.Abs(_y.Z) * HalfSize.Y) + (Math.Abs(_z.Z) * HalfSize.Z));
 
+    /// <summary>How far a point is inside the border of the face that it is over, m: negative beyond it.</summary>
+    internal double FaceMargin(in Vector3d point)
+    {
+        Vector3d from = point - Center;
+        double x = HalfSize.X - Math.Abs(Vector3d.Dot(in from, in _x));
+        double y = HalfSize.Y - Math.Abs(Vector3d.Dot(in from, in _y));
+        double z = HalfSize.Z - Math.Abs(Vector3d.Dot(in from, in _z));
+
+        // It is over the face along whose axis it is farthest out.
+        return x <= y && x <= z ? Math.Min(y, z) : y <= z ? Math.Min(x, z) : Math.Min(x, y);
+    }
+
     /// <inheritdoc/>
     public ShapePoint At(in Vector3d point)
     {

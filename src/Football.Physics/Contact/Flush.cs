@@ -1,0 +1,115 @@
+namespace Football.Physics;
+
+/// <summary>
+/// Surfaces with the same normal act as one: tiles, a box set into the turf, two boards of one wall. A ball that slides along one of them crosses onto the next
+/// without an impact. Only the material and the velocity of the surface change.
+/// </summary>
+internal static class Flush
+{
+    /// <summary>Normals are one where n₁·n₂ is closer to 1 than this (world.md, Flush): the edge of the next tile is first touched at an angle of 4e-5.</summary>
+    public const double SameNormal = 1e-9;
+
+    /// <summary>Two depths are equal within this, m.</summary>
+    private const double SameDepth = 1e-12;
+
+    /// <summary>The ball is over the face of the next surface after so many times the distance to its edge.</summary>
+    private const double OverTheEdge = 2.0;
+
+    /// <summary>How long a ball goes on until the normals are one, s: it comes to the edge of a surface that is flush with one that it touches already.</summary>
+    /// <param name="world">The world.</param>
+    /// <param name="thing">The collider that it comes to.</param>
+    /// <param name="position">Where it touches that, m.</param>
+    /// <param name="velocity">Its velocity, m/s.</param>
+    /// <param name="time">When, s.</param>
+    /// <returns>0 where the contact is an impact.</returns>
+    public static double Passage(World world, int thing, in Vector3d position, in Vector3d velocity, double time)
+    {
+        Collider next = world.Colliders[thing];
+        ShapePoint at = next.At(position, time);
+        double r = world.Ball.Radius;
+        Vector3d relative = velocity - next.SurfaceVelocity(position - (r * at.Normal), time);
+        double closing = -Vector3d.Dot(in relative, at.Normal);
+        var near = NearThings.At(world, in position, time);
+        while (near.NextCollider(out int i))
+        {
+            if (i == thing)
+            {
+                continue;
+            }
+
+            // Touched, with the same normal, and not closed on itself; and closed on no faster than the normals differ, |u| |n₁ × n₂|.
+            Collider other = world.Colliders[i];
+            ShapePoint on = other.At(position, time);
+            if (!(on.Distance - r <= 2.0 * ContactSearch.Touching) || !(Vector3d.Dot(on.Normal, at.Normal) > 1.0 - SameNormal))
+            {
+                continue;
+            }
+
+            double sine = Vector3d.Cross(on.Normal, at.Normal).Length;
+            double speed = relative.Length;
+            Vector3d along = velocity - other.ShapeVelocity(position - (r * on.Normal), time);
+            if (closing <= (speed * sine) + ContactSearch.Approaching && Vector3d.Dot(in along, on.Normal) >= -ContactSearch.Approaching)
+            {
+                // Until the ball has gone over the edge: r sin θ along the surface.
+                return Math.Max(OverTheEdge * r * sine / speed, double.Epsilon);
+            }
+        }
+
+        return 0;
+    }
+
+    /// <summary>
+    /// The surface that carries a ball where several with the same normal touch it: one whose face is under the ball, then the one that it is deepest in, then any object
+    /// before the ground, which lies under all of them, then the one that it comes from, then the first of the scene.
+    /// </summary>
+    /// <param name="world">The world.</param>
+    /// <param name="s">The ball, on a surface.</param>
+    /// <returns>Index of the collider.</returns>
+    public static int CarrierOf(World world, in BallState s)
+    {
+        return CarrierAt(world, (int)s.Carrier - world.FirstCollider, s.Position, s.Time);
+    }
+
+    /// <inheritdoc cref="CarrierOf"/>
+    public static int CarrierAt(World world, int carrier, in Vector3d position, double time)
+    {
+        if ((uint)carrier >= (uint)world.Colliders.Length)
+        {
+            return carrier;
+        }
+
+        ShapePoint on = world.Colliders[carrier].At(position, time);
+        int best = carrier;
+        double depth = -on.Distance;
+        bool isFlat = on.IsFlat;
+        var near = NearThings.At(world, in position, time);
+        while (near.NextCollider(out int i))
+        {
+            if (i == carrier)
+            {
+                continue;
+            }
+
+            ShapePoint at = world.Colliders[i].At(position, time);
+            if (!(at.Distance - world.Ball.Radius <= ContactSearch.Touching) || !(Vector3d.Dot(on.Normal, at.Normal) > 1.0 - SameNormal))
+            {
+                continue;
+            }
+
+            // The walk has no order: between equals the carrier stays, else the lowest number counts.
+            double deeper = -at.Distance - depth;
+            bool isEqual = Math.Abs(deeper) <= SameDepth;
+            bool wins = at.IsFlat != isFlat ? at.IsFlat
+                : isEqual ? world.Colliders[best] == world.Ground || (best != carrier && i < best && world.Colliders[i] != world.Ground)
+                : deeper > 0;
+            if (wins)
+            {
+                best = i;
+                depth = -at.Distance;
+                isFlat = at.IsFlat;
+            }
+        }
+
+        return best;
+    }
+}
