@@ -39,6 +39,9 @@ internal struct SurfaceForces
     /// <summary>The air, and the game's own forces, along the surface, m/s².</summary>
     public Vector3d Air;
 
+    /// <summary>The game's own forces, m/s²: they wake a ball at rest also where the air does not.</summary>
+    public Vector3d Own;
+
     /// <summary>Torques of the air, of nets and of the game's own, rad/s².</summary>
     public Vector3d Torque;
 

@@ -102,21 +102,8 @@ internal struct SurfaceSystem : IMotionSystem
 
         // n, ṅ and qᵀHq − A_s·n of the carrier under the ball.
         ShapePoint point = IsFace ? new ShapePoint(World.Ball.Radius, in FaceNormal, SymmetricMatrix3d.Zero) : Carrier.At(in at.Position, time);
-        on.Normal = point.Normal;
+        Describe(Carrier, World.Ball.Radius, in point, time, in at, ref on);
         Vector3d n = on.Normal;
-        on.Velocity = at.Velocity - Carrier.Velocity;
-        on.Turning = point.Curvature * on.Velocity;
-        on.Centripetal = Vector3d.Dot(in on.Velocity, in on.Turning);
-        on.Rolling = on.Velocity;
-        on.Surface = Carrier.Velocity;
-        on.SurfaceRate = Vector3d.Zero;
-        on.MaterialRate = Vector3d.Zero;
-        if (Carrier.Spin != Vector3d.Zero)
-        {
-            AddRotation(in point, time, in at, ref on);
-        }
-
-        on.Gyration = on.Turning == Vector3d.Zero ? Vector3d.Zero : World.Ball.Radius * Vector3d.Dot(in at.Spin, in n) * Vector3d.Cross(in n, in on.Turning);
 
         // N/m = −(a_b − A_s)·n − qᵀHq: what the surface must give so that the ball follows it.
         var body = new Vector3d(0, Around.Upward, 0);
@@ -132,6 +119,7 @@ internal struct SurfaceSystem : IMotionSystem
         Vector3d push = World.AirActs ? air.Acceleration + flow : air.Acceleration;
         load -= World.AirLoads ? Vector3d.Dot(in push, in n) : 0;
         on.Air = Tangential(in push, in n);
+        on.Own = air.Acceleration;
         on.Torque = (-air.Decay * at.Spin) + air.SpinAcceleration;
         on.Spins = rate > 0;
         on.Braking = on.Spins ? air.Decay * rate : air.Decay;
@@ -152,17 +140,42 @@ internal struct SurfaceSystem : IMotionSystem
         return on;
     }
 
+    /// <summary>How a surface moves under the ball: all that does not depend on forces.</summary>
+    /// <param name="carrier">The surface.</param>
+    /// <param name="radius">r, m.</param>
+    /// <param name="point">Its place, normal and curvature under the ball.</param>
+    /// <param name="time">When, s.</param>
+    /// <param name="at">The ball.</param>
+    /// <param name="on">What it is written into.</param>
+    public static void Describe(Collider carrier, double radius, in ShapePoint point, double time, in Motion at, ref SurfaceForces on)
+    {
+        on.Normal = point.Normal;
+        on.Velocity = at.Velocity - carrier.Velocity;
+        on.Turning = point.Curvature * on.Velocity;
+        on.Centripetal = Vector3d.Dot(in on.Velocity, in on.Turning);
+        on.Rolling = on.Velocity;
+        on.Surface = carrier.Velocity;
+        on.SurfaceRate = Vector3d.Zero;
+        on.MaterialRate = Vector3d.Zero;
+        if (carrier.Spin != Vector3d.Zero)
+        {
+            AddRotation(carrier, radius, in point, time, in at, ref on);
+        }
+
+        on.Gyration = on.Turning == Vector3d.Zero ? Vector3d.Zero : radius * Vector3d.Dot(in at.Spin, in on.Normal) * Vector3d.Cross(in on.Normal, in on.Turning);
+    }
+
     /// <summary>What changes where the carrier rotates (world.md, On a carrier that moves, rotates or accelerates).</summary>
-    private readonly void AddRotation(in ShapePoint point, double time, in Motion at, ref SurfaceForces on)
+    private static void AddRotation(Collider carrier, double radius, in ShapePoint point, double time, in Motion at, ref SurfaceForces on)
     {
         Vector3d n = on.Normal;
-        Vector3d spin = Carrier.Spin;
-        Vector3d contact = at.Position - (World.Ball.Radius * n);
-        on.Surface = Carrier.SurfaceVelocity(in contact, time);
-        Vector3d material = Carrier.SurfaceVelocity(in at.Position, time);
+        Vector3d spin = carrier.Spin;
+        Vector3d contact = at.Position - (radius * n);
+        on.Surface = carrier.SurfaceVelocity(in contact, time);
+        Vector3d material = carrier.SurfaceVelocity(in at.Position, time);
         on.Rolling = Tangential(at.Velocity - material, in n);
-        on.MaterialRate = Tangential(Vector3d.Cross(in spin, material - Carrier.Velocity), in n);
-        if (Carrier.Rotates)
+        on.MaterialRate = Tangential(Vector3d.Cross(in spin, material - carrier.Velocity), in n);
+        if (carrier.Rotates)
         {
             // q = v − V_p, ṅ = Ω × n + Hq, A_s = Ω × (Ω × (p − o)) + 2 Ω × q
             Vector3d q = at.Velocity - material;
@@ -170,11 +183,11 @@ internal struct SurfaceSystem : IMotionSystem
             on.Velocity = q;
             on.Turning = Vector3d.Cross(in spin, in n) + bent;
             on.Centripetal = Vector3d.Dot(in q, in bent)
-                - Vector3d.Dot(Vector3d.Cross(in spin, (material - Carrier.Velocity) + (2.0 * q)), in n);
+                - Vector3d.Dot(Vector3d.Cross(in spin, (material - carrier.Velocity) + (2.0 * q)), in n);
         }
 
         // A = Ω × (ċ − V), ċ = v − r ṅ
-        on.SurfaceRate = Tangential(Vector3d.Cross(in spin, at.Velocity - (World.Ball.Radius * on.Turning) - Carrier.Velocity), in n);
+        on.SurfaceRate = Tangential(Vector3d.Cross(in spin, at.Velocity - (radius * on.Turning) - carrier.Velocity), in n);
     }
 
     /// <summary>
@@ -193,7 +206,7 @@ internal struct SurfaceSystem : IMotionSystem
     public readonly Vector3d PushFromRest(in SurfaceForces on)
     {
         // (a_b,t − A_s,t)/(1 + α), with A_s the acceleration of the carrier's material.
-        Vector3d drive = World.SharesAir ? Drive(in on) : on.Body / (1.0 + World.Ball.InertiaFactor);
+        Vector3d drive = World.SharesAir ? Drive(in on) : (on.Body / (1.0 + World.Ball.InertiaFactor)) + Tangential(on.Own, in on.Normal);
         return drive - (on.MaterialRate / (1.0 + World.Ball.InertiaFactor));
     }
 

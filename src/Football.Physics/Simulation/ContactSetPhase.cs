@@ -1,550 +1,378 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>
-/// A ball that several contacts carry, guide or press at once, in short parts of a step: forces at both ends, impulses by <see cref="ContactSolver"/>, the
-/// place by the mean velocity. Exact where the forces are constant and every contact keeps gripping, or slipping one way; where one of them begins to
-/// grip, as good as the part is short.
+/// A ball on several surfaces at once, in whole steps of the method: the contacts and their modes are locked for a piece (<see cref="ContactSystem"/>), and the piece
+/// ends where a load, a friction cone, a slip or a gap ends, where the ball comes to rest, or where it meets something (contacts.md, A step). Where no modes hold,
+/// or a step has changed them too often, <see cref="ContactSetParts"/> takes the rest.
 /// </summary>
-internal sealed class ContactSetPhase
+internal sealed unsafe class ContactSetPhase<TIntegrator>
+    where TIntegrator : struct, IIntegrator
 {
-    /// <summary>Length of a part, s: a slip that ends within one moves the ball by less than 1e-6 m from where it would be.</summary>
-    private const double Part = 0.5e-3;
+    /// <summary>Changes of the set in a step, while several contacts bear; after them the rest of it is taken in parts.</summary>
+    private const int MostChanges = 8;
 
-    /// <summary>Parts of a step at most: in long ones they are longer.</summary>
-    private const int MostParts = 40;
+    /// <summary>A slip of less than this, m/s, has ended.</summary>
+    private const double Sticking = 1e-7;
 
-    /// <summary>Rounds of the solver where the ball may have no room.</summary>
-    private const int SqueezedRounds = 20;
+    /// <summary>A normal turns by no more than this in a piece, rad.</summary>
+    private const double LargestTurn = 0.05;
 
-    /// <summary>A ball that rolls is told to slide from this slip on, m/s: less may be over in the next part.</summary>
-    private const double Slips = 1e-3;
-
-    /// <summary>Forces give no more than this in a part, m/s and rad/s beside the spin that there is: far beyond anything that flies.</summary>
-    private const double MostSpeed = 100.0;
-    private const double MostSpin = 1000.0;
-
-    /// <summary>How often a step tells so: a ball that what pushes it makes slip and grip in turn does it at every part.</summary>
+    /// <summary>How often a step reports that the ball slides or rolls.</summary>
     private const int MostNames = 2;
 
     /// <summary>A contact that bears this share of what another does bears about as much.</summary>
     private const double AboutAsMuch = 0.5;
 
-    /// <summary>Out of what squeezes it a ball is put by no more than this, m/s.</summary>
-    private const double OutOfTheWay = 5.0;
-
-    /// <summary>From here on, m, the path that is shown of a squeezed ball runs along what stands still.</summary>
-    private const double AllButTouching = 1e-4;
-
-    /// <summary>A way off all contacts goes off each by at least this share.</summary>
-    private const double Room = 0.1;
-
-    /// <summary>A ball that is so slow, m/s and rad/s times its radius, stands still.</summary>
-    private const double Still = 1e-12;
-
     private readonly Surroundings _around;
     private readonly World _world;
     private readonly WorldGuard _guard;
     private readonly WorldContact _contact;
+    private readonly DragJumpGuard _jump;
+    private readonly StabilityLimit _limit;
     private readonly NetGuard _nets;
+    private readonly ContactSetParts _parts;
 
-    public ContactSetPhase(Surroundings around, WorldGuard guard, WorldContact contact)
+    public ContactSetPhase(Surroundings around, in StabilityLimit limit, DragJumpGuard jump, WorldGuard guard, WorldContact contact, ContactSetParts parts)
     {
         _around = around;
         _world = around.World;
+        _limit = limit;
+        _jump = jump;
         _guard = guard;
         _contact = contact;
         _nets = new NetGuard(_world);
+        _parts = parts;
     }
 
-    /// <summary>Takes what is left of a step, or up to what ends it, where several contacts bear the ball; hands it to the one that does where that is another.</summary>
+    /// <summary>Takes the next piece where several contacts bear the ball; hands it to the one that does where that is another than its carrier.</summary>
     /// <returns>False where the ball's carrier alone bears it, or nothing does.</returns>
+    [SkipLocalsInit]
     public bool Take(ref BallState s, ref StepRun run)
     {
-        Span<Contact> room = stackalloc Contact[ContactSet.Most];
-        Span<Contact> last = stackalloc Contact[ContactSet.Most];
-        int before = 0;
-
-        // Parts of equal length; a long step has longer ones, not more.
-        double part = run.Left / Math.Min(MostParts, Math.Ceiling(run.Left / Part));
-        bool taken = false;
-        int named = 0;
-        while (run.Left > 0 && !run.Log.Halted)
-        {
-            // What touches the ball, and what of that would bear it.
-            Span<Contact> set = room.Slice(0, ContactSet.Touching(_world, in s, room));
-            if (set.Length < 2)
-            {
-                return taken;
-            }
-
-            // Warm start: a contact that was there in the part before begins with its impulses.
-            ContactSet.Continue(set, last.Slice(0, before));
-            double h = run.Left / Math.Max(1.0, Math.Round(run.Left / part));
-
-            // Predict: v + h a with the forces at the start. These impulses only say where the forces at the end are asked for.
-            var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
-            MotionRates start = Free(in s, s.Time, in from, h);
-            Vector3d v = from.Velocity + (h * start.Acceleration);
-            Vector3d w = from.Spin + (h * start.SpinAcceleration);
-            bool solved = ContactSolver.Solve(set, _world.Ball, h, ref v, ref w, ContactSolver.Foreseen);
-            run.Log.Evaluations++;
-
-            // One contact alone bears it and nothing there moves, or none does: the phase of a single surface takes the ball on.
-            if (Bearers(set, h, out int bearer) < 2 && (bearer < 0 || !ContactSet.HasMover(set)))
-            {
-                return taken | (bearer >= 0 && HandOver(ref s, set[bearer].Collider, ref run));
-            }
-
-            // No impulses satisfy all contacts, or they would make the ball faster than what presses it may: there is no room.
-            if (!solved || _contact.IsTooFast(ref s, set, in v))
-            {
-                _contact.BeginSqueeze(ref s, set[bearer].Collider, ref run);
-                return true;
-            }
-
-            taken = true;
-            if (Rests(ref s, set, in start, ref run))
-            {
-                return true;
-            }
-
-            bool stays = v.Length + (_around.Radius * w.Length) <= Still && from.Velocity.Length + (_around.Radius * from.Spin.Length) <= Still;
-            if (stays)
-            {
-                // Nothing changes until something comes.
-                h = run.Left;
-            }
-            else
-            {
-                // Once more, with the mean of the forces.
-                var end = new Motion(from.Position + ((0.5 * h) * (from.Velocity + v)), in v, in w, s.AirDistance);
-                MotionRates there = Free(in s, s.Time + h, in end, h);
-                v = from.Velocity + ((0.5 * h) * (start.Acceleration + there.Acceleration));
-                w = from.Spin + ((0.5 * h) * (start.SpinAcceleration + there.SpinAcceleration));
-                ContactSolver.Solve(set, _world.Ball, h, ref v, ref w);
-                run.Log.Evaluations++;
-            }
-
-            // Along the way, to its end or to what is met on it.
-            Vector3d mean = 0.5 * (from.Velocity + v);
-            var path = PathCubic.Line(s.Position, in mean, h);
-            double at = new ContactSearch(_world, in path, s.Time).First(in s, -1, set, out Separation met);
-            bool meets = at <= h;
-            double length = meets ? at : h;
-            double share = length / h;
-
-            // v and ω are linear in a part, so also where it is cut short.
-            BallState at0 = s;
-            v = from.Velocity + (share * (v - from.Velocity));
-            w = from.Spin + (share * (w - from.Spin));
-            Move(ref s, length, 0.5 * (from.Velocity + v), in v, in w, in start, ref run);
-
-            // Back onto the contacts that bear it: on a curved one the straight way leads off.
-            Hold(ref s, set);
-            Show(in at0, in s, at0.Velocity, s.Velocity, ref run);
-            Name(ref s, set, ref named, ref run);
-            set.CopyTo(last);
-            before = set.Length;
-
-            // What is met on the way, or closes where the ball is, ends this phase: what becomes of the ball decides which one goes on.
-            if (meets && !run.Log.Halted)
-            {
-                _guard.Meet(ref s, in met, ref run);
-                return true;
-            }
-
-            if (_guard.HitsAtOnce(ref s, ref run))
-            {
-                return true;
-            }
-        }
-
-        return true;
-    }
-
-    /// <summary>
-    /// Takes what is left of a step for a ball that is squeezed: what stands still is never entered, what moves pushes the ball as far as it can go at the speed
-    /// that it may have, and nothing bounces. When nothing that moves presses it against anything any more, or there is a way off all that does, it is free.
-    /// </summary>
-    public void TakeSqueezed(ref BallState s, ref StepRun run)
-    {
-        Span<Contact> room = stackalloc Contact[ContactSet.Most];
-        double part = run.Left / Math.Min(MostParts, Math.Ceiling(run.Left / (2.0 * Part)));
-        bool isFree = false;
-        while (run.Left > 0 && !run.Log.Halted)
-        {
-            double h = run.Left / Math.Max(1.0, Math.Round(run.Left / part));
-
-            // What the forces alone would make of it: v + h a, ω + h ω̇.
-            var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
-            MotionRates free = Free(in s, s.Time, in from, h);
-            Vector3d v = from.Velocity + (h * free.Acceleration);
-            Vector3d w = from.Spin + (h * free.SpinAcceleration);
-            run.Log.Evaluations++;
-
-            // As fast as it is, with what the forces give it on its way, or as what presses it: how it came is over.
-            double came = from.Velocity.Length;
-            s.SqueezeSpeed = came;
-            // All that it may come to in this part: by itself, at twice the speed of what hits it, which comes too, and by being put out of that.
-            double reach = ContactSearch.Touching + (h * (v.Length + (3.0 * _world.FastestMover) + OutOfTheWay));
-            Span<Contact> set = room.Slice(0, ContactSet.Near(_world, in s, reach, room));
-
-            // Contact impulses as far as a few rounds find them: without room there need be no answer.
-            ContactSolver.Try(set, _world.Ball, h, ref v, ref w);
-
-            // Out of the way of what moves whatever friction does, as fast as it may be; and never into what stands still.
-            KeepOff(set, h, movers: true, ref v);
-            _contact.IsTooFast(ref s, set, in v);
-            Vector3d kept = v;
-            KeepOff(set, h, movers: false, ref kept);
-
-            // f² = |v|² + 2 h f W·d: what the forces W do on the way d at the speed f that it comes to.
-            double worked = h * Vector3d.Dot(Working(in free, in from), in kept) / Math.Max(kept.Length, Still);
-            double fastest = Math.Max(s.SqueezeSpeed, worked + Math.Sqrt((worked * worked) + (came * came)));
-
-            // Cut to that speed; what stands still has the last word.
-            double speed = v.Length;
-            v = speed > fastest ? fastest / speed * v : v;
-            KeepOff(set, h, movers: false, ref v);
-
-            // Nets and goals are met as ever.
-            var path = PathCubic.Line(s.Position, in v, h);
-            bool passes = new ContactSearch(_world, in path, s.Time).FirstPassage(in s, out Separation passed) is var at && at <= h;
-            BallState before = s;
-            Move(ref s, passes ? at : h, in v, in v, in w, in free, ref run);
-
-            // Depenetration: out of what moves at a bounded speed, out of what stands still at once.
-            PushOut(ref s, set, OutOfTheWay * h, before.Position);
-            isFree = IsFree(in s, set);
-            ShowSqueezed(in before, in s, set, ref run);
-            if (passes && !run.Log.Halted)
-            {
-                _guard.Meet(ref s, in passed, ref run);
-            }
-        }
-
-        // Free where no mover pressed it against anything in the last part, or where a direction leads off all that it touches.
-        if ((isFree || HasRoom(in s)) && !run.Log.Halted)
-        {
-            _contact.EndSqueeze(ref s, ref run);
-        }
-    }
-
-    /// <summary>
-    /// What acts on the ball but for its contacts, for a part of a step. What nets do is shared out so that a part which is long for them overshoots nothing.
-    /// </summary>
-    private MotionRates Free(in BallState s, double time, in Motion at, double h)
-    {
-        // The drag law is locked to the branch at the start of the part: its jump is not located here.
-        DragBranch branch = _around.Air.Jumps ? DragJump.At(in at, in _around.Wind, _around.Radius).Branch : DragBranch.Unknown;
-        MotionRates rates = new FlightSystem { Around = _around }.On(branch, time, in at);
-        Vector3d acceleration = rates.Acceleration;
-        Vector3d spinAcceleration = rates.SpinAcceleration;
-        if (!_world.SharesAir)
-        {
-            // Of the air no more counts than on one surface: nothing, or what it does along the carrier.
-            Collider carrier = _world.CarrierOf(in s);
-            var surface = new SurfaceSystem { Around = _around, World = _world, Carrier = carrier, Material = carrier.MaterialAt(in at.Position), Branch = branch };
-            SurfaceForces on = surface.ForcesOn(time, in at);
-            acceleration = on.Body + on.Air - ((on.FreeLoad + on.Centripetal) * on.Normal);
-            spinAcceleration = on.Torque;
-        }
-
-        // A part is too long for absurd spins alone: what they do is bounded.
-        acceleration = NoMore(in acceleration, MostSpeed / h);
-        spinAcceleration = NoMore(in spinAcceleration, (at.Spin.Length + MostSpin) / h);
-
-        // 1/(1 + h λ) of a net's push, with λ how fast it settles: what an implicit step would take.
-        if (s.Nets != 0)
-        {
-            MotionRates nets = _world.PushOfNets(s.Nets, s.NetSides, in at);
-            double share = 1.0 / (1.0 + (h * _nets.FastestRate(in s, in at.Position)));
-            acceleration += share * nets.Acceleration;
-            spinAcceleration += share * nets.SpinAcceleration;
-        }
-
-        return new MotionRates(in acceleration, in spinAcceleration, rates.AirSpeed);
-    }
-
-    /// <summary>The acceleration without what is along ω × u, the Magnus force: it turns with the velocity and does no work, where that turns at once as where it turns slowly.</summary>
-    private Vector3d Working(in MotionRates free, in Motion at)
-    {
-        // a − (a·m) m/|m|², m = ω × u; where all of the air counts the weight is left out of this.
-        var weight = new Vector3d(0, _world.SharesAir ? _around.Upward : 0, 0);
-        Vector3d other = free.Acceleration - weight;
-        Vector3d magnus = Vector3d.Cross(in at.Spin, at.Velocity - _around.Wind);
-        double square = magnus.LengthSquared;
-        return square > 0 && square < double.MaxValue ? weight + other - (Vector3d.Dot(in other, in magnus) / square * magnus) : free.Acceleration;
-    }
-
-    private static Vector3d NoMore(in Vector3d vector, double most)
-    {
-        double size = vector.Length;
-        return size > most ? most / size * vector : vector;
-    }
-
-    /// <summary>How many contacts bear the ball, and which of them most, or alone.</summary>
-    private static int Bearers(Span<Contact> set, double h, out int bearer)
-    {
-        int count = 0;
-        bearer = ContactSet.Heaviest(set);
-        foreach (ref readonly Contact contact in set)
-        {
-            count += contact.Load > SurfaceForces.Least * h ? 1 : 0;
-        }
-
-        return count;
-    }
-
-    /// <summary>Another contact than the one that carried the ball bears it alone: that carries it now.</summary>
-    private bool HandOver(ref BallState s, int collider, ref StepRun run)
-    {
-        if (collider + _world.FirstCollider == s.Carrier)
+        Contact* room = stackalloc Contact[ContactSet.Most];
+        var touching = new Span<Contact>(room, ContactSet.Most);
+        Span<Contact> set = touching.Slice(0, ContactSet.Touching(_world, in s, touching));
+        if (set.Length < 2)
         {
             return false;
         }
 
-        _contact.TakeUp(ref s, collider, ref run);
+        if (set.Length > ContactSystem.Most || run.SetChanges > MostChanges)
+        {
+            return _parts.Take(ref s, ref run);
+        }
+
+        // The modes at the start.
+        SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
+        for (int i = 0; i < set.Length; i++)
+        {
+            contacts[i].Prepare(in set[i], _world.Colliders[set[i].Collider], _world.Ball);
+        }
+
+        var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
+        var system = new ContactSystem
+        {
+            Around = _around, World = _world, Contacts = contacts, Count = set.Length, Nets = s.Nets, NetSides = s.NetSides, Branch = _jump.OnSurface(s.Branch, in from),
+        };
+        int evaluations = 0;
+        bool found = ContactModes.Find(ref system, s.Time, in from, Sticking, ref evaluations);
+        run.Log.Evaluations += evaluations;
+        if (!found)
+        {
+            return _parts.Take(ref s, ref run);
+        }
+
+        // One contact alone bears it, or none does: the phase of a single surface takes the ball on.
+        int bearing = 0;
+        int last = -1;
+        for (int i = 0; i < system.Count; i++)
+        {
+            bearing += contacts[i].Bears ? 1 : 0;
+            last = contacts[i].Bears ? i : last;
+        }
+
+        if (bearing < 2)
+        {
+            if (last >= 0 && contacts[last].Collider + _world.FirstCollider != s.Carrier)
+            {
+                _contact.TakeUp(ref s, contacts[last].Collider, ref run);
+                return true;
+            }
+
+            return false;
+        }
+
+        if (Rests(ref s, in system, in from))
+        {
+            _contact.Rest(ref s, ref run);
+            return true;
+        }
+
+        Stick(in system, ref s);
+        from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
+        TakePiece(ref s, ref run, ref system, set, in from);
         return true;
     }
 
-    /// <summary>A ball with no more energy than one at rest rests, where all that touches it stands still and holds it.</summary>
-    private bool Rests(ref BallState s, scoped Span<Contact> set, in MotionRates free, ref StepRun run)
+    /// <summary>True when a ball of no more energy than one at rest is held by contacts that stand still, or move along together.</summary>
+    public bool Rests(ref BallState s, in ContactSystem system, in Motion from)
     {
-        // Not among what moves: only what stands still holds a ball for good.
-        foreach (ref readonly Contact contact in set)
+        ref readonly SetContact bearer = ref system.Contacts[Math.Max(0, system.Bearer)];
+        Collider carrier = _world.Colliders[bearer.Collider];
+        if (!(_world.Energy(in from, carrier, s.Time) <= _world.RestEnergy * (1.0 + 1e-12)))
         {
-            if (contact.Moves || contact.Velocity != Vector3d.Zero)
+            return false;
+        }
+
+        for (int i = 0; i < system.Count; i++)
+        {
+            Collider collider = _world.Colliders[system.Contacts[i].Collider];
+            if (collider.Velocity != carrier.Velocity || collider.Spin != Vector3d.Zero)
             {
                 return false;
             }
         }
 
-        if (!(_world.Energy(new Motion(s.Position, s.Velocity, s.Spin), _world.CarrierOf(in s), s.Time) <= _world.RestEnergy * (1.0 + 1e-12)))
-        {
-            return false;
-        }
-
-        // Released from a standstill: where the contacts take away all that the forces give in a part, they hold it.
-        Span<Contact> held = stackalloc Contact[ContactSet.Most];
-        set.CopyTo(held);
-        ContactSet.Forget(held.Slice(0, set.Length));
-        Vector3d v = Part * free.Acceleration;
-        Vector3d w = Part * free.SpinAcceleration;
-        double most = 1e-9 * Part * (free.Acceleration.Length + (_around.Radius * free.SpinAcceleration.Length));
-        ContactSolver.Solve(held.Slice(0, set.Length), _world.Ball, Part, ref v, ref w);
-        bool rests = v.Length + (_around.Radius * w.Length) <= most + Still;
-        if (rests)
-        {
-            _contact.Rest(ref s, ref run);
-        }
-
-        return rests;
+        s.Carrier = bearer.Collider + _world.FirstCollider;
+        return ContactModes.Hold(in system, PushAtRest(in system, s.Time, s.Position, carrier.Velocity));
     }
 
-    /// <summary>Moves the ball, and the clock.</summary>
-    private static void Move(ref BallState s, double h, in Vector3d mean, in Vector3d v, in Vector3d w, in MotionRates free, ref StepRun run)
+    /// <summary>What acts on a ball at rest; in the published profile the air does not.</summary>
+    private Vector3d PushAtRest(in ContactSystem system, double time, in Vector3d position, in Vector3d velocity)
     {
-        s.BaseOrientation = s.BaseOrientation.Turned((0.5 * h) * (s.Spin + w));
-        s.Position += h * mean;
-        s.Velocity = v;
-        s.SpinAxis = w;
-        s.AirDistance += h * free.AirSpeed;
-        run.Advance(ref s, h);
-        s.Time = run.Left > 0 ? s.Time : run.End;
-    }
-
-    /// <summary>Shows a piece to the observer, if there is one: from place to place with the velocities at its ends, or straight on.</summary>
-    private static void Show(in BallState before, in BallState after, in Vector3d v, in Vector3d w, ref StepRun run)
-    {
-        double h = after.Time - before.Time;
-        if (run.Log.Observer is null || !(h > 0))
+        var still = new Motion(in position, in velocity, Vector3d.Zero);
+        if (_world.SharesAir)
         {
-            return;
+            system.Free(time, in still, out Vector3d acceleration, out _, out _);
+            return acceleration;
         }
 
-        BallState start = before;
-        BallState end = after;
-        start.Velocity = v;
-        end.Velocity = w;
-        Vector3d acceleration = (w - v) / h;
-        run.Log.Show(in start, in end, in acceleration, in acceleration, 4);
+        Vector3d u = velocity - _around.Wind;
+        _around.Air.Evaluate(new ForceInput(time, in position, in velocity, in u, Vector3d.Zero, MotionState.Rolling), system.Branch, out AirFactors air);
+        Vector3d nets = system.Nets == 0 ? Vector3d.Zero : _world.PushOfNets(system.Nets, system.NetSides, in still).Acceleration;
+        return air.Acceleration + new Vector3d(0, _around.Upward, 0) + nets;
     }
 
-    /// <summary>
-    /// Shows a piece of a squeezed ball, which goes from place to place: straight on, but along what stands still where the straight way would lead through that, as it does
-    /// from one place of a post to the next.
-    /// </summary>
-    private void ShowSqueezed(in BallState before, in BallState after, scoped Span<Contact> set, ref StepRun run)
+    /// <summary>Ends what is left of a slip at contacts that stick, and of a speed off contacts that bear: below what the modes are told by.</summary>
+    private void Stick(in ContactSystem system, ref BallState s)
     {
-        double h = after.Time - before.Time;
-        if (run.Log.Observer is null || !(h > 0))
+        double r = _world.Ball.Radius;
+        double grip = _world.Ball.InertiaFactor / (1.0 + _world.Ball.InertiaFactor);
+        Vector3d v = s.Velocity;
+        Vector3d w = s.SpinAxis;
+        for (int round = 0; round < 4; round++)
         {
-            return;
-        }
-
-        Vector3d way = (after.Position - before.Position) / h;
-        Vector3d v = way;
-        Vector3d w = way;
-
-        // Tangents of a Hermite path: none at its start that leads into what stands still, none at its end that comes out of it.
-        foreach (ref readonly Contact contact in set)
-        {
-            if (!contact.Moves)
+            double change = 0;
+            for (int i = 0; i < system.Count; i++)
             {
+                ref readonly SetContact contact = ref system.Contacts[i];
+                if (!contact.Bears)
+                {
+                    continue;
+                }
+
+                // A push F along the surface turns the ball by −n × F/(α r), and takes (1 + α)/α of itself from the slip.
+                Vector3d n = contact.Normal;
                 Collider collider = _world.Colliders[contact.Collider];
-                v -= Math.Min(0, OffAt(collider, before.Position, before.Time, in v, out Vector3d n)) * n;
-                w -= Math.Max(0, OffAt(collider, after.Position, after.Time, in w, out n)) * n;
+                double off = Vector3d.Dot(v - collider.ShapeVelocity(s.Position - (r * n), s.Time), in n);
+                v -= off * n;
+                change = Math.Max(change, Math.Abs(off));
+                if (contact.Sticks)
+                {
+                    Vector3d slip = Slip.Of(v - contact.Surface, in w, in n, r);
+                    Vector3d push = -grip * slip;
+                    v += push;
+                    w -= 1.0 / (_world.Ball.InertiaFactor * r) * Vector3d.Cross(in n, in push);
+                    change = Math.Max(change, slip.Length);
+                }
+            }
+
+            if (change <= 1e-15)
+            {
+                break;
             }
         }
 
-        Show(in before, in after, in v, in w, ref run);
+        s.Velocity = v;
+        s.SpinAxis = w;
+        if (system.HoldsSpin)
+        {
+            ref readonly SetContact bearer = ref system.Contacts[system.Bearer];
+            s.SpinAxis = w - ((Vector3d.Dot(in w, bearer.Normal) - bearer.CarrierSpin) * bearer.Normal);
+        }
+
+        if (system.Pinned)
+        {
+            // What was left of its speed is none: it does not creep.
+            ref readonly SetContact bearer = ref system.Contacts[system.Bearer];
+            Vector3d material = _world.Colliders[bearer.Collider].MaterialVelocity(s.Position, s.Time);
+            double about = Vector3d.Dot(s.SpinAxis, bearer.Normal);
+            s.Velocity = material;
+            s.SpinAxis = Slip.RollingSpin(material - bearer.Surface, about, bearer.Normal, r);
+        }
     }
 
-    /// <summary>How fast a way leads off a thing where the ball all but touches it, m/s; 0 where it does not.</summary>
-    private double OffAt(Collider collider, in Vector3d place, double time, in Vector3d velocity, out Vector3d normal)
+    private void TakePiece(ref BallState s, ref StepRun run, ref ContactSystem system, Span<Contact> set, in Motion from)
     {
-        ShapePoint at = collider.At(place, time);
-        normal = at.Normal;
-        return at.Distance - _around.Radius <= AllButTouching ? Vector3d.Dot(in velocity, in normal) : 0;
+        double h = LongestPiece(in s, in from, in system, ref run);
+        if (s.Nets != 0)
+        {
+            TakePiece<Substeps>(ref s, ref run, ref system, set, in from, h);
+        }
+        else if (run.Spirals)
+        {
+            TakePiece<ClassicalRungeKutta>(ref s, ref run, ref system, set, in from, h);
+        }
+        else
+        {
+            TakePiece<TIntegrator>(ref s, ref run, ref system, set, in from, h);
+        }
+    }
+
+    /// <summary>Takes a piece, ends it at the first thing that happens in it, and moves the ball.</summary>
+    private void TakePiece<TMethod>(ref BallState s, ref StepRun run, ref ContactSystem system, Span<Contact> set, in Motion from, double h)
+        where TMethod : struct, IIntegrator
+    {
+        int order = default(TMethod).Order;
+        var sweep = new MotionSweep<ContactSystem, TMethod>(in system, s.Time, in from, _around.Wind, _around.Radius);
+        sweep.Step(h);
+        double whole = sweep.Length;
+
+        // What may end it: an edge under the ball, the drag law's jump, loads, cones, slips and rest, a border, a net's kink, what is met.
+        for (int i = 0; i < system.Count; i++)
+        {
+            Collider collider = _world.Colliders[system.Contacts[i].Collider];
+            if (system.Contacts[i].IsFixed && collider.HasFaces)
+            {
+                FaceBorder.EndBeyond(ref sweep, in s, collider);
+            }
+        }
+
+        _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
+        double crossing = sweep.Length;
+        bool changes = SetMargin<TMethod>.EndPiece(ref sweep, in s);
+        SurfaceBorder.EndBeyond(ref sweep, in s, _world.CarrierOf(in s));
+        _nets.EndWhereSlack(ref sweep, in s);
+        bool meets = _guard.EndAtFirst(ref sweep, in s, order, set, out Separation met);
+        s.Branch = sweep.Length < crossing ? system.Branch : s.Branch;
+        run.Log.Evaluations += sweep.Evaluations;
+        run.SetChanges += (changes || meets) && sweep.Length < whole ? 1 : 0;
+
+        // Move, and put the ball back onto what bears it: curved surfaces drift.
+        BallState before = s;
+        before.Branch = system.Branch;
+        sweep.MoveTo(ref s);
+        run.Advance(ref s, sweep.Length);
+        for (int i = 0; i < set.Length; i++)
+        {
+            set[i].Load = system.Contacts[i].Load;
+        }
+
+        ContactSet.Hold(_world, ref s, set);
+        run.Show(in before, in s, ref sweep, order);
+        Name(ref s, in system, ref run);
+        if (meets && !run.Log.Halted)
+        {
+            _guard.Meet(ref s, in met, ref run);
+        }
+    }
+
+    /// <summary>The longest piece that stability, nets, slips that turn and normals that turn allow, s.</summary>
+    private double LongestPiece(in BallState s, in Motion from, in ContactSystem system, ref StepRun run)
+    {
+        double asked = run.Next;
+        double damping = 0;
+        double gain = 0;
+        double turning = 0;
+        for (int i = 0; i < system.Count; i++)
+        {
+            ref readonly SetContact contact = ref system.Contacts[i];
+            damping = Math.Max(damping, contact.Damping);
+            gain += contact.Bears && !contact.Sticks ? asked * contact.Sliding * contact.Load : 0;
+            turning = Math.Max(turning, contact.Turning.Length);
+        }
+
+        double h = _limit.PartOf(
+            ref _around.Air, asked, (from.Velocity - _around.Wind).Length, from.Spin.Length, s.Branch, ref run.Spirals, damping, gain);
+        h = turning * h > LargestTurn ? LargestTurn / turning : h;
+        h = Math.Min(h, _nets.LongestPiece(in s, h));
+        run.Keep(h, asked);
+        return ShortenForSlips(in system, s.Time, in from, h, run.Length);
+    }
+
+    /// <summary>A piece takes no more of a slip that turns than the method can follow.</summary>
+    private double ShortenForSlips(in ContactSystem system, double time, in Motion from, double h, double step)
+    {
+        bool slips = false;
+        for (int i = 0; i < system.Count; i++)
+        {
+            slips |= system.Contacts[i].Bears && !system.Contacts[i].Sticks && system.Contacts[i].Sliding > 0 && system.Contacts[i].Slip != Vector3d.Zero;
+        }
+
+        if (!slips)
+        {
+            return h;
+        }
+
+        ContactSystem look = system;
+        look.Rates(time, in from, out MotionRates rates);
+        for (int i = 0; i < system.Count; i++)
+        {
+            ref readonly SetContact contact = ref system.Contacts[i];
+            double size = contact.Slip.Length;
+            if (contact.Bears && !contact.Sticks && contact.Sliding > 0 && size > 0)
+            {
+                // ṡ = (v̇ − A + r ṅ × ω + r n × ω̇)_t
+                Vector3d rate = rates.Acceleration - contact.SurfaceRate
+                    + (_around.Radius * (Vector3d.Cross(contact.Turning, from.Spin) + Vector3d.Cross(contact.Normal, rates.SpinAcceleration)));
+                rate = SurfaceSystem.Tangential(in rate, contact.Normal);
+                h = TurnLimit.Shorten(h, step, contact.Direction, size, in rate, contact.IsFixed);
+            }
+        }
+
+        return h;
     }
 
     /// <summary>The contact that bears most names the carrier; the one before does as long as it bears about as much. Whether that slips says whether the ball slides or rolls.</summary>
-    private void Name(ref BallState s, scoped Span<Contact> set, ref int told, ref StepRun run)
+    private void Name(ref BallState s, in ContactSystem system, ref StepRun run)
     {
         int carrier = (int)s.Carrier - _world.FirstCollider;
-        int named = ContactSet.Heaviest(set);
+        int named = -1;
+        for (int i = 0; i < system.Count; i++)
+        {
+            named = system.Contacts[i].Bears && (named < 0 || system.Contacts[i].Load > system.Contacts[named].Load * (1.0 + 1e-9)) ? i : named;
+        }
+
         if (named < 0)
         {
             return;
         }
 
         // Hysteresis: of two that bear about as much the one that was named stays, or they would take turns.
-        double most = set[named].Load;
-        for (int i = 0; i < set.Length; i++)
+        double most = system.Contacts[named].Load;
+        for (int i = 0; i < system.Count; i++)
         {
-            named = set[i].Collider == carrier && set[i].Load > AboutAsMuch * most ? i : named;
+            named = system.Contacts[i].Bears && system.Contacts[i].Collider == carrier && system.Contacts[i].Load > AboutAsMuch * most ? i : named;
         }
 
-        ref readonly Contact contact = ref set[named];
+        ref readonly SetContact contact = ref system.Contacts[named];
         s.Carrier = contact.Collider + _world.FirstCollider;
-        Collider collider = _world.Colliders[contact.Collider];
-        double slip = Slip.Of(s.Velocity - collider.Velocity, s.Spin, in contact.Normal, _around.Radius).Length;
-        if (told >= MostNames)
+        bool rolls = contact.Sticks;
+        if (rolls == (s.Motion == MotionState.Rolling) || run.Named >= MostNames)
         {
             return;
         }
 
-        // A slip ends below one threshold and begins above a higher one: between them it may be over in the next part.
-        if (slip < Slip.Rolling && s.Motion != MotionState.Rolling)
+        run.Named++;
+        if (rolls)
         {
-            told++;
             _contact.StartRolling(ref s, ref run);
         }
-        else if (slip > Slips && s.Motion == MotionState.Rolling)
+        else
         {
-            told++;
             _contact.StartSliding(ref s, ref run);
-        }
-    }
-
-    /// <summary>Takes from a velocity what goes into things that stand still, and into what moves.</summary>
-    private static void KeepOff(Span<Contact> set, double h, bool movers, ref Vector3d v)
-    {
-        bool closes = true;
-        for (int round = 0; round < SqueezedRounds && closes; round++)
-        {
-            closes = false;
-            foreach (ref readonly Contact contact in set)
-            {
-                // (v − V)·n + gap/h < 0 would overlap within the part: projected out, contact by contact, until none does.
-                double closing = Vector3d.Dot(v - contact.Velocity, in contact.Normal) + (Math.Max(0, contact.Gap) / h);
-                if ((movers || !contact.Moves) && closing < 0)
-                {
-                    v -= closing * contact.Normal;
-                    closes = true;
-                }
-            }
-        }
-    }
-
-    /// <summary>Puts a ball onto the contacts that bear it; what moves among them puts it into nothing else that stands still.</summary>
-    private void Hold(ref BallState s, scoped Span<Contact> set)
-    {
-        ContactSet.Hold(_world, ref s, set);
-        if (ContactSet.HasMover(set))
-        {
-            Span<Contact> room = stackalloc Contact[ContactSet.Most];
-            ContactSet.KeepOut(_world, ref s, room.Slice(0, ContactSet.Near(_world, in s, 0, room)));
-        }
-    }
-
-    /// <summary>True when nothing that moves presses the ball against anything, or overlaps it.</summary>
-    private bool IsFree(in BallState s, Span<Contact> set)
-    {
-        bool pushed = false;
-        bool overlaps = false;
-        int pressing = 0;
-        foreach (ref readonly Contact contact in set)
-        {
-            pressing += contact.Load > 0 ? 1 : 0;
-            pushed |= contact.Load > 0 && contact.Moves;
-            overlaps |= contact.Moves && _world.Colliders[contact.Collider].At(s.Position, s.Time).Distance < _around.Radius - ContactSearch.Touching;
-        }
-
-        return !overlaps && (!pushed || pressing < 2);
-    }
-
-    /// <summary>True when there is a way off all that the ball touches, and it overlaps nothing: d · n > 0 for all of them.</summary>
-    private bool HasRoom(in BallState s)
-    {
-        Span<Contact> room = stackalloc Contact[ContactSet.Most];
-        Span<Contact> set = room.Slice(0, ContactSet.Near(_world, in s, ContactSearch.Touching, room));
-        Vector3d way = Vector3d.Zero;
-        for (int round = 0; round < SqueezedRounds; round++)
-        {
-            int nearest = -1;
-            double least = Room;
-            for (int i = 0; i < set.Length; i++)
-            {
-                double off = Vector3d.Dot(in way, in set[i].Normal);
-                if (set[i].Gap < -ContactSearch.Touching)
-                {
-                    return false;
-                }
-
-                nearest = off < least ? i : nearest;
-                least = Math.Min(least, off);
-            }
-
-            if (nearest < 0)
-            {
-                return true;
-            }
-
-            // Perceptron: towards the normal of the one that it goes off least.
-            way += set[nearest].Normal;
-            way = 1.0 / Math.Max(1.0, way.Length) * way;
-        }
-
-        return false;
-    }
-
-    /// <summary>Puts a squeezed ball out of what moves, by no more than a distance, and then out of what stands still: where there is no such place, back.</summary>
-    private void PushOut(ref BallState s, Span<Contact> set, double most, in Vector3d back)
-    {
-        foreach (ref readonly Contact contact in set)
-        {
-            ShapePoint at = _world.Colliders[contact.Collider].At(s.Position, s.Time);
-            double gap = at.Distance - _around.Radius;
-            s.Position += contact.Moves && gap < 0 ? Math.Min(most, -gap) * at.Normal : Vector3d.Zero;
-        }
-
-        // No place clear of what stands still: back to where it was, without speed.
-        if (!ContactSet.KeepOut(_world, ref s, set))
-        {
-            s.Position = back;
-            s.Velocity = Vector3d.Zero;
         }
     }
 }

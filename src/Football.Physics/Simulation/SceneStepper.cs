@@ -9,7 +9,8 @@ namespace Football.Physics;
 /// <item><see cref="FlightPhase{TIntegrator}"/>: to the drag law's jump, the end of the spin, what is met;</item>
 /// <item><see cref="FlatSurfaceStep{TAir}"/>: a whole step of a slide, a roll on flat ground in which nothing happens;</item>
 /// <item><see cref="SurfacePhase{TIntegrator}"/>: a slide, a roll on any surface, to the jump, the end of the slip, rest, what is met;</item>
-/// <item><see cref="ContactSetPhase"/>: the same on several surfaces at once, and between things that squeeze the ball;</item>
+/// <item><see cref="ContactSetPhase{TIntegrator}"/>: the same on several surfaces at once;</item>
+/// <item><see cref="ContactSetParts"/>: where that has no answer, and between things that squeeze the ball;</item>
 /// <item><see cref="WorldContact"/>: an impact, and what becomes of the ball after it;</item>
 /// <item><see cref="RestPhase"/>: at rest among what moves, to the first that hits.</item>
 /// </list>
@@ -28,7 +29,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     private readonly SurfacePhase<TIntegrator> _surface;
     private readonly StabilityLimit _pulled;
     private FlatSurfaceStep? _flat; // null where forces turn the axis of the spin: nothing is compiled for those
-    private readonly ContactSetPhase _set;
+    private readonly ContactSetParts _parts;
     private readonly RestPhase _rest;
     private readonly WorldContact _contact;
     private readonly BodyPush? _bodies;
@@ -58,8 +59,9 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         // Friction may speed a ball up faster than gravity does.
         double pull = Math.Abs(_upward) * Math.Max(1.0, world.LargestFriction);
         _pulled = StabilityLimit.Of(scene, in _air, 0, pull, _integrator.Order);
-        _set = new ContactSetPhase(around, guard, _contact);
-        _surface = new SurfacePhase<TIntegrator>(scene, settings, around, _pulled, jump, guard, _contact, _set);
+        _parts = new ContactSetParts(around, guard, _contact);
+        var set = new ContactSetPhase<TIntegrator>(around, in _pulled, jump, guard, _contact, _parts);
+        _surface = new SurfacePhase<TIntegrator>(scene, settings, around, _pulled, jump, guard, _contact, set);
         _rest = new RestPhase(world, guard);
         _flight = new FlightPhase<TIntegrator>(around, this, Limit, jump, guard, _contact);
     }
@@ -221,7 +223,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
                     _rest.Take(ref s, ref run);
                     break;
                 case MotionState.Squeezed:
-                    _set.TakeSqueezed(ref s, ref run);
+                    _parts.TakeSqueezed(ref s, ref run);
                     break;
                 default:
                     TakeSurface(ref s, ref run, isTried);

@@ -197,6 +197,17 @@ internal static class TurnLimit
     /// <summary>The largest θ x⁴: the reference cases of slides with sidespin and rolls in wind hold with it (WholeRun), and fail with a hundred times it.</summary>
     private const double LargestError = 1e-5;
 
+    /// <summary>The usual step, s.</summary>
+    private const double UsualStep = 0.02;
+
+    /// <summary>A piece takes this share of a slip or a roll that turns; in long steps up to the second, where the direction hardly turns up to the third.</summary>
+    private const double LeastShare = 0.125;
+    private const double LeastShareOfLong = 0.4;
+    private const double LargestShare = 0.75;
+
+    /// <summary>So much of the square of the rate across the direction is usual: with less of it pieces are longer.</summary>
+    private const double OftenTurns = 0.01;
+
     /// <summary>True when a piece may be taken.</summary>
     /// <param name="size">Size at its start, m/s.</param>
     /// <param name="along">Change along its direction, m/s.</param>
@@ -210,4 +221,31 @@ internal static class TurnLimit
         // θ = across/left, x² = changed/left²: θ x⁴ ≤ E, without a division.
         return left > 0 && across <= LargestTurn * left && across * (changed * changed) <= LargestError * left * (leftSquared * leftSquared);
     }
+
+    /// <summary>
+    /// Shortens a piece in which the direction of a slip or a roll would turn too fast for a method to follow: it takes a share of the size, the more, the less
+    /// the direction turns, as the fourth root.
+    /// </summary>
+    /// <param name="h">Length of the piece, s.</param>
+    /// <param name="step">Length of the whole step, s: a long one takes larger shares.</param>
+    /// <param name="direction">The direction.</param>
+    /// <param name="size">Size of the slip or the roll, m/s.</param>
+    /// <param name="rate">Its rate of change, m/s².</param>
+    /// <param name="isFlat">Whether the surface is flat: on a curved one the rate itself changes on the way.</param>
+    public static double Shorten(double h, double step, in Vector3d direction, double size, in Vector3d rate, bool isFlat)
+    {
+        // The rate along the direction, and across it, which turns it.
+        double along = Vector3d.Dot(in rate, in direction);
+        double acrossSquared = Math.Max(0, rate.LengthSquared - (along * along));
+        double closing = Math.Sqrt(acrossSquared + (along < 0 ? along * along : 0));
+
+        // The less of the rate is across, the longer the piece, as the fourth root.
+        double straight = isFlat && acrossSquared < closing * closing * OftenTurns ? Math.Sqrt(Math.Sqrt(OftenTurns * closing * closing / Math.Max(acrossSquared, 1e-300))) : 1.0;
+        double least = Math.Min(LeastShareOfLong, LeastShare * Math.Sqrt(Coarseness(step)));
+        double share = Math.Min(LargestShare, least * straight);
+        return closing * h > share * size ? share * size / closing : h;
+    }
+
+    /// <summary>How many times longer than usual a step is; 1 for shorter ones.</summary>
+    public static double Coarseness(double step) => Math.Max(1.0, step / UsualStep);
 }

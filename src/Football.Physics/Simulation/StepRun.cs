@@ -54,6 +54,12 @@ internal ref struct StepRun
     /// <summary>Impacts so far.</summary>
     public int AllImpacts;
 
+    /// <summary>How often the contacts that bear the ball, or their modes, have changed while several did.</summary>
+    public int SetChanges;
+
+    /// <summary>How often the step has reported that the ball on several surfaces slides or rolls.</summary>
+    public int Named;
+
     /// <summary>How often the ball has begun to slip for want of grip.</summary>
     public int Slips;
 

@@ -19,22 +19,11 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>Shortest end of a slide for a method of an order below four, s.</summary>
     private const double CoarseSlideEnd = 1e-7;
 
-    /// <summary>The step that those are of, s.</summary>
-    private const double UsualStep = 0.02;
-
     /// <summary>But that is never more than this share of the step.</summary>
     private const double LargestSlideEnd = 1e-3;
 
     /// <summary>A push on the slip, of which the square is less than this share of friction's, leaves it an end; one that all but outweighs friction leaves none that is sure.</summary>
     private const double LargestPush = 0.9999;
-
-    /// <summary>A piece takes this share of a slip or a roll that turns; in long steps up to the second, where the direction hardly turns up to the third.</summary>
-    private const double LeastShare = 0.125;
-    private const double LeastShareOfLong = 0.4;
-    private const double LargestShare = 0.75;
-
-    /// <summary>So much of the square of the rate across the direction is usual: with less of it pieces are longer.</summary>
-    private const double OftenTurns = 0.01;
 
     /// <summary>A slip smaller than this, m/s, is none to the thesis' heuristic (2.28).</summary>
     private const double HeuristicSlip = 1e-3;
@@ -58,7 +47,7 @@ internal sealed class SurfacePhase<TIntegrator>
     private readonly DragJumpGuard _jump;
     private readonly WorldGuard _guard;
     private readonly WorldContact _contact;
-    private readonly ContactSetPhase _set;
+    private readonly ContactSetPhase<TIntegrator> _set;
     private readonly NetGuard _nets;
     private readonly TIntegrator _integrator;
     private readonly double _alpha;
@@ -68,7 +57,7 @@ internal sealed class SurfacePhase<TIntegrator>
 
     public SurfacePhase(
         Scene scene, SolverSettings settings, Surroundings around, in StabilityLimit limit, DragJumpGuard jump, WorldGuard guard, WorldContact contact,
-        ContactSetPhase set)
+        ContactSetPhase<TIntegrator> set)
     {
         _around = around;
         _isFlat = scene.Ground.Heights is null;
@@ -181,7 +170,7 @@ internal sealed class SurfacePhase<TIntegrator>
                 return;
             }
 
-            h = most > 0 && (rolls || _endsSlipExactly) ? Shorten(h, run.Length, system.Direction, size, in rate, on.Turning == Vector3d.Zero) : h;
+            h = most > 0 && (rolls || _endsSlipExactly) ? TurnLimit.Shorten(h, run.Length, system.Direction, size, in rate, on.Turning == Vector3d.Zero) : h;
         }
 
         // Take it: in a net by RK4 in parts, for that settles faster than a step is long.
@@ -206,40 +195,13 @@ internal sealed class SurfacePhase<TIntegrator>
         }
     }
 
-    /// <summary>
-    /// Shortens a piece in which the direction of a slip or a roll would turn too fast for a method to follow: it takes a share of the size, the more, the less
-    /// the direction turns, as the fourth root.
-    /// </summary>
-    /// <param name="h">Length of the piece, s.</param>
-    /// <param name="step">Length of the whole step, s: a long one takes larger shares.</param>
-    /// <param name="direction">The direction.</param>
-    /// <param name="size">Size of the slip or the roll, m/s.</param>
-    /// <param name="rate">Its rate of change, m/s².</param>
-    /// <param name="isFlat">Whether the surface is flat: on a curved one the rate itself changes on the way.</param>
-    private static double Shorten(double h, double step, in Vector3d direction, double size, in Vector3d rate, bool isFlat)
-    {
-        // The rate along the direction, and across it, which turns it.
-        double along = Vector3d.Dot(in rate, in direction);
-        double acrossSquared = Math.Max(0, rate.LengthSquared - (along * along));
-        double closing = Math.Sqrt(acrossSquared + (along < 0 ? along * along : 0));
-
-        // The less of the rate is across, the longer the piece, as the fourth root.
-        double straight = isFlat && acrossSquared < closing * closing * OftenTurns ? Math.Sqrt(Math.Sqrt(OftenTurns * closing * closing / Math.Max(acrossSquared, 1e-300))) : 1.0;
-        double least = Math.Min(LeastShareOfLong, LeastShare * Math.Sqrt(Coarseness(step)));
-        double share = Math.Min(LargestShare, least * straight);
-        return closing * h > share * size ? share * size / closing : h;
-    }
-
     /// <summary>True for a ball in a net that has lost its grip too often in the step.</summary>
     private static bool KeepsGrip(in BallState s, in StepRun run) => s.Nets != 0 && run.Slips >= MostSlips;
-
-    /// <summary>How many times longer than usual a step is; 1 for shorter ones.</summary>
-    private static double Coarseness(double step) => Math.Max(1.0, step / UsualStep);
 
     /// <summary>How closely the end of a slide is known in a step of some length, s.</summary>
     private double SlideEndIn(double step)
     {
-        double squared = Coarseness(step) * Coarseness(step);
+        double squared = TurnLimit.Coarseness(step) * TurnLimit.Coarseness(step);
         return Math.Min(LargestSlideEnd * step, _integrator.Order >= 4 ? SlideEnd * squared * squared : CoarseSlideEnd * squared);
     }
 

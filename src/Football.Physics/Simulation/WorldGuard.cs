@@ -75,6 +75,16 @@ internal sealed class WorldGuard
     /// <param name="met">What it meets.</param>
     /// <returns>True when it meets anything.</returns>
     public bool EndAtFirst<TSweep>(ref TSweep sweep, in BallState s, int order, out Separation met)
+        where TSweep : struct, ISweep => EndAtFirst(ref sweep, in s, order, default, out met);
+
+    /// <summary>Ends a piece at the first thing that it meets, but for contacts that the ball keeps.</summary>
+    /// <param name="sweep">The piece.</param>
+    /// <param name="s">The ball at its start.</param>
+    /// <param name="order">Order of the method.</param>
+    /// <param name="held">Contacts that it keeps.</param>
+    /// <param name="met">What it meets.</param>
+    /// <returns>True when it meets anything.</returns>
+    public bool EndAtFirst<TSweep>(ref TSweep sweep, in BallState s, int order, scoped Span<Contact> held, out Separation met)
         where TSweep : struct, ISweep
     {
         int carrier = s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - _world.FirstCollider;
@@ -89,7 +99,7 @@ internal sealed class WorldGuard
             // Time of impact on the cubic of the piece, then on the integrator's own step; once more, for the shortened piece has another cubic.
             var path = PathCubic.Of(ref sweep, s.Position, s.Velocity, order);
             var search = new ContactSearch(_world, in path, s.Time);
-            double at = search.First(in s, carrier, out Separation found);
+            double at = search.First(in s, carrier, held, out Separation found);
 
             // Nothing before what is met already, or the same contact a rounding earlier.
             if (!(at <= path.Length) || (met.What != SeparationKind.None && (at >= path.Length * (1.0 - 1e-9) || IsAgain(ref sweep, in met, in found, s.Time, path.Length - at))))

@@ -1,0 +1,319 @@
+namespace Football.Physics;
+
+/// <summary>
+/// The modes of a contact set at one instant: which contacts bear a load, and which of them stick. Beginning with all of them, what would pull is let go, what
+/// would need more friction than there is slips, and what would be entered bears again, until all of Coulomb's conditions hold.
+/// </summary>
+internal static unsafe class ContactModes
+{
+    /// <summary>Changes of mode after which the conditions have no solution that this finds.</summary>
+    private const int MostChanges = 24;
+
+    /// <summary>A friction cone is left where the friction that is needed exceeds it by this share.</summary>
+    private const double BeyondCone = 1e-12;
+
+    /// <summary>Of two loads that differ by less than this share the contact with the lower number counts.</summary>
+    private const double SameLoad = 1e-9;
+
+    /// <summary>Two normals leave the velocity a direction where |n₁ × n₂| is more than this.</summary>
+    private const double Independent = 1e-6;
+
+    /// <summary>Finds the modes.</summary>
+    /// <param name="system">The contacts, looked at: what touches the ball without closing.</param>
+    /// <param name="time">When, s.</param>
+    /// <param name="at">The ball.</param>
+    /// <param name="sticking">A slip of less than this, m/s, is none.</param>
+    /// <param name="evaluations">Counts what was evaluated.</param>
+    /// <returns>False where none were found.</returns>
+    public static bool Find(ref ContactSystem system, double time, in Motion at, double sticking, ref int evaluations)
+    {
+        for (int i = 0; i < system.Count; i++)
+        {
+            ref SetContact contact = ref system.Contacts[i];
+            contact.Look(system.World, time, in at);
+            double slip = contact.Slip.Length;
+            contact.Bears = true;
+            contact.Sticks = slip < sticking && contact.Sliding > 0;
+            contact.Direction = slip > 0 ? contact.Slip / slip : Vector3d.Zero;
+        }
+
+        system.Bearer = -1;
+        system.Pinned = false;
+        system.HoldsSpin = false;
+        system.Along = default;
+        for (int change = 0; change < MostChanges; change++)
+        {
+            Force(ref system, time, in at, ref evaluations);
+            if (!Change(ref system, sticking))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>Solves for the forces with the modes as they are; the bearer and the direction of the roll follow from the loads.</summary>
+    private static void Force(ref ContactSystem system, double time, in Motion at, ref int evaluations)
+    {
+        for (int round = 0; round < 4; round++)
+        {
+            system.Free(time, in at, out Vector3d acceleration, out Vector3d spinAcceleration, out _);
+            evaluations++;
+            Vector3d free = acceleration;
+            system.Solve(in at.Spin, ref acceleration, ref spinAcceleration);
+            int bearer = BearerOf(in system);
+            if (bearer == system.Bearer)
+            {
+                return;
+            }
+
+            system.Bearer = bearer;
+            if (bearer < 0)
+            {
+                return;
+            }
+
+            Roll(ref system, in at, in free);
+        }
+    }
+
+    /// <summary>The direction of the roll: the one that the contacts leave to the velocity; from a standstill where the push leads, unless rolling resistance holds it.</summary>
+    private static void Roll(ref ContactSystem system, in Motion at, in Vector3d free)
+    {
+        ref readonly SetContact bearer = ref system.Contacts[system.Bearer];
+        double about = Vector3d.Dot(in at.Spin, in bearer.Normal) - bearer.CarrierSpin;
+        system.SpinSign = about > Slip.Rolling ? 1.0 : about < -Slip.Rolling ? -1.0 : 0.0;
+        system.HoldsSpin = system.SpinSign == 0 && bearer.Drilling > 0;
+        system.Pinned = false;
+        system.Along = DirectionLeft(in system, out bool isLine);
+        if (!bearer.Sticks || system.Along == Vector3d.Zero)
+        {
+            return;
+        }
+
+        double along = Vector3d.Dot(in bearer.RollingVelocity, in system.Along);
+        if (bearer.RollingVelocity.Length >= Slip.Rolling)
+        {
+            system.Along = along < 0 ? -system.Along : system.Along;
+            return;
+        }
+
+        // From a standstill: held, or off where the push leads.
+        double push = Vector3d.Dot(free - bearer.MaterialRate, in system.Along);
+        system.Along = push < 0 ? -system.Along : system.Along;
+        system.Pinned = isLine && Math.Abs(push) <= (1.0 + system.World.Ball.InertiaFactor) * bearer.Rolling * bearer.Load;
+    }
+
+    /// <summary>The direction that the contacts that bear leave to the velocity: across two normals; none where a third closes that too.</summary>
+    private static Vector3d DirectionLeft(in ContactSystem system, out bool isLine)
+    {
+        Vector3d first = system.Contacts[system.Bearer].Normal;
+        Vector3d along = default;
+        isLine = false;
+        for (int i = 0; i < system.Count; i++)
+        {
+            ref readonly SetContact contact = ref system.Contacts[i];
+            if (i == system.Bearer || !contact.Bears)
+            {
+                continue;
+            }
+
+            if (!isLine)
+            {
+                Vector3d across = Vector3d.Cross(in first, in contact.Normal);
+                double size = across.Length;
+                isLine = size > Independent;
+                along = isLine ? across / size : along;
+            }
+            else if (Math.Abs(Vector3d.Dot(in along, in contact.Normal)) > Independent)
+            {
+                isLine = false;
+                return Vector3d.Zero;
+            }
+        }
+
+        if (!isLine)
+        {
+            // One normal alone: along the velocity.
+            Vector3d rolling = SurfaceSystem.Tangential(system.Contacts[system.Bearer].RollingVelocity, in first);
+            double speed = rolling.Length;
+            return speed > 0 ? rolling / speed : Vector3d.Zero;
+        }
+
+        return along;
+    }
+
+    /// <summary>The sticking contact with the greatest load, or of all where none sticks.</summary>
+    public static int BearerOf(in ContactSystem system)
+    {
+        int bearer = -1;
+        for (int i = 0; i < system.Count; i++)
+        {
+            ref readonly SetContact contact = ref system.Contacts[i];
+            if (!contact.Bears || !(contact.Load > 0))
+            {
+                continue;
+            }
+
+            bool heavier = bearer < 0 || (contact.Sticks && !system.Contacts[bearer].Sticks)
+                || (contact.Sticks == system.Contacts[bearer].Sticks && contact.Load > system.Contacts[bearer].Load * (1.0 + SameLoad));
+            bearer = heavier ? i : bearer;
+        }
+
+        return bearer;
+    }
+
+    /// <summary>Changes one mode that cannot be.</summary>
+    /// <returns>False where all can.</returns>
+    private static bool Change(ref ContactSystem system, double sticking)
+    {
+        // What pulls most is let go.
+        int worst = -1;
+        double least = SurfaceForces.Least;
+        for (int i = 0; i < system.Count; i++)
+        {
+            ref readonly SetContact contact = ref system.Contacts[i];
+            if (contact.Bears && contact.Load <= least)
+            {
+                least = contact.Load;
+                worst = i;
+            }
+        }
+
+        if (worst >= 0)
+        {
+            system.Contacts[worst].Bears = false;
+            system.Bearer = -1;
+            return true;
+        }
+
+        // What would be entered bears.
+        least = -SurfaceForces.Least;
+        for (int i = 0; i < system.Count; i++)
+        {
+            ref readonly SetContact contact = ref system.Contacts[i];
+            if (!contact.Bears && contact.Opening < least)
+            {
+                least = contact.Opening;
+                worst = i;
+            }
+        }
+
+        if (worst >= 0)
+        {
+            ref SetContact contact = ref system.Contacts[worst];
+            contact.Bears = true;
+            contact.Sticks = contact.Slip.Length < sticking && contact.Sliding > 0;
+            system.Bearer = -1;
+            return true;
+        }
+
+        // What needs more friction than there is slips: at zero slip against the friction that it needed.
+        double most = 0;
+        for (int i = 0; i < system.Count; i++)
+        {
+            ref readonly SetContact contact = ref system.Contacts[i];
+            if (contact.Bears && contact.Sticks)
+            {
+                double over = contact.Friction.Length - (contact.Sliding * contact.Load * (1.0 + BeyondCone));
+                worst = over > most ? i : worst;
+                most = Math.Max(most, over);
+            }
+        }
+
+        if (worst < 0 && system.HoldsSpin && Math.Abs(system.HeldSpin) > system.Contacts[system.Bearer].Drilling * system.Contacts[system.Bearer].Load * (1.0 + BeyondCone))
+        {
+            // Drilling friction cannot hold the spin: it begins against what held it.
+            system.HoldsSpin = false;
+            system.SpinSign = system.HeldSpin > 0 ? -1.0 : 1.0;
+            return true;
+        }
+
+        if (worst < 0 && system.Pinned && Math.Abs(system.Held) > system.Contacts[system.Bearer].Rolling * system.Contacts[system.Bearer].Load * (1.0 + BeyondCone))
+        {
+            // Nor can rolling resistance hold the ball: it rolls against what held it.
+            system.Pinned = false;
+            system.Along = system.Held > 0 ? -system.Along : system.Along;
+            return true;
+        }
+
+        if (worst >= 0)
+        {
+            ref SetContact contact = ref system.Contacts[worst];
+            contact.Sticks = false;
+            contact.Slip = default;
+            contact.Direction = -1.0 / contact.Friction.Length * contact.Friction;
+            system.Bearer = -1;
+            return true;
+        }
+
+        return false;
+    }
+
+    /// <summary>
+    /// True when contacts hold a ball at rest: the part of the push that no load can take is at most (1 + α) c₀ N, with N the greatest load (several.md, Rest).
+    /// </summary>
+    /// <param name="system">The contacts, looked at.</param>
+    /// <param name="push">What acts on the ball at rest, relative to its carrier, m/s².</param>
+    public static bool Hold(in ContactSystem system, in Vector3d push)
+    {
+        // The push is projected onto what the contacts leave free: no load, one, two or three of them.
+        int count = system.Count;
+        if (IsLeft(in system, in push))
+        {
+            return push.Length <= SurfaceForces.Least;
+        }
+
+        for (int i = 0; i < count; i++)
+        {
+            Vector3d n = system.Contacts[i].Normal;
+            double load = -Vector3d.Dot(in push, in n);
+            Vector3d left = push + (load * n);
+            if (load >= 0 && IsLeft(in system, in left))
+            {
+                return IsHeld(in system, in left, i, load);
+            }
+        }
+
+        for (int i = 0; i < count; i++)
+        {
+            for (int j = i + 1; j < count; j++)
+            {
+                Vector3d n = system.Contacts[i].Normal;
+                Vector3d m = system.Contacts[j].Normal;
+                double cosine = Vector3d.Dot(in n, in m);
+                double square = 1.0 - (cosine * cosine);
+                double a = -Vector3d.Dot(in push, in n);
+                double b = -Vector3d.Dot(in push, in m);
+                double first = (a - (cosine * b)) / square;
+                double second = (b - (cosine * a)) / square;
+                Vector3d left = push + (first * n) + (second * m);
+                if (square > Independent && first >= 0 && second >= 0 && IsLeft(in system, in left))
+                {
+                    return IsHeld(in system, in left, first >= second ? i : j, Math.Max(first, second));
+                }
+            }
+        }
+
+        // Three independent loads, or more, take all of it.
+        return true;
+    }
+
+    private static bool IsHeld(in ContactSystem system, in Vector3d left, int bearer, double load) =>
+        left.Length <= ((1.0 + system.World.Ball.InertiaFactor) * system.Contacts[bearer].Rolling * load) + SurfaceForces.Least;
+
+    /// <summary>True when a push leads into none of the contacts.</summary>
+    private static bool IsLeft(in ContactSystem system, in Vector3d push)
+    {
+        for (int i = 0; i < system.Count; i++)
+        {
+            if (Vector3d.Dot(in push, in system.Contacts[i].Normal) < -SurfaceForces.Least)
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+}

@@ -1,0 +1,173 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>
+/// The linear system of the forces of a contact set: G x = b, at most a few unknowns. Where it has no unique solution, as for a ball that sticks to both sides of
+/// a gutter, the one with the least sum of squares (several.md, 2).
+/// </summary>
+internal static unsafe class ContactRows
+{
+    /// <summary>Unknowns at most: loads, two friction components for each contact that sticks, what holds a ball that stands, and what holds its spin.</summary>
+    public const int Most = (3 * ContactSystem.Most) + 2;
+
+    /// <summary>A pivot of less than this share of the largest entry makes the solution not unique.</summary>
+    private const double Singular = 1e-9;
+
+    /// <summary>Added to the diagonal of G Gᵀ, as a share of it, and taken away again by refinement.</summary>
+    private const double Ridge = 1e-6;
+
+    private const int Refinements = 3;
+
+    /// <summary>Solves G x = b. G is kept.</summary>
+    /// <param name="g">G, row by row.</param>
+    /// <param name="b">b; replaced by x.</param>
+    /// <param name="size">Number of unknowns.</param>
+    [SkipLocalsInit]
+    public static void Solve(double* g, double* b, int size)
+    {
+        double* work = stackalloc double[Most * Most];
+        double* x = stackalloc double[Most];
+        double largest = 0;
+        for (int i = 0; i < size * size; i++)
+        {
+            work[i] = g[i];
+            largest = Math.Max(largest, Math.Abs(g[i]));
+        }
+
+        for (int i = 0; i < size; i++)
+        {
+            x[i] = b[i];
+        }
+
+        if (!Eliminate(work, x, size, Singular * largest))
+        {
+            LeastSquares(g, b, x, size);
+        }
+
+        for (int i = 0; i < size; i++)
+        {
+            b[i] = x[i];
+        }
+    }
+
+    /// <summary>Gaussian elimination with pivots from the column.</summary>
+    /// <returns>False where a pivot is too small.</returns>
+    private static bool Eliminate(double* a, double* x, int size, double least)
+    {
+        for (int column = 0; column < size; column++)
+        {
+            int pivot = column;
+            for (int i = column + 1; i < size; i++)
+            {
+                pivot = Math.Abs(a[(i * size) + column]) > Math.Abs(a[(pivot * size) + column]) ? i : pivot;
+            }
+
+            double* own = a + (column * size);
+            double* best = a + (pivot * size);
+            if (!(Math.Abs(best[column]) > least))
+            {
+                return false;
+            }
+
+            if (pivot != column)
+            {
+                for (int j = column; j < size; j++)
+                {
+                    (own[j], best[j]) = (best[j], own[j]);
+                }
+
+                (x[column], x[pivot]) = (x[pivot], x[column]);
+            }
+
+            double inverse = 1.0 / own[column];
+            for (int i = column + 1; i < size; i++)
+            {
+                double* row = a + (i * size);
+                double factor = row[column] * inverse;
+                if (factor != 0)
+                {
+                    for (int j = column + 1; j < size; j++)
+                    {
+                        row[j] -= factor * own[j];
+                    }
+
+                    x[i] -= factor * x[column];
+                }
+            }
+        }
+
+        for (int i = size - 1; i >= 0; i--)
+        {
+            double* row = a + (i * size);
+            for (int j = i + 1; j < size; j++)
+            {
+                x[i] -= row[j] * x[j];
+            }
+
+            x[i] /= row[i];
+        }
+
+        return true;
+    }
+
+    /// <summary>x = Gᵀ (G Gᵀ + ε)⁻¹ b, and again for what that leaves of b: the null space of G stays untouched.</summary>
+    [SkipLocalsInit]
+    private static void LeastSquares(double* g, double* b, double* x, int size)
+    {
+        double* square = stackalloc double[Most * Most];
+        double* factor = stackalloc double[Most * Most];
+        double* left = stackalloc double[Most];
+        double trace = 0;
+        for (int i = 0; i < size; i++)
+        {
+            for (int j = 0; j <= i; j++)
+            {
+                double sum = 0;
+                for (int k = 0; k < size; k++)
+                {
+                    sum += g[(i * size) + k] * g[(j * size) + k];
+                }
+
+                square[(i * size) + j] = sum;
+                square[(j * size) + i] = sum;
+            }
+
+            trace = Math.Max(trace, square[(i * size) + i]);
+            x[i] = 0;
+        }
+
+        for (int i = 0; i < size; i++)
+        {
+            square[(i * size) + i] += Ridge * trace;
+        }
+
+        for (int round = 0; round < Refinements; round++)
+        {
+            for (int i = 0; i < size; i++)
+            {
+                double sum = b[i];
+                for (int k = 0; k < size; k++)
+                {
+                    sum -= g[(i * size) + k] * x[k];
+                }
+
+                left[i] = sum;
+            }
+
+            for (int i = 0; i < size * size; i++)
+            {
+                factor[i] = square[i];
+            }
+
+            Eliminate(factor, left, size, 0);
+            for (int i = 0; i < size; i++)
+            {
+                for (int k = 0; k < size; k++)
+                {
+                    x[k] += g[(i * size) + k] * left[i];
+                }
+            }
+        }
+    }
+}

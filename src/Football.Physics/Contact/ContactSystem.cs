@@ -1,0 +1,263 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>
+/// A ball on several surfaces at once, with the contacts and their modes locked (contacts.md, Rates under a fixed set). With n, ṅ, V_c and A of each contact,
+/// v̇ = a + Σ (N n + F), ω̇ = T/I − Σ n × F/(α r): a contact that bears keeps touching, n·v̇ = −(qᵀHq − A_s·n); one that sticks keeps its slip at zero,
+/// (v̇ − A + r ṅ × ω + r n × ω̇)_t = 0; one that slips has F = −μ_s N ŝ. One linear system gives all loads and friction forces.
+/// </summary>
+internal unsafe struct ContactSystem : IMotionSystem
+{
+    /// <summary>Contacts that a set holds at most.</summary>
+    public const int Most = 6;
+
+    public Surroundings Around;
+    public World World;
+    public SetContact* Contacts;
+    public int Count;
+
+    /// <summary>The contact that rolling resistance and drilling friction belong to; −1 for none.</summary>
+    public int Bearer;
+    public DragBranch Branch;
+    public ulong Nets;
+    public ulong NetSides;
+
+    /// <summary>The direction that the contacts leave to the velocity, and that the ball rolls in from a standstill; zero where they leave none.</summary>
+    public Vector3d Along;
+
+    /// <summary>True when rolling resistance holds a ball that stands on its spot, and only spins.</summary>
+    public bool Pinned;
+
+    /// <summary>What holds it, m/s².</summary>
+    public double Held;
+
+    /// <summary>Which way it spins about the bearer's normal, relative to that: drilling friction keeps to it.</summary>
+    public double SpinSign;
+
+    /// <summary>True when drilling friction holds the spin about the bearer's normal at that of the bearer.</summary>
+    public bool HoldsSpin;
+
+    /// <summary>What holds it, rad/s².</summary>
+    public double HeldSpin;
+
+    public void Rates(double time, in Motion at, out MotionRates rates)
+    {
+        for (int i = 0; i < Count; i++)
+        {
+            Contacts[i].Look(World, time, in at);
+        }
+
+        Free(time, in at, out Vector3d acceleration, out Vector3d spinAcceleration, out double airSpeed);
+        Solve(in at.Spin, ref acceleration, ref spinAcceleration);
+        rates = new MotionRates(in acceleration, in spinAcceleration, airSpeed);
+    }
+
+    public readonly double LongestPart(in Motion at, double jerk) => World.LongestPartInNets(Nets, NetSides, in at, jerk);
+
+    public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
+    {
+        s.BaseOrientation = s.BaseOrientation.Turned(in step.Rotation);
+        s.Position = step.End.Position;
+        s.Velocity = step.End.Velocity;
+        s.SpinAxis = step.End.Spin;
+        s.AirDistance = step.End.AirDistance;
+    }
+
+    /// <summary>What acts on the ball but for its contacts.</summary>
+    public readonly void Free(double time, in Motion at, out Vector3d acceleration, out Vector3d spinAcceleration, out double airSpeed)
+    {
+        Vector3d u = at.Velocity - Around.Wind;
+        bool sticks = Bearer >= 0 && Contacts[Bearer].Sticks;
+        var ball = new ForceInput(time, in at.Position, in at.Velocity, in u, in at.Spin, sticks ? MotionState.Rolling : MotionState.Sliding, at.AirDistance);
+        Around.Air.Evaluate(in ball, Branch, out AirFactors air);
+        u = air.AirVelocity;
+        airSpeed = air.AirSpeed;
+
+        // a_air = L (ω × u) − D u; how much of it counts is the ground's to say.
+        Vector3d push = air.Acceleration;
+        if (World.AirActs)
+        {
+            push += (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u);
+        }
+
+        spinAcceleration = (-air.Decay * at.Spin) + air.SpinAcceleration;
+        if (!World.AirLoads && Bearer >= 0)
+        {
+            push = SurfaceSystem.Tangential(in push, in Contacts[Bearer].Normal);
+        }
+
+        if (!World.SharesAir && sticks)
+        {
+            // The air moves a ball that rolls without a share for its spin, which follows: ω̇_t = n × a_air/r.
+            ref readonly SetContact bearer = ref Contacts[Bearer];
+            Vector3d along = SurfaceSystem.Tangential(in push, in bearer.Normal);
+            spinAcceleration = (Vector3d.Dot(in spinAcceleration, in bearer.Normal) * bearer.Normal) + (Vector3d.Cross(in bearer.Normal, in along) / Around.Radius);
+        }
+
+        acceleration = push + new Vector3d(0, Around.Upward, 0);
+        if (Nets != 0)
+        {
+            MotionRates nets = World.PushOfNets(Nets, NetSides, in at);
+            acceleration += Bearer < 0 ? nets.Acceleration : SurfaceSystem.Tangential(nets.Acceleration, in Contacts[Bearer].Normal);
+            spinAcceleration += nets.SpinAcceleration;
+        }
+    }
+
+    /// <summary>Adds what the contacts do, and says what each gives.</summary>
+    [SkipLocalsInit]
+    public void Solve(in Vector3d spin, ref Vector3d acceleration, ref Vector3d spinAcceleration)
+    {
+        Row* rows = stackalloc Row[ContactRows.Most];
+        double* g = stackalloc double[ContactRows.Most * ContactRows.Most];
+        double* x = stackalloc double[ContactRows.Most];
+        double r = World.Ball.Radius;
+        double perTurn = 1.0 / (World.Ball.InertiaFactor * r);
+        if (Bearer >= 0)
+        {
+            // ω̇_n = −(c_ω/I) (ω − Ω)·n
+            ref readonly SetContact bearer = ref Contacts[Bearer];
+            spinAcceleration -= bearer.Damping * (Vector3d.Dot(in spin, in bearer.Normal) - bearer.CarrierSpin) * bearer.Normal;
+        }
+
+        int size = 0;
+        for (int i = 0; i < Count; i++)
+        {
+            ref SetContact contact = ref Contacts[i];
+            if (!contact.Bears)
+            {
+                continue;
+            }
+
+            ref Row load = ref rows[size++];
+            load.AlongV = contact.Normal;
+            load.AlongW = default;
+            load.Asked = -contact.Centripetal;
+            load.PushV = contact.Normal;
+            load.PushW = default;
+            if (!contact.Sticks)
+            {
+                Vector3d direction = DirectionOf(in contact);
+                load.PushV -= contact.Sliding * direction;
+                load.PushW += contact.Sliding * perTurn * Vector3d.Cross(in contact.Normal, in direction);
+            }
+
+            if (i == Bearer)
+            {
+                AddResistance(in contact, ref load);
+            }
+
+            if (contact.Sticks)
+            {
+                Vector3d asked = contact.SurfaceRate - (r * Vector3d.Cross(in contact.Turning, in spin));
+                SetStick(ref rows[size++], in contact.Normal, in contact.First, r, perTurn, in asked);
+                SetStick(ref rows[size++], in contact.Normal, in contact.Second, r, perTurn, in asked);
+            }
+        }
+
+        if (Pinned)
+        {
+            // What rolling resistance takes from the motion keeps the slip as it is.
+            ref readonly SetContact bearer = ref Contacts[Bearer];
+            ref Row hold = ref rows[size++];
+            hold.AlongV = Along;
+            hold.AlongW = default;
+            hold.Asked = Vector3d.Dot(in bearer.MaterialRate, in Along);
+            hold.PushV = Along;
+            hold.PushW = Vector3d.Cross(in bearer.Normal, in Along) / r;
+        }
+
+        if (HoldsSpin)
+        {
+            // d(ω·n)/dt = ω̇·n + ω·ṅ stays zero.
+            ref readonly SetContact bearer = ref Contacts[Bearer];
+            ref Row hold = ref rows[size++];
+            hold.AlongV = default;
+            hold.AlongW = bearer.Normal;
+            hold.Asked = -Vector3d.Dot(in spin, in bearer.Turning);
+            hold.PushV = default;
+            hold.PushW = bearer.Normal;
+        }
+
+        for (int i = 0; i < size; i++)
+        {
+            ref readonly Row row = ref rows[i];
+            x[i] = row.Asked - Vector3d.Dot(in row.AlongV, in acceleration) - Vector3d.Dot(in row.AlongW, in spinAcceleration);
+            for (int j = 0; j < size; j++)
+            {
+                g[(i * size) + j] = Vector3d.Dot(in row.AlongV, in rows[j].PushV) + Vector3d.Dot(in row.AlongW, in rows[j].PushW);
+            }
+        }
+
+        if (size > 0)
+        {
+            ContactRows.Solve(g, x, size);
+        }
+
+        for (int i = 0; i < size; i++)
+        {
+            acceleration += x[i] * rows[i].PushV;
+            spinAcceleration += x[i] * rows[i].PushW;
+        }
+
+        int next = 0;
+        for (int i = 0; i < Count; i++)
+        {
+            ref SetContact contact = ref Contacts[i];
+            contact.Load = contact.Bears ? x[next++] : 0;
+            contact.Friction = default;
+            contact.Opening = Vector3d.Dot(in contact.Normal, in acceleration) + contact.Centripetal;
+            if (contact.Bears && contact.Sticks)
+            {
+                contact.Friction = (x[next] * contact.First) + (x[next + 1] * contact.Second);
+                next += 2;
+            }
+        }
+
+        Held = Pinned ? x[next++] : 0;
+        HeldSpin = HoldsSpin ? x[next] : 0;
+    }
+
+    /// <summary>The direction of a slip, or that at the start of the piece where a stage has passed zero: friction must not push the slip on beyond it.</summary>
+    private static Vector3d DirectionOf(in SetContact contact)
+    {
+        double size = contact.Slip.Length;
+        return size > 0 && Vector3d.Dot(in contact.Slip, in contact.Direction) > 0 ? contact.Slip / size : contact.Direction;
+    }
+
+    /// <summary>Rolling resistance takes (c₀ + c₁|v|) N/m from the motion, spin and all; drilling friction takes b μ_s N/I from the spin about the normal.</summary>
+    private readonly void AddResistance(in SetContact contact, ref Row load)
+    {
+        load.PushW -= SpinSign * contact.Drilling * contact.Normal;
+        if (!contact.Sticks || Pinned || Along == Vector3d.Zero)
+        {
+            return;
+        }
+
+        double speed = contact.RollingVelocity.Length;
+        Vector3d direction = speed > 0 && !(Vector3d.Dot(in contact.RollingVelocity, in Along) < 0) ? contact.RollingVelocity / speed : Along;
+        double share = contact.Rolling + (contact.RollingBySpeed * speed);
+        load.PushV -= share * direction;
+        load.PushW -= share / World.Ball.Radius * Vector3d.Cross(in contact.Normal, in direction);
+    }
+
+    private static void SetStick(ref Row row, in Vector3d normal, in Vector3d along, double r, double perTurn, in Vector3d asked)
+    {
+        // t·(v̇ + r n × ω̇) = t·(A − r ṅ × ω); a push t turns by −n × t/(α r).
+        row.AlongV = along;
+        row.AlongW = r * Vector3d.Cross(in along, in normal);
+        row.Asked = Vector3d.Dot(in asked, in along);
+        row.PushV = along;
+        row.PushW = -perTurn * Vector3d.Cross(in normal, in along);
+    }
+
+    /// <summary>An unknown: what a unit of it does to the ball, and the condition that it is there for.</summary>
+    private struct Row
+    {
+        public Vector3d AlongV;
+        public Vector3d AlongW;
+        public double Asked;
+        public Vector3d PushV;
+        public Vector3d PushW;
+    }
+}

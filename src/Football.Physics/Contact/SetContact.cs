@@ -1,0 +1,122 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>One contact of a contact set at the level of forces: its mode, what it is made of, and the load and the friction that it was last found to give.</summary>
+internal struct SetContact
+{
+    /// <summary>Index of the collider.</summary>
+    public int Collider;
+
+    /// <summary>True when it bears a load. One that does not is only watched.</summary>
+    public bool Bears;
+
+    /// <summary>True when it sticks; else it slips along <see cref="Direction"/>.</summary>
+    public bool Sticks;
+
+    /// <summary>True when its normal and its velocity stay as they are all along a piece.</summary>
+    public bool IsFixed;
+
+    /// <summary>ŝ, the direction of the slip at the start of the piece: friction keeps to it where a stage passes zero.</summary>
+    public Vector3d Direction;
+
+    /// <summary>n, towards the ball, and two directions along the surface.</summary>
+    public Vector3d Normal;
+    public Vector3d First;
+    public Vector3d Second;
+
+    /// <summary>V_c, the velocity of the surface at the contact point, m/s, and its rate along the path, m/s².</summary>
+    public Vector3d Surface;
+    public Vector3d SurfaceRate;
+
+    /// <summary>v − V_p, m/s, and the acceleration of the material at the ball's centre, m/s².</summary>
+    public Vector3d RollingVelocity;
+    public Vector3d MaterialRate;
+
+    /// <summary>Ω·n, rad/s.</summary>
+    public double CarrierSpin;
+
+    /// <summary>ṅ, 1/s, and qᵀHq − A_s·n, m/s²: n·v̇ is at least minus that.</summary>
+    public Vector3d Turning;
+    public double Centripetal;
+
+    /// <summary>μ_s, c₀, c₁, c_ω/I and b μ_s m/I of the surface.</summary>
+    public double Sliding;
+    public double Rolling;
+    public double RollingBySpeed;
+    public double Damping;
+    public double Drilling;
+
+    /// <summary>N/m and F/m, m/s², as they were last solved for.</summary>
+    public double Load;
+    public Vector3d Friction;
+
+    /// <summary>Acceleration off the surface, m/s², of a contact that bears no load.</summary>
+    public double Opening;
+
+    /// <summary>s, the slip, m/s.</summary>
+    public Vector3d Slip;
+
+    /// <summary>What was left at the start of a piece until something happens at the contact: of the load, of the friction cone or of the slip, and of the opening.</summary>
+    public double StartLoad;
+    public double StartGrip;
+    public double StartOpening;
+
+    /// <summary>μ_s N − |F|, m/s²: at zero a contact that sticks begins to slip.</summary>
+    public readonly double Grip => (Sliding * Load) - Friction.Length;
+
+    /// <summary>Prepares a contact that a ball touches.</summary>
+    public void Prepare(in Contact contact, Collider collider, BallProperties ball)
+    {
+        this = default;
+        Collider = contact.Collider;
+        Bears = true;
+        ref readonly ContactMaterial material = ref contact.Material;
+        Sliding = material.SlidingFriction;
+        Rolling = material.RollingFriction;
+        RollingBySpeed = material.RollingFrictionBySpeed;
+        Damping = material.SpinDamping / ball.MomentOfInertia;
+        Drilling = material.DrillingLength * material.SlidingFriction * ball.Mass / ball.MomentOfInertia;
+
+        // A plane, or a flat face, that does not rotate is the same all along the piece.
+        IsFixed = contact.IsFlat && collider.Spin == Vector3d.Zero && (collider.HasFaces || collider.IsPlane);
+        Surface = contact.Velocity;
+        Turn(contact.Normal);
+    }
+
+    /// <summary>Sets the normal, and the directions across it.</summary>
+    public void Turn(in Vector3d normal)
+    {
+        Normal = normal;
+        Vector3d across = Math.Abs(normal.X) < 0.6 ? new Vector3d(1, 0, 0) : Vector3d.Up;
+        First = (across - (Vector3d.Dot(in across, in normal) * normal)).Normalized();
+        Second = Vector3d.Cross(in normal, in First);
+    }
+
+    /// <summary>Where the ball is relative to the surface, and how that moves.</summary>
+    public void Look(World world, double time, in Motion at)
+    {
+        double r = world.Ball.Radius;
+        if (!IsFixed)
+        {
+            Collider collider = world.Colliders[Collider];
+            ShapePoint point = collider.At(in at.Position, time);
+            Unsafe.SkipInit(out SurfaceForces on);
+            SurfaceSystem.Describe(collider, r, in point, time, in at, ref on);
+            Turn(on.Normal);
+            Surface = on.Surface;
+            SurfaceRate = on.SurfaceRate;
+            RollingVelocity = on.Rolling;
+            MaterialRate = on.MaterialRate;
+            CarrierSpin = Vector3d.Dot(collider.Spin, on.Normal);
+            Turning = on.Turning;
+            Centripetal = on.Centripetal;
+        }
+        else
+        {
+            RollingVelocity = at.Velocity - Surface;
+        }
+
+        Slip = Football.Physics.Slip.Of(at.Velocity - Surface, in at.Spin, in Normal, r);
+    }
+}

@@ -1,0 +1,139 @@
+namespace Football.Physics;
+
+/// <summary>
+/// What ends a piece on several surfaces: a load or the room in a friction cone ends, a slip passes zero, a contact that bears nothing is pressed, the ball comes to
+/// rest, the spin about the bearer's normal ends. Each is a number along the piece that is positive until then.
+/// </summary>
+internal unsafe struct SetMargin<TIntegrator> : IFunction
+    where TIntegrator : struct, IIntegrator
+{
+    /// <summary>A root is known to this share of the piece.</summary>
+    private const double Width = 1e-12;
+
+    private const int MostSteps = 40;
+
+    /// <summary>Another contact becomes the bearer where it bears more by this share.</summary>
+    private const double SameLoad = 1e-9;
+
+    /// <summary>A piece that ends at a slip or a load goes so far beyond, as a share of its length: the next one finds the change done.</summary>
+    private const double Beyond = 1e-9;
+
+    private const int Limits = (int)Limit.HoldSpin + 1;
+
+    public MotionSweep<ContactSystem, TIntegrator> Sweep;
+    private readonly Limit _limit;
+    private readonly int _contact;
+    private readonly double _time;
+
+    private SetMargin(Limit limit, int contact, in MotionSweep<ContactSystem, TIntegrator> sweep, double time)
+    {
+        _limit = limit;
+        _contact = contact;
+        _time = time;
+        Sweep = sweep;
+    }
+
+    private enum Limit
+    {
+        Load,
+        Grip,
+        Slip,
+        Opening,
+        Bearer,
+        Rest,
+        Spin,
+        Roll,
+        Hold,
+        HoldSpin,
+    }
+
+    public bool Evaluate(double x, out double value)
+    {
+        Sweep.Step(x);
+        Look(ref Sweep, _time);
+        value = Value(ref Sweep, _limit, _contact, _time);
+        return false;
+    }
+
+    /// <summary>Shortens a piece to the first of these ends.</summary>
+    /// <param name="sweep">The piece.</param>
+    /// <param name="s">The ball at its start.</param>
+    /// <returns>Whether it was shortened.</returns>
+    public static bool EndPiece(ref MotionSweep<ContactSystem, TIntegrator> sweep, in BallState s)
+    {
+        double* starts = stackalloc double[Limits * ContactSystem.Most];
+        ref ContactSystem system = ref sweep.System;
+        double length = sweep.Length;
+        bool shortened = false;
+
+        // Each margin at the start and at the end of the piece; searched for is only one that is positive first and negative then.
+        var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
+        system.Rates(s.Time, in from, out _);
+        sweep.Evaluations++;
+        for (int i = 0; i < Limits * system.Count; i++)
+        {
+            starts[i] = Value(ref sweep, (Limit)(i % Limits), i / Limits, s.Time, in from, 0);
+        }
+
+        Look(ref sweep, s.Time);
+        for (int i = 0; i < Limits * system.Count; i++)
+        {
+            double end = starts[i] > 0 ? Value(ref sweep, (Limit)(i % Limits), i / Limits, s.Time) : 0;
+            if (!(end < 0))
+            {
+                continue;
+            }
+
+            var margin = new SetMargin<TIntegrator>((Limit)(i % Limits), i / Limits, in sweep, s.Time);
+            double x = Roots.Illinois(ref margin, 0, starts[i], sweep.Length, end, Width * length, MostSteps);
+            sweep = margin.Sweep;
+            sweep.Step(Math.Min(length, x + (Beyond * length)));
+            Look(ref sweep, s.Time);
+            shortened = true;
+        }
+
+        return shortened;
+    }
+
+    /// <summary>Loads, friction and slips at the end of the piece.</summary>
+    private static void Look(ref MotionSweep<ContactSystem, TIntegrator> sweep, double time)
+    {
+        sweep.System.Rates(time + sweep.Length, in sweep.Taken.End, out _);
+        sweep.Evaluations++;
+    }
+
+    private static double Value(ref MotionSweep<ContactSystem, TIntegrator> sweep, Limit limit, int contact, double time) =>
+        Value(ref sweep, limit, contact, time, in sweep.Taken.End, sweep.Length);
+
+    private static double Value(ref MotionSweep<ContactSystem, TIntegrator> sweep, Limit limit, int index, double time, in Motion at, double after)
+    {
+        ref ContactSystem system = ref sweep.System;
+        ref readonly SetContact contact = ref system.Contacts[index];
+        switch (limit)
+        {
+            case Limit.Load when contact.Bears:
+                return contact.Load - SurfaceForces.Least;
+            case Limit.Grip when contact.Bears && contact.Sticks:
+                return contact.Grip;
+            case Limit.Slip when contact.Bears && !contact.Sticks && contact.Sliding > 0 && contact.Slip != Vector3d.Zero:
+                return Vector3d.Dot(in contact.Slip, in contact.Direction);
+            case Limit.Opening when !contact.Bears:
+                return contact.Opening + SurfaceForces.Least;
+            case Limit.Bearer when contact.Bears && system.Bearer >= 0 && index != system.Bearer && contact.Sticks == system.Contacts[system.Bearer].Sticks:
+                return (system.Contacts[system.Bearer].Load * (1.0 + SameLoad)) - contact.Load;
+            case Limit.Rest when index == system.Bearer:
+                Collider carrier = system.World.Colliders[contact.Collider];
+                return Math.Sqrt(system.World.Energy(in at, carrier, time + after)) - Math.Sqrt(system.World.RestEnergy);
+            case Limit.Spin when index == system.Bearer && contact.Drilling > 0 && system.SpinSign != 0:
+                return system.SpinSign * (Vector3d.Dot(in at.Spin, in contact.Normal) - contact.CarrierSpin);
+            case Limit.Roll when index == system.Bearer && contact.Sticks && !system.Pinned:
+                return Vector3d.Dot(in contact.RollingVelocity, in system.Along);
+            case Limit.Hold when index == system.Bearer && system.Pinned:
+                return (contact.Rolling * contact.Load) - Math.Abs(system.Held);
+            case Limit.HoldSpin when index == system.Bearer && system.HoldsSpin:
+                return (contact.Drilling * contact.Load) - Math.Abs(system.HeldSpin);
+            default:
+                return 0;
+        }
+    }
+}
