@@ -9,6 +9,10 @@ internal static unsafe class ContactModes
     /// <summary>Changes of mode after which the conditions have no solution that this finds.</summary>
     private const int MostChanges = 24;
 
+    /// <summary>How often the direction of a slip that begins is looked for, and how closely.</summary>
+    private const int MostStarts = 12;
+    private const double SameDirection = 1e-12;
+
     /// <summary>A friction cone is left where the friction that is needed exceeds it by this share.</summary>
     private const double BeyondCone = 1e-12;
 
@@ -44,13 +48,50 @@ internal static unsafe class ContactModes
         for (int change = 0; change < MostChanges; change++)
         {
             Force(ref system, time, in at, ref evaluations);
-            if (!Change(ref system, sticking))
+            if (!Change(ref system, sticking) && !Start(ref system, time, in at, ref evaluations))
             {
                 return true;
             }
         }
 
         return false;
+    }
+
+    /// <summary>A slip that begins goes where its own rate leads: the direction of the friction is looked for until both agree.</summary>
+    /// <returns>Whether the forces have changed so much that the modes must be looked at again.</returns>
+    private static bool Start(ref ContactSystem system, double time, in Motion at, ref int evaluations)
+    {
+        bool changed = false;
+        for (int round = 0; round < MostStarts; round++)
+        {
+            bool again = false;
+            system.Free(time, in at, out Vector3d acceleration, out Vector3d spinAcceleration, out _);
+            system.Solve(in at.Spin, ref acceleration, ref spinAcceleration);
+            for (int i = 0; i < system.Count; i++)
+            {
+                ref SetContact contact = ref system.Contacts[i];
+                if (!contact.Bears || contact.Sticks || contact.Direction == Vector3d.Zero || contact.Slip != Vector3d.Zero)
+                {
+                    continue;
+                }
+
+                Vector3d rate = contact.SlipRate(in acceleration, in spinAcceleration, in at.Spin, system.World.Ball.Radius);
+                double size = rate.Length;
+                Vector3d direction = size > 0 ? rate / size : contact.Direction;
+                again |= (direction - contact.Direction).Length > SameDirection;
+                contact.Direction = direction;
+            }
+
+            if (!again)
+            {
+                break;
+            }
+
+            evaluations++;
+            changed = true;
+        }
+
+        return changed;
     }
 
     /// <summary>Solves for the forces with the modes as they are; the bearer and the direction of the roll follow from the loads.</summary>

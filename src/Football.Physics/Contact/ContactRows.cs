@@ -8,8 +8,8 @@ namespace Football.Physics;
 /// </summary>
 internal static unsafe class ContactRows
 {
-    /// <summary>Unknowns at most: loads, two friction components for each contact that sticks, what holds a ball that stands, and what holds its spin.</summary>
-    public const int Most = (3 * ContactSystem.Most) + 2;
+    /// <summary>Unknowns at most: loads, and two friction components for each contact that sticks.</summary>
+    public const int Most = 3 * ContactSystem.Most;
 
     /// <summary>A pivot of less than this share of the largest entry makes the solution not unique.</summary>
     private const double Singular = 1e-9;
@@ -23,8 +23,9 @@ internal static unsafe class ContactRows
     /// <param name="g">G, row by row.</param>
     /// <param name="b">b; replaced by x.</param>
     /// <param name="size">Number of unknowns.</param>
+    /// <returns>Whether the solution is the only one.</returns>
     [SkipLocalsInit]
-    public static void Solve(double* g, double* b, int size)
+    public static bool Solve(double* g, double* b, int size)
     {
         double* work = stackalloc double[Most * Most];
         double* x = stackalloc double[Most];
@@ -40,7 +41,8 @@ internal static unsafe class ContactRows
             x[i] = b[i];
         }
 
-        if (!Eliminate(work, x, size, Singular * largest))
+        bool isUnique = Eliminate(work, x, size, Singular * largest);
+        if (!isUnique)
         {
             LeastSquares(g, b, x, size);
         }
@@ -48,6 +50,33 @@ internal static unsafe class ContactRows
         for (int i = 0; i < size; i++)
         {
             b[i] = x[i];
+        }
+
+        return isUnique;
+    }
+
+    /// <summary>Takes from a vector what G does not map to zero.</summary>
+    /// <param name="g">G, row by row.</param>
+    /// <param name="z">The vector.</param>
+    /// <param name="size">Number of unknowns.</param>
+    [SkipLocalsInit]
+    public static void ToNullSpace(double* g, double* z, int size)
+    {
+        double* mapped = stackalloc double[Most];
+        double* part = stackalloc double[Most];
+        for (int i = 0; i < size; i++)
+        {
+            mapped[i] = 0;
+            for (int k = 0; k < size; k++)
+            {
+                mapped[i] += g[(i * size) + k] * z[k];
+            }
+        }
+
+        LeastSquares(g, mapped, part, size);
+        for (int i = 0; i < size; i++)
+        {
+            z[i] -= part[i];
         }
     }
 

@@ -9,9 +9,6 @@ internal static class ContactSet
     /// <summary>More contacts at one instant are not looked at: the farthest are left out.</summary>
     public const int Most = 8;
 
-    /// <summary>Normals are one where the cosine of the angle between them is closer to 1 than this.</summary>
-    private const double InLine = 1e-14;
-
     /// <summary>Onto what it touches a ball is put so often at most.</summary>
     private const int MostRounds = 64;
 
@@ -52,6 +49,7 @@ internal static class ContactSet
     public static int Near(World world, in BallState s, double reach, Span<Contact> set)
     {
         int count = 0;
+        int carrier = s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - world.FirstCollider;
 
         // Broad phase by boxes, then the distance itself.
         var near = NearThings.Within(world, s.Position, s.Time, reach);
@@ -68,7 +66,7 @@ internal static class ContactSet
             var contact = new Contact(i, collider, in at, gap, world.Ball.Radius, in s);
 
             // Of flat things side by side one stands for all; where there is no place left the farthest gives way.
-            int place = PlaceOf(in contact, set, count);
+            int place = PlaceOf(in contact, set, count, world, carrier);
             if (place >= 0)
             {
                 set[place] = contact;
@@ -246,14 +244,16 @@ internal static class ContactSet
     }
 
     /// <summary>Where a contact goes: beside the others, in the place of one that it stands for, or nowhere (−1).</summary>
-    private static int PlaceOf(in Contact contact, Span<Contact> set, int count)
+    private static int PlaceOf(in Contact contact, Span<Contact> set, int count, World world, int carrier)
     {
         int farthest = 0;
         for (int i = 0; i < count; i++)
         {
-            if (contact.IsFlat && set[i].IsFlat && contact.Moves == set[i].Moves && Vector3d.Dot(in contact.Normal, in set[i].Normal) > 1.0 - InLine)
+            ref readonly Contact other = ref set[i];
+            if (contact.Moves == other.Moves && Vector3d.Dot(in contact.Normal, in other.Normal) > 1.0 - Flush.SameNormal
+                && Math.Abs(Vector3d.Dot(contact.Velocity - other.Velocity, in contact.Normal)) <= ContactSearch.Approaching)
             {
-                return contact.Gap < set[i].Gap - Closed || (contact.Gap <= set[i].Gap + Closed && contact.Collider < set[i].Collider) ? i : -1;
+                return Flush.ComesBefore(world, in contact, in other, carrier) ? i : -1;
             }
 
             farthest = set[i].Gap > set[farthest].Gap ? i : farthest;

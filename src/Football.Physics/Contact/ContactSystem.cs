@@ -12,6 +12,9 @@ internal unsafe struct ContactSystem : IMotionSystem
     /// <summary>Contacts that a set holds at most.</summary>
     public const int Most = 6;
 
+    /// <summary>Forces that are brought back into a friction cone are so far inside, as a share of the square.</summary>
+    private const double Inside = 1.0 - 1e-9;
+
     public Surroundings Around;
     public World World;
     public SetContact* Contacts;
@@ -155,28 +158,32 @@ internal unsafe struct ContactSystem : IMotionSystem
             }
         }
 
+        // What holds a ball that stands, and its spin, is no load and no friction force: it is eliminated first, so that it has no say in which of several answers is the least.
+        Vector3d normal = Bearer >= 0 ? Contacts[Bearer].Normal : Vector3d.Zero;
+        Vector3d turning = Vector3d.Cross(in normal, in Along) / r;
+        double held = 0;
+        double heldSpin = 0;
         if (Pinned)
         {
-            // What rolling resistance takes from the motion keeps the slip as it is.
-            ref readonly SetContact bearer = ref Contacts[Bearer];
-            ref Row hold = ref rows[size++];
-            hold.AlongV = Along;
-            hold.AlongW = default;
-            hold.Asked = Vector3d.Dot(in bearer.MaterialRate, in Along);
-            hold.PushV = Along;
-            hold.PushW = Vector3d.Cross(in bearer.Normal, in Along) / r;
+            held = Vector3d.Dot(Contacts[Bearer].MaterialRate - acceleration, in Along);
+            acceleration += held * Along;
+            spinAcceleration += held * turning;
         }
 
         if (HoldsSpin)
         {
             // d(ω·n)/dt = ω̇·n + ω·ṅ stays zero.
-            ref readonly SetContact bearer = ref Contacts[Bearer];
-            ref Row hold = ref rows[size++];
-            hold.AlongV = default;
-            hold.AlongW = bearer.Normal;
-            hold.Asked = -Vector3d.Dot(in spin, in bearer.Turning);
-            hold.PushV = default;
-            hold.PushW = bearer.Normal;
+            heldSpin = -Vector3d.Dot(in spin, Contacts[Bearer].Turning) - Vector3d.Dot(in spinAcceleration, in normal);
+            spinAcceleration += heldSpin * normal;
+        }
+
+        for (int i = 0; i < size; i++)
+        {
+            ref Row row = ref rows[i];
+            row.Held = Pinned ? -Vector3d.Dot(in row.PushV, in Along) : 0;
+            row.HeldSpin = HoldsSpin ? -Vector3d.Dot(in row.PushW, in normal) : 0;
+            row.PushV += row.Held * Along;
+            row.PushW += (row.Held * turning) + (row.HeldSpin * normal);
         }
 
         for (int i = 0; i < size; i++)
@@ -189,15 +196,17 @@ internal unsafe struct ContactSystem : IMotionSystem
             }
         }
 
-        if (size > 0)
+        if (size > 0 && !ContactRows.Solve(g, x, size))
         {
-            ContactRows.Solve(g, x, size);
+            Brace(g, x, size);
         }
 
         for (int i = 0; i < size; i++)
         {
             acceleration += x[i] * rows[i].PushV;
             spinAcceleration += x[i] * rows[i].PushW;
+            held += x[i] * rows[i].Held;
+            heldSpin += x[i] * rows[i].HeldSpin;
         }
 
         int next = 0;
@@ -214,8 +223,95 @@ internal unsafe struct ContactSystem : IMotionSystem
             }
         }
 
-        Held = Pinned ? x[next++] : 0;
-        HeldSpin = HoldsSpin ? x[next] : 0;
+        Held = held;
+        HeldSpin = heldSpin;
+    }
+
+    /// <summary>
+    /// Forces that are not determined: a ball that sticks to two surfaces may press them apart, along the line between the contact points, without moving. Where the
+    /// least forces leave a friction cone, it does so by as little as brings them back into both.
+    /// </summary>
+    [SkipLocalsInit]
+    private readonly void Brace(double* g, double* x, int size)
+    {
+        double* z = stackalloc double[ContactRows.Most];
+        int row = 0;
+        for (int i = 0; i < Count; i++)
+        {
+            ref readonly SetContact first = ref Contacts[i];
+            int second = row + WidthOf(in first);
+            for (int j = i + 1; j < Count; j++)
+            {
+                ref readonly SetContact other = ref Contacts[j];
+                int width = WidthOf(in other);
+                if (WidthOf(in first) == 3 && width == 3 && (IsBeyondCone(x + row, in first) || IsBeyondCone(x + second, in other)))
+                {
+                    // The direction from one contact point to the other, n₁ − n₂, as load and friction of both.
+                    Vector3d line = first.Normal - other.Normal;
+                    for (int k = 0; k < size; k++)
+                    {
+                        z[k] = 0;
+                    }
+
+                    Split(z + row, in first, in line);
+                    Split(z + second, in other, -line);
+                    ContactRows.ToNullSpace(g, z, size);
+                    double low = double.NegativeInfinity;
+                    double high = double.PositiveInfinity;
+                    Allow(x + row, z + row, in first, ref low, ref high);
+                    Allow(x + second, z + second, in other, ref low, ref high);
+                    double share = low > 0 ? low : high < 0 ? high : 0;
+                    for (int k = 0; k < size && low <= high && Math.Abs(share) < double.MaxValue; k++)
+                    {
+                        x[k] += share * z[k];
+                    }
+                }
+
+                second += width;
+            }
+
+            row += WidthOf(in first);
+        }
+    }
+
+    /// <summary>How many unknowns a contact has.</summary>
+    private static int WidthOf(in SetContact contact) => !contact.Bears ? 0 : contact.Sticks ? 3 : 1;
+
+    private static bool IsBeyondCone(double* x, in SetContact contact) =>
+        (x[1] * x[1]) + (x[2] * x[2]) > contact.Sliding * contact.Sliding * x[0] * x[0] || x[0] < 0;
+
+    private static void Split(double* into, in SetContact contact, in Vector3d force)
+    {
+        into[0] = Vector3d.Dot(in force, in contact.Normal);
+        into[1] = Vector3d.Dot(in force, in contact.First);
+        into[2] = Vector3d.Dot(in force, in contact.Second);
+    }
+
+    /// <summary>Narrows the shares λ of a change z for which the friction stays in its cone, |F + λ z_F| ≤ μ (N + λ z_N), on the side where the load grows.</summary>
+    private static void Allow(double* x, double* z, in SetContact contact, ref double low, ref double high)
+    {
+        double mu = contact.Sliding * contact.Sliding * Inside;
+        double a = (z[1] * z[1]) + (z[2] * z[2]) - (mu * z[0] * z[0]);
+        double b = (x[1] * z[1]) + (x[2] * z[2]) - (mu * x[0] * z[0]);
+        double c = (x[1] * x[1]) + (x[2] * x[2]) - (mu * x[0] * x[0]);
+        double square = (b * b) - (a * c);
+        double root = Math.Sqrt(Math.Max(0, square));
+        if (a < 0)
+        {
+            // Beyond the larger root, where the load is positive.
+            double least = (-b - (z[0] > 0 ? root : -root)) / a;
+            low = z[0] > 0 ? Math.Max(low, least) : low;
+            high = z[0] < 0 ? Math.Min(high, least) : high;
+        }
+        else if (a > 0 && square >= 0)
+        {
+            low = Math.Max(low, (-b - root) / a);
+            high = Math.Min(high, (-b + root) / a);
+        }
+        else
+        {
+            high = double.NegativeInfinity;
+        }
     }
 
     /// <summary>The direction of a slip, or that at the start of the piece where a stage has passed zero: friction must not push the slip on beyond it.</summary>
@@ -259,5 +355,9 @@ internal unsafe struct ContactSystem : IMotionSystem
         public double Asked;
         public Vector3d PushV;
         public Vector3d PushW;
+
+        /// <summary>What rolling resistance and drilling friction take of the push, where they hold the ball.</summary>
+        public double Held;
+        public double HeldSpin;
     }
 }

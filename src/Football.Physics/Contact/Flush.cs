@@ -58,6 +58,25 @@ internal static class Flush
         return 0;
     }
 
+    /// <summary>True when of two contacts with the same normal the first stands for both: by the same order as <see cref="CarrierOf"/>.</summary>
+    public static bool ComesBefore(World world, in Contact first, in Contact second, int carrier)
+    {
+        if (first.IsFlat != second.IsFlat)
+        {
+            return first.IsFlat;
+        }
+
+        double deeper = second.Gap - first.Gap;
+        if (Math.Abs(deeper) > SameDepth)
+        {
+            return deeper > 0;
+        }
+
+        bool isGround = world.Colliders[first.Collider] == world.Ground;
+        return isGround || world.Colliders[second.Collider] == world.Ground ? !isGround
+            : first.Collider == carrier || (second.Collider != carrier && first.Collider < second.Collider);
+    }
+
     /// <summary>
     /// The surface that carries a ball where several with the same normal touch it: one whose face is under the ball, then the one that it is deepest in, then any object
     /// before the ground, which lies under all of them, then the one that it comes from, then the first of the scene.

@@ -57,13 +57,12 @@ internal struct SetContact
     /// <summary>s, the slip, m/s.</summary>
     public Vector3d Slip;
 
-    /// <summary>What was left at the start of a piece until something happens at the contact: of the load, of the friction cone or of the slip, and of the opening.</summary>
-    public double StartLoad;
-    public double StartGrip;
-    public double StartOpening;
-
     /// <summary>μ_s N − |F|, m/s²: at zero a contact that sticks begins to slip.</summary>
     public readonly double Grip => (Sliding * Load) - Friction.Length;
+
+    /// <summary>ṡ = (v̇ − A + r ṅ × ω + r n × ω̇)_t, m/s².</summary>
+    public readonly Vector3d SlipRate(in Vector3d acceleration, in Vector3d spinAcceleration, in Vector3d spin, double radius) => SurfaceSystem.Tangential(
+        acceleration - SurfaceRate + (radius * (Vector3d.Cross(in Turning, in spin) + Vector3d.Cross(in Normal, in spinAcceleration))), in Normal);
 
     /// <summary>Prepares a contact that a ball touches.</summary>
     public void Prepare(in Contact contact, Collider collider, BallProperties ball)

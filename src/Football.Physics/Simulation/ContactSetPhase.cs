@@ -324,10 +324,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             double size = contact.Slip.Length;
             if (contact.Bears && !contact.Sticks && contact.Sliding > 0 && size > 0)
             {
-                // ṡ = (v̇ − A + r ṅ × ω + r n × ω̇)_t
-                Vector3d rate = rates.Acceleration - contact.SurfaceRate
-                    + (_around.Radius * (Vector3d.Cross(contact.Turning, from.Spin) + Vector3d.Cross(contact.Normal, rates.SpinAcceleration)));
-                rate = SurfaceSystem.Tangential(in rate, contact.Normal);
+                Vector3d rate = contact.SlipRate(rates.Acceleration, rates.SpinAcceleration, from.Spin, _around.Radius);
                 h = TurnLimit.Shorten(h, step, contact.Direction, size, in rate, contact.IsFixed);
             }
         }

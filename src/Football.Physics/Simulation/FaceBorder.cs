@@ -24,7 +24,7 @@ internal static class FaceBorder
     {
         double end = carrier.FaceMargin(sweep.Position, s.Time + sweep.Length);
         double start = carrier.FaceMargin(s.Position, s.Time);
-        if (!(end < 0) || !(start > 0))
+        if (!(end < 0))
         {
             return;
         }
@@ -32,7 +32,7 @@ internal static class FaceBorder
         // The margin is all but linear along the piece.
         double length = sweep.Length;
         var margin = new Margin<TSweep>(in sweep, carrier, s.Time);
-        double x = Roots.Illinois(ref margin, 0, start, length, end, Width * length, MostSteps);
+        double x = start > LeastBeyond ? Roots.Illinois(ref margin, 0, start, length, end, Width * length, MostSteps) : 0;
         sweep = margin.Sweep;
         sweep.Step(Math.Min(length, x + Math.Max(Beyond * length, LeastBeyond / Math.Max(Slowest, sweep.Velocity.Length))));
     }
