@@ -60,6 +60,12 @@ internal struct SceneAir : IFlightAir
     /// <summary>True when torques that are not along the spin may act, so that flight has no constant axis.</summary>
     public readonly bool TurnsAxis => _own is not null;
 
+    /// <summary>True when a game has forces of its own.</summary>
+    public readonly bool HasOwnForces => _own is not null;
+
+    /// <summary>True when the wind at a place may change.</summary>
+    public readonly bool ChangesInTime => _wind is not null && _byHeight is not { Gusts: null };
+
     /// <summary>A speed that the wind by place and time nowhere exceeds, m/s; 0 where it is steady.</summary>
     public readonly double FastestWind => _wind?.Fastest ?? 0;
 

@@ -82,6 +82,14 @@ internal sealed class Collider
     /// <summary>V_p, the velocity of its material, continued to a point, m/s.</summary>
     public Vector3d MaterialVelocity(in Vector3d point, double time) => Spin == Vector3d.Zero ? Velocity : SurfaceVelocity(in point, time);
 
+    /// <summary>Where a point that moves along with its material is after a time, m.</summary>
+    public Vector3d CarriedTo(in Vector3d point, double time, double after)
+    {
+        ref readonly RigidMotion motion = ref Motion;
+        Vector3d pivot = motion.Pivot + ((time - motion.Time) * motion.Velocity);
+        return pivot + (after * motion.Velocity) + Quaterniond.FromRotationVector(after * motion.Spin).Rotate(point - pivot);
+    }
+
     /// <summary>How far a point is inside the border of the flat face that it is over, m; negative beyond it, infinite where the shape has no such border.</summary>
     public double FaceMargin(in Vector3d position, double time) => _shape is BoxShape box ? box.FaceMargin(Motion.ToShape(in position, time)) : double.PositiveInfinity;
 

@@ -107,6 +107,21 @@ internal unsafe struct ContactSystem : IMotionSystem
         }
     }
 
+    /// <summary>What acts on a ball at rest; in the published profile the air does not.</summary>
+    public readonly Vector3d PushAtRest(double time, in Motion still)
+    {
+        if (World.SharesAir)
+        {
+            Free(time, in still, out Vector3d acceleration, out _, out _);
+            return acceleration;
+        }
+
+        Vector3d u = still.Velocity - Around.Wind;
+        Around.Air.Evaluate(new ForceInput(time, in still.Position, in still.Velocity, in u, in still.Spin, MotionState.Rolling), Branch, out AirFactors air);
+        Vector3d nets = Nets == 0 ? Vector3d.Zero : World.PushOfNets(Nets, NetSides, in still).Acceleration;
+        return air.Acceleration + new Vector3d(0, Around.Upward, 0) + nets;
+    }
+
     /// <summary>Adds what the contacts do, and says what each gives.</summary>
     [SkipLocalsInit]
     public void Solve(in Vector3d spin, ref Vector3d acceleration, ref Vector3d spinAcceleration)

@@ -36,6 +36,9 @@ internal struct SurfaceSystem : IMotionSystem
     /// <summary>The normal of that face.</summary>
     public Vector3d FaceNormal;
 
+    /// <summary>What the carrier gained at the start of the step, over the step, m/s²: a ball does not come to rest on what takes it along faster than rolling friction can.</summary>
+    public Vector3d CarrierGain;
+
     /// <summary>Which way it spins about the normal, relative to the carrier: drilling friction keeps to it.</summary>
     public double SpinSign;
 
@@ -222,7 +225,8 @@ internal struct SurfaceSystem : IMotionSystem
     }
 
     /// <summary>True when rolling friction holds a ball that has come to a halt. Where the air is not shared with the spin, a ball at rest stays whatever the wind.</summary>
-    public readonly bool Rests(in SurfaceForces on) => PushFromRest(in on).Length <= RollingFriction(in on, 0);
+    public readonly bool Rests(in SurfaceForces on) =>
+        (PushFromRest(in on) - (1.0 / (1.0 + World.Ball.InertiaFactor) * CarrierGain)).Length <= RollingFriction(in on, 0);
 
     /// <summary>The slip velocity relative to the carrier, m/s.</summary>
     public readonly Vector3d SlipOf(in Motion at, in SurfaceForces on) =>

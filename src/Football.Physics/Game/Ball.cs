@@ -29,7 +29,7 @@ public sealed class Ball
     }
 
     /// <summary>The compiled scene. Setting it between steps goes on in another one (rain begins, a wall stands there), where the ball is and as it moves.</summary>
-    /// <remarks>A ball that lies still on the ground of both stays so; one below the new ground is raised to it.</remarks>
+    /// <remarks>A ball at rest stays so where rolling friction holds it in the new scene too; one below the new ground is raised to it.</remarks>
     /// <exception cref="ArgumentNullException">The simulator that is set is null; nothing has changed.</exception>
     public Simulator Simulator
     {
@@ -44,7 +44,7 @@ public sealed class Ball
             // As a kick with the velocity that it has: the new scene decides what motion that is, and raises the ball where its ground is higher.
             BallState moved = _state;
             value.Kick(ref moved, _state.Velocity, _state.Spin);
-            moved.Motion = _state.Motion == MotionState.Stopped && moved.Motion == MotionState.Rolling ? MotionState.Stopped : moved.Motion;
+            moved.Motion = _state.Motion == MotionState.Stopped && moved.Motion == MotionState.Rolling && value.RestsAt(in moved) ? MotionState.Stopped : moved.Motion;
             _state = moved;
             _simulator = value;
         }
@@ -141,13 +141,13 @@ public sealed class Ball
         Simulator.Step(ref _state, dt, _log);
     }
 
-    /// <summary>A ball without motion: at rest where it lies on the ground.</summary>
+    /// <summary>A ball without motion: at rest where it lies on something that holds it.</summary>
     internal static BallState AtRest(Simulator simulator, in Vector3d position)
     {
         BallState state = simulator.Launch(position, Vector3d.Zero, Vector3d.Zero);
 
-        // On the ground without speed it has nothing to roll with.
-        if (state.Motion == MotionState.Rolling)
+        // On a slope, or in a wind, that rolling friction cannot hold it against, it begins to roll.
+        if (state.Motion == MotionState.Rolling && simulator.RestsAt(in state))
         {
             state.Motion = MotionState.Stopped;
         }

@@ -83,6 +83,10 @@ internal readonly struct PathCubic
     public static PathCubic Of(in PathPiece piece) =>
         Between(piece.StartPosition, piece.StartVelocity, piece.EndPosition, piece.EndVelocity, piece.Length, piece.Degree == 2);
 
+    /// <summary>The Hermite interpolant between two places with their velocities.</summary>
+    public static PathCubic Between(in Vector3d position, in Vector3d velocity, in Vector3d end, in Vector3d endVelocity, double h) =>
+        Between(in position, in velocity, in end, in endVelocity, h, isQuadratic: false);
+
     private static PathCubic Between(in Vector3d position, in Vector3d velocity, in Vector3d end, in Vector3d endVelocity, double h, bool isQuadratic)
     {
         if (!(h > 0))

@@ -136,23 +136,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         }
 
         s.Carrier = bearer.Collider + _world.FirstCollider;
-        return ContactModes.Hold(in system, PushAtRest(in system, s.Time, s.Position, carrier.Velocity));
-    }
-
-    /// <summary>What acts on a ball at rest; in the published profile the air does not.</summary>
-    private Vector3d PushAtRest(in ContactSystem system, double time, in Vector3d position, in Vector3d velocity)
-    {
-        var still = new Motion(in position, in velocity, Vector3d.Zero);
-        if (_world.SharesAir)
-        {
-            system.Free(time, in still, out Vector3d acceleration, out _, out _);
-            return acceleration;
-        }
-
-        Vector3d u = velocity - _around.Wind;
-        _around.Air.Evaluate(new ForceInput(time, in position, in velocity, in u, Vector3d.Zero, MotionState.Rolling), system.Branch, out AirFactors air);
-        Vector3d nets = system.Nets == 0 ? Vector3d.Zero : _world.PushOfNets(system.Nets, system.NetSides, in still).Acceleration;
-        return air.Acceleration + new Vector3d(0, _around.Upward, 0) + nets;
+        return ContactModes.Hold(in system, system.PushAtRest(s.Time, new Motion(s.Position, carrier.Velocity, Vector3d.Zero)));
     }
 
     /// <summary>Ends what is left of a slip at contacts that stick, and of a speed off contacts that bear: below what the modes are told by.</summary>

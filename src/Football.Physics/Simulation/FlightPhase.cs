@@ -9,9 +9,6 @@ namespace Football.Physics;
 internal sealed class FlightPhase<TIntegrator>
     where TIntegrator : struct, IIntegrator
 {
-    /// <summary>Forces that leave no more than this, m/s², are in balance: a thousandth of the weight, and 10 µm in a net.</summary>
-    private const double InBalance = 0.01;
-
     private readonly Surroundings _around;
     private readonly IFlight _flight;
     private readonly ClassicalFlight _classical;
@@ -116,13 +113,8 @@ internal sealed class FlightPhase<TIntegrator>
         }
 
         // Slow alone is not enough, for at a turning point it is slow too: all forces, the nets' among them, must balance.
-        FlightSystem system = _system;
-        system.Nets = s.Nets;
-        system.NetSides = s.NetSides;
-        DragBranch branch = _around.Air.Jumps ? DragJump.At(in at, _around.Wind, _around.Radius).Branch : DragBranch.Unknown;
-        Vector3d acceleration = system.On(branch, s.Time, in at).Acceleration;
+        bool rests = _contact.HangsStill(in s);
         run.Log.Evaluations++;
-        bool rests = acceleration.LengthSquared <= InBalance * InBalance;
         if (rests)
         {
             _contact.RestInNet(ref s, _world.DeepestNet(in s), ref run);

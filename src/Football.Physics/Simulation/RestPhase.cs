@@ -1,18 +1,35 @@
 namespace Football.Physics;
 
-/// <summary>A ball at rest among things that move: it waits until one of them hits it.</summary>
-internal sealed class RestPhase
+/// <summary>
+/// A ball at rest: whether what touches it still holds it (world.md, Rest is a condition), and its way along with what carries it, up to the first thing that hits it.
+/// </summary>
+internal sealed unsafe class RestPhase
 {
+    /// <summary>A carrier turns the ball by no more than this in a piece, rad: the path between its ends is then known.</summary>
+    private const double LargestTurn = 0.25;
+
+    private readonly Surroundings _around;
     private readonly World _world;
     private readonly WorldGuard _guard;
+    private readonly WorldContact _contact;
+    private readonly DragJumpGuard _jump;
 
-    public RestPhase(World world, WorldGuard guard)
+    public RestPhase(Surroundings around, WorldGuard guard, WorldContact contact, DragJumpGuard jump)
     {
-        _world = world;
+        _around = around;
+        _world = around.World;
         _guard = guard;
+        _contact = contact;
+        _jump = jump;
+
+        // In the published profile the air wakes no ball.
+        MayWake = _world.Moves || around.Air.HasOwnForces || (_world.SharesAir && around.Air.ChangesInTime);
     }
 
-    /// <summary>Up to the end of the step, or to the hit.</summary>
+    /// <summary>True when a ball at rest may be woken without a kick: by what moves, by a force of the game's own, by wind that changes.</summary>
+    public bool MayWake { get; }
+
+    /// <summary>Up to the end of the step, or to what wakes the ball.</summary>
     public void Take(ref BallState s, ref StepRun run)
     {
         if (_guard.HitsAtOnce(ref s, ref run))
@@ -20,15 +37,36 @@ internal sealed class RestPhase
             return;
         }
 
-        // It moves along with what carries it, straight on, up to the first thing that comes its way.
+        // At the start of a step things have moved, or blow otherwise: the condition is checked again.
+        if (run.Left == run.Length && MayWake)
+        {
+            int evaluations = 0;
+            bool holds = IsHeld(ref s, run.Length, ref evaluations);
+            run.Log.Evaluations += evaluations;
+            if (!holds)
+            {
+                Wake(ref s, ref run);
+                return;
+            }
+        }
+
+        // It moves along with what carries it, up to the first thing that comes its way.
         double h = run.Left;
-        Vector3d velocity = _world.HangsInNet(in s) ? Vector3d.Zero : _world.CarrierOf(in s).Velocity;
-        var path = PathCubic.Line(s.Position, in velocity, h);
+        PathCubic path = Way(in s, ref h, out Vector3d turn);
         double at = new ContactSearch(_world, in path, s.Time).First(in s, (int)s.Carrier - _world.FirstCollider, out Separation met);
         bool meets = at <= h;
+        if (turn != Vector3d.Zero)
+        {
+            s.BaseOrientation = s.BaseOrientation.Turned((meets ? at / h : 1.0) * turn);
+        }
+
         h = meets ? at : h;
         s.Position = path.At(h);
         run.Advance(ref s, h);
+        if (turn != Vector3d.Zero && !_world.HangsInNet(in s))
+        {
+            s.Velocity = _world.CarrierOf(in s).MaterialVelocity(s.Position, s.Time);
+        }
 
         // Waiting is no integrated piece.
         run.Log.Steps--;
@@ -36,5 +74,150 @@ internal sealed class RestPhase
         {
             _guard.Meet(ref s, in met, ref run);
         }
+    }
+
+    /// <summary>True when a ball without a motion of its own stays where it is, on what carries it or in a net.</summary>
+    public bool Holds(in BallState s)
+    {
+        BallState copy = s;
+        int evaluations = 0;
+        return IsHeld(ref copy, 0, ref evaluations);
+    }
+
+    /// <summary>True when a ball at rest stays at rest; a carrier whose velocity has jumped takes it along, if rolling friction holds it.</summary>
+    private bool IsHeld(ref BallState s, double step, ref int evaluations)
+    {
+        if (_world.HangsInNet(in s))
+        {
+            evaluations++;
+            return !_around.Air.Varies || _contact.HangsStill(in s);
+        }
+
+        Collider carrier = _world.CarrierOf(in s);
+        ShapePoint point = carrier.At(s.Position, s.Time);
+        if (!(point.Distance - _around.Radius <= ContactSearch.Touching))
+        {
+            return false;
+        }
+
+        // Jumps of the carrier, over the step: V̇ at the ball's centre, and Ω̇.
+        Vector3d velocity = carrier.MaterialVelocity(s.Position, s.Time);
+        double perStep = step > 0 ? 1.0 / step : 0;
+        Vector3d gained = perStep * (velocity - s.Velocity);
+        Vector3d turned = perStep * (carrier.Spin - s.Spin);
+        if (!Grips(in s, carrier, in velocity, in gained, in turned, ref evaluations) && !IsHeldByAll(in s, in velocity, in gained, ref evaluations))
+        {
+            return false;
+        }
+
+        s.Velocity = velocity;
+        s.SpinAxis = carrier.Spin;
+        return true;
+    }
+
+    /// <summary>True when rolling friction of the carrier alone holds the ball: |a_b,t (+ a_air,t) − A_s,t − α r Ω̇ × n|/(1 + α) ≤ c₀ N/m.</summary>
+    private bool Grips(in BallState s, Collider carrier, in Vector3d velocity, in Vector3d gained, in Vector3d turned, ref int evaluations)
+    {
+        var still = new Motion(s.Position, in velocity, carrier.Spin);
+        var system = new SurfaceSystem
+        {
+            Around = _around, World = _world, Carrier = carrier, Material = carrier.MaterialAt(s.Position), Branch = _jump.OnSurface(DragBranch.Unknown, in still),
+            Nets = s.Nets, NetSides = s.NetSides, Rolls = true,
+        };
+        SurfaceForces on = system.ForcesOn(s.Time, in still);
+        evaluations++;
+        double alpha = _world.Ball.InertiaFactor;
+        Vector3d n = on.Normal;
+        Vector3d push = system.PushFromRest(in on)
+            - ((SurfaceSystem.Tangential(in gained, in n) + (alpha * _around.Radius * Vector3d.Cross(in turned, in n))) / (1.0 + alpha));
+        on.Load += Vector3d.Dot(in gained, in n);
+        return on.FreeLoad > SurfaceForces.Least && push.Length <= system.RollingFriction(in on, 0);
+    }
+
+    /// <summary>True when all that the ball touches holds it together, where none of it moves otherwise than its carrier.</summary>
+    private bool IsHeldByAll(in BallState s, in Vector3d velocity, in Vector3d gained, ref int evaluations)
+    {
+        Contact* room = stackalloc Contact[ContactSet.Most];
+        var touching = new Span<Contact>(room, ContactSet.Most);
+        BallState moved = s;
+        moved.Velocity = velocity;
+        Span<Contact> set = touching.Slice(0, ContactSet.Touching(_world, in moved, touching));
+        if (set.Length < 2 || set.Length > ContactSystem.Most)
+        {
+            return false;
+        }
+
+        SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
+        var still = new Motion(s.Position, in velocity, Vector3d.Zero);
+        for (int i = 0; i < set.Length; i++)
+        {
+            Collider collider = _world.Colliders[set[i].Collider];
+            if (collider.Velocity != velocity || collider.Spin != Vector3d.Zero)
+            {
+                return false;
+            }
+
+            contacts[i].Prepare(in set[i], collider, _world.Ball);
+            contacts[i].Look(_world, s.Time, in still);
+        }
+
+        var system = new ContactSystem
+        {
+            Around = _around, World = _world, Contacts = contacts, Count = set.Length, Bearer = -1, Nets = s.Nets, NetSides = s.NetSides,
+            Branch = _jump.OnSurface(DragBranch.Unknown, in still),
+        };
+        evaluations++;
+        return ContactModes.Hold(in system, system.PushAtRest(s.Time, in still) - gained);
+    }
+
+    /// <summary>The ball moves again: with the velocity and the spin that it has, which what carries it may have left behind.</summary>
+    private void Wake(ref BallState s, ref StepRun run)
+    {
+        if (_world.HangsInNet(in s))
+        {
+            WorldContact.Fly(ref s, s.Velocity, s.Spin);
+            return;
+        }
+
+        Collider carrier = _world.CarrierOf(in s);
+        ShapePoint at = carrier.At(s.Position, s.Time);
+        if (!(at.Distance - _around.Radius <= ContactSearch.Touching))
+        {
+            WorldContact.Fly(ref s, s.Velocity, s.Spin);
+            return;
+        }
+
+        Vector3d surface = _world.SurfaceVelocity(carrier, s.Position, at.Normal, s.Time);
+        Vector3d slip = Slip.Of(s.Velocity - surface, s.Spin, at.Normal, _around.Radius);
+        s.Motion = slip.Length < Slip.Rolling ? MotionState.Rolling : MotionState.Sliding;
+        if (s.Motion == MotionState.Sliding)
+        {
+            run.Jumped = true;
+            run.CarrierGain = -1.0 / run.Length * slip;
+        }
+    }
+
+    /// <summary>The way of a ball that moves along with its carrier, and the rotation on it, rad.</summary>
+    private PathCubic Way(in BallState s, ref double h, out Vector3d turn)
+    {
+        turn = default;
+        if (_world.HangsInNet(in s))
+        {
+            return PathCubic.Line(s.Position, Vector3d.Zero, h);
+        }
+
+        Collider carrier = _world.CarrierOf(in s);
+        Vector3d velocity = carrier.MaterialVelocity(s.Position, s.Time);
+        if (carrier.Spin == Vector3d.Zero)
+        {
+            return PathCubic.Line(s.Position, in velocity, h);
+        }
+
+        // About the pivot: p' = o + V h + R(Ω h) (p − o).
+        double rate = carrier.Spin.Length;
+        h = Math.Min(h, LargestTurn / rate);
+        turn = h * carrier.Spin;
+        Vector3d end = carrier.CarriedTo(s.Position, s.Time, h);
+        return PathCubic.Between(s.Position, in velocity, in end, carrier.MaterialVelocity(in end, s.Time + h), h);
     }
 }

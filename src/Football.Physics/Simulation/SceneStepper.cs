@@ -62,11 +62,15 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         _parts = new ContactSetParts(around, guard, _contact);
         var set = new ContactSetPhase<TIntegrator>(around, in _pulled, jump, guard, _contact, _parts);
         _surface = new SurfacePhase<TIntegrator>(scene, settings, around, _pulled, jump, guard, _contact, set);
-        _rest = new RestPhase(world, guard);
+        _rest = new RestPhase(around, guard, _contact, jump);
         _flight = new FlightPhase<TIntegrator>(around, this, Limit, jump, guard, _contact);
     }
 
     public override World World => Around.World;
+
+    public override bool MayWake => _rest.MayWake;
+
+    public override bool RestsAt(in BallState s) => _rest.Holds(in s);
 
     /// <summary>Forces on a ball wherever it is.</summary>
     protected Surroundings Around { get; }
@@ -199,11 +203,15 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
             s.ClearUntil = 0;
             _contact.Raise(ref s);
             _bodies?.Apply(ref s, ref run);
+            if (World.Moves)
+            {
+                _contact.TakeJump(ref s, ref run);
+            }
         }
 
         // The first piece was tried as a whole step already where it is not one's end.
         bool isTried = whole == WholeFlight.NotTaken;
-        while (!log.Halted && run.Left > 0 && (s.Motion != MotionState.Stopped || World.Moves))
+        while (!log.Halted && run.Left > 0 && (s.Motion != MotionState.Stopped || _rest.MayWake))
         {
             if (!run.Begin())
             {
@@ -237,6 +245,12 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         if (!log.Halted)
         {
             s.Time = run.End;
+        }
+
+        // A slip that the carrier's jump began, and that lasts.
+        if (run.Jumped && s.Motion == MotionState.Sliding)
+        {
+            _contact.StartSliding(ref s, ref run);
         }
     }
 

@@ -14,6 +14,7 @@ public sealed class Simulator
     private readonly int _things;
 
     private readonly bool _hasOwnForces;
+    private readonly bool _mayWake;
     private ulong? _sceneHash;
 
     /// <summary>Checks a scene and compiles it.</summary>
@@ -35,6 +36,7 @@ public sealed class Simulator
         _contact = Scene.Ground.Height + Scene.Ball.Radius;
         _world = _stepper.World;
         _things = _world.Engine is null ? _world.Names.Count : int.MaxValue;
+        _mayWake = _stepper.MayWake;
         _hasOwnForces = Scene.Forces.Custom.Count > 0;
     }
 
@@ -159,8 +161,8 @@ public sealed class Simulator
     /// <summary>Takes a step. A force of the game's own may refuse it, and the ball is where it was then.</summary>
     private void Take(ref BallState state, double dt, StepLog log)
     {
-        // At rest where nothing moves a step is its time alone.
-        if (state.Motion == MotionState.Stopped && !_world.Moves)
+        // At rest where nothing can change a step is its time alone.
+        if (state.Motion == MotionState.Stopped && !_mayWake)
         {
             state.Time += dt;
             return;
@@ -274,6 +276,9 @@ public sealed class Simulator
 
         return false;
     }
+
+    /// <inheritdoc cref="Stepper.RestsAt"/>
+    internal bool RestsAt(in BallState state) => _stepper.RestsAt(in state);
 
     /// <summary>Takes one step, or part of it up to the first impact.</summary>
     /// <returns>True when an impact ended it.</returns>

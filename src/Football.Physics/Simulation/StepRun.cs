@@ -60,6 +60,12 @@ internal ref struct StepRun
     /// <summary>How often the step has reported that the ball on several surfaces slides or rolls.</summary>
     public int Named;
 
+    /// <summary>True while the ball slips because its carrier's velocity has jumped at the start of the step: a slip that ends within the step is not reported.</summary>
+    public bool Jumped;
+
+    /// <summary>By how much that jump was, over the step, m/s².</summary>
+    public Vector3d CarrierGain;
+
     /// <summary>How often the ball has begun to slip for want of grip.</summary>
     public int Slips;
 

@@ -9,6 +9,12 @@ internal abstract class Stepper
     /// <summary>All that can be met where there is more than a level pitch; else null.</summary>
     public abstract World World { get; }
 
+    /// <summary>True when a ball at rest may be woken without a kick: then each of its steps checks whether it is still held.</summary>
+    public abstract bool MayWake { get; }
+
+    /// <summary>True when a ball without a motion of its own stays where it is.</summary>
+    public abstract bool RestsAt(in BallState s);
+
     /// <summary>Advances a state by dt, events and all.</summary>
     public abstract void Step(ref BallState state, double dt, StepLog log);
 

@@ -97,6 +97,7 @@ internal sealed class SurfacePhase<TIntegrator>
         bool rolls = s.Motion == MotionState.Rolling;
         var from = new Motion(s.Position, s.Velocity, s.Spin);
         SurfaceSystem system = System(in s, in from, rolls);
+        system.CarrierGain = run.CarrierGain;
         SurfaceForces on = system.ForcesOn(s.Time, in from);
         run.Log.Evaluations++;
         if (on.FreeLoad <= SurfaceForces.Least)

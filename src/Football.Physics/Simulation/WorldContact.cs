@@ -18,6 +18,9 @@ internal sealed class WorldContact
     /// <summary>A ball is raised out of the ground in so many steps: more than one where that is curved.</summary>
     private const int MostRaises = 4;
 
+    /// <summary>Forces that leave no more than this, m/s², are in balance: a thousandth of the weight, and 10 µm in a net.</summary>
+    private const double InBalance = 0.01;
+
     /// <summary>Less than this is no overlap to be raised from, m.</summary>
     private const double Overlap = 5e-10;
 
@@ -294,7 +297,41 @@ internal sealed class WorldContact
         Vector3d spin = Slip.RollingSpin(s.Velocity - surface, Vector3d.Dot(in before, in n), in n, _world.Ball.Radius);
         s.SetGroundSpin(in spin);
         s.Motion = MotionState.Rolling;
+        if (run.Jumped)
+        {
+            run.Jumped = false;
+            return;
+        }
+
         run.Log.Events.Add(new BallEvent(BallEventKind.Roll, (int)s.Carrier, in n, s.Time, s.Position, s.Velocity, in before, s.Velocity, in spin));
+    }
+
+    /// <summary>The velocity of the carrier may have jumped since the last step: the ball keeps its own, and slips (world.md, On a carrier).</summary>
+    public void TakeJump(ref BallState s, ref StepRun run)
+    {
+        if (s.Motion != MotionState.Rolling || !_world.CarrierOf(in s).Moves)
+        {
+            return;
+        }
+
+        Collider carrier = _world.CarrierOf(in s);
+        Vector3d n = carrier.At(s.Position, s.Time).Normal;
+        Vector3d slip = Slip.Of(s.Velocity - _world.SurfaceVelocity(carrier, s.Position, in n, s.Time), s.Spin, in n, _world.Ball.Radius);
+        if (slip.Length >= Slip.Rolling)
+        {
+            s.Motion = MotionState.Sliding;
+            run.Jumped = true;
+            run.CarrierGain = -1.0 / run.Length * slip;
+        }
+    }
+
+    /// <summary>True when all that acts on a ball that hangs in a net is in balance.</summary>
+    public bool HangsStill(in BallState s)
+    {
+        var at = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
+        var system = new FlightSystem { Around = _around, Nets = s.Nets, NetSides = s.NetSides };
+        DragBranch branch = _around.Air.Jumps ? DragJump.At(in at, in _around.Wind, _around.Radius).Branch : DragBranch.Unknown;
+        return system.On(branch, s.Time, in at).Acceleration.LengthSquared <= InBalance * InBalance;
     }
 
     /// <summary>A rolling ball begins to slip.</summary>
@@ -545,7 +582,8 @@ internal sealed class WorldContact
         NetSides = s.NetSides,
     };
 
-    private static void Fly(ref BallState s, in Vector3d velocity, in Vector3d spin)
+    /// <summary>The ball flies on.</summary>
+    public static void Fly(ref BallState s, in Vector3d velocity, in Vector3d spin)
     {
         s.Velocity = velocity;
         s.SetFlightSpin(in spin);

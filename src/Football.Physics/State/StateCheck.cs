@@ -44,7 +44,7 @@ internal static class StateCheck
         // On the ground the axis is the spin; what a ball rests on may move.
         bool carried = state.SpinRate == 1 && state.Angle == 0;
         return state.Motion == MotionState.Stopped
-            ? carried && axis == 0 && v.LengthSquared <= (state.Carrier > 0 ? Limits.Speed * Limits.Speed : 0)
+            ? carried && (state.Carrier > 0 ? axis <= Limits.Spin * Limits.Spin : axis == 0 && v.LengthSquared == 0)
             : carried && (state.Motion is MotionState.Sliding or MotionState.Rolling or MotionState.Squeezed) && axis <= FastestSpin * FastestSpin;
     }
 
@@ -68,13 +68,13 @@ internal static class StateCheck
         else
         {
             // On the ground the axis is the spin.
-            Check.Size("state.spin", state.SpinAxis, state.Motion == MotionState.Stopped ? 0 : FastestSpin, "rad/s");
+            Check.Size("state.spin", state.SpinAxis, state.Motion != MotionState.Stopped ? FastestSpin : state.Carrier > 0 ? Limits.Spin : 0, "rad/s");
             Check.Within("state.spinRate", state.SpinRate, 1, 1);
             Check.Within("state.angle", state.Angle, 0, 0);
         }
 
         // What a ball rests on may move.
-        double moves = state.Carrier > 0 ? Limits.Speed : 0;
+        double moves = state.Carrier > 0 ? FastestSpeed : 0;
         if (state.Motion == MotionState.Stopped)
         {
             Check.Size("state.velocity", state.Velocity, moves, "m/s");
