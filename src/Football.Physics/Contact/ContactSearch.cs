@@ -434,7 +434,7 @@ internal readonly struct ContactSearch
     internal static double ShortestOf(in PathCubic path) => Math.Max(ShortestShare * path.Length, ShortestStep);
 
     /// <summary>From a gap that is closed and does not get smaller: until it may, or until it may be smaller by as much again as counts as closed, ½ M s².</summary>
-    internal static double Along(double rate, double bend) =>
+    private static double Along(double rate, double bend) =>
         bend > 0 ? Math.Max(rate / bend, Math.Sqrt(2.0 * Touching / bend)) : double.PositiveInfinity;
 
     /// <summary>The positive root of f + f' s − ½ M s², without cancellation.</summary>

@@ -46,6 +46,12 @@ internal readonly struct MovingShape
 /// </summary>
 internal static class RotatingSearch
 {
+    /// <summary>A gap that closes more slowly than this, m/s, ...</summary>
+    private const double Slow = 0.01;
+
+    /// <summary>... may close by so much more, m, before it is looked at: so a ball that touches a drum costs few looks.</summary>
+    private const double Sink = 1e-8;
+
     /// <summary>When the ball touches the shape first, coming closer; infinite where it does not.</summary>
     /// <param name="shape">The shape, from the start of the path on.</param>
     /// <param name="hollow">The strongest curvature of its hollows, 1/m.</param>
@@ -81,7 +87,7 @@ internal static class RotatingSearch
             }
 
             // Both bounds are safe; far from a hollow only that of the rate is, and near it that of the bend until the ball may be far again.
-            double byBend = gap > ContactSearch.Touching ? ContactSearch.Safe(gap, rate, bend) : ContactSearch.Along(rate, bend);
+            double byBend = ContactSearch.Safe(Math.Max(gap, 0) + (rate > -Slow ? Sink : 0), rate, bend);
             byBend = !(hollow > 0) ? byBend : gap < ContactSearch.NearHollow * radius ? Math.Min(byBend, ((ContactSearch.NearHollow * radius) - gap) / whole) : 0;
             if (!ContactSearch.Advance(ref t, Math.Max(byBend, Math.Max(gap, 0) / closing), shortest, until))
             {

@@ -422,7 +422,7 @@ internal sealed class World
 
         // p + (r − d) n, and no speed off the surface.
         s.Position += (Ball.Radius - at.Distance) * n;
-        s.Velocity -= Vector3d.Dot(s.Velocity - collider.ShapeVelocity(s.Position, s.Time), in n) * n;
+        s.Velocity -= Vector3d.Dot(s.Velocity - collider.Velocity, in n) * n;
         if (IsLevel && collider == Ground)
         {
             s.Position = new Vector3d(s.Position.X, LevelContact, s.Position.Z);

@@ -302,6 +302,26 @@ public sealed class RotatingBodyTests
         Assert.InRange(counted.Looks, 10, 250);
     }
 
+    /// <summary>A drum of a shape that the library does not know rotates beside a ball at rest, and never comes closer: the search must see that without looking at each micrometre.</summary>
+    [Fact]
+    public void A_ball_at_rest_beside_a_drum_costs_few_looks()
+    {
+        var counted = new CountedShape(new CapsuleShape(new Vector3d(0, -1, 0), new Vector3d(0, 1, 0), 0.3));
+        var drum = new Hinged { Shape = counted, Axis = Vector3d.Up, Rate = 20, Pivot = new Vector3d(0.3 + Flight.Radius, 0, 0) };
+        var scene = new HingedScene(drum, Mover.Body, new Scene { Ball = BallProperties.Football, Ground = Ground.DryTurf });
+        var ball = new Ball(scene.Scene);
+        scene.Move(0);
+        Assert.True(scene.Body.Motion.Rotates);
+        for (int i = 0; i < 60; i++)
+        {
+            scene.Move(ball.Time);
+            ball.Step(1 / 60.0);
+        }
+
+        Assert.Equal(MotionState.Stopped, ball.Motion);
+        Assert.InRange(counted.Looks, 60, 60 * 3000);
+    }
+
     /// <summary>A spin that leaves the shape as it is rotates nothing: a ball about its centre, a drum about its axis.</summary>
     [Fact]
     public void A_spin_that_changes_nothing_costs_nothing()
