@@ -85,7 +85,6 @@ public sealed class Body
             expected = expected.Turned((time - motion.Time) * motion.Spin);
         }
 
-
         // The same orientation as before keeps its bits: to normalise it again might change the last.
         Quaterniond turned = orientation == motion.Orientation ? orientation : orientation.Normalized();
         if (turned != expected)
@@ -102,17 +101,17 @@ public sealed class Body
 
         bool again = time == motion.Time;
         bool rotated = motion.Rotates;
-        bool turnsElse = spin != motion.Spin;
-        double change = turnsElse ? (spin - motion.Spin).Length : 0;
+        Vector3d change = spin - motion.Spin;
         motion.Origin = position;
         motion.Pivot = position;
         motion.Velocity = velocity;
         motion.Spin = spin;
         motion.Time = time;
         motion.Rotate(Shape);
-        if (turnsElse && (rotated || motion.Rotates))
+        if ((rotated || motion.Rotates) && change != Vector3d.Zero)
         {
-            jump += Math.Min(Bodies.Foresight * change, 2.0) * Placement.Reach;
+            // With another spin its points go elsewhere, but not beyond their circles.
+            jump += Math.Min(Bodies.Foresight * change.Length, 2.0) * Placement.Reach;
         }
 
         // Told last, when it is where it says: broad phase, and who records.

@@ -3,7 +3,7 @@ namespace Football.Physics;
 /// <summary>Speeds that a rotation gives to a shape.</summary>
 internal static class SwingOf
 {
-    /// <summary>A part of a shape that is closer to the axis of rotation than this, m, stays where it is: a thousandth of that counts as touching.</summary>
+    /// <summary>A part of a shape that is closer to the axis of rotation than this, m, stays where it is. It is a thousandth of a gap that counts as touching.</summary>
     private const double OnAxis = 1e-13;
 
     /// <summary>
