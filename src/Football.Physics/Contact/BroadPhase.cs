@@ -268,7 +268,7 @@ internal struct NearThings
         Collider collider = _world.Colliders[moving];
 
         // The box that it sweeps in the time.
-        Bounds3d bounds = collider.BoundsAt(_time);
+        Bounds3d bounds = collider.BoundsDuring(_time, _duration);
         if (_duration > 0)
         {
             bounds = bounds.With(bounds.Moved(_duration * collider.Velocity));

@@ -73,8 +73,11 @@ internal sealed class Collider
     /// <summary>Ω of its material, rad/s.</summary>
     public Vector3d Spin => Motion.Spin;
 
-    /// <summary>True when the shape itself rotates within a step: bodies and engine colliders. The spin of an obstacle moves only its surface.</summary>
-    public bool Rotates => IsBody && Motion.Spin != Vector3d.Zero;
+    /// <summary>
+    /// True when the shape itself rotates within a step: bodies and engine colliders. The spin of an obstacle moves only its surface, and so does a spin that leaves
+    /// the shape as it is.
+    /// </summary>
+    public bool Rotates => Motion.Rotates;
 
     /// <summary>Velocity of the shape at a point, m/s: with Ω where the shape itself rotates. A gap to the ball changes by the ball's velocity relative to this one.</summary>
     public Vector3d ShapeVelocity(in Vector3d point, double time) => Rotates ? SurfaceVelocity(in point, time) : Velocity;
@@ -98,6 +101,9 @@ internal sealed class Collider
 
     /// <summary>True when its shape has flat faces with borders, as a box does.</summary>
     public bool HasFaces => _shape is BoxShape;
+
+    /// <summary>The greatest speed of any part of it, m/s. For a shape without bounds, only its velocity counts.</summary>
+    public double GreatestSpeed => Motion.GreatestSpeed;
 
     /// <summary>Mass behind its surface, kg; infinite where the ball does not move it.</summary>
     public double Mass { get; private set; } = double.PositiveInfinity;
@@ -206,6 +212,9 @@ internal sealed class Collider
     /// <summary>Nearest point of the shape to a point in the thing's own frame.</summary>
     public ShapePoint At(in Vector3d position) => _shape.At(in position);
 
+    /// <summary>The shape and its motion, described from a time on: for many looks within a piece.</summary>
+    public MovingShape From(double time) => new(_shape, in Motion, time);
+
     /// <summary>A path as the thing sees it in its own frame.</summary>
     public PathCubic Seen(in PathCubic path, double time)
     {
@@ -216,7 +225,11 @@ internal sealed class Collider
     }
 
     /// <summary>A box around it at a time.</summary>
-    public Bounds3d BoundsAt(double time) => _placement is null ? _bounds.Moved(_motion.GoneBy(time)) : _placement.BoundsAt(time);
+    public Bounds3d BoundsAt(double time) => BoundsDuring(time, 0);
+
+    /// <summary>A box that is around it at a time, and stays around it for a duration if the box moves along with its velocity.</summary>
+    public Bounds3d BoundsDuring(double time, double duration) =>
+        _placement is null ? _bounds.Moved(_motion.GoneBy(time)) : _placement.BoundsDuring(time, duration);
 
     /// <summary>The surface's velocity at a point of contact, V + Ω × (c − o), m/s.</summary>
     public Vector3d SurfaceVelocity(in Vector3d contact, double time) => Motion.SurfaceVelocity(in contact, time);

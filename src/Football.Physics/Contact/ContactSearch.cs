@@ -16,7 +16,7 @@ internal readonly struct ContactSearch
     public const double Leaving = 5e-6;
 
     /// <summary>Up to this share of the radius from a hollow, the bend of the gap is known.</summary>
-    private const double NearHollow = 0.1;
+    internal const double NearHollow = 0.1;
 
     /// <summary>Putting a ball back onto what carries it after a piece moves it by less than this, m.</summary>
     private const double Corrected = 1e-6;
@@ -248,6 +248,11 @@ internal readonly struct ContactSearch
             return FirstContact(_path.DistanceTo(plane, r), until);
         }
 
+        if (collider.Rotates)
+        {
+            return RotatingSearch.FirstContact(collider.From(_time), collider.HollowCurvature, in _path, _bend, r, until);
+        }
+
         // What moves sees the path in its own frame, where it stands still itself.
         PathCubic path = _path;
         Bounds3d bounds = _bounds;
@@ -352,7 +357,7 @@ internal readonly struct ContactSearch
 
     /// <summary>Goes on along the path; a step that had to be made longer ends at its end.</summary>
     /// <returns>False beyond the end.</returns>
-    private static bool Advance(ref double t, double step, double shortest, double until)
+    internal static bool Advance(ref double t, double step, double shortest, double until)
     {
         double next = t + Math.Max(step, shortest);
 
@@ -450,14 +455,14 @@ internal readonly struct ContactSearch
     }
 
     /// <summary>The shortest step of a walk along a path, s: so that every walk ends.</summary>
-    private static double ShortestOf(in PathCubic path) => Math.Max(ShortestShare * path.Length, ShortestStep);
+    internal static double ShortestOf(in PathCubic path) => Math.Max(ShortestShare * path.Length, ShortestStep);
 
     /// <summary>From a gap that is closed and does not get smaller: until it may, or until it may be smaller by as much again as counts as closed, ½ M s².</summary>
     private static double Along(double rate, double bend) =>
         bend > 0 ? Math.Max(rate / bend, Math.Sqrt(2.0 * Touching / bend)) : double.PositiveInfinity;
 
     /// <summary>The positive root of f + f' s − ½ M s², without cancellation.</summary>
-    private static double Safe(double gap, double rate, double bend)
+    internal static double Safe(double gap, double rate, double bend)
     {
         // s = (f' + √(f'² + 2 M f))/M, which for f' < 0 is 2 f/(√(…) − f').
         double root = Math.Sqrt((rate * rate) + (2.0 * bend * gap));

@@ -232,7 +232,7 @@ internal static class ContactSet
         Collider collider = world.Colliders[contact.Collider];
         ShapePoint at = collider.At(s.Position, s.Time);
         double gap = at.Distance - world.Ball.Radius;
-        double off = Vector3d.Dot(s.Velocity - collider.Velocity, at.Normal);
+        double off = Vector3d.Dot(s.Velocity - collider.ShapeVelocity(s.Position - (world.Ball.Radius * at.Normal), s.Time), at.Normal);
         bool bears = contact.Load > 0;
 
         // What bears keeps the ball on itself, with no speed off it; all else only keeps it out.
@@ -297,7 +297,7 @@ internal struct Contact
     /// <summary>n, towards the ball.</summary>
     public readonly Vector3d Normal;
 
-    /// <summary>V, m/s.</summary>
+    /// <summary>V_c, the velocity of the surface at the contact point, m/s.</summary>
     public readonly Vector3d Velocity;
 
     /// <summary>Distance from the ball, m; negative where it overlaps.</summary>
@@ -321,7 +321,7 @@ internal struct Contact
         Moves = collider.Moves;
         IsFlat = at.IsFlat;
         Normal = at.Normal;
-        Velocity = collider.Velocity;
+        Velocity = collider.Spin == Vector3d.Zero ? collider.Velocity : collider.SurfaceVelocity(s.Position - (radius * at.Normal), s.Time);
         Gap = gap;
         Material = collider.MaterialAt(s.Position);
         Rolls = Slip.Of(s.Velocity - Velocity, s.Spin, in Normal, radius).Length < RollingSlip;

@@ -18,6 +18,7 @@ internal sealed class EngineThings
     private readonly long[] _foundAt = new long[Room];
     private readonly Dictionary<EngineCollider, int> _places = new(Room);
     private readonly EngineHits _hits = new();
+    private readonly List<EngineCollider> _rotating = [];
     private int[] _found = new int[Room];
     private Vector3d _from;
     private Vector3d _to;
@@ -44,8 +45,20 @@ internal sealed class EngineThings
     /// <summary>Places for colliders, filled as they are found.</summary>
     public IReadOnlyList<Collider> Colliders => _colliders;
 
-    /// <summary>The fastest that they say they are, m/s.</summary>
-    public double GreatestSpeed => _engine.GreatestSpeed;
+    /// <summary>The greatest speed of any part of them, m/s: as the engine says, and of those that were found rotating.</summary>
+    public double GreatestSpeed
+    {
+        get
+        {
+            double greatest = _engine.GreatestSpeed;
+            foreach (EngineCollider collider in _rotating)
+            {
+                greatest = Math.Max(greatest, collider.Placement.Motion.GreatestSpeed);
+            }
+
+            return greatest;
+        }
+    }
 
     /// <summary>How many the last cast has found.</summary>
     public int Count { get; private set; }
@@ -122,7 +135,7 @@ internal sealed class EngineThings
         for (int i = 0; i < Count; i++)
         {
             Collider collider = _colliders[_found[i] - _first];
-            if (way.SeenFrom(collider.Velocity).Meets(collider.BoundsAt(way.Time)) <= way.Duration)
+            if (way.SeenFrom(collider.Velocity).Meets(collider.BoundsDuring(way.Time, way.Duration)) <= way.Duration)
             {
                 return false;
             }
@@ -141,8 +154,16 @@ internal sealed class EngineThings
         // The engine has its colliders where they are at one time: until the ball passes they may have moved.
         double now = _engine.Time;
         double apart = Math.Max(Math.Abs(time - now), Math.Abs(time + duration - now));
-        _hits.Clear();
-        _engine.Cast(new SphereCast(in from, in to, _around + (apart * _engine.GreatestSpeed), _ballRadius), _hits);
+        double moved = Moved(apart);
+        Cast(in from, in to, moved);
+
+        // A rotating one that is found for the first time may have gone farther than was allowed for: others like it too.
+        if (NoteRotating() && Moved(apart) is var farther && farther > moved)
+        {
+            Cast(in from, in to, farther);
+            NoteRotating();
+        }
+
         _casts++;
         Count = 0;
         if (_found.Length < _hits.Count)
@@ -160,6 +181,56 @@ internal sealed class EngineThings
             _foundAt[place] = _casts;
             _found[Count++] = _first + place;
         }
+    }
+
+    private void Cast(in Vector3d from, in Vector3d to, double moved)
+    {
+        _hits.Clear();
+        _engine.Cast(new SphereCast(in from, in to, _around + moved, _ballRadius), _hits);
+    }
+
+    /// <summary>How far any part of them may have moved in a time, m: what rotates no farther than across the circle that it moves in.</summary>
+    private double Moved(double apart)
+    {
+        double most = apart * _engine.GreatestSpeed;
+        for (int i = _rotating.Count - 1; i >= 0; i--)
+        {
+            ref RigidMotion motion = ref _rotating[i].Placement.Motion;
+            if (!motion.Rotates)
+            {
+                _rotating.RemoveAt(i);
+                continue;
+            }
+
+            double across = 2.0 * _rotating[i].Placement.Reach;
+            most = across < double.PositiveInfinity ? Math.Max(most, (apart * motion.Velocity.Length) + Math.Min(apart * motion.Swing, across)) : most;
+        }
+
+        return most;
+    }
+
+    /// <summary>Remembers the found colliders that rotate.</summary>
+    /// <returns>True if any of them was not known.</returns>
+    private bool NoteRotating()
+    {
+        bool isNew = false;
+        for (int i = 0; i < _hits.Count; i++)
+        {
+            EngineCollider hit = _hits.At(i);
+            if (hit.Placement.Motion.Rotates && !_rotating.Contains(hit))
+            {
+                // As many as have a place; the one that was noted first gives up its own.
+                if (_rotating.Count == Room)
+                {
+                    _rotating.RemoveAt(0);
+                }
+
+                _rotating.Add(hit);
+                isNew = true;
+            }
+        }
+
+        return isNew;
     }
 
     /// <summary>The place of a collider, its own or one that was found longest ago.</summary>

@@ -93,7 +93,9 @@ internal readonly struct Separation
 
                 ShapePoint at = collider.At(in position, time);
                 value = at.Distance - _world.Ball.Radius;
-                rate = Vector3d.Dot(velocity - collider.Velocity, at.Normal);
+
+                // Along n the shape has at the centre of the ball the speed that it has at the point of contact.
+                rate = Vector3d.Dot(velocity - collider.ShapeVelocity(in position, time), at.Normal);
                 break;
             case SeparationKind.NetMet when (_axis & 3) == 2:
                 double from = _axis >= 4 ? -1.0 : 1.0;

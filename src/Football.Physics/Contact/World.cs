@@ -147,7 +147,7 @@ internal sealed class World
             double fastest = Engine?.GreatestSpeed ?? 0;
             foreach (int mover in Moving)
             {
-                fastest = Math.Max(fastest, Colliders[mover].Velocity.Length);
+                fastest = Math.Max(fastest, Colliders[mover].GreatestSpeed);
             }
 
             return fastest;
@@ -192,11 +192,11 @@ internal sealed class World
         Obstacles.PutBack();
     }
 
-    /// <summary>A box around one of what is moved, at a time.</summary>
-    public Bounds3d BoundsOfMover(int mover, double time)
+    /// <summary>A box that is around one of what is moved at a time, and stays around it for a duration if the box moves along with its velocity.</summary>
+    public Bounds3d BoundsOfMover(int mover, double time, double duration)
     {
         int bodies = Bodies?.Count ?? 0;
-        return mover < bodies ? Bodies![mover].BoundsAt(time) : Obstacles.BoundsAt(mover - bodies, time);
+        return mover < bodies ? Bodies![mover].BoundsDuring(time, duration) : Obstacles.BoundsAt(mover - bodies, time);
     }
 
     /// <summary>Puts all that is moved where it was.</summary>

@@ -96,14 +96,14 @@ public sealed class Bodies : IReadOnlyList<Body>
         double reach = (half * way.Velocity.Length) + way.Around;
         for (int i = 0; _movers.Next(in middle, reach, time, half, ref i); i++)
         {
-            free = Math.Min(free, way.SeenFrom(_bodies[i].Velocity).Meets(_bodies[i].BoundsAt(way.Time)));
+            free = Math.Min(free, way.SeenFrom(_bodies[i].Velocity).Meets(_bodies[i].BoundsDuring(way.Time, way.Duration)));
         }
 
         return free;
     }
 
     /// <summary>A body was added, or moved: what a quick look needs is kept in one place.</summary>
-    internal void Update(Body body) => _movers.Set(body.Index, body.BoundsAt(0), body.Velocity);
+    internal void Update(Body body) => _movers.Set(body.Index, body.Placement.BoundsAlways(0), body.Velocity);
 
     /// <summary>Refuses a step at a time for which the game did not move its bodies: they would not be where it says.</summary>
     /// <param name="time">The ball's time before the step, s.</param>

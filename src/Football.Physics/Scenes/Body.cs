@@ -2,7 +2,7 @@ namespace Football.Physics;
 
 /// <summary>
 /// A thing that the game moves: a foot, a leg, a head, a keeper's hand. The game says before a step where it is and how fast it goes; within the step
-/// it goes on so, and hits the ball exactly when it is hit. One with a mass goes on with what the impact left it, until the game moves it again.
+/// it goes on so, rotates about its position, and hits the ball exactly when it is hit. One with a mass goes on with what the impact left it, until the game moves it again.
 /// </summary>
 /// <remarks>
 /// Made by <see cref="Bodies.Add(string, IShape, Surface?, double)"/>. Where a body is put over the ball, the next step pushes the ball out along the shortest way, without giving it a
@@ -11,7 +11,6 @@ namespace Football.Physics;
 public sealed class Body
 {
     private readonly Bodies _all;
-    private readonly double _extent;
 
     internal Body(Bodies all, int index, string name, IShape shape, Surface surface, double mass)
     {
@@ -21,11 +20,7 @@ public sealed class Body
         Shape = shape;
         Surface = surface;
         Mass = mass;
-        Bounds3d own = shape.Bounds;
-
-        // No point of the box is farther from the origin than its farthest corner.
-        _extent = new Vector3d(Math.Max(-own.Min.X, own.Max.X), Math.Max(-own.Min.Y, own.Max.Y), Math.Max(-own.Min.Z, own.Max.Z)).Length;
-        Placement = new Placement(in own);
+        Placement = new Placement(shape.Bounds);
     }
 
     /// <summary>Its name, for events and messages.</summary>
@@ -45,13 +40,13 @@ public sealed class Body
     /// <summary>Where it is at <see cref="Time"/>, m. Default the origin.</summary>
     public Vector3d Position => Placement.Motion.Origin;
 
-    /// <summary>How it is turned, body to world. Default not at all.</summary>
+    /// <summary>How it is turned at <see cref="Time"/>, body to world. Default not at all.</summary>
     public Quaterniond Orientation => Placement.Motion.Orientation;
 
     /// <summary>Velocity, m/s. Default 0.</summary>
     public Vector3d Velocity => Placement.Motion.Velocity;
 
-    /// <summary>Spin of its surface about its position, rad/s. Default 0.</summary>
+    /// <summary>Spin about its position, rad/s. Default 0.</summary>
     public Vector3d Spin => Placement.Motion.Spin;
 
     /// <summary>When it is there, on the clock of the ball, s. Default 0.</summary>
@@ -70,7 +65,7 @@ public sealed class Body
     /// <param name="position">Where it is, m; components within ±1e6.</param>
     /// <param name="orientation">How it is turned, body to world; normalised.</param>
     /// <param name="velocity">Velocity, m/s; at most 1000.</param>
-    /// <param name="spin">Spin of its surface, rad/s; at most 10 000. Within a step it moves the surface, not the shape.</param>
+    /// <param name="spin">Spin about its position, rad/s; at most 10 000. Within a step, the shape rotates with this spin.</param>
     /// <param name="time">When it is there: the ball's <see cref="Ball.Time"/> before the step, s; within ±1e12. The next step refuses one more than 0.25 s from that.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
     public void MoveTo(Vector3d position, Quaterniond orientation, Vector3d velocity, Vector3d spin, double time)
@@ -84,24 +79,40 @@ public sealed class Body
         // How far any point of it may be from where it was expected.
         ref RigidMotion motion = ref Placement.Motion;
         double jump = (position - motion.GoneBy(time)).Length + (Bodies.Foresight * (velocity - motion.Velocity).Length);
+        Quaterniond expected = motion.Orientation;
+        if (motion.Rotates)
+        {
+            expected = expected.Turned((time - motion.Time) * motion.Spin);
+        }
 
         // The same orientation as before keeps its bits: to normalise it again might change the last.
         Quaterniond turned = orientation == motion.Orientation ? orientation : orientation.Normalized();
-        if (turned != motion.Orientation)
+        if (turned != expected)
         {
             // A turn by θ moves a point at r by 2 r sin(θ/2), and |q·q₀| = cos(θ/2).
-            double cosine = (turned.X * motion.Orientation.X) + (turned.Y * motion.Orientation.Y)
-                + (turned.Z * motion.Orientation.Z) + (turned.W * motion.Orientation.W);
-            jump += 2.0 * _extent * Math.Sqrt(Math.Max(0, 1.0 - (cosine * cosine)));
+            double cosine = (turned.X * expected.X) + (turned.Y * expected.Y) + (turned.Z * expected.Z) + (turned.W * expected.W);
+            jump += 2.0 * Placement.Reach * Math.Sqrt(Math.Max(0, 1.0 - (cosine * cosine)));
+        }
+
+        if (turned != motion.Orientation)
+        {
             Placement.Turn(in turned);
         }
 
         bool again = time == motion.Time;
+        bool rotated = motion.Rotates;
+        Vector3d change = spin - motion.Spin;
         motion.Origin = position;
         motion.Pivot = position;
         motion.Velocity = velocity;
         motion.Spin = spin;
         motion.Time = time;
+        motion.Rotate(Shape);
+        if ((rotated || motion.Rotates) && change != Vector3d.Zero)
+        {
+            // With another spin its points go elsewhere, but not beyond their circles.
+            jump += Math.Min(Bodies.Foresight * change.Length, 2.0) * Placement.Reach;
+        }
 
         // Told last, when it is where it says: broad phase, and who records.
         _all.Moved(jump, time, again);
@@ -113,7 +124,7 @@ public sealed class Body
     internal void Push(in Vector3d velocity, double time)
     {
         _all.Moved(Bodies.Foresight * (velocity - Velocity).Length, time, again: true);
-        Placement.Motion.GoOn(in velocity, time);
+        Placement.GoOn(in velocity, time);
         _all.Update(this);
     }
 
@@ -125,13 +136,18 @@ public sealed class Body
         {
             // As MoveTo, but with the largest jump that a turn can be.
             double jump = (value.GoneBy(value.Time) - Placement.Motion.GoneBy(value.Time)).Length + (Bodies.Foresight * (value.Velocity - Velocity).Length);
-            bool turns = value.Orientation != Orientation;
-            _all.Moved(jump + (turns ? 2.0 * _extent : 0), value.Time, again: true);
-            Placement.Motion = value;
+            ref RigidMotion motion = ref Placement.Motion;
+            bool turns = value.Orientation != motion.Orientation;
+            bool rotatesElse = (motion.Rotates || value.Spin != Vector3d.Zero) && (value.Spin != motion.Spin || value.Time != motion.Time);
+            _all.Moved(jump + (turns || rotatesElse ? 2.0 * Placement.Reach : 0), value.Time, again: true);
+            motion = value;
             if (turns)
             {
                 Placement.Turn(in value.Orientation);
             }
+
+            // A motion that was read from a file does not say how fast that rotates the shape.
+            motion.Rotate(Shape);
 
             _all.Update(this);
         }
@@ -142,4 +158,7 @@ public sealed class Body
 
     /// <summary>A box around it at a time.</summary>
     internal Bounds3d BoundsAt(double time) => Placement.BoundsAt(time);
+
+    /// <summary>A box that is around it at a time, and stays around it for a duration if the box moves along with its velocity.</summary>
+    internal Bounds3d BoundsDuring(double time, double duration) => Placement.BoundsDuring(time, duration);
 }

@@ -73,7 +73,7 @@ public sealed class EngineCollider
     /// <param name="position">Where its shape's origin is, m; components within ±1e6.</param>
     /// <param name="orientation">How it is turned, body to world; normalised.</param>
     /// <param name="velocity">Velocity, m/s; at most 1000.</param>
-    /// <param name="spin">Spin of its surface about its position, rad/s; at most 10 000.</param>
+    /// <param name="spin">Spin about its position, rad/s; at most 10 000. Within a step, the shape rotates with this spin.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
     /// <exception cref="InvalidOperationException">It has no known shape.</exception>
     public void MoveTo(Vector3d position, Quaterniond orientation, Vector3d velocity, Vector3d spin)
@@ -94,6 +94,7 @@ public sealed class EngineCollider
         Placement.Motion.Pivot = position;
         Placement.Motion.Velocity = velocity;
         Placement.Motion.Spin = spin;
+        Placement.Motion.Rotate(Shape);
         _isAsPlaced = true;
     }
 

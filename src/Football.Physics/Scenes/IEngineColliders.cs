@@ -7,10 +7,10 @@ namespace Football.Physics.Engines;
 /// </remarks>
 public interface IEngineColliders
 {
-    /// <summary>When the colliders are where the engine has them, on the clock of the ball, s. From there each goes on with its own velocity.</summary>
+    /// <summary>When the colliders are where the engine has them, on the clock of the ball, s. From there each goes on with its own velocity and spin.</summary>
     double Time { get; }
 
-    /// <summary>Not slower than the fastest of the colliders, m/s; 0 where all stand still. So far beside the way they are looked for.</summary>
+    /// <summary>Not slower than the fastest point of any collider, m/s, with its rotation; 0 where all stand still. So far beside the way they are looked for.</summary>
     double GreatestSpeed { get; }
 
     /// <summary>Adds every collider that a sphere touches on a straight way, also where it starts. What is too far does no harm.</summary>

@@ -1,6 +1,9 @@
 namespace Football.Physics;
 
-/// <summary>Where a thing is and how it goes on: at a constant velocity. Its surface may turn; the shape stays as it is turned now.</summary>
+/// <summary>
+/// Position and motion of an object: constant velocity and constant spin. The spin moves the surface; it also rotates the shape about the pivot
+/// if <see cref="Swing"/> is above 0.
+/// </summary>
 internal struct RigidMotion
 {
     /// <summary>Where the origin of its shape is at <see cref="Time"/>, m.</summary>
@@ -15,14 +18,26 @@ internal struct RigidMotion
     /// <summary>Centre of rotation of the surface, o at <see cref="Time"/>, m.</summary>
     public Vector3d Pivot;
 
-    /// <summary>How its shape is turned.</summary>
+    /// <summary>Orientation of its shape at <see cref="Time"/>.</summary>
     public Quaterniond Orientation;
+
+    /// <summary>
+    /// The greatest speed that the rotation about the pivot gives to any part of the shape, m/s. It is 0 for a shape that does not rotate, or that a rotation leaves
+    /// as it is, and infinite for a shape without bounds.
+    /// </summary>
+    public double Swing;
 
     /// <summary>True when it is turned at all.</summary>
     public bool IsTurned;
 
     /// <summary>When it is there, s.</summary>
     public double Time;
+
+    /// <summary>True if the shape rotates within a step.</summary>
+    public readonly bool Rotates => Swing > 0;
+
+    /// <summary>The greatest speed of any part of it, m/s. For a shape without bounds, only its velocity counts.</summary>
+    public readonly double GreatestSpeed => Velocity.Length + (double.IsInfinity(Swing) ? 0 : Swing);
 
     /// <summary>How far it has gone since it was at its origin, m.</summary>
     public readonly Vector3d GoneBy(double time) => Origin + ((time - Time) * Velocity);
@@ -31,15 +46,34 @@ internal struct RigidMotion
     public void GoOn(in Vector3d velocity, double time)
     {
         // Up to the time with the old velocity, from there with the new one: nothing jumps.
+        GoTo(time);
+        Velocity = velocity;
+    }
+
+    /// <summary>Describes the same motion from another time on.</summary>
+    public void GoTo(double time)
+    {
         Vector3d gone = (time - Time) * Velocity;
+        if (Rotates)
+        {
+            // o + R (origin − o), with R the rotation by Ω t.
+            Vector3d turn = (time - Time) * Spin;
+            Vector3d arm = Origin - Pivot;
+            Origin = arm == Vector3d.Zero ? Origin : Pivot + Quaterniond.Identity.Turned(in turn).Rotate(in arm);
+            Orientation = Orientation.Turned(in turn);
+            IsTurned = true;
+        }
+
         Origin += gone;
         Pivot += gone;
-        Velocity = velocity;
         Time = time;
     }
 
     /// <summary>A point of the world in the frame of its shape.</summary>
     public readonly Vector3d ToShape(in Vector3d position, double time) => ToOwn(position - GoneBy(time));
+
+    /// <summary>Sets <see cref="Swing"/> for a shape that its spin rotates.</summary>
+    public void Rotate(IShape shape) => Swing = Spin == Vector3d.Zero ? 0 : SwingOf.Shape(shape, ToOwn(in Spin), ToOwn(Pivot - Origin));
 
     /// <summary>A vector of the world in the axes of its shape.</summary>
     public readonly Vector3d ToOwn(in Vector3d vector) =>
@@ -51,6 +85,13 @@ internal struct RigidMotion
     /// <summary>Distance, normal and curvature of a shape that moves so, seen from a point at a time.</summary>
     public readonly ShapePoint At(IShape shape, in Vector3d position, double time)
     {
+        if (Rotates && time != Time)
+        {
+            RigidMotion then = this;
+            then.GoTo(time);
+            return then.At(shape, in position, time);
+        }
+
         // The point as the shape sees it, in its own axes; the answer back in those of the world.
         Vector3d from = position - GoneBy(time);
         if (!IsTurned)

@@ -87,6 +87,8 @@ internal sealed class WorldContact
             off = 0;
         }
 
+        // The event reports the velocity by the impulse; a ball that stays loses what is left of it off the surface.
+        Vector3d reported = velocity;
         velocity = bounces ? velocity : velocity - (off * n);
 
         // What has a mass gets the opposite impulse, m (v − v').
@@ -103,7 +105,7 @@ internal sealed class WorldContact
         }
         else
         {
-            run.Log.Events.Add(new BallEvent(BallEventKind.Impact, thing, in n, s.Time, s.Position, in v, in w, in velocity, in spin));
+            run.Log.Events.Add(new BallEvent(BallEventKind.Impact, thing, in n, s.Time, s.Position, in v, in w, in reported, in spin));
         }
 
         run.Log.Halted |= run.Log.StopAt == StopAt.Impact;

@@ -45,7 +45,7 @@ internal sealed class WorldGuard
 
             // Closing is an impact. Neither closing nor leaving, but pressed there, a ball in the air is taken up.
             bool touches = gap <= ContactSearch.Touching;
-            bool hits = touches && rate < -ContactSearch.Approaching && !(Flush.Passage(_world, i, s.Position, s.Velocity, s.Time) > 0);
+            bool hits = touches && ((rate < -ContactSearch.Approaching && !(Flush.Passage(_world, i, s.Position, s.Velocity, s.Time) > 0)) || IsStruck(in s, _world.Colliders[i]));
             bool presses = touches && !hits && rate <= ContactSearch.Leaving && carrier < 0 && _contact.IsPressed(in s, i);
             takesUp = presses || (takesUp && !hits);
             first = hits || presses ? i : first;
@@ -66,6 +66,20 @@ internal sealed class WorldGuard
         }
 
         return true;
+    }
+
+    /// <summary>True if a surface that moves while its shape stays closes on a ball that touches it.</summary>
+    private bool IsStruck(in BallState s, Collider collider)
+    {
+        if (collider.Spin == Vector3d.Zero || collider.Rotates)
+        {
+            return false;
+        }
+
+        // (v − V_c)·n with V_c at the point of contact, c = p − r n.
+        Vector3d n = collider.At(s.Position, s.Time).Normal;
+        Vector3d surface = collider.SurfaceVelocity(s.Position - (_world.Ball.Radius * n), s.Time);
+        return Vector3d.Dot(s.Velocity - surface, in n) < -ContactSearch.Approaching;
     }
 
     /// <summary>Ends a piece at the first thing that it meets.</summary>

@@ -30,7 +30,7 @@ public sealed class FootballColliders : IEngineColliders
     /// <summary>For a ball in a space.</summary>
     /// <param name="space">The space: GetWorld3D().DirectSpaceState, in _PhysicsProcess.</param>
     /// <param name="mask">The layers that it hits.</param>
-    /// <param name="greatestSpeed">Not slower than the fastest body in them, m/s.</param>
+    /// <param name="greatestSpeed">Not slower than the fastest point of any body in them, m/s, with its rotation.</param>
     /// <param name="pushes">True where bodies that move freely give way by their mass; the impulse is the event's, for the game to apply.</param>
     public FootballColliders(PhysicsDirectSpaceState3D space, uint mask, double greatestSpeed, bool pushes = false)
     {

@@ -27,7 +27,7 @@ namespace Football.Physics.Unity
         /// <summary>For a ball.</summary>
         /// <param name="own">The ball's own body, which it does not hit.</param>
         /// <param name="layers">The layers that it hits, as a LayerMask.</param>
-        /// <param name="greatestSpeed">Not slower than the fastest of them, m/s.</param>
+        /// <param name="greatestSpeed">Not slower than the fastest point of any of them, m/s, with its rotation.</param>
         /// <param name="pushes">True where bodies that move freely give way by their mass; the impulse is the event's, for the game to apply.</param>
         public FootballColliders(Rigidbody own, int layers, float greatestSpeed, bool pushes = false)
         {
@@ -40,7 +40,7 @@ namespace Football.Physics.Unity
         /// <summary>When Unity has its colliders where they are, on the ball's clock, s: set before every step.</summary>
         public double Time { get; set; }
 
-        /// <summary>Not slower than the fastest of them, m/s.</summary>
+        /// <summary>Not slower than the fastest point of any of them, m/s, with its rotation.</summary>
         public double GreatestSpeed { get; set; }
 
         /// <summary>Unity's collider of one that was met; null for none.</summary>

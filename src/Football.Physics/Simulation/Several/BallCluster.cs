@@ -422,7 +422,7 @@ internal sealed class BallCluster
             if (_motions[m].Velocity != _motionsAfter[m].Velocity)
             {
                 // All that it sweeps until the end, pushed and not pushed.
-                Bounds3d box = world.BoundsOfMover(m, time);
+                Bounds3d box = world.BoundsOfMover(m, time, end - time);
                 box = box.With(box.Moved((end - time) * _motions[m].Velocity)).With(box.Moved((end - time) * _motionsAfter[m].Velocity));
                 if (box.Grown(reach).Touches(new Bounds3d(s.Position, s.Position)))
                 {

@@ -1,0 +1,98 @@
+namespace Football.Physics;
+
+/// <summary>A shape and its motion, described from a time on.</summary>
+internal readonly struct MovingShape
+{
+    private readonly IShape _shape;
+    private readonly RigidMotion _motion;
+
+    /// <summary>A shape that moves.</summary>
+    /// <param name="shape">The shape.</param>
+    /// <param name="motion">Its motion.</param>
+    /// <param name="time">The time from which it is described: 0 here.</param>
+    public MovingShape(IShape shape, in RigidMotion motion, double time)
+    {
+        _shape = shape;
+        _motion = motion;
+        _motion.GoTo(time);
+        _motion.Time = 0;
+    }
+
+    /// <summary>V, m/s.</summary>
+    public Vector3d Velocity => _motion.Velocity;
+
+    /// <summary>The pivot at time 0, m.</summary>
+    public Vector3d Pivot => _motion.Pivot;
+
+    /// <summary>|Ω|, rad/s.</summary>
+    public double SpinRate => _motion.Spin.Length;
+
+    /// <summary>The greatest speed that the rotation gives to any part of it, m/s.</summary>
+    public double Swing => _motion.Swing;
+
+    /// <summary>Distance of a point from it, and the rate of that, m/s, for a point with a velocity.</summary>
+    public double Distance(in Vector3d position, in Vector3d velocity, double time, out double rate)
+    {
+        // Along n the shape has at the point the speed that it has at its nearest point.
+        ShapePoint at = _motion.At(_shape, in position, time);
+        rate = Vector3d.Dot(velocity - _motion.SurfaceVelocity(in position, time), at.Normal);
+        return at.Distance;
+    }
+}
+
+/// <summary>
+/// When a ball first touches a shape that rotates: conservative advancement as in <see cref="ContactSearch"/>. Bounds of the rate and of the bend of the gap are those
+/// of the path in the frame that rotates with the shape, in which the shape is at rest.
+/// </summary>
+internal static class RotatingSearch
+{
+    /// <summary>A gap that closes more slowly than this, m/s, ...</summary>
+    private const double Slow = 0.01;
+
+    /// <summary>... may close by so much more, m, before it is looked at: so a ball that touches a drum costs few looks.</summary>
+    private const double Sink = 1e-8;
+
+    /// <summary>When the ball touches the shape first, coming closer; infinite where it does not.</summary>
+    /// <param name="shape">The shape, from the start of the path on.</param>
+    /// <param name="hollow">The strongest curvature of its hollows, 1/m.</param>
+    /// <param name="path">The path.</param>
+    /// <param name="acceleration">Not less than the acceleration on it, m/s².</param>
+    /// <param name="radius">Radius of the ball, m.</param>
+    /// <param name="until">Where the search ends, s from the start of the path.</param>
+    public static double FirstContact(in MovingShape shape, double hollow, in PathCubic path, double acceleration, double radius, double until)
+    {
+        // w = v − V and ρ, the ball's distance from the pivot, at most.
+        PathCubic seen = path.SeenFrom(shape.Pivot, shape.Velocity);
+        Bounds3d box = seen.Bounds;
+        double farthest = new Vector3d(Math.Max(-box.Min.X, box.Max.X), Math.Max(-box.Min.Y, box.Max.Y), Math.Max(-box.Min.Z, box.Max.Z)).Length;
+        double speed = seen.FastestSpeed;
+        double spin = shape.SpinRate;
+
+        // The gap closes at |w| + |Ω × ...| at most: of the ball about the pivot, or of the shape.
+        double around = spin * farthest;
+        double closing = speed + Math.Min(around, shape.Swing);
+
+        // q̈ = a − 2 Ω × w + Ω × (Ω × ρ). What is convex bends away from the path; the wall of a hollow bends towards it by |q̇|² κ/(1 − κ d).
+        double whole = speed + around;
+        double bend = acceleration + (spin * ((2.0 * speed) + around));
+        bend += hollow > 0 ? whole * whole * hollow / (1.0 - ((1.0 + ContactSearch.NearHollow) * radius * hollow)) : 0;
+        double shortest = ContactSearch.ShortestOf(in path);
+        double t = 0;
+        while (true)
+        {
+            double gap = shape.Distance(path.At(t), path.VelocityAt(t), t, out double rate) - radius;
+            if (gap <= ContactSearch.Touching && rate < -ContactSearch.Approaching)
+            {
+                return t;
+            }
+
+            // Both bounds are safe; far from a hollow only that of the rate is, and near it that of the bend until the ball may be far again.
+            double byBend = ContactSearch.Safe(Math.Max(gap, 0) + (rate > -Slow ? Sink : 0), rate, bend);
+            byBend = !(hollow > 0) ? byBend : gap < ContactSearch.NearHollow * radius ? Math.Min(byBend, ((ContactSearch.NearHollow * radius) - gap) / whole) : 0;
+            if (!ContactSearch.Advance(ref t, Math.Max(byBend, Math.Max(gap, 0) / closing), shortest, until))
+            {
+                return double.PositiveInfinity;
+            }
+        }
+    }
+}

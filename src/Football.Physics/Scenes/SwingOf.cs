@@ -1,0 +1,47 @@
+namespace Football.Physics;
+
+/// <summary>Speeds that a rotation gives to a shape.</summary>
+internal static class SwingOf
+{
+    /// <summary>A part of a shape that is closer to the axis of rotation than this, m, stays where it is. It is a thousandth of a gap that counts as touching.</summary>
+    private const double OnAxis = 1e-13;
+
+    /// <summary>
+    /// The greatest speed of any part of a shape that rotates, m/s; 0 if the rotation leaves the shape as it is. A sphere moves as its centre, a capsule as its axis:
+    /// a rotation about these changes nothing.
+    /// </summary>
+    /// <param name="shape">The shape.</param>
+    /// <param name="spin">Ω in the shape's own axes, rad/s.</param>
+    /// <param name="pivot">The pivot in the shape's own frame, m.</param>
+    public static double Shape(IShape shape, in Vector3d spin, in Vector3d pivot)
+    {
+        double swing = shape switch
+        {
+            SphereShape sphere => OfPoint(sphere.Center, in spin, in pivot),
+            CapsuleShape capsule => Math.Max(OfPoint(capsule.From, in spin, in pivot), OfPoint(capsule.To, in spin, in pivot)),
+            PlaneShape plane => Vector3d.Cross(in spin, plane.Normal).Length > OnAxis * spin.Length ? double.PositiveInfinity : 0,
+            _ => OfBox(shape.Bounds, in spin, in pivot),
+        };
+        return swing > OnAxis * spin.Length ? swing : 0;
+    }
+
+    /// <summary>|Ω × (c − o)| is convex in c: of a box it is greatest at a corner.</summary>
+    private static double OfBox(in Bounds3d box, in Vector3d spin, in Vector3d pivot)
+    {
+        if (!box.IsFinite)
+        {
+            return double.PositiveInfinity;
+        }
+
+        double most = 0;
+        for (int corner = 0; corner < 8; corner++)
+        {
+            var at = new Vector3d((corner & 1) == 0 ? box.Min.X : box.Max.X, (corner & 2) == 0 ? box.Min.Y : box.Max.Y, (corner & 4) == 0 ? box.Min.Z : box.Max.Z);
+            most = Math.Max(most, OfPoint(in at, in spin, in pivot));
+        }
+
+        return most;
+    }
+
+    private static double OfPoint(in Vector3d point, in Vector3d spin, in Vector3d pivot) => Vector3d.Cross(in spin, point - pivot).Length;
+}
