@@ -35,7 +35,7 @@ internal static class OwnForceSteps
         double step = Math.Min(FirstStep, request.TimeStep);
         log.Halted = false;
         log.StopAt = request.StopAt;
-        while (state.Time < last && !log.Halted && state.Motion != MotionState.Stopped)
+        while (state.Time < last && !log.Halted && !simulator.StaysAtRest(in state))
         {
             double length = Math.Min(step, end - state.Time);
 

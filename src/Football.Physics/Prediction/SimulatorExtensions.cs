@@ -227,7 +227,7 @@ public static class SimulatorExtensions
         BeginMoving(simulator, path, in state);
         try
         {
-            while (state.Time < end && !path.Log.Halted && state.Motion != MotionState.Stopped)
+            while (state.Time < end && !path.Log.Halted && !simulator.StaysAtRest(in state))
             {
                 // Kept for where the memory ends within the step: then it is as if that had not been made.
                 BallState before = state;

@@ -4,7 +4,7 @@ namespace Football.Physics;
 internal static class FaceBorder
 {
     /// <summary>The piece ends so far beyond the edge, as a share of its length, and at least this far, m: the next one finds the ball beyond it.</summary>
-    private const double Beyond = 1e-7;
+    private const double Beyond = 1e-9;
     private const double LeastBeyond = 1e-12;
 
     /// <summary>A ball that is slower than this, m/s, is taken for so fast.</summary>

@@ -76,9 +76,14 @@ internal sealed unsafe class RestPhase
         }
     }
 
-    /// <summary>True when a ball without a motion of its own stays where it is, on what carries it or in a net.</summary>
+    /// <summary>True when a ball without a motion of its own stays where it is, on what carries it or in a net. What forces of a game's own do the next step checks.</summary>
     public bool Holds(in BallState s)
     {
+        if (_around.Air.HasOwnForces)
+        {
+            return true;
+        }
+
         BallState copy = s;
         int evaluations = 0;
         return IsHeld(ref copy, 0, ref evaluations);

@@ -277,6 +277,10 @@ public sealed class Simulator
         return false;
     }
 
+    /// <summary>True when a ball is at rest and nothing that is known now will wake it: no force that changes, and nothing that moves.</summary>
+    internal bool StaysAtRest(in BallState state) =>
+        state.Motion == MotionState.Stopped && !(_mayWake && (_world.FastestMover > 0 || _hasOwnForces || Scene.Air.WindField is not null));
+
     /// <inheritdoc cref="Stepper.RestsAt"/>
     internal bool RestsAt(in BallState state) => _stepper.RestsAt(in state);
 

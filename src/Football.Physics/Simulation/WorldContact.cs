@@ -89,7 +89,7 @@ internal sealed class WorldContact
 
         // The event reports the velocity by the impulse; a ball that stays loses what is left of it off the surface.
         Vector3d reported = velocity;
-        velocity = bounces ? velocity : velocity - (off * n);
+        velocity = bounces && off > 0 ? velocity : velocity - (off * n);
 
         // What has a mass gets the opposite impulse, m (v − v').
         if (hit.GivesWay && run.Log.Pushes)
