@@ -151,6 +151,11 @@ internal sealed class WorldContact
         // a_b·n ≤ −|a_b|/2: its weight presses it on a surface up to 60° steep. Anything else presses it only if it would be back within a millisecond.
         bool byWeight = -2.0 * _around.Upward * at.Normal.Y >= Math.Abs(_around.Upward) && _around.Upward != 0;
         double hop = byWeight ? StabilityLimit.ShortestHop : ShortestPressedHop;
+        if (!byWeight && IsCarriedElsewhere(in s, collider) && off < 0.5 * hop * CarriedLoad(in s, in velocity, in spin, collider, in at))
+        {
+            return true;
+        }
+
         if (!(byWeight && off < _world.MinimumBounceSpeed) && !_around.Air.Varies)
         {
             // Few are: what the air can do at most says so without asking it.
@@ -167,6 +172,26 @@ internal sealed class WorldContact
         // A hop lasts 2 w/(N/m): below the shortest hop it is none.
         double load = Load(in s, in velocity, in spin, collider, in at);
         return load > SurfaceForces.Least && (off < 0.5 * hop * load || (byWeight && off < _world.MinimumBounceSpeed));
+    }
+
+    private bool IsCarriedElsewhere(in BallState s, Collider collider) =>
+        s.Motion is MotionState.Rolling or MotionState.Sliding && _world.CarrierOf(in s) != collider;
+
+    /// <summary>N/m, m/s², of a ball that keeps its carrier, whose friction may press it against what it has hit: a foot that pushes it along.</summary>
+    private double CarriedLoad(in BallState s, in Vector3d velocity, in Vector3d spin, Collider hit, in ShapePoint at)
+    {
+        Collider carrier = _world.CarrierOf(in s);
+        SurfaceSystem system = System(in s, carrier);
+        var motion = new Motion(s.Position, in velocity, in spin);
+        SurfaceForces on = system.ForcesOn(s.Time, in motion);
+        Vector3d slip = system.SlipOf(in motion, in on);
+        double size = slip.Length;
+        double speed = on.Rolling.Length;
+        Vector3d acceleration = size >= Slip.Rolling ? on.Body + on.Air - (system.SlidingFriction(in on) / size * slip)
+            : speed > 0 ? system.Drive(in on) - (system.RollingFriction(in on, speed) / speed * on.Rolling)
+            : Vector3d.Zero;
+        Vector3d along = velocity - hit.ShapeVelocity(s.Position, s.Time);
+        return -Vector3d.Dot(in acceleration, at.Normal) - Vector3d.Dot(in along, at.Curvature * along);
     }
 
     /// <summary>The most that |A_s·n| may be on a carrier that rotates, m/s².</summary>
