@@ -10,6 +10,9 @@ internal sealed class Slopes : SceneKind
     private const double Gravity = 9.81;
     private const double Duration = 2;
 
+    /// <summary>A ball that is moved less than this, m, was put back onto the surface.</summary>
+    private const double Still = 1e-9;
+
     public override string Name => "slopes";
 
     public override string Claim => "A ball put on a slope in wind rests if |a_t|/(1 + k) ≤ c₀ N/m, and otherwise rolls as its equation says: 1e-6 m, or that share of the way.";
@@ -42,7 +45,7 @@ internal sealed class Slopes : SceneKind
             double error = Vector3d.Distance(found.Position - from, gone);
             string detail = FormattableString.Invariant(
                 $"{tilt * 180 / Math.PI:0.0}°, wind {air.Wind.Length:0.0} m/s, air {air.Density}, c₀ {rolling:0.0000}, steps of {1000 * step:0.0} ms: gone {(found.Position - from).Length:0.000000} m for {gone.Length:0.000000} m, {found.Motion}");
-            bool agrees = rests == (found.Position == from && found.Motion == MotionState.Stopped);
+            bool agrees = rests == (Vector3d.Distance(found.Position, from) < Still && found.Motion == MotionState.Stopped);
             return new SceneOutcome(
                 FormattableString.Invariant($"{(rests ? "held" : "rolling")}, {kind?.ToString() ?? "Ground"}"), agrees, double.IsNaN(error) ? double.PositiveInfinity : error, Limit * Math.Max(1, gone.Length), detail);
         }
