@@ -46,7 +46,7 @@ internal sealed class Carriers : SceneKind
         bool jumps = kind != PieceKind.Obstacles && form != Form.Drum && (form == Form.Platform || random.Chance(0.5));
         double push = random.Uniform(0.2, 5);
         double frame = Math.Min(random.Log(0.004, 1 / 30.0), 0.1 / Math.Max(1e-9, spin.Length));
-        double duration = form == Form.Drum ? random.Uniform(0.2, 1) : random.Uniform(1, 3);
+        double duration = form == Form.Drum ? random.Uniform(0.2, 1) : random.Uniform(0.7, 2.5);
 
         double damping = random.Chance(0.5) ? 0 : random.Uniform(0.1, 5);
         double rolling = random.Chance(0.6) ? 0 : random.Log(0.005, 0.1);

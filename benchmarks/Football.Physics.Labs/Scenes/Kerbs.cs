@@ -22,12 +22,12 @@ internal sealed class Kerbs : SceneKind
         double k = random.Any(2.0 / 3, 0.4);
         double radius = random.Chance(0.5) ? 0.11 : random.Uniform(0.06, 0.2);
 
-        // Higher or faster, the ball is not pressed against the edge and flies: v'² ≤ g (r − h) with v' = v (1 + k − h/r)/(1 + k).
+        // Higher or faster, the ball is not pressed against the edge and flies: v'² ≤ g (r − h) with v' = v (1 + k − h/r)/(1 + k). Near to that, it slips.
         double height, fastest, share;
         do
         {
-            height = random.Log(0.005, 0.45) * radius;
-            fastest = Math.Min(1.6, 0.98 * Math.Sqrt((radius - height) * (1 + k) / (2 * height)));
+            height = random.Log(0.005, 0.4) * radius;
+            fastest = Math.Min(1.6, 0.9 * Math.Sqrt((radius - height) * (1 + k) / (2 * height)));
         }
         while (fastest < 1.05);
         share = random.Chance(0.5) ? random.Uniform(0.5, 0.995) : random.Uniform(1.005, fastest);

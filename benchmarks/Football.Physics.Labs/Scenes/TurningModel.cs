@@ -23,6 +23,9 @@ internal sealed record TurningModel(Vector3d A, Vector3d B, double Thickness, bo
     /// <summary>The point of the shape that is at a place in its own frame, at a time.</summary>
     public Vector3d WorldOf(in Vector3d own, double time) => PivotAt(time) + Turn(own, Angle + (Rate * time));
 
+    /// <summary>The velocity of the shape's material at a place, m/s.</summary>
+    public Vector3d SurfaceVelocity(in Vector3d at, double time) => Velocity + Vector3d.Cross(Rate * Axis, at - PivotAt(time));
+
     /// <summary>The distance from the surface, m; negative inside a capsule, 0 inside a box.</summary>
     /// <param name="point">The point, m.</param>
     /// <param name="time">When, s.</param>

@@ -9,6 +9,9 @@ internal sealed class Turns : SceneKind
     /// <summary>A pass or touch by less than this, m, decides nothing.</summary>
     private const double Grazes = 1e-5;
 
+    /// <summary>A touch that closes slower than this, m/s, may be a pass.</summary>
+    private const double Slow = 0.01;
+
     private static readonly Surface s_rubber = new()
     {
         NormalRestitution = 0.5, RestitutionSpeed = double.PositiveInfinity, ImpactFriction = 0, SlidingFriction = 0,
@@ -34,7 +37,8 @@ internal sealed class Turns : SceneKind
             }
 
             double touch = model.FirstTouch(At, velocity.Length + (gravity * duration), Radius, duration, out double least);
-            if (double.IsNaN(touch) && least < Grazes)
+            bool undecided = double.IsNaN(touch) ? least < Grazes : duration - touch < Grazes || Closing(model, At, velocity, gravity, touch) < Slow;
+            if (undecided)
             {
                 continue;
             }
@@ -72,6 +76,14 @@ internal sealed class Turns : SceneKind
                 shape = new BoxShape(a, half);
                 return new TurningModel(a, half, 0, true, start, moves, axis, angle, rate);
         }
+    }
+
+    /// <summary>How fast the gap closes when the ball touches, m/s.</summary>
+    private static double Closing(TurningModel model, Func<double, Vector3d> at, in Vector3d velocity, double gravity, double touch)
+    {
+        Vector3d place = at(touch);
+        model.Distance(place, touch, out Vector3d normal);
+        return -Vector3d.Dot(velocity - (gravity * touch * Vector3d.Up) - model.SurfaceVelocity(place - (Radius * normal), touch), normal);
     }
 
     /// <summary>A ball that would be near a random point of the shape at a random time, if the shape let it.</summary>
@@ -124,7 +136,7 @@ internal sealed class Turns : SceneKind
         Vector3d place = at(touch);
         model.Distance(place, touch, out Vector3d normal);
         Vector3d before = velocity - (gravity * touch * Vector3d.Up);
-        Vector3d surface = model.Velocity + Vector3d.Cross(model.Rate * model.Axis, place - (Radius * normal) - model.PivotAt(touch));
+        Vector3d surface = model.SurfaceVelocity(place - (Radius * normal), touch);
         Vector3d after = before - ((1 + s_rubber.NormalRestitution) * Vector3d.Dot(before - surface, normal) * normal);
         double error = Math.Max(
             Vector3d.Distance(found.Position, place) + (Math.Abs(found.Time - touch) * Math.Max(1, before.Length)),
