@@ -37,7 +37,7 @@ internal sealed class Kerbs : SceneKind
         double lever = (1 + k - (height / radius)) / (1 + k);
         double least = Math.Sqrt(2 * Gravity * height / (1 + k)) / lever;
         double speed = share * least;
-        double step = random.Log(0.004, 0.02);
+        double step = random.Log(0.002, 0.008);
 
         var scene = new Scene
         {

@@ -10,6 +10,9 @@ public sealed class ContactConvergenceTests
     private const double Finest = 1e-4;
     private const int Halvings = 3;
 
+    /// <summary>A ball that touches and is pressed may tell of it until then, s.</summary>
+    private const double Begins = 1e-3;
+
     /// <summary>The length of every motion, s: a whole number of all steps.</summary>
     private const double Duration = 0.4;
 
@@ -161,8 +164,9 @@ public sealed class ContactConvergenceTests
         var log = new StepLog();
         group.Run(states, step, Duration, StopAt.Time, log);
 
-        // Between events: nothing may happen in any of the runs.
-        Assert.True(log.Events.Count == 0, $"{log.Events.Count} events, the first {(log.Events.Count > 0 ? log.Events[0].Kind : null)} at {(log.Events.Count > 0 ? log.Events[0].Time : 0)} s");
+        // Between events: but for contacts that begin at the launch, nothing may happen in any of the runs.
+        BallEvent[] later = [.. log.Events.Span.ToArray().Where(item => item.Time > Begins)];
+        Assert.True(later.Length == 0, $"{later.Length} events, the first {later.FirstOrDefault()}");
         return states;
     }
 }
