@@ -12,7 +12,12 @@ internal sealed class Kerbs : SceneKind
 
     private static readonly Surface s_dead = new()
     {
-        NormalRestitution = 0, RestitutionSpeed = double.PositiveInfinity, TangentialRestitution = 0, ImpactFriction = 100, SlidingFriction = 10, RollingFriction = 0,
+        NormalRestitution = 0,
+        RestitutionSpeed = double.PositiveInfinity,
+        TangentialRestitution = 0,
+        ImpactFriction = 100,
+        SlidingFriction = 10,
+        RollingFriction = 0,
     };
 
     public override string Name => "kerbs";

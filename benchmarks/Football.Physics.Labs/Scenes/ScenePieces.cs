@@ -1,5 +1,3 @@
-using Football.Physics.Engines;
-
 namespace Football.Physics.Labs.Scenes;
 
 /// <summary>By which part of the library a scene's shapes are known.</summary>

@@ -14,7 +14,10 @@ internal sealed class Turns : SceneKind
 
     private static readonly Surface s_rubber = new()
     {
-        NormalRestitution = 0.5, RestitutionSpeed = double.PositiveInfinity, ImpactFriction = 0, SlidingFriction = 0,
+        NormalRestitution = 0.5,
+        RestitutionSpeed = double.PositiveInfinity,
+        ImpactFriction = 0,
+        SlidingFriction = 0,
     };
 
     public override string Name => "turns";

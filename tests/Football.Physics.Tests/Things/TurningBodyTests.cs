@@ -9,7 +9,10 @@ public sealed class TurningBodyTests
     /// <summary>Rubber without friction.</summary>
     private static readonly Surface s_rubber = new()
     {
-        NormalRestitution = 0.5, RestitutionSpeed = double.PositiveInfinity, ImpactFriction = 0, SlidingFriction = 0,
+        NormalRestitution = 0.5,
+        RestitutionSpeed = double.PositiveInfinity,
+        ImpactFriction = 0,
+        SlidingFriction = 0,
     };
 
     private static readonly Scene s_void = new() { Ball = BallProperties.Football, Gravity = 0, Ground = Ground.None, Forces = ForceSet.None };
