@@ -8,6 +8,7 @@ using Football.Physics.Labs.Obstacles;
 using Football.Physics.Labs.People;
 using Football.Physics.Labs.Play;
 using Football.Physics.Labs.Queries;
+using Football.Physics.Labs.Scenes;
 using Football.Tool.Commands;
 
 namespace Football.Physics.Labs;
@@ -43,5 +44,6 @@ internal static class Laboratories
         MatchesLab.Create(terminal),
         PeopleLab.Create(terminal),
         PlayLab.Create(terminal),
+        ScenesLab.Create(terminal),
     };
 }

@@ -8,7 +8,7 @@ namespace Football.Physics.Benchmarks;
 /// <summary>`quick`: the tables of times in under a minute, where BenchmarkDotNet takes many.</summary>
 internal static class QuickCommand
 {
-    private const string Usage = "quick [--seconds S] [--only TEXT, such as kick: | \"first use\" | world: | prediction:] [--markdown FILE]";
+    private const string Usage = "quick [--seconds S] [--only TEXT, such as kick: | \"first use\" | world: | contact: | heap: | prediction:] [--markdown FILE]";
 
     public static int Run(string[] arguments)
     {
@@ -63,7 +63,9 @@ internal static class QuickCommand
         IReadOnlyList<FreeRow> free = [.. FreeTable.Rows.Where(row => Wanted(row.Name, only))];
         IReadOnlyList<PredictionRow> predictions = [.. PredictionTable.Rows.Where(row => Wanted("Prediction: " + row.Name, only))];
         IReadOnlyList<WorldRow> world = [.. WorldTable.Rows.Where(row => Wanted("World: " + row.Name, only))];
-        double share = seconds / Math.Max(1, kicks.Count + targets.Count + free.Count + world.Count + predictions.Count);
+        IReadOnlyList<ContactRow> contacts = [.. ContactTable.Rows.Where(row => Wanted("Contact: " + row.Name, only))];
+        IReadOnlyList<(string Name, int Balls, double Half, Integrator Integrator)> heaps = [.. HeapTable.Rows.Where(row => Wanted("Heap: " + row.Name, only))];
+        double share = seconds / Math.Max(1, kicks.Count + targets.Count + free.Count + world.Count + predictions.Count + contacts.Count);
         if (kicks.Count > 0)
         {
             KickTable.Print(line => Print(text, line), kicks, share);
@@ -82,6 +84,16 @@ internal static class QuickCommand
         if (world.Count > 0)
         {
             WorldTable.Print(line => Print(text, line), world, share);
+        }
+
+        if (contacts.Count > 0)
+        {
+            ContactTable.Print(line => Print(text, line), contacts, share);
+        }
+
+        if (heaps.Count > 0)
+        {
+            HeapTable.Print(line => Print(text, line), heaps);
         }
 
         if (predictions.Count > 0)

@@ -1,0 +1,177 @@
+using System.Diagnostics;
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Benchmarks;
+
+/// <summary>A ball that several surfaces touch, and its steps of 10 ms.</summary>
+internal sealed class ContactCase
+{
+    private const double Radius = 0.11;
+
+    /// <summary>Steps of a call: few, so that the motion stays what the name says.</summary>
+    private const int Steps = 24;
+
+    /// <summary>How often a step is timed from one state; the shortest counts.</summary>
+    private const int Repeats = 7;
+
+    /// <summary>How often a step is taken for one reading of the clock, which may be coarse.</summary>
+    private const int Readings = 16;
+
+    /// <summary>How long a ball may take to come to rest, s.</summary>
+    private const double Longest = 30;
+
+    private readonly Simulator _simulator;
+    private readonly BallState _start;
+    private readonly Body? _body;
+    private readonly RigidMotion _bodyStart;
+    private readonly StepLog _log = new();
+
+    private ContactCase(Scene scene, Integrator integrator, in Vector3d position, in Vector3d velocity, in Vector3d spin, bool atRest)
+    {
+        _body = scene.Bodies is { Count: > 0 } bodies ? bodies[0] : null;
+        _simulator = new Simulator(scene, new SolverSettings { Integrator = integrator });
+        BallState state = _simulator.Launch(position, velocity, spin);
+        if (atRest)
+        {
+            _simulator.Run(ref state, ShotSets.TimeStep, Longest, StopAt.Rest, _log);
+        }
+
+        _start = state;
+        _bodyStart = _body?.Motion ?? default;
+        IsAtRest = state.Motion == MotionState.Stopped;
+    }
+
+    /// <summary>The cases by name, each made for a method, moving or at rest.</summary>
+    public static IReadOnlyList<(string Name, Func<Integrator, bool, ContactCase> Make)> All { get; } =
+    [
+        ("wind presses it along a board", (integrator, atRest) => Pressed(integrator, atRest, [Board(new Vector3d(-1, 0, 0))], new Vector3d(0, 0, -6))),
+        ("wind presses it against a board", (integrator, atRest) => Pressed(integrator, atRest, [Board(new Vector3d(-1, 0, 0))], default)),
+        ("wind presses it into a corner", (integrator, atRest) => Pressed(integrator, atRest, [Board(new Vector3d(-1, 0, 0)), Board(new Vector3d(0, 0, 1))], default)),
+        ("in a tilted gutter", Gutter),
+        ("between a player who stands and a board", (integrator, atRest) => WithPlayer(integrator, atRest, double.PositiveInfinity)),
+        ("between a player of 75 kg who stands and a board", (integrator, atRest) => WithPlayer(integrator, atRest, 75)),
+    ];
+
+    /// <summary>True if the ball rests where the steps begin.</summary>
+    public bool IsAtRest { get; }
+
+    /// <summary>The steps to be timed.</summary>
+    public Workload Workload => new(Run, Steps);
+
+    /// <summary>Right-hand sides evaluated, a step: the mean, and the most.</summary>
+    public (double Mean, long Most) Evaluations()
+    {
+        BallState state = Begin();
+        long all = 0;
+        long most = 0;
+        for (int i = 0; i < Steps; i++)
+        {
+            _log.Clear();
+            _simulator.Step(ref state, ShotSets.TimeStep, _log);
+            all += _log.Evaluations;
+            most = Math.Max(most, _log.Evaluations);
+        }
+
+        return ((double)all / Steps, most);
+    }
+
+    /// <summary>The longest step, ns: the shortest of several times from its state.</summary>
+    public double Worst()
+    {
+        double worst = 0;
+        BallState state = Begin();
+        for (int i = 0; i < Steps; i++)
+        {
+            BallState before = state;
+            RigidMotion motion = _body?.Motion ?? default;
+            double least = double.PositiveInfinity;
+            for (int k = 0; k < Repeats; k++)
+            {
+                long began = Stopwatch.GetTimestamp();
+                for (int reading = 0; reading < Readings; reading++)
+                {
+                    state = before;
+                    if (_body is not null)
+                    {
+                        _body.Motion = motion;
+                    }
+
+                    _log.Clear();
+                    _simulator.Step(ref state, ShotSets.TimeStep, _log);
+                }
+
+                least = Math.Min(least, Stopwatch.GetElapsedTime(began).TotalNanoseconds / Readings);
+            }
+
+            worst = Math.Max(worst, least);
+        }
+
+        return worst;
+    }
+
+    private static Obstacle Board(in Vector3d normal) => new() { Name = "board", Shape = new PlaneShape(-Radius * normal, normal), Surface = Surface.Board };
+
+    private static Scene InWind(Vector3d wind) => new() { Air = new Air { Wind = wind } };
+
+    private static ContactCase Pressed(Integrator integrator, bool atRest, Obstacle[] boards, in Vector3d velocity)
+    {
+        // Drawn so that the wind holds the ball, and does not keep it going along a board.
+        Scene scene = InWind(new Vector3d(6, 0, boards.Length > 1 ? -5 : 0)) with { Obstacles = boards };
+        Vector3d spin = velocity == default ? new Vector3d(0, 60, 0) : Vector3d.Cross(Vector3d.Up, velocity) / Radius;
+        return new ContactCase(scene, integrator, new Vector3d(0, Radius, 0), velocity, spin, atRest);
+    }
+
+    private static ContactCase WithPlayer(Integrator integrator, bool atRest, double mass)
+    {
+        var bodies = new Bodies();
+        Body player = bodies.Add("player", new CapsuleShape(new Vector3d(0, 0.25, 0), new Vector3d(0, 1.55, 0), 0.25), Surface.Boot, mass);
+        Scene scene = InWind(new Vector3d(3, 0, 0)) with { Obstacles = [Board(new Vector3d(-1, 0, 0))], Bodies = bodies };
+
+        // The upright side of the capsule is higher than the ball's centre, so its round end touches: as far away as both radii are from there.
+        double lower = 0.25 - Radius;
+        player.MoveTo(new Vector3d(-Math.Sqrt(((Radius + 0.25) * (Radius + 0.25)) - (lower * lower)), 0, 0), default, 0);
+        return new ContactCase(scene, integrator, new Vector3d(0, Radius, 0), default, new Vector3d(0, 60, 0), atRest);
+    }
+
+    private static ContactCase Gutter(Integrator integrator, bool atRest)
+    {
+        // At rest in a gutter so level that rolling friction holds the ball.
+        double tilt = (atRest ? 1 : 8) * Math.PI / 180;
+        const double Side = 35 * Math.PI / 180;
+        var up = new Vector3d(0, Math.Cos(tilt), -Math.Sin(tilt));
+        var along = new Vector3d(0, -Math.Sin(tilt), -Math.Cos(tilt));
+        Vector3d left = (Math.Cos(Side) * up) + (Math.Sin(Side) * new Vector3d(1, 0, 0));
+        Vector3d right = (Math.Cos(Side) * up) - (Math.Sin(Side) * new Vector3d(1, 0, 0));
+        Surface turf = Surface.Of(Ground.DryTurf);
+        Scene scene = InWind(new Vector3d(1, 0, 0)) with
+        {
+            Ground = Ground.DryTurf with { Height = -100 },
+            Obstacles = [new Obstacle { Name = "left", Shape = new PlaneShape(default, left), Surface = turf }, new Obstacle { Name = "right", Shape = new PlaneShape(default, right), Surface = turf }],
+        };
+        double speed = atRest ? 0.3 : 3;
+        return new ContactCase(
+            scene, integrator, Radius / Math.Cos(Side) * up, speed * along, speed / (Radius * Math.Cos(Side)) * Vector3d.Cross(up, along), atRest);
+    }
+
+    private BallState Begin()
+    {
+        if (_body is not null)
+        {
+            _body.Motion = _bodyStart;
+        }
+
+        return _start;
+    }
+
+    private double Run()
+    {
+        BallState state = Begin();
+        for (int i = 0; i < Steps; i++)
+        {
+            _log.Clear();
+            _simulator.Step(ref state, ShotSets.TimeStep, _log);
+        }
+
+        return state.Position.X;
+    }
+}

@@ -1,0 +1,82 @@
+namespace Football.Physics.Labs.Scenes;
+
+/// <summary>By which part of the library a scene's shapes are known.</summary>
+internal enum PieceKind
+{
+    Obstacles,
+    Bodies,
+    Colliders,
+}
+
+/// <summary>Shapes that share one rigid motion about the origin of their frame: as obstacles, as bodies that the game moves, or as colliders of an engine.</summary>
+/// <param name="kind">Which of them.</param>
+internal sealed class ScenePieces(PieceKind kind) : IEngineColliders
+{
+    private readonly List<(IShape Shape, Surface Surface)> _pieces = [];
+    private readonly List<EngineCollider> _colliders = [];
+    private readonly Bodies _bodies = new();
+    private double _reach;
+
+    public PieceKind Kind { get; } = kind;
+
+    public double Time { get; private set; }
+
+    public double GreatestSpeed { get; private set; }
+
+    /// <summary>Adds a shape in the common frame.</summary>
+    public void Add(IShape shape, Surface surface)
+    {
+        string name = FormattableString.Invariant($"piece {_pieces.Count}");
+        _pieces.Add((shape, surface));
+        Bounds3d box = shape.Bounds;
+        _reach = Math.Max(_reach, Math.Max(box.Min.Length, box.Max.Length));
+        if (Kind == PieceKind.Bodies)
+        {
+            _bodies.Add(name, shape, surface);
+        }
+        else if (Kind == PieceKind.Colliders)
+        {
+            _colliders.Add(new EngineCollider(name, shape, surface));
+        }
+    }
+
+    /// <summary>The scene with all shapes in it. Obstacles begin at the origin and keep this motion; their spin moves the surface alone.</summary>
+    public Scene In(Scene scene, Vector3d velocity = default, Vector3d spin = default) => Kind switch
+    {
+        PieceKind.Obstacles => scene with
+        {
+            Obstacles = [.. scene.Obstacles, .. _pieces.Select((piece, i) => new Obstacle
+            {
+                Name = FormattableString.Invariant($"piece {i}"), Shape = piece.Shape, Surface = piece.Surface, Velocity = velocity, Spin = spin,
+            })],
+        },
+        PieceKind.Bodies => scene with { Bodies = _bodies },
+        PieceKind.Colliders => scene with { EngineColliders = this },
+        _ => throw new InvalidOperationException($"{Kind} is no kind of piece"),
+    };
+
+    /// <summary>Sets bodies and colliders for the step to come; obstacles go on by themselves.</summary>
+    public void MoveTo(in Vector3d position, in Quaterniond orientation, in Vector3d velocity, in Vector3d spin, double time)
+    {
+        Time = time;
+        GreatestSpeed = velocity.Length + (_reach * spin.Length);
+        foreach (Body body in _bodies)
+        {
+            body.MoveTo(position, orientation, velocity, spin, time);
+        }
+
+        foreach (EngineCollider collider in _colliders)
+        {
+            collider.MoveTo(position, orientation, velocity, spin);
+        }
+    }
+
+    public void Cast(in SphereCast cast, EngineHits hits)
+    {
+        // More than the sphere touches does no harm.
+        foreach (EngineCollider collider in _colliders)
+        {
+            hits.Add(collider);
+        }
+    }
+}

@@ -1,0 +1,165 @@
+namespace Football.Physics.Labs.Scenes;
+
+/// <summary>A ball that crosses seams between flush surfaces, against the same ball on one surface.</summary>
+internal sealed class Seams : SceneKind
+{
+    private const double Limit = 1e-6;
+    private const double Far = 70;
+
+    /// <summary>The shortest run by which the steps themselves are judged takes this share of a step.</summary>
+    private const int Parts = 8;
+
+    private enum Lie
+    {
+        InTurf,
+        Tiles,
+        Overlapping,
+        Boards,
+    }
+
+    public override string Name => "seams";
+
+    public override string Claim => "A ball that crosses flush seams ends where it ends on one surface of the same material: 1e-6 m, and the error of the steps.";
+
+    public override int Share => 10;
+
+    protected override SceneOutcome Play(LabRandom random)
+    {
+        Lie lie = random.Any(Lie.InTurf, Lie.Tiles, Lie.Overlapping, Lie.Boards);
+        PieceKind kind = random.Any(PieceKind.Obstacles, PieceKind.Bodies, PieceKind.Colliders);
+        bool published = lie != Lie.Boards && random.Chance(0.2);
+        Ground ground = Material(random, published);
+        var surface = Surface.Of(ground);
+        double radius = random.Chance(0.7) ? 0.11 : random.Uniform(0.08, 0.2);
+        double pressing = random.Uniform(2, 9);
+        var wind = new Vector3d(random.Uniform(-4, 4), 0, random.Uniform(-4, 4));
+        Scene scene = (published ? Scene.Published : Scene.Measured) with
+        {
+            Ball = BallProperties.Football with { Radius = radius, InertiaFactor = random.Any(2.0 / 3, 2.0 / 3, 0.4) },
+            Air = lie == Lie.Boards ? new Air { Wind = new Vector3d(pressing, 0, wind.Z) }
+                : random.Chance(0.5) ? new Air { Wind = random.Chance(0.5) ? wind : default } : new Air { Density = 0 },
+            Ground = lie is Lie.InTurf or Lie.Boards ? ground : ground with { Height = -10 },
+        };
+
+        double speed = random.Log(0.5, 25);
+        Vector3d heading = lie == Lie.Boards ? new Vector3d(0, 0, random.Any(-1.0, 1.0)) : random.Heading();
+        Vector3d velocity = speed * heading;
+        double step = random.Log(0.004, 0.1);
+        double duration = step * Math.Max(1, Math.Round(random.Uniform(0.3, 1) / step));
+        Vector3d spin = Spin(random, velocity, radius);
+        var position = new Vector3d(0, radius, 0);
+        Vector3d along = lie is Lie.InTurf or Lie.Tiles or Lie.Overlapping && random.Chance(0.3)
+            ? random.Uniform(0.1, 2) * random.Heading()
+            : default;
+        along = kind == PieceKind.Obstacles || lie == Lie.InTurf ? default : along;
+
+        var pieces = new ScenePieces(kind);
+        double top = lie == Lie.Boards ? 0 : random.Any(0.0, 0.0, 1e-12, 1e-10);
+        Lay(pieces, random, lie, heading, speed, radius, surface, top);
+        var one = new ScenePieces(kind);
+        LayOne(one, lie, radius, surface);
+
+        BallState seamed = End(scene, pieces, position, velocity, spin, along, step, 1, duration);
+        BallState expected = End(scene, one, position, velocity, spin, along, step, 1, duration);
+        BallState finer = End(scene, one, position, velocity, spin, along, step, Parts, duration);
+        double ofSteps = Vector3d.Distance(expected.Position, finer.Position);
+        double error = Vector3d.Distance(seamed.Position, expected.Position);
+        return new SceneOutcome(
+            FormattableString.Invariant($"{lie} of {kind}"), true, double.IsNaN(error) ? double.PositiveInfinity : error, Widened(Limit, ofSteps),
+            FormattableString.Invariant($"{speed:0.00} m/s, steps of {1000 * step:0.0} ms, {duration:0.00} s: {error:e1} m off, steps {ofSteps:e1} m; top {top:e0} m, {(published ? "published" : "measured")}, {seamed.Motion} for {expected.Motion}"));
+    }
+
+    private static Ground Material(LabRandom random, bool published)
+    {
+        if (published)
+        {
+            return random.Any(Ground.PublishedTurf, Ground.PublishedCourt, Ground.PublishedWetTurf) with { TangentialRestitutionX = 0.5, TangentialRestitutionZ = 0.5 };
+        }
+
+        Ground ground = random.Any(Ground.DryTurf, Ground.ArtificialTurf, Ground.WetTurf, Ground.HardGround, Ground.LongGrass, Ground.Indoor, Ground.Concrete, Ground.Snow);
+        return random.Chance(0.3) ? ground with { SlidingFriction = random.Uniform(0, 1), RollingFriction = random.Uniform(0, 0.2) } : ground;
+    }
+
+    /// <summary>Rolls, slides with a spin of its own, or slides without.</summary>
+    private static Vector3d Spin(LabRandom random, in Vector3d velocity, double radius)
+    {
+        Vector3d rolling = Vector3d.Cross(Vector3d.Up, velocity) / radius;
+        return random.Below(4) switch
+        {
+            0 => default,
+            1 => random.Log(0.5, 60) * random.Direction(),
+            2 => rolling + new Vector3d(0, random.Uniform(-30, 30), 0),
+            _ => rolling,
+        };
+    }
+
+    /// <summary>Strips between parallel seams that the ball's way crosses: turned boxes whose tops are level, or boards whose faces are in one plane.</summary>
+    private static void Lay(
+        ScenePieces pieces, LabRandom random, Lie lie, in Vector3d heading, double speed, double radius, Surface surface, double top)
+    {
+        // At the boards a seam is upright; on the ground it is turned against the way by up to 80 degrees.
+        double turn = lie == Lie.Boards ? 0 : random.Uniform(-1.4, 1.4);
+        double angle = Math.Atan2(heading.X, heading.Z) + turn;
+        int seams = 1 + random.Below(5);
+        double from = -Far;
+        double to = speed * random.Uniform(0.05, 0.3) * Math.Cos(turn);
+        for (int i = 0; i <= seams; i++)
+        {
+            double end = i == seams ? Far : to;
+            double overlap = lie == Lie.Overlapping && i > 0 ? random.Uniform(0, 0.3) : 0;
+            bool isPiece = lie != Lie.InTurf || i % 2 == 1;
+            if (isPiece)
+            {
+                double middle = 0.5 * (from - overlap + end);
+                double half = 0.5 * (end - from + overlap);
+                pieces.Add(
+                    lie == Lie.Boards
+                        ? new BoxShape(new Vector3d(radius + 0.25, 1, middle * heading.Z), new Vector3d(0.25, 1, half))
+                        : new BoxShape(
+                            new Vector3d(middle * Math.Sin(angle), top - 0.25, middle * Math.Cos(angle)),
+                            new Vector3d(Far, 0.25, half),
+                            Quaterniond.FromAxisAngle(Vector3d.Up, angle)),
+                    surface);
+            }
+
+            from = end;
+            to = end + random.Log(0.05, 5);
+        }
+    }
+
+    /// <summary>The same without seams: nothing where the turf is that, else one piece.</summary>
+    private static void LayOne(ScenePieces one, Lie lie, double radius, Surface surface)
+    {
+        if (lie != Lie.InTurf)
+        {
+            one.Add(
+                lie == Lie.Boards
+                    ? new BoxShape(new Vector3d(radius + 0.25, 1, 0), new Vector3d(0.25, 1, Far))
+                    : new BoxShape(new Vector3d(0, -0.25, 0), new Vector3d(Far, 0.25, Far)),
+                surface);
+        }
+    }
+
+    private static BallState End(
+        Scene scene, ScenePieces pieces, in Vector3d position, in Vector3d velocity, in Vector3d spin, in Vector3d along, double step, int parts, double duration)
+    {
+        pieces.MoveTo(default, Quaterniond.Identity, along, default, 0);
+        var simulator = new Simulator(pieces.In(scene));
+
+        // In the frame of pieces that move along, the motion is the same.
+        BallState state = simulator.Launch(position, velocity + along, spin);
+        var log = new StepLog();
+        int steps = (int)Math.Round(duration / step);
+        for (int i = 0; i < steps; i++)
+        {
+            for (int k = 0; k < parts; k++)
+            {
+                pieces.MoveTo(state.Time * along, Quaterniond.Identity, along, default, state.Time);
+                log.Clear();
+                simulator.Step(ref state, step / parts, log);
+            }
+        }
+
+        return state;
+    }
+}

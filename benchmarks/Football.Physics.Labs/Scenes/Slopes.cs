@@ -1,0 +1,126 @@
+namespace Football.Physics.Labs.Scenes;
+
+/// <summary>A ball put on slopes in wind: it rests exactly if rolling friction holds it, and otherwise rolls as a closed form or a textbook integration says.</summary>
+internal sealed class Slopes : SceneKind
+{
+    private const double Limit = 1e-6;
+    private const double Radius = 0.11;
+    private const double Mass = 0.43;
+    private const double K = 2.0 / 3;
+    private const double Gravity = 9.81;
+    private const double Duration = 2;
+
+    /// <summary>A ball that is moved less than this, m, was put back onto the surface.</summary>
+    private const double Still = 1e-9;
+
+    public override string Name => "slopes";
+
+    public override string Claim => "A ball put on a slope in wind rests if |a_t|/(1 + k) ≤ c₀ N/m, and otherwise rolls as its equation says: 1e-6 m, or that share of the way.";
+
+    protected override SceneOutcome Play(LabRandom random)
+    {
+        while (true)
+        {
+            double tilt = random.Chance(0.2) ? 0 : random.Log(0.01, 0.75);
+            Vector3d normal = (Math.Cos(tilt) * Vector3d.Up) + (Math.Sin(tilt) * random.Heading());
+            var air = new AirModel(random.Chance(0.4) ? 0 : 1.2, 1.5e-5, random.Chance(0.3) ? default : random.Log(1, 25) * random.Heading());
+            double rolling = random.Chance(0.2) ? 0 : random.Log(0.005, 0.3);
+            double bySpeed = random.Chance(0.5) ? 0 : 0.006;
+            Vector3d weight = Gravity * (air.Lifts - 1) * Vector3d.Up;
+            Vector3d push = weight + air.Act(default, default).Acceleration;
+            double load = -Vector3d.Dot(push, normal);
+            double pull = Along(push, normal).Length / (1 + K);
+
+            // A hair's breadth decides nothing, and a ball that the wind lifts is another matter.
+            if (load < 2 || Math.Abs(pull - (rolling * load)) < 1e-5 * pull || (pull < 1e-12 && rolling > 0))
+            {
+                continue;
+            }
+
+            bool rests = pull <= rolling * load;
+            PieceKind? kind = random.Any<PieceKind?>(null, null, PieceKind.Obstacles, PieceKind.Bodies, PieceKind.Colliders);
+            Vector3d gone = rests ? default : Roll(normal, air, weight, rolling, bySpeed);
+            double step = random.Any(1 / 240.0, 1 / 100.0, 1 / 60.0, 1 / 30.0);
+            BallState found = Library(kind, normal, air, rolling, bySpeed, step, out Vector3d from);
+            double error = Vector3d.Distance(found.Position - from, gone);
+            string detail = FormattableString.Invariant(
+                $"{tilt * 180 / Math.PI:0.0}°, wind {air.Wind.Length:0.0} m/s, air {air.Density}, c₀ {rolling:0.0000}, steps of {1000 * step:0.0} ms: gone {(found.Position - from).Length:0.000000} m for {gone.Length:0.000000} m, {found.Motion}");
+            bool agrees = rests == (Vector3d.Distance(found.Position, from) < Still && found.Motion == MotionState.Stopped);
+            return new SceneOutcome(
+                FormattableString.Invariant($"{(rests ? "held" : "rolling")}, {kind?.ToString() ?? "Ground"}"), agrees, double.IsNaN(error) ? double.PositiveInfinity : error, Limit * Math.Max(1, gone.Length), detail);
+        }
+    }
+
+    /// <summary>The way from rest: in closed form without air and growth with speed, else by the classical Runge-Kutta method in steps of 0.1 ms.</summary>
+    private static Vector3d Roll(Vector3d normal, AirModel air, Vector3d weight, double rolling, double bySpeed)
+    {
+        Vector3d down = Along(weight, normal);
+        if (air.Density == 0 && bySpeed == 0)
+        {
+            double rate = (down.Length / (1 + K)) + (rolling * Vector3d.Dot(weight, normal));
+            return 0.5 * rate * Duration * Duration * down.Normalized();
+        }
+
+        const double H = 1e-4;
+        (Vector3d p, Vector3d v) = (default, default);
+        int steps = (int)Math.Round(Duration / H);
+        for (int i = 0; i < steps; i++)
+        {
+            Vector3d a1 = Rate(v);
+            Vector3d a2 = Rate(v + (0.5 * H * a1));
+            Vector3d a3 = Rate(v + (0.5 * H * a2));
+            Vector3d a4 = Rate(v + (H * a3));
+            p += (H * v) + (H * H / 6 * (a1 + a2 + a3));
+            v += H / 6 * (a1 + (2 * a2) + (2 * a3) + a4);
+        }
+
+        return p;
+
+        Vector3d Rate(Vector3d moves)
+        {
+            Vector3d spin = Vector3d.Cross(normal, moves) / Radius;
+            (Vector3d acceleration, Vector3d torque) = air.Act(moves, spin);
+            Vector3d all = weight + acceleration;
+            Vector3d shared = (Along(all, normal) + (Vector3d.Cross(torque, normal) / (Mass * Radius))) / (1 + K);
+
+            // At zero speed the friction acts against the push.
+            Vector3d ahead = moves.Length > 0 ? moves.Normalized() : shared.Normalized();
+            return shared + ((rolling + (bySpeed * moves.Length)) * Vector3d.Dot(all, normal) * ahead);
+        }
+    }
+
+    private static BallState Library(PieceKind? kind, Vector3d normal, AirModel air, double rolling, double bySpeed, double step, out Vector3d from)
+    {
+        Ground ground = Ground.DryTurf with { SlidingFriction = 5, RollingFriction = rolling, RollingFrictionBySpeed = bySpeed };
+        var scene = new Scene
+        {
+            Ball = BallProperties.Football,
+            Gravity = Gravity,
+            Air = new Air { Density = air.Density, KinematicViscosity = air.Viscosity, Wind = air.Wind },
+            Ground = kind is null ? ground with { Normal = normal } : ground with { Height = -1000 },
+        };
+        var pieces = new ScenePieces(kind ?? PieceKind.Obstacles);
+        if (kind is not null)
+        {
+            Vector3d axis = Vector3d.Cross(Vector3d.Up, normal);
+            double sine = axis.Length;
+            Quaterniond turn = sine < 1e-15 ? Quaterniond.Identity : Quaterniond.FromAxisAngle(axis / sine, Math.Atan2(sine, normal.Y));
+            pieces.Add(new BoxShape(-0.5 * normal, new Vector3d(200, 0.5, 200), turn), Surface.Of(ground));
+        }
+
+        pieces.MoveTo(default, Quaterniond.Identity, default, default, 0);
+        var ball = new Ball(pieces.In(scene));
+        ball.Place(kind is null ? new Vector3d(0, ball.Simulator.ContactHeight, 0) : Radius * normal);
+        from = ball.Position;
+        int steps = (int)Math.Round(Duration / step);
+        for (int i = 0; i < steps; i++)
+        {
+            pieces.MoveTo(default, Quaterniond.Identity, default, default, ball.Time);
+            ball.Step(step);
+        }
+
+        return ball.State;
+    }
+
+    private static Vector3d Along(in Vector3d v, in Vector3d n) => v - (Vector3d.Dot(v, n) * n);
+}

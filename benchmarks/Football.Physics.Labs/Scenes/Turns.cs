@@ -1,0 +1,151 @@
+namespace Football.Physics.Labs.Scenes;
+
+/// <summary>Shapes that a game turns about a pivot, and a ball in their way, against an exact rotation whose gap is followed without a library's contact.</summary>
+internal sealed class Turns : SceneKind
+{
+    private const double Limit = 1e-3;
+    private const double Radius = 0.11;
+
+    /// <summary>A pass or touch by less than this, m, decides nothing.</summary>
+    private const double Grazes = 1e-5;
+
+    /// <summary>A touch that closes slower than this, m/s, may be a pass.</summary>
+    private const double Slow = 0.01;
+
+    private static readonly Surface s_rubber = new()
+    {
+        NormalRestitution = 0.5,
+        RestitutionSpeed = double.PositiveInfinity,
+        ImpactFriction = 0,
+        SlidingFriction = 0,
+    };
+
+    public override string Name => "turns";
+
+    public override string Claim => "A shape that turns about its pivot first touches the ball where an exact rotation does, and throws it as its surface moves there: 1e-3 m, and 1e-3 of the speed.";
+
+    protected override SceneOutcome Play(LabRandom random)
+    {
+        PieceKind kind = random.Any(PieceKind.Bodies, PieceKind.Colliders);
+        while (true)
+        {
+            TurningModel model = Draw(random, out IShape shape, out string name);
+            double gravity = random.Chance(0.5) ? 9.81 : 0;
+            double duration = random.Uniform(0.2, 1);
+            (Vector3d from, Vector3d velocity) = Aim(random, model, gravity, duration);
+            Vector3d At(double t) => from + (t * velocity) - (0.5 * gravity * t * t * Vector3d.Up);
+            if (model.Distance(At(0), 0, out _) < Radius + 0.02)
+            {
+                continue;
+            }
+
+            double touch = model.FirstTouch(At, velocity.Length + (gravity * duration), Radius, duration, out double least);
+            bool undecided = double.IsNaN(touch) ? least < Grazes : duration - touch < Grazes || Closing(model, At, velocity, gravity, touch) < Slow;
+            if (undecided)
+            {
+                continue;
+            }
+
+            double frame = random.Chance(0.5) ? random.Any(1 / 240.0, 1 / 60.0, 1 / 30.0) : random.Log(0.004, 0.1);
+            return Compare(kind, name, shape, model, gravity, from, velocity, At, touch, duration, frame);
+        }
+    }
+
+    private static TurningModel Draw(LabRandom random, out IShape shape, out string name)
+    {
+        int which = random.Below(3);
+        Vector3d start = random.Uniform(0, 1) * random.Direction();
+        Vector3d moves = random.Chance(0.5) ? default : random.Uniform(0, 8) * random.Direction();
+        Vector3d axis = random.Any(new Vector3d(1, 0, 0), new Vector3d(0, 1, 0), new Vector3d(0, 0, 1), random.Direction(), random.Direction());
+        double angle = random.Uniform(-3, 3);
+        double rate = random.Log(0.5, 40) * random.Any(-1.0, 1.0);
+        Vector3d a = random.Uniform(0, 0.8) * random.Direction();
+        switch (which)
+        {
+            case 0:
+                name = "sphere";
+                double radius = random.Uniform(0.03, 0.3);
+                shape = new SphereShape(a, radius);
+                return new TurningModel(a, a, radius, false, start, moves, axis, angle, rate);
+            case 1:
+                name = "capsule";
+                Vector3d b = a + (random.Uniform(0.1, 1.2) * random.Direction());
+                double thickness = random.Uniform(0.02, 0.15);
+                shape = new CapsuleShape(a, b, thickness);
+                return new TurningModel(a, b, thickness, false, start, moves, axis, angle, rate);
+            default:
+                name = "box";
+                var half = new Vector3d(random.Log(0.02, 0.8), random.Log(0.02, 0.8), random.Log(0.02, 0.8));
+                shape = new BoxShape(a, half);
+                return new TurningModel(a, half, 0, true, start, moves, axis, angle, rate);
+        }
+    }
+
+    /// <summary>How fast the gap closes when the ball touches, m/s.</summary>
+    private static double Closing(TurningModel model, Func<double, Vector3d> at, in Vector3d velocity, double gravity, double touch)
+    {
+        Vector3d place = at(touch);
+        model.Distance(place, touch, out Vector3d normal);
+        return -Vector3d.Dot(velocity - (gravity * touch * Vector3d.Up) - model.SurfaceVelocity(place - (Radius * normal), touch), normal);
+    }
+
+    /// <summary>A ball that would be near a random point of the shape at a random time, if the shape let it.</summary>
+    private static (Vector3d From, Vector3d Velocity) Aim(LabRandom random, TurningModel model, double gravity, double duration)
+    {
+        double time = random.Uniform(0.05, 0.9) * duration;
+        double share = random.Next();
+        Vector3d own = model.IsBox ? model.A + (random.Uniform(0, 1) * new Vector3d(random.Any(-1, 1) * model.B.X, random.Any(-1, 1) * model.B.Y, random.Any(-1, 1) * model.B.Z))
+            : model.A + (share * (model.B - model.A));
+        Vector3d near = model.WorldOf(own, time) + (random.Uniform(0, 0.25) * random.Direction());
+        Vector3d velocity = random.Chance(0.3) ? default : random.Log(0.1, 30) * random.Direction();
+        return (near - (time * velocity) + (0.5 * gravity * time * time * Vector3d.Up), velocity);
+    }
+
+    private static SceneOutcome Compare(
+        PieceKind kind, string name, IShape shape, TurningModel model, double gravity, in Vector3d from, in Vector3d velocity, Func<double, Vector3d> at, double touch, double duration, double frame)
+    {
+        var pieces = new ScenePieces(kind);
+        pieces.Add(shape, s_rubber);
+        var simulator = new Simulator(pieces.In(new Scene { Ball = BallProperties.Football, Gravity = gravity, Ground = Ground.None, Forces = ForceSet.None }));
+        BallState state = simulator.Launch(from, velocity, default);
+        var log = new StepLog();
+        BallEvent? impact = null;
+        while (state.Time < duration && impact is null)
+        {
+            double angle = model.Angle + (model.Rate * state.Time);
+            pieces.MoveTo(model.PivotAt(state.Time), Quaterniond.FromAxisAngle(model.Axis, angle), model.Velocity, model.Rate * model.Axis, state.Time);
+            log.Clear();
+            simulator.Step(ref state, Math.Min(frame, duration - state.Time), log);
+            foreach (ref readonly BallEvent item in log.Events)
+            {
+                impact ??= item.Kind == BallEventKind.Impact ? item : null;
+            }
+        }
+
+        string group = FormattableString.Invariant($"{name} of {kind}");
+        string scene = FormattableString.Invariant($"{model.Rate:0.0} rad/s, frames of {1000 * frame:0.0} ms, ball {velocity.Length:0.00} m/s");
+        bool hits = !double.IsNaN(touch);
+        if (hits != impact is not null)
+        {
+            return new SceneOutcome(group, false, 0, Limit, FormattableString.Invariant($"{scene}: {(hits ? $"hit at {touch:0.0000} s missed" : $"hit at {impact!.Value.Time:0.0000} s that is none")}"));
+        }
+
+        if (impact is not { } found)
+        {
+            return new SceneOutcome(group, true, 0, Limit, scene);
+        }
+
+        // v' = v + (1 + e) u n, with the velocity of the surface at the contact point.
+        Vector3d place = at(touch);
+        model.Distance(place, touch, out Vector3d normal);
+        Vector3d before = velocity - (gravity * touch * Vector3d.Up);
+        Vector3d surface = model.SurfaceVelocity(place - (Radius * normal), touch);
+        Vector3d after = before - ((1 + s_rubber.NormalRestitution) * Vector3d.Dot(before - surface, normal) * normal);
+        double error = Math.Max(
+            Vector3d.Distance(found.Position, place) + (Math.Abs(found.Time - touch) * Math.Max(1, before.Length)),
+            Vector3d.Distance(found.Velocity, after) / Math.Max(1, surface.Length + before.Length));
+        return new SceneOutcome(
+            group, true, double.IsNaN(error) ? double.PositiveInfinity : error, Limit,
+            FormattableString.Invariant($"{scene}: hit at {found.Time:0.00000} s for {touch:0.00000} s, {error:e1} off"));
+    }
+}
