@@ -12,12 +12,6 @@ internal sealed class WorldContact
     /// <summary>Time, s, for which a moving thing that touched the ball bounds the speed that the next may give it.</summary>
     private const double Lately = 0.1;
 
-    /// <summary>A ball is raised out of the ground in so many steps: more than one where that is curved.</summary>
-    private const int MostRaises = 4;
-
-    /// <summary>Less than this is no overlap to be raised from, m.</summary>
-    private const double Overlap = 5e-10;
-
     private readonly Surroundings _around;
     private readonly World _world;
     private readonly RateBound _ofAir;
@@ -283,29 +277,8 @@ internal sealed class WorldContact
         s.Motion = MotionState.Stopped;
     }
 
-    /// <summary>A ball inside the ground, where a state says so, is raised to it.</summary>
-    public void Raise(ref BallState s)
-    {
-        if (_world.IsLevel)
-        {
-            // To the last bit: heights of a ball on level ground are compared with that.
-            s.Position = new Vector3d(s.Position.X, Math.Max(s.Position.Y, _world.LevelContact), s.Position.Z);
-            return;
-        }
-
-        // Newton on the distance: one step on a plane, a few where the ground is curved.
-        for (int i = 0; i < MostRaises && _world.Ground is { } ground; i++)
-        {
-            ShapePoint at = ground.At(s.Position);
-            double below = _world.Ball.Radius - at.Distance;
-            if (!(below > Overlap))
-            {
-                break;
-            }
-
-            s.Position += below * at.Normal;
-        }
-    }
+    /// <summary>Raises a ball whose state says that it is in the ground, straight up.</summary>
+    public void Raise(ref BallState s) => s.Position = GroundPlace.Raised(_world, s.Position);
 
     /// <summary>True when a collider would carry a ball that touches it, and would not let it go at once.</summary>
     public bool IsPressed(in BallState s, int collider)
@@ -331,7 +304,14 @@ internal sealed class WorldContact
             TakesUp(in s, first, out Vector3d velocity);
             Collider collider = _world.Colliders[first];
             Vector3d spin = s.Spin;
+            Vector3d placed = s.Position;
             Vector3d n = _world.Hold(ref s, collider);
+            if (collider == _world.Ground)
+            {
+                // Where it was placed, to the last bit of x and z.
+                s.Position = GroundPlace.Onto(_world, in placed);
+            }
+
             s.Velocity = velocity;
             s.Carrier = first + _world.FirstCollider;
             bool rolls = Slip.Of(velocity - collider.Velocity, in spin, in n, _world.Ball.Radius).Length < Slip.Rolling;
