@@ -42,7 +42,7 @@ public sealed class PassFan
             throw Check.Refusal("ground", "none", "a level pitch: passes are played on it");
         }
 
-        Simulator? amongThings = whole.Obstacles.Count + whole.Nets.Count + whole.Goals.Count > 0 ? new Simulator(whole) : null;
+        Simulator? amongThings = whole.HasThings ? new Simulator(whole) : null;
         _simulator = new Simulator(whole with { Obstacles = [], Nets = [], Goals = [] });
         Scene known = _simulator.Scene;
         if (!LaneFlight.Covers(known))

@@ -32,7 +32,7 @@ internal sealed class AimContext
     public AimContext(Simulator game)
     {
         Scene scene = game.Scene;
-        HasThings = scene.Obstacles.Count > 0 || scene.Nets.Count > 0 || scene.Goals.Count > 0 || scene.Bodies is not null || scene.EngineColliders is not null;
+        HasThings = scene.HasThings;
 
         // Misses are measured in the whole scene; searched is without its things, and for smooth crossings without its ground too.
         var real = new Simulator(scene, SolverSettings.Default);

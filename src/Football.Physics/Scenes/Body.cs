@@ -10,6 +10,9 @@ namespace Football.Physics;
 /// </remarks>
 public sealed class Body
 {
+    /// <summary>A body that comes into play may be anywhere: farther than this it strays from no place, m.</summary>
+    private const double Anywhere = 4.0 * Limits.Length;
+
     private readonly Bodies _all;
     private readonly double _extent;
 
@@ -57,16 +60,37 @@ public sealed class Body
     /// <summary>When it is there, on the clock of the ball, s. Default 0.</summary>
     public double Time => Placement.Motion.Time;
 
+    /// <summary>True while it is out of play. Default false.</summary>
+    public bool IsWithdrawn => Placement.Motion.IsWithdrawn;
+
     /// <summary>Its index among all.</summary>
     internal int Index { get; }
 
     internal Placement Placement { get; }
 
-    /// <summary>Says where it is and how fast it goes. It keeps how it is turned.</summary>
+    /// <summary>Takes it out of play, from the next step on: nothing hits it, and a ball on it falls. Allocates nothing.</summary>
+    /// <remarks>
+    /// For a substitute who is not on yet, a player who was sent off, a cone that comes later. It keeps its position, without velocity and spin, until
+    /// <see cref="MoveTo(Vector3d, Vector3d, double)"/> brings it into play. Rollbacks, recordings and look-aheads keep whether it is in play as they keep where it is. A
+    /// withdrawn body costs a step nothing that can be measured.
+    /// </remarks>
+    public void Withdraw()
+    {
+        ref RigidMotion motion = ref Placement.Motion;
+        motion.Velocity = Vector3d.Zero;
+        motion.Spin = Vector3d.Zero;
+        motion.IsWithdrawn = true;
+
+        // Nobody meets it sooner for that: it has strayed from nowhere.
+        _all.Update(this);
+        _all.Told(this);
+    }
+
+    /// <summary>Says where it is and how fast it goes, and brings it into play. It keeps how it is turned.</summary>
     /// <inheritdoc cref="MoveTo(Vector3d, Quaterniond, Vector3d, Vector3d, double)"/>
     public void MoveTo(Vector3d position, Vector3d velocity, double time) => MoveTo(position, Orientation, velocity, Vector3d.Zero, time);
 
-    /// <summary>Says where it is, how it is turned, and how fast it goes and turns. Allocates nothing.</summary>
+    /// <summary>Says where it is, how it is turned, and how fast it goes and turns, and brings it into play. Allocates nothing.</summary>
     /// <param name="position">Where it is, m; components within ±1e6.</param>
     /// <param name="orientation">How it is turned, body to world; normalised.</param>
     /// <param name="velocity">Velocity, m/s; at most 1000.</param>
@@ -83,7 +107,7 @@ public sealed class Body
 
         // How far any point of it may be from where it was expected.
         ref RigidMotion motion = ref Placement.Motion;
-        double jump = (position - motion.GoneBy(time)).Length + (Bodies.Foresight * (velocity - motion.Velocity).Length);
+        double jump = motion.IsWithdrawn ? Anywhere : (position - motion.GoneBy(time)).Length + (Bodies.Foresight * (velocity - motion.Velocity).Length);
 
         // The same orientation as before keeps its bits: to normalise it again might change the last.
         Quaterniond turned = orientation == motion.Orientation ? orientation : orientation.Normalized();
@@ -102,6 +126,7 @@ public sealed class Body
         motion.Velocity = velocity;
         motion.Spin = spin;
         motion.Time = time;
+        motion.IsWithdrawn = false;
 
         // Told last, when it is where it says: broad phase, and who records.
         _all.Moved(jump, time, again);
@@ -126,7 +151,7 @@ public sealed class Body
             // As MoveTo, but with the largest jump that a turn can be.
             double jump = (value.GoneBy(value.Time) - Placement.Motion.GoneBy(value.Time)).Length + (Bodies.Foresight * (value.Velocity - Velocity).Length);
             bool turns = value.Orientation != Orientation;
-            _all.Moved(jump + (turns ? 2.0 * _extent : 0), value.Time, again: true);
+            _all.Moved(value.IsWithdrawn ? 0 : IsWithdrawn ? Anywhere : jump + (turns ? 2.0 * _extent : 0), value.Time, again: true);
             Placement.Motion = value;
             if (turns)
             {

@@ -37,6 +37,6 @@ internal sealed class Placement
         Turn(Quaterniond.Identity);
     }
 
-    /// <summary>A box around it at a time.</summary>
-    public Bounds3d BoundsAt(double time) => _turned.Moved(Motion.GoneBy(time));
+    /// <summary>A box around it at a time; one that touches nothing while it is out of play.</summary>
+    public Bounds3d BoundsAt(double time) => Motion.IsWithdrawn ? Bounds3d.Nowhere : _turned.Moved(Motion.GoneBy(time));
 }
