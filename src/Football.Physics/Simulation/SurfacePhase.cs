@@ -254,7 +254,13 @@ internal sealed class SurfacePhase<TIntegrator>
 
         // What may end it, one after the other: off a curved surface, the jump, load, grip, rest and spin, a border, a net's kink, what is met.
         SurfacePath.Shorten(ref sweep, in s, system.Carrier, _around.Radius, order);
-        _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
+        if (_jump.Acts)
+        {
+            // After a launch or an impact the branch was read from the flow: the crossing is one of that branch.
+            s.Branch = system.Branch;
+            _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
+        }
+
         double crossing = sweep.Length;
         bool overEdge = SurfaceMargin<TMethod>.EndPiece(ref sweep, in s, system.Rolls, KeepsGrip(in s, in run));
         SurfaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
@@ -344,6 +350,12 @@ internal sealed class SurfacePhase<TIntegrator>
 
         // Not where the spin about the normal ends, or another surface begins, before the slip does.
         if (system.SpinSign * about < 0 || system.Carrier.PatchAt(s.Position) != system.Carrier.PatchAt(in end.Position))
+        {
+            return false;
+        }
+
+        // Nor if the drag law jumps before: a piece ends there first.
+        if (_jump.Acts && DragJump.At(in end, in _around.Wind, _around.Radius).Branch != system.Branch)
         {
             return false;
         }
