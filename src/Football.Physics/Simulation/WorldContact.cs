@@ -57,7 +57,11 @@ internal sealed class WorldContact
         {
             double restitution = hit.MaterialAt(s.Position).LargestRestitutionAt(Vector3d.Dot(surface - v, in n));
             bool again = Touches(ref s, (1.0 + restitution) * surface.Length);
-            velocity = again ? NoFaster(in velocity, in n, s.SqueezeSpeed) : velocity;
+            double fastest = Math.Max(s.SqueezeSpeed, v.Length);
+            if (again && velocity.Length > fastest)
+            {
+                CoulombImpact.ApplySoftened(_world.Ball, in hit.MaterialAt(s.Position), in way, in n, in surface, in v, in w, fastest, out velocity, out spin);
+            }
         }
 
         // What has a mass gets the opposite impulse, m (v − v').
@@ -200,21 +204,6 @@ internal sealed class WorldContact
         s.SqueezeSpeed = Math.Max(again ? s.SqueezeSpeed : s.Velocity.Length, fastest);
         s.SqueezeUntil = s.Time + Lately;
         return again;
-    }
-
-    /// <summary>A velocity off a surface, no faster than allowed: what goes along the surface is given up first.</summary>
-    private static Vector3d NoFaster(in Vector3d velocity, in Vector3d n, double fastest)
-    {
-        if (velocity.Length <= fastest)
-        {
-            return velocity;
-        }
-
-        // What goes off the surface is kept; along it what that leaves of the square, |v|² = off² + along².
-        double off = Vector3d.Dot(in velocity, in n);
-        double left = (fastest * fastest) - (off * off);
-        Vector3d along = velocity - (off * n);
-        return left > 0 ? (off * n) + (Math.Sqrt(left) / along.Length * along) : fastest / Math.Abs(off) * (off * n);
     }
 
     /// <summary>A thing takes a ball that touches it, does not come closer and is pressed on it: no impact.</summary>
@@ -380,6 +369,9 @@ internal sealed class WorldContact
         s.ClearUntil = 0;
         s.Branch = DragBranch.Unknown;
         s.SqueezeSpeed = Math.Max(s.SqueezeSpeed, velocity.Length);
+
+        // Thrown back by another ball it hits the next thing anew, and that is not the second of two movers that bat it to and fro.
+        s.SqueezeUntil = presses || s.Motion == MotionState.Squeezed ? s.SqueezeUntil : Math.Min(s.SqueezeUntil, s.Time);
         if (s.Motion == MotionState.Airborne || _world.HangsInNet(in s))
         {
             Fly(ref s, in velocity, in spin);
