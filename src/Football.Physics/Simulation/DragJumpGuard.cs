@@ -12,6 +12,9 @@ internal sealed class DragJumpGuard
     /// <summary>A ball nearer to a surface than this, by its functions, is on it but for rounding, m²/s².</summary>
     private const double OnIt = 1e-6;
 
+    /// <summary>A crossing within this share of a piece is the one that it starts at.</summary>
+    private const double AtStart = 1e-6;
+
     private readonly FlightSystem _flight;
 
     public DragJumpGuard(Surroundings around, bool locates)
@@ -132,10 +135,11 @@ internal sealed class DragJumpGuard
             return;
         }
 
-        // On the ground no sliding mode is followed: from the crossing on the other branch holds.
+        // On the ground no sliding mode is followed: from the crossing on the other branch holds. A piece that starts on a surface, but for rounding, has that crossing
+        // behind it, and may meet the other surface.
         run.Splits++;
         TSweep whole = sweep;
-        if (start.Branch == branch && JumpLocator.Locate(ref sweep, branch, in start, in startRate, h))
+        if (JumpLocator.Locate(ref sweep, branch, in start, in startRate, h) && (start.Branch == branch || sweep.Length > AtStart * h))
         {
             branch = branch == DragBranch.Spinning ? DragBranch.NoSpin : DragBranch.Spinning;
             return;
