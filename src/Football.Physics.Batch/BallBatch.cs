@@ -99,7 +99,7 @@ public sealed class BallBatch
     public void WarmUp()
     {
         const int Count = 64;
-        double contact = Scene.Ground.Height + Scene.Ball.Radius;
+        double contact = Scene.Ground.IsNone ? 0 : Scene.Ground.Height + Scene.Ball.Radius;
         var launches = new BatchLaunches(Count);
         for (int i = 0; i < Count; i++)
         {

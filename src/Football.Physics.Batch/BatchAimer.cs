@@ -101,7 +101,7 @@ public sealed class BatchAimer
     public void WarmUp()
     {
         const int Count = 64;
-        double contact = Scene.Ground.Height + Scene.Ball.Radius;
+        double contact = Scene.Ground.IsNone ? 0 : Scene.Ground.Height + Scene.Ball.Radius;
         var aims = new BatchAims(Count);
         for (int i = 0; i < Count; i++)
         {

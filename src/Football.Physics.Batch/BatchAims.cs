@@ -21,7 +21,7 @@ public sealed class BatchAims
     /// <summary>How many there is room for.</summary>
     public int Capacity => Speed.Length;
 
-    /// <summary>Where the balls are, m; components within ±1e6. Below contact height they are raised to it.</summary>
+    /// <summary>Where the balls are, m; components within ±1e6. A place in the ground is raised straight up out of it.</summary>
     public VectorArrays From { get; }
 
     /// <summary>Where they are to go, m; components within ±1e6.</summary>

@@ -16,7 +16,7 @@ public sealed class BatchLaunches
     /// <summary>How many there is room for.</summary>
     public int Capacity => Position.Length;
 
-    /// <summary>Positions of the centres, m; components within ±1e6. Below contact height a ball is raised to it.</summary>
+    /// <summary>Positions of the centres, m; components within ±1e6. A ball in the ground is raised straight up until it is not.</summary>
     public VectorArrays Position { get; }
 
     /// <summary>Velocities, m/s; speeds at most 1000.</summary>

@@ -30,7 +30,7 @@ internal sealed class BatchWorker
         _simulator = new Simulator(scene, new SolverSettings { Integrator = settings.Integrator });
         _upward = Weight.UpwardAcceleration(scene);
         _ground = new ContactMaterial(scene.Ground);
-        _standsStill = !_simulator.World.Moves && scene.Obstacles.Count + scene.Nets.Count + scene.Goals.Count > 0;
+        _standsStill = !_simulator.World.Moves && scene.HasThings;
         Scene open = _standsStill ? scene with { Obstacles = [], Nets = [], Goals = [] } : scene;
         _domain = new LaneDomain(scene, settings.TimeStep);
         if (settings.Precision == BatchPrecision.Single && LaneFlight.Covers(open))

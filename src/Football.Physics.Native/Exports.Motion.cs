@@ -6,7 +6,7 @@ namespace Football.Physics.Native;
 /// <content>A ball launched, kicked, stepped and read.</content>
 internal static unsafe partial class Exports
 {
-    /// <summary>A ball at the start of its way. Below the ground it is raised to it; where it lies on the ground without speed, it stays.</summary>
+    /// <summary>A ball at the start of its way. In the ground it is raised straight up out of it; where it lies on the ground without speed, it stays.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="position">Position of the centre, m; components within +-1e6.</param>
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>

@@ -138,11 +138,17 @@ public static class SceneInput
             SurfaceType.PublishedWetTurf => Physics.Ground.PublishedWetTurf,
             SurfaceType.PublishedCourt => Physics.Ground.PublishedCourt,
             SurfaceType.PublishedSand => Physics.Ground.PublishedSand,
+            SurfaceType.None => Physics.Ground.None,
             _ => Physics.Ground.DryTurf,
         };
 
     private static Ground Ground(InputObject ground, Ground defaults)
     {
+        foreach (string name in defaults.IsNone ? ["height", "normal", "heights"] : Array.Empty<string>())
+        {
+            ground.Demand(name, !ground.Has(name), "a surface other than none");
+        }
+
         double[] tangential = ground.OneOrTwo("tangentialRestitution", "a number, or [x, z]", [defaults.TangentialRestitutionX, defaults.TangentialRestitutionZ]);
         return new Ground
         {

@@ -16,4 +16,5 @@ public enum SurfaceType
     PublishedWetTurf,
     PublishedCourt,
     PublishedSand,
+    None,
 }

@@ -297,6 +297,20 @@ public sealed unsafe class CallTests
         Assert.StartsWith("scene is null", Error());
     }
 
+    [Fact]
+    public void Without_ground_a_ball_falls_from_the_origin()
+    {
+        NativeScene* scene = Scene("{\"ground\": {\"surface\": \"none\"}, \"air\": {\"density\": 0}, \"gravity\": 9.81}");
+        NativeState state;
+        NativeBall ball;
+        double* none = stackalloc double[3] { 0, 0, 0 };
+        Assert.Equal(NativeStatus.Ok, s_launch(scene, none, none, none, &state));
+        Assert.Equal(NativeStatus.Ok, s_stepMany(scene, &state, 1, 0.01, 100));
+        Assert.Equal(NativeStatus.Ok, s_read(scene, &state, &ball));
+        Assert.Equal(-4.905, ball.Position[1], 1e-9);
+        Assert.Equal(NativeStatus.Ok, s_free(scene));
+    }
+
     private static void Refused(string sentence, NativeStatus status)
     {
         Assert.Equal((NativeStatus.Argument, sentence), (status, Error()[..Math.Min(sentence.Length, Error().Length)]));

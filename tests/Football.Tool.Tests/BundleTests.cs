@@ -25,6 +25,7 @@ public sealed class BundleTests : IDisposable
             Air = Weather.AtAltitude(1200, 12, 0.8).ToAir() with { WindField = new WindByHeight(7, 1, -2, gusts: new Gusts { Seed = 11 }) },
             Forces = ForceSet.Measured with { KnuckleSeed = -5 },
         },
+        ["no ground, wind by height"] = () => new Scene { Ground = Ground.None, Air = new Air { WindField = new WindByHeight(3, 1, 0) } },
         ["hills and things"] = () => new Scene
         {
             Ground = Ground.WetTurf with { Heights = new HeightField(-10, -10, 10, new double[,] { { 0, 0.1, 0.2 }, { 0.1, 0.5, 0.2 }, { 0, 0.1, 0.3 } }) },

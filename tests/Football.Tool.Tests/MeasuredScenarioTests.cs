@@ -1,3 +1,5 @@
+using System.Text.Json;
+
 namespace Football.Tool.Tests;
 
 /// <summary>What a scenario of the measured profile can say, and what it is refused for.</summary>
@@ -30,9 +32,26 @@ public sealed class MeasuredScenarioTests
     }
 
     [Theory]
+    [InlineData("measured")]
+    [InlineData("published")]
+    public void Without_ground_a_ball_falls_from_where_it_is_and_a_kick_begins_at_the_origin(string profile)
+    {
+        string[] options = ["--profile", profile, "--set", "ground.surface=none", "--set", "air.density=0", "--set", "gravity=9.81"];
+        JsonElement fallen = FootballCommand.Play("{\"launch\":{\"position\":[0,0,0],\"velocity\":[0,0,0]},\"stop\":{\"at\":\"time\",\"time\":1}}", options).GetProperty("final");
+        Assert.Equal(-4.905, fallen.GetProperty("position")[1].GetDouble(), 1e-9);
+        Assert.Equal("airborne", fallen.GetProperty("state").GetString());
+        JsonElement kicked = FootballCommand.Run("", ["kick", "--speed", "10", "--elevation", "0", .. options, "--set", "stop.time=1", "--set", "samples=true"]).Result;
+        Assert.Equal("[0,0,0]", kicked.GetProperty("samples")[0].GetProperty("position").GetRawText());
+        Assert.Equal(-4.905, kicked.GetProperty("final").GetProperty("position")[1].GetDouble(), 1e-9);
+        Assert.Equal(0, kicked.GetProperty("events").GetArrayLength());
+    }
+
+    [Theory]
     [InlineData("\"profile\":\"thesis\"", "profile is \"thesis\"; allowed: measured | published")]
     [InlineData("\"ball\":{\"type\":\"beach\"}", "ball.type is \"beach\"; allowed: generic | tango12 | teamgeist | jabulani | brazuca | telstar18 | flight2020 | alRihla | fussballliebe | trionda | modern | youthFootball | futsal | beachBall | medicineBall")]
     [InlineData("\"ball\":{\"knuckleForce\":-1}", "ball.knuckleForce is -1; allowed: 0 … 100")]
+    [InlineData("\"ground\":{\"surface\":\"none\",\"height\":2}", "ground.height is 2; allowed: a surface other than none")]
+    [InlineData("\"ground\":{\"surface\":\"none\",\"normal\":[0,1,1]}", "ground.normal is [0,1,1]; allowed: a surface other than none")]
     [InlineData("\"air\":{\"weather\":{\"temperature\":99}}", "air.weather.temperature is 99; allowed: -60 … 60")]
     [InlineData("\"air\":{\"weather\":{\"humidity\":\"wet\"}}", "air.weather.humidity is \"wet\"; allowed: 0 … 1")]
     [InlineData("\"air\":{\"weather\":{\"altitude\":20000}}", "air.weather.altitude is 20000; allowed: -500 … 11000")]

@@ -76,6 +76,12 @@ class Bits(unittest.TestCase):
         np.testing.assert_array_equal(path[:, -1, 1:], balls.position)
         np.testing.assert_array_equal(path[:, -1, 0], balls.time)
 
+    def test_without_ground_balls_fall_from_where_they_are(self):
+        balls = fp.Balls(fp.Scene({"ground": {"surface": "none"}, "air": {"density": 0}, "gravity": 9.81}), 2)
+        np.testing.assert_array_equal(0, balls.position)
+        balls.step(0.01, 100)
+        np.testing.assert_allclose(balls.position, [[0, -4.905, 0]] * 2, atol=1e-9)
+
     def test_threads_share_a_scene(self):
         scene, found = fp.Scene(), [0] * 4
 

@@ -24,7 +24,7 @@ internal abstract class LaneFlight
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>
     public static bool Covers(Scene scene) => scene.Forces.Custom.Count == 0 && !SceneAir.HasFieldIn(scene) && KindOf(scene.Forces) is not null
-        && scene.Ground.IsLevel && scene.Ground.Pattern is null && scene.Bodies is null && scene.EngineColliders is null && scene.Obstacles.Count == 0 && scene.Nets.Count == 0 && scene.Goals.Count == 0;
+        && scene.Ground.IsLevel && scene.Ground.Pattern is null && !scene.HasThings;
 
     /// <summary>Compiles a scene.</summary>
     /// <param name="scene">The scene.</param>

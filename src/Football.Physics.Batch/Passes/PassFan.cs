@@ -37,7 +37,12 @@ public sealed class PassFan
     {
         // Kicks are tried over the open pitch: one that meets a thing is lost, and so an open pitch never tells less of it than there is.
         Scene whole = scene ?? Scene.Default;
-        Simulator? amongThings = whole.Obstacles.Count + whole.Nets.Count + whole.Goals.Count > 0 ? new Simulator(whole) : null;
+        if (whole.Ground.IsNone)
+        {
+            throw Check.Refusal("ground", "none", "a level pitch: passes are played on it");
+        }
+
+        Simulator? amongThings = whole.HasThings ? new Simulator(whole) : null;
         _simulator = new Simulator(whole with { Obstacles = [], Nets = [], Goals = [] });
         Scene known = _simulator.Scene;
         if (!LaneFlight.Covers(known))

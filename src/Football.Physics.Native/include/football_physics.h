@@ -205,7 +205,7 @@ FP_API fp_status fp_name(const fp_scene* scene, int32_t thing, char* name, int32
    Returns the hash; 0 where the state is null. */
 FP_API uint64_t fp_hash(const fp_state* state);
 
-/* A ball at the start of its way. Below the ground it is raised to it; where it lies on the ground without speed, it stays.
+/* A ball at the start of its way. In the ground it is raised straight up out of it; where it lies on the ground without speed, it stays.
    scene: The scene.
    position: Position of the centre, m; components within +-1e6.
    velocity: Velocity, m/s; speed at most 1000.

@@ -92,7 +92,7 @@ class Balls:
     ----------
     scene: the scene.
     n: how many.
-    position: where they lie at first, (n, 3) or (3,); default the origin. Below the ground they are raised to it.
+    position: where they lie at first, (n, 3) or (3,); default the origin. In the ground they are raised straight up out of it; without ground they are in the air there.
     """
 
     def __init__(self, scene: Scene, n: int, position: ArrayLike = (0.0, 0.0, 0.0)) -> None:

@@ -32,7 +32,7 @@ internal sealed class AimContext
     public AimContext(Simulator game)
     {
         Scene scene = game.Scene;
-        HasThings = scene.Obstacles.Count > 0 || scene.Nets.Count > 0 || scene.Goals.Count > 0 || scene.Bodies is not null || scene.EngineColliders is not null;
+        HasThings = scene.HasThings;
 
         // Misses are measured in the whole scene; searched is without its things, and for smooth crossings without its ground too.
         var real = new Simulator(scene, SolverSettings.Default);
@@ -129,12 +129,11 @@ internal sealed class AimContext
     /// <summary>The miss distance within which a search ends, m: inside the tolerance, for the longer steps of the flights are a little off.</summary>
     public static double Sharp(double tolerance, double fine = FineMiss) => 0.8 * Math.Min(tolerance, fine);
 
-    /// <summary>The frame of a request, ball and target raised to contact height.</summary>
+    /// <summary>The frame of a request, ball and target raised out of the ground.</summary>
     public TargetFrame Frame(AimRequest request) => new(Raised(Game, request.From), Raised(Game, request.Target));
 
-    /// <summary>A place of the ball's centre, raised to contact height.</summary>
-    public static Vector3d Raised(Simulator simulator, in Vector3d place) =>
-        place.Y < simulator.ContactHeight ? new Vector3d(place.X, simulator.ContactHeight, place.Z) : place;
+    /// <summary>A place of the ball's centre; one in the ground is raised straight up, as a launch is.</summary>
+    public static Vector3d Raised(Simulator simulator, in Vector3d place) => GroundPlace.Raised(simulator.World, in place);
 
     /// <summary>True when a kick stays on the ground from its start.</summary>
     public bool StaysDown(in Vector3d from, double upwardSpeed) =>

@@ -3,10 +3,10 @@ namespace Football.Physics.Aiming;
 /// <summary>A request for a kick: from where, at which target, how fast, within which bounds. Points are for the ball's centre.</summary>
 public sealed record AimRequest
 {
-    /// <summary>Where the ball is, m; components within ±1e6. Below contact height it is raised to it. Default the origin.</summary>
+    /// <summary>Where the ball is, m; components within ±1e6. A place in the ground is raised straight up out of it. Default the origin.</summary>
     public Vector3d From { get; init; }
 
-    /// <summary>Where it is to go, m; components within ±1e6. Below contact height it is raised to it. Without one a request is refused.</summary>
+    /// <summary>Where it is to go, m; components within ±1e6. A place in the ground is raised straight up out of it. Without one a request is refused.</summary>
     public Vector3d Target { get; init; } = new(double.NaN, double.NaN, double.NaN);
 
     /// <summary>Velocity of the target, m/s; at most 1000. Default at rest. Used by <see cref="Aimer"/> without a point on the way.</summary>

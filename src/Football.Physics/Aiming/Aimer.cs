@@ -124,10 +124,11 @@ public sealed partial class Aimer
     /// <exception cref="InvalidOperationException">A force of the game's own is not finite.</exception>
     public void WarmUp()
     {
-        double contact = _context.Game.ContactHeight;
+        Vector3d from = _context.Game.OnGround(0, 0);
+        double contact = from.Y;
         var request = new AimRequest
         {
-            From = new Vector3d(0, contact, 0),
+            From = from,
             Target = new Vector3d(1, contact + 1, -18),
             TopSpin = -10,
             SideSpin = 20,

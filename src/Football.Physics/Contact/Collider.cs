@@ -117,6 +117,9 @@ internal sealed class Collider
     /// <summary>True when the game, or an engine, moves it.</summary>
     public bool IsBody => _placement is not null && _obstacles is null;
 
+    /// <summary>True when the game has taken it out of play.</summary>
+    public bool IsWithdrawn => _body is { IsWithdrawn: true };
+
     /// <summary>True when it may be elsewhere at another time.</summary>
     public bool Moves => _placement is not null || _motion.Velocity != Vector3d.Zero;
 

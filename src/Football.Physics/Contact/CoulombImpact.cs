@@ -6,6 +6,9 @@ namespace Football.Physics;
 /// </summary>
 internal static class CoulombImpact
 {
+    /// <summary>So many halvings find the share of a restitution to a billionth.</summary>
+    private const int Halvings = 30;
+
     /// <summary>Velocity and spin just after an impact with something that nothing moves.</summary>
     /// <inheritdoc cref="Apply(BallProperties, in ContactMaterial, in GivingWay, in Vector3d, in Vector3d, in Vector3d, in Vector3d, out Vector3d, out Vector3d)"/>
     public static void Apply(
@@ -38,6 +41,55 @@ internal static class CoulombImpact
         in Vector3d v,
         in Vector3d w,
         out Vector3d velocity,
+        out Vector3d spin) => Apply(ball, in material, in other, in n, in surface, in v, in w, 1.0, out velocity, out spin);
+
+    /// <summary>An impact with so much less restitution that the ball is no faster than allowed; with none if that is not enough. Impulse, friction and spin obey the same laws.</summary>
+    /// <param name="ball">The ball.</param>
+    /// <param name="material">What it hits.</param>
+    /// <param name="other">How easily that gives way.</param>
+    /// <param name="n">Normal of the contact.</param>
+    /// <param name="surface">Velocity of the surface there, m/s.</param>
+    /// <param name="v">Velocity before, m/s; towards the surface.</param>
+    /// <param name="w">Spin before, rad/s.</param>
+    /// <param name="fastest">The speed that is allowed, m/s.</param>
+    /// <param name="velocity">Velocity after, m/s.</param>
+    /// <param name="spin">Spin after, rad/s.</param>
+    public static void ApplySoftened(
+        BallProperties ball,
+        in ContactMaterial material,
+        in GivingWay other,
+        in Vector3d n,
+        in Vector3d surface,
+        in Vector3d v,
+        in Vector3d w,
+        double fastest,
+        out Vector3d velocity,
+        out Vector3d spin)
+    {
+        // Bisection on the share of the restitution: the friction of an impact has a kink, so the speed is no polynomial of it. At the end the lower bound holds.
+        double low = 0;
+        double high = 1;
+        for (int i = 0; i < Halvings; i++)
+        {
+            double middle = 0.5 * (low + high);
+            Apply(ball, in material, in other, in n, in surface, in v, in w, middle, out velocity, out spin);
+            low = velocity.Length <= fastest ? middle : low;
+            high = velocity.Length <= fastest ? high : middle;
+        }
+
+        Apply(ball, in material, in other, in n, in surface, in v, in w, low, out velocity, out spin);
+    }
+
+    private static void Apply(
+        BallProperties ball,
+        in ContactMaterial material,
+        in GivingWay other,
+        in Vector3d n,
+        in Vector3d surface,
+        in Vector3d v,
+        in Vector3d w,
+        double share,
+        out Vector3d velocity,
         out Vector3d spin)
     {
         double alpha = ball.InertiaFactor;
@@ -54,13 +106,13 @@ internal static class CoulombImpact
 
         // J_n/m = (1 + e) (−u·n)/(1 + m/M)
         Vector3d along = u + (approach * n);
-        double normal = (1.0 + material.RestitutionAt(approach, in along)) * approach / (1.0 + other.Ratio);
+        double normal = (1.0 + (share * material.RestitutionAt(approach, in along))) * approach / (1.0 + other.Ratio);
 
         // s = u_t + r n × ω;   grip J/m = (1 + e_t) s/(1 + 1/α + m/M), at most μ J_n/m
         Vector3d slip = along + (r * Vector3d.Cross(in n, in w));
-        double share = alpha / (1.0 + alpha + (alpha * other.Ratio));
-        double gripX = share * (1.0 + material.TangentialX);
-        var grip = new Vector3d(gripX * slip.X, gripX * slip.Y, share * (1.0 + material.TangentialZ) * slip.Z);
+        double turning = alpha / (1.0 + alpha + (alpha * other.Ratio));
+        double gripX = turning * (1.0 + material.TangentialX);
+        var grip = new Vector3d(gripX * slip.X, gripX * slip.Y, turning * (1.0 + material.TangentialZ) * slip.Z);
         double size = grip.Length;
         double most = material.ImpactFriction * normal;
         Vector3d friction = size > most ? most / size * grip : grip;

@@ -35,7 +35,9 @@ internal sealed class World
             Ground = colliders[0];
         }
 
-        IsBare = HasNothing(scene);
+        // Also if there are none yet: one that is added later would not be met.
+        scene.Bodies?.Use();
+        IsBare = !scene.HasThings;
         FirstCollider = scene.Ground.IsNone ? 1 : 0;
         IsLevel = scene.Ground.IsLevel;
         IsLevelGroundAlone = IsLevel && IsBare;
@@ -46,7 +48,6 @@ internal sealed class World
         if (!IsBare)
         {
             Bodies = scene.Bodies is { Count: > 0 } ? scene.Bodies : null;
-            Bodies?.Use();
             AddThings(scene, Obstacles, colliders);
             Engine = scene.EngineColliders is null ? null : new EngineThings(scene.EngineColliders, Ball.Radius, colliders.Count);
             colliders.AddRange(Engine?.Colliders ?? []);
@@ -273,9 +274,6 @@ internal sealed class World
         .. Nets.Select(net => net.Name),
         .. Goals.Select(_ => "goal"),
     ];
-
-    private static bool HasNothing(Scene scene) =>
-        scene.Obstacles.Count == 0 && scene.Nets.Count == 0 && scene.Goals.Count == 0 && scene.Bodies is not { Count: > 0 } && scene.EngineColliders is null;
 
     /// <summary>How long a ball goes on a straight way before it may meet anything but level ground and bodies, s; not longer than the way.</summary>
     public double FreeFor(in StraightWay way)

@@ -10,7 +10,7 @@ public sealed class Ball
     private Simulator _simulator;
     private BallState _state;
 
-    /// <summary>A ball at rest on the ground at the origin.</summary>
+    /// <summary>A ball at rest on the ground at the origin; at the origin itself, in the air, if there is no ground.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
     /// <param name="settings">How to integrate it; default <see cref="SolverSettings.Default"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
@@ -19,13 +19,13 @@ public sealed class Ball
     {
     }
 
-    /// <summary>A ball at rest on the ground at the origin, in a scene shared with other balls.</summary>
+    /// <summary>A ball at rest on the ground at the origin, in a scene shared with other balls; at the origin itself, in the air, if there is no ground.</summary>
     /// <param name="simulator">The compiled scene.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     public Ball(Simulator simulator)
     {
         _simulator = simulator ?? throw new ArgumentNullException(nameof(simulator));
-        Place(new Vector3d(0, simulator.ContactHeight, 0));
+        Place(simulator.OnGround(0, 0));
     }
 
     /// <summary>The compiled scene. Setting it between steps goes on in another one (rain begins, a wall stands there), where the ball is and as it moves.</summary>
@@ -83,7 +83,7 @@ public sealed class Ball
     public MotionState Motion => _state.Motion;
 
     /// <summary>Puts the ball down without motion, at time 0. Above the ground it will fall.</summary>
-    /// <param name="position">Position of the centre, m; components within ±1e6. Below contact height it is raised to it.</param>
+    /// <param name="position">Position of the centre, m; components within ±1e6. A ball in the ground is raised straight up until it is not.</param>
     /// <exception cref="ArgumentOutOfRangeException">A component is out of range; nothing has changed.</exception>
     public void Place(Vector3d position)
     {

@@ -35,7 +35,7 @@ public sealed class FixedStepRunner
     {
     }
 
-    /// <summary>Several balls at rest on the ground, side by side from the origin on along x, at tick 0.</summary>
+    /// <summary>Several balls at rest on the ground, side by side from the origin on along x, at tick 0; in the air, at height 0, if there is no ground.</summary>
     /// <param name="group">The balls; for this runner alone.</param>
     /// <param name="timeStep">Length of a step, s; at least a millionth of <paramref name="maximumFrameTime"/>, at most that; default 0.01.</param>
     /// <param name="maximumFrameTime">The longest frame that is made up for, s; above 0, at most 1e12; default 0.25. What a longer one has beyond it is dropped, and reported.</param>
@@ -46,7 +46,7 @@ public sealed class FixedStepRunner
     {
     }
 
-    /// <summary>A ball at rest on the ground at the origin, at tick 0.</summary>
+    /// <summary>A ball at rest on the ground at the origin, at tick 0; at the origin itself, in the air, if there is no ground.</summary>
     /// <param name="simulator">The compiled scene.</param>
     /// <param name="timeStep">Length of a step, s; at least a millionth of <paramref name="maximumFrameTime"/>, at most that; default 0.01.</param>
     /// <param name="maximumFrameTime">The longest frame that is made up for, s; above 0, at most 1e12; default 0.25. What a longer one has beyond it is dropped, and reported.</param>
@@ -72,7 +72,7 @@ public sealed class FixedStepRunner
         double x = 0;
         for (int i = 0; i < _states.Length; i++)
         {
-            _states[i] = Ball.AtRest(SimulatorOf(i), new Vector3d(x, SimulatorOf(i).ContactHeight, 0));
+            _states[i] = Ball.AtRest(SimulatorOf(i), SimulatorOf(i).OnGround(x, 0));
             x += 2.5 * SimulatorOf(i).Scene.Ball.Radius;
         }
 
@@ -279,7 +279,7 @@ public sealed class FixedStepRunner
 
     /// <summary>Puts the ball down without motion at this tick, at time 0; one of several goes on at the time of all. Above the ground it will fall.</summary>
     /// <remarks>Kicks that wait for this tick or later ones were for the ball where it was: they are forgotten.</remarks>
-    /// <param name="position">Position of the centre, m; components within ±1e6. Below contact height it is raised to it.</param>
+    /// <param name="position">Position of the centre, m; components within ±1e6. A ball in the ground is raised straight up until it is not.</param>
     /// <param name="ball">Which of several balls; default the first.</param>
     /// <exception cref="ArgumentOutOfRangeException">A component, or the ball, is out of range; nothing has changed.</exception>
     public void Place(Vector3d position, int ball = 0)

@@ -103,11 +103,11 @@ internal sealed class PlacementLog
     /// <summary>A motion as bytes: the forms of its numbers, then those.</summary>
     public static void Write(in RigidMotion motion, ref ByteWriter writer)
     {
-        // 34 bits of forms in five bytes: place 6, velocity 6, spin 6, rotation 6 + 2, time 2, pivot 6. Of the pivot only what it is off the place.
+        // 35 bits of forms in five bytes: place 6, velocity 6, spin 6, rotation 6 + 2, time 2, pivot 6, withdrawn 1. Of the pivot only what it is off the place.
         Quaterniond q = motion.Orientation;
         ulong forms = PackedNumbers.Forms(motion.Origin) | (PackedNumbers.Forms(motion.Velocity) << 6) | (PackedNumbers.Forms(motion.Spin) << 12)
             | (PackedNumbers.Forms(new Vector3d(q.X, q.Y, q.Z)) << 18) | (PackedNumbers.Form(q.W) << 24) | (PackedNumbers.Form(motion.Time) << 26)
-            | (PackedNumbers.Forms(motion.Pivot - motion.Origin) << 28);
+            | (PackedNumbers.Forms(motion.Pivot - motion.Origin) << 28) | (motion.IsWithdrawn ? 1UL << 34 : 0);
         writer.Bits(forms, 5);
         PackedNumbers.Write(motion.Origin, ref writer);
         PackedNumbers.Write(motion.Velocity, ref writer);
@@ -133,6 +133,7 @@ internal sealed class PlacementLog
 
         // Not written: it follows from the rotation.
         motion.IsTurned = motion.Orientation != Quaterniond.Identity;
+        motion.IsWithdrawn = (forms >> 34 & 1) != 0;
         motion.Time = PackedNumbers.Number(forms >> 26, ref reader);
         motion.Pivot = motion.Origin + PackedNumbers.Vector(forms >> 28, ref reader);
         try

@@ -89,7 +89,7 @@ internal sealed class SceneText
         }
 
         // A field of the library has words; one of the game's own, or a steady wind on top, has not.
-        if (air.WindField is not WindByHeight wind || air.Wind != Vector3d.Zero || wind.GroundHeight != ground.Height)
+        if (air.WindField is not WindByHeight wind || air.Wind != Vector3d.Zero || wind.GroundHeight != (ground.IsNone ? 0 : ground.Height))
         {
             throw Code("air.windField");
         }
@@ -121,17 +121,20 @@ internal sealed class SceneText
 
     private void AddGround(Ground ground)
     {
-        if (ground.Pattern is not null || ground.IsNone)
+        if (ground.Pattern is not null)
         {
-            throw Code(ground.IsNone ? "ground.none" : "ground.pattern");
+            throw Code("ground.pattern");
         }
 
         Number("normalRestitution", ground.NormalRestitution).Limit("restitutionSpeed", ground.RestitutionSpeed).Number("restitutionRise", ground.RestitutionRise)
             .Numbers("tangentialRestitution", ground.TangentialRestitutionX, ground.TangentialRestitutionZ).Number("spinRestitution", ground.SpinRestitution)
             .Limit("impactFriction", ground.ImpactFriction).Number("slidingFriction", ground.SlidingFriction).Number("rollingFriction", ground.RollingFriction)
             .Number("rollingFrictionBySpeed", ground.RollingFrictionBySpeed).Number("spinDamping", ground.SpinDamping).Number("drillingLength", ground.DrillingLength)
-            .Number("minimumBounceSpeed", ground.MinimumBounceSpeed).Number("restEnergy", ground.RestEnergy).Number("height", ground.Height).Vector("normal", ground.Normal)
-            .Word("aerodynamics", ground.Aerodynamics);
+            .Number("minimumBounceSpeed", ground.MinimumBounceSpeed).Number("restEnergy", ground.RestEnergy);
+
+        // JSON has no number for the height of no ground: the name of the preset stands for it, and nothing else says where it is.
+        SceneText place = ground.IsNone ? Text("surface", "none") : Number("height", ground.Height).Vector("normal", ground.Normal);
+        place.Word("aerodynamics", ground.Aerodynamics);
         if (ground.Heights is { } heights)
         {
             Object("heights", () =>

@@ -183,7 +183,7 @@ internal static class WireForm
         double z = bits.TakeSigned(18) / PerMetre;
         double y = (bits.Take(16) / PerMetre) + Lowest;
         bool flies = s.Motion == MotionState.Airborne;
-        if (!flies && !simulator.World.IsLevel)
+        if (!flies && !(simulator.World.IsLevel && simulator.World.Ground is not null))
         {
             return false;
         }

@@ -29,6 +29,7 @@ internal sealed class PassingCriterion
     private double _restitution;
     private bool _untilImpact;
     private bool _mayReturn;
+    private bool _hasGround;
 
     /// <summary>Begins a look-ahead.</summary>
     public void Begin(Simulator simulator, in BallState from, LookAheadRequest request)
@@ -43,6 +44,7 @@ internal sealed class PassingCriterion
         _closest = double.PositiveInfinity;
         _restitution = scene.Ground.LargestRestitution;
         _untilImpact = request.StopAt == StopAt.Impact;
+        _hasGround = !scene.Ground.IsNone;
 
         // Things throw a ball back, and what a game's own forces and winds that change may do is not known.
         _mayReturn = !simulator.World.IsLevelGroundAlone || scene.Ground.Pattern is not null || scene.Forces.Custom.Count > 0 || SceneAir.HasFieldIn(scene);
@@ -77,8 +79,8 @@ internal sealed class PassingCriterion
         double across = Math.Abs(lift) * air;
         double left = Math.Max(0, _end - piece.EndTime);
 
-        // Only where it falls for certain, and in still air if it bounces on, does the flight have an end.
-        if (flies && -_upward > across && (_untilImpact || _wind == Vector3d.Zero))
+        // A flight has an end only if the ball falls for certain, to a ground, and in still air if it bounces on.
+        if (flies && _hasGround && -_upward > across && (_untilImpact || _wind == Vector3d.Zero))
         {
             left = Math.Min(left, FallMargin * TimeInAir(piece.EndPosition.Y - _simulator.ContactHeight, piece.EndVelocity.Y, -_upward - across));
         }

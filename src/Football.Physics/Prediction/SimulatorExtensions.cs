@@ -111,7 +111,7 @@ public static class SimulatorExtensions
         var path = new Trajectory();
         var look = new LookAheadRequest();
         var log = new StepLog();
-        var from = new Vector3d(0, simulator.ContactHeight, 0);
+        Vector3d from = simulator.OnGround(0, 0);
 
         // A shot, a drive without spin, a pass along the ground.
         foreach ((Vector3d velocity, Vector3d spin) in ((Vector3d, Vector3d)[])

@@ -5,7 +5,8 @@ namespace Football.Physics;
 
 /// <summary>The things of a scene that the game moves: players' feet, legs and heads, a keeper's hands.</summary>
 /// <remarks>
-/// All are added before the first simulator of the scene is built. A scene with bodies is for one match: they are where the game has put them last, and
+/// All are added before the first simulator of the scene is built, players who come on later too: <see cref="Body.Withdraw"/> keeps such a reserve out of play, at no cost to
+/// the steps, until <see cref="Body.MoveTo(Vector3d, Vector3d, double)"/> brings him on. A scene with bodies is for one match: they are where the game has put them last, and
 /// its simulators are not for several threads at once. A snapshot of the ball does not hold them: a <see cref="Rollback"/> and a <see cref="MatchSegment"/> keep where they were, or ask
 /// <see cref="FixedStepRunner.BodiesAt"/>.
 /// </remarks>
@@ -40,7 +41,7 @@ public sealed class Bodies : IReadOnlyList<Body>
     /// <returns>The body, at the origin, for the game to move.</returns>
     /// <exception cref="ArgumentNullException">Name or shape is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="mass"/> is not above 0.</exception>
-    /// <exception cref="InvalidOperationException">A simulator uses the bodies already.</exception>
+    /// <exception cref="InvalidOperationException">A simulator uses the bodies already: a player who comes on later is added before, and withdrawn.</exception>
     public Body Add(string name, IShape shape, Surface? surface = null, double mass = double.PositiveInfinity)
     {
         Check.Given(nameof(name), name);
@@ -50,7 +51,8 @@ public sealed class Bodies : IReadOnlyList<Body>
         // Simulators have counted them: a later one would not be in their lists, nor in snapshots of motions.
         if (_inUse)
         {
-            throw new InvalidOperationException("bodies: a simulator uses them already; add all of them before it is built.");
+            throw new InvalidOperationException(
+                "A simulator uses these bodies already. Add all of them before it is built; withdraw those that come on later (Body.Withdraw), and MoveTo brings them on.");
         }
 
         var body = new Body(this, _bodies.Count, name, shape, surface ?? Surface.Boot, mass);
@@ -66,7 +68,7 @@ public sealed class Bodies : IReadOnlyList<Body>
     /// <returns>The body, at the origin, for the game to move.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The mass of the kind is not above 0.</exception>
-    /// <exception cref="InvalidOperationException">A simulator uses the bodies already.</exception>
+    /// <exception cref="InvalidOperationException">A simulator uses the bodies already: a player who comes on later is added before, and withdrawn.</exception>
     public Body Add(string name, BodyKind kind)
     {
         Check.Given(nameof(kind), kind);
@@ -102,8 +104,18 @@ public sealed class Bodies : IReadOnlyList<Body>
         return free;
     }
 
-    /// <summary>A body was added, or moved: what a quick look needs is kept in one place.</summary>
-    internal void Update(Body body) => _movers.Set(body.Index, body.Placement.BoundsAlways(0), body.Velocity);
+    /// <summary>A body was added, moved or withdrawn: what a quick look needs is kept in one place.</summary>
+    internal void Update(Body body)
+    {
+        if (body.IsWithdrawn)
+        {
+            _movers.Remove(body.Index);
+        }
+        else
+        {
+            _movers.Set(body.Index, body.Placement.BoundsAlways(0), body.Velocity);
+        }
+    }
 
     /// <summary>Refuses a step at a time for which the game did not move its bodies: they would not be where it says.</summary>
     /// <param name="time">The ball's time before the step, s.</param>
@@ -141,6 +153,9 @@ public sealed class Bodies : IReadOnlyList<Body>
         body.ToldAt = _steps;
     }
 
+    /// <summary>A body was withdrawn: that is of no time, and holds from the step to come on.</summary>
+    internal void Told(Body body) => body.ToldAt = _lookAhead ? body.ToldAt : _steps;
+
     /// <summary>True when the game has moved a body since the last step.</summary>
     internal bool IsTold(int body) => _bodies[body].ToldAt == _steps;
 
@@ -156,7 +171,7 @@ public sealed class Bodies : IReadOnlyList<Body>
         for (int i = 0; i < Count; i++)
         {
             // The first that is at fault is named.
-            if (_bodies[i].ToldAt == _steps && !(Math.Abs(_bodies[i].Time - now) <= Foresight))
+            if (_bodies[i].ToldAt == _steps && !_bodies[i].IsWithdrawn && !(Math.Abs(_bodies[i].Time - now) <= Foresight))
             {
                 throw Check.Refusal(
                     Check.Item("bodies", i) + ".time",

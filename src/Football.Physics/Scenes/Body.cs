@@ -10,6 +10,9 @@ namespace Football.Physics;
 /// </remarks>
 public sealed class Body
 {
+    /// <summary>A body that comes into play may be anywhere: farther than this it strays from no place, m.</summary>
+    private const double Anywhere = 4.0 * Limits.Length;
+
     private readonly Bodies _all;
 
     internal Body(Bodies all, int index, string name, IShape shape, Surface surface, double mass)
@@ -52,16 +55,37 @@ public sealed class Body
     /// <summary>When it is there, on the clock of the ball, s. Default 0.</summary>
     public double Time => Placement.Motion.Time;
 
+    /// <summary>True while it is out of play. Default false.</summary>
+    public bool IsWithdrawn => Placement.Motion.IsWithdrawn;
+
     /// <summary>Its index among all.</summary>
     internal int Index { get; }
 
     internal Placement Placement { get; }
 
-    /// <summary>Says where it is and how fast it goes. It keeps how it is turned.</summary>
+    /// <summary>Takes it out of play, from the next step on: nothing hits it, and a ball on it falls. Allocates nothing.</summary>
+    /// <remarks>
+    /// For a substitute who is not on yet, a player who was sent off, a cone that comes later. It keeps its position, without velocity and spin, until
+    /// <see cref="MoveTo(Vector3d, Vector3d, double)"/> brings it into play. Rollbacks, recordings and look-aheads keep whether it is in play as they keep where it is. A
+    /// withdrawn body costs a step nothing that can be measured.
+    /// </remarks>
+    public void Withdraw()
+    {
+        ref RigidMotion motion = ref Placement.Motion;
+        motion.Velocity = Vector3d.Zero;
+        motion.Spin = Vector3d.Zero;
+        motion.IsWithdrawn = true;
+
+        // Nobody meets it sooner for that: it has strayed from nowhere.
+        _all.Update(this);
+        _all.Told(this);
+    }
+
+    /// <summary>Says where it is and how fast it goes, and brings it into play. It keeps how it is turned.</summary>
     /// <inheritdoc cref="MoveTo(Vector3d, Quaterniond, Vector3d, Vector3d, double)"/>
     public void MoveTo(Vector3d position, Vector3d velocity, double time) => MoveTo(position, Orientation, velocity, Vector3d.Zero, time);
 
-    /// <summary>Says where it is, how it is turned, and how fast it goes and turns. Allocates nothing.</summary>
+    /// <summary>Says where it is, how it is turned, and how fast it goes and turns, and brings it into play. Allocates nothing.</summary>
     /// <param name="position">Where it is, m; components within ±1e6.</param>
     /// <param name="orientation">How it is turned, body to world; normalised.</param>
     /// <param name="velocity">Velocity, m/s; at most 1000.</param>
@@ -78,7 +102,7 @@ public sealed class Body
 
         // How far any point of it may be from where it was expected.
         ref RigidMotion motion = ref Placement.Motion;
-        double jump = (position - motion.GoneBy(time)).Length + (Bodies.Foresight * (velocity - motion.Velocity).Length);
+        double jump = motion.IsWithdrawn ? Anywhere : (position - motion.GoneBy(time)).Length + (Bodies.Foresight * (velocity - motion.Velocity).Length);
         Quaterniond expected = motion.Orientation;
         if (motion.Rotates)
         {
@@ -107,6 +131,7 @@ public sealed class Body
         motion.Velocity = velocity;
         motion.Spin = spin;
         motion.Time = time;
+        motion.IsWithdrawn = false;
         motion.Rotate(Shape);
         if ((rotated || motion.Rotates) && change != Vector3d.Zero)
         {
@@ -139,7 +164,7 @@ public sealed class Body
             ref RigidMotion motion = ref Placement.Motion;
             bool turns = value.Orientation != motion.Orientation;
             bool rotatesElse = (motion.Rotates || value.Spin != Vector3d.Zero) && (value.Spin != motion.Spin || value.Time != motion.Time);
-            _all.Moved(jump + (turns || rotatesElse ? 2.0 * Placement.Reach : 0), value.Time, again: true);
+            _all.Moved(value.IsWithdrawn ? 0 : IsWithdrawn ? Anywhere : jump + (turns || rotatesElse ? 2.0 * Placement.Reach : 0), value.Time, again: true);
             motion = value;
             if (turns)
             {

@@ -51,6 +51,17 @@ internal sealed class MovingSpheres
         _fours[i + (7 * Lanes)] = Math.Abs(velocity.X) + Math.Abs(velocity.Y) + Math.Abs(velocity.Z);
     }
 
+    /// <summary>Takes one out: it is infinitely far from every way.</summary>
+    /// <param name="index">Which.</param>
+    public void Remove(int index)
+    {
+        int i = FirstOf(index);
+        for (int field = 0; field < Fields; field++)
+        {
+            _fours[i + (field * Lanes)] = field < 3 ? double.PositiveInfinity : 0;
+        }
+    }
+
     /// <summary>Goes on to the next that may be met on a way.</summary>
     /// <param name="middle">The middle of the way, m.</param>
     /// <param name="reach">How far the way goes from there, and what lies around it, m.</param>

@@ -55,9 +55,9 @@ internal sealed class Placement
     /// <summary>A box around it at a time.</summary>
     public Bounds3d BoundsAt(double time) => BoundsDuring(time, 0);
 
-    /// <summary>A box that is around it at a time, and stays around it for a duration if the box moves along with its velocity.</summary>
+    /// <summary>A box that is around it at a time, or one that touches nothing while it is out of play, and stays around it for a duration if the box moves along with its velocity.</summary>
     public Bounds3d BoundsDuring(double time, double duration) =>
-        Motion.Rotates ? Swept(time, duration) : _turned.Moved(Motion.GoneBy(time));
+        Motion.IsWithdrawn ? Bounds3d.Nowhere : Motion.Rotates ? Swept(time, duration) : _turned.Moved(Motion.GoneBy(time));
 
     /// <summary>A box around it at a time, however far it has rotated by then.</summary>
     public Bounds3d BoundsAlways(double time) => BoundsDuring(time, double.PositiveInfinity);

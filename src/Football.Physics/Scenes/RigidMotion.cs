@@ -30,6 +30,9 @@ internal struct RigidMotion
     /// <summary>True when it is turned at all.</summary>
     public bool IsTurned;
 
+    /// <summary>True when it is out of play: nothing meets it.</summary>
+    public bool IsWithdrawn;
+
     /// <summary>When it is there, s.</summary>
     public double Time;
 

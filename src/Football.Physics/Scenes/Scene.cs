@@ -65,6 +65,9 @@ public sealed record Scene
     /// <summary>Where its obstacles with a mass are, shared by the scenes of several balls among them; default none of its own.</summary>
     internal ObstacleMotions? Motions { get; init; }
 
+    /// <summary>True when the ball can meet anything except the ground. Bodies of which there are none count as nothing: a simulator lets nobody add one later.</summary>
+    internal bool HasThings => Obstacles.Count > 0 || Nets.Count > 0 || Goals.Count > 0 || Bodies is { Count: > 0 } || EngineColliders is not null;
+
     /// <summary>Checks every number of the scene.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     /// <exception cref="ArgumentNullException">A part is null; the message names it.</exception>

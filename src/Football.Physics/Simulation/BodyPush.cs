@@ -113,7 +113,7 @@ internal sealed class BodyPush
         // Let go where a gap has opened, or where the carrier no longer moves along with the ball.
         ShapePoint at = carrier.At(s.Position, s.Time);
         double off = Vector3d.Dot(s.Velocity - carrier.ShapeVelocity(s.Position, s.Time), at.Normal);
-        if (Math.Abs(at.Distance - _world.Ball.Radius) > ContactSearch.Touching || Math.Abs(off) > ContactSearch.Approaching)
+        if (carrier.IsWithdrawn || Math.Abs(at.Distance - _world.Ball.Radius) > ContactSearch.Touching || Math.Abs(off) > ContactSearch.Approaching)
         {
             _contact.Leave(ref s, s.Velocity, s.Spin, ref run);
         }

@@ -234,7 +234,12 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             }
         }
 
-        _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
+        if (_jump.Acts)
+        {
+            s.Branch = system.Branch;
+            _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
+        }
+
         double crossing = sweep.Length;
         bool changes = SetMargin<TMethod>.EndPiece(ref sweep, in s);
         SurfaceBorder.EndBeyond(ref sweep, in s, _world.CarrierOf(in s));

@@ -9,6 +9,12 @@ internal sealed class DragJumpGuard
     /// <summary>A rate across a surface is not known to more than this share of the products that it is summed of.</summary>
     private const double Rounding = 1e-14;
 
+    /// <summary>A ball nearer to a surface than this, by its functions, is on it but for rounding, m²/s².</summary>
+    private const double OnIt = 1e-6;
+
+    /// <summary>A crossing within this share of a piece is the one that it starts at.</summary>
+    private const double AtStart = 1e-6;
+
     private readonly FlightSystem _flight;
 
     public DragJumpGuard(Surroundings around, bool locates)
@@ -129,10 +135,11 @@ internal sealed class DragJumpGuard
             return;
         }
 
-        // On the ground no sliding mode is followed: from the crossing on the other branch holds.
+        // On the ground no sliding mode is followed: from the crossing on the other branch holds. A piece that starts on a surface, but for rounding, has that crossing
+        // behind it, and may meet the other surface.
         run.Splits++;
         TSweep whole = sweep;
-        if (start.Branch == branch && JumpLocator.Locate(ref sweep, branch, in start, in startRate, h))
+        if (JumpLocator.Locate(ref sweep, branch, in start, in startRate, h) && (start.Branch == branch || sweep.Length > AtStart * h))
         {
             branch = branch == DragBranch.Spinning ? DragBranch.NoSpin : DragBranch.Spinning;
             return;
@@ -143,11 +150,21 @@ internal sealed class DragJumpGuard
         branch = end.Branch;
     }
 
-    /// <summary>The branch that a piece on a surface is locked to: the last one, unless that is not known or leads along a surface of the jump.</summary>
+    /// <summary>
+    /// The branch that a piece on a surface is locked to: the one that holds at its start; on a surface of the jump the last one, unless that is not known or leads
+    /// along the surface.
+    /// </summary>
     public DragBranch OnSurface(DragBranch last, in Motion from)
     {
-        bool known = Acts && (last is DragBranch.NoSpin or DragBranch.Spinning);
-        return known || !_flight.Around.Air.Jumps ? last : DragJump.At(in from, in _flight.Around.Wind, _flight.Around.Radius).Branch;
+        if (!_flight.Around.Air.Jumps)
+        {
+            return last;
+        }
+
+        // Only there does the last piece know better; elsewhere a spin that became that of a roll may have left it behind.
+        DragJump here = DragJump.At(in from, in _flight.Around.Wind, _flight.Around.Radius);
+        bool known = Acts && (last is DragBranch.NoSpin or DragBranch.Spinning) && Math.Abs(here.Least) < OnIt;
+        return known ? last : here.Branch;
     }
 
     /// <summary>Which branch of the drag law holds from a point on its jump on.</summary>

@@ -113,7 +113,7 @@ internal sealed class FlightPhase<TIntegrator>
         }
 
         // Slow alone is not enough, for at a turning point it is slow too: all forces, the nets' among them, must balance.
-        bool rests = _contact.HangsStill(in s);
+        bool rests = _contact.Load.HangsStill(in s);
         run.Log.Evaluations++;
         if (rests)
         {

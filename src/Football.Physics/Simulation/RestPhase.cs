@@ -95,7 +95,7 @@ internal sealed unsafe class RestPhase
         if (_world.HangsInNet(in s))
         {
             evaluations++;
-            return !_around.Air.Varies || _contact.HangsStill(in s);
+            return !_around.Air.Varies || _contact.Load.HangsStill(in s);
         }
 
         Collider carrier = _world.CarrierOf(in s);

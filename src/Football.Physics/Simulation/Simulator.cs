@@ -46,7 +46,7 @@ public sealed class Simulator
     /// <summary>How it is integrated.</summary>
     public SolverSettings Settings { get; }
 
-    /// <summary>Height of the centre of a ball on the ground, m.</summary>
+    /// <summary>Height of the centre of a ball on the ground at the origin of a level pitch, m; −∞ if the ground is <see cref="Ground.None"/>.</summary>
     public double ContactHeight => _contact;
 
     /// <summary>A ball at the start of its way, without rotation.</summary>
@@ -56,7 +56,7 @@ public sealed class Simulator
 
     /// <summary>A ball at the start of its way.</summary>
     /// <remarks>
-    /// A ball below contact height is raised to it. On the ground a vertical speed within ± <see cref="Ground.MinimumBounceSpeed"/>
+    /// A ball in the ground is raised straight up, to the least height at which it is not in the ground. On the ground a vertical speed within ± <see cref="Ground.MinimumBounceSpeed"/>
     /// (that bound excluded) starts a slide or a roll without an event; faster down is an impact in the first step, at time 0.
     /// </remarks>
     /// <param name="position">Position of the centre, m; components within ±1e6.</param>
@@ -231,6 +231,9 @@ public sealed class Simulator
 
     /// <summary>All that can be met.</summary>
     internal World World => _world;
+
+    /// <summary>The centre of a ball that lies on the ground, m: where a ball is put if nobody names a place. At height 0 if there is no ground.</summary>
+    internal Vector3d OnGround(double x, double z) => GroundPlace.At(_world, x, z);
 
     /// <inheritdoc cref="Stepper.FliesClear"/>
     internal bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate) =>

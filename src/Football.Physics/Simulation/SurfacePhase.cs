@@ -236,7 +236,13 @@ internal sealed class SurfacePhase<TIntegrator>
             SurfacePath.Shorten(ref sweep, in s, system.Carrier, _around.Radius, order);
         }
 
-        _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
+        if (_jump.Acts)
+        {
+            // After a launch or an impact the branch was read from the flow: the crossing is one of that branch.
+            s.Branch = system.Branch;
+            _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
+        }
+
         double crossing = sweep.Length;
         bool overEdge = SurfaceMargin<TMethod>.EndPiece(ref sweep, in s, system.Rolls, KeepsGrip(in s, in run));
         SurfaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
@@ -326,6 +332,12 @@ internal sealed class SurfacePhase<TIntegrator>
 
         // Not where the spin about the normal ends, or another surface begins, before the slip does.
         if (system.SpinSign * (about - Vector3d.Dot(system.Carrier.Spin, in on.Normal)) < 0 || system.Carrier.PatchAt(s.Position) != system.Carrier.PatchAt(in end.Position))
+        {
+            return false;
+        }
+
+        // Nor if the drag law jumps before: a piece ends there first.
+        if (_jump.Acts && DragJump.At(in end, in _around.Wind, _around.Radius).Branch != system.Branch)
         {
             return false;
         }

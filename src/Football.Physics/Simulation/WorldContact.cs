@@ -12,28 +12,19 @@ internal sealed class WorldContact
     /// <summary>Time, s, for which a moving thing that touched the ball bounds the speed that the next may give it.</summary>
     private const double Lately = 0.1;
 
-    /// <summary>A ball that something other than its weight presses stays on a surface where it would be back within this, s.</summary>
-    private const double ShortestPressedHop = 1e-3;
-
-    /// <summary>A ball is raised out of the ground in so many steps: more than one where that is curved.</summary>
-    private const int MostRaises = 4;
-
-    /// <summary>Forces that leave no more than this, m/s², are in balance: a thousandth of the weight, and 10 µm in a net.</summary>
-    private const double InBalance = 0.01;
-
-    /// <summary>Less than this is no overlap to be raised from, m.</summary>
-    private const double Overlap = 5e-10;
-
     private readonly Surroundings _around;
     private readonly World _world;
-    private readonly RateBound _ofAir;
+    private readonly ContactLoad _load;
 
     public WorldContact(Surroundings around)
     {
         _around = around;
-        _ofAir = around.Air.Bound;
         _world = around.World;
+        _load = new ContactLoad(around);
     }
+
+    /// <summary>What presses the ball on what it touches.</summary>
+    public ContactLoad Load => _load;
 
     /// <summary>An impact with a collider that the ball touches, and what becomes of the ball.</summary>
     public void Impact(ref BallState s, int collider, ref StepRun run)
@@ -72,13 +63,17 @@ internal sealed class WorldContact
         {
             double restitution = hit.MaterialAt(s.Position).LargestRestitutionAt(Vector3d.Dot(surface - v, in n));
             bool again = Touches(ref s, (1.0 + restitution) * surface.Length);
-            velocity = again ? NoFaster(in velocity, in n, s.SqueezeSpeed) : velocity;
+            double fastest = Math.Max(s.SqueezeSpeed, v.Length);
+            if (again && velocity.Length > fastest)
+            {
+                CoulombImpact.ApplySoftened(_world.Ball, in hit.MaterialAt(s.Position), in way, in n, in surface, in v, in w, fastest, out velocity, out spin);
+            }
         }
 
         // w = (v' − V')·n, the speed off the surface, decides what becomes of the ball. What gives way goes on with V' = V − (m/M)(v' − v).
         bool may = run.Hit();
         double off = Vector3d.Dot(velocity - shape + (way.Ratio * (velocity - v)), in n);
-        bool bounces = may && !StaysAfter(in s, off, velocity - (off * n), in spin, hit, in at);
+        bool bounces = may && !_load.StaysAfter(in s, off, velocity - (off * n), in spin, hit, in at);
         if (!bounces && hit.GivesWay)
         {
             // A ball that stays on what gives way has had an impact without restitution: momentum is conserved.
@@ -139,68 +134,6 @@ internal sealed class WorldContact
         }
     }
 
-    /// <summary>True when a ball that leaves a surface with a speed stays on it: something presses it back at once (world.md, After the impact).</summary>
-    /// <param name="s">The ball before.</param>
-    /// <param name="off">w, m/s.</param>
-    /// <param name="velocity">Its velocity along the surface, m/s.</param>
-    /// <param name="spin">Its spin after, rad/s.</param>
-    /// <param name="collider">The surface.</param>
-    /// <param name="at">Its place, normal and curvature under the ball.</param>
-    private bool StaysAfter(in BallState s, double off, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
-    {
-        // a_b·n ≤ −|a_b|/2: its weight presses it on a surface up to 60° steep. Anything else presses it only if it would be back within a millisecond.
-        bool byWeight = -2.0 * _around.Upward * at.Normal.Y >= Math.Abs(_around.Upward) && _around.Upward != 0;
-        double hop = byWeight ? StabilityLimit.ShortestHop : ShortestPressedHop;
-        if (!byWeight && IsCarriedElsewhere(in s, collider) && off < 0.5 * hop * CarriedLoad(in s, in velocity, in spin, collider, in at))
-        {
-            return true;
-        }
-
-        if (!(byWeight && off < _world.MinimumBounceSpeed) && !_around.Air.Varies)
-        {
-            // Few are: what the air can do at most says so without asking it.
-            Vector3d along = velocity - collider.ShapeVelocity(s.Position, s.Time);
-            double airSpeed = (velocity - _around.Wind).Length;
-            double most = Math.Abs(_around.Upward) + Math.Abs(Vector3d.Dot(in along, at.Curvature * along)) + (airSpeed * _ofAir.At(airSpeed, spin.Length))
-                + MostOfRotation(collider, in s, in along);
-            if (s.Nets == 0 && off >= 0.5 * hop * most)
-            {
-                return false;
-            }
-        }
-
-        // A hop lasts 2 w/(N/m): below the shortest hop it is none.
-        double load = Load(in s, in velocity, in spin, collider, in at);
-        return load > SurfaceForces.Least && (off < 0.5 * hop * load || (byWeight && off < _world.MinimumBounceSpeed));
-    }
-
-    private bool IsCarriedElsewhere(in BallState s, Collider collider) =>
-        s.Motion is MotionState.Rolling or MotionState.Sliding && _world.CarrierOf(in s) != collider;
-
-    /// <summary>N/m, m/s², of a ball that keeps its carrier, whose friction may press it against what it has hit: a foot that pushes it along.</summary>
-    private double CarriedLoad(in BallState s, in Vector3d velocity, in Vector3d spin, Collider hit, in ShapePoint at)
-    {
-        Collider carrier = _world.CarrierOf(in s);
-        SurfaceSystem system = System(in s, carrier);
-        var motion = new Motion(s.Position, in velocity, in spin);
-        SurfaceForces on = system.ForcesOn(s.Time, in motion);
-        Vector3d slip = system.SlipOf(in motion, in on);
-        double size = slip.Length;
-        double speed = on.Rolling.Length;
-        Vector3d acceleration = size >= Slip.Rolling ? on.Body + on.Air - (system.SlidingFriction(in on) / size * slip)
-            : speed > 0 ? system.Drive(in on) - (system.RollingFriction(in on, speed) / speed * on.Rolling)
-            : Vector3d.Zero;
-        Vector3d along = velocity - hit.ShapeVelocity(s.Position, s.Time);
-        return -Vector3d.Dot(in acceleration, at.Normal) - Vector3d.Dot(in along, at.Curvature * along);
-    }
-
-    /// <summary>The most that |A_s·n| may be on a carrier that rotates, m/s².</summary>
-    private static double MostOfRotation(Collider collider, in BallState s, in Vector3d along)
-    {
-        double spin = collider.Spin.Length;
-        return spin * (((collider.MaterialVelocity(s.Position, s.Time) - collider.Velocity).Length) + (2.0 * along.Length));
-    }
-
     /// <summary>All that the ball touches at once, without restitution: what stands still is then not come closer to; what moves may squeeze it.</summary>
     private void ImpactAtOnce(ref BallState s, int collider, ref StepRun run)
     {
@@ -225,7 +158,7 @@ internal sealed class WorldContact
 
         // What bears it most carries it, if the forces press it there; else it flies.
         int bearer = ContactSet.Heaviest(set);
-        if (bearer >= 0 && IsPressed(in s, set[bearer].Collider))
+        if (bearer >= 0 && _load.IsPressed(in s, set[bearer].Collider))
         {
             Stay(ref s, set[bearer].Collider + _world.FirstCollider, in v, in w, ref run);
         }
@@ -287,28 +220,13 @@ internal sealed class WorldContact
         return again;
     }
 
-    /// <summary>A velocity off a surface, no faster than allowed: what goes along the surface is given up first.</summary>
-    private static Vector3d NoFaster(in Vector3d velocity, in Vector3d n, double fastest)
-    {
-        if (velocity.Length <= fastest)
-        {
-            return velocity;
-        }
-
-        // What goes off the surface is kept; along it what that leaves of the square, |v|² = off² + along².
-        double off = Vector3d.Dot(in velocity, in n);
-        double left = (fastest * fastest) - (off * off);
-        Vector3d along = velocity - (off * n);
-        return left > 0 ? (off * n) + (Math.Sqrt(left) / along.Length * along) : fastest / Math.Abs(off) * (off * n);
-    }
-
     /// <summary>A thing takes a ball that touches it, does not come closer and is pressed on it: no impact.</summary>
     public void TakeUp(ref BallState s, int collider, ref StepRun run) => Stay(ref s, collider + _world.FirstCollider, s.Velocity, s.Spin, ref run);
 
     /// <summary>The slip is over: the ball rolls, where friction can hold it.</summary>
     public void EndSlip(ref BallState s, ref StepRun run)
     {
-        if (Grips(in s, _world.CarrierOf(in s), ref run))
+        if (_load.Grips(in s, _world.CarrierOf(in s), ref run))
         {
             StartRolling(ref s, ref run);
         }
@@ -352,15 +270,6 @@ internal sealed class WorldContact
         }
     }
 
-    /// <summary>True when all that acts on a ball that hangs in a net is in balance.</summary>
-    public bool HangsStill(in BallState s)
-    {
-        var at = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
-        var system = new FlightSystem { Around = _around, Nets = s.Nets, NetSides = s.NetSides };
-        DragBranch branch = _around.Air.Jumps ? DragJump.At(in at, in _around.Wind, _around.Radius).Branch : DragBranch.Unknown;
-        return system.On(branch, s.Time, in at).Acceleration.LengthSquared <= InBalance * InBalance;
-    }
-
     /// <summary>A rolling ball begins to slip.</summary>
     public void StartSliding(ref BallState s, ref StepRun run)
     {
@@ -401,37 +310,8 @@ internal sealed class WorldContact
         s.Motion = MotionState.Stopped;
     }
 
-    /// <summary>A ball inside the ground, where a state says so, is raised to it.</summary>
-    public void Raise(ref BallState s)
-    {
-        if (_world.IsLevel)
-        {
-            // To the last bit: heights of a ball on level ground are compared with that.
-            s.Position = new Vector3d(s.Position.X, Math.Max(s.Position.Y, _world.LevelContact), s.Position.Z);
-            return;
-        }
-
-        // Newton on the distance: one step on a plane, a few where the ground is curved.
-        for (int i = 0; i < MostRaises && _world.Ground is { } ground; i++)
-        {
-            ShapePoint at = ground.At(s.Position);
-            double below = _world.Ball.Radius - at.Distance;
-            if (!(below > Overlap))
-            {
-                break;
-            }
-
-            s.Position += below * at.Normal;
-        }
-    }
-
-    /// <summary>True when a collider would carry a ball that touches it, and would not let it go at once.</summary>
-    public bool IsPressed(in BallState s, int collider)
-    {
-        Collider on = _world.Colliders[collider];
-        ShapePoint at = on.At(s.Position, s.Time);
-        return Load(in s, s.Velocity, s.Spin, on, in at) > SurfaceForces.Least;
-    }
+    /// <summary>Raises a ball whose state says that it is in the ground, straight up.</summary>
+    public void Raise(ref BallState s) => s.Position = GroundPlace.Raised(_world, s.Position);
 
     /// <summary>A ball that is placed: carried, where it touches something slowly enough and is pressed on it; else in the air.</summary>
     public void Settle(ref BallState s)
@@ -449,7 +329,14 @@ internal sealed class WorldContact
             TakesUp(in s, first, out Vector3d velocity);
             Collider collider = _world.Colliders[first];
             Vector3d spin = s.Spin;
+            Vector3d placed = s.Position;
             Vector3d n = _world.Hold(ref s, collider);
+            if (collider == _world.Ground)
+            {
+                // Where it was placed, to the last bit of x and z.
+                s.Position = GroundPlace.Onto(_world, in placed);
+            }
+
             s.Velocity = velocity;
             s.Carrier = first + _world.FirstCollider;
             bool rolls = Slip.Of(velocity - _world.SurfaceVelocity(collider, s.Position, in n, s.Time), in spin, in n, _world.Ball.Radius).Length < Slip.Rolling;
@@ -472,7 +359,7 @@ internal sealed class WorldContact
         // On a level pitch that is so up to the speed of the slowest bounce; on anything else what comes closer hits.
         double slowest = _world.IsLevel && collider == _world.Ground ? -_world.MinimumBounceSpeed : -double.Epsilon;
         return at.Distance - _world.Ball.Radius <= ContactSearch.Touching && off < _world.MinimumBounceSpeed && off > slowest
-            && Load(in s, in velocity, s.Spin, collider, in at) > SurfaceForces.Least;
+            && _load.Load(in s, in velocity, s.Spin, collider, in at) > SurfaceForces.Least;
     }
 
     /// <summary>A carried ball was hit by something else: it keeps its carrier unless the impulse lifts it.</summary>
@@ -532,6 +419,9 @@ internal sealed class WorldContact
         s.ClearUntil = 0;
         s.Branch = DragBranch.Unknown;
         s.SqueezeSpeed = Math.Max(s.SqueezeSpeed, velocity.Length);
+
+        // Thrown back by another ball it hits the next thing anew, and that is not the second of two movers that bat it to and fro.
+        s.SqueezeUntil = presses || s.Motion == MotionState.Squeezed ? s.SqueezeUntil : Math.Min(s.SqueezeUntil, s.Time);
         if (s.Motion == MotionState.Airborne || _world.HangsInNet(in s))
         {
             Fly(ref s, in velocity, in spin);
@@ -568,7 +458,7 @@ internal sealed class WorldContact
         Collider carrier = _world.CarrierOf(in s);
         Vector3d n = _world.Hold(ref s, carrier);
         Vector3d surface = _world.SurfaceVelocity(carrier, s.Position, in n, s.Time);
-        if (Slip.Of(s.Velocity - surface, in spin, in n, _world.Ball.Radius).Length < Slip.Rolling && Grips(in s, carrier, ref run))
+        if (Slip.Of(s.Velocity - surface, in spin, in n, _world.Ball.Radius).Length < Slip.Rolling && _load.Grips(in s, carrier, ref run))
         {
             StartRolling(ref s, ref run);
         }
@@ -577,37 +467,6 @@ internal sealed class WorldContact
             StartSliding(ref s, ref run);
         }
     }
-
-    /// <summary>True when friction can hold a ball without slip.</summary>
-    private bool Grips(in BallState s, Collider carrier, ref StepRun run)
-    {
-        SurfaceSystem system = System(in s, carrier);
-        SurfaceForces on = system.ForcesOn(s.Time, new Motion(s.Position, s.Velocity, s.Spin));
-        run.Log.Evaluations++;
-        return system.Grips(in on);
-    }
-
-    /// <summary>N/m, m/s², were the ball to follow the surface.</summary>
-    private double Load(in BallState s, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
-    {
-        // Where the air does not count, a load by weight alone says enough.
-        Vector3d along = velocity - collider.Velocity;
-        double byWeight = _world.AirLoads || collider.Rotates ? 0 : (-_around.Upward * at.Normal.Y) - Vector3d.Dot(in along, at.Curvature * along);
-        return byWeight > SurfaceForces.Least ? byWeight : System(in s, collider).ForcesOn(s.Time, new Motion(s.Position, in velocity, in spin)).FreeLoad;
-    }
-
-    private SurfaceSystem System(in BallState s, Collider carrier) => new()
-    {
-        Around = _around,
-        World = _world,
-        Carrier = carrier,
-        Material = carrier.MaterialAt(s.Position),
-        Branch = _around.Air.Jumps
-            ? DragJump.At((s.Velocity - _around.Wind).LengthSquared, _around.RadiusSquared * s.Spin.LengthSquared).Branch
-            : DragBranch.Unknown,
-        Nets = s.Nets,
-        NetSides = s.NetSides,
-    };
 
     /// <summary>The ball flies on.</summary>
     public static void Fly(ref BallState s, in Vector3d velocity, in Vector3d spin)

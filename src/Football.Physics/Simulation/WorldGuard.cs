@@ -46,7 +46,7 @@ internal sealed class WorldGuard
             // Closing is an impact. Neither closing nor leaving, but pressed there, a ball in the air is taken up.
             bool touches = gap <= ContactSearch.Touching;
             bool hits = touches && ((rate < -ContactSearch.Approaching && !(Flush.Passage(_world, i, s.Position, s.Velocity, s.Time) > 0)) || IsStruck(in s, _world.Colliders[i]));
-            bool presses = touches && !hits && rate <= ContactSearch.Leaving && carrier < 0 && _contact.IsPressed(in s, i);
+            bool presses = touches && !hits && rate <= ContactSearch.Leaving && carrier < 0 && _contact.Load.IsPressed(in s, i);
             takesUp = presses || (takesUp && !hits);
             first = hits || presses ? i : first;
         }

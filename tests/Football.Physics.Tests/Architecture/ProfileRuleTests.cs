@@ -18,6 +18,7 @@ public sealed partial class ProfileRuleTests
         ["EventTests"] = (4, "the thesis' bisection in vacuum; a force law that is constant; the drag law's jump"),
         ["ImpactTests"] = (1, "heights of bounces in vacuum, e the same at every speed (the default: MeasuredImpactTests)"),
         ["RollTests"] = (6, "closed forms of constant friction and damping, laws and ground aerodynamics left out (the default: DefaultGroundTests)"),
+        ["SlideAcrossJumpTests"] = (2, "the jump of the thesis' drag law"),
         ["SlideTests"] = (6, "closed forms of constant friction and damping, the thesis' heuristic (the default: DefaultGroundTests)"),
         ["SpinDecayTests"] = (3, "the thesis' torque, which is finite at rest: a spin ends at an instant"),
         ["WindFieldTests"] = (1, "what the drag law's jump costs"),

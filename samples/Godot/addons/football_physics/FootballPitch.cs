@@ -54,7 +54,7 @@ public partial class FootballPitch : FootballThing
     {
         Scene own = scene.Stage.Scene;
         Ground ground = Surface == FootballPreset.GroundChoice.OfProfile ? own.Ground : FootballPreset.GroundOf(Surface, own.Ground);
-        scene.Stage.Scene = own with { Ground = ground with { Height = FootballPreset.Typed(GlobalPosition.Y) } };
+        scene.Stage.Scene = own with { Ground = FootballPreset.AtHeight(ground, FootballPreset.Typed(GlobalPosition.Y)) };
         foreach (Obstacle board in ToPitch().Boards)
         {
             scene.Stage.Add(board with { Shape = Placed((BoxShape)board.Shape) });

@@ -55,6 +55,7 @@ public partial class FootballPreset : Resource
         PublishedSand,
         Custom,
         MatchTurf,
+        None,
     }
 
     /// <summary>Laws of the air to choose from: those of the profile, and the presets of <see cref="ForceSet"/>.</summary>
@@ -167,7 +168,7 @@ public partial class FootballPreset : Resource
         Scene scene = own with
         {
             Ball = BallOf(),
-            Ground = ground with { Height = Typed(GroundHeight) },
+            Ground = AtHeight(ground, Typed(GroundHeight)),
             Forces = ForcesOf(own.Forces),
             Gravity = Typed(Gravity),
             Air = new Air { Density = Typed(AirDensity), KinematicViscosity = Typed(AirViscosity) / 1e6, Wind = GodotFrame.FromGodot(Wind) },
@@ -176,6 +177,9 @@ public partial class FootballPreset : Resource
             ? scene
             : scene with { Forces = scene.Forces with { Custom = new IForce[] { new ScaledAir(scene, Typed(DragScale), Typed(BendScale)) } } };
     }
+
+    /// <summary>A ground at a height, m; no ground has no height.</summary>
+    internal static Ground AtHeight(Ground ground, double height) => ground.IsNone ? ground : ground with { Height = height };
 
     /// <summary>A ground that is chosen by name.</summary>
     /// <param name="choice">Its name; that of the profile, and a custom one, are the given one.</param>
@@ -196,6 +200,7 @@ public partial class FootballPreset : Resource
         GroundChoice.PublishedWetTurf => Ground.PublishedWetTurf,
         GroundChoice.PublishedCourt => Ground.PublishedCourt,
         GroundChoice.PublishedSand => Ground.PublishedSand,
+        GroundChoice.None => Ground.None,
         GroundChoice.Custom => own,
         _ => throw new InvalidOperationException($"There is no ground {choice}."),
     };

@@ -67,7 +67,7 @@ namespace Football.Physics.Unity
         {
             Scene own = scene.Stage.Scene;
             Ground ground = surface == FootballPreset.GroundChoice.OfProfile ? own.Ground : FootballPreset.GroundOf(surface, own.Ground);
-            scene.Stage.Scene = own with { Ground = ground with { Height = FootballPreset.Typed(transform.position.y) } };
+            scene.Stage.Scene = own with { Ground = FootballPreset.AtHeight(ground, FootballPreset.Typed(transform.position.y)) };
             foreach (Obstacle board in ToPitch().Boards)
             {
                 scene.Stage.Add(board with { Shape = Placed((BoxShape)board.Shape) });

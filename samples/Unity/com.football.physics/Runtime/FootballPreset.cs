@@ -129,6 +129,7 @@ namespace Football.Physics.Unity
             PublishedSand,
             Custom,
             MatchTurf,
+            None,
         }
 
         /// <summary>Laws of the air to choose from: those of the profile, and the presets of <see cref="ForceSet"/>.</summary>
@@ -194,11 +195,17 @@ namespace Football.Physics.Unity
                 Air = new Air { Density = Typed(airDensity), KinematicViscosity = Typed(airViscosity) / 1e6, Wind = WindAsTyped() },
                 Gravity = Typed(gravity),
                 Forces = Forces(own.Forces),
-                Ground = Ground(own.Ground) with { Height = Typed(groundHeight) },
+                Ground = AtHeight(Ground(own.Ground), Typed(groundHeight)),
             };
             return dragScale == 1f && bendScale == 1f
                 ? scene
                 : scene with { Forces = scene.Forces with { Custom = new IForce[] { new ScaledAir(scene, Typed(dragScale), Typed(bendScale)) } } };
+        }
+
+        /// <summary>A ground at a height, m; no ground has no height.</summary>
+        internal static Ground AtHeight(Ground ground, double height)
+        {
+            return ground.IsNone ? ground : ground with { Height = height };
         }
 
         /// <summary>A ground that is chosen by name.</summary>
@@ -222,6 +229,7 @@ namespace Football.Physics.Unity
                 GroundChoice.PublishedWetTurf => Physics.Ground.PublishedWetTurf,
                 GroundChoice.PublishedCourt => Physics.Ground.PublishedCourt,
                 GroundChoice.PublishedSand => Physics.Ground.PublishedSand,
+                GroundChoice.None => Physics.Ground.None,
                 GroundChoice.Custom => own,
                 _ => throw new InvalidOperationException("There is no ground " + choice + "."),
             };

@@ -17,6 +17,11 @@ public readonly struct Bounds3d
         new Vector3d(double.NegativeInfinity, double.NegativeInfinity, double.NegativeInfinity),
         new Vector3d(double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity));
 
+    /// <summary>No point at all: it touches nothing, and adds nothing to another box.</summary>
+    internal static Bounds3d Nowhere => new(
+        new Vector3d(double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity),
+        new Vector3d(double.NegativeInfinity, double.NegativeInfinity, double.NegativeInfinity));
+
     /// <summary>The lowest corner, m.</summary>
     public Vector3d Min { get; }
 

@@ -1,0 +1,131 @@
+namespace Football.Physics;
+
+/// <summary>What presses a ball on a surface that it touches: whether it stays there after an impact, whether friction can hold it, whether it is carried at all.</summary>
+internal sealed class ContactLoad
+{
+    /// <summary>A ball that something other than its weight presses stays on a surface where it would be back within this, s.</summary>
+    private const double ShortestPressedHop = 1e-3;
+
+    /// <summary>Forces that leave no more than this, m/s², are in balance: a thousandth of the weight, and 10 µm in a net.</summary>
+    private const double InBalance = 0.01;
+    private readonly Surroundings _around;
+    private readonly World _world;
+    private readonly RateBound _ofAir;
+
+    public ContactLoad(Surroundings around)
+    {
+        _around = around;
+        _world = around.World;
+        _ofAir = around.Air.Bound;
+    }
+
+    /// <summary>True when a ball that leaves a surface with a speed stays on it: something presses it back at once (world.md, After the impact).</summary>
+    /// <param name="s">The ball before.</param>
+    /// <param name="off">w, m/s.</param>
+    /// <param name="velocity">Its velocity along the surface, m/s.</param>
+    /// <param name="spin">Its spin after, rad/s.</param>
+    /// <param name="collider">The surface.</param>
+    /// <param name="at">Its place, normal and curvature under the ball.</param>
+    public bool StaysAfter(in BallState s, double off, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
+    {
+        // a_b·n ≤ −|a_b|/2: its weight presses it on a surface up to 60° steep. Anything else presses it only if it would be back within a millisecond.
+        bool byWeight = -2.0 * _around.Upward * at.Normal.Y >= Math.Abs(_around.Upward) && _around.Upward != 0;
+        double hop = byWeight ? StabilityLimit.ShortestHop : ShortestPressedHop;
+        if (!byWeight && IsCarriedElsewhere(in s, collider) && off < 0.5 * hop * CarriedLoad(in s, in velocity, in spin, collider, in at))
+        {
+            return true;
+        }
+
+        if (!(byWeight && off < _world.MinimumBounceSpeed) && !_around.Air.Varies)
+        {
+            // Few are: what the air can do at most says so without asking it.
+            Vector3d along = velocity - collider.ShapeVelocity(s.Position, s.Time);
+            double airSpeed = (velocity - _around.Wind).Length;
+            double most = Math.Abs(_around.Upward) + Math.Abs(Vector3d.Dot(in along, at.Curvature * along)) + (airSpeed * _ofAir.At(airSpeed, spin.Length))
+                + MostOfRotation(collider, in s, in along);
+            if (s.Nets == 0 && off >= 0.5 * hop * most)
+            {
+                return false;
+            }
+        }
+
+        // A hop lasts 2 w/(N/m): below the shortest hop it is none.
+        double load = Load(in s, in velocity, in spin, collider, in at);
+        return load > SurfaceForces.Least && (off < 0.5 * hop * load || (byWeight && off < _world.MinimumBounceSpeed));
+    }
+
+    private bool IsCarriedElsewhere(in BallState s, Collider collider) =>
+        s.Motion is MotionState.Rolling or MotionState.Sliding && _world.CarrierOf(in s) != collider;
+
+    /// <summary>N/m, m/s², of a ball that keeps its carrier, whose friction may press it against what it has hit: a foot that pushes it along.</summary>
+    private double CarriedLoad(in BallState s, in Vector3d velocity, in Vector3d spin, Collider hit, in ShapePoint at)
+    {
+        Collider carrier = _world.CarrierOf(in s);
+        SurfaceSystem system = System(in s, carrier);
+        var motion = new Motion(s.Position, in velocity, in spin);
+        SurfaceForces on = system.ForcesOn(s.Time, in motion);
+        Vector3d slip = system.SlipOf(in motion, in on);
+        double size = slip.Length;
+        double speed = on.Rolling.Length;
+        Vector3d acceleration = size >= Slip.Rolling ? on.Body + on.Air - (system.SlidingFriction(in on) / size * slip)
+            : speed > 0 ? system.Drive(in on) - (system.RollingFriction(in on, speed) / speed * on.Rolling)
+            : Vector3d.Zero;
+        Vector3d along = velocity - hit.ShapeVelocity(s.Position, s.Time);
+        return -Vector3d.Dot(in acceleration, at.Normal) - Vector3d.Dot(in along, at.Curvature * along);
+    }
+
+    /// <summary>The most that |A_s·n| may be on a carrier that rotates, m/s².</summary>
+    private static double MostOfRotation(Collider collider, in BallState s, in Vector3d along)
+    {
+        double spin = collider.Spin.Length;
+        return spin * (((collider.MaterialVelocity(s.Position, s.Time) - collider.Velocity).Length) + (2.0 * along.Length));
+    }
+
+    /// <summary>True when all that acts on a ball that hangs in a net is in balance.</summary>
+    public bool HangsStill(in BallState s)
+    {
+        var at = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
+        var system = new FlightSystem { Around = _around, Nets = s.Nets, NetSides = s.NetSides };
+        DragBranch branch = _around.Air.Jumps ? DragJump.At(in at, in _around.Wind, _around.Radius).Branch : DragBranch.Unknown;
+        return system.On(branch, s.Time, in at).Acceleration.LengthSquared <= InBalance * InBalance;
+    }
+
+    /// <summary>True when a collider would carry a ball that touches it, and would not let it go at once.</summary>
+    public bool IsPressed(in BallState s, int collider)
+    {
+        Collider on = _world.Colliders[collider];
+        ShapePoint at = on.At(s.Position, s.Time);
+        return Load(in s, s.Velocity, s.Spin, on, in at) > SurfaceForces.Least;
+    }
+
+    /// <summary>True when friction can hold a ball without slip.</summary>
+    public bool Grips(in BallState s, Collider carrier, ref StepRun run)
+    {
+        SurfaceSystem system = System(in s, carrier);
+        SurfaceForces on = system.ForcesOn(s.Time, new Motion(s.Position, s.Velocity, s.Spin));
+        run.Log.Evaluations++;
+        return system.Grips(in on);
+    }
+
+    /// <summary>N/m, m/s², were the ball to follow the surface.</summary>
+    public double Load(in BallState s, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
+    {
+        // Where the air does not count, a load by weight alone says enough.
+        Vector3d along = velocity - collider.Velocity;
+        double byWeight = _world.AirLoads || collider.Rotates ? 0 : (-_around.Upward * at.Normal.Y) - Vector3d.Dot(in along, at.Curvature * along);
+        return byWeight > SurfaceForces.Least ? byWeight : System(in s, collider).ForcesOn(s.Time, new Motion(s.Position, in velocity, in spin)).FreeLoad;
+    }
+
+    private SurfaceSystem System(in BallState s, Collider carrier) => new()
+    {
+        Around = _around,
+        World = _world,
+        Carrier = carrier,
+        Material = carrier.MaterialAt(s.Position),
+        Branch = _around.Air.Jumps
+            ? DragJump.At((s.Velocity - _around.Wind).LengthSquared, _around.RadiusSquared * s.Spin.LengthSquared).Branch
+            : DragBranch.Unknown,
+        Nets = s.Nets,
+        NetSides = s.NetSides,
+    };
+}
