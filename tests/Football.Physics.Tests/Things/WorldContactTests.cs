@@ -357,11 +357,11 @@ public sealed class WorldContactTests
     {
         var table = new Asked(Still with { Obstacles = [Table()] });
         BallState s = table.Ball(new Vector3d(0, 2 + Radius, 0), default, default);
-        Assert.True(table.Contact.IsPressed(in s, table.Of("table")));
+        Assert.True(table.Contact.Load.IsPressed(in s, table.Of("table")));
         s.Position = new Vector3d(0, 1.9 - Radius, 0);
-        Assert.False(table.Contact.IsPressed(in s, table.Of("table")));
+        Assert.False(table.Contact.Load.IsPressed(in s, table.Of("table")));
         s.Position = new Vector3d(0, 1.95, 1 + Radius);
-        Assert.False(table.Contact.IsPressed(in s, table.Of("table")));
+        Assert.False(table.Contact.Load.IsPressed(in s, table.Of("table")));
     }
 
     private static Obstacle Table() => new() { Name = "table", Shape = new BoxShape(new Vector3d(0, 1.95, 0), new Vector3d(1, 0.05, 1)), Surface = Smooth };
