@@ -231,6 +231,12 @@ internal static class ContactSet
     {
         Collider collider = world.Colliders[contact.Collider];
         ShapePoint at = collider.At(s.Position, s.Time);
+        if (contact.IsFlat && collider.HasFaces && !at.IsFlat)
+        {
+            // Just beyond the edge of a flat face the ball is still on its plane.
+            return false;
+        }
+
         double gap = at.Distance - world.Ball.Radius;
         double off = Vector3d.Dot(s.Velocity - collider.ShapeVelocity(s.Position - (world.Ball.Radius * at.Normal), s.Time), at.Normal);
         bool bears = contact.Load > 0;
@@ -250,7 +256,7 @@ internal static class ContactSet
         for (int i = 0; i < count; i++)
         {
             ref readonly Contact other = ref set[i];
-            if (contact.Moves == other.Moves && Vector3d.Dot(in contact.Normal, in other.Normal) > 1.0 - Flush.SameNormal
+            if (Vector3d.Dot(in contact.Normal, in other.Normal) > 1.0 - Flush.SameNormal
                 && Math.Abs(Vector3d.Dot(contact.Velocity - other.Velocity, in contact.Normal)) <= ContactSearch.Approaching)
             {
                 return Flush.ComesBefore(world, in contact, in other, carrier) ? i : -1;
@@ -288,7 +294,7 @@ internal struct Contact
     /// <summary>Index of the collider.</summary>
     public readonly int Collider;
 
-    /// <summary>True when the collider moves: then the ball may overlap it where it cannot get out of its way.</summary>
+    /// <summary>True when the collider moves in this step: then the ball may overlap it where it cannot get out of its way.</summary>
     public readonly bool Moves;
 
     /// <summary>True when it is flat there.</summary>
@@ -318,7 +324,7 @@ internal struct Contact
     public Contact(int index, Collider collider, in ShapePoint at, double gap, double radius, in BallState s)
     {
         Collider = index;
-        Moves = collider.Moves;
+        Moves = collider.Moves && (collider.Velocity != Vector3d.Zero || collider.Spin != Vector3d.Zero);
         IsFlat = at.IsFlat;
         Normal = at.Normal;
         Velocity = collider.Spin == Vector3d.Zero ? collider.Velocity : collider.SurfaceVelocity(s.Position - (radius * at.Normal), s.Time);

@@ -6,8 +6,14 @@ namespace Football.Physics;
 /// </summary>
 internal static class Flush
 {
-    /// <summary>Normals are one where n₁·n₂ is closer to 1 than this (world.md, Flush): the edge of the next tile is first touched at an angle of 4e-5.</summary>
-    public const double SameNormal = 1e-9;
+    /// <summary>
+    /// Normals are one where n₁·n₂ is closer to 1 than this. The edge of the next tile is first touched, 1e-10 m before the ball is on it, at 4e-5 rad; that of a tile that is
+    /// 1e-10 m higher at 6e-5, where n₁·n₂ is 1 − 1.8e-9.
+    /// </summary>
+    public const double SameNormal = 4e-9;
+
+    /// <summary>Over the edge of its carrier a ball is handed on to a surface that is no lower than this, m.</summary>
+    private const double LowerBy = 3.0 * ContactSearch.Touching;
 
     /// <summary>Two depths are equal within this, m.</summary>
     private const double SameDepth = 1e-12;
@@ -110,7 +116,7 @@ internal static class Flush
             }
 
             ShapePoint at = world.Colliders[i].At(position, time);
-            if (!(at.Distance - world.Ball.Radius <= ContactSearch.Touching) || !(Vector3d.Dot(on.Normal, at.Normal) > 1.0 - SameNormal))
+            if (!(at.Distance - world.Ball.Radius <= (isFlat ? ContactSearch.Touching : LowerBy)) || !(Vector3d.Dot(on.Normal, at.Normal) > 1.0 - SameNormal))
             {
                 continue;
             }

@@ -331,7 +331,8 @@ internal sealed class SurfacePhase<TIntegrator>
         end = SlipEnd(in system, s.Time, in from, in decay, sliding, in start, in last, about, in on.Normal);
 
         // Not where the spin about the normal ends, or another surface begins, before the slip does.
-        if (system.SpinSign * (about - Vector3d.Dot(system.Carrier.Spin, in on.Normal)) < 0 || system.Carrier.PatchAt(s.Position) != system.Carrier.PatchAt(in end.Position))
+        if (system.SpinSign * (about - Vector3d.Dot(system.Carrier.Spin, in on.Normal)) < 0 || system.Carrier.PatchAt(s.Position) != system.Carrier.PatchAt(in end.Position)
+            || (system.IsFace && system.Carrier.FaceMargin(in end.Position, s.Time + t) < 0))
         {
             return false;
         }
@@ -420,7 +421,9 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>Puts the ball onto all that it touches: what the integrator left of it is within its own error.</summary>
     private void Hold(ref BallState s, in SurfaceSystem system, int met)
     {
-        Vector3d n = _world.Hold(ref s, system.Carrier);
+        // Just beyond the edge of a flat face the ball is still on its plane.
+        bool beyond = system.IsFace && system.Carrier.FaceMargin(s.Position, s.Time) <= 0;
+        Vector3d n = beyond ? system.FaceNormal : _world.Hold(ref s, system.Carrier);
         if (met < 0 && !_world.IsPlaneAlone)
         {
             // Back on the surface it may be in what it was just leaving, or in what it touched and was not pressed on.
@@ -444,7 +447,10 @@ internal sealed class SurfacePhase<TIntegrator>
             : kept == about ? spin : spin - ((about - kept) * n);
     }
 
-    /// <summary>Puts the ball onto something else that it touches too, along what carries it: back and forth, where those are curved.</summary>
+    /// <summary>
+    /// Puts the ball onto something else that it touches too, along what carries it: back and forth, where those are curved. A flush surface, sin² of the angle to which is
+    /// all but zero, carries it next instead.
+    /// </summary>
     /// <returns>The carrier's normal there.</returns>
     private Vector3d PutOnto(ref BallState s, Collider carrier, int collider)
     {
@@ -457,7 +463,7 @@ internal sealed class SurfacePhase<TIntegrator>
             Vector3d along = SurfaceSystem.Tangential(at.Normal, in n);
             double gap = at.Distance - _around.Radius;
             double share = along.LengthSquared;
-            if (!(Math.Abs(gap) > Closed) || !(share > 1e-12))
+            if (!(Math.Abs(gap) > Closed) || !(share > 2.0 * Flush.SameNormal))
             {
                 break;
             }
