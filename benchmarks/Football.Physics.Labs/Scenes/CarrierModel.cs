@@ -79,7 +79,7 @@ internal sealed class CarrierModel
             {
                 // The direction of the slip turns ever faster towards its end, so the steps shrink with it.
                 double ends = Slip(Place, Moves, Turns).Length / ((1 + (1 / Inertia)) * Sliding * Math.Max(Load(Place, Moves), 1e-9));
-                h = ends > 1e-13 ? Math.Min(h, 0.2 * ends) : h;
+                h = ends > 1e-15 ? Math.Min(h, 0.2 * ends) : h;
             }
 
             Step(h);

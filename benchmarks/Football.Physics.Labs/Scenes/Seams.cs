@@ -157,7 +157,6 @@ internal sealed class Seams : SceneKind
                 pieces.MoveTo(state.Time * along, Quaterniond.Identity, along, default, state.Time);
                 log.Clear();
                 simulator.Step(ref state, step / parts, log);
-                if (parts == 1 && Environment.GetEnvironmentVariable("DBG") != null) { Console.Error.WriteLine($"{state.Time:F4} {state.Motion} {simulator.NameOf(0)} p {state.Position} v {state.Velocity} w {state.Spin} ev {log.Evaluations}"); foreach (var e in log.Events) Console.Error.WriteLine("    " + e + " " + simulator.NameOf(e.Thing) + " n " + e.Normal); }
             }
         }
 
