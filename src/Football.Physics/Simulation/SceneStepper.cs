@@ -61,10 +61,13 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         _set = new ContactSetPhase(around, guard, _contact);
         _surface = new SurfacePhase<TIntegrator>(scene, settings, around, _pulled, jump, guard, _contact, _set);
         _rest = new RestPhase(world, guard);
+        Pile = new PilePhase(around, guard, _contact);
         _flight = new FlightPhase<TIntegrator>(around, this, Limit, jump, guard, _contact);
     }
 
     public override World World => Around.World;
+
+    public override PilePhase Pile { get; }
 
     /// <summary>Forces on a ball wherever it is.</summary>
     protected Surroundings Around { get; }

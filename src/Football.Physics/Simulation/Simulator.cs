@@ -230,6 +230,9 @@ public sealed class Simulator
     /// <summary>All that can be met.</summary>
     internal World World => _world;
 
+    /// <inheritdoc cref="Stepper.Pile"/>
+    internal PilePhase Pile => _stepper.Pile;
+
     /// <inheritdoc cref="Stepper.FliesClear"/>
     internal bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate) =>
         _stepper.FliesClear(in from, in to, duration, airSpeed, spinRate);

@@ -9,6 +9,9 @@ internal abstract class Stepper
     /// <summary>All that can be met where there is more than a level pitch; else null.</summary>
     public abstract World World { get; }
 
+    /// <summary>What a ball of a pile does by itself.</summary>
+    public abstract PilePhase Pile { get; }
+
     /// <summary>Advances a state by dt, events and all.</summary>
     public abstract void Step(ref BallState state, double dt, StepLog log);
 

@@ -13,6 +13,9 @@ public sealed class BallGroup
     /// <summary>So many events a ball are kept of a step without playing it again.</summary>
     private const int EventsOfBall = 16;
 
+    /// <summary>A ball of a pile may fall, m/s².</summary>
+    private const double Fall = 10;
+
     private readonly Simulator[] _simulators;
     private readonly bool _givesWay;
     private readonly BallNeighbours _neighbours;
@@ -196,7 +199,8 @@ public sealed class BallGroup
         Array.Copy(states, _before, Count);
         try
         {
-            // 1. Every ball as if there were no other. 2. The neighbours that may have met. 3. Those again, meeting by meeting.
+            // 0. What lies on each other. 1. Every other ball as if there were no other. 2. The neighbours that may have met. 3. Those again, meeting by meeting.
+            FindPiles(dt);
             world.Engine?.KeepPushes();
             bool pushes = Fly(states, dt, stopAt, out bool holds);
             if (!holds)
@@ -273,6 +277,24 @@ public sealed class BallGroup
         return log.Halted;
     }
 
+    /// <summary>The balls that lie on each other, which are stepped as one: their own steps would lead them through each other.</summary>
+    private void FindPiles(double dt)
+    {
+        bool covers = true;
+        for (int i = 0; i < Count && covers; i++)
+        {
+            covers = _neighbours.Covers(i, in _before[i]);
+        }
+
+        if (!covers)
+        {
+            Array.Clear(_reaches, 0, Count);
+            _neighbours.Renew(_before, _reaches, dt);
+        }
+
+        _cluster.Rests.Look(_before, _neighbours);
+    }
+
     /// <summary>Every ball takes its step as if there were no other.</summary>
     /// <returns>Whether one of them pushed something, which the others then find elsewhere, or something ended its step; or not all events had room.</returns>
     private bool Fly(BallState[] states, double dt, StopAt stopAt, out bool holds)
@@ -297,6 +319,21 @@ public sealed class BallGroup
             int first = log.Events.Count;
             _firstEvent[i] = first;
             log.Events.Ball = i;
+            if (_cluster.Rests.IsInPile(i))
+            {
+                // How far it gets is seen when the pile is played.
+                _reaches[i] = dt * (before.Velocity.Length + (Fall * dt));
+                holds &= _neighbours.Holds(i, in before, _reaches[i], dt);
+                continue;
+            }
+
+            if (_cluster.Rests.IsHeld(i) && !_simulators[i].World.Moves)
+            {
+                s.Time += dt;
+                _reaches[i] = 0;
+                continue;
+            }
+
             _simulators[i].Advance(ref s, dt, log);
             halts |= log.Halted;
             log.Halted = false;
@@ -326,6 +363,7 @@ public sealed class BallGroup
         {
             if (_reaches[i] < double.PositiveInfinity)
             {
+                holds &= _neighbours.Holds(i, in _before[i], _reaches[i], dt);
                 continue;
             }
 
@@ -376,9 +414,12 @@ public sealed class BallGroup
             }
         }
 
-        for (int i = 0; all && i < Count; i++)
+        for (int i = 0; i < Count; i++)
         {
-            _cluster.Join(i);
+            if (all || _cluster.Rests.IsInPile(i))
+            {
+                _cluster.Join(i);
+            }
         }
     }
 
