@@ -16,16 +16,20 @@ internal sealed class BallPile
     /// <summary>Of two that lie on each other the gap is no more than this, m.</summary>
     public const double Leaning = 1e-6;
 
-    /// <summary>Rounds of the solver: of the first part, which begins from nothing; of the next ones; and where it is asked whether the pile rests.</summary>
+    /// <summary>Rounds of the solver: of the first part, which begins from nothing; of the next ones; and where it is asked whether the pile rests, after a part and without one.</summary>
     private const int FirstRounds = 96;
     private const int NextRounds = 48;
     private const int RestRounds = 256;
+    private const int ColdRounds = 1024;
 
     /// <summary>Impulses that change a ball's speed by less than this share of what its forces do in a part are found.</summary>
     private const double Settled = 1e-6;
 
     /// <summary>A pile rests where its contacts leave no ball more than this share of the forces on it.</summary>
     private const double Held = 1e-3;
+
+    /// <summary>... and goes on to do so where they leave no more than this: a few rounds more or less decide nothing then.</summary>
+    public const double StillHeld = 0.03;
 
     /// <summary>Where it is asked whether a pile rests, after so long, s.</summary>
     private const double RestPart = 1e-3;
@@ -50,6 +54,7 @@ internal sealed class BallPile
     private readonly PileSolver _solver = new();
     private PileContact[] _last = new PileContact[32];
     private int _lastCount;
+    private double _length;
     private double _longest;
     private int _bounces;
 
@@ -81,6 +86,7 @@ internal sealed class BallPile
         _solver.Count = 0;
         _solver.ContactCount = 0;
         _bounces = 0;
+        _length = 0;
         _longest = Math.Max(Part, step / MostParts);
         Time = time;
         Until = time;
@@ -111,6 +117,7 @@ internal sealed class BallPile
             StartW = spin,
         };
         _solver.ContactCount = 0;
+        _length = 0;
         Until = Time;
     }
 
@@ -166,9 +173,6 @@ internal sealed class BallPile
             top = Math.Max(top, s.Velocity.Length);
         }
 
-        // What the last part found is where this one begins.
-        (_last, _solver.Contacts) = (_solver.Contacts, _last);
-        _lastCount = _solver.ContactCount;
         Find(states, Near + (2.0 * h * (top + pull)), h);
         bool bounced = Bounce(states, h, logs);
         for (int i = 0; i < Count; i++)
@@ -181,7 +185,7 @@ internal sealed class BallPile
             member.W = member.StartW + (h * member.Free.SpinAcceleration);
         }
 
-        bool warm = Continue();
+        bool warm = Continue(_length > 0 ? h / _length : 0);
         _solver.Solve(h, warm ? NextRounds : FirstRounds, Settled * pull);
 
         // Straight on by the new velocity where something bears a ball; else by the mean, as it flies.
@@ -206,6 +210,7 @@ internal sealed class BallPile
             }
         }
 
+        _length = h;
         Until = parts > 1 ? Time + h : end;
         return bounced;
     }
@@ -267,8 +272,9 @@ internal sealed class BallPile
 
     /// <summary>How much of the forces on them the contacts leave the balls as they lie, without speed, as a share; 0 where they hold them.</summary>
     /// <param name="states">The balls.</param>
+    /// <param name="share">Less than this share is nothing.</param>
     /// <param name="moves">Whether anything that they touch moves: on that nothing rests for good.</param>
-    public double Unheld(BallState[] states, out bool moves)
+    public double Unheld(BallState[] states, double share, out bool moves)
     {
         double pull = 0;
         for (int i = 0; i < Count; i++)
@@ -280,23 +286,20 @@ internal sealed class BallPile
             pull = Math.Max(pull, member.V.Length + (member.Radius * member.W.Length));
         }
 
-        moves = false;
+        // What bore the balls in the last part, if there was one, does so about as much.
+        double last = _length > 0 ? RestPart / _length : 0;
         Find(states, Leaning, 0);
+        bool warm = Continue(last);
+        moves = false;
         for (int i = 0; i < _solver.ContactCount; i++)
         {
             _solver.Contacts[i].Gap = 0;
             moves |= _solver.Contacts[i].Moves;
         }
 
-        _solver.Solve(RestPart, RestRounds, 0.01 * Held * pull);
-        double left = 0;
-        for (int i = 0; i < Count; i++)
-        {
-            ref readonly PileMember member = ref _solver.Members[i];
-            left = Math.Max(left, member.V.Length + (member.Radius * member.W.Length));
-        }
-
-        return left > Held * pull ? left / pull : 0;
+        _solver.Solve(RestPart, warm ? RestRounds : ColdRounds, 1e-3 * share * pull, share * pull);
+        double left = _solver.Fastest();
+        return left > share * pull ? left / pull : 0;
     }
 
     /// <summary>True when every ball is slow enough to rest, and the contacts hold all of them, one at least on what stands still.</summary>
@@ -329,12 +332,15 @@ internal sealed class BallPile
             logs[_solver.Members[i].Ball].Evaluations++;
         }
 
-        return Unheld(states, out bool moves) == 0 && !moves;
+        return Unheld(states, Held, out bool moves) == 0 && !moves;
     }
 
     /// <summary>Finds all contacts within reach.</summary>
     private void Find(BallState[] states, double reach, double h)
     {
+        // What the last part found is where the next one begins.
+        (_last, _solver.Contacts) = (_solver.Contacts, _last);
+        _lastCount = _solver.ContactCount;
         _solver.ContactCount = 0;
         Span<Contact> room = stackalloc Contact[ContactSet.Most];
         for (int i = 0; i < Count; i++)
@@ -409,7 +415,8 @@ internal sealed class BallPile
     }
 
     /// <summary>A contact that was there in the part before begins with its impulses.</summary>
-    private bool Continue()
+    /// <param name="share">How much of them.</param>
+    private bool Continue(double share)
     {
         int k = 0;
         for (int i = 0; i < _solver.ContactCount && _lastCount > 0; i++)
@@ -424,8 +431,8 @@ internal sealed class BallPile
             if (k < _lastCount && Order(in _last[k], in contact) == 0)
             {
                 ref readonly PileContact last = ref _last[k];
-                contact.Load = last.Load;
-                contact.Rub = last.Rub - (Vector3d.Dot(in last.Rub, in contact.Normal) * contact.Normal);
+                contact.Load = share * last.Load;
+                contact.Rub = share * (last.Rub - (Vector3d.Dot(in last.Rub, in contact.Normal) * contact.Normal));
             }
         }
 

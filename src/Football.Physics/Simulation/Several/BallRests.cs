@@ -162,7 +162,7 @@ internal sealed class BallRests
 
         _pile.Clear(states[ball].Time, 0);
         Take(ball, states);
-        rest.Unheld = _pile.Unheld(_asked, out bool moves);
+        rest.Unheld = _pile.Unheld(_asked, BallPile.StillHeld, out bool moves);
         rest.Leans = rest.Unheld > 0 && !moves;
     }
 
@@ -194,7 +194,7 @@ internal sealed class BallRests
     private bool HoldsEachOther()
     {
         _pile.Sort(_asked);
-        return _pile.Unheld(_asked, out _) == 0;
+        return _pile.Unheld(_asked, BallPile.StillHeld, out _) == 0;
     }
 
     private void Take(int ball, BallState[] states)

@@ -2,10 +2,13 @@ namespace Football.Physics;
 
 /// <summary>
 /// The impulses of all contacts of a pile over a short time, Coulomb's law at all of them at once: no contact closes by more than its gap, none pulls, and friction is at
-/// most μ times the load. Projected Gauss–Seidel, one contact after the other in an order that the places of the balls decide, up and down in turn.
+/// most μ times the load. Projected Gauss–Seidel, one contact after the other in an order that the places of the balls decide, up and down in turn, with conjugate gradients between the rounds.
 /// </summary>
 internal sealed class PileSolver
 {
+    /// <summary>So often it is asked whether all balls stand still.</summary>
+    private const int RoundsBetween = 8;
+
     /// <summary>The balls.</summary>
     public PileMember[] Members = new PileMember[8];
 
@@ -33,7 +36,8 @@ internal sealed class PileSolver
     /// <param name="h">The time, s.</param>
     /// <param name="mostRounds">How many rounds there are at most.</param>
     /// <param name="settled">Where no impulse changes a ball's speed by more than this, m/s, they are found.</param>
-    public void Solve(double h, int mostRounds, double settled)
+    /// <param name="slow">... or where no ball is faster than this, m/s; negative where that is not asked for.</param>
+    public void Solve(double h, int mostRounds, double settled, double slow = -1)
     {
         for (int i = 0; i < Count; i++)
         {
@@ -49,18 +53,70 @@ internal sealed class PileSolver
         }
 
         double change = double.PositiveInfinity;
+        double before = 0;
         for (int round = 0; round < mostRounds && change > settled; round++)
         {
             // Up and down in turn: what a ball on top gives reaches the ground in one round.
             change = 0;
+            double square = 0;
             for (int i = 0; i < ContactCount; i++)
             {
-                change = Math.Max(change, Press(ref Contacts[(round & 1) == 0 ? ContactCount - 1 - i : i], h));
+                ref PileContact contact = ref Contacts[(round & 1) == 0 ? ContactCount - 1 - i : i];
+                double load = contact.Load;
+                Vector3d rub = contact.Rub;
+                change = Math.Max(change, Press(ref contact, h));
+                contact.LoadChange = contact.Load - load;
+                contact.RubChange = contact.Rub - rub;
+                square += (contact.LoadChange * contact.LoadChange / contact.NormalMass) + (contact.RubChange.LengthSquared / contact.SlipMass);
             }
 
             for (int i = 0; i < Count; i++)
             {
                 change = Math.Max(change, Members[i].Radius * Resist(ref Members[i], h));
+            }
+
+            if (slow >= 0 && round % RoundsBetween == RoundsBetween - 1 && Fastest() <= slow)
+            {
+                return;
+            }
+
+            // The round's change is minus a gradient: on along the conjugate direction, but where that leads astray, and not from the last round.
+            if (round < mostRounds - 1 && change > settled)
+            {
+                Extrapolate(square <= before ? square / before : 0);
+            }
+
+            before = square;
+        }
+    }
+
+    /// <summary>The greatest speed of any ball, with its spin, m/s.</summary>
+    public double Fastest()
+    {
+        double fastest = 0;
+        for (int i = 0; i < Count; i++)
+        {
+            fastest = Math.Max(fastest, Members[i].V.Length + (Members[i].Radius * Members[i].W.Length));
+        }
+
+        return fastest;
+    }
+
+    /// <summary>Nonsmooth nonlinear conjugate gradients (Silcowitz, Niebe, Erleben): β p more of the impulses, with p ← β p + change.</summary>
+    private void Extrapolate(double beta)
+    {
+        for (int i = 0; i < ContactCount; i++)
+        {
+            ref PileContact contact = ref Contacts[i];
+            double load = beta > 0 ? beta * contact.LoadStep : 0;
+            Vector3d rub = beta > 0 ? beta * contact.RubStep : Vector3d.Zero;
+            contact.LoadStep = load + contact.LoadChange;
+            contact.RubStep = rub + contact.RubChange;
+            if (beta > 0)
+            {
+                contact.Load += load;
+                contact.Rub += rub;
+                Give(in contact, (load * contact.Normal) + rub, in rub);
             }
         }
     }
@@ -287,4 +343,10 @@ internal struct PileContact
 
     /// <summary>J_t, N s.</summary>
     public Vector3d Rub;
+
+    /// <summary>By how much a round changed both, N s; and the direction that it goes on along.</summary>
+    public double LoadChange;
+    public Vector3d RubChange;
+    public double LoadStep;
+    public Vector3d RubStep;
 }
