@@ -17,6 +17,9 @@ internal sealed class BallCluster
 
     private const int MostNewton = 12;
 
+    /// <summary>A ball that gets farther than was expected may get by so much farther still.</summary>
+    private const double MoreReach = 1.25;
+
     /// <summary>The number of no pile.</summary>
     private const int NoPile = -1;
 
@@ -38,6 +41,7 @@ internal sealed class BallCluster
     private readonly RigidMotion[] _motionsAfter;
     private readonly RigidMotion[] _motionsKept;
     private readonly BallRests _rests;
+    private readonly BallMeetings _meets;
     private readonly int[] _meetings;
     private readonly int[] _pileOf;
     private BallPile[] _piles = [];
@@ -50,6 +54,7 @@ internal sealed class BallCluster
     private double _end;
     private StopAt _stopAt;
     private bool _clears;
+    private bool _arePairsOld;
 
     /// <param name="simulators">The scenes of all balls of the group.</param>
     /// <param name="contact">What two balls are to each other.</param>
@@ -75,6 +80,8 @@ internal sealed class BallCluster
         {
             _trials[i] = new BallTrial();
         }
+
+        _meets = new BallMeetings(_trials, [.. simulators.Select(simulator => simulator.Scene.Ball.Radius)]);
 
         _cluster = new int[count];
         _isIn = new bool[count];
@@ -120,6 +127,7 @@ internal sealed class BallCluster
         if (!_isIn[ball])
         {
             _isIn[ball] = true;
+            _arePairsOld = true;
             _cluster[_clusterCount++] = ball;
         }
     }
@@ -143,6 +151,7 @@ internal sealed class BallCluster
         Array.Sort(_cluster, 0, _clusterCount);
         _begun = 0;
         _pileCount = 0;
+        _arePairsOld = true;
 
         // What they pushed in the first try goes back with them.
         Restore(motions);
@@ -351,6 +360,7 @@ internal sealed class BallCluster
             Commit(states, i, time);
             pile.Add(i, ref states[i]);
             _trials[i].Go(in states[i], Vector3d.Zero, 0);
+            _meets.Change(i);
             _pileOf[i] = Array.IndexOf(_piles, pile);
         }
     }
@@ -394,8 +404,16 @@ internal sealed class BallCluster
     /// <summary>Struck, a ball may get farther than was expected of it, and meet balls that were no neighbours.</summary>
     private void Reach(BallState[] states, int i)
     {
+        _meets.Change(i);
         double reach = (states[i].Position - _before[i].Position).Length + _trials[i].Reach;
-        for (int k = 0; reach > _reaches[i] && k < _isIn.Length; k++)
+        if (!(reach > _reaches[i]))
+        {
+            return;
+        }
+
+        // With room, so that the next time it need not be looked who else there is.
+        reach *= MoreReach;
+        for (int k = 0; k < _isIn.Length; k++)
         {
             if (!_isIn[k] && MayMeet(i, reach, k, _reaches[k]))
             {
@@ -403,26 +421,31 @@ internal sealed class BallCluster
             }
         }
 
-        _reaches[i] = Math.Max(_reaches[i], reach);
+        _reaches[i] = reach;
+        _arePairsOld = true;
     }
 
     /// <summary>The first event: two balls meet, or one meets what it pushes, or what ends the step.</summary>
     private Happening FindFirst(double end)
     {
+        if (_arePairsOld)
+        {
+            FindPairs();
+        }
+
         Happening first = Happening.None;
+        int pair = 0;
         for (int a = 0; a < _clusterCount; a++)
         {
             int i = _cluster[a];
-            for (int b = 0; b < _clusterCount; b++)
+            for (; pair < _meets.Count && _meets.First(pair) == i; pair++)
             {
-                int j = _cluster[b];
-                if (j > i && (_pileOf[i] < 0 || _pileOf[i] != _pileOf[j]) && MayMeet(i, _reaches[i], j, _reaches[j]))
+                int j = _meets.Second(pair);
+                if (_pileOf[i] < 0 || _pileOf[i] != _pileOf[j])
                 {
-                    // Not beyond what was found first so far, nor beyond where one of the two halts.
-                    double until = Math.Min(Math.Min(end, first.Time), Math.Min(Math.Min(_trials[i].HaltsAt, _trials[j].HaltsAt), Math.Min(KnownUntil(i), KnownUntil(j))));
-                    double from = Math.Max(_trials[i].From, _trials[j].From);
-                    double time = _trials[i].Meets(_trials[j], Distance(i, j), from, until, atEnd: until < end);
-                    first = Earlier(new Happening(time, i, j), in first);
+                    // Not beyond where one of the two halts, or a pile is at the end of its part.
+                    double until = Math.Min(Math.Min(KnownUntil(i), KnownUntil(j)), end);
+                    first = Earlier(new Happening(_meets.TimeOf(pair, until, atEnd: until < end), i, j), in first);
                 }
             }
 
@@ -432,8 +455,27 @@ internal sealed class BallCluster
         return first;
     }
 
-    /// <summary>Where a ball goes is known until this time, s: of a pile, until the end of its part.</summary>
-    private double KnownUntil(int ball) => _pileOf[ball] < 0 ? double.PositiveInfinity : _piles[_pileOf[ball]].Until;
+    /// <summary>The pairs that may meet, in the order of the balls.</summary>
+    private void FindPairs()
+    {
+        _arePairsOld = false;
+        _meets.Clear();
+        for (int a = 0; a < _clusterCount; a++)
+        {
+            int i = _cluster[a];
+            for (int b = 0; b < _clusterCount; b++)
+            {
+                int j = _cluster[b];
+                if (j > i && MayMeet(i, _reaches[i], j, _reaches[j]))
+                {
+                    _meets.Add(i, j);
+                }
+            }
+        }
+    }
+
+    /// <summary>Where a ball goes is known until this time, s: to where it halts, or of a pile to the end of its part.</summary>
+    private double KnownUntil(int ball) => _pileOf[ball] < 0 ? _trials[ball].HaltsAt : _piles[_pileOf[ball]].Until;
 
     /// <summary>The earlier of two events. At one time that which is asked first: that of the ball of the lower number, its meetings with others first, that with the lowest before.</summary>
     private static Happening Earlier(in Happening next, in Happening first) => next.Time < first.Time ? next : first;

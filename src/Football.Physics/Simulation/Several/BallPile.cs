@@ -17,13 +17,13 @@ internal sealed class BallPile
     public const double Leaning = 1e-6;
 
     /// <summary>Rounds of the solver: of the first part, which begins from nothing; of the next ones; and where it is asked whether the pile rests, after a part and without one.</summary>
-    private const int FirstRounds = 96;
-    private const int NextRounds = 48;
+    private const int FirstRounds = 64;
+    private const int NextRounds = 24;
     private const int RestRounds = 256;
     private const int ColdRounds = 1024;
 
     /// <summary>Impulses that change a ball's speed by less than this share of what its forces do in a part are found.</summary>
-    private const double Settled = 1e-6;
+    private const double Settled = 1e-5;
 
     /// <summary>A pile rests where its contacts leave no ball more than this share of the forces on it.</summary>
     private const double Held = 1e-3;
