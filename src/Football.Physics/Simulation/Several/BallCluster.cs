@@ -72,7 +72,6 @@ internal sealed class BallCluster
         _reaches = reaches;
         _logs = logs;
         _current = logs;
-        _rests = new BallRests(simulators, new BallPile(simulators, in contact, friction));
         _meetings = new int[count];
         _pileOf = new int[count];
         _trials = new BallTrial[count];
@@ -81,7 +80,9 @@ internal sealed class BallCluster
             _trials[i] = new BallTrial();
         }
 
-        _meets = new BallMeetings(_trials, [.. simulators.Select(simulator => simulator.Scene.Ball.Radius)]);
+        double[] radii = [.. simulators.Select(simulator => simulator.Scene.Ball.Radius)];
+        _rests = new BallRests(radii);
+        _meets = new BallMeetings(_trials, radii);
 
         _cluster = new int[count];
         _isIn = new bool[count];

@@ -16,20 +16,16 @@ internal sealed class BallPile
     /// <summary>Of two that lie on each other the gap is no more than this, m.</summary>
     public const double Leaning = 1e-6;
 
-    /// <summary>Rounds of the solver: of the first part, which begins from nothing; of the next ones; and where it is asked whether the pile rests, after a part and without one.</summary>
+    /// <summary>Rounds of the solver: of the first part, which begins from nothing; of the next ones; and where it is asked whether the pile rests.</summary>
     private const int FirstRounds = 64;
     private const int NextRounds = 24;
     private const int RestRounds = 256;
-    private const int ColdRounds = 1024;
 
     /// <summary>Impulses that change a ball's speed by less than this share of what its forces do in a part are found.</summary>
     private const double Settled = 1e-5;
 
     /// <summary>A pile rests where its contacts leave no ball more than this share of the forces on it.</summary>
     private const double Held = 1e-3;
-
-    /// <summary>... and goes on to do so where they leave no more than this: a few rounds more or less decide nothing then.</summary>
-    public const double StillHeld = 0.03;
 
     /// <summary>Where it is asked whether a pile rests, after so long, s.</summary>
     private const double RestPart = 1e-3;
@@ -268,13 +264,31 @@ internal sealed class BallPile
                 _simulators[ball].Pile.Release(ref states[ball], collider, logs[ball]);
             }
         }
+
+        for (int i = 0; rests && i < Count; i++)
+        {
+            SetKey(i, states);
+        }
     }
 
-    /// <summary>How much of the forces on them the contacts leave the balls as they lie, without speed, as a share; 0 where they hold them.</summary>
-    /// <param name="states">The balls.</param>
-    /// <param name="share">Less than this share is nothing.</param>
-    /// <param name="moves">Whether anything that they touch moves: on that nothing rests for good.</param>
-    public double Unheld(BallState[] states, double share, out bool moves)
+    /// <summary>A ball at rest keeps a key of those that it touches.</summary>
+    private void SetKey(int index, BallState[] states)
+    {
+        ref readonly PileMember member = ref _solver.Members[index];
+        ref BallState s = ref states[member.Ball];
+        ulong key = BallRests.FirstKey;
+        for (int j = 0; j < Count; j++)
+        {
+            ref readonly PileMember other = ref _solver.Members[j];
+            ref readonly BallState its = ref states[other.Ball];
+            key += j != index && BallRests.Touches(in s, member.Radius, in its, other.Radius) ? BallRests.KeyOf(its.Position) : 0;
+        }
+
+        s.ClearIn = key;
+    }
+
+    /// <summary>True when the contacts hold the balls as they lie, without speed; on what moves nothing rests.</summary>
+    private bool Holds(BallState[] states)
     {
         double pull = 0;
         for (int i = 0; i < Count; i++)
@@ -286,20 +300,21 @@ internal sealed class BallPile
             pull = Math.Max(pull, member.V.Length + (member.Radius * member.W.Length));
         }
 
-        // What bore the balls in the last part, if there was one, does so about as much.
+        // What bore the balls in the last part does so about as much.
         double last = _length > 0 ? RestPart / _length : 0;
         Find(states, Leaning, 0);
-        bool warm = Continue(last);
-        moves = false;
+        Continue(last);
         for (int i = 0; i < _solver.ContactCount; i++)
         {
             _solver.Contacts[i].Gap = 0;
-            moves |= _solver.Contacts[i].Moves;
+            if (_solver.Contacts[i].Moves)
+            {
+                return false;
+            }
         }
 
-        _solver.Solve(RestPart, warm ? RestRounds : ColdRounds, 1e-3 * share * pull, share * pull);
-        double left = _solver.Fastest();
-        return left > share * pull ? left / pull : 0;
+        _solver.Solve(RestPart, RestRounds, 1e-3 * Held * pull, Held * pull);
+        return _solver.Fastest() <= Held * pull;
     }
 
     /// <summary>True when every ball is slow enough to rest, and the contacts hold all of them, one at least on what stands still.</summary>
@@ -332,7 +347,7 @@ internal sealed class BallPile
             logs[_solver.Members[i].Ball].Evaluations++;
         }
 
-        return Unheld(states, Held, out bool moves) == 0 && !moves;
+        return Holds(states);
     }
 
     /// <summary>Finds all contacts within reach.</summary>
