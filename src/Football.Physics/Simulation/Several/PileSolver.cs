@@ -50,6 +50,7 @@ internal sealed class PileSolver
         {
             ref PileContact contact = ref Contacts[i];
             Give(in contact, (contact.Load * contact.Normal) + contact.Rub, in contact.Rub);
+            Twist(ref contact, contact.Twist);
         }
 
         double change = double.PositiveInfinity;
@@ -183,6 +184,18 @@ internal sealed class PileSolver
         Vector3d rubbed = rub - contact.Rub;
         contact.Rub = rub;
         Give(in contact, (pushed * n) + rubbed, in rubbed);
+        if (contact.Second >= 0)
+        {
+            // About the normal: what ends the turning of one against the other, at most b μ J_n.
+            double about = Vector3d.Dot(a.W - Members[contact.Second].W, in n);
+            double twist = contact.Twist - (contact.TwistMass * about);
+            double mostTwist = contact.DrillingLength * most;
+            twist = Math.Max(-mostTwist, Math.Min(twist, mostTwist));
+            double twisted = twist - contact.Twist;
+            contact.Twist = twist;
+            Twist(ref contact, twisted);
+        }
+
         return perMass * Math.Max(Math.Abs(pushed), rubbed.Length);
     }
 
@@ -199,6 +212,18 @@ internal sealed class PileSolver
             ref PileMember b = ref Members[contact.Second];
             b.V -= b.PerMass * impulse;
             b.W -= b.Radius * b.PerInertia * turned;
+        }
+    }
+
+    /// <summary>Turns the balls of a contact against each other about the normal, N m s.</summary>
+    private void Twist(ref PileContact contact, double impulse)
+    {
+        if (contact.Second >= 0)
+        {
+            ref PileMember a = ref Members[contact.First];
+            ref PileMember b = ref Members[contact.Second];
+            a.W += a.PerInertia * impulse * contact.Normal;
+            b.W -= b.PerInertia * impulse * contact.Normal;
         }
     }
 
@@ -329,13 +354,18 @@ internal struct PileContact
     public double NormalMass;
     public double SlipMass;
 
+    /// <summary>1/(1/I₁ + 1/I₂) of two balls, kg m².</summary>
+    public double TwistMass;
+
     /// <summary>μ_s.</summary>
     public double Friction;
 
-    /// <summary>c₀, c₁, c_ω and b of what is no ball.</summary>
+    /// <summary>c₀, c₁ and c_ω of what is no ball.</summary>
     public double RollingFriction;
     public double RollingFrictionBySpeed;
     public double SpinDamping;
+
+    /// <summary>b, m.</summary>
     public double DrillingLength;
 
     /// <summary>J_n, N s.</summary>
@@ -343,6 +373,9 @@ internal struct PileContact
 
     /// <summary>J_t, N s.</summary>
     public Vector3d Rub;
+
+    /// <summary>Of two balls the impulse about n, N m s.</summary>
+    public double Twist;
 
     /// <summary>By how much a round changed both, N s; and the direction that it goes on along.</summary>
     public double LoadChange;
