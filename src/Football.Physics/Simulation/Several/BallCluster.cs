@@ -526,7 +526,7 @@ internal sealed class BallCluster
         BallContact.Gap(in states[i], ball.Radius, in states[j], other.Radius, out Vector3d n, out double rate);
 
         // Gently they press each other, and so do those that meet again and again: solved as one, without a restitution that nobody sees.
-        if (presses || rate > -BallContact.Gentle || Math.Max(_meetings[i], _meetings[j]) >= MostMeetings)
+        if (presses || rate > -BallContact.Gentle || HasHitEnough(i) || HasHitEnough(j))
         {
             _current[i].Untold++;
             Press(states, i, j, time);
@@ -542,6 +542,9 @@ internal sealed class BallCluster
         GoOn(states, j, in second, -n);
         return _stopAt == StopAt.Impact;
     }
+
+    /// <summary>True when a ball has had all impacts that it may have in a step one by one, by itself or with its pile.</summary>
+    private bool HasHitEnough(int i) => _meetings[i] >= MostMeetings || (_pileOf[i] >= 0 && _piles[_pileOf[i]].IsSpent);
 
     /// <summary>What becomes of a ball that was hit: on the ground it keeps its carrier, unless the impulse lifts it; what leans on others is a pile with them.</summary>
     private void GoOn(BallState[] states, int i, in Motion after, in Vector3d n)

@@ -10,6 +10,9 @@ internal sealed class BallPile
     private const double Part = 2e-3;
     private const int MostParts = 16;
 
+    /// <summary>So many parts it has at most that others cut short which hit it.</summary>
+    private const int MostPlans = 24;
+
     /// <summary>Contacts are looked for this much farther, m, than the balls get.</summary>
     private const double Near = 1e-5;
 
@@ -17,8 +20,8 @@ internal sealed class BallPile
     public const double Leaning = 1e-6;
 
     /// <summary>Rounds of the solver: of the first part, which begins from nothing; of the next ones; and where it is asked whether the pile rests.</summary>
-    private const int FirstRounds = 64;
-    private const int NextRounds = 24;
+    private const int FirstRounds = 48;
+    private const int NextRounds = 20;
     private const int RestRounds = 256;
 
     /// <summary>Impulses that change a ball's speed by less than this share of what its forces do in a part are found.</summary>
@@ -35,7 +38,7 @@ internal sealed class BallPile
     private const int MostCorners = 16;
 
     /// <summary>Less than this, m, is no overlap: of balls, and with what stands still.</summary>
-    private const double Overlap = 1e-9;
+    private const double Overlap = 1e-7;
     private const double Closed = 1e-13;
 
     /// <summary>
@@ -59,6 +62,7 @@ internal sealed class BallPile
     private double _length;
     private double _longest;
     private int _bounces;
+    private int _plans;
 
     /// <param name="simulators">The scenes of all balls of the group.</param>
     /// <param name="contact">What two balls are to each other where they bounce.</param>
@@ -76,6 +80,9 @@ internal sealed class BallPile
     /// <summary>A ball of it.</summary>
     public int this[int index] => _solver.Members[index].Ball;
 
+    /// <summary>True when it has been planned so often in the step that a ball which hits it is one of it from then on.</summary>
+    public bool IsSpent => _plans >= MostPlans;
+
     /// <summary>Until when its balls have got, s.</summary>
     public double Time { get; private set; }
 
@@ -88,6 +95,7 @@ internal sealed class BallPile
         _solver.Count = 0;
         _solver.ContactCount = 0;
         _bounces = 0;
+        _plans = 0;
         _length = 0;
         _longest = Math.Max(Part, step / MostParts);
         Time = time;
@@ -156,6 +164,7 @@ internal sealed class BallPile
     {
         // What is left in equal parts.
         double left = end - Time;
+        _plans++;
         double parts = Math.Max(1.0, Math.Ceiling((left / _longest) - 1e-9));
         double h = left / parts;
         double top = 0;

@@ -167,6 +167,12 @@ internal sealed class PileSolver
         // J_n: they go apart at least as fast as the gap allows.
         double rate = Vector3d.Dot(in relative, in n);
         double load = Math.Max(0, contact.Load - ((rate + (contact.Gap / h)) * contact.NormalMass));
+        if (load == 0 && contact.Load == 0 && contact.Rub == Vector3d.Zero)
+        {
+            // Near, and not pressed.
+            return 0;
+        }
+
         double pushed = load - contact.Load;
         contact.Load = load;
 
