@@ -270,6 +270,7 @@ internal sealed class BallPile
             int ball = _solver.Members[i].Ball;
             int bearer = _solver.ContactCount > 0 ? _solver.BearerOf(i) : -1;
             int collider = bearer < 0 ? -1 : _solver.Contacts[bearer].Collider;
+            HoldOnto(i, states);
             if (rests)
             {
                 _simulators[ball].Pile.Rest(ref states[ball], collider, logs[ball]);
@@ -283,6 +284,21 @@ internal sealed class BallPile
         for (int i = 0; rests && i < Count; i++)
         {
             SetKey(i, states);
+        }
+    }
+
+    /// <summary>Puts a ball onto what stands still and bears it: the gap that the part left would be another impact.</summary>
+    private void HoldOnto(int index, BallState[] states)
+    {
+        ref readonly PileMember member = ref _solver.Members[index];
+        World world = _simulators[member.Ball].World;
+        for (int i = member.FirstContact; i < member.FirstContact + member.OwnContacts; i++)
+        {
+            ref readonly PileContact contact = ref _solver.Contacts[i];
+            if (contact.Load > 0 && !contact.Moves)
+            {
+                world.Hold(ref states[member.Ball], world.Colliders[contact.Collider]);
+            }
         }
     }
 
