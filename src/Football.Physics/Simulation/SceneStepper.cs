@@ -102,10 +102,10 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         _contact.Settle(ref s);
     }
 
-    public override void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, bool presses, StepLog log)
+    public override void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, StepLog log)
     {
         var run = new StepRun(0, s.Time, log);
-        _contact.Struck(ref s, in velocity, in spin, in n, presses, ref run);
+        _contact.Struck(ref s, in velocity, in spin, in n, ref run);
     }
 
     public override bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate) =>

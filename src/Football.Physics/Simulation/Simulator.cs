@@ -292,8 +292,8 @@ public sealed class Simulator
     internal void Advance(ref BallState state, double dt, StepLog log) => Take(ref state, dt, log);
 
     /// <inheritdoc cref="Stepper.Struck"/>
-    internal void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, bool presses, StepLog log) =>
-        _stepper.Struck(ref s, in velocity, in spin, in n, presses, log);
+    internal void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, StepLog log) =>
+        _stepper.Struck(ref s, in velocity, in spin, in n, log);
 
     /// <summary>
     /// A hash of what decides a ball's way: the scene's numbers, the answers of what is code at some places, and the settings. Two machines with the same have the same

@@ -23,9 +23,8 @@ internal abstract class Stepper
     /// <param name="velocity">Its velocity by the impact, m/s.</param>
     /// <param name="spin">Its spin by the impact, rad/s.</param>
     /// <param name="n">Normal of the contact, towards the ball.</param>
-    /// <param name="presses">Whether the two press each other, too gently for an impact to be told.</param>
     /// <param name="log">Where events go.</param>
-    public abstract void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, bool presses, StepLog log);
+    public abstract void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, StepLog log);
 
     /// <summary>True when a flight from one place to another can have met nothing that stands still but level ground, however it bent.</summary>
     /// <param name="from">Where it started, m.</param>
