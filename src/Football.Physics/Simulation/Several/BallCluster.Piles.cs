@@ -7,7 +7,7 @@ internal sealed partial class BallCluster
     /// <returns>Whether a ball of one bounced, and that ends the step.</returns>
     private bool PlanPiles(BallState[] states, out double time)
     {
-        for (int k = 0; k < _pileCount; k++)
+        for (int k = 0; k < _piles.Count; k++)
         {
             BallPile pile = _piles[k];
             time = pile.Time;
@@ -34,36 +34,10 @@ internal sealed partial class BallCluster
         return false;
     }
 
-    /// <summary>The pile that comes first to the end of its part; null where all are at the end of the step.</summary>
-    private BallPile? FirstPile()
-    {
-        BallPile? first = null;
-        for (int k = 0; k < _pileCount; k++)
-        {
-            BallPile pile = _piles[k];
-            first = pile.Count > 0 && pile.Time < _end && !(first?.Until <= pile.Until) ? pile : first;
-        }
-
-        return first;
-    }
-
-    private BallPile NewPile(double time)
-    {
-        if (_pileCount == _piles.Length)
-        {
-            Array.Resize(ref _piles, _pileCount + 1);
-            _piles[_pileCount] = new BallPile(_simulators, in _contact, _friction);
-        }
-
-        BallPile pile = _piles[_pileCount++];
-        pile.Clear(time, _step);
-        return pile;
-    }
-
     /// <summary>Takes all balls into a pile that lie on each other.</summary>
     private void TakeAllOf(int root, BallState[] states, BallPile pile, double time)
     {
-        for (int i = root; i < _pileOf.Length; i++)
+        for (int i = root; i < _isIn.Length; i++)
         {
             if (_rests.RootOf(i) == root)
             {
@@ -86,35 +60,26 @@ internal sealed partial class BallCluster
             _begun++;
         }
 
-        if (_pileOf[i] < 0)
+        if (!_piles.Has(i))
         {
             Commit(states, i, time);
-            pile.Add(i, ref states[i]);
+            _piles.Add(i, ref states[i], pile);
             _trials[i].Go(in states[i], Vector3d.Zero, 0);
             _meets.Change(i);
-            _pileOf[i] = Array.IndexOf(_piles, pile);
         }
     }
 
     /// <summary>Two balls press each other: from now on they are of one pile, with all that lie on them.</summary>
     private void Press(BallState[] states, int i, int j, double time)
     {
-        int a = _pileOf[i];
-        int b = _pileOf[j];
-        BallPile pile = a >= 0 ? _piles[a] : b >= 0 ? _piles[b] : NewPile(time);
+        BallPile? mine = _piles.Of(i);
+        BallPile? its = _piles.Of(j);
+        BallPile pile = mine ?? its ?? _piles.Begin(time, _step);
         TakeAllOf(_rests.RootOf(i), states, pile, time);
         TakeAllOf(_rests.RootOf(j), states, pile, time);
-        if (a >= 0 && b >= 0 && a != b)
+        if (mine is not null && its is not null && mine != its)
         {
-            BallPile other = _piles[b];
-            for (int m = 0; m < other.Count; m++)
-            {
-                pile.Add(other[m], ref states[other[m]]);
-                _pileOf[other[m]] = a;
-            }
-
-            other.Clear(time, _step);
-            pile.Sort(states);
+            _piles.Unite(mine, its, states, _step);
         }
     }
 }

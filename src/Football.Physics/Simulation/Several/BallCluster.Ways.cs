@@ -3,26 +3,16 @@ namespace Football.Physics;
 /// <content>Where the balls go, and what happens first there.</content>
 internal sealed partial class BallCluster
 {
-    /// <summary>True when two balls may meet that get so far in the step, m.</summary>
-    public bool MayMeet(int i, double reach, int j, double otherReach)
-    {
-        double most = reach + otherReach + Distance(i, j) + ContactSearch.Touching;
-        return (_before[i].Position - _before[j].Position).LengthSquared <= most * most;
-    }
-
-    private double Distance(int i, int j) => _simulators[i].Scene.Ball.Radius + _simulators[j].Scene.Ball.Radius;
+    /// <inheritdoc cref="BallMeetings.MayMeet"/>
+    public bool MayMeet(int i, double reach, int j, double otherReach) => _meets.MayMeet(_before, i, reach, j, otherReach);
 
     /// <summary>Looks where a ball goes from where it has got to; and who may be in its way that was not before.</summary>
     private void Try(BallState[] states, int i, double end)
     {
-        World world = _simulators[i].World;
-
         // A try pushes what has a mass as the step would: afterwards that is put back.
-        world.ReadMotions(_motionsKept);
-        world.Engine?.KeepPushes();
+        _pushed.Keep();
         _trials[i].Run(_simulators[i], in states[i], Left(in states[i], end), _stopAt);
-        world.Engine?.PutPushesBack();
-        Restore(_motionsKept);
+        _pushed.PutBack();
         Reach(states, i);
     }
 
@@ -47,17 +37,13 @@ internal sealed partial class BallCluster
         }
 
         _reaches[i] = reach;
-        _arePairsOld = true;
+        _meets.Forget();
     }
 
     /// <summary>The first event: two balls meet, or one meets what it pushes, or what ends the step.</summary>
     private Happening FindFirst(double end)
     {
-        if (_arePairsOld)
-        {
-            FindPairs();
-        }
-
+        _meets.Find(_cluster, _clusterCount, _before, _reaches);
         Happening first = Happening.None;
         int pair = 0;
         for (int a = 0; a < _clusterCount; a++)
@@ -66,44 +52,22 @@ internal sealed partial class BallCluster
             for (; pair < _meets.Count && _meets.First(pair) == i; pair++)
             {
                 int j = _meets.Second(pair);
-                if (_pileOf[i] < 0 || _pileOf[i] != _pileOf[j])
+                if (!_piles.AreOne(i, j))
                 {
                     // Not beyond where one of the two halts, or a pile is at the end of its part.
                     double until = Math.Min(Math.Min(KnownUntil(i), KnownUntil(j)), end);
-                    first = Earlier(new Happening(_meets.TimeOf(pair, until, atEnd: until < end), i, j), in first);
+                    first = Happening.Earlier(new Happening(_meets.TimeOf(pair, until, atEnd: until < end), i, j), in first);
                 }
             }
 
-            first = Earlier(new Happening(_trials[i].HaltsAt, i, Happening.NoOther), in first);
+            first = Happening.Earlier(new Happening(_trials[i].HaltsAt, i, Happening.NoOther), in first);
         }
 
         return first;
     }
 
-    /// <summary>The pairs that may meet, in the order of the balls.</summary>
-    private void FindPairs()
-    {
-        _arePairsOld = false;
-        _meets.Clear();
-        for (int a = 0; a < _clusterCount; a++)
-        {
-            int i = _cluster[a];
-            for (int b = 0; b < _clusterCount; b++)
-            {
-                int j = _cluster[b];
-                if (j > i && MayMeet(i, _reaches[i], j, _reaches[j]))
-                {
-                    _meets.Add(i, j);
-                }
-            }
-        }
-    }
-
     /// <summary>Where a ball goes is known until this time, s: to where it halts, or of a pile to the end of its part.</summary>
-    private double KnownUntil(int ball) => _pileOf[ball] < 0 ? _trials[ball].HaltsAt : _piles[_pileOf[ball]].Until;
-
-    /// <summary>The earlier of two events. At one time that which is asked first: that of the ball of the lower number, its meetings with others first, that with the lowest before.</summary>
-    private static Happening Earlier(in Happening next, in Happening first) => next.Time < first.Time ? next : first;
+    private double KnownUntil(int ball) => _piles.Of(ball)?.Until ?? _trials[ball].HaltsAt;
 
     /// <summary>How long a ball goes to a time within the step, s: a whole step is that to the last bit.</summary>
     private double Left(in BallState s, double time) => s.Time == _start && time == _end ? _step : Math.Max(0, time - s.Time);
@@ -135,7 +99,7 @@ internal sealed partial class BallCluster
     private BallState Look(BallState[] states, int i, double time)
     {
         BallState state = states[i];
-        if (_pileOf[i] >= 0)
+        if (_piles.Has(i))
         {
             state.Position = _trials[i].At(time, out Vector3d velocity);
             state.Velocity = velocity;
@@ -150,24 +114,5 @@ internal sealed partial class BallCluster
         }
 
         return state;
-    }
-
-    /// <summary>Something that happens to one ball, or to two.</summary>
-    private readonly struct Happening(double time, int ball, int other)
-    {
-        public readonly double Time = time;
-        public readonly int Ball = ball;
-
-        /// <summary>The other ball, or none.</summary>
-        public readonly int Other = other;
-
-        /// <summary>No other ball.</summary>
-        public const int NoOther = -1;
-
-        /// <summary>Nothing, ever.</summary>
-        public static Happening None => new(double.PositiveInfinity, NoOther, NoOther);
-
-        /// <summary>True when two balls meet.</summary>
-        public bool IsMeeting => Other != NoOther;
     }
 }

@@ -20,15 +20,11 @@ internal sealed partial class BallCluster
     /// <summary>A ball that gets farther than was expected may get by so much farther still.</summary>
     private const double MoreReach = 1.25;
 
-    /// <summary>The number of no pile.</summary>
-    private const int NoPile = -1;
-
     /// <summary>Two balls touch where the gap is less than this, m; and of two times closer than this, s, one is the other.</summary>
     private const double Closed = 1e-13;
 
     private readonly Simulator[] _simulators;
     private readonly ContactMaterial _contact;
-    private readonly double _friction;
     private readonly BallState[] _before;
     private readonly double[] _reaches;
     private readonly StepLog[] _logs;
@@ -37,15 +33,11 @@ internal sealed partial class BallCluster
     private readonly bool[] _isIn;
     private readonly bool[] _again;
     private readonly StepLog _look = new();
-    private readonly RigidMotion[] _motions;
-    private readonly RigidMotion[] _motionsAfter;
-    private readonly RigidMotion[] _motionsKept;
+    private readonly PushedMotions _pushed;
     private readonly BallRests _rests;
     private readonly BallMeetings _meets;
     private readonly int[] _meetings;
-    private readonly int[] _pileOf;
-    private BallPile[] _piles = [];
-    private int _pileCount;
+    private readonly BallPiles _piles;
     private int _clusterCount;
     private int _begun;
     private StepLog[] _current;
@@ -54,7 +46,6 @@ internal sealed partial class BallCluster
     private double _end;
     private StopAt _stopAt;
     private bool _clears;
-    private bool _arePairsOld;
 
     /// <param name="simulators">The scenes of all balls of the group.</param>
     /// <param name="contact">What two balls are to each other.</param>
@@ -67,13 +58,12 @@ internal sealed partial class BallCluster
         int count = simulators.Length;
         _simulators = simulators;
         _contact = contact;
-        _friction = friction;
+        _piles = new BallPiles(simulators, in contact, friction);
         _before = before;
         _reaches = reaches;
         _logs = logs;
         _current = logs;
         _meetings = new int[count];
-        _pileOf = new int[count];
         _trials = new BallTrial[count];
         for (int i = 0; i < count; i++)
         {
@@ -87,10 +77,7 @@ internal sealed partial class BallCluster
         _cluster = new int[count];
         _isIn = new bool[count];
         _again = new bool[count];
-        int movers = simulators[0].World.Movers;
-        _motions = new RigidMotion[movers];
-        _motionsAfter = new RigidMotion[movers];
-        _motionsKept = new RigidMotion[movers];
+        _pushed = new PushedMotions(simulators[0].World);
     }
 
     /// <summary>How many balls are in it.</summary>
@@ -119,7 +106,7 @@ internal sealed partial class BallCluster
         if (!_isIn[ball])
         {
             _isIn[ball] = true;
-            _arePairsOld = true;
+            _meets.Forget();
             _cluster[_clusterCount++] = ball;
         }
     }
@@ -142,11 +129,11 @@ internal sealed partial class BallCluster
         // By number: of what happens at one time the first that is asked for counts.
         Array.Sort(_cluster, 0, _clusterCount);
         _begun = 0;
-        _pileCount = 0;
-        _arePairsOld = true;
+        _piles.Clear();
+        _meets.Forget();
 
         // What they pushed in the first try goes back with them.
-        Restore(motions);
+        _pushed.Restore(motions);
         _simulators[0].World.Engine?.PutPushesBack();
         int impacts = 0;
         int atOnce = 0;
@@ -166,7 +153,7 @@ internal sealed partial class BallCluster
 
             // Up to the first thing that happens every ball goes as if it were alone, and every pile to the end of its part.
             Happening first = FindFirst(end);
-            BallPile? pile = FirstPile();
+            BallPile? pile = _piles.First(end);
             bool spent = impacts >= MostImpacts * _clusterCount;
             if (pile is not null && (spent || !(first.Time <= pile.Until)))
             {
@@ -199,11 +186,11 @@ internal sealed partial class BallCluster
         for (int k = 0; k < _clusterCount; k++)
         {
             int i = _cluster[k];
-            if (_pileOf[i] < 0 && !ended)
+            if (!_piles.Has(i) && !ended)
             {
                 Commit(states, i, end);
             }
-            else if (_pileOf[i] < 0 && states[i].Time < last)
+            else if (!_piles.Has(i) && states[i].Time < last)
             {
                 Commit(states, i, last);
             }
@@ -212,7 +199,7 @@ internal sealed partial class BallCluster
             states[i].ClearUntil = pushed ? 0 : states[i].ClearUntil;
         }
 
-        for (int k = 0; k < _pileCount; k++)
+        for (int k = 0; k < _piles.Count; k++)
         {
             _piles[k].MoveTo(states, ended ? last : end, _current);
             _piles[k].End(states, _current);
@@ -233,12 +220,12 @@ internal sealed partial class BallCluster
         for (int k = from; k < _begun; k++)
         {
             int i = _cluster[k];
-            if (_pileOf[i] < 0 && _rests.IsInPile(i))
+            if (!_piles.Has(i) && _rests.IsInPile(i))
             {
-                BallPile pile = NewPile(_start);
+                BallPile pile = _piles.Begin(_start, _step);
                 TakeAllOf(_rests.RootOf(i), states, pile, _start);
             }
-            else if (_pileOf[i] < 0)
+            else if (!_piles.Has(i))
             {
                 Try(states, i, _end);
             }
@@ -261,16 +248,16 @@ internal sealed partial class BallCluster
         own.HaltsAtPush = false;
         own.Pushes = true;
         _meetings[i] = 0;
-        _pileOf[i] = NoPile;
+        _piles.Leave(i);
     }
 
     /// <summary>Moves a ball on to a time within its way, as its step would have gone; of a pile all balls.</summary>
     private void Commit(BallState[] states, int i, double time)
     {
-        if (_pileOf[i] >= 0)
+        if (_piles.Of(i) is { } pile)
         {
-            _piles[_pileOf[i]].MoveTo(states, time, _current);
-            _piles[_pileOf[i]].Forget();
+            pile.MoveTo(states, time, _current);
+            pile.Forget();
             return;
         }
 
@@ -324,18 +311,18 @@ internal sealed partial class BallCluster
     }
 
     /// <summary>True when a ball has had all impacts that it may have in a step one by one, by itself or with its pile.</summary>
-    private bool HasHitEnough(int i) => _meetings[i] >= MostMeetings || (_pileOf[i] >= 0 && _piles[_pileOf[i]].IsSpent);
+    private bool HasHitEnough(int i) => _meetings[i] >= MostMeetings || _piles.Of(i) is { IsSpent: true };
 
     /// <summary>What becomes of a ball that was hit: on the ground it keeps its carrier, unless the impulse lifts it; what leans on others is a pile with them.</summary>
     private void GoOn(BallState[] states, int i, in Motion after, in Vector3d n)
     {
-        if (_pileOf[i] < 0 && _rests.IsHeld(i))
+        if (!_piles.Has(i) && _rests.IsHeld(i))
         {
-            BallPile pile = NewPile(states[i].Time);
+            BallPile pile = _piles.Begin(states[i].Time, _step);
             TakeAllOf(_rests.RootOf(i), states, pile, pile.Time);
         }
 
-        if (_pileOf[i] >= 0)
+        if (_piles.Has(i))
         {
             states[i].Velocity = after.Velocity;
             states[i].SpinAxis = after.Spin;

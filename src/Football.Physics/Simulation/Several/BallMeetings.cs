@@ -7,6 +7,7 @@ internal sealed class BallMeetings
     private readonly double[] _radii;
     private readonly int[] _changes;
     private Pair[] _pairs = new Pair[16];
+    private bool _isOld = true;
 
     /// <param name="trials">The ways of all balls of the group.</param>
     /// <param name="radii">Their radii, m.</param>
@@ -26,14 +27,48 @@ internal sealed class BallMeetings
     /// <inheritdoc cref="First"/>
     public int Second(int pair) => _pairs[pair].Other;
 
-    /// <summary>Forgets all pairs.</summary>
-    public void Clear() => Count = 0;
+    /// <summary>Others may meet than before.</summary>
+    public void Forget() => _isOld = true;
+
+    /// <summary>True when two balls may meet that get so far in the step, m.</summary>
+    public bool MayMeet(BallState[] before, int ball, double reach, int other, double otherReach)
+    {
+        double most = reach + otherReach + _radii[ball] + _radii[other] + ContactSearch.Touching;
+        return (before[ball].Position - before[other].Position).LengthSquared <= most * most;
+    }
+
+    /// <summary>Finds the pairs that may meet, in the order of the balls, where that may have changed.</summary>
+    /// <param name="balls">The balls of the cluster.</param>
+    /// <param name="count">How many they are.</param>
+    /// <param name="before">All balls before the step.</param>
+    /// <param name="reaches">Not less than how far each gets in it, m.</param>
+    public void Find(int[] balls, int count, BallState[] before, double[] reaches)
+    {
+        if (!_isOld)
+        {
+            return;
+        }
+
+        _isOld = false;
+        Count = 0;
+        for (int a = 0; a < count; a++)
+        {
+            int i = balls[a];
+            for (int b = 0; b < count; b++)
+            {
+                int j = balls[b];
+                if (j > i && MayMeet(before, i, reaches[i], j, reaches[j]))
+                {
+                    Add(i, j);
+                }
+            }
+        }
+    }
 
     /// <summary>A ball goes another way than before.</summary>
     public void Change(int ball) => _changes[ball]++;
 
-    /// <summary>Adds a pair that may meet.</summary>
-    public void Add(int ball, int other)
+    private void Add(int ball, int other)
     {
         if (Count == _pairs.Length)
         {

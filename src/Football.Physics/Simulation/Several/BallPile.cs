@@ -33,35 +33,22 @@ internal sealed partial class BallPile
     /// <summary>Where it is asked whether a pile rests, after so long, s.</summary>
     private const double RestPart = 1e-3;
 
-    /// <summary>Balls are put apart, and out of things, in so many rounds at most; out of corners in so many.</summary>
-    private const int MostRounds = 32;
-    private const int MostCorners = 16;
-
-    /// <summary>Less than this, m, is no overlap: of balls, and with what stands still.</summary>
-    private const double Overlap = 1e-7;
-    private const double Closed = 1e-13;
-
     /// <summary>
     /// b of two balls that lie on each other, m, as long as no more is said: 2/3 of the radius of a patch that bears a few balls' weight at 0.8 bar. Without it a ball
     /// between two others would turn about their contacts for ever.
     /// </summary>
     private const double LeastDrilling = 4e-3;
 
-    /// <summary>Out of what moves a ball is put by no more than this, m/s.</summary>
-    private const double OutOfTheWay = 5.0;
-
-    /// <summary>In a pile nothing bounces that would leave slower than this, m/s, even where the ground lets it.</summary>
-    private const double LeastBounce = 0.05;
-
     private readonly Simulator[] _simulators;
     private readonly ContactMaterial _contact;
     private readonly double _friction;
     private readonly PileSolver _solver = new();
+    private readonly PileBounces _bounces;
+    private readonly PileOverlaps _overlaps;
     private PileContact[] _last = new PileContact[32];
     private int _lastCount;
     private double _length;
     private double _longest;
-    private int _bounces;
     private int _plans;
 
     /// <param name="simulators">The scenes of all balls of the group.</param>
@@ -72,6 +59,8 @@ internal sealed partial class BallPile
         _simulators = simulators;
         _contact = contact;
         _friction = friction;
+        _bounces = new PileBounces(simulators, _solver, in contact);
+        _overlaps = new PileOverlaps(simulators, _solver);
     }
 
     /// <summary>How many balls are in it.</summary>
@@ -94,7 +83,7 @@ internal sealed partial class BallPile
     {
         _solver.Count = 0;
         _solver.ContactCount = 0;
-        _bounces = 0;
+        _bounces.Clear();
         _plans = 0;
         _length = 0;
         _longest = Math.Max(Part, step / MostParts);
@@ -185,7 +174,7 @@ internal sealed partial class BallPile
         }
 
         Find(states, Near + (2.0 * h * (top + pull)), h);
-        bool bounced = Bounce(states, h, logs);
+        bool bounced = _bounces.Bounce(states, h, logs);
         for (int i = 0; i < Count; i++)
         {
             ref PileMember member = ref _solver.Members[i];
@@ -258,7 +247,7 @@ internal sealed partial class BallPile
         }
 
         Time = time;
-        PutApart(states, duration);
+        _overlaps.PutApart(states, duration);
     }
 
     /// <summary>Every ball goes on by itself; or all of them rest.</summary>

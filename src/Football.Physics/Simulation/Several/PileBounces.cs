@@ -1,13 +1,38 @@
 namespace Football.Physics;
 
-/// <content>What bounces in the pile.</content>
-internal sealed partial class BallPile
+/// <summary>Impacts within a pile, between its balls and with all else.</summary>
+internal sealed class PileBounces
 {
+    /// <summary>In a pile nothing bounces that would leave slower than this, m/s, even where the ground lets it.</summary>
+    private const double LeastBounce = 0.05;
+
+    private readonly Simulator[] _simulators;
+    private readonly PileSolver _solver;
+    private readonly ContactMaterial _material;
+    private int _bounces;
+
+    /// <param name="simulators">The scenes of all balls of the group.</param>
+    /// <param name="solver">The pile's balls and contacts.</param>
+    /// <param name="material">What two balls are to each other.</param>
+    public PileBounces(Simulator[] simulators, PileSolver solver, in ContactMaterial material)
+    {
+        _simulators = simulators;
+        _solver = solver;
+        _material = material;
+    }
+
+    /// <summary>Begins a step.</summary>
+    public void Clear() => _bounces = 0;
+
     /// <summary>What closes within the part so fast that it bounces does so now: the first first, one after the other, so that no energy comes from it.</summary>
-    private bool Bounce(BallState[] states, double h, StepLog[] logs)
+    /// <param name="states">The balls.</param>
+    /// <param name="h">Length of the part, s.</param>
+    /// <param name="logs">Where events of each go.</param>
+    /// <returns>Whether anything did.</returns>
+    public bool Bounce(BallState[] states, double h, StepLog[] logs)
     {
         // As many as there are contacts, and eight, at an instant; and in a step so many for each ball.
-        int most = Math.Min(_solver.ContactCount + 8, (8 * Count) - _bounces);
+        int most = Math.Min(_solver.ContactCount + 8, (8 * _solver.Count) - _bounces);
         bool bounced = false;
         for (int done = 0; done < most; done++)
         {
@@ -49,7 +74,7 @@ internal sealed partial class BallPile
         // e u_n, what it would leave with.
         double e = contact.Second < 0
             ? world.Colliders[contact.Collider].MaterialAt(states[a.Ball].Position).LargestRestitutionAt(closing)
-            : _contact.LargestRestitutionAt(closing);
+            : _material.LargestRestitutionAt(closing);
         return e * closing >= least ? contact.Gap / closing : double.PositiveInfinity;
     }
 
@@ -63,7 +88,7 @@ internal sealed partial class BallPile
             int other = _solver.Members[contact.Second].Ball;
             ref BallState its = ref states[other];
             BallContact.Impact(
-                simulator.Scene.Ball, _simulators[other].Scene.Ball, in _contact, in contact.Normal, in s, in its, out Motion first, out Motion second);
+                simulator.Scene.Ball, _simulators[other].Scene.Ball, in _material, in contact.Normal, in s, in its, out Motion first, out Motion second);
             logs[ball].Events.Add(new BallEvent(other, in contact.Normal, s.Time, in s, in first.Velocity, in first.Spin));
             logs[other].Events.Add(new BallEvent(ball, -contact.Normal, s.Time, in its, in second.Velocity, in second.Spin));
             Set(ref s, in first.Velocity, in first.Spin);

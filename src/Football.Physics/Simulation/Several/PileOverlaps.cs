@@ -1,22 +1,37 @@
 namespace Football.Physics;
 
-/// <content>Places of the balls after a part.</content>
-internal sealed partial class BallPile
+/// <summary>Puts the balls of a pile where there is room for them after a part: what stands still is never entered.</summary>
+/// <param name="simulators">The scenes of all balls of the group.</param>
+/// <param name="solver">The pile's balls and contacts.</param>
+internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
 {
+    /// <summary>Balls are put apart, and out of things, in so many rounds at most; out of corners in so many.</summary>
+    private const int MostRounds = 32;
+    private const int MostCorners = 16;
+
+    /// <summary>Less than this, m, is no overlap: of balls, and with what stands still.</summary>
+    private const double Overlap = 1e-7;
+    private const double Closed = 1e-13;
+
+    /// <summary>Out of what moves a ball is put by no more than this, m/s.</summary>
+    private const double OutOfTheWay = 5.0;
+
     /// <summary>Puts balls apart that overlap, each by its share, and then out of what moves, by no more than a distance, and out of what stands still.</summary>
-    private void PutApart(BallState[] states, double duration)
+    /// <param name="states">The balls.</param>
+    /// <param name="duration">How long the part took, s.</param>
+    public void PutApart(BallState[] states, double duration)
     {
         bool moved = true;
         for (int round = 0; round < MostRounds && moved; round++)
         {
             moved = false;
-            for (int i = 0; i < _solver.ContactCount; i++)
+            for (int i = 0; i < solver.ContactCount; i++)
             {
-                ref readonly PileContact contact = ref _solver.Contacts[i];
+                ref readonly PileContact contact = ref solver.Contacts[i];
                 if (contact.Second >= 0)
                 {
-                    ref readonly PileMember a = ref _solver.Members[contact.First];
-                    ref readonly PileMember b = ref _solver.Members[contact.Second];
+                    ref readonly PileMember a = ref solver.Members[contact.First];
+                    ref readonly PileMember b = ref solver.Members[contact.Second];
                     Vector3d apart = states[a.Ball].Position - states[b.Ball].Position;
                     double most = a.Radius + b.Radius;
                     double square = apart.LengthSquared;
@@ -32,9 +47,9 @@ internal sealed partial class BallPile
                 }
             }
 
-            for (int i = 0; i < Count; i++)
+            for (int i = 0; i < solver.Count; i++)
             {
-                moved |= KeepOut(in _solver.Members[i], states, round == 0 ? OutOfTheWay * duration : 0);
+                moved |= KeepOut(in solver.Members[i], states, round == 0 ? OutOfTheWay * duration : 0);
             }
         }
     }
@@ -43,7 +58,7 @@ internal sealed partial class BallPile
     /// <returns>Whether it was in something.</returns>
     private bool KeepOut(in PileMember member, BallState[] states, double outOfTheWay)
     {
-        World world = _simulators[member.Ball].World;
+        World world = simulators[member.Ball].World;
         ref BallState s = ref states[member.Ball];
         bool moved = false;
         bool inside = member.OwnContacts > 0;
@@ -54,12 +69,12 @@ internal sealed partial class BallPile
             {
                 for (int i = member.FirstContact; i < member.FirstContact + member.OwnContacts; i++)
                 {
-                    if (_solver.Contacts[i].Moves != (pass == 0))
+                    if (solver.Contacts[i].Moves != (pass == 0))
                     {
                         continue;
                     }
 
-                    Collider collider = world.Colliders[_solver.Contacts[i].Collider];
+                    Collider collider = world.Colliders[solver.Contacts[i].Collider];
                     ShapePoint at = collider.At(s.Position, s.Time);
                     double over = member.Radius - at.Distance;
                     if (over > Closed && (pass == 1 || round == 0))
