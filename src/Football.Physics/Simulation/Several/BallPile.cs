@@ -268,6 +268,9 @@ internal sealed partial class BallPile
             {
                 _simulators[ball].Pile.Release(ref states[ball], collider, logs[ball]);
             }
+
+            // Onto one thing it may have been put into another.
+            _overlaps.KeepOut(i, states);
         }
 
         for (int i = 0; rests && i < Count; i++)

@@ -7,7 +7,7 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
 {
     /// <summary>Balls are put apart, and out of things, in so many rounds at most; out of corners in so many.</summary>
     private const int MostRounds = 32;
-    private const int MostCorners = 16;
+    private const int MostCorners = 64;
 
     /// <summary>Less than this, m, is no overlap: of balls, and with what stands still.</summary>
     private const double Overlap = 1e-7;
@@ -53,6 +53,9 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
             }
         }
     }
+
+    /// <summary>Puts a ball out of what stands still.</summary>
+    public void KeepOut(int member, BallState[] states) => KeepOut(in solver.Members[member], states, 0);
 
     /// <summary>Puts a ball out of what it overlaps; what stands still comes last, so that it is never entered.</summary>
     /// <returns>Whether it was in something.</returns>
