@@ -70,6 +70,35 @@ public sealed class PileTests
         Assert.True(heap.Rests);
     }
 
+    /// <summary>Walls that lean, a sphere or a box between them, balls of any mass and size: nothing that stands still is entered and nothing gains, in steps of any length.</summary>
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    [InlineData(4)]
+    [InlineData(5)]
+    [InlineData(6)]
+    public void Among_leaning_walls_a_pile_enters_nothing(int seed)
+    {
+        var random = new Random(seed);
+        double Draw(double low, double high) => low + (random.NextDouble() * (high - low));
+        Obstacle Leaning(double x, double z) => Heap.Wall(x, z) with { Shape = new PlaneShape(new Vector3d(x, 0, z), new Vector3d(-x, Draw(-0.1, 0.6) * 0.4, -z)) };
+        IShape between = seed % 2 == 0
+            ? new SphereShape(new Vector3d(Draw(-0.2, 0.2), Draw(-0.1, 0.2), Draw(-0.2, 0.2)), Draw(0.1, 0.2))
+            : new BoxShape(new Vector3d(Draw(-0.2, 0.2), 0.1, Draw(-0.2, 0.2)), new Vector3d(0.1, Draw(0.05, 0.3), 0.12));
+        Scene scene = Scene.Default with
+        {
+            Ground = Heap.Turf,
+            Obstacles = [Leaning(0.4, 0), Leaning(-0.4, 0), Leaning(0, 0.4), Leaning(0, -0.4), new Obstacle { Name = "between", Shape = between, Surface = Heap.Board }],
+        };
+        BallProperties[] kinds = [.. Enumerable.Range(0, 7).Select(_ => new BallProperties { Mass = Draw(0.1, 3), Radius = Draw(0.06, 0.13), InertiaFactor = Draw(0.4, 0.66) })];
+        Heap heap = Heap.Dropped(scene, 14, 0.1, 0.6, 0.32, seed, kinds);
+        heap.Run(new[] { 1 / 60.0, 1 / 120.0, 1 / 30.0, 0.1 }[seed % 4], 5);
+        Assert.InRange(heap.Depth, 0, 1e-7);
+        Assert.InRange(heap.Overlap, 0, 1e-4);
+        Assert.InRange(heap.Gain, double.NegativeInfinity, 1e-5);
+    }
+
     /// <summary>
     /// A pyramid of four: each foot is held by two forces, that of the ball on top and that of the ground, along the line between the two contacts. It makes half of the angle
     /// asin(1/√3) with the normals, so friction of more than tan(17.6°) = 0.318 holds the pyramid whatever resists rolling; with less it spreads.
