@@ -37,8 +37,8 @@ internal sealed unsafe class RestPhase
             return;
         }
 
-        // At the start of a step things have moved, or blow otherwise: the condition is checked again.
-        if (run.Left == run.Length && MayWake)
+        // At the start of a step things have moved, or blow otherwise: the condition is checked again; that of a ball in a pile is the group's to check.
+        if (run.Left == run.Length && MayWake && !BallRests.RestsInPile(in s))
         {
             int evaluations = 0;
             bool holds = IsHeld(ref s, run.Length, ref evaluations);

@@ -63,6 +63,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         var set = new ContactSetPhase<TIntegrator>(around, in _pulled, jump, guard, _contact, _parts);
         _surface = new SurfacePhase<TIntegrator>(scene, settings, around, _pulled, jump, guard, _contact, set);
         _rest = new RestPhase(around, guard, _contact, jump);
+        Pile = new PilePhase(around, guard, _contact);
         _flight = new FlightPhase<TIntegrator>(around, this, Limit, jump, guard, _contact);
     }
 
@@ -71,6 +72,8 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     public override bool MayWake => _rest.MayWake;
 
     public override bool RestsAt(in BallState s) => _rest.Holds(in s);
+
+    public override PilePhase Pile { get; }
 
     /// <summary>Forces on a ball wherever it is.</summary>
     protected Surroundings Around { get; }
@@ -105,10 +108,10 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         _contact.Settle(ref s);
     }
 
-    public override void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, bool presses, StepLog log)
+    public override void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, StepLog log)
     {
         var run = new StepRun(0, s.Time, log);
-        _contact.Struck(ref s, in velocity, in spin, in n, presses, ref run);
+        _contact.Struck(ref s, in velocity, in spin, in n, ref run);
     }
 
     public override bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate) =>

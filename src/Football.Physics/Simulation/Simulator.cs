@@ -235,6 +235,9 @@ public sealed class Simulator
     /// <summary>The centre of a ball that lies on the ground, m: where a ball is put if nobody names a place. At height 0 if there is no ground.</summary>
     internal Vector3d OnGround(double x, double z) => GroundPlace.At(_world, x, z);
 
+    /// <inheritdoc cref="Stepper.Pile"/>
+    internal PilePhase Pile => _stepper.Pile;
+
     /// <inheritdoc cref="Stepper.FliesClear"/>
     internal bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate) =>
         _stepper.FliesClear(in from, in to, duration, airSpeed, spinRate);
@@ -301,8 +304,8 @@ public sealed class Simulator
     internal void Advance(ref BallState state, double dt, StepLog log) => Take(ref state, dt, log);
 
     /// <inheritdoc cref="Stepper.Struck"/>
-    internal void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, bool presses, StepLog log) =>
-        _stepper.Struck(ref s, in velocity, in spin, in n, presses, log);
+    internal void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, StepLog log) =>
+        _stepper.Struck(ref s, in velocity, in spin, in n, log);
 
     /// <summary>
     /// A hash of what decides a ball's way: the scene's numbers, the answers of what is code at some places, and the settings. Two machines with the same have the same

@@ -15,6 +15,9 @@ internal abstract class Stepper
     /// <summary>True when a ball without a motion of its own stays where it is.</summary>
     public abstract bool RestsAt(in BallState s);
 
+    /// <summary>What a ball of a pile does by itself.</summary>
+    public abstract PilePhase Pile { get; }
+
     /// <summary>Advances a state by dt, events and all.</summary>
     public abstract void Step(ref BallState state, double dt, StepLog log);
 
@@ -26,9 +29,8 @@ internal abstract class Stepper
     /// <param name="velocity">Its velocity by the impact, m/s.</param>
     /// <param name="spin">Its spin by the impact, rad/s.</param>
     /// <param name="n">Normal of the contact, towards the ball.</param>
-    /// <param name="presses">Whether the two press each other, too gently for an impact to be told.</param>
     /// <param name="log">Where events go.</param>
-    public abstract void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, bool presses, StepLog log);
+    public abstract void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, StepLog log);
 
     /// <summary>True when a flight from one place to another can have met nothing that stands still but level ground, however it bent.</summary>
     /// <param name="from">Where it started, m.</param>

@@ -412,8 +412,8 @@ internal sealed class WorldContact
         Stay(ref s, (int)s.Carrier, in kept, in spin, ref run);
     }
 
-    /// <summary>Another ball has hit this one: it keeps its carrier unless the impulse lifts it. One that is pressed goes on as it went, but for its speed.</summary>
-    public void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, bool presses, ref StepRun run)
+    /// <summary>Another ball has hit this one: it keeps its carrier unless the impulse lifts it. One that is squeezed goes on as it went, but for its speed.</summary>
+    public void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, ref StepRun run)
     {
         // What was free ahead, and the branch of the drag law, belong to the old velocity.
         s.ClearUntil = 0;
@@ -428,22 +428,14 @@ internal sealed class WorldContact
             return;
         }
 
-        if (!presses && s.Motion != MotionState.Squeezed)
+        if (s.Motion != MotionState.Squeezed)
         {
             KeepCarrier(ref s, in velocity, in spin, Vector3d.Zero, in n, -1, ref run);
             return;
         }
 
-        // Friction holds what rolls, and the pressure is not what lifts a ball off.
-        Collider carrier = _world.CarrierOf(in s);
         s.Velocity = velocity;
-        Vector3d up = _world.Hold(ref s, carrier);
-        s.Motion = s.Motion == MotionState.Stopped ? MotionState.Rolling : s.Motion;
-        if (s.Motion == MotionState.Rolling)
-        {
-            Vector3d surface = _world.SurfaceVelocity(carrier, s.Position, in up, s.Time);
-            s.SetGroundSpin(Slip.RollingSpin(s.Velocity - surface, Vector3d.Dot(s.Spin, in up), in up, _world.Ball.Radius));
-        }
+        _world.Hold(ref s, _world.CarrierOf(in s));
     }
 
     /// <summary>The ball stays on a thing, and is put onto it: it slides, or rolls.</summary>

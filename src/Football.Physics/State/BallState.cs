@@ -81,7 +81,7 @@ public struct BallState : IFormattable
     /// <summary>Until this time, s, the flight was found to meet nothing but level ground; 0 where that is not known.</summary>
     internal double ClearUntil;
 
-    /// <summary>A key of the scene for which that was found.</summary>
+    /// <summary>A key of the scene for which that was found, which is odd; of a ball that rests in a pile, a key of the balls that it touches, which is even.</summary>
     internal ulong ClearIn;
 
     /// <summary>Distance flown through the air since the kick, m, where a knuckle force depends on it; else 0.</summary>

@@ -219,7 +219,7 @@ public sealed class WorldContactTests
         s.ClearUntil = 5;
         s.SqueezeSpeed = 1;
         var log = new StepLog();
-        table.Simulator.Struck(ref s, new Vector3d(4, up, 0), new Vector3d(1, 2, 3), new Vector3d(1, 0, 0), false, log);
+        table.Simulator.Struck(ref s, new Vector3d(4, up, 0), new Vector3d(1, 2, 3), new Vector3d(1, 0, 0), log);
         Assert.Equal(motion, s.Motion);
         Assert.InRange((s.Velocity - new Vector3d(4, left, 0)).Length, 0, 1e-6);
         Assert.InRange((s.Spin - new Vector3d(1, 2, 3)).Length, 0, 1e-12);
@@ -227,34 +227,49 @@ public sealed class WorldContactTests
         Assert.Equal(new Vector3d(4, up, 0).Length, s.SqueezeSpeed, 1e-14);
         Assert.Equal(up >= Slowest ? BallEventKind.Leave : up < -0.1 ? BallEventKind.Impact : BallEventKind.Slide, log.Events[0].Kind);
         s.SqueezeSpeed = 100;
-        table.Simulator.Struck(ref s, new Vector3d(4, up, 0), default, new Vector3d(1, 0, 0), false, log);
+        table.Simulator.Struck(ref s, new Vector3d(4, up, 0), default, new Vector3d(1, 0, 0), log);
         Assert.Equal(100, s.SqueezeSpeed);
     }
 
+    /// <summary>Squeezed it stays squeezed, at the speed of the impact, on what carries it.</summary>
     [Fact]
-    public void Pressed_by_another_ball_it_goes_on_as_it_went()
+    public void Struck_while_it_is_squeezed_it_stays_squeezed()
     {
         var table = new Asked(Still);
         var log = new StepLog();
-        foreach ((MotionState before, MotionState after) in new[]
-                 {
-                     (MotionState.Stopped, MotionState.Rolling), (MotionState.Rolling, MotionState.Rolling), (MotionState.Sliding, MotionState.Sliding), (MotionState.Airborne, MotionState.Airborne),
-                 })
-        {
-            BallState s = table.Simulator.Launch(new Vector3d(0, Radius, 0), default, default);
-            s.Motion = before;
-            s.Position = new Vector3d(0, Radius + 0.01, 0);
-            s.SetGroundSpin(new Vector3d(0, 5, 0));
-            table.Simulator.Struck(ref s, new Vector3d(1, 0.5, 2), new Vector3d(9, 9, 9), new Vector3d(1, 0, 0), true, log);
-            Assert.Equal(after, s.Motion);
-            bool flies = before == MotionState.Airborne;
-            Assert.Equal(flies ? Radius + 0.01 : Radius, s.Position.Y, 1e-14);
-            Vector3d spin = flies ? new Vector3d(9, 9, 9) : after == MotionState.Rolling ? new Vector3d(2 / Radius, 5, -1 / Radius) : new Vector3d(0, 5, 0);
-            Assert.InRange((s.Spin - spin).Length, 0, 1e-12);
-            Assert.Equal((1, 2), (s.Velocity.X, s.Velocity.Z));
-        }
-
+        BallState s = table.Simulator.Launch(new Vector3d(0, Radius, 0), default, default);
+        s.Motion = MotionState.Squeezed;
+        s.Position = new Vector3d(0, Radius + 0.01, 0);
+        s.SetGroundSpin(new Vector3d(0, 5, 0));
+        table.Simulator.Struck(ref s, new Vector3d(1, 0.5, 2), new Vector3d(9, 9, 9), new Vector3d(1, 0, 0), log);
+        Assert.Equal((MotionState.Squeezed, Radius, new Vector3d(1, 0, 2), new Vector3d(0, 5, 0)), (s.Motion, s.Position.Y, s.Velocity, s.Spin));
         Assert.Equal(0, log.Events.Count);
+    }
+
+    /// <summary>Let go by a pile, it goes on by what bears it: told where that is another motion and it is not next to rest.</summary>
+    [Theory]
+    [InlineData(MotionState.Rolling, 1.0, 0.0, true, MotionState.Rolling, null)]
+    [InlineData(MotionState.Rolling, 1.0, 0.5, true, MotionState.Sliding, BallEventKind.Slide)]
+    [InlineData(MotionState.Sliding, 1.0, 0.0, true, MotionState.Rolling, BallEventKind.Roll)]
+    [InlineData(MotionState.Sliding, 0.04, 0.0, true, MotionState.Rolling, null)]
+    [InlineData(MotionState.Rolling, 1.0, 0.0, false, MotionState.Airborne, BallEventKind.Leave)]
+    [InlineData(MotionState.Rolling, 0.04, 0.0, false, MotionState.Airborne, null)]
+    [InlineData(MotionState.Airborne, 1.0, 0.0, false, MotionState.Airborne, null)]
+    [InlineData(MotionState.Squeezed, 1.0, 0.0, false, MotionState.Airborne, BallEventKind.Squeezed)]
+    public void A_pile_lets_a_ball_go(MotionState before, double speed, double slip, bool borne, MotionState after, BallEventKind? told)
+    {
+        var table = new Asked(Still);
+        var log = new StepLog();
+        BallState s = table.Simulator.Launch(new Vector3d(0, Radius, 0), new Vector3d(speed, 0, 0), default);
+        s.Motion = before;
+        s.ClearUntil = 5;
+        s.SetGroundSpin(new Vector3d(0, 3, -(speed + slip) / Radius));
+        table.Simulator.Pile.Release(ref s, borne ? 0 : -1, log);
+        Assert.Equal((after, 0.0, 0L), (s.Motion, s.ClearUntil, s.Carrier));
+        Assert.InRange((s.Spin - new Vector3d(0, 3, -(speed + slip) / Radius)).Length, 0, 1e-12);
+        Assert.Equal(told is { } kind ? [kind] : [], log.Events.Span.ToArray().Select(item => item.Kind));
+        Simulator simulator = table.Simulator;
+        simulator.Validate(in s);
     }
 
     /// <summary>Along the ground up a steep wall, too slowly to bounce: neither off the ground nor into the wall.</summary>

@@ -1,25 +1,30 @@
 namespace Football.Physics;
 
 /// <summary>Balls that may meet in a step, played again from before it: always the first that happens among them, to the last bit by the balls' own steps.</summary>
-internal sealed class BallCluster
+internal sealed partial class BallCluster
 {
     /// <summary>More impacts than this, and one for each pair, at one instant: the rest of it is without restitution.</summary>
     private const int MostAtOnce = 8;
 
-    /// <summary>Balls that press each other are looked at again after so long, s.</summary>
-    private const double Press = 1e-3;
+    /// <summary>So many impacts with others a ball may have in a step one by one; after them it is one of a pile.</summary>
+    private const int MostMeetings = 16;
 
-    /// <summary>So many impacts of a step are played one by one; after them the rest of it is played as if there were no other ball.</summary>
-    private const int MostImpacts = 4096;
+    /// <summary>So often balls push something, or meet another, in a step, for each of them; the rest of it is played as if there were no other ball.</summary>
+    private const int MostImpacts = 256;
+
+    /// <summary>The time of a meeting is looked for so near where the paths tell it, s.</summary>
+    private const double Nearby = 1e-3;
 
     private const int MostNewton = 12;
+
+    /// <summary>A ball that gets farther than was expected may get by so much farther still.</summary>
+    private const double MoreReach = 1.25;
 
     /// <summary>Two balls touch where the gap is less than this, m; and of two times closer than this, s, one is the other.</summary>
     private const double Closed = 1e-13;
 
     private readonly Simulator[] _simulators;
     private readonly ContactMaterial _contact;
-    private readonly double _friction;
     private readonly BallState[] _before;
     private readonly double[] _reaches;
     private readonly StepLog[] _logs;
@@ -28,15 +33,19 @@ internal sealed class BallCluster
     private readonly bool[] _isIn;
     private readonly bool[] _again;
     private readonly StepLog _look = new();
-    private readonly RigidMotion[] _motions;
-    private readonly RigidMotion[] _motionsAfter;
-    private readonly RigidMotion[] _motionsKept;
-    private Pressing[] _presses = new Pressing[8];
-    private int _pressCount;
+    private readonly PushedMotions _pushed;
+    private readonly BallRests _rests;
+    private readonly BallMeetings _meets;
+    private readonly int[] _meetings;
+    private readonly BallPiles _piles;
     private int _clusterCount;
+    private int _begun;
+    private StepLog[] _current;
     private double _start;
     private double _step;
     private double _end;
+    private StopAt _stopAt;
+    private bool _clears;
 
     /// <param name="simulators">The scenes of all balls of the group.</param>
     /// <param name="contact">What two balls are to each other.</param>
@@ -49,23 +58,26 @@ internal sealed class BallCluster
         int count = simulators.Length;
         _simulators = simulators;
         _contact = contact;
-        _friction = friction;
+        _piles = new BallPiles(simulators, in contact, friction);
         _before = before;
         _reaches = reaches;
         _logs = logs;
+        _current = logs;
+        _meetings = new int[count];
         _trials = new BallTrial[count];
         for (int i = 0; i < count; i++)
         {
             _trials[i] = new BallTrial();
         }
 
+        double[] radii = [.. simulators.Select(simulator => simulator.Scene.Ball.Radius)];
+        _rests = new BallRests(radii);
+        _meets = new BallMeetings(_trials, radii);
+
         _cluster = new int[count];
         _isIn = new bool[count];
         _again = new bool[count];
-        int movers = simulators[0].World.Movers;
-        _motions = new RigidMotion[movers];
-        _motionsAfter = new RigidMotion[movers];
-        _motionsKept = new RigidMotion[movers];
+        _pushed = new PushedMotions(simulators[0].World);
     }
 
     /// <summary>How many balls are in it.</summary>
@@ -88,24 +100,19 @@ internal sealed class BallCluster
         _clusterCount = 0;
     }
 
-    /// <summary>True when two balls may meet that get so far in the step, m.</summary>
-    public bool MayMeet(int i, double reach, int j, double otherReach)
-    {
-        double most = reach + otherReach + Distance(i, j) + ContactSearch.Touching;
-        return (_before[i].Position - _before[j].Position).LengthSquared <= most * most;
-    }
-
-    private double Distance(int i, int j) => _simulators[i].Scene.Ball.Radius + _simulators[j].Scene.Ball.Radius;
-
     /// <summary>Takes a ball in.</summary>
     public void Join(int ball)
     {
         if (!_isIn[ball])
         {
             _isIn[ball] = true;
+            _meets.Forget();
             _cluster[_clusterCount++] = ball;
         }
     }
+
+    /// <summary>Which balls lie on each other before the step.</summary>
+    public BallRests Rests => _rests;
 
     /// <summary>Plays the balls of a cluster again from before the step: always the first that happens, then all whose way that changes anew.</summary>
     /// <returns>Whether an event ended the step.</returns>
@@ -114,16 +121,20 @@ internal sealed class BallCluster
         _start = _before[0].Time;
         _step = dt;
         _end = _start + dt;
+        _stopAt = stopAt;
+        _current = watched ?? _logs;
+        _clears = watched is null;
         double end = _end;
 
         // By number: of what happens at one time the first that is asked for counts.
         Array.Sort(_cluster, 0, _clusterCount);
-        _pressCount = 0;
+        _begun = 0;
+        _piles.Clear();
+        _meets.Forget();
 
         // What they pushed in the first try goes back with them.
-        Restore(motions);
+        _pushed.Restore(motions);
         _simulators[0].World.Engine?.PutPushesBack();
-        int begun = 0;
         int impacts = 0;
         int atOnce = 0;
         double last = double.NegativeInfinity;
@@ -132,15 +143,25 @@ internal sealed class BallCluster
         while (!ended)
         {
             // A ball that joins later begins at the step's start, as it was there.
-            for (; begun < _clusterCount; begun++)
+            BeginNew(states);
+            if (PlanPiles(states, out double planned))
             {
-                Begin(states, _cluster[begun], watched);
-                Try(states, _cluster[begun], end, stopAt);
+                last = planned;
+                ended = true;
+                break;
             }
 
-            // Up to the first thing that happens every ball goes as if it were alone.
+            // Up to the first thing that happens every ball goes as if it were alone, and every pile to the end of its part.
             Happening first = FindFirst(end);
-            if (!(first.Time <= end) || impacts >= MostImpacts)
+            BallPile? pile = _piles.First(end);
+            bool spent = impacts >= MostImpacts * _clusterCount;
+            if (pile is not null && (spent || !(first.Time <= pile.Until)))
+            {
+                pile.MoveTo(states, pile.Until, _current);
+                continue;
+            }
+
+            if (spent || !(first.Time <= end))
             {
                 break;
             }
@@ -152,13 +173,11 @@ internal sealed class BallCluster
             {
                 // As many impacts at one instant as contacts and some more, as in a pile: the rest of it without restitution.
                 bool presses = atOnce > MostAtOnce + (_clusterCount * (_clusterCount - 1) / 2);
-                ended = Collide(states, in first, presses, stopAt, watched);
-                Try(states, first.Ball, end, stopAt);
-                Try(states, first.Other, end, stopAt);
+                ended = Collide(states, in first, presses);
             }
             else
             {
-                ended = Push(states, in first, end, stopAt, watched);
+                ended = Push(states, in first, end);
                 pushed = true;
             }
         }
@@ -167,28 +186,58 @@ internal sealed class BallCluster
         for (int k = 0; k < _clusterCount; k++)
         {
             int i = _cluster[k];
-            if (!ended)
+            if (!_piles.Has(i) && !ended)
             {
-                Commit(states, i, end, watched);
+                Commit(states, i, end);
             }
-            else if (states[i].Time < last)
+            else if (!_piles.Has(i) && states[i].Time < last)
             {
-                Commit(states, i, last, watched);
+                Commit(states, i, last);
             }
 
             // What was free ahead of any ball was so before something was pushed.
             states[i].ClearUntil = pushed ? 0 : states[i].ClearUntil;
         }
 
+        for (int k = 0; k < _piles.Count; k++)
+        {
+            _piles[k].MoveTo(states, ended ? last : end, _current);
+            _piles[k].End(states, _current);
+        }
+
         return ended;
     }
 
+    /// <summary>Puts balls that are new in the cluster back to where they were before the step, those that lie on each other into piles, and looks where the others go.</summary>
+    private void BeginNew(BallState[] states)
+    {
+        int from = _begun;
+        for (; _begun < _clusterCount; _begun++)
+        {
+            Begin(states, _cluster[_begun]);
+        }
+
+        for (int k = from; k < _begun; k++)
+        {
+            int i = _cluster[k];
+            if (!_piles.Has(i) && _rests.IsInPile(i))
+            {
+                BallPile pile = _piles.Begin(_start, _step);
+                TakeAllOf(_rests.RootOf(i), states, pile, _start);
+            }
+            else if (!_piles.Has(i))
+            {
+                Try(states, i, _end);
+            }
+        }
+    }
+
     /// <summary>Puts a ball back to where it was before the step.</summary>
-    private void Begin(BallState[] states, int i, StepLog[]? watched)
+    private void Begin(BallState[] states, int i)
     {
         states[i] = _before[i];
-        StepLog own = LogOf(i, watched);
-        if (watched is null)
+        StepLog own = _current[i];
+        if (_clears)
         {
             own.Clear();
         }
@@ -198,80 +247,30 @@ internal sealed class BallCluster
         own.Halted = false;
         own.HaltsAtPush = false;
         own.Pushes = true;
+        _meetings[i] = 0;
+        _piles.Leave(i);
     }
 
-    private StepLog LogOf(int i, StepLog[]? watched) => watched is null ? _logs[i] : watched[i];
-
-    /// <summary>Looks where a ball goes from where it has got to; and who may be in its way that was not before.</summary>
-    private void Try(BallState[] states, int i, double end, StopAt stopAt)
+    /// <summary>Moves a ball on to a time within its way, as its step would have gone; of a pile all balls.</summary>
+    private void Commit(BallState[] states, int i, double time)
     {
-        World world = _simulators[i].World;
-
-        // A try pushes what has a mass as the step would: afterwards that is put back.
-        world.ReadMotions(_motionsKept);
-        world.Engine?.KeepPushes();
-        _trials[i].Run(_simulators[i], in states[i], Left(in states[i], end), stopAt);
-        world.Engine?.PutPushesBack();
-        Restore(_motionsKept);
-
-        // Struck, it may get farther than was expected of it, and meet balls that were no neighbours.
-        double reach = (states[i].Position - _before[i].Position).Length + _trials[i].Reach;
-        for (int k = 0; reach > _reaches[i] && k < _isIn.Length; k++)
+        if (_piles.Of(i) is { } pile)
         {
-            if (!_isIn[k] && MayMeet(i, reach, k, _reaches[k]))
-            {
-                Join(k);
-            }
+            pile.MoveTo(states, time, _current);
+            pile.Forget();
+            return;
         }
 
-        _reaches[i] = Math.Max(_reaches[i], reach);
-    }
-
-    /// <summary>The first event: two balls meet, or one meets what it pushes, or what ends the step.</summary>
-    private Happening FindFirst(double end)
-    {
-        Happening first = Happening.None;
-        for (int a = 0; a < _clusterCount; a++)
-        {
-            int i = _cluster[a];
-            for (int b = 0; b < _clusterCount; b++)
-            {
-                int j = _cluster[b];
-                if (j > i && MayMeet(i, _reaches[i], j, _reaches[j]))
-                {
-                    // Not beyond what was found first so far, nor beyond where one of the two halts.
-                    double until = Math.Min(Math.Min(end, first.Time), Math.Min(_trials[i].HaltsAt, _trials[j].HaltsAt));
-                    double from = Math.Max(Math.Max(_trials[i].From, _trials[j].From), PressedUntil(i, j));
-                    double time = _trials[i].Meets(_trials[j], Distance(i, j), from, until, atEnd: until < end);
-                    first = Earlier(new Happening(time, i, j), in first);
-                }
-            }
-
-            first = Earlier(new Happening(_trials[i].HaltsAt, i, Happening.NoOther), in first);
-        }
-
-        return first;
-    }
-
-    /// <summary>The earlier of two events. At one time that which is asked first: that of the ball of the lower number, its meetings with others first, that with the lowest before.</summary>
-    private static Happening Earlier(in Happening next, in Happening first) => next.Time < first.Time ? next : first;
-
-    /// <summary>How long a ball goes to a time within the step, s: a whole step is that to the last bit.</summary>
-    private double Left(in BallState s, double time) => s.Time == _start && time == _end ? _step : Math.Max(0, time - s.Time);
-
-    /// <summary>Moves a ball on to a time within its way, as its step would have gone.</summary>
-    private void Commit(BallState[] states, int i, double time, StepLog[]? watched)
-    {
         ref BallState s = ref states[i];
         double left = Left(in s, time);
+        StepLog own = _current[i];
         if (left > 0)
         {
-            StepLog own = LogOf(i, watched);
             _simulators[i].Advance(ref s, left, own);
         }
 
         // A path whose memory is full ends a step early, not the ball.
-        for (StepLog own = LogOf(i, watched); own.Halted && s.Time < time;)
+        while (own.Halted && s.Time < time)
         {
             own.Halted = false;
             _simulators[i].Advance(ref s, Left(in s, time), own);
@@ -280,223 +279,57 @@ internal sealed class BallCluster
         s.Time = time;
     }
 
-    /// <summary>Two balls meet: both go there, to the last bit by their own steps, and both get the impulse.</summary>
+    /// <summary>Two balls meet: both go there, to the last bit by their own steps, and both get the impulse; or they press each other from then on.</summary>
     /// <returns>Whether that ends the step.</returns>
-    private bool Collide(BallState[] states, in Happening met, bool presses, StopAt stopAt, StepLog[]? watched)
+    private bool Collide(BallState[] states, in Happening met, bool presses)
     {
         int i = met.Ball;
         int j = met.Other;
         double time = Locate(states, in met);
-        Commit(states, i, time, watched);
-        Commit(states, j, time, watched);
+        Commit(states, i, time);
+        Commit(states, j, time);
         BallProperties ball = _simulators[i].Scene.Ball;
         BallProperties other = _simulators[j].Scene.Ball;
-        double gap = BallContact.Gap(in states[i], ball.Radius, in states[j], other.Radius, out Vector3d n, out double rate);
+        BallContact.Gap(in states[i], ball.Radius, in states[j], other.Radius, out Vector3d n, out double rate);
 
-        // Gently they press each other: no restitution, friction alone, and apart again after a while.
-        presses |= rate > -BallContact.Gentle;
-        ContactMaterial material = presses ? new ContactMaterial(0, 0, _friction) : _contact;
-        BallContact.Impact(ball, other, in material, in n, in states[i], in states[j], out Motion first, out Motion second);
-        StepLog own = LogOf(i, watched);
-        StepLog its = LogOf(j, watched);
-        if (presses)
+        // Gently they press each other, and so do those that meet again and again: solved as one, without a restitution that nobody sees.
+        if (presses || rate > -BallContact.Gentle || HasHitEnough(i) || HasHitEnough(j))
         {
-            own.Untold++;
-            SetPressed(i, j, time);
-
-            // What overlaps is put apart, each by its share.
-            double over = Math.Max(0, -gap) / (ball.Mass + other.Mass);
-            states[i].Position += other.Mass * over * n;
-            states[j].Position -= ball.Mass * over * n;
-        }
-        else
-        {
-            own.Events.Add(new BallEvent(j, in n, time, in states[i], in first.Velocity, in first.Spin));
-            its.Events.Add(new BallEvent(i, -n, time, in states[j], in second.Velocity, in second.Spin));
+            _current[i].Untold++;
+            Press(states, i, j, time);
+            return false;
         }
 
-        // What becomes of each: on the ground it keeps its carrier, unless the impulse lifts it.
-        _simulators[i].Struck(ref states[i], in first.Velocity, in first.Spin, in n, presses, own);
-        _simulators[j].Struck(ref states[j], in second.Velocity, in second.Spin, -n, presses, its);
-        return stopAt == StopAt.Impact && !presses;
+        _meetings[i]++;
+        _meetings[j]++;
+        BallContact.Impact(ball, other, in _contact, in n, in states[i], in states[j], out Motion first, out Motion second);
+        _current[i].Events.Add(new BallEvent(j, in n, time, in states[i], in first.Velocity, in first.Spin));
+        _current[j].Events.Add(new BallEvent(i, -n, time, in states[j], in second.Velocity, in second.Spin));
+        GoOn(states, i, in first, in n);
+        GoOn(states, j, in second, -n);
+        return _stopAt == StopAt.Impact;
     }
 
-    /// <summary>When two balls touch by their own steps: Newton's method from what their dense paths say.</summary>
-    private double Locate(BallState[] states, in Happening met)
+    /// <summary>True when a ball has had all impacts that it may have in a step one by one, by itself or with its pile.</summary>
+    private bool HasHitEnough(int i) => _meetings[i] >= MostMeetings || _piles.Of(i) is { IsSpent: true };
+
+    /// <summary>What becomes of a ball that was hit: on the ground it keeps its carrier, unless the impulse lifts it; what leans on others is a pile with them.</summary>
+    private void GoOn(BallState[] states, int i, in Motion after, in Vector3d n)
     {
-        double from = Math.Max(Math.Max(states[met.Ball].Time, states[met.Other].Time), PressedUntil(met.Ball, met.Other));
-        double time = Math.Max(from, met.Time);
-        for (int k = 0; k < MostNewton; k++)
+        if (!_piles.Has(i) && _rests.IsHeld(i))
         {
-            BallState a = Look(states, met.Ball, time);
-            BallState b = Look(states, met.Other, time);
-
-            // Newton on the gap of the two steps, t − f/f', not before both balls are there.
-            double gap = BallContact.Gap(in a, _simulators[met.Ball].Scene.Ball.Radius, in b, _simulators[met.Other].Scene.Ball.Radius, out _, out double rate);
-            double next = rate < 0 ? Math.Max(from, time - (gap / rate)) : time;
-            if (Math.Abs(gap) <= Closed || next == time || Math.Abs(next - met.Time) > Press)
-            {
-                break;
-            }
-
-            time = next;
+            BallPile pile = _piles.Begin(states[i].Time, _step);
+            TakeAllOf(_rests.RootOf(i), states, pile, pile.Time);
         }
 
-        return time;
-    }
-
-    private BallState Look(BallState[] states, int i, double time)
-    {
-        BallState state = states[i];
-        _look.Clear();
-        _look.Pushes = false;
-        if (time > state.Time)
+        if (_piles.Has(i))
         {
-            _simulators[i].Advance(ref state, Left(in state, time), _look);
+            states[i].Velocity = after.Velocity;
+            states[i].SpinAxis = after.Spin;
+            return;
         }
 
-        return state;
-    }
-
-    /// <summary>A ball meets what it pushes, or what ends the step: all that may meet that too go there first.</summary>
-    /// <returns>Whether it ends the step.</returns>
-    private bool Push(BallState[] states, in Happening met, double end, StopAt stopAt, StepLog[]? watched)
-    {
-        World world = _simulators[0].World;
-
-        // The ball goes up to what it pushes, which then moves differently.
-        world.ReadMotions(_motions);
-        StepLog own = LogOf(met.Ball, watched);
-        own.HaltsAtPush = true;
-        own.StopAt = stopAt;
-        _simulators[met.Ball].Advance(ref states[met.Ball], Left(in states[met.Ball], end), own);
-        own.HaltsAtPush = false;
-        own.StopAt = StopAt.Time;
-        own.Halted = false;
-        if (stopAt == StopAt.Impact)
-        {
-            return true;
-        }
-
-        // Who may find it elsewhere goes to that time while it is where it was, and looks again.
-        world.ReadMotions(_motionsAfter);
-        Restore(_motions);
-        for (int k = 0; k < _clusterCount; k++)
-        {
-            int i = _cluster[k];
-            if (i != met.Ball && FindsElsewhere(i, in states[i], met.Time, end))
-            {
-                Commit(states, i, Math.Max(states[i].Time, met.Time), watched);
-                states[i].ClearUntil = 0;
-                _again[i] = true;
-            }
-        }
-
-        Restore(_motionsAfter);
-        _again[met.Ball] = true;
-        for (int k = 0; k < _clusterCount; k++)
-        {
-            int i = _cluster[k];
-            if (_again[i])
-            {
-                _again[i] = false;
-                Try(states, i, end, stopAt);
-            }
-        }
-
-        return false;
-    }
-
-    /// <summary>True when a ball may come to a place, in the rest of a step, where something is that was pushed, or would have been.</summary>
-    private bool FindsElsewhere(int ball, in BallState s, double time, double end)
-    {
-        World world = _simulators[0].World;
-        if (world.Engine is not null)
-        {
-            return true;
-        }
-
-        double reach = _trials[ball].Reach + _simulators[ball].Scene.Ball.Radius;
-        for (int m = 0; m < _motions.Length; m++)
-        {
-            if (_motions[m].Velocity != _motionsAfter[m].Velocity)
-            {
-                // All that it sweeps until the end, pushed and not pushed.
-                Bounds3d box = world.BoundsOfMover(m, time, end - time);
-                box = box.With(box.Moved((end - time) * _motions[m].Velocity)).With(box.Moved((end - time) * _motionsAfter[m].Velocity));
-                if (box.Grown(reach).Touches(new Bounds3d(s.Position, s.Position)))
-                {
-                    return true;
-                }
-            }
-        }
-
-        return false;
-    }
-
-    private void Restore(RigidMotion[] motions)
-    {
-        if (motions.Length > 0)
-        {
-            _simulators[0].World.WriteMotions(motions);
-        }
-    }
-
-    private double PressedUntil(int i, int j)
-    {
-        for (int k = 0; k < _pressCount; k++)
-        {
-            if (_presses[k].Ball == i && _presses[k].Other == j)
-            {
-                return _presses[k].Until;
-            }
-        }
-
-        return double.NegativeInfinity;
-    }
-
-    private void SetPressed(int i, int j, double time)
-    {
-        int k = 0;
-        while (k < _pressCount && !(_presses[k].Ball == i && _presses[k].Other == j))
-        {
-            k++;
-        }
-
-        if (k == _presses.Length)
-        {
-            Array.Resize(ref _presses, 2 * k);
-        }
-
-        _presses[k] = new Pressing(i, j, time + Press);
-        _pressCount = Math.Max(_pressCount, k + 1);
-    }
-
-    /// <summary>Something that happens to one ball, or to two.</summary>
-    private readonly struct Happening(double time, int ball, int other)
-    {
-        public readonly double Time = time;
-        public readonly int Ball = ball;
-
-        /// <summary>The other ball, or none.</summary>
-        public readonly int Other = other;
-
-        /// <summary>No other ball.</summary>
-        public const int NoOther = -1;
-
-        /// <summary>Nothing, ever.</summary>
-        public static Happening None => new(double.PositiveInfinity, NoOther, NoOther);
-
-        /// <summary>True when two balls meet.</summary>
-        public bool IsMeeting => Other != NoOther;
-    }
-
-    private readonly struct Pressing(int ball, int other, double until)
-    {
-        public readonly int Ball = ball;
-        public readonly int Other = other;
-
-        /// <summary>Until then, s, they are not looked at.</summary>
-        public readonly double Until = until;
+        _simulators[i].Struck(ref states[i], in after.Velocity, in after.Spin, in n, _current[i]);
+        Try(states, i, _end);
     }
 }

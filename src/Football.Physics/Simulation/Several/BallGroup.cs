@@ -5,13 +5,16 @@ namespace Football.Physics;
 /// Balls far from one another cost a step each, and a comparison. A group keeps what it has found of them between steps, so it is for one thread; groups that share a
 /// <see cref="Simulator"/> may step at the same time where that may be shared. What a ball does depends on the others only where they meet: the bits are the same in any group, and in
 /// any order, but for impacts at exactly one time: of those the ball of the lower number has its first. A group of one costs what its ball does.
-/// Two balls that come together slower than 1 cm/s press each other without a bounce, and are put apart once a millisecond; what a ball presses for longer it presses as if
-/// nothing moved that.
+/// Two balls that come together slower than 1 cm/s press each other without a bounce: they are a pile, whose balls are solved as one in parts of 2 ms, at most 16 a step, and come to
+/// rest together. A ball of a resting pile keeps in its state what it touches, and moves when that is taken away. Against a pile what has a mass stands firm.
 /// </remarks>
-public sealed class BallGroup
+public sealed partial class BallGroup
 {
     /// <summary>So many events a ball are kept of a step without playing it again.</summary>
     private const int EventsOfBall = 16;
+
+    /// <summary>A ball of a pile may fall, m/s².</summary>
+    private const double Fall = 10;
 
     private readonly Simulator[] _simulators;
     private readonly bool _givesWay;
@@ -196,7 +199,8 @@ public sealed class BallGroup
         Array.Copy(states, _before, Count);
         try
         {
-            // 1. Every ball as if there were no other. 2. The neighbours that may have met. 3. Those again, meeting by meeting.
+            // 0. What lies on each other. 1. Every other ball as if there were no other. 2. The neighbours that may have met. 3. Those again, meeting by meeting.
+            FindPiles(dt);
             world.Engine?.KeepPushes();
             bool pushes = Fly(states, dt, stopAt, out bool holds);
             if (!holds)
@@ -273,6 +277,24 @@ public sealed class BallGroup
         return log.Halted;
     }
 
+    /// <summary>The balls that lie on each other, which are stepped as one: their own steps would lead them through each other.</summary>
+    private void FindPiles(double dt)
+    {
+        bool covers = true;
+        for (int i = 0; i < Count && covers; i++)
+        {
+            covers = _neighbours.Covers(i, in _before[i]);
+        }
+
+        if (!covers)
+        {
+            Array.Clear(_reaches, 0, Count);
+            _neighbours.Renew(_before, _reaches, dt);
+        }
+
+        _cluster.Rests.Look(_before, _neighbours);
+    }
+
     /// <summary>Every ball takes its step as if there were no other.</summary>
     /// <returns>Whether one of them pushed something, which the others then find elsewhere, or something ended its step; or not all events had room.</returns>
     private bool Fly(BallState[] states, double dt, StopAt stopAt, out bool holds)
@@ -297,6 +319,21 @@ public sealed class BallGroup
             int first = log.Events.Count;
             _firstEvent[i] = first;
             log.Events.Ball = i;
+            if (_cluster.Rests.IsInPile(i))
+            {
+                // How far it gets is seen when the pile is played.
+                _reaches[i] = dt * (before.Velocity.Length + (Fall * dt));
+                holds &= _neighbours.Holds(i, in before, _reaches[i], dt);
+                continue;
+            }
+
+            if (_cluster.Rests.IsHeld(i) && !_simulators[i].World.Moves)
+            {
+                s.Time += dt;
+                _reaches[i] = 0;
+                continue;
+            }
+
             _simulators[i].Advance(ref s, dt, log);
             halts |= log.Halted;
             log.Halted = false;
@@ -326,6 +363,7 @@ public sealed class BallGroup
         {
             if (_reaches[i] < double.PositiveInfinity)
             {
+                holds &= _neighbours.Holds(i, in _before[i], _reaches[i], dt);
                 continue;
             }
 
@@ -376,64 +414,12 @@ public sealed class BallGroup
             }
         }
 
-        for (int i = 0; all && i < Count; i++)
-        {
-            _cluster.Join(i);
-        }
-    }
-
-    /// <summary>Adds the events of all balls in order of time, then of the balls; and the counts.</summary>
-    private void Tell(StepLog log)
-    {
-        log.Steps += _flown.Steps;
-        log.Evaluations += _flown.Evaluations;
-        log.Stalled += _flown.Stalled;
-        log.Untold += _flown.Untold;
-        int told = 0;
         for (int i = 0; i < Count; i++)
         {
-            // Of a ball that was played again counts what it did then.
-            for (int k = _firstEvent[i]; k < _firstEvent[i + 1] && !_cluster.Has(i); k++)
+            if (all || _cluster.Rests.IsInPile(i))
             {
-                Insert(in _flown.Events[k], told++);
+                _cluster.Join(i);
             }
         }
-
-        // Those of the cluster are in logs of their own.
-        for (int k = 0; k < _cluster.Count; k++)
-        {
-            StepLog own = _logs[_cluster[k]];
-            log.Steps += own.Steps;
-            log.Evaluations += own.Evaluations;
-            log.Stalled += own.Stalled;
-            log.Untold += own.Untold;
-            for (int e = 0; e < own.Events.Count; e++)
-            {
-                Insert(in own.Events[e], told++);
-            }
-        }
-
-        for (int k = 0; k < told; k++)
-        {
-            log.Events.Add(in _told[k]);
-        }
-    }
-
-    /// <summary>Puts an event in its place among those of the step: by time, then by ball, then as they happened to it.</summary>
-    private void Insert(in BallEvent happened, int count)
-    {
-        if (count == _told.Length)
-        {
-            Array.Resize(ref _told, 2 * count);
-        }
-
-        // Insertion is stable: a ball's own events stay in order.
-        int place = count;
-        for (; place > 0 && (_told[place - 1].Time > happened.Time || (_told[place - 1].Time == happened.Time && _told[place - 1].Ball > happened.Ball)); place--)
-        {
-            _told[place] = _told[place - 1];
-        }
-
-        _told[place] = happened;
     }
 }

@@ -61,6 +61,10 @@ internal sealed class BallNeighbours
             && before.Flight.Velocity.LengthSquared <= sphere.SpeedSquared && after.Flight.Velocity.LengthSquared <= sphere.SpeedSquared;
     }
 
+    /// <summary>True when a ball is within its sphere: then those that it touches are among its neighbours.</summary>
+    public bool Covers(int ball, in BallState at) =>
+        _step > 0 && (at.Position - _spheres[ball].Center).Length + _spheres[ball].Radius + ContactSearch.Touching <= _spheres[ball].Outer;
+
     /// <summary>True when a ball's sphere was made for such a speed, of which this is the square, m²/s².</summary>
     public bool Allows(int ball, double speedSquared) => speedSquared <= _spheres[ball].SpeedSquared;
 

@@ -50,6 +50,30 @@ internal sealed class BallTrial : PieceObserver
         Reach += (End.Position - last).Length;
     }
 
+    /// <summary>Takes a way straight on, as a pile finds it.</summary>
+    /// <param name="start">Where it begins.</param>
+    /// <param name="velocity">The velocity, m/s.</param>
+    /// <param name="duration">How long it goes on, s.</param>
+    public void Go(in BallState start, in Vector3d velocity, double duration)
+    {
+        _start = start;
+        _paths[0] = PathCubic.Line(start.Position, in velocity, duration);
+        _times[0] = start.Time;
+        _count = 1;
+        End = start;
+        End.Position = _paths[0].At(duration);
+        End.Time = start.Time + duration;
+        HaltsAt = double.PositiveInfinity;
+        Reach = duration * velocity.Length;
+    }
+
+    /// <summary>Place at a time, m, and velocity, m/s, of a ball that goes straight on.</summary>
+    public Vector3d At(double time, out Vector3d velocity)
+    {
+        velocity = _paths[0].VelocityAt(0);
+        return _paths[0].At(time - _times[0]);
+    }
+
     /// <inheritdoc/>
     public override bool Add(in PathPiece piece)
     {

@@ -1,0 +1,85 @@
+namespace Football.Physics;
+
+/// <content>Piles of the cluster.</content>
+internal sealed partial class BallCluster
+{
+    /// <summary>Finds where the piles go next that have come to the end of a part.</summary>
+    /// <returns>Whether a ball of one bounced, and that ends the step.</returns>
+    private bool PlanPiles(BallState[] states, out double time)
+    {
+        for (int k = 0; k < _piles.Count; k++)
+        {
+            BallPile pile = _piles[k];
+            time = pile.Time;
+            if (pile.Count == 0 || pile.Until > time || !(time < _end))
+            {
+                continue;
+            }
+
+            if (pile.Plan(states, _end, _current) && _stopAt == StopAt.Impact)
+            {
+                return true;
+            }
+
+            for (int m = 0; m < pile.Count; m++)
+            {
+                int i = pile[m];
+                _trials[i].Go(in states[i], pile.WayOf(m), pile.Until - time);
+                Reach(states, i);
+            }
+        }
+
+        time = 0;
+        BeginNew(states);
+        return false;
+    }
+
+    /// <summary>Takes all balls into a pile that lie on each other.</summary>
+    private void TakeAllOf(int root, BallState[] states, BallPile pile, double time)
+    {
+        for (int i = root; i < _isIn.Length; i++)
+        {
+            if (_rests.RootOf(i) == root)
+            {
+                Take(i, states, pile, time);
+            }
+        }
+
+        pile.Sort(states);
+    }
+
+    private void Take(int i, BallState[] states, BallPile pile, double time)
+    {
+        if (!_isIn[i])
+        {
+            Join(i);
+            Begin(states, i);
+
+            // It has begun: in its place is the first that has not.
+            (_cluster[_begun], _cluster[_clusterCount - 1]) = (_cluster[_clusterCount - 1], _cluster[_begun]);
+            _begun++;
+        }
+
+        if (!_piles.Has(i))
+        {
+            Commit(states, i, time);
+            _piles.Add(i, ref states[i], pile);
+            _trials[i].Go(in states[i], Vector3d.Zero, 0);
+            _meets.Change(i);
+        }
+    }
+
+    /// <summary>Two balls press each other: from now on they are of one pile, with all that lie on them.</summary>
+    private void Press(BallState[] states, int i, int j, double time)
+    {
+        BallPile? mine = _piles.Of(i);
+        BallPile? its = _piles.Of(j);
+        BallPile pile = mine ?? its ?? _piles.Begin(time, _step);
+        TakeAllOf(_rests.RootOf(i), states, pile, time);
+        TakeAllOf(_rests.RootOf(j), states, pile, time);
+        if (mine is not null && its is not null && mine != its)
+        {
+            _piles.Unite(mine, its, states, _step);
+        }
+    }
+}

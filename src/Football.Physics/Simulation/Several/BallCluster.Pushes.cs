@@ -1,0 +1,51 @@
+namespace Football.Physics;
+
+/// <content>What balls push.</content>
+internal sealed partial class BallCluster
+{
+    /// <summary>A ball meets what it pushes, or what ends the step: all that may meet that too go there first.</summary>
+    /// <returns>Whether it ends the step.</returns>
+    private bool Push(BallState[] states, in Happening met, double end)
+    {
+        // The ball goes up to what it pushes, which then moves differently.
+        _pushed.ReadBefore();
+        StepLog own = _current[met.Ball];
+        own.HaltsAtPush = true;
+        own.StopAt = _stopAt;
+        _simulators[met.Ball].Advance(ref states[met.Ball], Left(in states[met.Ball], end), own);
+        own.HaltsAtPush = false;
+        own.StopAt = StopAt.Time;
+        own.Halted = false;
+        if (_stopAt == StopAt.Impact)
+        {
+            return true;
+        }
+
+        // Who may find it elsewhere goes to that time while it is where it was, and looks again.
+        _pushed.ReadAfter();
+        for (int k = 0; k < _clusterCount; k++)
+        {
+            int i = _cluster[k];
+            if (i != met.Ball && !_piles.Has(i) && _pushed.MayBeMet(states[i].Position, _trials[i].Reach + _simulators[i].Scene.Ball.Radius, met.Time, end))
+            {
+                Commit(states, i, Math.Max(states[i].Time, met.Time));
+                states[i].ClearUntil = 0;
+                _again[i] = true;
+            }
+        }
+
+        _pushed.PutAfter();
+        _again[met.Ball] = true;
+        for (int k = 0; k < _clusterCount; k++)
+        {
+            int i = _cluster[k];
+            if (_again[i])
+            {
+                _again[i] = false;
+                Try(states, i, end);
+            }
+        }
+
+        return false;
+    }
+}

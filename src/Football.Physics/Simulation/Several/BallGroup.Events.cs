@@ -1,0 +1,60 @@
+namespace Football.Physics;
+
+/// <content>Events of all balls, in order.</content>
+public sealed partial class BallGroup
+{
+    /// <summary>Adds the events of all balls in order of time, then of the balls; and the counts.</summary>
+    private void Tell(StepLog log)
+    {
+        log.Steps += _flown.Steps;
+        log.Evaluations += _flown.Evaluations;
+        log.Stalled += _flown.Stalled;
+        log.Untold += _flown.Untold;
+        int told = 0;
+        for (int i = 0; i < Count; i++)
+        {
+            // Of a ball that was played again counts what it did then.
+            for (int k = _firstEvent[i]; k < _firstEvent[i + 1] && !_cluster.Has(i); k++)
+            {
+                Insert(in _flown.Events[k], told++);
+            }
+        }
+
+        // Those of the cluster are in logs of their own.
+        for (int k = 0; k < _cluster.Count; k++)
+        {
+            StepLog own = _logs[_cluster[k]];
+            log.Steps += own.Steps;
+            log.Evaluations += own.Evaluations;
+            log.Stalled += own.Stalled;
+            log.Untold += own.Untold;
+            for (int e = 0; e < own.Events.Count; e++)
+            {
+                Insert(in own.Events[e], told++);
+            }
+        }
+
+        for (int k = 0; k < told; k++)
+        {
+            log.Events.Add(in _told[k]);
+        }
+    }
+
+    /// <summary>Puts an event in its place among those of the step: by time, then by ball, then as they happened to it.</summary>
+    private void Insert(in BallEvent happened, int count)
+    {
+        if (count == _told.Length)
+        {
+            Array.Resize(ref _told, 2 * count);
+        }
+
+        // Insertion is stable: a ball's own events stay in order.
+        int place = count;
+        for (; place > 0 && (_told[place - 1].Time > happened.Time || (_told[place - 1].Time == happened.Time && _told[place - 1].Ball > happened.Ball)); place--)
+        {
+            _told[place] = _told[place - 1];
+        }
+
+        _told[place] = happened;
+    }
+}

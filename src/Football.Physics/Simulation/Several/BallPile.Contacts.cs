@@ -1,0 +1,117 @@
+namespace Football.Physics;
+
+/// <content>Contacts of the pile.</content>
+internal sealed partial class BallPile
+{
+    /// <summary>Finds all contacts within reach.</summary>
+    private void Find(BallState[] states, double reach, double h)
+    {
+        // What the last part found is where the next one begins.
+        (_last, _solver.Contacts) = (_solver.Contacts, _last);
+        _lastCount = _solver.ContactCount;
+        _solver.ContactCount = 0;
+        Span<Contact> room = stackalloc Contact[ContactSet.Most];
+        for (int i = 0; i < Count; i++)
+        {
+            ref PileMember member = ref _solver.Members[i];
+            ref readonly BallState s = ref states[member.Ball];
+            World world = _simulators[member.Ball].World;
+
+            // What moves comes to the ball as well.
+            double far = reach + (world.Moves ? h * world.FastestMover : 0);
+            int near = ContactSet.Near(world, in s, far, room);
+            member.FirstContact = _solver.ContactCount;
+            member.OwnContacts = near;
+            for (int k = 0; k < near; k++)
+            {
+                _solver.Add(With(in room[k], i, in member, in s));
+            }
+
+            for (int j = i + 1; j < Count; j++)
+            {
+                ref readonly PileMember other = ref _solver.Members[j];
+                Vector3d apart = s.Position - states[other.Ball].Position;
+                double most = member.Radius + other.Radius + reach;
+                if (Math.Abs(apart.Y) <= most && Math.Abs(apart.X) <= most && apart.LengthSquared <= most * most)
+                {
+                    _solver.Add(Between(i, j, in apart));
+                }
+            }
+        }
+    }
+
+    private PileContact With(in Contact near, int index, in PileMember member, in BallState s)
+    {
+        Collider collider = _simulators[member.Ball].World.Colliders[near.Collider];
+        ref readonly ContactMaterial material = ref near.Material;
+        return new PileContact
+        {
+            First = index,
+            Second = -1,
+            Collider = near.Collider,
+            Moves = near.Moves,
+            Normal = near.Normal,
+            Velocity = collider.SurfaceVelocity(s.Position - (member.Radius * near.Normal), s.Time),
+            Gap = Math.Max(0, near.Gap),
+            NormalMass = 1.0 / member.PerMass,
+            SlipMass = 1.0 / (member.PerMass + (member.Radius * member.Radius * member.PerInertia)),
+            Friction = material.SlidingFriction,
+            RollingFriction = material.RollingFriction,
+            RollingFrictionBySpeed = material.RollingFrictionBySpeed,
+            SpinDamping = material.SpinDamping,
+            DrillingLength = material.DrillingLength,
+        };
+    }
+
+    private PileContact Between(int first, int second, in Vector3d apart)
+    {
+        ref readonly PileMember a = ref _solver.Members[first];
+        ref readonly PileMember b = ref _solver.Members[second];
+        double distance = apart.Length;
+        double perMass = a.PerMass + b.PerMass;
+        return new PileContact
+        {
+            First = first,
+            Second = second,
+            Collider = -1,
+            Normal = distance > 0 ? apart / distance : Vector3d.Up,
+            Gap = Math.Max(0, distance - a.Radius - b.Radius),
+            NormalMass = 1.0 / perMass,
+            SlipMass = 1.0 / (perMass + (a.Radius * a.Radius * a.PerInertia) + (b.Radius * b.Radius * b.PerInertia)),
+            TwistMass = 1.0 / (a.PerInertia + b.PerInertia),
+            Friction = _friction,
+            DrillingLength = Math.Max(LeastDrilling, _contact.DrillingLength),
+        };
+    }
+
+    /// <summary>A contact that was there in the part before begins with its impulses.</summary>
+    /// <param name="share">How much of them.</param>
+    private bool Continue(double share)
+    {
+        int k = 0;
+        for (int i = 0; i < _solver.ContactCount && _lastCount > 0; i++)
+        {
+            // Both are in one order: by the first ball, then things, then the other ball.
+            ref PileContact contact = ref _solver.Contacts[i];
+            while (k < _lastCount && Order(in _last[k], in contact) < 0)
+            {
+                k++;
+            }
+
+            if (k < _lastCount && Order(in _last[k], in contact) == 0)
+            {
+                ref readonly PileContact last = ref _last[k];
+                contact.Load = share * last.Load;
+                contact.Twist = share * last.Twist;
+                contact.Rub = share * (last.Rub - (Vector3d.Dot(in last.Rub, in contact.Normal) * contact.Normal));
+            }
+        }
+
+        return _lastCount > 0;
+    }
+
+    private static int Order(in PileContact a, in PileContact b) =>
+        a.First != b.First ? a.First - b.First
+        : a.Second < 0 != b.Second < 0 ? (a.Second < 0 ? -1 : 1)
+        : a.Second < 0 ? a.Collider - b.Collider : a.Second - b.Second;
+}

@@ -1,0 +1,99 @@
+namespace Football.Physics;
+
+/// <content>Rest of the pile.</content>
+internal sealed partial class BallPile
+{
+    /// <summary>Puts a ball onto what stands still and bears it: the gap that the part left would be another impact.</summary>
+    private void HoldOnto(int index, BallState[] states)
+    {
+        ref readonly PileMember member = ref _solver.Members[index];
+        World world = _simulators[member.Ball].World;
+        for (int i = member.FirstContact; i < member.FirstContact + member.OwnContacts; i++)
+        {
+            ref readonly PileContact contact = ref _solver.Contacts[i];
+            if (contact.Load > 0 && !contact.Moves)
+            {
+                world.Hold(ref states[member.Ball], world.Colliders[contact.Collider]);
+            }
+        }
+    }
+
+    /// <summary>A ball at rest keeps a key of those that it touches.</summary>
+    private void SetKey(int index, BallState[] states)
+    {
+        ref readonly PileMember member = ref _solver.Members[index];
+        ref BallState s = ref states[member.Ball];
+        ulong key = BallRests.FirstKey;
+        for (int j = 0; j < Count; j++)
+        {
+            ref readonly PileMember other = ref _solver.Members[j];
+            ref readonly BallState its = ref states[other.Ball];
+            key += j != index && BallRests.Touches(in s, member.Radius, in its, other.Radius) ? BallRests.KeyOf(its.Position) : 0;
+        }
+
+        s.ClearIn = key;
+    }
+
+    /// <summary>True when the contacts hold the balls as they lie, without speed; on what moves nothing rests.</summary>
+    private bool Holds(BallState[] states)
+    {
+        double pull = 0;
+        for (int i = 0; i < Count; i++)
+        {
+            ref PileMember member = ref _solver.Members[i];
+            member.Free = _simulators[member.Ball].Pile.Free(in states[member.Ball], RestPart, atRest: true);
+            member.V = RestPart * member.Free.Acceleration;
+            member.W = RestPart * member.Free.SpinAcceleration;
+            pull = Math.Max(pull, member.V.Length + (member.Radius * member.W.Length));
+        }
+
+        // What bore the balls in the last part does so about as much.
+        double last = _length > 0 ? RestPart / _length : 0;
+        Find(states, Leaning, 0);
+        Continue(last);
+        for (int i = 0; i < _solver.ContactCount; i++)
+        {
+            _solver.Contacts[i].Gap = 0;
+            if (_solver.Contacts[i].Moves)
+            {
+                return false;
+            }
+        }
+
+        _solver.Solve(RestPart, RestRounds, 1e-3 * Held * pull, Held * pull);
+        return _solver.Fastest() <= Held * pull;
+    }
+
+    /// <summary>True when every ball is slow enough to rest, and the contacts hold all of them, one at least on what stands still.</summary>
+    private bool Rests(BallState[] states, StepLog[] logs)
+    {
+        for (int i = 0; i < Count; i++)
+        {
+            ref readonly PileMember member = ref _solver.Members[i];
+            ref readonly BallState s = ref states[member.Ball];
+            double energy = 0.5 * ((s.Velocity.LengthSquared / member.PerMass) + (s.Spin.LengthSquared / member.PerInertia));
+            if (!(energy <= _simulators[member.Ball].World.RestEnergy))
+            {
+                return false;
+            }
+        }
+
+        bool borne = false;
+        for (int i = 0; i < _solver.ContactCount; i++)
+        {
+            borne |= _solver.Contacts[i].Second < 0 && !_solver.Contacts[i].Moves && _solver.Contacts[i].Load > 0;
+        }
+
+        if (!borne)
+        {
+            return false;
+        }
+
+        for (int i = 0; i < Count; i++)
+        {
+            logs[_solver.Members[i].Ball].Evaluations++;
+        }
+
+        return Holds(states);
+    }
+}

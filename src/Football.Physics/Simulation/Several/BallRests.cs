@@ -1,0 +1,128 @@
+namespace Football.Physics;
+
+/// <summary>
+/// Which balls lie on each other before a step. Those that touch and move are a pile. Those that came to rest in one lie still as long as all are there that they touched: each
+/// keeps a key of them in its state, so that nothing has to be remembered beside the states.
+/// </summary>
+internal sealed class BallRests
+{
+    private readonly double[] _radii;
+    private readonly int[] _root;
+    private readonly bool[] _isPile;
+    private readonly ulong[] _keys;
+
+    /// <param name="radii">The radii of all balls, m.</param>
+    public BallRests(double[] radii)
+    {
+        _radii = radii;
+        _root = new int[radii.Length];
+        _isPile = new bool[radii.Length];
+        _keys = new ulong[radii.Length];
+    }
+
+    /// <summary>The lowest number of the balls that a ball lies with.</summary>
+    public int RootOf(int ball)
+    {
+        while (_root[ball] != ball)
+        {
+            _root[ball] = _root[_root[ball]];
+            ball = _root[ball];
+        }
+
+        return ball;
+    }
+
+    /// <summary>True when a ball is one of a pile that moves.</summary>
+    public bool IsInPile(int ball) => _isPile[RootOf(ball)];
+
+    /// <summary>True when a ball rests in a pile.</summary>
+    public bool IsHeld(int ball) => _keys[ball] != 0 && !IsInPile(ball);
+
+    /// <summary>Looks at the balls before a step.</summary>
+    public void Look(BallState[] states, BallNeighbours neighbours)
+    {
+        for (int i = 0; i < states.Length; i++)
+        {
+            _root[i] = i;
+            _isPile[i] = false;
+            _keys[i] = RestsInPile(in states[i]) ? FirstKey : 0;
+        }
+
+        for (int k = 0; k < neighbours.Count; k++)
+        {
+            (int i, int j) = neighbours[k];
+            Join(i, j, states);
+        }
+
+        for (int i = 0; i < states.Length; i++)
+        {
+            // One of those that it touched is not there any more, or not at rest: all that lie with it may move.
+            if (_keys[i] != 0 && _keys[i] != states[i].ClearIn)
+            {
+                _isPile[RootOf(i)] = true;
+            }
+        }
+    }
+
+    /// <summary>Two balls that touch: where either moves they are a pile, if they come together or apart gently; at rest they lie with each other where they came to it in one.</summary>
+    private void Join(int i, int j, BallState[] states)
+    {
+        ref readonly BallState a = ref states[i];
+        ref readonly BallState b = ref states[j];
+        if (!Touches(in a, _radii[i], in b, _radii[j]))
+        {
+            return;
+        }
+
+        if (a.Motion == MotionState.Stopped && b.Motion == MotionState.Stopped)
+        {
+            if (_keys[i] != 0 && _keys[j] != 0)
+            {
+                _keys[i] += KeyOf(b.Position);
+                _keys[j] += KeyOf(a.Position);
+                Unite(i, j);
+            }
+
+            return;
+        }
+
+        BallContact.Gap(in a, _radii[i], in b, _radii[j], out _, out double rate);
+        if (Math.Abs(rate) <= BallContact.Gentle)
+        {
+            Unite(i, j);
+            _isPile[RootOf(i)] = true;
+        }
+    }
+
+    private void Unite(int i, int j)
+    {
+        int a = RootOf(i);
+        int b = RootOf(j);
+        bool isPile = _isPile[a] || _isPile[b];
+        int root = Math.Min(a, b);
+        _root[a] = root;
+        _root[b] = root;
+        _isPile[root] = isPile;
+    }
+
+    /// <summary>True when two balls lie on each other.</summary>
+    public static bool Touches(in BallState a, double radius, in BallState b, double other)
+    {
+        double most = radius + other + BallPile.Leaning;
+        return (a.Position - b.Position).LengthSquared <= most * most;
+    }
+
+    /// <summary>A key of nothing; to it those of all balls are added that one touches. Even, and not 0: those of scenes are odd.</summary>
+    public const ulong FirstKey = 1UL << 63;
+
+    /// <summary>A key of a ball at rest.</summary>
+    public static ulong KeyOf(in Vector3d position)
+    {
+        var key = default(ClearKey);
+        key.Add(in position);
+        return key.Value << 1;
+    }
+
+    /// <summary>True of a ball that came to rest in a pile.</summary>
+    public static bool RestsInPile(in BallState s) => s.Motion == MotionState.Stopped && s.ClearIn != 0 && (s.ClearIn & 1) == 0;
+}

@@ -1,0 +1,115 @@
+namespace Football.Physics;
+
+/// <summary>Impacts within a pile, between its balls and with all else.</summary>
+internal sealed class PileBounces
+{
+    /// <summary>In a pile nothing bounces that would leave slower than this, m/s, even where the ground lets it.</summary>
+    private const double LeastBounce = 0.05;
+
+    private readonly Simulator[] _simulators;
+    private readonly PileSolver _solver;
+    private readonly ContactMaterial _material;
+    private int _bounces;
+
+    /// <param name="simulators">The scenes of all balls of the group.</param>
+    /// <param name="solver">The pile's balls and contacts.</param>
+    /// <param name="material">What two balls are to each other.</param>
+    public PileBounces(Simulator[] simulators, PileSolver solver, in ContactMaterial material)
+    {
+        _simulators = simulators;
+        _solver = solver;
+        _material = material;
+    }
+
+    /// <summary>Begins a step.</summary>
+    public void Clear() => _bounces = 0;
+
+    /// <summary>What closes within the part so fast that it bounces does so now: the first first, one after the other, so that no energy comes from it.</summary>
+    /// <param name="states">The balls.</param>
+    /// <param name="h">Length of the part, s.</param>
+    /// <param name="logs">Where events of each go.</param>
+    /// <returns>Whether anything did.</returns>
+    public bool Bounce(BallState[] states, double h, StepLog[] logs)
+    {
+        // As many as there are contacts, and eight, at an instant; and in a step so many for each ball.
+        int most = Math.Min(_solver.ContactCount + 8, (8 * _solver.Count) - _bounces);
+        bool bounced = false;
+        for (int done = 0; done < most; done++)
+        {
+            int next = -1;
+            double first = h;
+            for (int i = 0; i < _solver.ContactCount; i++)
+            {
+                double time = BounceTime(in _solver.Contacts[i], states);
+                next = time < first ? i : next;
+                first = Math.Min(first, time);
+            }
+
+            if (next < 0)
+            {
+                break;
+            }
+
+            Bounce(in _solver.Contacts[next], states, logs);
+            _bounces++;
+            bounced = true;
+        }
+
+        return bounced;
+    }
+
+    /// <summary>When a contact closes that bounces, s; infinite where it does not.</summary>
+    private double BounceTime(in PileContact contact, BallState[] states)
+    {
+        ref readonly PileMember a = ref _solver.Members[contact.First];
+        Vector3d other = contact.Second < 0 ? contact.Velocity : states[_solver.Members[contact.Second].Ball].Velocity;
+        double closing = -Vector3d.Dot(states[a.Ball].Velocity - other, in contact.Normal);
+        World world = _simulators[a.Ball].World;
+        double least = Math.Max(LeastBounce, world.MinimumBounceSpeed);
+        if (!(closing > least))
+        {
+            return double.PositiveInfinity;
+        }
+
+        // e u_n, what it would leave with.
+        double e = contact.Second < 0
+            ? world.Colliders[contact.Collider].MaterialAt(states[a.Ball].Position).LargestRestitutionAt(closing)
+            : _material.LargestRestitutionAt(closing);
+        return e * closing >= least ? contact.Gap / closing : double.PositiveInfinity;
+    }
+
+    private void Bounce(in PileContact contact, BallState[] states, StepLog[] logs)
+    {
+        int ball = _solver.Members[contact.First].Ball;
+        ref BallState s = ref states[ball];
+        Simulator simulator = _simulators[ball];
+        if (contact.Second >= 0)
+        {
+            int other = _solver.Members[contact.Second].Ball;
+            ref BallState its = ref states[other];
+            BallContact.Impact(
+                simulator.Scene.Ball, _simulators[other].Scene.Ball, in _material, in contact.Normal, in s, in its, out Motion first, out Motion second);
+            logs[ball].Events.Add(new BallEvent(other, in contact.Normal, s.Time, in s, in first.Velocity, in first.Spin));
+            logs[other].Events.Add(new BallEvent(ball, -contact.Normal, s.Time, in its, in second.Velocity, in second.Spin));
+            Set(ref s, in first.Velocity, in first.Spin);
+            Set(ref its, in second.Velocity, in second.Spin);
+            return;
+        }
+
+        // Against what is pushed too: in a pile it stands as firm as the pile.
+        Vector3d v = s.Velocity;
+        Vector3d w = s.Spin;
+        Collider hit = simulator.World.Colliders[contact.Collider];
+        CoulombImpact.Apply(
+            simulator.Scene.Ball, in hit.MaterialAt(s.Position), in contact.Normal, in contact.Velocity, in v, in w, out Vector3d velocity, out Vector3d spin);
+        logs[ball].Events.Add(new BallEvent(
+            BallEventKind.Impact, contact.Collider + simulator.World.FirstCollider, in contact.Normal, s.Time, s.Position, in v, in w, in velocity, in spin));
+        Set(ref s, in velocity, in spin);
+    }
+
+    private static void Set(ref BallState s, in Vector3d velocity, in Vector3d spin)
+    {
+        s.Velocity = velocity;
+        s.SpinAxis = spin;
+    }
+}

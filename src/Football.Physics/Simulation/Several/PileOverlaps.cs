@@ -1,0 +1,101 @@
+namespace Football.Physics;
+
+/// <summary>Puts the balls of a pile where there is room for them after a part: what stands still is never entered.</summary>
+/// <param name="simulators">The scenes of all balls of the group.</param>
+/// <param name="solver">The pile's balls and contacts.</param>
+internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
+{
+    /// <summary>Balls are put apart, and out of things, in so many rounds at most; out of corners in so many.</summary>
+    private const int MostRounds = 32;
+    private const int MostCorners = 64;
+
+    /// <summary>Less than this, m, is no overlap: of balls, and with what stands still.</summary>
+    private const double Overlap = 1e-7;
+    private const double Closed = 1e-13;
+
+    /// <summary>Out of what moves a ball is put by no more than this, m/s.</summary>
+    private const double OutOfTheWay = 5.0;
+
+    /// <summary>Puts balls apart that overlap, each by its share, and then out of what moves, by no more than a distance, and out of what stands still.</summary>
+    /// <param name="states">The balls.</param>
+    /// <param name="duration">How long the part took, s.</param>
+    public void PutApart(BallState[] states, double duration)
+    {
+        bool moved = true;
+        for (int round = 0; round < MostRounds && moved; round++)
+        {
+            moved = false;
+            for (int i = 0; i < solver.ContactCount; i++)
+            {
+                ref readonly PileContact contact = ref solver.Contacts[i];
+                if (contact.Second >= 0)
+                {
+                    ref readonly PileMember a = ref solver.Members[contact.First];
+                    ref readonly PileMember b = ref solver.Members[contact.Second];
+                    Vector3d apart = states[a.Ball].Position - states[b.Ball].Position;
+                    double most = a.Radius + b.Radius;
+                    double square = apart.LengthSquared;
+                    if (square < most * most && square > 0)
+                    {
+                        double distance = Math.Sqrt(square);
+                        double over = most - distance;
+                        Vector3d shift = over * contact.NormalMass / distance * apart;
+                        states[a.Ball].Position += a.PerMass * shift;
+                        states[b.Ball].Position -= b.PerMass * shift;
+                        moved |= over > Overlap;
+                    }
+                }
+            }
+
+            for (int i = 0; i < solver.Count; i++)
+            {
+                moved |= KeepOut(in solver.Members[i], states, round == 0 ? OutOfTheWay * duration : 0);
+            }
+        }
+    }
+
+    /// <summary>Puts a ball out of what stands still.</summary>
+    public void KeepOut(int member, BallState[] states) => KeepOut(in solver.Members[member], states, 0);
+
+    /// <summary>Puts a ball out of what it overlaps; what stands still comes last, so that it is never entered.</summary>
+    /// <returns>Whether it was in something.</returns>
+    private bool KeepOut(in PileMember member, BallState[] states, double outOfTheWay)
+    {
+        World world = simulators[member.Ball].World;
+        ref BallState s = ref states[member.Ball];
+        bool moved = false;
+        bool inside = member.OwnContacts > 0;
+        for (int round = 0; round < MostCorners && inside; round++)
+        {
+            inside = false;
+            for (int pass = 0; pass < 2; pass++)
+            {
+                for (int i = member.FirstContact; i < member.FirstContact + member.OwnContacts; i++)
+                {
+                    if (solver.Contacts[i].Moves != (pass == 0))
+                    {
+                        continue;
+                    }
+
+                    Collider collider = world.Colliders[solver.Contacts[i].Collider];
+                    ShapePoint at = collider.At(s.Position, s.Time);
+                    double over = member.Radius - at.Distance;
+                    if (over > Closed && (pass == 1 || round == 0))
+                    {
+                        s.Position += (pass == 0 ? Math.Min(over, outOfTheWay) : over) * at.Normal;
+                        inside |= pass == 1;
+                        moved |= over > Overlap;
+                    }
+
+                    if (world.IsLevel && collider == world.Ground)
+                    {
+                        // Heights of a ball on level ground are exact.
+                        s.Position = new Vector3d(s.Position.X, Math.Max(s.Position.Y, world.LevelContact), s.Position.Z);
+                    }
+                }
+            }
+        }
+
+        return moved;
+    }
+}

@@ -1,0 +1,181 @@
+namespace Football.Physics;
+
+/// <summary>What a ball of a pile does by itself: the forces on it beside its contacts, its way through nets and goals, and what becomes of it after the pile.</summary>
+internal sealed class PilePhase
+{
+    /// <summary>Forces give no more than this in a part, m/s and rad/s beside the spin that there is: far beyond anything that flies.</summary>
+    private const double MostSpeed = 100.0;
+    private const double MostSpin = 1000.0;
+
+    /// <summary>So many nets and goals a ball comes to on its way in a part.</summary>
+    private const int MostPassages = 8;
+
+    /// <summary>A ball that does not slip faster than this, m/s, rolls.</summary>
+    private const double RollingSlip = 1e-6;
+
+    /// <summary>Of a ball that is slower than this, m/s, no change of its motion is told: in a pile it may slip and grip in turn.</summary>
+    private const double ToldSpeed = 0.05;
+
+    private readonly Surroundings _around;
+    private readonly World _world;
+    private readonly WorldGuard _guard;
+    private readonly WorldContact _contact;
+    private readonly NetGuard _nets;
+
+    public PilePhase(Surroundings around, WorldGuard guard, WorldContact contact)
+    {
+        _around = around;
+        _world = around.World;
+        _guard = guard;
+        _contact = contact;
+        _nets = new NetGuard(_world);
+    }
+
+    /// <summary>What acts on the ball but for its contacts, for a part of a step.</summary>
+    /// <param name="s">The ball.</param>
+    /// <param name="h">Length of the part, s.</param>
+    /// <param name="atRest">Whether the ball is asked for as if it lay still.</param>
+    public MotionRates Free(in BallState s, double h, bool atRest)
+    {
+        Vector3d v = atRest ? Vector3d.Zero : s.Velocity;
+        Vector3d w = atRest ? Vector3d.Zero : s.Spin;
+        Vector3d u = v - _around.Wind;
+
+        // The drag law is locked to the branch at the start of the part: its jump is not located here.
+        var at = new Motion(s.Position, in v, in w, s.AirDistance);
+        DragBranch branch = _around.Air.Jumps ? DragJump.At(in at, in _around.Wind, _around.Radius).Branch : DragBranch.Unknown;
+        bool carried = s.Motion != MotionState.Airborne && s.Carrier < _world.ThingOfNet(0) && _world.Colliders.Length > 0;
+        var ball = new ForceInput(s.Time, s.Position, in v, in u, in w, carried ? MotionState.Sliding : MotionState.Airborne, s.AirDistance);
+        _around.Air.Evaluate(in ball, branch, out AirFactors air);
+        u = air.AirVelocity;
+
+        // a = L (ω × u) − D u + own forces. Of a carried ball's air no more counts than on one surface: what it does along the carrier, or nothing.
+        Vector3d flow = (air.Lift * Vector3d.Cross(in w, in u)) - (air.Drag * u);
+        Vector3d acceleration = air.Acceleration + flow;
+        if (carried && !_world.SharesAir)
+        {
+            Vector3d n = _world.CarrierOf(in s).At(s.Position, s.Time).Normal;
+            acceleration = _world.AirActs && !atRest ? acceleration : air.Acceleration;
+            acceleration -= Vector3d.Dot(in acceleration, in n) * n;
+        }
+
+        Vector3d spinAcceleration = (-air.Decay * w) + air.SpinAcceleration;
+        acceleration = NoMore(acceleration + new Vector3d(0, _around.Upward, 0), MostSpeed / h);
+        spinAcceleration = NoMore(in spinAcceleration, (w.Length + MostSpin) / h);
+
+        // 1/(1 + h λ) of a net's push, with λ how fast it settles: what an implicit step would take.
+        if (s.Nets != 0)
+        {
+            MotionRates nets = _world.PushOfNets(s.Nets, s.NetSides, in at);
+            double share = 1.0 / (1.0 + (h * _nets.FastestRate(in s, in at.Position)));
+            acceleration += share * nets.Acceleration;
+            spinAcceleration += share * nets.SpinAcceleration;
+        }
+
+        return new MotionRates(in acceleration, in spinAcceleration, air.AirSpeed);
+    }
+
+    /// <summary>Moves the ball straight on, through the nets and goals on its way.</summary>
+    /// <param name="s">The ball.</param>
+    /// <param name="duration">How long, s.</param>
+    /// <param name="way">Its mean velocity, m/s.</param>
+    /// <param name="v">Its velocity at the end, m/s.</param>
+    /// <param name="w">Its spin at the end, rad/s.</param>
+    /// <param name="airSpeed">Its speed through the air, m/s, where that counts.</param>
+    /// <param name="log">Where events and counts go.</param>
+    public void Move(ref BallState s, double duration, in Vector3d way, in Vector3d v, in Vector3d w, double airSpeed, StepLog log)
+    {
+        double end = s.Time + duration;
+        s.AirDistance += duration * airSpeed;
+        s.BaseOrientation = s.BaseOrientation.Turned((0.5 * duration) * (s.Spin + w));
+        s.Velocity = v;
+        s.SpinAxis = w;
+        for (int i = 0; i < MostPassages && _world.Nets.Length + _world.Goals.Length > 0; i++)
+        {
+            double left = end - s.Time;
+            var path = PathCubic.Line(s.Position, in way, left);
+            double at = new ContactSearch(_world, in path, s.Time).FirstPassage(in s, out Separation met);
+            if (!(at <= left))
+            {
+                break;
+            }
+
+            s.Position = path.At(at);
+            s.Time += at;
+            var run = new StepRun(0, s.Time, log);
+            _guard.Meet(ref s, in met, ref run);
+        }
+
+        s.Position += (end - s.Time) * way;
+        s.Time = end;
+        log.Steps++;
+    }
+
+    /// <summary>The ball goes on by itself: what bears it most carries it, else it flies.</summary>
+    /// <param name="s">The ball.</param>
+    /// <param name="carrier">The collider that bears it most; −1 where none does.</param>
+    /// <param name="log">Where events go.</param>
+    public void Release(ref BallState s, int carrier, StepLog log)
+    {
+        Vector3d w = s.Spin;
+        bool wasCarried = s.Motion is MotionState.Rolling or MotionState.Sliding;
+        bool tells = s.Velocity.Length > ToldSpeed;
+        s.ClearUntil = 0;
+        s.Branch = DragBranch.Unknown;
+        Tell(in s, BallEventKind.Squeezed, -1, Vector3d.Zero, in w, s.Motion == MotionState.Squeezed, log);
+        if (carrier < 0)
+        {
+            Tell(in s, BallEventKind.Leave, -1, Vector3d.Zero, in w, wasCarried && tells, log);
+            s.Motion = MotionState.Airborne;
+            s.Carrier = 0;
+            s.SetFlightSpin(in w);
+            return;
+        }
+
+        // Onto it, to the last bit; without slip the spin is that of pure rolling.
+        Collider on = _world.Colliders[carrier];
+        MotionState before = s.Motion;
+        bool same = s.Carrier == carrier + _world.FirstCollider;
+        s.Carrier = carrier + _world.FirstCollider;
+        Vector3d n = _world.Hold(ref s, on);
+        Vector3d relative = s.Velocity - on.Velocity;
+        bool rolls = Slip.Of(in relative, in w, in n, _around.Radius).Length < RollingSlip;
+        s.Motion = rolls ? MotionState.Rolling : MotionState.Sliding;
+        s.SetGroundSpin(rolls ? Slip.RollingSpin(in relative, Vector3d.Dot(in w, in n), in n, _around.Radius) : w);
+        bool changed = !same || before != s.Motion;
+        Tell(in s, rolls ? BallEventKind.Roll : BallEventKind.Slide, (int)s.Carrier, in n, in w, changed && tells, log);
+    }
+
+    /// <summary>The ball rests in the pile.</summary>
+    /// <param name="s">The ball.</param>
+    /// <param name="carrier">The collider that bears it most; −1 where other balls alone do.</param>
+    /// <param name="log">Where the event goes.</param>
+    public void Rest(ref BallState s, int carrier, StepLog log)
+    {
+        var run = new StepRun(0, s.Time, log);
+        if (carrier >= 0)
+        {
+            _world.Hold(ref s, _world.Colliders[carrier]);
+        }
+
+        s.Carrier = Math.Max(0, carrier + _world.FirstCollider);
+        s.ClearUntil = 0;
+        s.Branch = DragBranch.Unknown;
+        _contact.Rest(ref s, ref run);
+        s.Velocity = Vector3d.Zero;
+    }
+
+    private static void Tell(in BallState s, BallEventKind kind, int thing, in Vector3d n, in Vector3d w, bool tells, StepLog log)
+    {
+        if (tells)
+        {
+            log.Events.Add(new BallEvent(kind, thing, in n, s.Time, s.Position, s.Velocity, in w, s.Velocity, s.Spin));
+        }
+    }
+
+    private static Vector3d NoMore(in Vector3d vector, double most)
+    {
+        double size = vector.Length;
+        return size > most ? most / size * vector : vector;
+    }
+}

@@ -1,0 +1,68 @@
+namespace Football.Physics;
+
+/// <summary>Motions of all that balls push: before and after a push, and as they are put back after a look at what would come.</summary>
+/// <param name="world">All that can be met.</param>
+internal sealed class PushedMotions(World world)
+{
+    private readonly RigidMotion[] _before = new RigidMotion[world.Movers];
+    private readonly RigidMotion[] _after = new RigidMotion[world.Movers];
+    private readonly RigidMotion[] _kept = new RigidMotion[world.Movers];
+
+    /// <summary>Remembers how all moves before a push.</summary>
+    public void ReadBefore() => world.ReadMotions(_before);
+
+    /// <summary>Remembers how all moves after it, and puts it back to how it moved before.</summary>
+    public void ReadAfter()
+    {
+        world.ReadMotions(_after);
+        Restore(_before);
+    }
+
+    /// <summary>Puts all to how it moves after the push.</summary>
+    public void PutAfter() => Restore(_after);
+
+    /// <summary>Remembers how all moves before one only looks.</summary>
+    public void Keep()
+    {
+        world.ReadMotions(_kept);
+        world.Engine?.KeepPushes();
+    }
+
+    /// <summary>... and puts it back.</summary>
+    public void PutBack()
+    {
+        world.Engine?.PutPushesBack();
+        Restore(_kept);
+    }
+
+    /// <summary>Puts all to how it moved at some time.</summary>
+    public void Restore(RigidMotion[] motions)
+    {
+        if (motions.Length > 0)
+        {
+            world.WriteMotions(motions);
+        }
+    }
+
+    /// <summary>True when a ball may come to a place where something is that was pushed, or would have been.</summary>
+    /// <param name="position">Where it is, m.</param>
+    /// <param name="reach">How far it and its surface get, m.</param>
+    /// <param name="time">When the push is, s.</param>
+    /// <param name="end">Until when that counts, s.</param>
+    public bool MayBeMet(in Vector3d position, double reach, double time, double end)
+    {
+        bool meets = world.Engine is not null;
+        for (int m = 0; m < _before.Length && !meets; m++)
+        {
+            if (_before[m].Velocity != _after[m].Velocity)
+            {
+                // All that it sweeps until the end, pushed and not pushed.
+                Bounds3d box = world.BoundsOfMover(m, time, end - time);
+                box = box.With(box.Moved((end - time) * _before[m].Velocity)).With(box.Moved((end - time) * _after[m].Velocity));
+                meets = box.Grown(reach).Touches(new Bounds3d(position, position));
+            }
+        }
+
+        return meets;
+    }
+}

@@ -1,0 +1,157 @@
+namespace Football.Physics.Tests.Several;
+
+/// <summary>Impulses of a pile against closed forms and balances.</summary>
+public sealed class PileSolverTests
+{
+    private const double Mass = 0.43;
+    private const double Radius = 0.11;
+    private const double Inertia = 2.0 / 3 * Mass * Radius * Radius;
+
+    /// <summary>A column on the ground: each contact bears all that lies above it.</summary>
+    [Theory]
+    [InlineData(2)]
+    [InlineData(12)]
+    public void A_column_bears_its_weight(int count)
+    {
+        const double Pull = 0.00981;
+        PileSolver solver = Of(count);
+        for (int i = 0; i < count; i++)
+        {
+            solver.Members[i].V = new Vector3d(0, -Pull, 0);
+            solver.Members[i].FirstContact = solver.ContactCount;
+            solver.Members[i].OwnContacts = i == 0 ? 1 : 0;
+            if (i == 0)
+            {
+                solver.Add(Ground(0));
+            }
+
+            if (i < count - 1)
+            {
+                solver.Add(Between(i, i + 1, new Vector3d(0, -1, 0), 0));
+            }
+        }
+
+        solver.Solve(1e-3, 1000, 1e-15);
+        Assert.InRange(solver.Fastest(), 0, 1e-12);
+        Assert.Equal(0, solver.BearerOf(0));
+        for (int i = 0; i < count; i++)
+        {
+            Assert.Equal((count - i) * Mass * Pull, solver.Contacts[i].Load, 1e-12);
+        }
+    }
+
+    /// <summary>Between balls alone nothing comes from nothing: momentum and turning are kept, energy never grows, and none closes by more than its gap.</summary>
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    public void Balls_among_themselves_keep_their_momentum(int seed)
+    {
+        const double H = 1e-3;
+        var random = new Random(seed);
+        Vector3d Draw() => new((2 * random.NextDouble()) - 1, (2 * random.NextDouble()) - 1, (2 * random.NextDouble()) - 1);
+        PileSolver solver = Of(7);
+        Vector3d[] places = [default, .. Enumerable.Range(0, 6).Select(i => 2 * Radius * (i < 3 ? 1 : -1) * new Vector3d(i % 3 == 0 ? 1 : 0, i % 3 == 1 ? 1 : 0, i % 3 == 2 ? 1 : 0))];
+        for (int i = 0; i < 7; i++)
+        {
+            solver.Members[i].V = Draw() - (4.0 * places[i]);
+            solver.Members[i].W = 20.0 * Draw();
+        }
+
+        for (int i = 1; i < 7; i++)
+        {
+            solver.Add(Between(0, i, (-places[i]).Normalized(), 1e-4 * (i % 2)));
+        }
+
+        (Vector3d Momentum, Vector3d Turning, double Energy) before = Balance(solver, places);
+        solver.Solve(H, 400, 1e-14);
+        (Vector3d Momentum, Vector3d Turning, double Energy) after = Balance(solver, places);
+        Assert.InRange((after.Momentum - before.Momentum).Length, 0, 1e-12);
+        Assert.InRange((after.Turning - before.Turning).Length, 0, 1e-12);
+        Assert.InRange(after.Energy, 0, before.Energy);
+        int pressed = 0;
+        for (int i = 0; i < solver.ContactCount; i++)
+        {
+            ref readonly PileContact contact = ref solver.Contacts[i];
+            double rate = Vector3d.Dot(solver.Members[contact.First].V - solver.Members[contact.Second].V, in contact.Normal);
+            Assert.InRange(rate + (contact.Gap / H), -1e-9, double.PositiveInfinity);
+            Assert.InRange(contact.Rub.Length, 0, (contact.Friction * contact.Load) + 1e-12);
+            Assert.InRange(Math.Abs(contact.Twist), 0, (contact.DrillingLength * contact.Friction * contact.Load) + 1e-12);
+            pressed += contact.Load > 0 ? 1 : 0;
+        }
+
+        Assert.True(pressed > 1);
+    }
+
+    /// <summary>A ball that rolls on the ground is slowed by c₀ of its load; one that slips by μ; one that turns about the normal by b μ.</summary>
+    [Theory]
+    [InlineData(1.0, 0.0, 0.0)]
+    [InlineData(1.0, 2.0, 0.0)]
+    [InlineData(0.0, 0.0, 30.0)]
+    public void The_ground_slows_a_ball_as_its_surface_says(double speed, double slip, double about)
+    {
+        const double Pull = 0.01;
+        PileSolver solver = Of(1);
+        solver.Members[0].V = new Vector3d(speed, -Pull, 0);
+        solver.Members[0].W = new Vector3d(0, about, -(speed - slip) / Radius);
+        solver.Members[0].OwnContacts = 1;
+        solver.Add(Ground(0));
+        solver.Solve(1e-3, 400, 1e-15);
+        double slowed = speed - solver.Members[0].V.X;
+        Assert.Equal(slip > 0 ? 0.5 * Pull : speed > 0 ? 0.07 * Pull : 0, slowed, 1e-9);
+        Assert.Equal(about > 0 ? 0.02 * 0.5 * Mass * Pull / Inertia : 0, about - solver.Members[0].W.Y, 1e-9);
+    }
+
+    private static PileSolver Of(int count)
+    {
+        var solver = new PileSolver { Members = new PileMember[count], Count = count };
+        for (int i = 0; i < count; i++)
+        {
+            solver.Members[i] = new PileMember { Ball = i, PerMass = 1 / Mass, PerInertia = 1 / Inertia, InertiaFactor = 2.0 / 3, Radius = Radius };
+        }
+
+        return solver;
+    }
+
+    private static PileContact Ground(int ball) => new()
+    {
+        First = ball,
+        Second = -1,
+        Normal = Vector3d.Up,
+        NormalMass = Mass,
+        SlipMass = 1 / ((1 / Mass) + (Radius * Radius / Inertia)),
+        Friction = 0.5,
+        RollingFriction = 0.07,
+        DrillingLength = 0.02,
+    };
+
+    private static PileContact Between(int first, int second, Vector3d normal, double gap) => new()
+    {
+        First = first,
+        Second = second,
+        Collider = -1,
+        Normal = normal,
+        Gap = gap,
+        NormalMass = Mass / 2,
+        SlipMass = 0.5 / ((1 / Mass) + (Radius * Radius / Inertia)),
+        TwistMass = Inertia / 2,
+        Friction = 0.4,
+        DrillingLength = 0.004,
+    };
+
+    private static (Vector3d Momentum, Vector3d Turning, double Energy) Balance(PileSolver solver, Vector3d[] places)
+    {
+        Vector3d momentum = default;
+        Vector3d turning = default;
+        double energy = 0;
+        for (int i = 0; i < solver.Count; i++)
+        {
+            ref readonly PileMember ball = ref solver.Members[i];
+            momentum += Mass * ball.V;
+            turning += (Inertia * ball.W) + (Mass * Vector3d.Cross(in places[i], in ball.V));
+            energy += 0.5 * ((Mass * ball.V.LengthSquared) + (Inertia * ball.W.LengthSquared));
+        }
+
+        return (momentum, turning, energy);
+    }
+}
