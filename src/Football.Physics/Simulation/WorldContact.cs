@@ -421,7 +421,7 @@ internal sealed class WorldContact
         s.SqueezeSpeed = Math.Max(s.SqueezeSpeed, velocity.Length);
 
         // Thrown back by another ball it hits the next thing anew, and that is not the second of two movers that bat it to and fro.
-        s.SqueezeUntil = presses || s.Motion == MotionState.Squeezed ? s.SqueezeUntil : Math.Min(s.SqueezeUntil, s.Time);
+        s.SqueezeUntil = s.Motion == MotionState.Squeezed ? s.SqueezeUntil : Math.Min(s.SqueezeUntil, s.Time);
         if (s.Motion == MotionState.Airborne || _world.HangsInNet(in s))
         {
             Fly(ref s, in velocity, in spin);
