@@ -294,7 +294,7 @@ internal struct Contact
     /// <summary>Index of the collider.</summary>
     public readonly int Collider;
 
-    /// <summary>True when the collider moves in this step: then the ball may overlap it where it cannot get out of its way.</summary>
+    /// <summary>True when the collider moves: then the ball may overlap it where it cannot get out of its way.</summary>
     public readonly bool Moves;
 
     /// <summary>True when it is flat there.</summary>
@@ -324,7 +324,7 @@ internal struct Contact
     public Contact(int index, Collider collider, in ShapePoint at, double gap, double radius, in BallState s)
     {
         Collider = index;
-        Moves = collider.Moves && (collider.Velocity != Vector3d.Zero || collider.Spin != Vector3d.Zero);
+        Moves = collider.Moves;
         IsFlat = at.IsFlat;
         Normal = at.Normal;
         Velocity = collider.Spin == Vector3d.Zero ? collider.Velocity : collider.SurfaceVelocity(s.Position - (radius * at.Normal), s.Time);

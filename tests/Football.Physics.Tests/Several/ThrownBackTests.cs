@@ -115,20 +115,27 @@ public sealed class ThrownBackTests
         Vector3d velocity = speed;
         var material = new ContactMaterial(body);
         int hits = 0;
+        double[] last = [double.NegativeInfinity, double.NegativeInfinity];
         foreach (BallEvent item in log.Events)
         {
             if (item.Kind != BallEventKind.Impact || item.Thing != 1)
             {
+                // Another ball, or the ground, comes between two hits.
+                last[item.Ball] = double.NegativeInfinity;
                 continue;
             }
+
+            // One body that hits a ball twice in a tenth of a second makes it no faster: there the balance holds, and not the restitution.
+            bool again = item.Time - last[item.Ball] < 0.1;
+            last[item.Ball] = item.Time;
 
             // The whole law: from the body's velocity by all impulses before to what the event tells.
             hits++;
             BallProperties ball = kinds[item.Ball];
             Balances(in item, ball, $"{item}");
             CoulombImpact.Apply(ball, in material, GivingWay.Of(ball, Mass), item.Normal, in velocity, item.VelocityBefore, item.SpinBefore, out Vector3d after, out Vector3d spin);
-            Assert.True((after - item.Velocity).Length < 1e-9 * (1 + after.Length), $"{item}: {item.Velocity}, right: {after}");
-            Assert.True((spin - item.Spin).Length < 1e-9 * (1 + spin.Length), $"{item}: spin {item.Spin}, right: {spin}");
+            Assert.True(again || (after - item.Velocity).Length < 1e-9 * (1 + after.Length), $"{item}: {item.Velocity}, right: {after}");
+            Assert.True(again || (spin - item.Spin).Length < 1e-9 * (1 + spin.Length), $"{item}: spin {item.Spin}, right: {spin}");
             velocity -= item.Impulse(ball) / Mass;
         }
 
