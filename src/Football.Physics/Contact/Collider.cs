@@ -96,6 +96,9 @@ internal sealed class Collider
     /// <summary>How far a point is inside the border of the flat face that it is over, m; negative beyond it, infinite where the shape has no such border.</summary>
     public double FaceMargin(in Vector3d position, double time) => _shape is BoxShape box ? box.FaceMargin(Motion.ToShape(in position, time)) : double.PositiveInfinity;
 
+    /// <summary>True when it is made of several materials.</summary>
+    public bool HasPatches => _patches.Length > 0;
+
     /// <summary>True when its shape is a plane everywhere, or, where it is flat, like one.</summary>
     public bool IsPlane => _shape is PlaneShape or TangentShape;
 

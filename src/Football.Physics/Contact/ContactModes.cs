@@ -27,10 +27,12 @@ internal static unsafe class ContactModes
     /// <param name="time">When, s.</param>
     /// <param name="at">The ball.</param>
     /// <param name="sticking">A slip of less than this, m/s, is none.</param>
+    /// <param name="carrier">The collider that carried the ball: most likely it still bears it most.</param>
     /// <param name="evaluations">Counts what was evaluated.</param>
     /// <returns>False where none were found.</returns>
-    public static bool Find(ref ContactSystem system, double time, in Motion at, double sticking, ref int evaluations)
+    public static bool Find(ref ContactSystem system, double time, in Motion at, double sticking, int carrier, ref int evaluations)
     {
+        int likely = -1;
         for (int i = 0; i < system.Count; i++)
         {
             ref SetContact contact = ref system.Contacts[i];
@@ -39,12 +41,20 @@ internal static unsafe class ContactModes
             contact.Bears = true;
             contact.Sticks = slip < sticking && contact.Sliding > 0;
             contact.Direction = slip > 0 ? contact.Slip / slip : Vector3d.Zero;
+            likely = contact.Collider == carrier ? i : likely;
         }
 
-        system.Bearer = -1;
+        system.Bearer = likely;
         system.Pinned = false;
         system.HoldsSpin = false;
         system.Along = default;
+        if (likely >= 0)
+        {
+            // From a standstill the load is not known yet: then the bearer is looked for.
+            Roll(ref system, in at, default);
+            system.Bearer = system.Contacts[likely].Sticks && system.Contacts[likely].RollingVelocity.Length < Slip.Rolling ? -1 : likely;
+            system.Pinned = false;
+        }
         for (int change = 0; change < MostChanges; change++)
         {
             Force(ref system, time, in at, ref evaluations);
@@ -65,8 +75,21 @@ internal static unsafe class ContactModes
         for (int round = 0; round < MostStarts; round++)
         {
             bool again = false;
+            bool starts = false;
+            for (int i = 0; i < system.Count; i++)
+            {
+                ref readonly SetContact contact = ref system.Contacts[i];
+                starts |= contact.Bears && !contact.Sticks && contact.Direction != Vector3d.Zero && contact.Slip == Vector3d.Zero;
+            }
+
+            if (!starts)
+            {
+                break;
+            }
+
             system.Free(time, in at, out Vector3d acceleration, out Vector3d spinAcceleration, out _);
             system.Solve(in at.Spin, ref acceleration, ref spinAcceleration);
+            evaluations++;
             for (int i = 0; i < system.Count; i++)
             {
                 ref SetContact contact = ref system.Contacts[i];
@@ -87,7 +110,6 @@ internal static unsafe class ContactModes
                 break;
             }
 
-            evaluations++;
             changed = true;
         }
 
@@ -103,6 +125,8 @@ internal static unsafe class ContactModes
             evaluations++;
             Vector3d free = acceleration;
             system.Solve(in at.Spin, ref acceleration, ref spinAcceleration);
+            system.Acceleration = acceleration;
+            system.SpinAcceleration = spinAcceleration;
             int bearer = BearerOf(in system);
             if (bearer == system.Bearer)
             {

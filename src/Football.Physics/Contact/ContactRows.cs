@@ -55,34 +55,61 @@ internal static unsafe class ContactRows
         return isUnique;
     }
 
-    /// <summary>Takes from a vector what G does not map to zero.</summary>
-    /// <param name="g">G, row by row.</param>
-    /// <param name="z">The vector.</param>
+    /// <summary>
+    /// Solves G x = b where the conditions of two sticking contacts depend on each other by a known vector y, yᵀ G = 0 and yᵀ b = 0: (G + y yᵀ) has an inverse, which also
+    /// maps y onto the vector z of the forces that move nothing, G z = 0. The least x has no part along z.
+    /// </summary>
+    /// <param name="g">G, row by row; overwritten.</param>
+    /// <param name="b">b; replaced by x.</param>
+    /// <param name="y">y; replaced by z.</param>
     /// <param name="size">Number of unknowns.</param>
+    /// <returns>False where more than this is not determined: then b and y are as they were, and G is lost.</returns>
     [SkipLocalsInit]
-    public static void ToNullSpace(double* g, double* z, int size)
+    public static bool SolveBraced(double* g, double* b, double* y, int size)
     {
-        double* mapped = stackalloc double[Most];
-        double* part = stackalloc double[Most];
+        double* x = stackalloc double[2 * Most];
+        double largest = 0;
         for (int i = 0; i < size; i++)
         {
-            mapped[i] = 0;
-            for (int k = 0; k < size; k++)
+            x[i] = b[i];
+            x[Most + i] = y[i];
+            for (int j = 0; j < size; j++)
             {
-                mapped[i] += g[(i * size) + k] * z[k];
+                g[(i * size) + j] += y[i] * y[j];
+                largest = Math.Max(largest, Math.Abs(g[(i * size) + j]));
             }
         }
 
-        LeastSquares(g, mapped, part, size);
+        if (!Eliminate(g, x, size, Singular * largest, 2))
+        {
+            return false;
+        }
+
+        double along = 0;
+        double square = 0;
         for (int i = 0; i < size; i++)
         {
-            z[i] -= part[i];
+            along += x[i] * x[Most + i];
+            square += x[Most + i] * x[Most + i];
         }
+
+        for (int i = 0; i < size; i++)
+        {
+            b[i] = x[i] - (along / square * x[Most + i]);
+            y[i] = x[Most + i];
+        }
+
+        return true;
     }
 
     /// <summary>Gaussian elimination with pivots from the column.</summary>
+    /// <param name="a">The matrix; overwritten.</param>
+    /// <param name="x">The right-hand sides, <see cref="Most"/> apart; replaced by the solutions.</param>
+    /// <param name="size">Number of unknowns.</param>
+    /// <param name="least">A smaller pivot is none.</param>
+    /// <param name="sides">Number of right-hand sides.</param>
     /// <returns>False where a pivot is too small.</returns>
-    private static bool Eliminate(double* a, double* x, int size, double least)
+    private static bool Eliminate(double* a, double* x, int size, double least, int sides = 1)
     {
         for (int column = 0; column < size; column++)
         {
@@ -106,7 +133,10 @@ internal static unsafe class ContactRows
                     (own[j], best[j]) = (best[j], own[j]);
                 }
 
-                (x[column], x[pivot]) = (x[pivot], x[column]);
+                for (int side = 0; side < sides * Most; side += Most)
+                {
+                    (x[side + column], x[side + pivot]) = (x[side + pivot], x[side + column]);
+                }
             }
 
             double inverse = 1.0 / own[column];
@@ -121,20 +151,26 @@ internal static unsafe class ContactRows
                         row[j] -= factor * own[j];
                     }
 
-                    x[i] -= factor * x[column];
+                    for (int side = 0; side < sides * Most; side += Most)
+                    {
+                        x[side + i] -= factor * x[side + column];
+                    }
                 }
             }
         }
 
-        for (int i = size - 1; i >= 0; i--)
+        for (int side = 0; side < sides * Most; side += Most)
         {
-            double* row = a + (i * size);
-            for (int j = i + 1; j < size; j++)
+            for (int i = size - 1; i >= 0; i--)
             {
-                x[i] -= row[j] * x[j];
-            }
+                double* row = a + (i * size);
+                for (int j = i + 1; j < size; j++)
+                {
+                    x[side + i] -= row[j] * x[side + j];
+                }
 
-            x[i] /= row[i];
+                x[side + i] /= row[i];
+            }
         }
 
         return true;

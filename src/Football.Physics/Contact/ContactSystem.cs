@@ -35,6 +35,10 @@ internal unsafe struct ContactSystem : IMotionSystem
     /// <summary>What holds it, m/s².</summary>
     public double Held;
 
+    /// <summary>The accelerations for which the modes were found, m/s² and rad/s².</summary>
+    public Vector3d Acceleration;
+    public Vector3d SpinAcceleration;
+
     /// <summary>Which way it spins about the bearer's normal, relative to that: drilling friction keeps to it.</summary>
     public double SpinSign;
 
@@ -211,9 +215,31 @@ internal unsafe struct ContactSystem : IMotionSystem
             }
         }
 
-        if (size > 0 && !ContactRows.Solve(g, x, size))
+        if (size > 0)
         {
-            Brace(g, x, size);
+            double* z = stackalloc double[ContactRows.Most];
+            if (PairThatSticks(z, size, out int first, out int second))
+            {
+                // The direction from one contact point to the other: along it two sticking contacts say the same, and may press without moving anything.
+                double* copy = stackalloc double[ContactRows.Most * ContactRows.Most];
+                for (int i = 0; i < size * size; i++)
+                {
+                    copy[i] = g[i];
+                }
+
+                if (ContactRows.SolveBraced(copy, x, z, size))
+                {
+                    Brace(x, z, size, first, second);
+                }
+                else
+                {
+                    ContactRows.Solve(g, x, size);
+                }
+            }
+            else
+            {
+                ContactRows.Solve(g, x, size);
+            }
         }
 
         for (int i = 0; i < size; i++)
@@ -246,47 +272,72 @@ internal unsafe struct ContactSystem : IMotionSystem
     /// Forces that are not determined: a ball that sticks to two surfaces may press them apart, along the line between the contact points, without moving. Where the
     /// least forces leave a friction cone, it does so by as little as brings them back into both.
     /// </summary>
-    [SkipLocalsInit]
-    private readonly void Brace(double* g, double* x, int size)
+    private readonly void Brace(double* x, double* z, int size, int first, int second)
     {
-        double* z = stackalloc double[ContactRows.Most];
-        int row = 0;
+        int row = RowOf(first);
+        int other = RowOf(second);
+        if (!IsBeyondCone(x + row, in Contacts[first]) && !IsBeyondCone(x + other, in Contacts[second]))
+        {
+            return;
+        }
+
+        double low = double.NegativeInfinity;
+        double high = double.PositiveInfinity;
+        Allow(x + row, z + row, in Contacts[first], ref low, ref high);
+        Allow(x + other, z + other, in Contacts[second], ref low, ref high);
+        double share = low > 0 ? low : high < 0 ? high : 0;
+        for (int k = 0; k < size && low <= high && Math.Abs(share) < double.MaxValue; k++)
+        {
+            x[k] += share * z[k];
+        }
+    }
+
+    /// <summary>True where exactly two contacts stick: n₁ − n₂ as load and friction of both is the force that moves nothing, of length 1.</summary>
+    private readonly bool PairThatSticks(double* z, int size, out int first, out int second)
+    {
+        first = -1;
+        second = -1;
         for (int i = 0; i < Count; i++)
         {
-            ref readonly SetContact first = ref Contacts[i];
-            int second = row + WidthOf(in first);
-            for (int j = i + 1; j < Count; j++)
+            if (WidthOf(in Contacts[i]) == 3)
             {
-                ref readonly SetContact other = ref Contacts[j];
-                int width = WidthOf(in other);
-                if (WidthOf(in first) == 3 && width == 3 && (IsBeyondCone(x + row, in first) || IsBeyondCone(x + second, in other)))
+                if (second >= 0)
                 {
-                    // The direction from one contact point to the other, n₁ − n₂, as load and friction of both.
-                    Vector3d line = first.Normal - other.Normal;
-                    for (int k = 0; k < size; k++)
-                    {
-                        z[k] = 0;
-                    }
-
-                    Split(z + row, in first, in line);
-                    Split(z + second, in other, -line);
-                    ContactRows.ToNullSpace(g, z, size);
-                    double low = double.NegativeInfinity;
-                    double high = double.PositiveInfinity;
-                    Allow(x + row, z + row, in first, ref low, ref high);
-                    Allow(x + second, z + second, in other, ref low, ref high);
-                    double share = low > 0 ? low : high < 0 ? high : 0;
-                    for (int k = 0; k < size && low <= high && Math.Abs(share) < double.MaxValue; k++)
-                    {
-                        x[k] += share * z[k];
-                    }
+                    return false;
                 }
 
-                second += width;
+                second = first >= 0 ? i : -1;
+                first = first >= 0 ? first : i;
             }
-
-            row += WidthOf(in first);
         }
+
+        if (second < 0)
+        {
+            return false;
+        }
+
+        Vector3d line = Contacts[first].Normal - Contacts[second].Normal;
+        line = 1.0 / (Math.Sqrt(2.0) * line.Length) * line;
+        for (int k = 0; k < size; k++)
+        {
+            z[k] = 0;
+        }
+
+        Split(z + RowOf(first), in Contacts[first], in line);
+        Split(z + RowOf(second), in Contacts[second], -line);
+        return true;
+    }
+
+    /// <summary>The first unknown of a contact.</summary>
+    private readonly int RowOf(int contact)
+    {
+        int row = 0;
+        for (int i = 0; i < contact; i++)
+        {
+            row += WidthOf(in Contacts[i]);
+        }
+
+        return row;
     }
 
     /// <summary>How many unknowns a contact has.</summary>

@@ -77,7 +77,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             Around = _around, World = _world, Contacts = contacts, Count = set.Length, Nets = s.Nets, NetSides = s.NetSides, Branch = _jump.OnSurface(s.Branch, in from),
         };
         int evaluations = 0;
-        bool found = ContactModes.Find(ref system, s.Time, in from, Sticking, ref evaluations);
+        bool found = ContactModes.Find(ref system, s.Time, in from, Sticking, (int)s.Carrier - _world.FirstCollider, ref evaluations);
         run.Log.Evaluations += evaluations;
         if (!found)
         {
@@ -220,7 +220,9 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         where TMethod : struct, IIntegrator
     {
         int order = default(TMethod).Order;
+        double* starts = stackalloc double[SetMargin<TMethod>.Most];
         var sweep = new MotionSweep<ContactSystem, TMethod>(in system, s.Time, in from, _around.Wind, _around.Radius);
+        SetMargin<TMethod>.Start(ref sweep, in s, in from, starts);
         sweep.Step(h);
         double whole = sweep.Length;
 
@@ -241,7 +243,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         }
 
         double crossing = sweep.Length;
-        bool changes = SetMargin<TMethod>.EndPiece(ref sweep, in s);
+        bool changes = SetMargin<TMethod>.EndPiece(ref sweep, in s, starts);
         SurfaceBorder.EndBeyond(ref sweep, in s, _world.CarrierOf(in s));
         _nets.EndWhereSlack(ref sweep, in s);
         bool meets = _guard.EndAtFirst(ref sweep, in s, order, set, out Separation met);
@@ -259,6 +261,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             set[i].Load = system.Contacts[i].Load;
         }
 
+        s.ClearIn = BallState.TouchesSeveral;
         ContactSet.Hold(_world, ref s, set);
         run.Show(in before, in s, ref sweep, order);
         Name(ref s, in system, ref run);
@@ -288,32 +291,19 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         h = turning * h > LargestTurn ? LargestTurn / turning : h;
         h = Math.Min(h, _nets.LongestPiece(in s, h));
         run.Keep(h, asked);
-        return ShortenForSlips(in system, s.Time, in from, h, run.Length);
+        return ShortenForSlips(in system, in from, h, run.Length);
     }
 
     /// <summary>A piece takes no more of a slip that turns than the method can follow.</summary>
-    private double ShortenForSlips(in ContactSystem system, double time, in Motion from, double h, double step)
+    private double ShortenForSlips(in ContactSystem system, in Motion from, double h, double step)
     {
-        bool slips = false;
-        for (int i = 0; i < system.Count; i++)
-        {
-            slips |= system.Contacts[i].Bears && !system.Contacts[i].Sticks && system.Contacts[i].Sliding > 0 && system.Contacts[i].Slip != Vector3d.Zero;
-        }
-
-        if (!slips)
-        {
-            return h;
-        }
-
-        ContactSystem look = system;
-        look.Rates(time, in from, out MotionRates rates);
         for (int i = 0; i < system.Count; i++)
         {
             ref readonly SetContact contact = ref system.Contacts[i];
             double size = contact.Slip.Length;
             if (contact.Bears && !contact.Sticks && contact.Sliding > 0 && size > 0)
             {
-                Vector3d rate = contact.SlipRate(rates.Acceleration, rates.SpinAcceleration, from.Spin, _around.Radius);
+                Vector3d rate = contact.SlipRate(in system.Acceleration, in system.SpinAcceleration, from.Spin, _around.Radius);
                 h = TurnLimit.Shorten(h, step, contact.Direction, size, in rate, contact.IsFixed);
             }
         }

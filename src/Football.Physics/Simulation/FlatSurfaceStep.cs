@@ -156,6 +156,12 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             return false;
         }
 
+        if (s.ClearIn == BallState.TouchesSeveral)
+        {
+            s.ClearIn = 0;
+            return false;
+        }
+
         return s.Motion == MotionState.Rolling ? TryWhole<Roll>(ref s, dt, end, log) : _slides && TryWhole<Slide>(ref s, dt, end, log);
     }
 

@@ -13,6 +13,8 @@ internal sealed unsafe class RestPhase
     private readonly WorldGuard _guard;
     private readonly WorldContact _contact;
     private readonly DragJumpGuard _jump;
+    private readonly bool _airMayWake;
+    private bool? _isHeldByGround;
 
     public RestPhase(Surroundings around, WorldGuard guard, WorldContact contact, DragJumpGuard jump)
     {
@@ -23,7 +25,8 @@ internal sealed unsafe class RestPhase
         _jump = jump;
 
         // In the published profile the air wakes no ball.
-        MayWake = _world.Moves || around.Air.HasOwnForces || (_world.SharesAir && around.Air.ChangesInTime);
+        _airMayWake = around.Air.HasOwnForces || (_world.SharesAir && around.Air.ChangesInTime);
+        MayWake = _world.Moves || _airMayWake;
     }
 
     /// <summary>True when a ball at rest may be woken without a kick: by what moves, by a force of the game's own, by wind that changes.</summary>
@@ -32,6 +35,14 @@ internal sealed unsafe class RestPhase
     /// <summary>Up to the end of the step, or to what wakes the ball.</summary>
     public void Take(ref BallState s, ref StepRun run)
     {
+        // Held by the ground alone, whatever the air is doing, and nothing moves: only the time goes on.
+        if (_world.Engine is null && !_airMayWake && s.Carrier == 0 && IsHeldByGround(in s) && !(_world.FastestMover > 0))
+        {
+            run.Advance(ref s, run.Left);
+            run.Log.Steps--;
+            return;
+        }
+
         if (_guard.HitsAtOnce(ref s, ref run))
         {
             return;
@@ -74,6 +85,19 @@ internal sealed unsafe class RestPhase
         {
             _guard.Meet(ref s, in met, ref run);
         }
+    }
+
+    /// <summary>True when rolling friction of plane ground holds a ball wherever it lies: found once for a scene.</summary>
+    private bool IsHeldByGround(in BallState s)
+    {
+        if (_isHeldByGround is null && s.Nets == 0)
+        {
+            bool isPlain = _world.Ground is { IsPlane: true, HasPatches: false } && !_around.Air.Varies;
+            int evaluations = 0;
+            _isHeldByGround = isPlain && Grips(in s, _world.Ground!, Vector3d.Zero, Vector3d.Zero, Vector3d.Zero, ref evaluations);
+        }
+
+        return s.Nets == 0 && _isHeldByGround!.Value;
     }
 
     /// <summary>True when a ball without a motion of its own stays where it is, on what carries it or in a net. What forces of a game's own do the next step checks.</summary>

@@ -20,6 +20,9 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
 
     private const int Limits = (int)Limit.HoldSpin + 1;
 
+    /// <summary>Values of a piece at most.</summary>
+    public const int Most = Limits * ContactSystem.Most;
+
     public MotionSweep<ContactSystem, TIntegrator> Sweep;
     private readonly Limit _limit;
     private readonly int _contact;
@@ -55,28 +58,28 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
         return false;
     }
 
-    /// <summary>Shortens a piece to the first of these ends.</summary>
-    /// <param name="sweep">The piece.</param>
-    /// <param name="s">The ball at its start.</param>
-    /// <returns>Whether it was shortened.</returns>
-    public static bool EndPiece(ref MotionSweep<ContactSystem, TIntegrator> sweep, in BallState s)
+    /// <summary>Values at the start of a piece, from what the modes were found by.</summary>
+    public static void Start(ref MotionSweep<ContactSystem, TIntegrator> sweep, in BallState s, in Motion from, double* starts)
     {
-        double* starts = stackalloc double[Limits * ContactSystem.Most];
-        ref ContactSystem system = ref sweep.System;
-        double length = sweep.Length;
-        bool shortened = false;
-
-        // Each margin at the start and at the end of the piece; searched for is only one that is positive first and negative then.
-        var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
-        system.Rates(s.Time, in from, out _);
-        sweep.Evaluations++;
-        for (int i = 0; i < Limits * system.Count; i++)
+        for (int i = 0; i < Limits * sweep.System.Count; i++)
         {
             starts[i] = Value(ref sweep, (Limit)(i % Limits), i / Limits, s.Time, in from, 0);
         }
+    }
 
+    /// <summary>Shortens a piece to the first of these ends.</summary>
+    /// <param name="sweep">The piece.</param>
+    /// <param name="s">The ball at its start.</param>
+    /// <param name="starts">The values at its start.</param>
+    /// <returns>Whether it was shortened.</returns>
+    public static bool EndPiece(ref MotionSweep<ContactSystem, TIntegrator> sweep, in BallState s, double* starts)
+    {
+        double length = sweep.Length;
+        bool shortened = false;
+
+        // Searched for is only what is positive at the start and negative at the end.
         Look(ref sweep, s.Time);
-        for (int i = 0; i < Limits * system.Count; i++)
+        for (int i = 0; i < Limits * sweep.System.Count; i++)
         {
             double end = starts[i] > 0 ? Value(ref sweep, (Limit)(i % Limits), i / Limits, s.Time) : 0;
             if (!(end < 0))

@@ -307,6 +307,7 @@ internal sealed class WorldContact
         run.Log.Halted |= run.Log.StopAt == StopAt.Rest;
         s.Velocity = velocity;
         s.SetGroundSpin(in spin);
+        s.ClearIn = s.ClearIn == BallState.TouchesSeveral ? 0 : s.ClearIn;
         s.Motion = MotionState.Stopped;
     }
 

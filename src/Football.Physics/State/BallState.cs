@@ -84,6 +84,9 @@ public struct BallState : IFormattable
     /// <summary>A key of the scene for which that was found, which is odd; of a ball that rests in a pile, a key of the balls that it touches, which is even.</summary>
     internal ulong ClearIn;
 
+    /// <summary><see cref="ClearIn"/> of a ball that several surfaces bore at the end of the last step: the next one need not look whether the way is free.</summary>
+    internal const ulong TouchesSeveral = 2;
+
     /// <summary>Distance flown through the air since the kick, m, where a knuckle force depends on it; else 0.</summary>
     internal double AirDistance;
 
