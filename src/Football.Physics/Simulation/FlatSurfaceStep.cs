@@ -2,18 +2,6 @@ using System.Runtime.CompilerServices;
 
 namespace Football.Physics;
 
-/// <summary>Whole steps on flat ground, whatever the laws of the air.</summary>
-internal abstract class FlatSurfaceStep
-{
-    /// <summary>A whole step, done if nothing happens in it.</summary>
-    /// <param name="s">The ball, on the ground.</param>
-    /// <param name="dt">Its length, s.</param>
-    /// <param name="end">When it ends, s.</param>
-    /// <param name="log">Where counts are added.</param>
-    /// <returns>False where something may happen; then nothing is done.</returns>
-    public abstract bool TryWhole(ref BallState s, double dt, double end, StepLog log);
-}
-
 /// <summary>
 /// Whole steps of sliding and rolling on flat ground with nothing else near: nearly every step that a ball takes on the ground. The motion has two components
 /// along the plane and three of spin, in the plane's own axes; the load needs no curvature, and nothing is searched for.
@@ -151,14 +139,10 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
 
     public override bool TryWhole(ref BallState s, double dt, double end, StepLog log)
     {
-        if (!_acts || s.Carrier != 0 || s.Nets != 0)
+        bool touches = s.ClearIn == BallState.TouchesSeveral;
+        if (!_acts || s.Carrier != 0 || s.Nets != 0 || touches)
         {
-            return false;
-        }
-
-        if (s.ClearIn == BallState.TouchesSeveral)
-        {
-            s.ClearIn = 0;
+            s.ClearIn = touches ? 0 : s.ClearIn;
             return false;
         }
 

@@ -116,8 +116,10 @@ public sealed class ThrownBackTests
         var material = new ContactMaterial(body);
         int hits = 0;
         double[] last = [double.NegativeInfinity, double.NegativeInfinity];
-        foreach (BallEvent item in log.Events)
+        BallEvent[] all = log.Events.Span.ToArray();
+        for (int i = 0; i < all.Length; i++)
         {
+            BallEvent item = all[i];
             if (item.Kind != BallEventKind.Impact || item.Thing != 1)
             {
                 // Another ball, or the ground, comes between two hits.
@@ -133,7 +135,11 @@ public sealed class ThrownBackTests
             hits++;
             BallProperties ball = kinds[item.Ball];
             Balances(in item, ball, $"{item}");
-            CoulombImpact.Apply(ball, in material, GivingWay.Of(ball, Mass), item.Normal, in velocity, item.VelocityBefore, item.SpinBefore, out Vector3d after, out Vector3d spin);
+
+            // A ball that stays on what gives way has had an impact without restitution.
+            bool stays = Array.Exists(all, next => next.Ball == item.Ball && next.Time == item.Time && next.Thing == 1 && next.Kind is BallEventKind.Slide or BallEventKind.Roll);
+            ContactMaterial law = stays ? material.WithoutRestitution() : material;
+            CoulombImpact.Apply(ball, in law, GivingWay.Of(ball, Mass), item.Normal, in velocity, item.VelocityBefore, item.SpinBefore, out Vector3d after, out Vector3d spin);
             Assert.True(again || (after - item.Velocity).Length < 1e-9 * (1 + after.Length), $"{item}: {item.Velocity}, right: {after}");
             Assert.True(again || (spin - item.Spin).Length < 1e-9 * (1 + spin.Length), $"{item}: spin {item.Spin}, right: {spin}");
             velocity -= item.Impulse(ball) / Mass;

@@ -13,7 +13,7 @@ internal static class BallContact
         double distance = apart.Length;
         normal = distance > 0 ? apart / distance : Vector3d.Up;
         rate = Vector3d.Dot(first.Velocity - second.Velocity, in normal);
-        return distance - firstRadius - secondRadius;
+        return distance - (firstRadius + secondRadius);
     }
 
     /// <summary>
