@@ -12,6 +12,9 @@ internal static class ContactSet
     /// <summary>Onto what it touches a ball is put so often at most.</summary>
     private const int MostRounds = 64;
 
+    /// <summary>Steps of Newton's method onto two contacts.</summary>
+    private const int MostNewton = 4;
+
     /// <summary>Reach, m, within which things are looked for that a ball may be pushed into when it is put out of another.</summary>
     private const double Beside = 0.01;
 
@@ -158,6 +161,7 @@ internal static class ContactSet
     /// </summary>
     public static void Hold(World world, ref BallState s, Span<Contact> set)
     {
+        PutOntoTwo(world, ref s, set);
         bool moved = true;
 
         // Projections in turn until none moves the ball; what stands still comes last in a round, so that it is never entered.
@@ -174,6 +178,34 @@ internal static class ContactSet
                     }
                 }
             }
+        }
+    }
+
+    /// <summary>Newton's method on the gaps of the two contacts that bear most: where those meet at a small angle, or are curved, projections in turn would take long.</summary>
+    private static void PutOntoTwo(World world, ref BallState s, Span<Contact> set)
+    {
+        int first = Heaviest(set);
+        int second = -1;
+        for (int i = 0; i < set.Length; i++)
+        {
+            second = i != first && set[i].Load > 0 && (second < 0 || set[i].Load > set[second].Load) ? i : second;
+        }
+
+        for (int round = 0; second >= 0 && round < MostNewton; round++)
+        {
+            ShapePoint one = world.Colliders[set[first].Collider].At(s.Position, s.Time);
+            ShapePoint two = world.Colliders[set[second].Collider].At(s.Position, s.Time);
+            double gap = one.Distance - world.Ball.Radius;
+            double other = two.Distance - world.Ball.Radius;
+            double cosine = Vector3d.Dot(one.Normal, two.Normal);
+            double square = 1.0 - (cosine * cosine);
+            if (!(square > Flush.SameNormal * 4.0) || (Math.Abs(gap) <= Closed && Math.Abs(other) <= Closed) || one.IsFlat != set[first].IsFlat || two.IsFlat != set[second].IsFlat)
+            {
+                return;
+            }
+
+            // The shortest way that closes both: δ = λ₁ n₁ + λ₂ n₂ with δ·nᵢ = −gapᵢ.
+            s.Position += (((cosine * other) - gap) / square * one.Normal) + (((cosine * gap) - other) / square * two.Normal);
         }
     }
 
