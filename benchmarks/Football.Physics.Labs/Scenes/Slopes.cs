@@ -83,8 +83,8 @@ internal sealed class Slopes : SceneKind
             Vector3d all = weight + acceleration;
             Vector3d shared = (Along(all, normal) + (Vector3d.Cross(torque, normal) / (Mass * Radius))) / (1 + K);
 
-            // At zero speed the friction acts against the push.
-            Vector3d ahead = moves.Length > 0 ? moves.Normalized() : shared.Normalized();
+            // At zero speed the friction acts against the push, and so it does while it could turn the motion round within a step, where rounding would turn it.
+            Vector3d ahead = moves.Length > 10 * H * rolling * Gravity ? moves.Normalized() : shared.Normalized();
             return shared + ((rolling + (bySpeed * moves.Length)) * Vector3d.Dot(all, normal) * ahead);
         }
     }

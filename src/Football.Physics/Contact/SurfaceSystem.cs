@@ -27,6 +27,12 @@ internal struct SurfaceSystem : IMotionSystem
     /// <summary>Direction of the slip, or of a roll, at the piece's start: what friction keeps to where a stage passes zero.</summary>
     public Vector3d Direction;
 
+    /// <summary>
+    /// True when friction keeps to <see cref="Direction"/> all along the piece: for a slip or a roll so slow that friction could turn it round in the piece, where a method
+    /// would magnify every rounding across it.
+    /// </summary>
+    public bool LocksDirection;
+
     /// <summary>True when the ball stands on its spot of the carrier and only spins about the normal.</summary>
     public bool Pinned;
 
@@ -262,7 +268,7 @@ internal struct SurfaceSystem : IMotionSystem
         // ŝ, and the direction at the start where a stage has passed zero: friction must not push the slip on beyond it.
         Vector3d slip = SlipOf(in at, in on);
         double size = slip.Length;
-        Vector3d s = size > 0 && Vector3d.Dot(in slip, in Direction) > 0 ? slip / size : Direction;
+        Vector3d s = size > 0 && !LocksDirection && Vector3d.Dot(in slip, in Direction) > 0 ? slip / size : Direction;
         double friction = SlidingFriction(in on);
 
         // A ball without spin is held by the air as friction begins to turn it, and no more than that.
@@ -294,7 +300,7 @@ internal struct SurfaceSystem : IMotionSystem
 
         // v̇_t = drive + α (A_t + r ω_n n × ṅ)/(1 + α) − (c₀ + c₁|v|)(N/m) v̂; one that stands on its spot goes as the carrier's material does.
         double speed = on.Rolling.Length;
-        bool goesOn = speed > 0 && Vector3d.Dot(in on.Rolling, in Direction) > 0;
+        bool goesOn = speed > 0 && !LocksDirection && Vector3d.Dot(in on.Rolling, in Direction) > 0;
         Vector3d direction = goesOn ? on.Rolling / speed : Direction;
         Vector3d along = Pinned ? on.MaterialRate
             : Drive(in on)

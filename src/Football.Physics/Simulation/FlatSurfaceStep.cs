@@ -24,7 +24,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     private const double Ample = 0.9;
     private const double Slight = 0.05;
 
-    /// <summary>A slip that friction ends in this share of a step is taken in pieces without asking.</summary>
+    /// <summary>A slip or a roll that friction alone would end in this share of a step is taken in pieces without asking.</summary>
     private const double SoonOver = 0.5;
 
     private readonly Surroundings _around;
@@ -187,7 +187,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         double airSpeed = Math.Abs(airX) + Math.Abs(_windUp) + Math.Abs(airZ) + _fastestWind + (rolls ? 0 : dt * material.Sliding * _weight);
         double spinAtMost = Math.Abs(start.WX) + Math.Abs(start.WY) + Math.Abs(start.WZ);
         if (!(size >= Slip.Rolling) || !(dt * (_limit.RateAtMost(airSpeed, spinAtMost) + material.Damping) <= StabilityLimit.LargestChange)
-            || (!rolls && size < SoonOver * dt * material.SlipFriction * _weight)
+            || size < SoonOver * dt * (rolls ? material.Rolling : material.SlipFriction) * _weight
             || (_materials.Length > 1 && !(_world.Ground!.LeastWidth >= 2.0 * dt * size))
             || (_clear is not null && !_clear.HoldsOnSurface(ref s, dt, Math.Sqrt(airSpeedSquared) + _fastestWind, Math.Sqrt(spinSquared))))
         {

@@ -208,6 +208,36 @@ internal static class TurnLimit
     /// <summary>So much of the square of the rate across the direction is usual: with less of it pieces are longer.</summary>
     private const double OftenTurns = 0.01;
 
+    /// <summary>Friction that changes a slip or a roll by more than this share of it turns the direction faster than a method follows.</summary>
+    private const double Stiff = 2.0;
+
+    /// <summary>A direction that turns by less than this in a piece, rad, stays as it is.</summary>
+    private const double Straight = 1e-7;
+
+    /// <summary>
+    /// The length of a piece in which friction is strong for so slow a slip or roll: the direction is locked where it does not turn; where it does, the piece is as short
+    /// as the method can follow.
+    /// </summary>
+    /// <param name="h">Length of the piece, s.</param>
+    /// <param name="direction">The direction.</param>
+    /// <param name="size">Size of the slip or the roll, m/s.</param>
+    /// <param name="rate">Its rate of change, m/s².</param>
+    /// <param name="friction">By how much friction changes it, m/s².</param>
+    /// <param name="locks">Whether the direction is locked.</param>
+    public static double Follow(double h, in Vector3d direction, double size, in Vector3d rate, double friction, out bool locks)
+    {
+        locks = false;
+        if (!(h * friction > Stiff * size))
+        {
+            return h;
+        }
+
+        double along = Vector3d.Dot(in rate, in direction);
+        double across = Math.Sqrt(Math.Max(0, rate.LengthSquared - (along * along)));
+        locks = across * h <= Straight * (size + Math.Max(0, along * h));
+        return locks ? h : Stiff * size / friction;
+    }
+
     /// <summary>True when a piece may be taken.</summary>
     /// <param name="size">Size at its start, m/s.</param>
     /// <param name="along">Change along its direction, m/s.</param>

@@ -157,6 +157,8 @@ internal sealed class SurfacePhase<TIntegrator>
         double length = moving.Length;
         system.Direction = length > 0 ? moving / length : Vector3d.Zero;
 
+        system.LocksDirection = size < Slip.Rolling;
+
         // How long the piece may be: first by stability, nets, borders and the turning normal, then by how fast the direction turns.
         double h = LongestPiece(in s, in from, in on, ref run);
         if (size >= Slip.Rolling)
@@ -171,6 +173,8 @@ internal sealed class SurfacePhase<TIntegrator>
                 return;
             }
 
+            double turned = most * (rolls ? 1.0 : 1.0 + (1.0 / _alpha));
+            h = TurnLimit.Follow(h, system.Direction, size, in rate, turned, out system.LocksDirection);
             h = most > 0 && (rolls || _endsSlipExactly) ? TurnLimit.Shorten(h, run.Length, system.Direction, size, in rate, on.Turning == Vector3d.Zero) : h;
         }
 
