@@ -52,7 +52,7 @@ internal sealed unsafe class RestPhase
         if (run.Left == run.Length && MayWake && !BallRests.RestsInPile(in s))
         {
             int evaluations = 0;
-            bool holds = IsHeld(ref s, run.Length, ref evaluations);
+            bool holds = IsHeld(ref s, run.PerStep, ref evaluations);
             run.Log.Evaluations += evaluations;
             if (!holds)
             {
@@ -113,8 +113,8 @@ internal sealed unsafe class RestPhase
         return IsHeld(ref copy, 0, ref evaluations);
     }
 
-    /// <summary>True when a ball at rest stays at rest; a carrier whose velocity has jumped takes it along, if rolling friction holds it.</summary>
-    private bool IsHeld(ref BallState s, double step, ref int evaluations)
+    /// <summary>True when a ball at rest stays at rest; a carrier whose velocity has jumped takes it along, if rolling friction holds it. <paramref name="perStep"/> is 1/length of the step, or 0 for no jump.</summary>
+    private bool IsHeld(ref BallState s, double perStep, ref int evaluations)
     {
         if (_world.HangsInNet(in s))
         {
@@ -131,7 +131,6 @@ internal sealed unsafe class RestPhase
 
         // Jumps of the carrier, over the step: V̇ at the ball's centre, and Ω̇.
         Vector3d velocity = carrier.MaterialVelocity(s.Position, s.Time);
-        double perStep = step > 0 ? 1.0 / step : 0;
         Vector3d gained = perStep * (velocity - s.Velocity);
         Vector3d turned = perStep * (carrier.Spin - s.Spin);
         if (!Grips(in s, carrier, in velocity, in gained, in turned, ref evaluations) && !IsHeldByAll(in s, in velocity, in gained, ref evaluations))
@@ -222,7 +221,7 @@ internal sealed unsafe class RestPhase
         if (s.Motion == MotionState.Sliding)
         {
             run.Jumped = true;
-            run.CarrierGain = -1.0 / run.Length * slip;
+            run.CarrierGain = -run.PerStep * slip;
         }
     }
 

@@ -30,6 +30,9 @@ internal ref struct StepRun
     /// <summary>After so many pieces the length of the parts is chosen anew: what asked for short ones may be over.</summary>
     private const int PiecesOfOneLength = 64;
 
+    /// <summary>A jump is never divided by a shorter time, s: its square stays finite.</summary>
+    private const double ShortestForJumps = 1e-100;
+
     /// <summary>Time left, s.</summary>
     public double Left;
 
@@ -65,6 +68,9 @@ internal ref struct StepRun
 
     /// <summary>By how much that jump was, over the step, m/s².</summary>
     public Vector3d CarrierGain;
+
+    /// <summary>1/length, 1/s: what a jump at the start of a step is multiplied with. That of the shortest steps is bounded, so that no jump times it is no acceleration.</summary>
+    public readonly double PerStep => 1.0 / Math.Max(Length, ShortestForJumps);
 
     /// <summary>How often the ball has begun to slip for want of grip.</summary>
     public int Slips;

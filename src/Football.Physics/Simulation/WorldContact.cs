@@ -266,7 +266,7 @@ internal sealed class WorldContact
         {
             s.Motion = MotionState.Sliding;
             run.Jumped = true;
-            run.CarrierGain = -1.0 / run.Length * slip;
+            run.CarrierGain = -run.PerStep * slip;
         }
     }
 
