@@ -192,8 +192,8 @@ public static class SimulatorExtensions
     {
         // What has a mass is pushed in the look-ahead too, and put back.
         World world = simulator.World;
-        path.Log.Pushes = world.GivesWay;
-        if (path.OnStep is not null || world.GivesWay)
+        path.Log.Pushes = world.MayGiveWay;
+        if (path.OnStep is not null || world.MayGiveWay)
         {
             world.KeepMotions();
 
@@ -205,7 +205,7 @@ public static class SimulatorExtensions
     /// <summary>They are put back.</summary>
     private static void EndMoving(Simulator simulator, Trajectory path)
     {
-        if (path.OnStep is not null || simulator.World.GivesWay)
+        if (path.OnStep is not null || simulator.World.MayGiveWay)
         {
             simulator.World.PutMotionsBack();
         }

@@ -210,6 +210,7 @@ public sealed class BallGroup
         catch
         {
             Array.Copy(_before, states, Count);
+            world.Engine?.PutPushesBack();
             if (_motionsBefore.Length > 0)
             {
                 world.WriteMotions(_motionsBefore);
