@@ -530,6 +530,26 @@ internal sealed class World
         return longest;
     }
 
+    /// <summary>The longest piece that nets change the motion in by no more than in so many parts, s.</summary>
+    public double LongestPieceInNets(in BallState s, int parts)
+    {
+        double longest = double.PositiveInfinity;
+        double speed = s.Velocity.Length;
+        for (int i = 0; i < Nets.Length && s.Nets >> i != 0; i++)
+        {
+            if ((s.Nets >> i & 1) != 0)
+            {
+                // As deep as it may come within the piece p: p λ(δ + p v) = n c.
+                double change = parts * UsualChangeInNets;
+                double rate = Nets[i].RateAt(Math.Max(0, Nets[i].Depth(s.Position, SideOf(s.NetSides, i))));
+                double bend = Nets[i].RatePerDepth * speed;
+                longest = Math.Min(longest, 2.0 * change / (rate + Math.Sqrt((rate * rate) + (4.0 * bend * change))));
+            }
+        }
+
+        return longest;
+    }
+
     /// <summary>True of a ball that came to rest in a net and on nothing else.</summary>
     public bool HangsInNet(in BallState s) => s.Motion == MotionState.Stopped && s.Carrier >= ThingOfNet(0) && s.Carrier < ThingOfGoal(0) && s.Nets != 0;
 

@@ -52,10 +52,16 @@ public sealed class Ball
 
     /// <summary>The whole state in double precision. Setting it restores a snapshot.</summary>
     /// <exception cref="ArgumentException">The state that is set was never launched: all its bytes are zero.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">No ball of this scene can have it (<see cref="Simulator.Validate"/>): it lies on a thing that is not there. Nothing has changed.</exception>
     public BallState State
     {
         get => _state;
-        set => _state = BallState.Launched(in value);
+        set
+        {
+            BallState.Launched(in value);
+            Simulator.Validate(in value);
+            _state = value;
+        }
     }
 
     /// <summary>The events of the last step, in order of time.</summary>

@@ -401,7 +401,9 @@ public sealed class FixedStepRunner
     /// <remarks>Nothing else changes: <see cref="Kicks"/> stay, those for this tick included, so that what follows is played again; to put the ball elsewhere, <see cref="Place"/> it. The time kept for the next frame stays too. Drawing starts anew from the state.</remarks>
     /// <param name="tick">The tick; 0 … 1e15.</param>
     /// <param name="state">The state at its start: a copy of <see cref="State"/>, or one from <see cref="Simulator.Launch(Vector3d, Vector3d, Vector3d)"/>.</param>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="tick"/> is out of range, or the state's clock stands so high that a step would not move it; nothing has changed.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// <paramref name="tick"/> is out of range, the state's clock stands so high that a step would not move it, or no ball of this scene can have the state (<see cref="Simulator.Validate"/>); nothing has changed.
+    /// </exception>
     /// <exception cref="ArgumentException"><paramref name="state"/> was never launched; nothing has changed.</exception>
     public void Restore(long tick, in BallState state)
     {
@@ -414,7 +416,9 @@ public sealed class FixedStepRunner
     /// <param name="tick">The tick; 0 … 1e15.</param>
     /// <param name="states">The states at its start, one each, of one time.</param>
     /// <exception cref="ArgumentNullException"><paramref name="states"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="tick"/> is out of range, or the clock stands so high that a step would not move it; nothing has changed.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// <paramref name="tick"/> is out of range, the clock stands so high that a step would not move it, or no ball of this scene can have one of the states (<see cref="Simulator.Validate"/>); nothing has changed.
+    /// </exception>
     /// <exception cref="ArgumentException">The states are not as many as the balls, or not of one time, or one was never launched; nothing has changed.</exception>
     public void RestoreAll(long tick, BallState[] states)
     {
@@ -426,11 +430,13 @@ public sealed class FixedStepRunner
         }
 
         // All are looked at before any is set.
-        foreach (ref readonly BallState state in states.AsSpan())
+        for (int i = 0; i < states.Length; i++)
         {
+            ref readonly BallState state = ref states[i];
             Check.Advances(nameof(TimeStep), TimeStep, state.Time);
             BallState.Launched(in state);
             Check.Within("states' time", state.Time, states[0].Time, states[0].Time);
+            SimulatorOf(i).Validate(in state);
         }
 
         // Where it was before is of no use: until the next step it is drawn where it is put.

@@ -93,9 +93,21 @@ internal static class WireForm
         // Each state has one form: bytes that would be written otherwise are refused.
         var bits = WireBits.Read(bytes);
         var again = default(WireBits);
-        return TryDecode(simulator, timeStep, in bits, out BallState state) && TryEncode(simulator, timeStep, in state, ref again) && again.Equals(in bits)
-            ? state
-            : throw ByteReader.Broken("they are no state of a ball in the wire form");
+        if (!TryDecode(simulator, timeStep, in bits, out BallState state) || !TryEncode(simulator, timeStep, in state, ref again) || !again.Equals(in bits))
+        {
+            throw ByteReader.Broken("they are no state of a ball in the wire form");
+        }
+
+        try
+        {
+            simulator.Validate(in state);
+        }
+        catch (ArgumentOutOfRangeException refusal)
+        {
+            throw ByteReader.Broken(refusal);
+        }
+
+        return state;
     }
 
     /// <summary>The nearest state that is written without loss.</summary>
