@@ -125,6 +125,13 @@ public sealed class Rollback
 
         BallState.Launched(in state);
         Runner.SimulatorOf(ball).Validate(in state);
+        return Put(tick, in state, ball);
+    }
+
+    /// <summary>Sets a state that has been looked at, and plays what followed again.</summary>
+    internal long? Put(long tick, in BallState state, int ball)
+    {
+        BallState before = StateAt(tick, ball);
         if (_balls > 1 && state.Time != before.Time)
         {
             throw new ArgumentException(FormattableString.Invariant($"state.time is {state.Time:R}; allowed: {before.Time:R}, the time of the other balls."), nameof(state));
@@ -140,7 +147,7 @@ public sealed class Rollback
         {
             _replays = true;
             Array.Copy(_states, PlaceOf(tick), _from, 0, _balls);
-            Runner.RestoreAll(tick, _from);
+            Runner.GoTo(tick, _from);
             _replays = false;
         }
 
@@ -296,7 +303,7 @@ public sealed class Rollback
             }
 
             Array.Copy(_states, PlaceOf(from), _from, 0, _balls);
-            Runner.RestoreAll(from, _from);
+            Runner.GoTo(from, _from);
             while (Runner.Tick < now)
             {
                 Runner.Step();

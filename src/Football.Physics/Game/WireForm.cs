@@ -33,6 +33,13 @@ internal static class WireForm
     public static void Round(FixedStepRunner runner)
     {
         BallState[] states = runner.States;
+
+        // The clock of every ball, of one that the form does not hold too: the game tells its bodies by it, and whoever guesses a kick wrong has the same.
+        for (int i = 0; i < states.Length; i++)
+        {
+            states[i].Time = Math.Round(states[i].Time / runner.TimeStep) * runner.TimeStep;
+        }
+
         if (states.Length == 1)
         {
             if (TryRound(runner.SimulatorOf(0), runner.TimeStep, in states[0], out BallState rounded))
