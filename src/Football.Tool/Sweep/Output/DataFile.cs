@@ -26,7 +26,10 @@ internal sealed class DataFile : IDisposable
     /// <summary>Makes a file, or begins again what there is.</summary>
     public static DataFile Create(string folder, string name, byte[] header)
     {
-        var file = new DataFile(Open(folder, name, FileMode.Create), name, header.Length);
+        // Who holds it is not disturbed. What other names the file has keep what is in it: it may be the input of somebody.
+        Open(folder, name, FileMode.OpenOrCreate).Dispose();
+        File.Delete(Path.Combine(folder, name));
+        var file = new DataFile(Open(folder, name, FileMode.CreateNew), name, header.Length);
         file.Write(header);
         return file;
     }
