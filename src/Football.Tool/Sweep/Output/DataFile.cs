@@ -28,8 +28,13 @@ internal sealed class DataFile : IDisposable
     {
         // Who holds it is not disturbed. What other names the file has keep what is in it: it may be the input of somebody.
         Open(folder, name, FileMode.OpenOrCreate).Dispose();
-        File.Delete(Path.Combine(folder, name));
-        var file = new DataFile(Open(folder, name, FileMode.CreateNew), name, header.Length);
+        string path = Path.Combine(folder, name);
+        if (new FileInfo(path).LinkTarget is null)
+        {
+            File.Delete(path);
+        }
+
+        var file = new DataFile(Open(folder, name, FileMode.Create), name, header.Length);
         file.Write(header);
         return file;
     }
