@@ -215,8 +215,7 @@ public sealed class Stage
     public EngineCollider? ColliderOf(in BallEvent happened)
     {
         World world = Game.World;
-        int collider = happened.Thing - world.FirstCollider;
-        return world.Engine is { } engine && happened.Thing >= 0 && engine.Has(collider) ? world.Colliders[collider].Engine : null;
+        return world.Engine is { } engine && happened.Thing >= EngineCollider.FirstNumber ? engine.Of(happened.Thing, happened.Position, happened.Time) : null;
     }
 
     private static InvalidOperationException NotYet() => new("stage: it is not compiled yet; call Compile first.");

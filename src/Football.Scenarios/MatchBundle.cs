@@ -8,8 +8,20 @@ namespace Football.Scenarios;
 /// <summary>A match as it comes with an issue: what <see cref="MatchSegment.ToBundle"/> wrote.</summary>
 public sealed class MatchBundle
 {
-    /// <summary>An entry of the zip file unpacks to so much at most, bytes.</summary>
-    private const int LargestEntry = 1 << 30;
+    /// <summary>A bundle has so many bytes at most, ...</summary>
+    public const int LargestFile = 1 << 26;
+
+    /// <summary>... its text unpacks to so many: a scene with a fine ground takes some megabytes, ...</summary>
+    private const int LargestAbout = 1 << 23;
+
+    /// <summary>... its match to so many: hours of one ball, or of players who are moved in every tick, ...</summary>
+    private const int LargestSegment = 1 << 26;
+
+    /// <summary>... and it has so many files: other ones may lie beside.</summary>
+    private const int MostEntries = 64;
+
+    /// <summary>What tells of it is no longer, in characters.</summary>
+    private const int LongestText = 200;
 
     private readonly JsonElement _about;
 
@@ -18,9 +30,9 @@ public sealed class MatchBundle
         _about = about;
         Segment = segment;
         InputObject root = new InputFields(about).Root;
-        Library = root.Text("library", "");
-        Runtime = root.Text("runtime", "");
-        System = root.Text("system", "");
+        Library = Said(root, "library");
+        Runtime = Said(root, "runtime");
+        System = Said(root, "system");
     }
 
     /// <summary>The version of the library that recorded it.</summary>
@@ -42,14 +54,24 @@ public sealed class MatchBundle
     {
         try
         {
+            if (file.Length > LargestFile)
+            {
+                throw new RefusedException("FILE", FormattableString.Invariant($"{file.Length} bytes"), FormattableString.Invariant($"{LargestFile} bytes at most"));
+            }
+
             using var zip = new ZipArchive(file, ZipArchiveMode.Read);
-            byte[] about = Entry(zip, "match.json");
+            if (zip.Entries.Count > MostEntries)
+            {
+                throw new RefusedException("FILE", FormattableString.Invariant($"a zip file of {zip.Entries.Count} files"), FormattableString.Invariant($"{MostEntries} at most"));
+            }
+
+            byte[] about = Entry(zip, "match.json", LargestAbout);
             if (JsonText.Parse(about, out JsonElement root) is { } fault)
             {
                 throw new RefusedException("match.json", fault.Value, fault.Expected);
             }
 
-            return new MatchBundle(root, MatchSegment.FromBytes(Entry(zip, "match.segment")));
+            return new MatchBundle(root, MatchSegment.FromBytes(Entry(zip, "match.segment", LargestSegment)));
         }
         catch (InvalidDataException)
         {
@@ -91,12 +113,15 @@ public sealed class MatchBundle
             $"{Segment.SceneHash.ToString("x16", CultureInfo.InvariantCulture)}, that of the match: its scene is not all in match.json, or is another one in this version of the library");
     }
 
-    private static byte[] Entry(ZipArchive zip, string name)
+    /// <summary>What the file says of where it comes from, on one line.</summary>
+    private static string Said(InputObject root, string name) => Quote.Short(root.Text(name, ""), LongestText);
+
+    private static byte[] Entry(ZipArchive zip, string name, int largest)
     {
         ZipArchiveEntry entry = zip.GetEntry(name) ?? throw new RefusedException("FILE", $"a zip file without {name}", "a bundle that MatchSegment.ToBundle wrote");
-        if (entry.Length > LargestEntry)
+        if (entry.Length > largest)
         {
-            throw new RefusedException(name, $"{entry.Length} bytes", $"{LargestEntry} bytes at most");
+            throw new RefusedException(name, FormattableString.Invariant($"{entry.Length} bytes"), FormattableString.Invariant($"{largest} bytes at most"));
         }
 
         // As it comes: the length that the file names may be any number.

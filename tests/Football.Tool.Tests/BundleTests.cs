@@ -110,6 +110,59 @@ public sealed class BundleTests : IDisposable
         }
     }
 
+    /// <summary>A small file that would unpack to much is refused before that is in memory.</summary>
+    [Theory]
+    [InlineData("match.json", (1 << 23) + 1)]
+    [InlineData("match.segment", (1 << 26) + 1)]
+    public void A_bundle_that_unpacks_to_too_much_is_refused(string name, int length)
+    {
+        byte[] bomb = Filled(Bundle(Scene.Default, out _), name, length);
+        Assert.True(bomb.Length < 1 << 20);
+        long before = GC.GetTotalAllocatedBytes(true);
+        var done = FootballCommand.Run("", "bundle", Save(bomb));
+        long allocated = GC.GetTotalAllocatedBytes(true) - before;
+        Assert.StartsWith($"football: {name} is {length} bytes; allowed: {length - 1} bytes at most", done.ErrorLine);
+        Assert.True(allocated < 1 << 24, $"{allocated} bytes were allocated");
+    }
+
+    [Fact]
+    public void A_bundle_of_too_many_files_or_bytes_is_refused()
+    {
+        using var many = new MemoryStream();
+        using (var zip = new ZipArchive(many, ZipArchiveMode.Create, leaveOpen: true))
+        {
+            for (int i = 0; i < 65; i++)
+            {
+                zip.CreateEntry($"{i}");
+            }
+        }
+
+        Assert.StartsWith("football: FILE is a zip file of 65 files; allowed: 64 at most", FootballCommand.Run("", "bundle", Save(many.ToArray())).ErrorLine);
+        string large = Path.Combine(_folder, "large.zip");
+        using (FileStream file = File.Create(large))
+        {
+            file.SetLength((1L << 26) + (1L << 20));
+        }
+
+        Assert.StartsWith("football: FILE is ", FootballCommand.Run("", "bundle", large).ErrorLine);
+        Assert.Contains("allowed: 67108864 bytes at most", FootballCommand.Run("", "bundle", large).ErrorLine);
+    }
+
+    /// <summary>What the file says of where it comes from is shown, and not obeyed.</summary>
+    [Theory]
+    [InlineData("\"runtime\":\"")]
+    [InlineData("\"system\":\"")]
+    [InlineData("\"library\":\"")]
+    public void Escape_sequences_of_a_bundle_do_not_reach_the_terminal(string field)
+    {
+        string file = Save(Edited(Bundle(Scene.Default, out _), field, field + "\\u001b]0;evil\\u0007\\u009b31m"));
+        string told = FootballCommand.InTerminal("", "bundle", file).Output;
+        Assert.Contains("\\u001b]0;evil\\u0007\\u009b31m", told);
+        Assert.DoesNotContain(told, character => char.IsControl(character) && character != '\n');
+        var redirected = FootballCommand.Run("", "bundle", file);
+        Assert.DoesNotContain(redirected.Output + redirected.Error, character => char.IsControl(character) && character != '\n');
+    }
+
     [Fact]
     public void A_scene_with_code_or_another_one_than_the_match_s_has_no_bundle()
     {
@@ -174,6 +227,26 @@ public sealed class BundleTests : IDisposable
             zip.GetEntry("match.json")!.Delete();
             using var writer = new StreamWriter(zip.CreateEntry("match.json").Open());
             writer.Write(text.Replace(from, to, StringComparison.Ordinal));
+        }
+
+        return memory.ToArray();
+    }
+
+    /// <summary>A bundle with an entry of blanks.</summary>
+    private static byte[] Filled(byte[] bundle, string name, int length)
+    {
+        using var memory = new MemoryStream();
+        memory.Write(bundle);
+        using (var zip = new ZipArchive(memory, ZipArchiveMode.Update, leaveOpen: true))
+        {
+            zip.GetEntry(name)!.Delete();
+            using Stream entry = zip.CreateEntry(name).Open();
+            byte[] blanks = new byte[1 << 16];
+            blanks.AsSpan().Fill((byte)' ');
+            for (int left = length; left > 0; left -= blanks.Length)
+            {
+                entry.Write(blanks, 0, Math.Min(left, blanks.Length));
+            }
         }
 
         return memory.ToArray();

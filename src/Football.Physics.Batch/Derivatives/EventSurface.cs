@@ -10,7 +10,7 @@ internal sealed class EventSurface
     /// <summary>Contact with a thing: g is the distance.</summary>
     public EventGradient Contact(int thing, in BallState s)
     {
-        Collider hit = _around.World.Colliders[thing - _around.World.FirstCollider];
+        Collider hit = _around.World.Colliders[_around.World.ColliderOf(thing, s.Position, s.Time)];
         Vector3d normal = hit.At(s.Position, s.Time).Normal;
         return new EventGradient(in normal, Vector3d.Zero, Vector3d.Zero, Vector3d.Dot(s.Velocity - hit.Velocity, in normal));
     }

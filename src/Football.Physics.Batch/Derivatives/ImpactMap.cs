@@ -81,7 +81,7 @@ internal sealed class ImpactMap
     private int Hit(ref BallState s, int thing)
     {
         var run = new StepRun(1, s.Time, _log);
-        _contact.Impact(ref s, thing - _world.FirstCollider, ref run);
+        _contact.Impact(ref s, (int)_world.ColliderOf(thing, s.Position, s.Time), ref run);
         int impacts = (int)_log.Events.Impacts;
         _log.Clear();
         return impacts;

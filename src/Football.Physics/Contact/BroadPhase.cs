@@ -169,22 +169,29 @@ internal struct NearThings
         overlapsBody = false;
         double depth = ContactSearch.Touching;
         int deepest = -1;
+        Vector3d side = default;
         long carrier = s.Motion == MotionState.Airborne ? -1 : s.Carrier - world.FirstCollider;
         NearThings near = At(world, s.Position, s.Time);
         while (near.NextCollider(out int i))
         {
-            // The deepest; of two as deep the first of the scene, for the walk has no order.
-            double overlap = world.Ball.Radius - world.Colliders[i].At(s.Position, s.Time).Distance;
+            // The deepest; of two as deep that from a certain side, for neither the walk nor the scene has an order that means anything.
+            ShapePoint at = world.Colliders[i].At(s.Position, s.Time);
+            double overlap = world.Ball.Radius - at.Distance;
             overlapsBody |= i != carrier && overlap > ContactSearch.Touching && world.Colliders[i].IsBody;
-            if (i != carrier && (overlap > depth || (overlap == depth && i < deepest)))
+            if (i != carrier && (overlap > depth || (overlap == depth && IsBefore(at.Normal, i, side, deepest))))
             {
                 depth = overlap;
                 deepest = i;
+                side = at.Normal;
             }
         }
 
         return deepest;
     }
+
+    /// <summary>Which of two comes first that are equally deep: by the side that they are on, and of two on one side the first of the scene.</summary>
+    private static bool IsBefore(in Vector3d normal, int collider, in Vector3d other, int otherCollider) =>
+        normal.X != other.X ? normal.X < other.X : normal.Z != other.Z ? normal.Z < other.Z : normal.Y != other.Y ? normal.Y < other.Y : collider < otherCollider;
 
     /// <summary>Goes on to the next collider.</summary>
     /// <param name="collider">Its index.</param>

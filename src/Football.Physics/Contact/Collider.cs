@@ -6,6 +6,7 @@ internal sealed class Collider
     private readonly RigidMotion _motion;
     private readonly ObstacleMotions? _obstacles;
     private readonly Body? _body;
+    private readonly EnginePushes? _enginePushes;
     private IShape _shape;
     private PlaneShape? _plane;
     private Bounds3d _bounds;
@@ -50,8 +51,9 @@ internal sealed class Collider
     }
 
     /// <summary>A place for one that an engine finds.</summary>
-    public Collider(Placement none)
+    public Collider(Placement none, EnginePushes pushes)
     {
+        _enginePushes = pushes;
         Name = "";
         _shape = new TangentShape();
         _bounds = _shape.Bounds;
@@ -171,6 +173,7 @@ internal sealed class Collider
         }
         else if (Engine is not null)
         {
+            _enginePushes!.Note(Engine);
             Engine.Push(in velocity, time);
         }
         else

@@ -1,12 +1,19 @@
 namespace Football.Physics;
 
 /// <summary>
-/// What an engine's sphere casts have found, as colliders of the world: each has a place among these that it keeps, and those of the last cast are looked at.
+/// What an engine's sphere casts have found, as colliders of the world: each has a place among these that it keeps for a step, and those of the last cast are looked at.
 /// </summary>
+/// <remarks>
+/// Places follow the order in which colliders are found, so they mean nothing outside a step: states and events name an engine's collider by its number
+/// (<see cref="EngineCollider.Number"/>), which knows nothing of what was found before.
+/// </remarks>
 internal sealed class EngineThings
 {
     /// <summary>So many different ones have a place at a time; then the one that was found longest ago gives up its own.</summary>
     public const int Room = 256;
+
+    /// <summary>So many numbers are remembered with who had them last, to tell their names.</summary>
+    private const int MostKnown = 1 << 14;
 
     /// <summary>Margin beside the way within which things are found too, m: so that what touches at its end, or next to it, need not be cast for again.</summary>
     private const double Beside = 0.02;
@@ -14,9 +21,10 @@ internal sealed class EngineThings
     private readonly IEngineColliders _engine;
     private readonly double _ballRadius;
     private readonly int _first;
-    private readonly Collider[] _colliders = new Collider[Room];
+    private readonly Collider[] _colliders = new Collider[Room + 1];
     private readonly long[] _foundAt = new long[Room];
     private readonly Dictionary<EngineCollider, int> _places = new(Room);
+    private readonly Dictionary<int, EngineCollider> _known = new(Room);
     private readonly EngineHits _hits = new();
     private readonly List<EngineCollider> _rotating = [];
     private int[] _found = new int[Room];
@@ -24,6 +32,7 @@ internal sealed class EngineThings
     private Vector3d _to;
     private double _around;
     private bool _isKnown;
+    private int _used;
     private long _casts;
 
     /// <summary>The colliders of an engine.</summary>
@@ -35,14 +44,18 @@ internal sealed class EngineThings
         _engine = engine;
         _ballRadius = ballRadius;
         _first = first;
+        Pushes = EnginePushes.Of(engine);
         var none = new Placement(Bounds3d.Everywhere);
-        for (int i = 0; i < Room; i++)
+        for (int i = 0; i <= Room; i++)
         {
-            _colliders[i] = new Collider(none);
+            _colliders[i] = new Collider(none, Pushes);
         }
     }
 
-    /// <summary>Places for colliders, filled as they are found.</summary>
+    /// <summary>What the ball has pushed of them.</summary>
+    public EnginePushes Pushes { get; }
+
+    /// <summary>Places for colliders, filled as they are found; the last one stays empty, and stands for a collider that the engine does not have any more.</summary>
     public IReadOnlyList<Collider> Colliders => _colliders;
 
     /// <summary>The greatest speed of any part of them, m/s: as the engine says, and of those that were found rotating.</summary>
@@ -67,7 +80,7 @@ internal sealed class EngineThings
     public int Found(int index) => _found[index];
 
     /// <summary>True when a collider of the world is one of an engine's.</summary>
-    public bool Has(int collider) => (uint)(collider - _first) < Room;
+    public bool Has(int collider) => (uint)(collider - _first) <= Room;
 
     /// <summary>True when the last cast has found a collider.</summary>
     public bool Finds(int collider) => Array.IndexOf(_found, collider, 0, Count) >= 0;
@@ -93,34 +106,91 @@ internal sealed class EngineThings
         }
     }
 
-    /// <summary>Remembers what has pushed the colliders, for a look at what would come.</summary>
-    public void KeepPushes()
+    /// <summary>Begins a step: nothing has a place but what carries the ball, which its number and the ball's position tell.</summary>
+    /// <param name="carrier">Its number; below <see cref="EngineCollider.FirstNumber"/> where no collider of an engine carries the ball.</param>
+    /// <param name="position">The ball, m.</param>
+    /// <param name="time">When, s.</param>
+    /// <returns>Index among the world's colliders of the carrier.</returns>
+    public int Begin(long carrier, in Vector3d position, double time)
     {
-        foreach (EngineCollider collider in _places.Keys)
+        _isKnown = false;
+        Count = 0;
+        if (_used > 0)
         {
-            collider.KeepPush();
+            _places.Clear();
+            _used = 0;
         }
+
+        if (carrier < EngineCollider.FirstNumber)
+        {
+            return -1;
+        }
+
+        LookAt(in position, time, ContactSearch.Touching);
+        return Nearest((int)carrier, in position, time, Count) is >= 0 and int place ? _first + place : _first + Room;
     }
+
+    /// <summary>The number of one of the world's colliders, if it is an engine's; else −1.</summary>
+    public int NumberOf(long collider) =>
+        (ulong)(collider - _first) <= Room ? _colliders[collider - _first].Engine?.Number ?? EngineCollider.FirstNumber : -1;
+
+    /// <summary>The collider of a number that is nearest to a ball: of those of the last step, else the one that had the number last; null where none had.</summary>
+    public EngineCollider? Of(int number, in Vector3d position, double time) =>
+        Nearest(number, in position, time, -1) is >= 0 and int place ? _colliders[place].Engine : _known.TryGetValue(number, out EngineCollider? known) ? known : null;
+
+    /// <summary>Index among the world's colliders of one of the last step.</summary>
+    public int IndexOf(int number, in Vector3d position, double time) => _first + (Nearest(number, in position, time, -1) is >= 0 and int place ? place : Room);
+
+    /// <summary>The place of the collider of a number whose surface is nearest to a ball: several may have one name, and with it one number.</summary>
+    /// <param name="number">The number.</param>
+    /// <param name="position">The ball, m.</param>
+    /// <param name="time">When, s.</param>
+    /// <param name="found">So many of the last cast are asked; negative: all of the last step.</param>
+    private int Nearest(int number, in Vector3d position, double time, int found)
+    {
+        int nearest = -1;
+        double least = double.PositiveInfinity;
+        int count = found < 0 ? _used : found;
+        for (int i = 0; i < count; i++)
+        {
+            int place = found < 0 ? i : _found[i] - _first;
+            if (_colliders[place].Engine!.Number != number)
+            {
+                continue;
+            }
+
+            double gap = Math.Abs(_colliders[place].At(in position, time).Distance - _ballRadius);
+            nearest = gap < least || nearest < 0 ? place : nearest;
+            least = Math.Min(least, gap);
+        }
+
+        return nearest;
+    }
+
+    /// <summary>Remembers what the ball has pushed in the steps so far, for a step that is taken again or a look at what would come.</summary>
+    public void KeepPushes() => Pushes.Keep(EnginePushes.OfSteps);
 
     /// <summary>Puts that back.</summary>
     public void PutPushesBack()
     {
-        foreach (EngineCollider collider in _places.Keys)
-        {
-            collider.PutPushBack();
-        }
+        Pushes.PutBack(EnginePushes.OfSteps);
+        _isKnown = false;
+    }
 
+    /// <summary>Remembers what the ball has pushed in the match, for a look ahead, which takes steps.</summary>
+    public void KeepForLook() => Pushes.Keep(EnginePushes.OfLooks);
+
+    /// <summary>Puts that back.</summary>
+    public void PutBackAfterLook()
+    {
+        Pushes.PutBack(EnginePushes.OfLooks);
         _isKnown = false;
     }
 
     /// <summary>The engine has placed its colliders anew: what pushed them before is over.</summary>
     public void ForgetPushes()
     {
-        foreach (EngineCollider collider in _places.Keys)
-        {
-            collider.ForgetPush();
-        }
-
+        Pushes.Forget();
         _isKnown = false;
     }
 
@@ -241,20 +311,39 @@ internal sealed class EngineThings
             return place;
         }
 
-        place = 0;
-        for (int i = 1; i < Room; i++)
+        // The first that is free, else that of the one that was found longest ago.
+        place = _used < Room ? _used++ : 0;
+        for (int i = 1; _places.Count == Room && i < Room; i++)
         {
             place = _foundAt[i] < _foundAt[place] ? i : place;
         }
 
-        if (_colliders[place].Engine is { } before)
+        if (_places.Count == Room)
         {
-            _places.Remove(before);
+            _places.Remove(_colliders[place].Engine!);
         }
 
+        // What is in a place from a step before may be the same collider, which is known then.
         _places.Add(hit, place);
-        _colliders[place].Become(hit);
+        if (!ReferenceEquals(_colliders[place].Engine, hit))
+        {
+            _colliders[place].Become(hit);
+            Know(hit);
+        }
+
         return place;
+    }
+
+    /// <summary>Remembers who has a number.</summary>
+    private void Know(EngineCollider collider)
+    {
+        // An engine may make new ones for ever: then the oldest are forgotten with all others, and found again.
+        if (_known.Count >= MostKnown && !_known.ContainsKey(collider.Number))
+        {
+            _known.Clear();
+        }
+
+        _known[collider.Number] = collider;
     }
 
     private double DistanceFromLast(in Vector3d position)

@@ -164,6 +164,9 @@ internal sealed class World
     /// <summary>True when the ball moves anything: the game's bodies, or obstacles. What an engine finds is not known before.</summary>
     public bool GivesWay { get; }
 
+    /// <summary>True when the ball may move anything, also what an engine may find.</summary>
+    public bool MayGiveWay => GivesWay || Engine is not null;
+
     /// <summary>How many motions there are to keep: of the bodies, then of the obstacles that have a mass.</summary>
     public int Movers => (Bodies?.Count ?? 0) + Obstacles.Count;
 
@@ -184,6 +187,7 @@ internal sealed class World
     {
         Bodies?.Keep();
         Obstacles.Keep();
+        Engine?.KeepForLook();
     }
 
     /// <summary>Puts all back to where it was when that was remembered.</summary>
@@ -191,6 +195,7 @@ internal sealed class World
     {
         Bodies?.PutBack();
         Obstacles.PutBack();
+        Engine?.PutBackAfterLook();
     }
 
     /// <summary>A box that is around one of what is moved at a time, and stays around it for a duration if the box moves along with its velocity.</summary>
@@ -353,14 +358,50 @@ internal sealed class World
     /// <param name="thing">Its index among the things of the scene.</param>
     public string NameOf(int thing)
     {
-        if (Engine is not null && Engine.Has(thing - FirstCollider))
+        if (Engine?.Of(thing, Vector3d.Zero, 0) is { } collider)
         {
-            return Colliders[thing - FirstCollider].Name;
+            return collider.Name;
         }
 
         Check.Index(nameof(thing), thing, _names.Length);
         return _names[thing];
     }
+
+    /// <summary>Begins a step: a carrier that an engine's number names becomes one of the colliders.</summary>
+    public void Enter(ref BallState s)
+    {
+        if (Engine is { } engine && engine.Begin(s.Motion == MotionState.Airborne ? 0 : s.Carrier, s.Position, s.Time) is >= 0 and int carrier)
+        {
+            s.Carrier = carrier + FirstCollider;
+        }
+    }
+
+    /// <summary>Ends a step: in the state an engine's collider is called by its number.</summary>
+    public void Exit(ref BallState s)
+    {
+        if (Engine?.NumberOf(s.Carrier - FirstCollider) is >= 0 and int carrier)
+        {
+            s.Carrier = carrier;
+        }
+    }
+
+    /// <summary>... and in the events that were added.</summary>
+    public void Exit(ref BallState s, EventBuffer events, int firstEvent)
+    {
+        Exit(ref s);
+        for (int i = firstEvent; Engine is not null && i < events.Count; i++)
+        {
+            int number = Engine.NumberOf((long)events[i].Thing - FirstCollider);
+            if (number >= 0)
+            {
+                events.Call(i, number);
+            }
+        }
+    }
+
+    /// <summary>Index among the colliders of what a state or an event calls a thing, beyond them where it is no collider: an engine's has a place in a step alone.</summary>
+    public long ColliderOf(long thing, in Vector3d position, double time) =>
+        Engine is not null && thing >= EngineCollider.FirstNumber ? Engine.IndexOf((int)thing, in position, time) : thing - FirstCollider;
 
     /// <summary>Index among the things of the scene of a net.</summary>
     public int ThingOfNet(int net) => FirstCollider + Colliders.Length + net;
@@ -407,7 +448,8 @@ internal sealed class World
     /// <summary>The thing that carries the ball; the first where a state of another scene names one that is not here.</summary>
     public Collider CarrierOf(in BallState s)
     {
-        long index = s.Carrier - FirstCollider;
+        // Between steps an engine's collider is known by its number.
+        long index = ColliderOf(s.Carrier, s.Position, s.Time);
         return Colliders[(ulong)index < (ulong)Colliders.Length ? index : 0];
     }
 
@@ -488,8 +530,28 @@ internal sealed class World
         return longest;
     }
 
+    /// <summary>The longest piece that nets change the motion in by no more than in so many parts, s.</summary>
+    public double LongestPieceInNets(in BallState s, int parts)
+    {
+        double longest = double.PositiveInfinity;
+        double speed = s.Velocity.Length;
+        for (int i = 0; i < Nets.Length && s.Nets >> i != 0; i++)
+        {
+            if ((s.Nets >> i & 1) != 0)
+            {
+                // As deep as it may come within the piece p: p λ(δ + p v) = n c.
+                double change = parts * UsualChangeInNets;
+                double rate = Nets[i].RateAt(Math.Max(0, Nets[i].Depth(s.Position, SideOf(s.NetSides, i))));
+                double bend = Nets[i].RatePerDepth * speed;
+                longest = Math.Min(longest, 2.0 * change / (rate + Math.Sqrt((rate * rate) + (4.0 * bend * change))));
+            }
+        }
+
+        return longest;
+    }
+
     /// <summary>True of a ball that came to rest in a net and on nothing else.</summary>
-    public bool HangsInNet(in BallState s) => s.Motion == MotionState.Stopped && s.Carrier >= ThingOfNet(0) && s.Nets != 0;
+    public bool HangsInNet(in BallState s) => s.Motion == MotionState.Stopped && s.Carrier >= ThingOfNet(0) && s.Carrier < ThingOfGoal(0) && s.Nets != 0;
 
     /// <summary>The net of those that the ball is in in which it is deepest; −1 where it is in none.</summary>
     public int DeepestNet(in BallState s)

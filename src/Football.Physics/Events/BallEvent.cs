@@ -52,9 +52,10 @@ public readonly struct BallEvent : IFormattable
 
     /// <summary>
     /// What was hit, met or passed, or carries the ball: its index among the things of the scene; −1 for none. 0 is the ground, then
-    /// come the obstacles in their order, the posts and bars of the goals, all nets, the goals. the simulator gives its name.
+    /// come the obstacles in their order, the posts and bars of the goals, all nets, the goals. An engine's collider has a number of its own, far beyond these, by its
+    /// name alone. The simulator gives the name.
     /// </summary>
-    public int Thing { get; }
+    public int Thing { get; internal init; }
 
     /// <summary>Which ball it happened to: its index among several that are stepped together; 0 where there is one.</summary>
     public int Ball { get; }

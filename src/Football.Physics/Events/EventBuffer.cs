@@ -101,6 +101,9 @@ public sealed class EventBuffer
         _events[Count++] = Ball == 0 ? item : new BallEvent(in item, Ball);
     }
 
+    /// <summary>Names the thing of an event anew.</summary>
+    internal void Call(int index, int thing) => _events[index] = _events[index] with { Thing = thing };
+
     /// <summary>Adds all of another buffer's.</summary>
     internal void Add(EventBuffer other)
     {

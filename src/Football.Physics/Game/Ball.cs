@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace Football.Physics;
 
@@ -29,7 +30,10 @@ public sealed class Ball
     }
 
     /// <summary>The compiled scene. Setting it between steps goes on in another one (rain begins, a wall stands there), where the ball is and as it moves.</summary>
-    /// <remarks>A ball at rest stays so where rolling friction holds it in the new scene too; one below the new ground is raised to it.</remarks>
+    /// <remarks>
+    /// A ball at rest stays so where rolling friction holds it in the new scene too; one below the new ground is raised to it. Obstacles that both scenes have are where they were
+    /// pushed to; <see cref="Simulator.ResetObstacles"/> puts them back.
+    /// </remarks>
     /// <exception cref="ArgumentNullException">The simulator that is set is null; nothing has changed.</exception>
     public Simulator Simulator
     {
@@ -39,6 +43,12 @@ public sealed class Ball
             if (ReferenceEquals(value ?? throw new ArgumentNullException(nameof(value)), _simulator))
             {
                 return;
+            }
+
+            // What the ball has pushed stays where it is.
+            if (value.World.Obstacles.Count > 0)
+            {
+                value.World.Obstacles.Follow(_simulator.World.Obstacles);
             }
 
             // As a kick with the velocity that it has: the new scene decides what motion that is, and raises the ball where its ground is higher.
@@ -52,10 +62,17 @@ public sealed class Ball
 
     /// <summary>The whole state in double precision. Setting it restores a snapshot.</summary>
     /// <exception cref="ArgumentException">The state that is set was never launched: all its bytes are zero.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">No ball of this scene can have it (<see cref="Simulator.Validate"/>): it lies on a thing that is not there. Nothing has changed.</exception>
     public BallState State
     {
         get => _state;
-        set => _state = BallState.Launched(in value);
+        set
+        {
+            BallState.Launched(in value);
+            Simulator.Validate(in value);
+            Simulator.World.Bodies?.MoveClock(_state.Time, value.Time, isNew: false);
+            _state = value;
+        }
     }
 
     /// <summary>The events of the last step, in order of time.</summary>
@@ -82,12 +99,14 @@ public sealed class Ball
     /// <summary>The motion of the ball: in the air, sliding, rolling or at rest.</summary>
     public MotionState Motion => _state.Motion;
 
-    /// <summary>Puts the ball down without motion, at time 0. Above the ground it will fall.</summary>
+    /// <summary>Puts the ball down without motion, at time 0. Above the ground it will fall. Bodies stay where they are now, and go on from there.</summary>
     /// <param name="position">Position of the centre, m; components within ±1e6. A ball in the ground is raised straight up until it is not.</param>
     /// <exception cref="ArgumentOutOfRangeException">A component is out of range; nothing has changed.</exception>
     public void Place(Vector3d position)
     {
-        _state = AtRest(Simulator, position);
+        Check.Place("launch.position", position);
+        Simulator.World.Bodies?.MoveClock(_state.Time, 0, isNew: true);
+        _state = AtRest(Simulator, position, 0);
         _log.Clear();
     }
 
@@ -99,6 +118,7 @@ public sealed class Ball
     /// <param name="velocity">Velocity, m/s; speed at most 1000. A <see cref="Vector3"/> will do.</param>
     /// <param name="spin">Spin, rad/s, world frame; at most 10 000.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
+    [OverloadResolutionPriority(1)]
     public void Kick(Vector3d velocity, Vector3d spin) => Simulator.Kick(ref _state, velocity, spin);
 
     /// <summary>Kicks the ball where it is: speed, angles, and spin relative to the direction.</summary>
@@ -142,9 +162,9 @@ public sealed class Ball
     }
 
     /// <summary>A ball without motion: at rest where it lies on something that holds it.</summary>
-    internal static BallState AtRest(Simulator simulator, in Vector3d position)
+    internal static BallState AtRest(Simulator simulator, in Vector3d position, double time = 0)
     {
-        BallState state = simulator.Launch(position, Vector3d.Zero, Vector3d.Zero);
+        BallState state = simulator.LaunchAt(in position, Vector3d.Zero, Vector3d.Zero, time);
 
         // On a slope, or in a wind, that rolling friction cannot hold it against, it begins to roll.
         if (state.Motion == MotionState.Rolling && simulator.RestsAt(in state))

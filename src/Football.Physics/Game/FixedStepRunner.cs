@@ -9,7 +9,7 @@ namespace Football.Physics;
 /// last states and plays them again where a kick of the past was not known: the kicks in <see cref="Kicks"/> are applied again.
 /// Steps and drawing allocate nothing; a recording and the two logs grow.
 /// </remarks>
-public sealed class FixedStepRunner
+public sealed partial class FixedStepRunner
 {
     /// <summary>The largest <see cref="WireTicks"/>.</summary>
     internal const int MostWireTicks = 1_000_000;
@@ -66,6 +66,7 @@ public sealed class FixedStepRunner
         _simulator = simulator;
         _group = group;
         _states = new BallState[group?.Count ?? 1];
+        Kicks = new KickLog(64, _states.Length);
         _previous = new BallState[_states.Length];
         _before = new BallState[_states.Length];
         _motions = new RigidMotion[simulator.World.GivesWay ? simulator.World.Movers : 0];
@@ -194,7 +195,7 @@ public sealed class FixedStepRunner
     public double Time => _states[0].Time;
 
     /// <summary>The kicks by tick, those to come included. What is added for an earlier tick counts when the game rolls back that far.</summary>
-    public KickLog Kicks { get; } = new();
+    public KickLog Kicks { get; }
 
     /// <summary>The events of all steps of the last <see cref="Advance"/>, or in the last <see cref="Step"/>, in order.</summary>
     public EventBuffer Events { get; } = new();
@@ -249,34 +250,6 @@ public sealed class FixedStepRunner
     /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
     public BallPose PoseOf(int ball) => PoseAt(Fraction, ball);
 
-    /// <summary>Has the ball kicked when this tick's step begins, as player 0. <see cref="Ball.Kick(Vector3d, Vector3d)"/> kicks at once; this waits for the step.</summary>
-    /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
-    /// <param name="spin">Spin, rad/s, world frame; at most 10 000.</param>
-    /// <param name="ball">Which of several balls; default the first.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
-    public void QueueKick(Vector3d velocity, Vector3d spin, int ball = 0)
-    {
-        Check.Index(nameof(ball), ball, _states.Length);
-        Kicks.Add(new KickInput(Tick, velocity, spin, ball: ball));
-    }
-
-    /// <summary>Has the ball kicked when this tick's step begins: speed, direction, and spin relative to the direction.</summary>
-    /// <param name="speed">Speed, m/s; 0 … 1000.</param>
-    /// <param name="direction">Direction of the kick; any length but zero.</param>
-    /// <param name="topSpin">Spin about the horizontal axis across the kick, rad/s: positive dips, negative (backspin) lifts.</param>
-    /// <param name="sideSpin">Spin about the vertical, rad/s: positive is counter-clockwise seen from above, and bends to the left.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or <paramref name="topSpin"/> is given to a vertical kick; nothing has changed.</exception>
-    public void QueueKick(double speed, Vector3d direction, double topSpin = 0, double sideSpin = 0)
-    {
-        Check.Within(nameof(speed), speed, 0, Limits.Speed);
-        Vector3d unit = KickVectors.Unit(direction);
-        QueueKick(speed * unit, KickVectors.Spin(unit, topSpin, sideSpin));
-    }
-
-    /// <summary>Has the ball kicked when this tick's step begins, with a kick that was found for it.</summary>
-    /// <param name="kick">The kick.</param>
-    public void QueueKick(in AimResult kick) => QueueKick(kick.Velocity, kick.Spin);
-
     /// <summary>Puts the ball down without motion at this tick, at time 0; one of several goes on at the time of all. Above the ground it will fall.</summary>
     /// <remarks>Kicks that wait for this tick or later ones were for the ball where it was: they are forgotten.</remarks>
     /// <param name="position">Position of the centre, m; components within ±1e6. A ball in the ground is raised straight up until it is not.</param>
@@ -285,7 +258,12 @@ public sealed class FixedStepRunner
     public void Place(Vector3d position, int ball = 0)
     {
         Check.Index(nameof(ball), ball, _states.Length);
-        BallState placed = Ball.AtRest(SimulatorOf(ball), in position);
+        Check.Place("launch.position", position);
+
+        // The balls of a group have one clock; that of a ball alone begins anew, and bodies go on from where they are.
+        double time = _group is null ? 0 : Time;
+        _simulator.World.Bodies?.MoveClock(Time, time, isNew: true);
+        BallState placed = Ball.AtRest(SimulatorOf(ball), in position, time);
 
         // Kicks of this ball that wait are taken back; those of the other balls stay.
         for (int i = Kicks.FirstAt(Tick); i < Kicks.Count;)
@@ -294,15 +272,9 @@ public sealed class FixedStepRunner
             i += kick.Ball == ball && Kicks.Remove(kick.Tick, kick.Player, ball) ? 0 : 1;
         }
 
-        // The balls of a group have one clock.
-        if (_group is not null)
-        {
-            placed.Time = _states[ball].Time;
-        }
-
         Array.Copy(_states, _before, _states.Length);
         _before[ball] = placed;
-        RestoreAll(Tick, _before);
+        GoTo(Tick, _before);
     }
 
     /// <summary>Makes as many steps as a frame's time asks for; the rest is kept for the next frame.</summary>
@@ -346,62 +318,13 @@ public sealed class FixedStepRunner
         StepOnce();
     }
 
-    /// <summary>Where to draw the ball at a fraction of the last step.</summary>
-    /// <remarks>
-    /// The position runs straight from the step's start to its end, through the exact points of the events between, so a bouncing
-    /// ball is seen to touch the ground; the orientation turns the shorter way at constant speed, which is right below half a turn a step.
-    /// </remarks>
-    /// <param name="fraction">0 is the last step's start, 1 its end; what is beyond is limited to it.</param>
-    /// <param name="ball">Which of several balls; default the first.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
-    public BallPose PoseAt(double fraction, int ball = 0)
-    {
-        Check.Index(nameof(ball), ball, _states.Length);
-        BallState state = _states[ball];
-        ref readonly BallState previous = ref _previous[ball];
-        double span = state.Time - previous.Time;
-        if (!(fraction < 1) || !(span > 0))
-        {
-            return new BallPose(state.Position, state.Orientation);
-        }
-
-        // A straight way between the ends of the step would cut the corner of a bounce: it goes through the events in it.
-        fraction = fraction > 0 ? fraction : 0;
-        double time = previous.Time + (fraction * span);
-        double t0 = previous.Time;
-        double t1 = state.Time;
-        Vector3d p0 = previous.Position;
-        Vector3d p1 = state.Position;
-        for (int i = 0; i < _log.Events.Count; i++)
-        {
-            ref readonly BallEvent happened = ref _log.Events[i];
-            if (happened.Ball != ball)
-            {
-                continue;
-            }
-
-            if (happened.Time > time)
-            {
-                t1 = happened.Time;
-                p1 = happened.Position;
-                break;
-            }
-
-            t0 = happened.Time;
-            p0 = happened.Position;
-        }
-
-        // Straight between two events; the turn is spread evenly over the whole step.
-        double part = t1 > t0 ? (time - t0) / (t1 - t0) : 1;
-        Quaterniond orientation = Slerp.Between(previous.Orientation, state.Orientation, fraction);
-        return new BallPose(p0 + (part * (p1 - p0)), in orientation);
-    }
-
     /// <summary>Goes to a tick with a state: rolls back, joins a match under way, or puts the ball somewhere.</summary>
     /// <remarks>Nothing else changes: <see cref="Kicks"/> stay, those for this tick included, so that what follows is played again; to put the ball elsewhere, <see cref="Place"/> it. The time kept for the next frame stays too. Drawing starts anew from the state.</remarks>
     /// <param name="tick">The tick; 0 … 1e15.</param>
     /// <param name="state">The state at its start: a copy of <see cref="State"/>, or one from <see cref="Simulator.Launch(Vector3d, Vector3d, Vector3d)"/>.</param>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="tick"/> is out of range, or the state's clock stands so high that a step would not move it; nothing has changed.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// <paramref name="tick"/> is out of range, the state's clock stands so high that a step would not move it, or no ball of this scene can have the state (<see cref="Simulator.Validate"/>); nothing has changed.
+    /// </exception>
     /// <exception cref="ArgumentException"><paramref name="state"/> was never launched; nothing has changed.</exception>
     public void Restore(long tick, in BallState state)
     {
@@ -414,7 +337,9 @@ public sealed class FixedStepRunner
     /// <param name="tick">The tick; 0 … 1e15.</param>
     /// <param name="states">The states at its start, one each, of one time.</param>
     /// <exception cref="ArgumentNullException"><paramref name="states"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="tick"/> is out of range, or the clock stands so high that a step would not move it; nothing has changed.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// <paramref name="tick"/> is out of range, the clock stands so high that a step would not move it, or no ball of this scene can have one of the states (<see cref="Simulator.Validate"/>); nothing has changed.
+    /// </exception>
     /// <exception cref="ArgumentException">The states are not as many as the balls, or not of one time, or one was never launched; nothing has changed.</exception>
     public void RestoreAll(long tick, BallState[] states)
     {
@@ -426,13 +351,22 @@ public sealed class FixedStepRunner
         }
 
         // All are looked at before any is set.
-        foreach (ref readonly BallState state in states.AsSpan())
+        for (int i = 0; i < states.Length; i++)
         {
+            ref readonly BallState state = ref states[i];
             Check.Advances(nameof(TimeStep), TimeStep, state.Time);
             BallState.Launched(in state);
             Check.Within("states' time", state.Time, states[0].Time, states[0].Time);
+            SimulatorOf(i).Validate(in state);
         }
 
+        _simulator.World.Bodies?.MoveClock(Time, states[0].Time, isNew: false);
+        GoTo(tick, states);
+    }
+
+    /// <summary>Goes to a tick with states that were the runner's own, or have been looked at.</summary>
+    internal void GoTo(long tick, BallState[] states)
+    {
         // Where it was before is of no use: until the next step it is drawn where it is put.
         Array.Copy(states, _states, _states.Length);
         Array.Copy(states, _previous, _states.Length);
@@ -444,31 +378,6 @@ public sealed class FixedStepRunner
         {
             Recording = null;
         }
-    }
-
-    /// <summary>Writes a state in <see cref="Snapshot.WireSize"/> bytes, where these hold it to the last bit: at the ticks of <see cref="WireTicks"/>.</summary>
-    /// <param name="state">The state: <see cref="State"/>, or one that a <see cref="Rollback"/> has kept.</param>
-    /// <param name="destination">Where to; at least <see cref="Snapshot.WireSize"/> bytes.</param>
-    /// <param name="ball">Which of several balls; default the first.</param>
-    /// <returns>False where it takes all of <see cref="Snapshot.Write"/>; nothing of use is written then.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
-    /// <exception cref="ArgumentException"><paramref name="destination"/> is too short.</exception>
-    public bool TryWriteWire(in BallState state, Span<byte> destination, int ball = 0)
-    {
-        Check.Index(nameof(ball), ball, _states.Length);
-        return WireForm.TryWrite(SimulatorOf(ball), TimeStep, in state, destination);
-    }
-
-    /// <summary>Reads what <see cref="TryWriteWire"/> wrote: the same bits.</summary>
-    /// <param name="source">At least <see cref="Snapshot.WireSize"/> bytes; more are ignored.</param>
-    /// <param name="ball">Which of several balls; default the first.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
-    /// <exception cref="ArgumentException"><paramref name="source"/> is too short.</exception>
-    /// <exception cref="FormatException">The bytes are no state.</exception>
-    public BallState ReadWire(ReadOnlySpan<byte> source, int ball = 0)
-    {
-        Check.Index(nameof(ball), ball, _states.Length);
-        return WireForm.Read(SimulatorOf(ball), TimeStep, source);
     }
 
     /// <summary>Starts a recording at this tick: every step adds a hash to it, and the kicks are those of <see cref="Kicks"/>.</summary>
@@ -508,7 +417,6 @@ public sealed class FixedStepRunner
             for (int i = Kicks.FirstAt(Tick); i < Kicks.Count && Kicks[i].Tick == Tick; i++)
             {
                 ref readonly KickInput kick = ref Kicks[i];
-                Check.Index("kick.ball", kick.Ball, _states.Length);
                 SimulatorOf(kick.Ball).Kick(ref _states[kick.Ball], kick.Velocity, kick.Spin);
             }
 

@@ -3,8 +3,8 @@ namespace Football.Physics;
 /// <summary>The whole state of a match at equal distances in time, from which a segment is played on: balls, bodies, and obstacles that have a mass.</summary>
 internal sealed class Keyframes(int balls, int movers)
 {
-    private BallState[] _states = new BallState[16 * balls];
-    private RigidMotion[] _motions = new RigidMotion[16 * movers];
+    private BallState[] _states = [];
+    private RigidMotion[] _motions = [];
 
     /// <summary>How many there are.</summary>
     public int Count { get; private set; }
@@ -72,8 +72,9 @@ internal sealed class Keyframes(int balls, int movers)
         if (Count * balls > _states.Length)
         {
             // Both grow alike, so that a keyframe has the same place in each.
-            Array.Resize(ref _states, 2 * _states.Length);
-            Array.Resize(ref _motions, 2 * _motions.Length);
+            int room = Math.Max(16, 2 * (Count - 1));
+            Array.Resize(ref _states, room * balls);
+            Array.Resize(ref _motions, room * movers);
         }
     }
 }

@@ -5,6 +5,9 @@ namespace Football.Physics.Netcode;
 /// <summary>A kick at a tick: all that a match must send, besides its start, to be played again.</summary>
 public readonly struct KickInput : IFormattable
 {
+    /// <summary>So many balls there may be.</summary>
+    internal const int MostBalls = 10_000;
+
     /// <summary>Makes a kick.</summary>
     /// <param name="tick">The tick whose step begins with the kick; 0 … 1e15.</param>
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
@@ -14,7 +17,7 @@ public readonly struct KickInput : IFormattable
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public KickInput(long tick, Vector3d velocity, Vector3d spin, int player = 0, int ball = 0)
     {
-        Check.Within("kick.ball", ball, 0, 9_999);
+        Check.Within("kick.ball", ball, 0, MostBalls - 1);
         Check.Within("kick.tick", tick, 0, Limits.Tick);
         Check.NotNegative("kick.player", player);
         Check.Size("kick.velocity", velocity, Limits.Speed, "m/s");

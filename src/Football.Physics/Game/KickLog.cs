@@ -9,7 +9,8 @@ namespace Football.Physics.Netcode;
 /// </remarks>
 public sealed class KickLog
 {
-    private KickInput[] _kicks;
+    private readonly KickTree _kicks;
+    private readonly int _balls = KickInput.MostBalls;
 
     /// <summary>Makes an empty log.</summary>
     /// <param name="capacity">Kicks to make room for, at least 1; default 64.</param>
@@ -17,11 +18,15 @@ public sealed class KickLog
     public KickLog(int capacity = 64)
     {
         Check.AtLeast(nameof(capacity), capacity, 1);
-        _kicks = new KickInput[capacity];
+        _kicks = new KickTree(capacity);
     }
 
+    /// <summary>Makes an empty log of a runner, which has so many balls.</summary>
+    internal KickLog(int capacity, int balls)
+        : this(capacity) => _balls = balls;
+
     /// <summary>How many kicks there are.</summary>
-    public int Count { get; private set; }
+    public int Count => _kicks.Count;
 
     /// <summary>One kick.</summary>
     /// <param name="index">From 0, below <see cref="Count"/>.</param>
@@ -35,30 +40,20 @@ public sealed class KickLog
                 throw Check.Refusal(nameof(index), index.ToString(CultureInfo.InvariantCulture), $"0 … {Count - 1}");
             }
 
-            return ref _kicks[index];
+            return ref _kicks.At(index);
         }
     }
 
     /// <summary>Puts a kick in its place; one of the same player at the same tick, of the same ball, is replaced.</summary>
     /// <param name="kick">The kick.</param>
+    /// <exception cref="ArgumentOutOfRangeException">It is for a ball that the runner, whose log this is, does not have; nothing has changed.</exception>
     public void Add(in KickInput kick)
     {
+        // A kick may come from outside: one for no ball is refused when it arrives, not in the middle of a step.
+        Check.Index("kick.ball", kick.Ball, _balls);
+
         // Sorted as it is added: who arrives first makes no difference to the order in which kicks act.
-        int index = First(kick.Tick, kick.Player, kick.Ball);
-        if (index < Count && _kicks[index].Order(kick.Tick, kick.Player, kick.Ball) == 0)
-        {
-            _kicks[index] = kick;
-            return;
-        }
-
-        if (Count == _kicks.Length)
-        {
-            Array.Resize(ref _kicks, Count * 2);
-        }
-
-        Array.Copy(_kicks, index, _kicks, index + 1, Count - index);
-        _kicks[index] = kick;
-        Count++;
+        _kicks.Put(in kick);
     }
 
     /// <summary>Takes a kick out, for instance one that was only guessed.</summary>
@@ -66,41 +61,30 @@ public sealed class KickLog
     /// <param name="player">Its player; default 0.</param>
     /// <param name="ball">Its ball; default 0.</param>
     /// <returns>True when there was such a kick.</returns>
-    public bool Remove(long tick, int player = 0, int ball = 0)
-    {
-        int index = First(tick, player, ball);
-        if (index == Count || _kicks[index].Order(tick, player, ball) != 0)
-        {
-            return false;
-        }
-
-        Count--;
-        Array.Copy(_kicks, index + 1, _kicks, index, Count - index);
-        return true;
-    }
+    public bool Remove(long tick, int player = 0, int ball = 0) => _kicks.Remove(tick, player, ball);
 
     /// <summary>Forgets the kicks before a tick, for instance those that can no longer be rolled back.</summary>
     /// <param name="tick">The first tick that is kept.</param>
-    public void RemoveBefore(long tick)
-    {
-        int index = FirstAt(tick);
-        if (index > 0)
-        {
-            Count -= index;
-            Array.Copy(_kicks, index, _kicks, 0, Count);
-        }
-    }
+    public void RemoveBefore(long tick) => _kicks.RemoveFirst(FirstAt(tick));
 
     /// <summary>Forgets the kicks at a tick and later, for instance where the ball is put elsewhere.</summary>
     /// <param name="tick">The first tick that is forgotten.</param>
-    public void RemoveFrom(long tick) => Count = FirstAt(tick);
+    public void RemoveFrom(long tick)
+    {
+        int kept = FirstAt(tick);
+        while (Count > kept)
+        {
+            KickInput last = _kicks.At(Count - 1);
+            _kicks.Remove(last.Tick, last.Player, last.Ball);
+        }
+    }
 
     /// <summary>The index of the first kick at a tick or later; <see cref="Count"/> when there is none.</summary>
     /// <param name="tick">The tick.</param>
-    public int FirstAt(long tick) => First(tick, 0, 0);
+    public int FirstAt(long tick) => _kicks.CountBefore(tick, 0, 0);
 
     /// <summary>Forgets all kicks; keeps the memory.</summary>
-    public void Clear() => Count = 0;
+    public void Clear() => _kicks.Clear();
 
     /// <summary>The log as bytes, the same on every machine.</summary>
     public byte[] ToBytes()
@@ -128,7 +112,7 @@ public sealed class KickLog
         long last = 0;
         for (int i = 0; i < Count; i++)
         {
-            ref readonly KickInput kick = ref _kicks[i];
+            ref readonly KickInput kick = ref _kicks.At(i);
             writer.Integer((ulong)(kick.Tick - last));
             writer.Integer((ulong)kick.Player);
             KickBytes.Write(in kick, ref writer);
@@ -146,37 +130,15 @@ public sealed class KickLog
             // A sum beyond 63 bits turns negative, which the kick refuses.
             tick += reader.Long();
             KickInput kick = KickBytes.Read(tick, reader.Int(), ref reader);
-            if (i > 0 && log._kicks[i - 1].Order(kick.Tick, kick.Player, kick.Ball) >= 0)
+            if (i > 0 && log._kicks.At(i - 1).Order(kick.Tick, kick.Player, kick.Ball) >= 0)
             {
-                // To sort them would take as long as their number squared.
+                // Each log has one form.
                 throw ByteReader.Broken("two kicks are not in order, or of one player and one ball at one tick");
             }
 
-            log._kicks[log.Count++] = kick;
+            log._kicks.Put(in kick);
         }
 
         return log;
-    }
-
-    /// <summary>The first kick that is not before (tick, player, ball).</summary>
-    private int First(long tick, int player, int ball)
-    {
-        // Bisection: all before low come earlier, none from high on does.
-        int low = 0;
-        int high = Count;
-        while (low < high)
-        {
-            int middle = (low + high) >>> 1;
-            if (_kicks[middle].Order(tick, player, ball) < 0)
-            {
-                low = middle + 1;
-            }
-            else
-            {
-                high = middle;
-            }
-        }
-
-        return low;
     }
 }

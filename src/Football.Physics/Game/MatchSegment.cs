@@ -308,6 +308,14 @@ public sealed class MatchSegment
         }
 
         KickLog kicks = KickLog.Read(ref reader);
+        for (int i = 0; i < kicks.Count; i++)
+        {
+            if (kicks[i].Ball >= balls)
+            {
+                throw ByteReader.Broken("a ball is kicked that there is not");
+            }
+        }
+
         PlacementLog bodies = PlacementLog.Read(ref reader);
 
         // An index that no body has would only be met in the middle of a replay.

@@ -112,7 +112,7 @@ public sealed class Rollback
     /// <param name="state">The state at its start.</param>
     /// <param name="ball">Which of several balls; default the first.</param>
     /// <returns>The first tick whose state is not what it was, to the last bit; null where all are.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">The tick is not kept, or there is no such ball; nothing has changed.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The tick is not kept, there is no such ball, or none of this scene can have the state; nothing has changed.</exception>
     /// <exception cref="ArgumentException"><paramref name="state"/> was never launched, or is of another time than the other balls; nothing has changed.</exception>
     /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and nothing says where they were; nothing has changed.</exception>
     public long? Correct(long tick, in BallState state, int ball = 0)
@@ -124,6 +124,14 @@ public sealed class Rollback
         }
 
         BallState.Launched(in state);
+        Runner.SimulatorOf(ball).Validate(in state);
+        return Put(tick, in state, ball);
+    }
+
+    /// <summary>Sets a state that has been looked at, and plays what followed again.</summary>
+    internal long? Put(long tick, in BallState state, int ball)
+    {
+        BallState before = StateAt(tick, ball);
         if (_balls > 1 && state.Time != before.Time)
         {
             throw new ArgumentException(FormattableString.Invariant($"state.time is {state.Time:R}; allowed: {before.Time:R}, the time of the other balls."), nameof(state));
@@ -139,7 +147,7 @@ public sealed class Rollback
         {
             _replays = true;
             Array.Copy(_states, PlaceOf(tick), _from, 0, _balls);
-            Runner.RestoreAll(tick, _from);
+            Runner.GoTo(tick, _from);
             _replays = false;
         }
 
@@ -295,7 +303,7 @@ public sealed class Rollback
             }
 
             Array.Copy(_states, PlaceOf(from), _from, 0, _balls);
-            Runner.RestoreAll(from, _from);
+            Runner.GoTo(from, _from);
             while (Runner.Tick < now)
             {
                 Runner.Step();

@@ -33,6 +33,13 @@ internal static class WireForm
     public static void Round(FixedStepRunner runner)
     {
         BallState[] states = runner.States;
+
+        // The clock of every ball, of one that the form does not hold too: the game tells its bodies by it, and whoever guesses a kick wrong has the same.
+        for (int i = 0; i < states.Length; i++)
+        {
+            states[i].Time = Math.Round(states[i].Time / runner.TimeStep) * runner.TimeStep;
+        }
+
         if (states.Length == 1)
         {
             if (TryRound(runner.SimulatorOf(0), runner.TimeStep, in states[0], out BallState rounded))
@@ -93,9 +100,21 @@ internal static class WireForm
         // Each state has one form: bytes that would be written otherwise are refused.
         var bits = WireBits.Read(bytes);
         var again = default(WireBits);
-        return TryDecode(simulator, timeStep, in bits, out BallState state) && TryEncode(simulator, timeStep, in state, ref again) && again.Equals(in bits)
-            ? state
-            : throw ByteReader.Broken("they are no state of a ball in the wire form");
+        if (!TryDecode(simulator, timeStep, in bits, out BallState state) || !TryEncode(simulator, timeStep, in state, ref again) || !again.Equals(in bits))
+        {
+            throw ByteReader.Broken("they are no state of a ball in the wire form");
+        }
+
+        try
+        {
+            simulator.Validate(in state);
+        }
+        catch (ArgumentOutOfRangeException refusal)
+        {
+            throw ByteReader.Broken(refusal);
+        }
+
+        return state;
     }
 
     /// <summary>The nearest state that is written without loss.</summary>

@@ -7,10 +7,9 @@ public static class SimulatorExtensions
     /// <summary>Longest step through forces of a game's own that is taken as it was asked for, s.</summary>
     internal const double LongestOwnStep = 0.04;
 
-    /// <summary>A frame of a warm-up, s, how many of them a ball has to come to rest in, and how many it is pressed for.</summary>
+    /// <summary>A frame of a warm-up, s, and how many of them a ball has to come to rest in.</summary>
     private const double Frame = 1.0 / 60.0;
     private const int MostFrames = 1200;
-    private const int PressedFrames = 60;
 
     /// <summary>Looks ahead. Allocates nothing once its trajectory has room.</summary>
     /// <param name="simulator">The scene, compiled for the integrator to look ahead with.</param>
@@ -130,25 +129,14 @@ public static class SimulatorExtensions
             path.ClosestApproach(at.Position);
         }
 
-        // Contacts of several things at once happen only where there are things.
+        // Contacts of several things at once, pushes and nets happen only where there are things.
         if (!simulator.World.IsBare)
         {
-            Press(simulator.Settings, log);
+            WarmUpScenes.Press(simulator.Settings, log);
+            WarmUpScenes.Net(simulator.Settings, log);
         }
-    }
 
-    /// <summary>Presses a ball against a wall and the ground, in a scene of its own: on several contacts, and squeezed.</summary>
-    private static void Press(SolverSettings settings, StepLog log)
-    {
-        var press = new Obstacle { Name = "press", Shape = new SphereShape(new Vector3d(0, 0.2, 0.4), 0.25), Velocity = new Vector3d(0, 0, -1) };
-        var wall = new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(0, 0, -0.3), new Vector3d(0, 0, 1)) };
-        var simulator = new Simulator(new Scene { Obstacles = [wall, press] }, settings);
-        BallState ball = simulator.Launch(new Vector3d(0.02, simulator.ContactHeight, 0), Vector3d.Zero, Vector3d.Zero);
-        for (int i = 0; i < PressedFrames; i++)
-        {
-            log.Clear();
-            simulator.Step(ref ball, Frame, log);
-        }
+        WarmUpScenes.Group(simulator.Settings, log);
     }
 
     private static void Run(Simulator simulator, in BallState from, LookAheadRequest request, Trajectory into, bool endsWhenFull)
@@ -192,8 +180,8 @@ public static class SimulatorExtensions
     {
         // What has a mass is pushed in the look-ahead too, and put back.
         World world = simulator.World;
-        path.Log.Pushes = world.GivesWay;
-        if (path.OnStep is not null || world.GivesWay)
+        path.Log.Pushes = world.MayGiveWay;
+        if (path.OnStep is not null || world.MayGiveWay)
         {
             world.KeepMotions();
 
@@ -205,7 +193,7 @@ public static class SimulatorExtensions
     /// <summary>They are put back.</summary>
     private static void EndMoving(Simulator simulator, Trajectory path)
     {
-        if (path.OnStep is not null || simulator.World.GivesWay)
+        if (path.OnStep is not null || simulator.World.MayGiveWay)
         {
             simulator.World.PutMotionsBack();
         }

@@ -139,6 +139,39 @@ public sealed class Bodies : IReadOnlyList<Body>
         _steps++;
     }
 
+    /// <summary>The ball's clock jumps: what the game has said for the time before the jump is of the time after it.</summary>
+    /// <param name="from">The clock before, s.</param>
+    /// <param name="to">The clock after, s.</param>
+    /// <param name="isNew">Whether the clock begins anew, and all bodies go on from where they are; else the time is one of the same clock, and only those that were moved for the step to come.</param>
+    internal void MoveClock(double from, double to, bool isNew)
+    {
+        if (from == to)
+        {
+            return;
+        }
+
+        _earliest = double.PositiveInfinity;
+        _latest = double.NegativeInfinity;
+        for (int i = 0; i < Count; i++)
+        {
+            // A body may have been moved for the time after the jump already.
+            Body body = _bodies[i];
+            bool isTold = IsTold(i);
+            if (isTold ? Math.Abs(body.Time - from) < Math.Abs(body.Time - to) : isNew)
+            {
+                RigidMotion motion = body.Motion;
+                motion.Time = to + (motion.Time - from);
+                body.Motion = motion;
+            }
+
+            if (isTold && !body.IsWithdrawn)
+            {
+                _earliest = Math.Min(_earliest, body.Time);
+                _latest = Math.Max(_latest, body.Time);
+            }
+        }
+    }
+
     /// <summary>A body was moved: for a step to come, or within a look-ahead, after which it is put back.</summary>
     internal void Told(Body body, double time)
     {

@@ -6,13 +6,15 @@ namespace Football.Physics.Engines;
 /// </summary>
 public sealed class EngineCollider
 {
+    /// <summary>Numbers of engines' colliders begin here, beyond the indices of all things that a scene has itself.</summary>
+    internal const int FirstNumber = 1 << 30;
+
     private readonly bool _hasShape;
     private readonly double _mass = double.PositiveInfinity;
     private Vector3d _pushed;
     private Vector3d _gone;
     private double _pushedAt = double.NaN;
     private bool _isAsPlaced = true;
-    private (RigidMotion Motion, Vector3d Pushed, Vector3d Gone, double At, bool IsAsPlaced)? _kept;
 
     /// <summary>A collider of a known shape.</summary>
     /// <param name="name">Its name, for events.</param>
@@ -38,6 +40,7 @@ public sealed class EngineCollider
     {
         Check.Given(nameof(name), name);
         Name = name;
+        Number = NumberOf(name);
         Surface = surface ?? Surface.GoalFrame;
         Surface.Validate(nameof(surface));
         Shape = new TangentShape();
@@ -46,6 +49,12 @@ public sealed class EngineCollider
 
     /// <summary>Its name.</summary>
     public string Name { get; }
+
+    /// <summary>
+    /// What states and events call it by: a hash of its name, so that it does not depend on what was found before, and is the same on every machine. Those of one name
+    /// have one number; which of them is meant the place tells.
+    /// </summary>
+    internal int Number { get; }
 
     /// <summary>The material of its surface.</summary>
     public Surface Surface { get; }
@@ -137,19 +146,20 @@ public sealed class EngineCollider
         motion.Velocity = velocity;
     }
 
-    internal void KeepPush() => _kept = (Placement.Motion, _pushed, _gone, _pushedAt, _isAsPlaced);
+    /// <summary>The engine's time at which it was pushed; NaN where it was not.</summary>
+    internal double PushedAt => _pushedAt;
 
-    internal void PutPushBack()
+    /// <summary>How it is, and what has pushed it.</summary>
+    internal EnginePush PushSoFar
     {
-        // One that was found meanwhile for the first time is not pushed.
-        if (_kept is { } kept)
+        get => new() { Motion = Placement.Motion, Pushed = _pushed, Gone = _gone, At = _pushedAt, IsAsPlaced = _isAsPlaced };
+        set
         {
-            (Placement.Motion, _pushed, _gone, _pushedAt, _isAsPlaced) = kept;
-            _kept = null;
-        }
-        else
-        {
-            ForgetPush();
+            Placement.Motion = value.Motion;
+            _pushed = value.Pushed;
+            _gone = value.Gone;
+            _pushedAt = value.At;
+            _isAsPlaced = value.IsAsPlaced;
         }
     }
 
@@ -182,6 +192,18 @@ public sealed class EngineCollider
         }
 
         _isAsPlaced = false;
+    }
+
+    private static int NumberOf(string name)
+    {
+        // FNV-1a, folded to the bits below the first number.
+        uint hash = 2166136261;
+        foreach (char character in name)
+        {
+            hash = (hash ^ character) * 16777619;
+        }
+
+        return FirstNumber | (int)((hash ^ (hash >> 30)) & (FirstNumber - 1));
     }
 
     private void RequireShape(bool required)

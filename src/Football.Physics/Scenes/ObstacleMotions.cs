@@ -3,6 +3,7 @@ namespace Football.Physics;
 /// <summary>Where the obstacles of a scene that have a mass have got to: what an impact pushes does not stay where the scene has it.</summary>
 internal sealed class ObstacleMotions
 {
+    private readonly IReadOnlyList<Obstacle> _obstacles;
     private readonly Placement?[] _placements;
     private readonly int[] _movable;
     private readonly RigidMotion[] _start;
@@ -10,6 +11,7 @@ internal sealed class ObstacleMotions
 
     public ObstacleMotions(IReadOnlyList<Obstacle> obstacles)
     {
+        _obstacles = obstacles;
         _placements = new Placement?[obstacles.Count];
         var movable = new List<int>();
         for (int i = 0; i < _placements.Length; i++)
@@ -73,6 +75,21 @@ internal sealed class ObstacleMotions
         }
 
         Version++;
+    }
+
+    /// <summary>What another scene has of the same obstacles is where it has got to there.</summary>
+    public void Follow(ObstacleMotions other)
+    {
+        for (int i = 0; i < _movable.Length; i++)
+        {
+            // In both scenes an obstacle is the same one, wherever in the list: a wall may stand before it.
+            int its = Array.FindIndex(other._movable, movable => ReferenceEquals(other._obstacles[movable], _obstacles[_movable[i]]));
+            if (its >= 0)
+            {
+                _placements[_movable[i]]!.Motion = other._placements[other._movable[its]]!.Motion;
+                Version++;
+            }
+        }
     }
 
     /// <summary>Remembers where all are.</summary>

@@ -24,6 +24,9 @@ internal sealed class ClearFlight
     /// <summary>How far, m, a flight in single precision may be from where it is said to be.</summary>
     private const double Rounding = 0.01;
 
+    /// <summary>By so much of itself a way is taken narrower, and shorter, that is checked: for rounding.</summary>
+    private const double Narrower = 1e-3;
+
     private readonly World _world;
     private readonly StabilityLimit _limit;
     private readonly RateBound _ordinary;
@@ -121,6 +124,28 @@ internal sealed class ClearFlight
         double steps = dt * RateAtMost(push.AirSpeed, push.SpinRate) <= SmallChange ? Ahead : 1.0;
         return (isKnown || IsFree(ref s, dt, steps, in push) || (steps > 1.0 && (IsFree(ref s, dt, Nearer, in push) || IsFree(ref s, dt, 1.0, in push))))
             && (_tube is null || IsFreeOfBodies(in s, dt, steps, in push));
+    }
+
+    /// <summary>
+    /// True when the way ahead of a state may be as free as it says: the straight way of the ball alone is. Where that bends by no more than was looked along, it lies within
+    /// what was found to be free.
+    /// </summary>
+    public bool MayBeFree(in BallState s)
+    {
+        double ahead = s.ClearUntil - s.Time;
+        double radius = (1.0 - Narrower) * _world.Ball.Radius;
+        var way = new StraightWay(s.Position, s.Velocity, s.Time, ahead, radius);
+        Vector3d end = s.Position + (ahead * s.Velocity);
+        for (int i = 0; i < _world.Unbounded.Length; i++)
+        {
+            Collider collider = _world.Colliders[_world.Unbounded[i]];
+            if (!(collider == _world.Ground && _world.IsLevel) && !(collider.At(in end).Distance >= radius))
+            {
+                return false;
+            }
+        }
+
+        return _world.Tree.FirstMet(in way, ahead) >= (1.0 - Narrower) * ahead;
     }
 
     /// <inheritdoc cref="Stepper.FliesClear"/>

@@ -71,7 +71,12 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
     public override bool MayWake => _rest.MayWake;
 
-    public override bool RestsAt(in BallState s) => _rest.Holds(in s);
+    public override bool RestsAt(in BallState s)
+    {
+        BallState entered = s;
+        World.Enter(ref entered);
+        return _rest.Holds(in entered);
+    }
 
     public override PilePhase Pile { get; }
 
@@ -103,19 +108,25 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
     public override void Settle(ref BallState s)
     {
-        World.Engine?.Forget();
+        World.Enter(ref s);
         _contact.Raise(ref s);
         _contact.Settle(ref s);
+        World.Exit(ref s);
     }
 
     public override void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, StepLog log)
     {
+        int first = log.Events.Count;
+        World.Enter(ref s);
         var run = new StepRun(0, s.Time, log);
         _contact.Struck(ref s, in velocity, in spin, in n, ref run);
+        World.Exit(ref s, log.Events, first);
     }
 
     public override bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate) =>
         _clear is null || _clear.HasFlown(in from, in to, duration, airSpeed, spinRate);
+
+    public override bool MayBeClear(in BallState s) => !(s.ClearUntil > s.Time) || _clear is null || s.ClearIn != _clear.Key || _clear.MayBeFree(in s);
 
     public override void AirFactors(double speed, double spinRate, out double drag, out double lift, out double decay)
     {
@@ -192,6 +203,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
     private void TakeAll(ref BallState s, double dt, StepLog log, WholeFlight whole, in FlightStep taken)
     {
+        World.Enter(ref s);
         var run = new StepRun(dt, s.Time, log);
 
         // What was already taken as flight is cut at what happens in it.
@@ -255,6 +267,9 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         {
             _contact.StartSliding(ref s, ref run);
         }
+
+        // Where events were dropped meanwhile those of the step have moved up.
+        World.Exit(ref s, log.Events, log.Events.Dropped > 0 ? 0 : run.FirstEvent);
     }
 
     /// <summary>The next piece of a flight: what is left of the step is a whole step again, if nothing happens in it.</summary>

@@ -11,7 +11,6 @@ public sealed class Simulator
     private readonly World _world;
 
     /// <summary>How many things may carry a ball; those of an engine come and go.</summary>
-    private readonly int _things;
 
     private readonly bool _hasOwnForces;
     private readonly bool _mayWake;
@@ -35,7 +34,6 @@ public sealed class Simulator
         _stepper = StepperFactory.Create(Scene, Settings);
         _contact = Scene.Ground.Height + Scene.Ball.Radius;
         _world = _stepper.World;
-        _things = _world.Engine is null ? _world.Names.Count : int.MaxValue;
         _mayWake = _stepper.MayWake;
         _hasOwnForces = Scene.Forces.Custom.Count > 0;
     }
@@ -105,11 +103,12 @@ public sealed class Simulator
     /// <summary>Refuses a state that no ball of this scene can have: for states that come from elsewhere, from C or from a file. A few nanoseconds.</summary>
     /// <param name="state">The state.</param>
     /// <exception cref="ArgumentOutOfRangeException">
-    /// It was never launched, a number of it is not finite or beyond where a ball can get, or the ball lies on a thing that the scene does not have.
+    /// It was never launched, a number of it is not finite or beyond where a ball can get; or it is none of this scene: the ball lies on, or is in, what the scene does not
+    /// have, or is not where it says it is. Where bodies and an engine's colliders are is not asked.
     /// </exception>
     public void Validate(in BallState state)
     {
-        if (!StateCheck.Holds(in state) || state.Carrier >= _things)
+        if (!StateCheck.Holds(in state) || SceneCheck.Fault(in state, _world) is not null || !_stepper.MayBeClear(in state))
         {
             RefuseState(in state);
         }
@@ -183,7 +182,9 @@ public sealed class Simulator
     private void RefuseState(in BallState state)
     {
         StateCheck.Validate(in state);
-        Check.Index("state.carrier", (int)state.Carrier, _things);
+        (string field, string value, string allowed) = SceneCheck.Fault(in state, _world)
+            ?? ("state.clearUntil", state.ClearUntil.ToString("R", System.Globalization.CultureInfo.InvariantCulture), "a time until which nothing is in the way");
+        throw Check.Refusal(field, value, allowed);
     }
 
     private static void RefuseStep(double dt, StepLog? log)

@@ -18,6 +18,9 @@ internal ref struct StepRun
     /// <summary>Evaluations of the forces in a step, whatever asks for them.</summary>
     private const long MostEvaluations = 1 << 15;
 
+    /// <summary>No piece takes more than so many of them, those of a search for its end included: so many are left where a piece begins.</summary>
+    private const long MostOfPiece = 1 << 12;
+
     /// <summary>Hits by what moves, each so soon after the one before, s, ...</summary>
     private const double CrowdedFor = 0.01;
 
@@ -101,7 +104,7 @@ internal ref struct StepRun
         Length = dt;
         End = time + dt;
         Log = log;
-        _lastEvaluation = log.Evaluations + MostEvaluations;
+        _lastEvaluation = log.Evaluations + MostEvaluations - MostOfPiece;
         _lastHit = double.NegativeInfinity;
         FirstEvent = log.Events.Count;
     }

@@ -40,6 +40,9 @@ internal abstract class Stepper
     /// <param name="spinRate">Spin at its start, rad/s.</param>
     public abstract bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate);
 
+    /// <summary>True when what a state says of the way ahead of it can be so: that it meets nothing until a time.</summary>
+    public abstract bool MayBeClear(in BallState s);
+
     /// <summary>The factors of the aerodynamic laws at a speed and a spin: a = −drag · u + lift · (ω̂ × u), |ω|˙ = −decay.</summary>
     public abstract void AirFactors(double speed, double spinRate, out double drag, out double lift, out double decay);
 }

@@ -302,6 +302,9 @@ internal sealed class NetGuard
     private const double Kink = 1e-12;
     private const double AtKink = 1e-9;
 
+    /// <summary>So many parts a piece has at most: what a step may cost is counted between its pieces.</summary>
+    private const int MostParts = 256;
+
     private readonly World _world;
 
     public NetGuard(World world) => _world = world;
@@ -309,6 +312,7 @@ internal sealed class NetGuard
     /// <summary>The longest piece whose path between its ends is known from those, in the nets that the ball is in, s.</summary>
     public double LongestPiece(in BallState s, double h)
     {
+        h = s.Nets == 0 ? h : Math.Min(h, _world.LongestPieceInNets(in s, MostParts));
         for (int i = 0; i < _world.Nets.Length && s.Nets != 0; i++)
         {
             if ((s.Nets >> i & 1) != 0)

@@ -13,6 +13,9 @@ internal static class StateCheck
     private const double FastestSpin = 1e35;
     private const double LatestTime = 1e15;
 
+    /// <summary>A flight is looked along for some of the longest steps.</summary>
+    private const double LatestClear = 2 * LatestTime;
+
     /// <summary>The largest angle since the spin last changed, rad.</summary>
     private const double LargestAngle = FastestSpin * LatestTime;
 
@@ -28,8 +31,10 @@ internal static class StateCheck
         if (!(state.Time >= 0 && state.Time <= LatestTime && (uint)state.Branch < 5 && (ulong)state.Carrier <= int.MaxValue
             && p.LengthSquared <= 3 * Farthest * Farthest && v.LengthSquared <= FastestSpeed * FastestSpeed
             && Math.Abs(state.BaseOrientation.LengthSquared - 1) <= Rounding
-            && state.ClearUntil >= 0
-            && state.SqueezeSpeed >= 0 && state.SqueezeSpeed <= FastestSpeed && state.SqueezeUntil >= 0 && state.SqueezeUntil <= LatestTime))
+            && state.ClearUntil >= 0 && state.ClearUntil <= LatestClear && (state.ClearIn != 0 || state.ClearUntil == 0)
+            && state.AirDistance >= 0 && state.AirDistance <= Farthest
+            && state.SqueezeSpeed >= 0 && state.SqueezeSpeed <= FastestSpeed
+            && state.SqueezeUntil >= 0 && state.SqueezeUntil <= WorldContact.SqueezedUntil(state.Time)))
         {
             return false;
         }
@@ -81,8 +86,9 @@ internal static class StateCheck
         }
 
         Check.Within("state.carrier", state.Carrier, 0, int.MaxValue);
-        Check.Within("state.clearUntil", state.ClearUntil, 0, double.PositiveInfinity);
+        Check.Within("state.clearUntil", state.ClearUntil, 0, state.ClearIn != 0 ? LatestClear : 0);
+        Check.Within("state.airDistance", state.AirDistance, 0, Farthest);
         Check.Within("state.squeezeSpeed", state.SqueezeSpeed, 0, FastestSpeed);
-        Check.Within("state.squeezeUntil", state.SqueezeUntil, 0, LatestTime);
+        Check.Within("state.squeezeUntil", state.SqueezeUntil, 0, WorldContact.SqueezedUntil(state.Time));
     }
 }

@@ -11,7 +11,7 @@ internal static class AimTable
     public static void Print(AimResult kick, Terminal terminal)
     {
         Table table = new Table().Border(TableBorder.Simple).AddColumns("", "");
-        void Row(string name, FormattableString value) => table.AddRow(Markup.Escape(name), Markup.Escape(value.ToString(CultureInfo.InvariantCulture)));
+        void Row(string name, FormattableString value) => table.AddRow(Cell.Of(name), Cell.Of(value.ToString(CultureInfo.InvariantCulture)));
         Row("status", $"{Words.Of(kick.Status)}");
         if (kick.BlockedBy is { } blocker)
         {

@@ -24,10 +24,20 @@ internal static class BundleCommand
         {
             using Stream input = Arguments.OpenInput(parsed.GetRequiredValue(file), terminal);
             using var whole = new MemoryStream();
-            input.CopyTo(whole);
+            CopyBounded(input, whole);
             return Tell(MatchBundle.Read(whole), parsed.GetRequiredValue(tick), terminal);
         });
         return command;
+    }
+
+    /// <summary>Reads as much as a bundle may have, and a byte more, by which it is refused.</summary>
+    private static void CopyBounded(Stream input, MemoryStream whole)
+    {
+        byte[] part = new byte[64 * 1024];
+        for (int read = input.Read(part); read > 0 && whole.Length <= MatchBundle.LargestFile; read = input.Read(part))
+        {
+            whole.Write(part, 0, read);
+        }
     }
 
     private static int Tell(MatchBundle bundle, long tick, Terminal terminal)

@@ -44,11 +44,11 @@ internal sealed class OutputFile : IDisposable
     /// <exception cref="RefusedException">Two are the same file.</exception>
     public static void RefuseSame(IEnumerable<string> inputs, params IReadOnlyList<(string Option, string? Path)> outputs)
     {
-        var taken = inputs.Where(path => path != "-").Select(path => (By: "the input", File: Identity(path))).ToList();
+        var taken = inputs.Where(path => path != "-").Select(path => (By: "the input", File: FileIdentity.Of(path))).ToList();
         foreach ((string option, string path) in outputs.Where(output => output.Path is not null).Select(output => (output.Option, output.Path!)))
         {
             // A device takes what it is given, from however many.
-            if (Identity(path) is { } file && !file.StartsWith("/dev/", StringComparison.Ordinal))
+            if (FileIdentity.Of(path) is { } file && !System.IO.Path.GetFullPath(path).StartsWith("/dev/", StringComparison.Ordinal))
             {
                 if (taken.FirstOrDefault(other => other.File == file) is { By: { } by })
                 {
@@ -60,17 +60,15 @@ internal sealed class OutputFile : IDisposable
         }
     }
 
-    /// <summary>The file behind a name; null where the name cannot be one, which whoever opens it says.</summary>
-    private static string? Identity(string path)
+    /// <summary>Refuses files that would be written over the one that is read.</summary>
+    /// <param name="input">The name of what is read; - is the standard input.</param>
+    /// <param name="outputs">Who asks for each file, and its name: several of one may be written by turns.</param>
+    /// <exception cref="RefusedException">One of them is the input.</exception>
+    public static void RefuseSameAs(string input, IReadOnlyList<(string Option, string Path)> outputs)
     {
-        try
+        foreach ((string option, string path) in outputs)
         {
-            string full = System.IO.Path.GetFullPath(path);
-            return File.Exists(full) ? File.ResolveLinkTarget(full, returnFinalTarget: true)?.FullName ?? full : full;
-        }
-        catch (Exception e) when (IsFileFault(e))
-        {
-            return null;
+            RefuseSame([input], (option, path));
         }
     }
 

@@ -23,7 +23,7 @@ internal sealed class Progress
                     new SpinnerColumn(), new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(), new RateColumn(), new RemainingTimeColumn())
                 .Start(context =>
                 {
-                    ProgressTask task = context.AddTask(Markup.Escape(what));
+                    ProgressTask task = context.AddTask(Cell.Of(what));
                     task.IsIndeterminate = true;
                     return work(new Progress(task));
                 });
@@ -33,7 +33,7 @@ internal sealed class Progress
     {
         if (_task is not null)
         {
-            _task.Description = Markup.Escape(what());
+            _task.Description = Cell.Of(what());
         }
     }
 

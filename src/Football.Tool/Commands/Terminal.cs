@@ -17,8 +17,10 @@ internal sealed class Terminal
         OutputRedirected = outputRedirected;
         ErrorRedirected = errorRedirected;
         Text = Writer(Output);
-        Error = Writer(new StandardStream(error, carriesData: false));
-        ErrorConsole = Console(Error, errorRedirected);
+        StreamWriter errors = Writer(new StandardStream(error, carriesData: false));
+        Error = new PersonWriter(errors);
+        Person = outputRedirected ? Error : new PersonWriter(Text);
+        ErrorConsole = Console(errors, errorRedirected);
         PersonConsole = outputRedirected ? ErrorConsole : Console(Text, redirected: false);
     }
 
@@ -37,7 +39,7 @@ internal sealed class Terminal
     public bool ErrorRedirected { get; }
 
     /// <summary>Tables and hints, as plain text.</summary>
-    public TextWriter Person => OutputRedirected ? Error : Text;
+    public TextWriter Person { get; }
 
     /// <summary>Tables and hints.</summary>
     public IAnsiConsole PersonConsole { get; }

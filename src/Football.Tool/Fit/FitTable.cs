@@ -13,7 +13,7 @@ internal static class FitTable
         for (int i = 0; i < fit.Names.Count; i++)
         {
             table.AddRow(
-                Markup.Escape(fit.Names[i]),
+                Cell.Of(fit.Names[i]),
                 fit.Value(i).ToString("0.0000", CultureInfo.InvariantCulture),
                 fit.Deviation(i).ToString("0.0000", CultureInfo.InvariantCulture),
                 fit.IsIdentified(i) ? string.Empty : "not identified");

@@ -23,7 +23,7 @@ internal static class MatchTable
         Table numbers = new Table().Border(TableBorder.Simple).AddColumns("of the whole track", "value", "±");
         for (int i = 0; i < fit.Names.Count; i++)
         {
-            numbers.AddRow(Markup.Escape(fit.Names[i]), Text(fit.Value(i), "0.000"), Text(fit.Deviation(i), "0.000"));
+            numbers.AddRow(Cell.Of(fit.Names[i]), Text(fit.Value(i), "0.000"), Text(fit.Deviation(i), "0.000"));
         }
 
         terminal.PersonConsole.Write(numbers);

@@ -1,3 +1,4 @@
+using Football.Tool.Commands;
 using System.Globalization;
 using Football.Scenarios.Input;
 using Football.Scenarios;
@@ -41,7 +42,7 @@ internal sealed class ShotReport
 
         foreach ((string? name, ShotFigures figures) in shots)
         {
-            table.AddRow([.. named ? [Markup.Escape(name ?? "")] : (string[])[], .. figures.Texts]);
+            table.AddRow([.. named ? [Cell.Of(name ?? "")] : (string[])[], .. figures.Texts]);
         }
 
         return table;

@@ -12,17 +12,17 @@ internal static class InterceptTable
         Table table = new Table().Border(TableBorder.Simple).AddColumns("runner", "from, s", "to, s", "ball at, m", "height, m", "speed, m/s");
         for (int i = 0; i < outcome.Windows.Count; i++)
         {
-            string name = Markup.Escape(outcome.Scenario.Names[i]);
+            string name = Cell.Of(outcome.Scenario.Names[i]);
             foreach (InterceptWindow window in outcome.Windows[i])
             {
-                string Cell(FormattableString value) => Markup.Escape(value.ToString(CultureInfo.InvariantCulture));
+                string Number(FormattableString value) => Cell.Of(value.ToString(CultureInfo.InvariantCulture));
                 table.AddRow(
                     name,
-                    Cell($"{window.From:0.000}"),
-                    Cell($"{window.To:0.000}"),
-                    Cell($"{window.Position.X:0.00}, {window.Position.Z:0.00}"),
-                    Cell($"{window.Position.Y:0.00}"),
-                    Cell($"{window.Velocity.Length:0.0}"));
+                    Number($"{window.From:0.000}"),
+                    Number($"{window.To:0.000}"),
+                    Number($"{window.Position.X:0.00}, {window.Position.Z:0.00}"),
+                    Number($"{window.Position.Y:0.00}"),
+                    Number($"{window.Velocity.Length:0.0}"));
             }
 
             if (outcome.Windows[i].Length == 0)

@@ -83,6 +83,11 @@ internal static class SweepCommand
             SweepPlan plan = Read(parsed.GetValue(file), [.. parsed.GetRequiredValue(profile), .. parsed.GetRequiredValue(set), .. parsed.GetRequiredValue(range)], parsed.GetValue(seed), terminal);
             var run = new SweepRun(plan, parsed.GetRequiredValue(format), (int)parsed.GetValue(jobs));
             (int index, int of) = parsed.GetValue(shard);
+            if (parsed.GetValue(output) is { } into && parsed.GetValue(file) is { } read)
+            {
+                RefuseInput(read, of == 0 ? into : Path.Combine(into, new Shard(index, of, 0).Folder), run.Format);
+            }
+
             return parsed.GetValue(output) is { } folder
                 ? ToFolder(plan, run, of == 0 ? folder : Path.Combine(folder, new Shard(index, of, 0).Folder), new Shard(Math.Max(index, 1), Math.Max(of, 1), parsed.GetValue(count)), parsed.GetValue(verify), terminal)
                 : ToOutput(run, new Shard(Math.Max(index, 1), Math.Max(of, 1), parsed.GetValue(count)), terminal);
@@ -111,6 +116,13 @@ internal static class SweepCommand
         using Stream input = file is null ? new MemoryStream("{}"u8.ToArray()) : Arguments.OpenInput(file, terminal);
         InputCase one = InputCase.Read(new LineReader(input).ReadToEnd(), overrides);
         return SweepInput.Read(one.Scenario ?? throw one.Refusal!, seed);
+    }
+
+    /// <summary>Refuses a folder that would lose the input: one of its files is that, under whatever name.</summary>
+    private static void RefuseInput(string file, string folder, RowFormat format)
+    {
+        string[] names = [.. format.Files, Schema.Name, Manifest.Done, Manifest.Unfinished, Manifest.Done + Manifest.New, Manifest.Unfinished + Manifest.New];
+        OutputFile.RefuseSameAs(file, [.. names.Select(name => ("--out", Path.Combine(folder, name)))]);
     }
 
     private static int ToOutput(SweepRun run, Shard shard, Terminal terminal) => Progress.Show(

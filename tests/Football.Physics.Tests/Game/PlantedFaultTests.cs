@@ -21,7 +21,7 @@ public sealed class PlantedFaultTests
             there.Step();
             if (there.Tick == FaultTick)
             {
-                there.Restore(there.Tick, Changed(there.State, field));
+                there.GoTo(there.Tick, [Changed(there.State, field)]);
             }
 
             if (Snapshot.Hash(here.State) != Snapshot.Hash(there.State))
@@ -48,7 +48,7 @@ public sealed class PlantedFaultTests
             Assert.Null(rollback.SyncTest(8));
         }
 
-        rollback.Correct(FaultTick, Changed(runner.State, field));
+        rollback.Put(FaultTick, Changed(runner.State, field), 0);
         StateDifference? found = rollback.SyncTest(1);
         Assert.Equal(FaultTick, found?.Tick);
 

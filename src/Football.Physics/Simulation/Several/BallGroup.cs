@@ -214,6 +214,7 @@ public sealed partial class BallGroup
         catch
         {
             Array.Copy(_before, states, Count);
+            world.Engine?.PutPushesBack();
             if (_motionsBefore.Length > 0)
             {
                 world.WriteMotions(_motionsBefore);

@@ -26,6 +26,14 @@ internal sealed class DataFile : IDisposable
     /// <summary>Makes a file, or begins again what there is.</summary>
     public static DataFile Create(string folder, string name, byte[] header)
     {
+        // Who holds it is not disturbed. What other names the file has keep what is in it: it may be the input of somebody.
+        Open(folder, name, FileMode.OpenOrCreate).Dispose();
+        string path = Path.Combine(folder, name);
+        if (new FileInfo(path).LinkTarget is null)
+        {
+            File.Delete(path);
+        }
+
         var file = new DataFile(Open(folder, name, FileMode.Create), name, header.Length);
         file.Write(header);
         return file;

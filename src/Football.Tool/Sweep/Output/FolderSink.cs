@@ -161,6 +161,7 @@ internal sealed class FolderSink : RowSink
             _files.Add(DataFile.Create(_folder, format.Files[f], format.Header(f, _shard.Rows)));
         }
 
+        File.Delete(Path.Combine(_folder, Schema.Name));
         File.WriteAllBytes(Path.Combine(_folder, Schema.Name), schema);
         Checkpoint();
     }

@@ -19,6 +19,9 @@ internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long?
     /// <summary>Name of the file in a folder that is not done.</summary>
     public const string Unfinished = "checkpoint.json";
 
+    /// <summary>What is added to a name while the file is written.</summary>
+    public const string New = ".new";
+
     private static readonly JsonWriterOptions s_options = new() { Indented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
     /// <summary>Reads it; null where there is none.</summary>
@@ -59,8 +62,9 @@ internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long?
     public void Write(string folder, string name, bool toDisk)
     {
         string path = Path.Combine(folder, name);
-        string whole = path + ".new";
-        using (var file = new FileStream(whole, FileMode.Create, FileAccess.Write))
+        string whole = path + New;
+        File.Delete(whole);
+        using (var file = new FileStream(whole, FileMode.CreateNew, FileAccess.Write))
         {
             file.Write(Text());
             file.Flush(toDisk);

@@ -1,0 +1,112 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>The colliders of an engine that the ball has pushed since the engine placed them, and how they were when that was remembered.</summary>
+internal sealed class EnginePushes
+{
+    /// <summary>What is remembered within a step, and within a look ahead, which takes steps itself.</summary>
+    public const int OfSteps = 0;
+    public const int OfLooks = 1;
+
+    private static readonly ConditionalWeakTable<IEngineColliders, EnginePushes> s_all = new();
+
+    private readonly List<EngineCollider> _pushed = [];
+    private readonly List<(EngineCollider Collider, EnginePush Push)>[] _kept = [[], []];
+
+    /// <summary>Those of an engine. Several simulators may have it, as those of a match and of its look-aheads do, and its colliders are one thing to all of them.</summary>
+    public static EnginePushes Of(IEngineColliders engine) => s_all.GetValue(engine, _ => new EnginePushes());
+
+    /// <summary>A collider is about to be pushed.</summary>
+    public void Note(EngineCollider collider)
+    {
+        // Pushes count until the engine's time goes on: those of earlier times are over.
+        for (int i = _pushed.Count - 1; i >= 0; i--)
+        {
+            if (_pushed[i] == collider)
+            {
+                return;
+            }
+
+            if (_pushed[i].PushedAt != collider.Placement.Motion.Time && !IsKept(_pushed[i]))
+            {
+                _pushed[i].ForgetPush();
+                _pushed.RemoveAt(i);
+            }
+        }
+
+        _pushed.Add(collider);
+    }
+
+    /// <summary>Remembers how they are.</summary>
+    public void Keep(int level)
+    {
+        _kept[level].Clear();
+        for (int i = 0; i < _pushed.Count; i++)
+        {
+            _kept[level].Add((_pushed[i], _pushed[i].PushSoFar));
+        }
+    }
+
+    /// <summary>Puts them back to how they were; those that were pushed since for the first time are not pushed.</summary>
+    public void PutBack(int level)
+    {
+        for (int i = 0; i < _pushed.Count; i++)
+        {
+            _pushed[i].ForgetPush();
+        }
+
+        _pushed.Clear();
+        List<(EngineCollider Collider, EnginePush Push)> kept = _kept[level];
+        for (int i = 0; i < kept.Count; i++)
+        {
+            kept[i].Collider.PushSoFar = kept[i].Push;
+            _pushed.Add(kept[i].Collider);
+        }
+
+        // A look ahead is over; a step may be tried again.
+        if (level == OfLooks)
+        {
+            kept.Clear();
+        }
+    }
+
+    /// <summary>Takes all pushes back.</summary>
+    public void Forget()
+    {
+        for (int i = 0; i < _pushed.Count; i++)
+        {
+            _pushed[i].ForgetPush();
+        }
+
+        _pushed.Clear();
+    }
+
+    private bool IsKept(EngineCollider collider)
+    {
+        // Of a match that goes on after a look ahead at later times.
+        for (int i = 0; i < _kept[OfLooks].Count; i++)
+        {
+            if (_kept[OfLooks][i].Collider == collider)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+}
+
+/// <summary>How an engine's collider is, and what has pushed it.</summary>
+internal readonly struct EnginePush
+{
+    public RigidMotion Motion { get; init; }
+
+    public Vector3d Pushed { get; init; }
+
+    public Vector3d Gone { get; init; }
+
+    public double At { get; init; }
+
+    public bool IsAsPlaced { get; init; }
+}

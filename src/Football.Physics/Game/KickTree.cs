@@ -1,0 +1,253 @@
+namespace Football.Physics;
+
+/// <summary>Kicks in order of tick, player and ball, as a balanced tree: each is found, added and taken out in a time that grows with the logarithm of their number.</summary>
+/// <remarks>An AVL tree in arrays, whose nodes know how many are below them. Allocates only when it outgrows its memory.</remarks>
+internal sealed class KickTree(int capacity)
+{
+    private const int None = -1;
+
+    private KickInput[] _kicks = new KickInput[capacity];
+    private Node[] _nodes = new Node[capacity];
+    private int _root = None;
+    private int _free = None;
+    private int _made;
+
+    /// <summary>How many there are.</summary>
+    public int Count => CountOf(_root);
+
+    /// <summary>One by its place in the order.</summary>
+    public ref readonly KickInput At(int index)
+    {
+        int node = _root;
+        while (true)
+        {
+            int before = CountOf(_nodes[node].Left);
+            if (index == before)
+            {
+                return ref _kicks[node];
+            }
+
+            node = index < before ? _nodes[node].Left : _nodes[node].Right;
+            index -= index < before ? 0 : before + 1;
+        }
+    }
+
+    /// <summary>How many are before (tick, player, ball).</summary>
+    public int CountBefore(long tick, int player, int ball)
+    {
+        int count = 0;
+        for (int node = _root; node != None;)
+        {
+            bool isBefore = _kicks[node].Order(tick, player, ball) < 0;
+            count += isBefore ? CountOf(_nodes[node].Left) + 1 : 0;
+            node = isBefore ? _nodes[node].Right : _nodes[node].Left;
+        }
+
+        return count;
+    }
+
+    /// <summary>Adds a kick, or puts it in the place of that of the same tick, player and ball.</summary>
+    public void Put(in KickInput kick) => _root = Put(_root, in kick);
+
+    /// <summary>Takes one out.</summary>
+    /// <returns>Whether it was there.</returns>
+    public bool Remove(long tick, int player, int ball)
+    {
+        int before = Count;
+        _root = Remove(_root, tick, player, ball);
+        return Count < before;
+    }
+
+    /// <summary>Takes the first so many out.</summary>
+    public void RemoveFirst(int count)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            _root = TakeFirst(_root, out int first);
+            Free(first);
+        }
+    }
+
+    /// <summary>Takes all out; keeps the memory.</summary>
+    public void Clear()
+    {
+        _root = None;
+        _free = None;
+        _made = 0;
+    }
+
+    private int CountOf(int node) => node == None ? 0 : _nodes[node].Count;
+
+    private int HeightOf(int node) => node == None ? 0 : _nodes[node].Height;
+
+    private int Put(int node, in KickInput kick)
+    {
+        if (node == None)
+        {
+            return Make(in kick);
+        }
+
+        int order = _kicks[node].Order(kick.Tick, kick.Player, kick.Ball);
+        if (order == 0)
+        {
+            _kicks[node] = kick;
+            return node;
+        }
+
+        // The arrays may move meanwhile: no reference is kept over the call.
+        if (order > 0)
+        {
+            int left = Put(_nodes[node].Left, in kick);
+            _nodes[node].Left = left;
+        }
+        else
+        {
+            int right = Put(_nodes[node].Right, in kick);
+            _nodes[node].Right = right;
+        }
+
+        return Balance(node);
+    }
+
+    private int Remove(int node, long tick, int player, int ball)
+    {
+        if (node == None)
+        {
+            return None;
+        }
+
+        int order = _kicks[node].Order(tick, player, ball);
+        if (order > 0)
+        {
+            _nodes[node].Left = Remove(_nodes[node].Left, tick, player, ball);
+        }
+        else if (order < 0)
+        {
+            _nodes[node].Right = Remove(_nodes[node].Right, tick, player, ball);
+        }
+        else
+        {
+            int left = _nodes[node].Left;
+            int right = _nodes[node].Right;
+            Free(node);
+            if (right == None)
+            {
+                return left;
+            }
+
+            // The next in order takes its place.
+            right = TakeFirst(right, out int next);
+            _nodes[next].Left = left;
+            _nodes[next].Right = right;
+            return Balance(next);
+        }
+
+        return Balance(node);
+    }
+
+    private int TakeFirst(int node, out int first)
+    {
+        if (_nodes[node].Left == None)
+        {
+            first = node;
+            return _nodes[node].Right;
+        }
+
+        _nodes[node].Left = TakeFirst(_nodes[node].Left, out first);
+        return Balance(node);
+    }
+
+    private int Make(in KickInput kick)
+    {
+        int node = _free;
+        if (node != None)
+        {
+            _free = _nodes[node].Left;
+        }
+        else
+        {
+            if (_made == _nodes.Length)
+            {
+                Array.Resize(ref _kicks, 2 * _made);
+                Array.Resize(ref _nodes, 2 * _made);
+            }
+
+            node = _made++;
+        }
+
+        _kicks[node] = kick;
+        _nodes[node] = new Node { Left = None, Right = None, Count = 1, Height = 1 };
+        return node;
+    }
+
+    private void Free(int node)
+    {
+        _nodes[node].Left = _free;
+        _free = node;
+    }
+
+    /// <summary>Two branches whose heights differ by two are turned.</summary>
+    private int Balance(int node)
+    {
+        int left = _nodes[node].Left;
+        int right = _nodes[node].Right;
+        int lean = HeightOf(left) - HeightOf(right);
+        if (lean > 1)
+        {
+            if (HeightOf(_nodes[left].Left) < HeightOf(_nodes[left].Right))
+            {
+                _nodes[node].Left = TurnLeft(left);
+            }
+
+            return TurnRight(node);
+        }
+
+        if (lean < -1)
+        {
+            if (HeightOf(_nodes[right].Right) < HeightOf(_nodes[right].Left))
+            {
+                _nodes[node].Right = TurnRight(right);
+            }
+
+            return TurnLeft(node);
+        }
+
+        Measure(node);
+        return node;
+    }
+
+    private int TurnRight(int node)
+    {
+        int top = _nodes[node].Left;
+        _nodes[node].Left = _nodes[top].Right;
+        _nodes[top].Right = node;
+        Measure(node);
+        Measure(top);
+        return top;
+    }
+
+    private int TurnLeft(int node)
+    {
+        int top = _nodes[node].Right;
+        _nodes[node].Right = _nodes[top].Left;
+        _nodes[top].Left = node;
+        Measure(node);
+        Measure(top);
+        return top;
+    }
+
+    private void Measure(int node)
+    {
+        ref Node at = ref _nodes[node];
+        at.Count = 1 + CountOf(at.Left) + CountOf(at.Right);
+        at.Height = 1 + Math.Max(HeightOf(at.Left), HeightOf(at.Right));
+    }
+
+    private struct Node
+    {
+        public int Left;
+        public int Right;
+        public int Count;
+        public int Height;
+    }
+}

@@ -1,0 +1,126 @@
+namespace Football.Physics;
+
+/// <summary>Checks that a state that came from elsewhere is one that a ball can have in a scene: what it names is there, and the ball is where that can be.</summary>
+/// <remarks>What the game or an engine moves, and what the ball has pushed, may be anywhere: a state does not hold it.</remarks>
+internal static class SceneCheck
+{
+    /// <summary>So far, m, a ball may be off what carries it, for each metre that its coordinates are large: rounding, and what an integrator leaves.</summary>
+    private const double Touching = 1e-6;
+
+    /// <summary>No ball comes into a net faster, m/s: more than from the highest fall.</summary>
+    private const double FastestInNets = 1e4;
+
+    /// <summary>A ball that has come through a mouth, and not passed the line, is no farther behind that, m: something may have pushed it there.</summary>
+    private const double BehindLine = 2.0;
+
+    /// <summary>The field in which a state is none of a ball in a scene, with its value and what is allowed; null where it is one.</summary>
+    public static (string Field, string Value, string Allowed)? Fault(in BallState s, World world)
+    {
+        // One test for the ball that most are: on level ground, or in the air, in no net and no goal.
+        bool isInAny = (s.Nets | s.NetSides | s.GoalsEntered | s.GoalsPassed) != 0;
+        if (!isInAny && s.Carrier == 0 && (s.Motion == MotionState.Airborne || (world.IsLevel && Math.Abs(s.Position.Y - world.LevelContact) <= Touching)))
+        {
+            return null;
+        }
+
+        if (isInAny && FaultOfPassages(in s, world) is { } passage)
+        {
+            return passage;
+        }
+
+        return s.Motion == MotionState.Airborne && s.Carrier == 0 ? null : FaultOfCarrier(in s, world);
+    }
+
+    private static (string Field, string Value, string Allowed)? FaultOfPassages(in BallState s, World world)
+    {
+        if (!IsWithin(s.Nets | s.NetSides, world.Nets.Length))
+        {
+            return ("state.nets", Text(s.Nets | s.NetSides), $"bits of the {world.Nets.Length} nets of the scene");
+        }
+
+        if (!IsWithin(s.GoalsEntered | s.GoalsPassed, world.Goals.Length))
+        {
+            return ("state.goals", Text(s.GoalsEntered | s.GoalsPassed), $"bits of the {world.Goals.Length} goals of the scene");
+        }
+
+        for (int i = 0; i < world.Nets.Length && s.Nets >> i != 0; i++)
+        {
+            // As far as its momentum can take it into the net, and that beyond the edges.
+            if ((s.Nets >> i & 1) != 0 && world.Nets[i].PlaceInFrame(s.Position).Length > world.Nets[i].FarthestIn(FastestInNets))
+            {
+                return ("state.nets", Text(s.Nets), $"the nets that a ball at {s.Position.ToString("R", null)} can be in");
+            }
+        }
+
+        for (int i = 0; i < world.Goals.Length && s.GoalsEntered >> i != 0; i++)
+        {
+            // Behind the mouth, and before the line.
+            double before = world.Goals[i].BeforeMouth(s.Position);
+            if ((s.GoalsEntered >> i & 1) != 0 && !(before <= Tolerance(in s) && world.Goals[i].BeforeLine(s.Position, world.Ball.Radius) >= -BehindLine))
+            {
+                return ("state.goalsEntered", Text(s.GoalsEntered), $"the goals in whose mouth a ball at {s.Position.ToString("R", null)} can be");
+            }
+        }
+
+        return (s.GoalsEntered & s.GoalsPassed) != 0 ? ("state.goalsEntered", Text(s.GoalsEntered), "goals whose line the ball has not passed") : null;
+    }
+
+    private static (string Field, string Value, string Allowed)? FaultOfCarrier(in BallState s, World world)
+    {
+        long index = s.Carrier - world.FirstCollider;
+        if (s.Motion == MotionState.Airborne || (s.Motion == MotionState.Squeezed && s.Carrier == 0))
+        {
+            // Nothing carries it.
+            return s.Carrier == 0 ? null : Carrier(in s, "0 for a ball that nothing carries");
+        }
+
+        if (s.Carrier >= EngineCollider.FirstNumber)
+        {
+            return world.Engine is null ? Carrier(in s, "one of the scene's things") : null;
+        }
+
+        // A ball that hangs in a net is in that net.
+        long net = s.Carrier - world.ThingOfNet(0);
+        if (net >= 0)
+        {
+            bool hangs = s.Motion == MotionState.Stopped && net < world.Nets.Length && (s.Nets >> (int)net & 1) != 0;
+            return hangs ? null : Carrier(in s, "a thing that can carry the ball");
+        }
+
+        if (index < 0 || (world.Engine is not null && world.Engine.Has((int)index)))
+        {
+            return Carrier(in s, "a thing that can carry the ball");
+        }
+
+        // Where what the game moves is, and what was pushed, the state does not say.
+        Collider carrier = world.Colliders[index];
+        if (carrier.IsBody || carrier.GivesWay || s.Motion == MotionState.Squeezed)
+        {
+            return null;
+        }
+
+        double gap = carrier.At(s.Position, s.Time).Distance - world.Ball.Radius;
+        if (!(Math.Abs(gap) <= Tolerance(in s)))
+        {
+            return ("state.position", s.Position.ToString("R", null), $"a place where the ball touches \"{carrier.Name}\", which carries it; {Text(gap)} m are between");
+        }
+
+        // What rests moves along.
+        Vector3d along = carrier.MaterialVelocity(s.Position, s.Time);
+        return s.Motion == MotionState.Stopped && !((s.Velocity - along).Length <= Touching * (1.0 + along.Length))
+            ? ("state.velocity", s.Velocity.ToString("R", null), $"that of \"{carrier.Name}\" at a ball that rests on it")
+            : null;
+    }
+
+    private static (string Field, string Value, string Allowed) Carrier(in BallState s, string allowed) =>
+        ("state.carrier", s.Carrier.ToString(System.Globalization.CultureInfo.InvariantCulture), allowed);
+
+    private static double Tolerance(in BallState s) =>
+        Touching * (1.0 + Math.Max(Math.Abs(s.Position.X), Math.Max(Math.Abs(s.Position.Y), Math.Abs(s.Position.Z))) * 1e-3);
+
+    private static bool IsWithin(ulong bits, int count) => count >= 64 || bits >> count == 0;
+
+    private static string Text(ulong bits) => "0x" + bits.ToString("x", System.Globalization.CultureInfo.InvariantCulture);
+
+    private static string Text(double value) => value.ToString("R", System.Globalization.CultureInfo.InvariantCulture);
+}

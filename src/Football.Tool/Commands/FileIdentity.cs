@@ -1,0 +1,78 @@
+using System.Buffers.Binary;
+using System.Globalization;
+using System.Runtime.InteropServices;
+using Microsoft.Win32.SafeHandles;
+
+namespace Football.Tool.Commands;
+
+/// <summary>Which file is behind a name: the same for every link to it, hard or symbolic, and however the folders before it are named.</summary>
+internal static class FileIdentity
+{
+    private const int AtCurrentFolder = -100;
+    private const uint InodeNumber = 0x100;
+
+    /// <summary>The file behind a name; its full path where it does not exist yet, or the system does not tell; null where the name cannot be one, which whoever opens it says.</summary>
+    public static string? Of(string path)
+    {
+        try
+        {
+            string full = Path.GetFullPath(path);
+            return File.Exists(full) ? Number(full) ?? File.ResolveLinkTarget(full, returnFinalTarget: true)?.FullName ?? full : full;
+        }
+        catch (Exception e) when (OutputFile.IsFileFault(e))
+        {
+            return null;
+        }
+    }
+
+    private static string? Number(string path)
+    {
+        try
+        {
+            return OperatingSystem.IsLinux() ? OfLinux(path) : OperatingSystem.IsMacOS() ? OfMacOS(path) : OperatingSystem.IsWindows() ? OfWindows(path) : null;
+        }
+        catch (Exception e) when (e is EntryPointNotFoundException or DllNotFoundException || OutputFile.IsFileFault(e))
+        {
+            return null;
+        }
+    }
+
+    private static string? OfLinux(string path)
+    {
+        // struct statx, the same on every processor: stx_ino at 32, stx_dev_major and stx_dev_minor at 136 and 140.
+        byte[] told = new byte[256];
+        return Statx(AtCurrentFolder, path, 0, InodeNumber, told) != 0 ? null
+            : Text(BinaryPrimitives.ReadUInt64LittleEndian(told.AsSpan(136)), BinaryPrimitives.ReadUInt64LittleEndian(told.AsSpan(32)));
+    }
+
+    private static string? OfMacOS(string path)
+    {
+        // struct stat with 64-bit inodes: st_dev at 0, st_ino at 8.
+        byte[] told = new byte[256];
+        int fault = RuntimeInformation.ProcessArchitecture == Architecture.X64 ? Stat64(path, told) : Stat(path, told);
+        return fault != 0 ? null : Text(BinaryPrimitives.ReadUInt32LittleEndian(told), BinaryPrimitives.ReadUInt64LittleEndian(told.AsSpan(8)));
+    }
+
+    private static string? OfWindows(string path)
+    {
+        // BY_HANDLE_FILE_INFORMATION: the volume at 28, the index at 44 and 48.
+        byte[] told = new byte[52];
+        using SafeFileHandle file = File.OpenHandle(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
+        return !InformationOf(file, told) ? null : Text(BinaryPrimitives.ReadUInt32LittleEndian(told.AsSpan(28)), BinaryPrimitives.ReadUInt64LittleEndian(told.AsSpan(44)));
+    }
+
+    private static string Text(ulong device, ulong file) => string.Create(CultureInfo.InvariantCulture, $"{device:x}:{file:x}");
+
+    [DllImport("libc", EntryPoint = "statx")]
+    private static extern int Statx(int folder, [MarshalAs(UnmanagedType.LPUTF8Str)] string path, int flags, uint mask, byte[] told);
+
+    [DllImport("libc", EntryPoint = "stat")]
+    private static extern int Stat([MarshalAs(UnmanagedType.LPUTF8Str)] string path, byte[] told);
+
+    [DllImport("libc", EntryPoint = "stat$INODE64")]
+    private static extern int Stat64([MarshalAs(UnmanagedType.LPUTF8Str)] string path, byte[] told);
+
+    [DllImport("kernel32", EntryPoint = "GetFileInformationByHandle")]
+    [return: MarshalAs(UnmanagedType.Bool)]
+    private static extern bool InformationOf(SafeFileHandle file, byte[] told);
+}

@@ -1,0 +1,49 @@
+using System.Globalization;
+using System.Text;
+
+namespace Football.Tool.Commands;
+
+/// <summary>Text for a person. What came from a file may hold anything: a terminal is shown its control characters, and does not obey them.</summary>
+internal sealed class PersonWriter(TextWriter writer) : TextWriter(CultureInfo.InvariantCulture)
+{
+    public override Encoding Encoding => writer.Encoding;
+
+    public override string NewLine => writer.NewLine;
+
+    public override void Write(char value)
+    {
+        // Lines and tabs are the text's own.
+        if (char.IsControl(value) && value is not ('\n' or '\t'))
+        {
+            writer.Write(string.Create(CultureInfo.InvariantCulture, $"\\u{(int)value:x4}"));
+        }
+        else
+        {
+            writer.Write(value);
+        }
+    }
+
+    public override void Write(string? value)
+    {
+        if (value is null || !value.Any(character => char.IsControl(character) && character is not ('\n' or '\t')))
+        {
+            writer.Write(value);
+            return;
+        }
+
+        foreach (char character in value)
+        {
+            Write(character);
+        }
+    }
+
+    public override void Write(char[] buffer, int index, int count) => Write(new string(buffer, index, count));
+
+    public override void WriteLine(string? value)
+    {
+        Write(value);
+        writer.WriteLine();
+    }
+
+    public override void Flush() => writer.Flush();
+}
