@@ -306,8 +306,12 @@ internal sealed class BallCluster
 
             // What overlaps is put apart, each by its share.
             double over = Math.Max(0, -gap) / (ball.Mass + other.Mass);
+            Vector3d at = states[i].Position;
+            Vector3d otherAt = states[j].Position;
             states[i].Position += other.Mass * over * n;
             states[j].Position -= ball.Mass * over * n;
+            _simulators[i].Displaced(ref states[i], in at, own);
+            _simulators[j].Displaced(ref states[j], in otherAt, its);
         }
         else
         {
