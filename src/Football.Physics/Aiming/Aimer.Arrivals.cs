@@ -11,6 +11,7 @@ public sealed partial class Aimer
     /// <summary>An arrival that is further off than this, m/s, is not the one that was asked for.</summary>
     internal const double LargestArrivalError = 0.01;
 
+    private readonly StepLog _arrivalLog = new();
     private ArrivalTimes? _arrivals;
 
     /// <summary>Finds the kick that is at a target with a given speed.</summary>
@@ -38,10 +39,30 @@ public sealed partial class Aimer
     }
 
     /// <summary>The kick that flies to the target in a time, measured, and its speed there.</summary>
+    /// <param name="request">The request.</param>
+    /// <param name="time">The time, s.</param>
+    /// <param name="isBetween">Whether the time is between two that have a kick: then this has one too, and finer steps find it.</param>
+    /// <param name="kick">The kick.</param>
+    /// <param name="arrival">Its speed, m/s.</param>
     /// <returns>Whether there is one that meets nothing before.</returns>
-    internal bool TryArrival(AimRequest request, double time, out AimSolution kick, out double arrival)
+    internal bool TryArrival(AimRequest request, double time, bool isBetween, out AimSolution kick, out double arrival)
     {
         _context.Begin(request.MaximumIterations);
+        bool hits = TryArrival(request, time, out kick, out arrival);
+        if (!hits && isBetween)
+        {
+            // It grazes the drag law's jump.
+            _context.Begin(request.MaximumIterations);
+            _context.Steps = AimSteps.Short;
+            hits = TryArrival(request, time, out kick, out arrival);
+            _context.Steps = AimSteps.Long;
+        }
+
+        return hits;
+    }
+
+    private bool TryArrival(AimRequest request, double time, out AimSolution kick, out double arrival)
+    {
         kick = _general.FlightAtTime(request, time);
         kick.Vectors(out Vector3d velocity, out Vector3d spin);
         MeasuredMiss measured = _context.Miss.Measure(request, in velocity, in spin, time);
@@ -128,8 +149,6 @@ public sealed partial class Aimer
         bool touches = simulator.RunChecked(ref state, ArrivalStep, Math.Max(time, 1e-9), rolls ? StopAt.Time : StopAt.Impact, _arrivalLog, null);
         return (touches ? _arrivalLog.Events[_arrivalLog.Events.Count - 1].VelocityBefore : state.Velocity).Length;
     }
-
-    private readonly StepLog _arrivalLog = new();
 
     internal static AimResult Failed(in AimResult kick, AimStatus status) => new(
         status, kick.Velocity, kick.Spin, new MeasuredMiss(kick.Miss, kick.ThroughMiss, kick.Time, kick.Closest), kick.Arc, kick.Rolls, kick.Iterations, kick.Simulations, kick.BlockedBy);

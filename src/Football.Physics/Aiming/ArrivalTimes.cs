@@ -95,11 +95,11 @@ internal sealed class ArrivalTimes
         return count + 1;
     }
 
-    private Node At(double time)
+    private Node At(double time, bool isBetween = false)
     {
         Node node = default;
         node.Time = time;
-        node.Hits = _aimer.TryArrival(_request, time, out node.Kick, out double arrival);
+        node.Hits = _aimer.TryArrival(_request, time, isBetween, out node.Kick, out double arrival);
         node.Off = arrival - _speed;
         if (node.Hits && !(_closest.Hits && Math.Abs(_closest.Off) <= Math.Abs(node.Off)))
         {
@@ -124,7 +124,7 @@ internal sealed class ArrivalTimes
         {
             // The secant, kept off both ends so that the bracket shrinks from both.
             double share = Math.Min(0.9, Math.Max(0.1, low.Off / (low.Off - high.Off)));
-            Node middle = At(low.Time + (share * (high.Time - low.Time)));
+            Node middle = At(low.Time + (share * (high.Time - low.Time)), isBetween: true);
             if (!middle.Hits)
             {
                 return false;
