@@ -12,10 +12,14 @@ internal static class AnswersLab
     private const double Windy = 20;
     private const int MostExamples = 12;
 
+    /// <summary>Kicks that are played for a chance, and by how much that may be off, as a share.</summary>
+    private const int KicksPerRequest = 20;
+    private const double LargestChanceError = 0.02;
+
     private static readonly (double Wind, int Balls)[] s_conditions = [(0, 1), (0, KnownKick.Balls.Length), (Windy, 1), (Windy, KnownKick.Balls.Length)];
 
     private static readonly (string Name, Action<LabReport, int, int, Progress> Count)[] s_questions =
-        [("known", Known), ("ground", Ground), ("batches", Batches), ("lookahead", LookAheads), ("verdicts", Verdicts)];
+        [("known", Known), ("ground", Ground), ("batches", Batches), ("lookahead", LookAheads), ("verdicts", Verdicts), ("arrivals", Arrivals), ("slopes", Slopes), ("frame", Frame)];
 
     public static Command Create(Terminal terminal)
     {
@@ -93,6 +97,56 @@ internal static class AnswersLab
             var batch = BatchHitCounts.Of(seed, 4 * count, wind, drives);
             bool reached = batch.FalseHits == 0;
             table.Add(wind, drives ? "low drives with backspin" : "any", batch.Requests, batch.Hits, batch.FalseHits, 1e3 * batch.Worst, Verdict.Of(reached));
+            Judge(report, reached, []);
+        }
+    }
+
+    private static void Arrivals(LabReport report, int seed, int count, Progress progress)
+    {
+        var table = new LabTable(
+            "Kicks that are to arrive with a speed (no faster than 35 m/s; 0.1 m/s)",
+            "targets", "requests", "hits", "out of reach", "not converged", "known kicks", "not found again", "hits at another speed", "worst, m/s", "verdict");
+        report.Tables.Add(table);
+        foreach (ArrivalCounts.Kind kind in Enum.GetValues<ArrivalCounts.Kind>())
+        {
+            progress.Report(() => "arrivals");
+            var arrivals = ArrivalCounts.Of(seed, count, kind);
+            bool reached = arrivals.Wrong == 0 && arrivals.NotConverged <= StillShare * arrivals.Requests && arrivals.KnownMissed <= StillShare * arrivals.Known;
+            string name = kind switch { ArrivalCounts.Kind.Air => "in the air", ArrivalCounts.Kind.Volley => "low, of volleys", _ => "on the ground" };
+            table.Add(
+                name, arrivals.Requests, arrivals.Hits, arrivals.OutOfReach, arrivals.NotConverged, arrivals.Known, arrivals.KnownMissed, arrivals.Wrong, arrivals.Worst,
+                Verdict.Of(reached));
+            Judge(report, reached, arrivals.Examples);
+        }
+    }
+
+    private static void Slopes(LabReport report, int seed, int count, Progress progress)
+    {
+        var table = new LabTable("Aims on slopes of up to 5 % (1 cm), and how many of their hits miss", "ground", "requests", "hits", "false hits", "worst, mm", "verdict");
+        report.Tables.Add(table);
+        foreach (bool isUneven in new[] { false, true })
+        {
+            progress.Report(() => "slopes");
+            var slopes = SlopeCounts.Of(seed, count, 0.05, isUneven);
+            bool reached = slopes.FalseHits == 0;
+            table.Add(isUneven ? "long waves" : "a slope", slopes.Requests, slopes.Hits, slopes.FalseHits, 1e3 * slopes.Worst, Verdict.Of(reached));
+            Judge(report, reached, slopes.Examples);
+        }
+    }
+
+    private static void Frame(LabReport report, int seed, int count, Progress progress)
+    {
+        // At the default count 40 000 kicks, whose standard error is at most a quarter of a percentage point.
+        int kicks = KicksPerRequest * count;
+        var table = new LabTable("Chances of a goal near the frame, %", "aside, m", "height, m", "spread, °", "kicks", "played", "by derivatives", "by flights", "verdict");
+        report.Tables.Add(table);
+        foreach ((double Aside, double Height, double Degrees) item in FrameChances.Cases)
+        {
+            progress.Report(() => "chances near the frame");
+            (GoalChanceResult derived, GoalChanceResult flown, double played) = FrameChances.Of(item, seed, kicks);
+            double room = LargestChanceError + (3.0 * Math.Sqrt(0.25 / kicks) * (kicks < 40_000 ? 1 : 0));
+            bool reached = Math.Abs(derived.Scores - played) <= room && Math.Abs(flown.Scores - played) <= room;
+            table.Add(item.Aside, item.Height, item.Degrees, kicks, 100 * played, 100 * derived.Scores, 100 * flown.Scores, Verdict.Of(reached));
             Judge(report, reached, []);
         }
     }

@@ -153,13 +153,8 @@ public sealed class Stage
     /// <param name="ball">The ball in <see cref="Game"/>.</param>
     public BallState LookFrom(in BallState ball)
     {
-        BallState seen = ball;
-        if (!ReferenceEquals(_game, _ahead) && ball.Carrier >= PartsBefore(Game.World, Game.Scene.Goals.Count))
-        {
-            Ahead.Kick(ref seen, ball.Velocity, ball.Spin);
-        }
-
-        return seen;
+        bool isElsewhere = !ReferenceEquals(_game, _ahead) && ball.Carrier >= PartsBefore(Game.World, Game.Scene.Goals.Count);
+        return isElsewhere ? Ahead.Continue(Game, in ball) : ball;
     }
 
     /// <summary>Moves the keepers to where they are when a step begins. Allocates nothing.</summary>

@@ -26,11 +26,16 @@ internal sealed class ContactCase
     private readonly RigidMotion _bodyStart;
     private readonly StepLog _log = new();
 
-    private ContactCase(Scene scene, Integrator integrator, in Vector3d position, in Vector3d velocity, in Vector3d spin, bool atRest)
+    private ContactCase(Scene scene, Integrator integrator, Vector3d position, Vector3d velocity, Vector3d spin, bool atRest)
+        : this(scene, integrator, atRest, simulator => simulator.Launch(position, velocity, spin))
+    {
+    }
+
+    private ContactCase(Scene scene, Integrator integrator, bool atRest, Func<Simulator, BallState> start)
     {
         _body = scene.Bodies is { Count: > 0 } bodies ? bodies[0] : null;
         _simulator = new Simulator(scene, new SolverSettings { Integrator = integrator });
-        BallState state = _simulator.Launch(position, velocity, spin);
+        BallState state = start(_simulator);
         if (atRest)
         {
             _simulator.Run(ref state, ShotSets.TimeStep, Longest, StopAt.Rest, _log);
@@ -50,6 +55,7 @@ internal sealed class ContactCase
         ("in a tilted gutter", Gutter),
         ("between a player who stands and a board", (integrator, atRest) => WithPlayer(integrator, atRest, double.PositiveInfinity)),
         ("between a player of 75 kg who stands and a board", (integrator, atRest) => WithPlayer(integrator, atRest, 75)),
+        ("kicked in the net of a goal", InNet),
     ];
 
     /// <summary>True if the ball rests where the steps begin.</summary>
@@ -131,6 +137,24 @@ internal sealed class ContactCase
         double lower = 0.25 - Radius;
         player.MoveTo(new Vector3d(-Math.Sqrt(((Radius + 0.25) * (Radius + 0.25)) - (lower * lower)), 0, 0), default, 0);
         return new ContactCase(scene, integrator, new Vector3d(0, Radius, 0), default, new Vector3d(0, 60, 0), atRest);
+    }
+
+    /// <summary>A shot is kicked back to the pitch where the net bulges most.</summary>
+    private static ContactCase InNet(Integrator integrator, bool atRest)
+    {
+        var scene = new Scene { Goals = [new Goal { Center = new Vector3d(0, 0, -12), Facing = new Vector3d(0, 0, 1) }] };
+        return new ContactCase(scene, integrator, atRest, simulator =>
+        {
+            BallState state = simulator.Launch(new Vector3d(-1.5, Radius, -2.5), new Vector3d(0, 4, -32), default);
+            var log = new StepLog();
+            while (state.Time < 1 && state.Velocity.Z < -1)
+            {
+                simulator.Step(ref state, 0.1 * ShotSets.TimeStep, log);
+            }
+
+            simulator.Kick(ref state, new Vector3d(0, 1, 6), default);
+            return state;
+        });
     }
 
     private static ContactCase Gutter(Integrator integrator, bool atRest)

@@ -68,6 +68,7 @@ internal static class ScatterLab
         var path = new Trajectory();
         var request = new LookAheadRequest { Duration = 15, UntilPlane = plane.Plane };
         var sum = new GoalChanceSum();
+        var frame = new FramePlays(simulator.Scene with { Goals = [goal] }, goal);
         for (int k = 0; k < kicks; k++)
         {
             for (int i = 0; i < normal.Length; i++)
@@ -88,7 +89,7 @@ internal static class ScatterLab
             BallState ball = simulator.Launch(from, v, w);
             simulator.LookAhead(in ball, request, path);
             PlaneCrossingPoint at = path.TryGetCrossing(plane.Plane, out PathPoint crossing) ? new PlaneCrossingPoint(crossing.Time, crossing.Position) : new PlaneCrossingPoint(-1, in from);
-            sum.Add(in plane, in at);
+            sum.Add(in plane, in at, frame.GoesIn(in kick, in v, in w, in at));
         }
 
         return sum.Result(kicks);

@@ -20,9 +20,12 @@ public sealed class GoalChance
 
     private const double TimeStep = 0.02;
 
-    private readonly Simulator _simulator;
-    private readonly LaunchDerivatives _derivatives;
-    private readonly PlaneFlights _flights;
+    private readonly Scene _scene;
+    private Simulator _simulator;
+    private LaunchDerivatives _derivatives;
+    private PlaneFlights _flights;
+    private Goal? _goal;
+    private FramePlays? _frame;
     private readonly double[] _factor = new double[KickSpread.Count * KickSpread.Count];
     private readonly double[] _by = new double[KickSpread.Count];
     private readonly double[] _draws = new double[KickSpread.Count];
@@ -36,6 +39,7 @@ public sealed class GoalChance
     public GoalChance(Scene? scene = null)
     {
         _simulator = new Simulator(scene);
+        _scene = _simulator.Scene;
         _derivatives = new LaunchDerivatives(_simulator);
         _flights = new PlaneFlights(_simulator);
     }
@@ -79,10 +83,34 @@ public sealed class GoalChance
     {
         Check.Given(nameof(spread), spread);
         Check.Given(nameof(goal), goal);
+        plane = new GoalPlane(goal, keeper);
+        Compile(goal);
         BallState ball = _simulator.Launch(position, velocity, spin);
         spread.Factor(_factor);
         kick = new SpreadKick(ball.Position, in velocity, in spin);
-        plane = new GoalPlane(goal, keeper);
+    }
+
+    /// <summary>Compiles the scene without the goal, whose plane is crossed there, and with it, where what comes near its frame is played on.</summary>
+    private void Compile(Goal goal)
+    {
+        if (_frame is not null && ReferenceEquals(goal, _goal))
+        {
+            return;
+        }
+
+        // A goal of the scene that stands there is that goal, of its own material.
+        var mouth = new GoalMouth(goal);
+        Goal[] others = [.. _scene.Goals.Where(other => !new GoalMouth(other).IsAt(mouth))];
+        bool stands = others.Length < _scene.Goals.Count;
+        if (_simulator.Scene.Goals.Count != others.Length || others.Length > 0)
+        {
+            _simulator = new Simulator(_scene with { Goals = others });
+            _derivatives = new LaunchDerivatives(_simulator);
+            _flights = new PlaneFlights(_simulator);
+        }
+
+        _frame = new FramePlays(stands ? _scene : _scene with { Goals = [.. _scene.Goals, goal] }, goal);
+        _goal = goal;
     }
 
     /// <summary>By derivatives: A = M L maps normal numbers to the plane, where kicks at ± two standard deviations are where it says.</summary>
@@ -138,7 +166,8 @@ public sealed class GoalChance
         }
 
         result = result with { Aside = aside + shiftAside, Height = height + shiftHeight };
-        plane.Chances(in result, out double onTarget, out double covered);
+        _frame!.Look(_simulator, in kick, meant.Time, in result);
+        plane.Chances(in result, _frame, out double onTarget, out double covered);
         result = result with { OnTarget = onTarget, Covered = covered };
         return true;
     }
@@ -205,7 +234,8 @@ public sealed class GoalChance
             _flights.Fly(kick.Position, in plane, _velocities, _spins, group, _crossings);
             for (int i = 0; i < group; i++)
             {
-                sum.Add(in plane, in _crossings[i]);
+                bool goesIn = _frame!.GoesIn(in kick, in _velocities[i], in _spins[i], in _crossings[i]);
+                sum.Add(in plane, in _crossings[i], goesIn);
             }
 
             drawn += group;

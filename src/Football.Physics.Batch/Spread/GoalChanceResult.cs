@@ -30,7 +30,7 @@ public readonly record struct GoalChanceResult
     /// <summary>Correlation of both, −1 … 1.</summary>
     public double Correlation { get; init; }
 
-    /// <summary>Chance, 0 … 1, that the ball's centre crosses between the posts and below the bar: what goes in comes through there, see <see cref="BallEventKind.Goal"/>.</summary>
+    /// <summary>Chance, 0 … 1, that the ball goes in if nobody stops it, as <see cref="BallEventKind.Goal"/> says: clear of the posts and the bar, or in off them.</summary>
     public double OnTarget { get; init; }
 
     /// <summary>Chance, 0 … 1, that it does so where the goalkeeper can be by then.</summary>

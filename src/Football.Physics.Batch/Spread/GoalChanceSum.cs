@@ -14,7 +14,10 @@ internal struct GoalChanceSum
     private double _xy;
 
     /// <summary>Adds a kick.</summary>
-    public void Add(in GoalPlane plane, in PlaneCrossingPoint at)
+    /// <param name="plane">The plane of the goal.</param>
+    /// <param name="at">Where it crosses that.</param>
+    /// <param name="goesIn">Whether it goes in, by itself or off the frame.</param>
+    public void Add(in GoalPlane plane, in PlaneCrossingPoint at, bool goesIn)
     {
         if (!(at.Time >= 0))
         {
@@ -29,7 +32,7 @@ internal struct GoalChanceSum
         _xx += x * x;
         _yy += y * y;
         _xy += x * y;
-        if (plane.IsIn(x, y))
+        if (goesIn)
         {
             _in++;
             _covered += plane.IsCovered(x, y, at.Time) ? 1 : 0;

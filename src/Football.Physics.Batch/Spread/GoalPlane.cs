@@ -4,8 +4,6 @@ namespace Football.Physics.Batch;
 internal readonly struct GoalPlane
 {
     private readonly GoalMouth _mouth;
-    private readonly double _halfWidth;
-    private readonly double _height;
     private readonly bool _hasKeeper;
     private readonly RunnerMotion _keeper;
     private readonly Vector3d _right;
@@ -15,8 +13,6 @@ internal readonly struct GoalPlane
         goal.Validate("goal");
         _mouth = new GoalMouth(goal);
         _right = goal.Right;
-        _halfWidth = 0.5 * goal.Width;
-        _height = goal.Height;
         _hasKeeper = keeper is not null;
         if (keeper is { } given)
         {
@@ -46,9 +42,6 @@ internal readonly struct GoalPlane
         height = change.Y;
     }
 
-    /// <summary>True when the ball goes in there.</summary>
-    public bool IsIn(double aside, double height) => _mouth.IsOpen(aside, height);
-
     /// <summary>True when the goalkeeper can be there by then.</summary>
     public bool IsCovered(double aside, double height, double time)
     {
@@ -58,16 +51,26 @@ internal readonly struct GoalPlane
 
     /// <summary>Chances of a normal distribution of places.</summary>
     /// <param name="s">The distribution.</param>
+    /// <param name="frame">Where kicks that cross go in.</param>
     /// <param name="onTarget">That it goes in.</param>
     /// <param name="covered">That it does so where the goalkeeper can be.</param>
-    public void Chances(in GoalChanceResult s, out double onTarget, out double covered)
+    public void Chances(in GoalChanceResult s, FramePlays frame, out double onTarget, out double covered)
     {
-        onTarget = NormalDistribution.Rectangle(
-            s.Aside, s.Height, s.AsideDeviation, s.HeightDeviation, s.Correlation, -_halfWidth, _halfWidth, double.NegativeInfinity, _height);
+        onTarget = 0;
+        covered = 0;
         Covers(s.Time, out double from, out double to, out double low, out double high);
-        covered = NormalDistribution.Rectangle(
-            s.Aside, s.Height, s.AsideDeviation, s.HeightDeviation, s.Correlation, Math.Max(from, -_halfWidth), Math.Min(to, _halfWidth), low, Math.Min(high, _height));
+        foreach (FrameSpan aside in frame.Aside)
+        {
+            foreach (FrameSpan up in frame.Up)
+            {
+                onTarget += Chance(in s, aside.From, aside.To, up.From, up.To);
+                covered += Chance(in s, Math.Max(from, aside.From), Math.Min(to, aside.To), Math.Max(low, up.From), Math.Min(high, up.To));
+            }
+        }
     }
+
+    private static double Chance(in GoalChanceResult s, double from, double to, double low, double high) =>
+        NormalDistribution.Rectangle(s.Aside, s.Height, s.AsideDeviation, s.HeightDeviation, s.Correlation, from, to, low, high);
 
     /// <summary>Rectangle that the goalkeeper covers by a time; empty without one.</summary>
     private void Covers(double time, out double from, out double to, out double low, out double high)

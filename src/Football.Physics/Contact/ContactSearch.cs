@@ -61,6 +61,18 @@ internal readonly struct ContactSearch
     /// <returns>When, s from the start of the path; infinite where it meets nothing.</returns>
     public double First(in BallState s, int carrier, Span<Contact> held, out Separation first)
     {
+        double at = FirstContact(in s, carrier, held, out first);
+        return carrier >= 0 && _world.IsPlaneAlone ? at : FirstPassage(in s, at, ref first);
+    }
+
+    /// <summary>The first thing that the ball touches on the path; nets and goals are not asked for.</summary>
+    /// <param name="s">The ball at the start of the path.</param>
+    /// <param name="carrier">The collider that carries it; −1 where none does.</param>
+    /// <param name="held">Contacts that it keeps, which are not met.</param>
+    /// <param name="first">What it meets.</param>
+    /// <returns>When, s from the start of the path; infinite where it meets nothing.</returns>
+    public double FirstContact(in BallState s, int carrier, Span<Contact> held, out Separation first)
+    {
         first = default;
         double best = double.PositiveInfinity;
         if (carrier >= 0 && _world.IsPlaneAlone)
@@ -84,7 +96,7 @@ internal readonly struct ContactSearch
             }
         }
 
-        return FirstPassage(in s, best, ref first);
+        return best;
     }
 
     /// <summary>The first net or goal that the ball meets, comes through or leaves on the path; what it touches is not asked for.</summary>

@@ -50,6 +50,10 @@ internal sealed class NetSheet
         (HalfLength * Math.Abs(_along.Y)) + (HalfWidth * Math.Abs(_across.Y)),
         (HalfLength * Math.Abs(_along.Z)) + (HalfWidth * Math.Abs(_across.Z)));
 
+    /// <summary>True when another sheet hangs in the same place, whatever it is made of.</summary>
+    public bool IsAt(NetSheet other) =>
+        _center == other._center && Normal == other.Normal && _along == other._along && HalfLength == other.HalfLength && HalfWidth == other.HalfWidth;
+
     /// <summary>A point, or a velocity where it is no place, in the sheet's own axes: along, across, off its plane.</summary>
     public Vector3d InFrame(in Vector3d vector) =>
         new(Vector3d.Dot(in vector, in _along), Vector3d.Dot(in vector, in _across), Vector3d.Dot(in vector, Normal));

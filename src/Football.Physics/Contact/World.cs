@@ -414,37 +414,6 @@ internal sealed class World
         : thing < Colliders.Length + Nets.Length ? Nets[thing - Colliders.Length].Bounds
         : Goals[thing - Colliders.Length - Nets.Length].Bounds;
 
-    /// <summary>Of a ball that is put, or kicked, where it is: the goals whose mouth it has come through, a bit each.</summary>
-    public ulong GoalsEnteredAt(in Vector3d position)
-    {
-        ulong entered = 0;
-        for (int i = 0; i < Goals.Length; i++)
-        {
-            entered |= Goals[i].IsEntered(in position, Ball.Radius) ? 1UL << i : 0;
-        }
-
-        return entered;
-    }
-
-    /// <summary>Of a ball that was moved straight to where it is: it may have come through a mouth, or back.</summary>
-    public void PassMouths(ref BallState s, in Vector3d from)
-    {
-        for (int i = 0; i < Goals.Length; i++)
-        {
-            ulong bit = 1UL << i;
-
-            // Before the mouth it is out; behind it in, where it came through the opening.
-            if (Goals[i].BeforeMouth(s.Position) > 0)
-            {
-                s.GoalsEntered &= ~bit;
-            }
-            else if ((s.GoalsPassed & bit) == 0 && Goals[i].IsEntered(in from, s.Position))
-            {
-                s.GoalsEntered |= bit;
-            }
-        }
-    }
-
     /// <summary>The thing that carries the ball; the first where a state of another scene names one that is not here.</summary>
     public Collider CarrierOf(in BallState s)
     {

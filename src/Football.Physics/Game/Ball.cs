@@ -51,11 +51,7 @@ public sealed class Ball
                 value.World.Obstacles.Follow(_simulator.World.Obstacles);
             }
 
-            // As a kick with the velocity that it has: the new scene decides what motion that is, and raises the ball where its ground is higher.
-            BallState moved = _state;
-            value.Kick(ref moved, _state.Velocity, _state.Spin);
-            moved.Motion = _state.Motion == MotionState.Stopped && moved.Motion == MotionState.Rolling && value.RestsAt(in moved) ? MotionState.Stopped : moved.Motion;
-            _state = moved;
+            _state = value.Continue(_simulator, in _state);
             _simulator = value;
         }
     }

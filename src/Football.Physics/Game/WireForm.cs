@@ -132,7 +132,9 @@ internal static class WireForm
             // A fixed point of encoding and decoding is what can be sent without loss.
             if (Snapshot.Same(in next, in rounded))
             {
-                return true;
+                // Rounded through the mouth of a goal it has entered that, or left it; the form holds that of two goals.
+                Passages.PassMouths(simulator.World, ref rounded, state.Position);
+                return rounded.GoalsEntered < 4;
             }
 
             rounded = next;

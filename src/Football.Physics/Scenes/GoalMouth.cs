@@ -7,6 +7,9 @@ namespace Football.Physics;
 /// </summary>
 internal readonly struct GoalMouth
 {
+    /// <summary>So close to the line, m, a ball has reached it.</summary>
+    private const double Reached = 1e-10;
+
     private readonly Vector3d _right;
     private readonly double _halfWidth;
     private readonly double _height;
@@ -40,6 +43,9 @@ internal readonly struct GoalMouth
         }
     }
 
+    /// <summary>True when another goal stands in the same place.</summary>
+    public bool IsAt(GoalMouth other) => Center == other.Center && Out == other.Out && _halfWidth == other._halfWidth && _height == other._height && _postRadius == other._postRadius;
+
     /// <summary>Distance of the ball's centre before the mouth, m; negative behind it.</summary>
     public double BeforeMouth(in Vector3d position) => Vector3d.Dot(position - Center, Out);
 
@@ -69,7 +75,7 @@ internal readonly struct GoalMouth
     /// the line already must come out first.
     /// </summary>
     public bool IsEntered(in Vector3d position, double radius) =>
-        BeforeMouth(in position) <= 0 && BeforeLine(in position, radius) > 0 && IsOpen(in position);
+        BeforeMouth(in position) <= 0 && BeforeLine(in position, radius) > Reached && IsOpen(in position);
 
     /// <summary>True when a straight way comes through the opening.</summary>
     public bool IsEntered(in Vector3d from, in Vector3d to)

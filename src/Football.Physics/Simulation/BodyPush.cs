@@ -9,19 +9,18 @@ internal sealed class BodyPush
     /// <summary>How often the ball is pushed, from one body onto the next, at most: between two that close in on it there is no place.</summary>
     private const int MostPushes = 16;
 
-    /// <summary>A push takes no time; to be looked along, it takes this, s.</summary>
-    private const double AtOnce = 1e-6;
-
     /// <summary>Steps of Newton's method at most.</summary>
     private const int MostSteps = 20;
 
     private readonly World _world;
     private readonly WorldContact _contact;
+    private readonly Displacement _displacement;
 
-    public BodyPush(World world, WorldContact contact)
+    public BodyPush(World world, Displacement displacement, WorldContact contact)
     {
         _world = world;
         _contact = contact;
+        _displacement = displacement;
     }
 
     /// <summary>Before the pieces of a step.</summary>
@@ -53,11 +52,8 @@ internal sealed class BodyPush
             _contact.BeginSqueeze(ref s, pressing, ref run);
         }
 
-        // Pushed through the plane of a goal's mouth it has entered that, or left it.
-        if (overlapsBody)
-        {
-            _world.PassMouths(ref s, in from);
-        }
+        // It meets nets, and comes through goals, on the way out too.
+        _displacement.Follow(ref s, in from, ref run);
     }
 
     /// <summary>Out of one thing: Newton on the gap, along the way that is open to the ball.</summary>
@@ -84,8 +80,9 @@ internal sealed class BodyPush
         pushed.Position = from;
 
         // The push as a straight path in next to no time: nothing that stands still may be met on it.
-        var path = PathCubic.Line(in from, (s.Position - from) / AtOnce, AtOnce);
-        return new ContactSearch(_world, in path, s.Time).First(in pushed, s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - _world.FirstCollider, out Separation met) <= AtOnce
+        var path = PathCubic.Line(in from, (s.Position - from) / Displacement.AtOnce, Displacement.AtOnce);
+        int carrier = s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - _world.FirstCollider;
+        return new ContactSearch(_world, in path, s.Time).FirstContact(in pushed, carrier, default, out Separation met) <= Displacement.AtOnce
             && met.What == SeparationKind.Contact && !_world.Colliders[met.Index].Moves;
     }
 

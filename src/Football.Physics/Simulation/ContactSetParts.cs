@@ -45,13 +45,15 @@ internal sealed class ContactSetParts
     private readonly World _world;
     private readonly WorldGuard _guard;
     private readonly WorldContact _contact;
+    private readonly Displacement _displacement;
     private readonly NetGuard _nets;
 
-    public ContactSetParts(Surroundings around, WorldGuard guard, WorldContact contact)
+    public ContactSetParts(Surroundings around, WorldGuard guard, Displacement displacement, WorldContact contact)
     {
         _around = around;
         _world = around.World;
         _guard = guard;
+        _displacement = displacement;
         _contact = contact;
         _nets = new NetGuard(_world);
     }
@@ -139,8 +141,16 @@ internal sealed class ContactSetParts
             w = from.Spin + (share * (w - from.Spin));
             Move(ref s, length, 0.5 * (from.Velocity + v), in v, in w, in start, ref run);
 
-            // Back onto the contacts that bear it: on a curved one the straight way leads off.
+            bool passes = meets && met.What is not (SeparationKind.Contact or SeparationKind.Seam);
+            if (passes)
+            {
+                _guard.Meet(ref s, in met, ref run);
+            }
+
+            // Back onto the contacts that bear it: on a curved one the straight way leads off. Nets and goals are met on that way too.
+            Vector3d moved = s.Position;
             Hold(ref s, set);
+            _displacement.Follow(ref s, in moved, ref run);
             Show(in at0, in s, at0.Velocity, s.Velocity, ref run);
             Name(ref s, set, ref named, ref run);
             set.CopyTo(last);
@@ -149,7 +159,11 @@ internal sealed class ContactSetParts
             // What is met on the way, or closes where the ball is, ends this phase: what becomes of the ball decides which one goes on.
             if (meets && !run.Log.Halted)
             {
-                _guard.Meet(ref s, in met, ref run);
+                if (!passes)
+                {
+                    _guard.Meet(ref s, in met, ref run);
+                }
+
                 return true;
             }
 
@@ -212,15 +226,17 @@ internal sealed class ContactSetParts
             bool passes = new ContactSearch(_world, in path, s.Time).FirstPassage(in s, out Separation passed) is var at && at <= h;
             BallState before = s;
             Move(ref s, passes ? at : h, in v, in v, in w, in free, ref run);
-
-            // Depenetration: out of what moves at a bounded speed, out of what stands still at once.
-            PushOut(ref s, set, OutOfTheWay * h, before.Position);
-            isFree = IsFree(in s, set);
-            ShowSqueezed(in before, in s, set, ref run);
-            if (passes && !run.Log.Halted)
+            if (passes)
             {
                 _guard.Meet(ref s, in passed, ref run);
             }
+
+            // Depenetration: out of what moves at a bounded speed, out of what stands still at once. Nets and goals are met on that way too.
+            Vector3d moved = s.Position;
+            PushOut(ref s, set, OutOfTheWay * h, before.Position);
+            _displacement.Follow(ref s, in moved, ref run);
+            isFree = IsFree(in s, set);
+            ShowSqueezed(in before, in s, set, ref run);
         }
 
         // Free where no mover pressed it against anything in the last part, or where a direction leads off all that it touches.

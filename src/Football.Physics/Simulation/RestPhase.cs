@@ -108,6 +108,12 @@ internal sealed unsafe class RestPhase
             return true;
         }
 
+        // A net that a ball is put into may be another one than it came to rest in.
+        if (_world.HangsInNet(in s))
+        {
+            return _contact.Load.HangsStill(in s);
+        }
+
         BallState copy = s;
         int evaluations = 0;
         return IsHeld(ref copy, 0, ref evaluations);

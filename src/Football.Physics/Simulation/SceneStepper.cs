@@ -33,6 +33,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     private readonly RestPhase _rest;
     private readonly WorldContact _contact;
     private readonly BodyPush? _bodies;
+    private readonly Displacement _displacement;
 
     public SceneStepper(Scene scene, SolverSettings settings, in SceneAir air)
     {
@@ -53,13 +54,14 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         // Where there are bodies, no answer is good for longer than a step.
         _clearKey = _clear is { LooksForBodies: false } ? _clear.Key : 0;
         _contact = new WorldContact(around);
-        _bodies = world is { Bodies: not null } or { Engine: not null } ? new BodyPush(world, _contact) : null;
         var guard = new WorldGuard(world, _contact, settings);
+        _displacement = new Displacement(world, guard);
+        _bodies = world is { Bodies: not null } or { Engine: not null } ? new BodyPush(world, _displacement, _contact) : null;
 
         // Friction may speed a ball up faster than gravity does.
         double pull = Math.Abs(_upward) * Math.Max(1.0, world.LargestFriction);
         _pulled = StabilityLimit.Of(scene, in _air, 0, pull, _integrator.Order);
-        _parts = new ContactSetParts(around, guard, _contact);
+        _parts = new ContactSetParts(around, guard, _displacement, _contact);
         var set = new ContactSetPhase<TIntegrator>(around, in _pulled, jump, guard, _contact, _parts);
         _surface = new SurfacePhase<TIntegrator>(scene, settings, around, _pulled, jump, guard, _contact, set);
         _rest = new RestPhase(around, guard, _contact, jump);
@@ -121,6 +123,12 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         var run = new StepRun(0, s.Time, log);
         _contact.Struck(ref s, in velocity, in spin, in n, ref run);
         World.Exit(ref s, log.Events, first);
+    }
+
+    public override void Displaced(ref BallState s, in Vector3d from, StepLog log)
+    {
+        var run = new StepRun(0, s.Time, log);
+        _displacement.Follow(ref s, in from, ref run);
     }
 
     public override bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate) =>

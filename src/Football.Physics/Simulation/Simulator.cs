@@ -78,17 +78,25 @@ public sealed class Simulator
     /// <summary>Launches a ball whose numbers are known to be in range.</summary>
     private BallState Start(in Vector3d position, in Vector3d velocity, in Vector3d spin, in Quaterniond orientation, double time)
     {
+        BallState state = Flying(in position, in velocity, in spin, in orientation, time);
+        Passages.PutInNets(_world, ref state);
+
+        // Carried, where it touches something slowly enough; and in a goal, where it is behind the mouth of one.
+        _stepper.Settle(ref state);
+        state.GoalsEntered = Passages.GoalsEnteredAt(_world, state.Position);
+        return state;
+    }
+
+    /// <summary>A ball in the air, out of the ground, whose nets and goals are not known.</summary>
+    private BallState Flying(in Vector3d position, in Vector3d velocity, in Vector3d spin, in Quaterniond orientation, double time)
+    {
         BallState state = default;
         state.Time = time;
-        state.Position = position;
+        state.Position = GroundPlace.Raised(_world, in position);
         state.Velocity = velocity;
         state.BaseOrientation = orientation.Normalized();
         state.SetFlightSpin(spin);
         state.Motion = MotionState.Airborne;
-
-        // Carried, where it touches something slowly enough; and in a goal, where it is behind the mouth of one.
-        _stepper.Settle(ref state);
-        state.GoalsEntered = _world.GoalsEnteredAt(state.Position);
         return state;
     }
 
@@ -114,7 +122,7 @@ public sealed class Simulator
         }
     }
 
-    /// <summary>Kicks a ball where it is: new velocity and spin, same place, time and orientation.</summary>
+    /// <summary>Kicks a ball where it is: new velocity and spin, same place, time and orientation. A ball in a net stays in it, on the same side.</summary>
     /// <param name="state">The ball; unchanged when an exception is thrown.</param>
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
     /// <param name="spin">Spin, rad/s; at most 10 000.</param>
@@ -124,7 +132,44 @@ public sealed class Simulator
         // The place is the ball's own, wherever it has got to.
         Check.Size("launch.velocity", velocity, Limits.Speed, "m/s");
         Check.Size("launch.spin", spin, Limits.Spin, "rad/s");
-        state = Start(state.Position, in velocity, in spin, state.Orientation, state.Time);
+        BallState kicked = Flying(state.Position, in velocity, in spin, state.Orientation, state.Time);
+        Passages.Keep(_world, in state, ref kicked);
+        _stepper.Settle(ref kicked);
+        kicked.GoalsEntered |= Passages.GoalsEnteredAt(_world, kicked.Position);
+        state = kicked;
+    }
+
+    /// <summary>A ball of another scene as it goes on in this one, where it is and as it moves: in the same nets, and as far in the same goals.</summary>
+    /// <param name="old">The simulator of the other scene.</param>
+    /// <param name="state">The ball there.</param>
+    internal BallState Continue(Simulator old, in BallState state)
+    {
+        // This scene decides what motion that is, and raises the ball where its ground is higher.
+        BallState next = Flying(state.Position, state.Velocity, state.Spin, state.Orientation, state.Time);
+        Passages.Carry(old._world, _world, in state, ref next);
+        next.AirDistance = Scene.Forces.KnuckleSeed is null ? 0 : state.AirDistance;
+        next.SqueezeSpeed = state.SqueezeSpeed;
+        next.SqueezeUntil = state.SqueezeUntil;
+        _stepper.Settle(ref next);
+        return state.Motion == MotionState.Stopped ? AtRest(in next, old._world.HangsInNet(in state)) : next;
+    }
+
+    /// <summary>A ball that was at rest in another scene: at rest where rolling friction, or the net that it hangs in, holds it here too.</summary>
+    private BallState AtRest(in BallState placed, bool hangs)
+    {
+        BallState still = placed;
+        still.Motion = MotionState.Stopped;
+        if (hangs && placed.Motion == MotionState.Airborne && placed.Nets != 0)
+        {
+            still.Carrier = _world.ThingOfNet(_world.DeepestNet(in placed));
+            still.SetGroundSpin(Vector3d.Zero);
+        }
+        else if (placed.Motion != MotionState.Rolling)
+        {
+            return placed;
+        }
+
+        return RestsAt(in still) ? still : placed;
     }
 
     /// <summary>Advances a ball. Events and counts are added to the log; nothing is allocated.</summary>
@@ -307,6 +352,9 @@ public sealed class Simulator
     /// <inheritdoc cref="Stepper.Struck"/>
     internal void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, StepLog log) =>
         _stepper.Struck(ref s, in velocity, in spin, in n, log);
+
+    /// <inheritdoc cref="Stepper.Displaced"/>
+    internal void Displaced(ref BallState s, in Vector3d from, StepLog log) => _stepper.Displaced(ref s, in from, log);
 
     /// <summary>
     /// A hash of what decides a ball's way: the scene's numbers, the answers of what is code at some places, and the settings. Two machines with the same have the same

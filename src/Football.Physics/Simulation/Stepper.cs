@@ -32,6 +32,12 @@ internal abstract class Stepper
     /// <param name="log">Where events go.</param>
     public abstract void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, StepLog log);
 
+    /// <summary>The ball was moved straight to where it is, by another one that it overlapped: it meets nets, and comes through goals, on that way too.</summary>
+    /// <param name="s">The ball.</param>
+    /// <param name="from">Where it was, m.</param>
+    /// <param name="log">Where events go.</param>
+    public abstract void Displaced(ref BallState s, in Vector3d from, StepLog log);
+
     /// <summary>True when a flight from one place to another can have met nothing that stands still but level ground, however it bent.</summary>
     /// <param name="from">Where it started, m.</param>
     /// <param name="to">Where it ended, m.</param>

@@ -11,9 +11,7 @@ internal static class AimWriter
     public static ReadOnlyMemory<byte> Result(string? name, AimResult result) => ResultWriter.Line(json =>
     {
         json.WriteString("name", name);
-
-        // Of a two-point kick too, a hit is one of the target; throughMiss says the rest.
-        json.WriteString("status", Words.Of(result.HitsTarget ? AimStatus.Hit : result.Status));
+        json.WriteString("status", Words.Of(result.Status));
         WriteVector(json, "velocity", result.Velocity);
         WriteVector(json, "spin", result.Spin);
         json.WriteNumber("miss", result.Miss);

@@ -45,6 +45,41 @@ public sealed class ScatterTests
         Assert.Equal(flown.Aside, told.Aside, 2e-3);
     }
 
+    /// <summary>What comes near a post or the bar goes in as played kicks do: by derivatives, by flights, and in a scene in which the goal stands already.</summary>
+    [Theory]
+    [InlineData(3.58, 1.1)]
+    [InlineData(-3.64, 0.5)]
+    [InlineData(0, 2.4)]
+    [InlineData(3.5, 2.3)]
+    public void Kicks_near_the_frame_score_as_those_that_are_played(double aside, double height)
+    {
+        const int Kicks = 4000;
+        AimResult aim = new Aimer().Find(new AimRequest { From = s_from, Target = new Vector3d(aside, height, -11), Speed = 22 });
+        var spread = new KickSpread { SpeedPercent = 1, ElevationDegrees = 0.5, AzimuthDegrees = 0.5 };
+        var simulator = new Simulator(new Scene { Goals = [s_goal] });
+        var random = new Random(7);
+        int goals = 0;
+        for (int i = 0; i < Kicks; i++)
+        {
+            (Vector3d velocity, Vector3d spin) = spread.Draw(random, aim.Velocity, aim.Spin);
+            BallState ball = simulator.Launch(s_from, velocity, spin);
+            var log = new StepLog();
+            simulator.Run(ref ball, 0.02, 2, StopAt.Time, log);
+            goals += log.Events.Span.ToArray().Count(item => item.Kind == BallEventKind.Goal);
+        }
+
+        // Three standard errors of the played kicks, and of the flights.
+        double played = (double)goals / Kicks;
+        GoalChanceResult told = new GoalChance().Find(s_from, aim.Velocity, aim.Spin, spread, s_goal);
+        GoalChanceResult stands = new GoalChance(new Scene { Goals = [s_goal] }).Find(s_from, aim.Velocity, aim.Spin, spread, s_goal);
+        GoalChanceResult flown = new GoalChance().FindByFlights(s_from, aim.Velocity, aim.Spin, spread, s_goal, null, Kicks);
+        Assert.Equal(GoalChanceMethod.Derivatives, told.Method);
+        Assert.Equal(played, told.Scores, 0.024);
+        Assert.Equal(played, flown.Scores, 0.035);
+        Assert.Equal(told.Scores, stands.Scores, 1e-12);
+        Assert.InRange(played, 0.05, 0.95);
+    }
+
     [Fact]
     public void A_large_spread_is_flown()
     {

@@ -132,6 +132,13 @@ internal sealed class GeneralAim
         return false;
     }
 
+    /// <summary>The kick that flies to the target in a time, no faster than the request, or comes close: from the closed form alone.</summary>
+    public AimSolution FlightAtTime(AimRequest request, double time)
+    {
+        BeginAtTime(request, rolls: false);
+        return FromModel(time, out AimSolution solution) ? solution : _problem.Solution(_x);
+    }
+
     /// <summary>The slowest kick that flies to the target, no faster than the request.</summary>
     /// <returns>Whether there is one, measured.</returns>
     public bool Slowest(AimRequest request, out AimSolution solution)

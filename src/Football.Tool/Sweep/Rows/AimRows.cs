@@ -15,8 +15,8 @@ internal sealed class AimRows : RowMaker
 
     public override long? FlownSingly => null;
 
-    /// <summary>Names of what becomes of a search; of a kick with a point on the way too a hit is one of the target.</summary>
-    public static string[] Statuses { get; } = [.. Enum.GetValues<AimStatus>().Where(status => status != AimStatus.TargetOnly).Select(status => Words.Of(status))];
+    /// <summary>Names of what becomes of a search, in the order of <see cref="AimStatus"/>.</summary>
+    public static string[] Statuses { get; } = [.. Enum.GetValues<AimStatus>().Select(status => Words.Of(status))];
 
     protected override void Answer(int count)
     {
@@ -39,7 +39,7 @@ internal sealed class AimRows : RowMaker
 
     protected override IEnumerable<ColumnSource> AnswerSources() =>
     [
-        new(Column.Word("status", "what became of the search", Statuses), (to, row, _) => to.Words[row] = (byte)Place(_found.Status)),
+        new(Column.Word("status", "what became of the search", Statuses), (to, row, _) => to.Words[row] = (byte)_found.Status),
         new(Column.Vector("velocity", "m/s", "velocity of the best kick"), (to, row, _) => to.Set(row, _found.Velocity)),
         new(Column.Vector("spin", "rad/s", "spin of the best kick"), (to, row, _) => to.Set(row, _found.Spin)),
         new(Column.Real("miss", "m", "how far it passes from the target before its first impact"), (to, row, _) => to.Reals[row] = _found.Miss),
@@ -49,9 +49,6 @@ internal sealed class AimRows : RowMaker
         new(Column.Whole("iterations", "", "iterations of the method"), (to, row, _) => to.Wholes[row] = _found.Iterations),
         new(Column.Whole("simulations", "", "forward runs of the method"), (to, row, _) => to.Wholes[row] = _found.Simulations),
     ];
-
-    /// <summary>Place among the names.</summary>
-    public static int Place(AimStatus status) => status == AimStatus.TargetOnly ? (int)AimStatus.Hit : status > AimStatus.TargetOnly ? (int)status - 1 : (int)status;
 
     private sealed class CompiledScene(SweepScene scene)
     {

@@ -49,7 +49,7 @@ internal sealed class BatchAimRows : RowMaker
         {
             for (int i = from; i < from + count; i++)
             {
-                to.Words[i] = (byte)AimRows.Place(_kicks.Status[i]);
+                to.Words[i] = (byte)_kicks.Status[i];
             }
         }),
         new(Column.Vector("velocity", "m/s", "velocity of the best kick"), Vectors(_kicks.Velocity)),

@@ -1,0 +1,109 @@
+namespace Football.Physics.Labs;
+
+/// <summary>Aims at targets on and over slopes: whether hits pass the target that was asked for, when they are played.</summary>
+internal sealed class SlopeCounts
+{
+    private const int PerScene = 20;
+
+    /// <summary>What the chords of the path that is played may add, m.</summary>
+    private const double Room = 1e-3;
+
+    private const double TimeStep = 1e-3;
+
+    private readonly Lock _lock = new();
+    private readonly List<string> _examples = [];
+
+    public int Requests { get; private set; }
+
+    public int Hits { get; private set; }
+
+    public int FalseHits { get; private set; }
+
+    /// <summary>The largest distance at which a hit passes its target, m.</summary>
+    public double Worst { get; private set; }
+
+    public IEnumerable<string> Examples => _examples.Order(StringComparer.Ordinal).Take(8);
+
+    /// <summary>Asks for kicks.</summary>
+    /// <param name="seed">Seed of the requests.</param>
+    /// <param name="count">How many.</param>
+    /// <param name="steepest">Slope at most, as a share.</param>
+    /// <param name="isUneven">Whether the ground is a height field.</param>
+    public static SlopeCounts Of(int seed, int count, double steepest, bool isUneven)
+    {
+        var counts = new SlopeCounts();
+        Parallel.For(0, (count + PerScene - 1) / PerScene, index => counts.Run(new Random((seed * 100_003) + index), Math.Min(PerScene, count - (index * PerScene)), steepest, isUneven));
+        return counts;
+    }
+
+    private static Ground GroundOf(Random random, double steepest, bool isUneven)
+    {
+        double x = AimSets.Between(random, -steepest, steepest);
+        double z = AimSets.Between(random, -steepest, steepest);
+        if (!isUneven)
+        {
+            return Ground.DryTurf with { Normal = new Vector3d(x, 1, z).Normalized() };
+        }
+
+        // Long waves, as steep.
+        double[,] values = new double[40, 40];
+        for (int i = 0; i < 40; i++)
+        {
+            for (int j = 0; j < 40; j++)
+            {
+                values[i, j] = 5 * ((x * Math.Sin(0.4 * i)) + (z * Math.Cos(0.4 * j)));
+            }
+        }
+
+        return Ground.DryTurf with { Heights = new HeightField(-40, -40, 2, values) };
+    }
+
+    private void Run(Random random, int count, double steepest, bool isUneven)
+    {
+        var simulator = new Simulator(new Scene { Ground = GroundOf(random, steepest, isUneven) });
+        var aimer = new Aimer(simulator);
+        for (int i = 0; i < count; i++)
+        {
+            double away = AimSets.Between(random, 5, 28);
+            double angle = AimSets.Between(random, -Math.PI, Math.PI);
+            Vector3d from = Lying(simulator, 0, 0);
+            Vector3d target = Lying(simulator, away * Math.Cos(angle), away * Math.Sin(angle)) + ((i % 3 == 0 ? AimSets.Between(random, 0, 2) : 0) * Vector3d.Up);
+            var request = new AimRequest { From = from, Target = target, Speed = AimSets.Between(random, 10, 28) };
+            AimResult kick = i % 5 == 4 ? aimer.FindSlowest(request) : aimer.Find(request);
+            double passes = kick.Status == AimStatus.Hit ? Closest(simulator, from, target, in kick) : 0;
+            lock (_lock)
+            {
+                Requests++;
+                Hits += kick.Status == AimStatus.Hit ? 1 : 0;
+                bool isFalse = passes > request.Tolerance + Room;
+                FalseHits += isFalse ? 1 : 0;
+                Worst = Math.Max(Worst, passes);
+                if (isFalse)
+                {
+                    _examples.Add($"{simulator.Scene.Ground.Normal}: {request}: {kick}, passes {passes} m off");
+                }
+            }
+        }
+    }
+
+    private static Vector3d Lying(Simulator simulator, double x, double z) => simulator.Launch(new Vector3d(x, -20, z), Vector3d.Zero, Vector3d.Zero).Position;
+
+    /// <summary>How close the ball passes on chords of its path.</summary>
+    private static double Closest(Simulator simulator, Vector3d from, Vector3d target, in AimResult kick)
+    {
+        BallState ball = simulator.Launch(from, kick.Velocity, kick.Spin);
+        var log = new StepLog();
+        double closest = Vector3d.Distance(ball.Position, target);
+        while (ball.Time < kick.Time + 0.1)
+        {
+            Vector3d before = ball.Position;
+            log.Clear();
+            simulator.Step(ref ball, TimeStep, log);
+            Vector3d way = ball.Position - before;
+            double share = way.LengthSquared > 0 ? Math.Clamp(Vector3d.Dot(target - before, way) / way.LengthSquared, 0, 1) : 0;
+            closest = Math.Min(closest, Vector3d.Distance(before + (share * way), target));
+        }
+
+        return closest;
+    }
+}

@@ -1,0 +1,208 @@
+namespace Football.Physics.Batch;
+
+/// <summary>
+/// Which kicks go in. One that crosses the mouth clear of the frame does; one that comes near a post or the bar is played among them, until all of the ball is over the line,
+/// or it is gone.
+/// </summary>
+internal sealed class FramePlays
+{
+    /// <summary>Places across the shadow of a post or the bar that are played, and halvings of what lies between two that end differently.</summary>
+    private const int Places = 24;
+    private const int Halvings = 8;
+
+    /// <summary>A kick may bend, or come down, so much more than a straight way: its shadow is so much wider.</summary>
+    private const double Wider = 1.25;
+    private const double WiderUp = 2.0;
+
+    /// <summary>A shifted kick is played from so far before the mouth, m.</summary>
+    private const double Before = 1.0;
+
+    /// <summary>So many standard deviations from the mean there is nothing.</summary>
+    private const double Farthest = 6.0;
+
+    /// <summary>So long after it comes to the mouth, s, and so far before it, m, a ball is gone.</summary>
+    private const double Longest = 2.0;
+    private const double Gone = 1.5;
+
+    private const double TimeStep = 0.02;
+
+    private readonly Simulator _simulator;
+    private readonly GoalMouth _mouth;
+    private readonly Vector3d _right;
+    private readonly double _axisAside;
+    private readonly double _axisUp;
+    private readonly double _reach;
+    private readonly int _thing;
+    private readonly StepLog _log = new();
+    private readonly List<FrameSpan> _aside = [];
+    private readonly List<FrameSpan> _up = [];
+    private BallState _near;
+    private double _nearAside;
+    private double _nearHeight;
+
+    /// <param name="scene">The scene, with the goal.</param>
+    /// <param name="goal">The goal.</param>
+    public FramePlays(Scene scene, Goal goal)
+    {
+        _simulator = new Simulator(scene);
+        _mouth = new GoalMouth(goal);
+        _right = goal.Right;
+        _axisAside = (0.5 * goal.Width) + goal.PostRadius;
+        _axisUp = goal.Height + goal.PostRadius;
+        _reach = scene.Ball.Radius + goal.PostRadius;
+        _thing = _simulator.World.ThingOfGoal(Array.FindIndex(_simulator.World.Goals, _mouth.IsAt));
+    }
+
+    /// <summary>Where, aside, kicks go in that are below the bar: found by <see cref="Look"/>.</summary>
+    public List<FrameSpan> Aside => _aside;
+
+    /// <summary>At which heights kicks go in that are between the posts.</summary>
+    public List<FrameSpan> Up => _up;
+
+    /// <summary>True when a kick goes in.</summary>
+    /// <param name="kick">Where it starts.</param>
+    /// <param name="velocity">Its velocity, m/s.</param>
+    /// <param name="spin">Its spin, rad/s.</param>
+    /// <param name="at">Where it would cross the mouth if there were no frame.</param>
+    public bool GoesIn(in SpreadKick kick, in Vector3d velocity, in Vector3d spin, in PlaneCrossingPoint at)
+    {
+        if (!(at.Time >= 0))
+        {
+            return false;
+        }
+
+        _mouth.Place(at.Position, out double aside, out double height);
+        double halfAside = Shadow(at.Position - kick.Position);
+        double halfUp = WiderUp * _reach;
+        double beyondPost = Math.Abs(aside) - _axisAside;
+        double beyondBar = height - _axisUp;
+        if (beyondPost <= -halfAside && beyondBar <= -halfUp)
+        {
+            return true;
+        }
+
+        return beyondPost < halfAside && beyondBar < halfUp && Play(_simulator.LaunchAt(kick.Position, in velocity, in spin, 0), at.Time + Longest);
+    }
+
+    /// <summary>Finds where kicks go in that are like one, but cross elsewhere: as far as their places spread.</summary>
+    /// <param name="simulator">The scene without the goal.</param>
+    /// <param name="kick">The kick.</param>
+    /// <param name="time">When it crosses, s.</param>
+    /// <param name="places">How the places spread.</param>
+    public void Look(Simulator simulator, in SpreadKick kick, double time, in GoalChanceResult places)
+    {
+        // The kick a little before the mouth, and where it would cross from there.
+        BallState ball = simulator.LaunchAt(kick.Position, kick.Velocity, kick.Spin, 0);
+        double closing = Math.Max(1e-3, Math.Abs(Vector3d.Dot(kick.Velocity, _mouth.Out)));
+        simulator.Run(ref ball, TimeStep, Math.Max(0.5 * time, time - (Before / closing)), StopAt.Time, _log);
+        _near = ball;
+        _nearAside = places.Aside;
+        _nearHeight = places.Height;
+        double half = Shadow(_mouth.Center + (places.Aside * _right) - kick.Position);
+        _aside.Clear();
+        _up.Clear();
+
+        // Across both posts at the mean height, or where that is under the bar; then across the bar in the middle, or where that is between the posts.
+        double height = Math.Min(places.Height, _axisUp - (WiderUp * _reach));
+        double aside = Math.Max(-_axisAside + half, Math.Min(_axisAside - half, places.Aside));
+        double deviation = Farthest * places.AsideDeviation;
+        Across(_aside, -_axisAside, half, 1, places.Aside - deviation, places.Aside + deviation, x => Scores(x, height));
+        _aside.Add(new FrameSpan(-_axisAside + half, _axisAside - half));
+        Across(_aside, _axisAside, half, -1, places.Aside - deviation, places.Aside + deviation, x => Scores(x, height));
+        deviation = Farthest * places.HeightDeviation;
+        _up.Add(new FrameSpan(double.NegativeInfinity, _axisUp - (WiderUp * _reach)));
+        Across(_up, _axisUp, WiderUp * _reach, -1, places.Height - deviation, places.Height + deviation, y => Scores(aside, y));
+    }
+
+    /// <summary>Half the width of the shadow of a post on the mouth, for a straight way, m.</summary>
+    private double Shadow(in Vector3d way)
+    {
+        double across = Vector3d.Dot(in way, in _right);
+        double off = Vector3d.Dot(in way, _mouth.Out);
+        return Wider * _reach * Math.Sqrt((across * across) + (off * off)) / Math.Max(1e-3, Math.Abs(off));
+    }
+
+    /// <summary>Adds the spans of one shadow in which kicks go in; at its inner end they do, at its outer end they do not.</summary>
+    private static void Across(List<FrameSpan> spans, double axis, double half, double outwards, double least, double most, Func<double, bool> scores)
+    {
+        if (axis - half > most || axis + half < least)
+        {
+            return;
+        }
+
+        double low = axis - half;
+        double step = 2.0 * half / Places;
+        bool last = outwards < 0;
+        double from = low;
+        for (int i = 1; i <= Places; i++)
+        {
+            double to = low + (i * step);
+            bool here = i == Places ? outwards > 0 : scores(to);
+            if (here == last)
+            {
+                continue;
+            }
+
+            // Where the outcome changes.
+            double a = to - step;
+            double b = to;
+            for (int k = 0; k < Halvings; k++)
+            {
+                double middle = 0.5 * (a + b);
+                (a, b) = scores(middle) == last ? (middle, b) : (a, middle);
+            }
+
+            if (last)
+            {
+                spans.Add(new FrameSpan(from, b));
+            }
+
+            from = b;
+            last = here;
+        }
+
+        if (last)
+        {
+            spans.Add(new FrameSpan(from, axis + half));
+        }
+    }
+
+    /// <summary>True when the kick goes in that is shifted so that it would cross at a place.</summary>
+    private bool Scores(double aside, double height)
+    {
+        Vector3d shift = ((aside - _nearAside) * _right) + ((height - _nearHeight) * Vector3d.Up);
+        BallState ball = _simulator.LaunchAt(_near.Position + shift, _near.Velocity, _near.Spin, _near.Time);
+        return Play(ball, _near.Time + (2.0 * Before / Math.Max(1.0, ball.Velocity.Length)) + Longest);
+    }
+
+    private bool Play(BallState ball, double until)
+    {
+        while (ball.Time < until && ball.Motion != MotionState.Stopped)
+        {
+            _log.Clear();
+            _simulator.Step(ref ball, TimeStep, _log);
+            foreach (ref readonly BallEvent happened in _log.Events.Span)
+            {
+                if (happened.Kind == BallEventKind.Goal && happened.Thing == _thing)
+                {
+                    return true;
+                }
+            }
+
+            // Back on the pitch, or past the goal: it does not come again.
+            double before = _mouth.BeforeMouth(ball.Position);
+            double closing = Vector3d.Dot(ball.Velocity, _mouth.Out);
+            if ((before > Gone && closing > 0) || before < -Gone)
+            {
+                return false;
+            }
+        }
+
+        return false;
+    }
+}
+
+/// <summary>A part of a line across a goal.</summary>
+/// <param name="From">Where it begins, m.</param>
+/// <param name="To">Where it ends, m.</param>
+internal readonly record struct FrameSpan(double From, double To);

@@ -1,0 +1,235 @@
+namespace Football.Physics.Aiming;
+
+/// <summary>
+/// Looks for the flight that is at a target with a speed, over the times that flights to it take: for each there is one kick, and its arrival changes smoothly from one time to
+/// the next. Between times at which it is too slow and too fast lies the one that is sought; where all are too fast, or too slow, it may lie at the end of the times, or
+/// between three of which the middle one comes closest.
+/// </summary>
+internal sealed class ArrivalTimes
+{
+    /// <summary>From one time to the next, and how many there are: up to the longest flight.</summary>
+    private const double Ratio = 1.15;
+    private const int Most = 64;
+
+    /// <summary>After so many times without a kick, behind some with one, there is none later.</summary>
+    private const int MostMissing = 4;
+
+    /// <summary>The first time, as a share of that of the straight way at the fastest speed.</summary>
+    private const double Earliest = 0.7;
+
+    private const int Rounds = 40;
+    private const int Halvings = 24;
+    private const double Closeness = 1e-9;
+
+    private readonly Aimer _aimer;
+    private readonly Node[] _nodes = new Node[Most];
+    private AimRequest _request = new();
+    private double _speed;
+    private Node _closest;
+
+    public ArrivalTimes(Aimer aimer) => _aimer = aimer;
+
+    public AimResult Find(AimRequest request, double speed)
+    {
+        _request = request;
+        _speed = speed;
+        _closest = default;
+        int count = Scan();
+
+        // On the low arc the shortest time comes first.
+        bool isLow = request.Arc == AimArc.Low;
+        for (int pass = 0; pass < 3; pass++)
+        {
+            for (int k = 1; k < count; k++)
+            {
+                int i = isLow ? k : count - k;
+                bool found = pass == 0 ? Between(_nodes[i - 1], _nodes[i], out Node root)
+                    : pass == 1 ? AtEnd(_nodes[i - 1], _nodes[i], out root)
+                    : i + 1 < count & AtTurn(i, Math.Min(i + 1, count - 1), out root);
+                if (found)
+                {
+                    return _aimer.ReportArrival(request, in root.Kick, speed);
+                }
+            }
+        }
+
+        return _closest.Hits ? OutOfReach() : _aimer.NoArrival(request);
+    }
+
+    private AimResult OutOfReach()
+    {
+        AimResult closest = _aimer.Report(_request, in _closest.Kick, measure: true, passes: false);
+        return closest.Status == AimStatus.Hit ? Aimer.Failed(in closest, AimStatus.OutOfReach) : closest;
+    }
+
+    /// <summary>Looks at times from the shortest on.</summary>
+    private int Scan()
+    {
+        TargetFrame frame = _aimer.Context.Frame(_request);
+        double windward = _aimer.Context.Scene.Air.Wind.Length + _request.TargetVelocity.Length;
+        double time = Earliest * Vector3d.Distance(frame.From, frame.Target) / (_request.Speed + windward);
+        int count = 0;
+        int missing = 0;
+        bool any = false;
+        for (; count < Most - 1 && time < AimContext.LongestFlight && missing < MostMissing; time *= Ratio)
+        {
+            Node node = At(time);
+            _nodes[count++] = node;
+            any |= node.Hits;
+            missing = node.Hits || !any ? 0 : missing + 1;
+        }
+
+        return Insert(_aimer.SlowestTime(_request), count);
+    }
+
+    /// <summary>Takes in one more time, in order: where bounds leave few, the others may miss them all.</summary>
+    private int Insert(double time, int count)
+    {
+        int place = count;
+        for (; place > 0 && _nodes[place - 1].Time > time; place--)
+        {
+            _nodes[place] = _nodes[place - 1];
+        }
+
+        _nodes[place] = At(time);
+        return count + 1;
+    }
+
+    private Node At(double time, bool isBetween = false)
+    {
+        Node node = default;
+        node.Time = time;
+        node.Hits = _aimer.TryArrival(_request, time, isBetween, out node.Kick, out double arrival);
+        node.Off = arrival - _speed;
+        if (node.Hits && !(_closest.Hits && Math.Abs(_closest.Off) <= Math.Abs(node.Off)))
+        {
+            _closest = node;
+        }
+
+        return node;
+    }
+
+    /// <summary>The time between two at which the arrival is as asked for, where it is too slow at one and too fast at the other.</summary>
+    private bool Between(in Node before, in Node after, out Node root)
+    {
+        root = Math.Abs(before.Off) < Math.Abs(after.Off) ? before : after;
+        if (!before.Hits || !after.Hits || !(before.Off * after.Off <= 0))
+        {
+            return false;
+        }
+
+        Node low = before;
+        Node high = after;
+        for (int i = 0; i < Rounds && high.Time - low.Time > Closeness * high.Time && Math.Abs(root.Off) > Closeness; i++)
+        {
+            // The secant, kept off both ends so that the bracket shrinks from both.
+            double share = Math.Min(0.9, Math.Max(0.1, low.Off / (low.Off - high.Off)));
+            Node middle = At(low.Time + (share * (high.Time - low.Time)), isBetween: true);
+            if (!middle.Hits)
+            {
+                return false;
+            }
+
+            root = Math.Abs(middle.Off) < Math.Abs(root.Off) ? middle : root;
+            if (middle.Off * low.Off > 0)
+            {
+                low = middle;
+            }
+            else
+            {
+                high = middle;
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>Between a time with a kick and one without: up to the last that has one.</summary>
+    private bool AtEnd(in Node before, in Node after, out Node root)
+    {
+        root = default;
+        if (before.Hits == after.Hits)
+        {
+            return false;
+        }
+
+        Node hit = before.Hits ? before : after;
+        double without = before.Hits ? after.Time : before.Time;
+        for (int i = 0; i < Halvings; i++)
+        {
+            Node middle = At(0.5 * (hit.Time + without));
+            if (!middle.Hits)
+            {
+                without = middle.Time;
+                continue;
+            }
+
+            if (middle.Off * hit.Off <= 0)
+            {
+                return hit.Time < middle.Time ? Between(in hit, in middle, out root) : Between(in middle, in hit, out root);
+            }
+
+            hit = middle;
+        }
+
+        // At the very end it is as asked for, as closely as the end is known.
+        root = hit;
+        return Math.Abs(hit.Off) <= Aimer.LargestArrivalError;
+    }
+
+    /// <summary>Between three times of which the middle one comes closest: the slowest arrival there is, or the fastest.</summary>
+    private bool AtTurn(int middle, int last, out Node root)
+    {
+        Node a = _nodes[middle - 1];
+        Node b = _nodes[middle];
+        Node c = _nodes[last];
+        root = b;
+        if (!a.Hits || !b.Hits || !c.Hits || a.Off * b.Off <= 0 || b.Off * c.Off <= 0 || Math.Abs(b.Off) > Math.Abs(a.Off) || Math.Abs(b.Off) > Math.Abs(c.Off))
+        {
+            return false;
+        }
+
+        // Into the wider of the two parts, until the sign changes.
+        for (int i = 0; i < Halvings; i++)
+        {
+            bool left = b.Time - a.Time > c.Time - b.Time;
+            Node next = At(left ? b.Time - (0.382 * (b.Time - a.Time)) : b.Time + (0.382 * (c.Time - b.Time)));
+            if (!next.Hits)
+            {
+                return false;
+            }
+
+            if (next.Off * b.Off <= 0)
+            {
+                return left ? Between(in a, in next, out root) : Between(in next, in c, out root);
+            }
+
+            if (Math.Abs(next.Off) < Math.Abs(b.Off))
+            {
+                (a, c) = left ? (a, b) : (b, c);
+                b = next;
+            }
+            else
+            {
+                (a, c) = left ? (next, c) : (a, next);
+            }
+        }
+
+        root = b;
+        return Math.Abs(b.Off) <= Aimer.LargestArrivalError;
+    }
+
+    /// <summary>A time, and the kick that flies so long.</summary>
+    private struct Node
+    {
+        public double Time;
+
+        /// <summary>How much faster than asked for it arrives, m/s.</summary>
+        public double Off;
+
+        /// <summary>Whether there is a kick.</summary>
+        public bool Hits;
+
+        public AimSolution Kick;
+    }
+}

@@ -1,0 +1,122 @@
+namespace Football.Physics;
+
+/// <summary>
+/// Which nets a ball is in, on which side of each, and which goals it has come through: what a state keeps of the ball's way. A ball that is put down has none, and is in
+/// what it lies in; a kick, and another scene with the same nets and goals, change nothing of it.
+/// </summary>
+internal static class Passages
+{
+    /// <summary>Of a ball that is put where it is: it is in the nets whose slab it lies in, on the side of its centre.</summary>
+    public static void PutInNets(World world, ref BallState s)
+    {
+        for (int i = 0; i < world.Nets.Length; i++)
+        {
+            PutInNet(world, i, ref s);
+        }
+    }
+
+    /// <summary>Of a ball that is put, or kicked, where it is: the goals whose mouth it has come through, a bit each.</summary>
+    public static ulong GoalsEnteredAt(World world, in Vector3d position)
+    {
+        ulong entered = 0;
+        for (int i = 0; i < world.Goals.Length; i++)
+        {
+            entered |= world.Goals[i].IsEntered(in position, world.Ball.Radius) ? 1UL << i : 0;
+        }
+
+        return entered;
+    }
+
+    /// <summary>Of a ball that was moved straight to where it is: it may have come through a mouth, or back.</summary>
+    public static void PassMouths(World world, ref BallState s, in Vector3d from)
+    {
+        for (int i = 0; i < world.Goals.Length; i++)
+        {
+            ulong bit = 1UL << i;
+
+            // Before the mouth it is out; behind it in, where it came through the opening.
+            if (world.Goals[i].BeforeMouth(s.Position) > 0)
+            {
+                s.GoalsEntered &= ~bit;
+            }
+            else if ((s.GoalsPassed & bit) == 0 && world.Goals[i].IsEntered(in from, s.Position))
+            {
+                s.GoalsEntered |= bit;
+            }
+        }
+    }
+
+    /// <summary>Of a ball that is kicked: the nets that it is in, and the mouths that it has come through, stay; the lines that it has passed count anew.</summary>
+    /// <param name="world">The world.</param>
+    /// <param name="before">The ball before the kick.</param>
+    /// <param name="s">The same ball, kicked.</param>
+    public static void Keep(World world, in BallState before, ref BallState s)
+    {
+        for (int i = 0; i < world.Nets.Length; i++)
+        {
+            CopyNet(world, i, in before, i, ref s);
+        }
+
+        for (int i = 0; i < world.Goals.Length; i++)
+        {
+            ulong bit = 1UL << i;
+            s.GoalsEntered |= world.Goals[i].BeforeMouth(s.Position) <= 0 ? before.GoalsEntered & bit : 0;
+        }
+    }
+
+    /// <summary>Of a ball that goes on in another scene: what both scenes have stays, and in what is new the ball is put.</summary>
+    /// <param name="old">The world that the ball was in.</param>
+    /// <param name="world">The world that it goes on in.</param>
+    /// <param name="before">The ball in the old world.</param>
+    /// <param name="s">The ball in the new world, where neither a net nor a goal is known.</param>
+    public static void Carry(World old, World world, in BallState before, ref BallState s)
+    {
+        for (int i = 0; i < world.Nets.Length; i++)
+        {
+            int same = Array.FindIndex(old.Nets, world.Nets[i].IsAt);
+            if (same < 0)
+            {
+                PutInNet(world, i, ref s);
+            }
+            else
+            {
+                CopyNet(world, same, in before, i, ref s);
+            }
+        }
+
+        ulong entered = GoalsEnteredAt(world, s.Position);
+        for (int i = 0; i < world.Goals.Length; i++)
+        {
+            GoalMouth goal = world.Goals[i];
+            int same = Array.FindIndex(old.Goals, goal.IsAt);
+            s.GoalsEntered |= (same < 0 ? entered >> i & 1 : before.GoalsEntered >> same & 1) << i;
+            s.GoalsPassed |= (same < 0 ? 0 : before.GoalsPassed >> same & 1) << i;
+        }
+    }
+
+    private static void PutInNet(World world, int net, ref BallState s)
+    {
+        NetSheet sheet = world.Nets[net];
+        Vector3d place = sheet.PlaceInFrame(s.Position);
+        if (Math.Abs(place.X) <= sheet.HalfLength && Math.Abs(place.Y) <= sheet.HalfWidth && world.Ball.Radius - Math.Abs(place.Z) > ContactSearch.Touching)
+        {
+            Set(net, isFront: place.Z >= 0, ref s);
+        }
+    }
+
+    /// <summary>Takes over whether the ball is in a net; one that the ball does not reach from that side it is not in.</summary>
+    private static void CopyNet(World world, int from, in BallState before, int net, ref BallState s)
+    {
+        bool isIn = (before.Nets >> from & 1) != 0 && world.Nets[net].Depth(s.Position, World.SideOf(before.NetSides, from)) >= -ContactSearch.Touching;
+        if (isIn)
+        {
+            Set(net, (before.NetSides >> from & 1) != 0, ref s);
+        }
+    }
+
+    private static void Set(int net, bool isFront, ref BallState s)
+    {
+        s.Nets |= 1UL << net;
+        s.NetSides = isFront ? s.NetSides | (1UL << net) : s.NetSides & ~(1UL << net);
+    }
+}
