@@ -50,13 +50,14 @@ internal sealed partial class BallCluster
 
     private void Take(int i, BallState[] states, BallPile pile, double time)
     {
-        if (!_isIn[i])
+        // It may have joined already, and not begun.
+        Join(i);
+        int at = Array.IndexOf(_cluster, i, _begun, _clusterCount - _begun);
+        if (at >= 0)
         {
-            Join(i);
+            // It begins now: in its place is the first that has not.
             Begin(states, i);
-
-            // It has begun: in its place is the first that has not.
-            (_cluster[_begun], _cluster[_clusterCount - 1]) = (_cluster[_clusterCount - 1], _cluster[_begun]);
+            (_cluster[_begun], _cluster[at]) = (i, _cluster[_begun]);
             _begun++;
         }
 

@@ -211,14 +211,14 @@ internal sealed partial class BallCluster
     /// <summary>Puts balls that are new in the cluster back to where they were before the step, those that lie on each other into piles, and looks where the others go.</summary>
     private void BeginNew(BallState[] states)
     {
-        int from = _begun;
-        for (; _begun < _clusterCount; _begun++)
+        // Where one of them goes others may join.
+        for (int k = _begun; _begun < _clusterCount || k < _begun; k++)
         {
-            Begin(states, _cluster[_begun]);
-        }
+            for (; _begun < _clusterCount; _begun++)
+            {
+                Begin(states, _cluster[_begun]);
+            }
 
-        for (int k = from; k < _begun; k++)
-        {
             int i = _cluster[k];
             if (!_piles.Has(i) && _rests.IsInPile(i))
             {

@@ -95,16 +95,12 @@ internal sealed partial class BallPile
     public void Add(int ball, ref BallState s)
     {
         BallProperties its = _simulators[ball].Scene.Ball;
-        if (Count == _solver.Members.Length)
-        {
-            Array.Resize(ref _solver.Members, 2 * Count);
-        }
 
         // In the pile its spin is a vector, as on the ground.
         Vector3d spin = s.Spin;
         s.SetGroundSpin(in spin);
         s.ClearUntil = 0;
-        _solver.Members[_solver.Count++] = new PileMember
+        Add(new PileMember
         {
             Ball = ball,
             PerMass = 1.0 / its.Mass,
@@ -114,7 +110,29 @@ internal sealed partial class BallPile
             FreeUntil = double.NegativeInfinity,
             StartV = s.Velocity,
             StartW = spin,
-        };
+        });
+    }
+
+    /// <summary>Takes in all balls of another pile of its time, with what is known of them: of the two none is the first.</summary>
+    public void Absorb(BallPile other)
+    {
+        for (int m = 0; m < other.Count; m++)
+        {
+            Add(in other._solver.Members[m]);
+        }
+
+        _plans = Math.Max(_plans, other._plans);
+        _bounces.Absorb(other._bounces);
+    }
+
+    private void Add(in PileMember member)
+    {
+        if (Count == _solver.Members.Length)
+        {
+            Array.Resize(ref _solver.Members, 2 * Count);
+        }
+
+        _solver.Members[_solver.Count++] = member;
         _solver.ContactCount = 0;
         _length = 0;
         Until = Time;

@@ -70,11 +70,13 @@ internal sealed class BallPiles
     /// <summary>A pile becomes a part of another, of the same time.</summary>
     public void Unite(BallPile pile, BallPile other, BallState[] states, double step)
     {
+        int number = Array.IndexOf(_piles, pile);
         for (int m = 0; m < other.Count; m++)
         {
-            Add(other[m], ref states[other[m]], pile);
+            _pileOf[other[m]] = number;
         }
 
+        pile.Absorb(other);
         other.Clear(other.Time, step);
         pile.Sort(states);
     }

@@ -24,6 +24,9 @@ internal sealed class PileBounces
     /// <summary>Begins a step.</summary>
     public void Clear() => _bounces = 0;
 
+    /// <summary>What bounced in another pile did so in this one.</summary>
+    public void Absorb(PileBounces other) => _bounces += other._bounces;
+
     /// <summary>What closes within the part so fast that it bounces does so now: the first first, one after the other, so that no energy comes from it.</summary>
     /// <param name="states">The balls.</param>
     /// <param name="h">Length of the part, s.</param>
