@@ -8,7 +8,7 @@ namespace Football.Physics;
 /// </summary>
 internal static unsafe class ContactRows
 {
-    /// <summary>Unknowns at most: loads, and two friction components for each contact that sticks.</summary>
+    /// <summary>Unknowns of one ball at most: loads, and two friction components for each contact that sticks.</summary>
     public const int Most = 3 * ContactSystem.Most;
 
     /// <summary>A pivot of less than this share of the largest entry makes the solution not unique.</summary>
@@ -27,8 +27,8 @@ internal static unsafe class ContactRows
     [SkipLocalsInit]
     public static bool Solve(double* g, double* b, int size)
     {
-        double* work = stackalloc double[Most * Most];
-        double* x = stackalloc double[Most];
+        double* work = stackalloc double[size * size];
+        double* x = stackalloc double[size];
         double largest = 0;
         for (int i = 0; i < size * size; i++)
         {
@@ -62,8 +62,8 @@ internal static unsafe class ContactRows
     [SkipLocalsInit]
     public static void ToNullSpace(double* g, double* z, int size)
     {
-        double* mapped = stackalloc double[Most];
-        double* part = stackalloc double[Most];
+        double* mapped = stackalloc double[size];
+        double* part = stackalloc double[size];
         for (int i = 0; i < size; i++)
         {
             mapped[i] = 0;
@@ -144,9 +144,9 @@ internal static unsafe class ContactRows
     [SkipLocalsInit]
     private static void LeastSquares(double* g, double* b, double* x, int size)
     {
-        double* square = stackalloc double[Most * Most];
-        double* factor = stackalloc double[Most * Most];
-        double* left = stackalloc double[Most];
+        double* square = stackalloc double[size * size];
+        double* factor = stackalloc double[size * size];
+        double* left = stackalloc double[size];
         double trace = 0;
         for (int i = 0; i < size; i++)
         {

@@ -54,8 +54,11 @@ internal sealed partial class BallPile
     /// <param name="simulators">The scenes of all balls of the group.</param>
     /// <param name="contact">What two balls are to each other where they bounce.</param>
     /// <param name="friction">The friction of that, where they press each other.</param>
-    public BallPile(Simulator[] simulators, in ContactMaterial contact, double friction)
+    /// <param name="room">Room that all piles of a group share.</param>
+    public BallPile(Simulator[] simulators, in ContactMaterial contact, double friction, ClusterRoom room)
     {
+        _room = room;
+        _cluster = new ClusterSystem(room);
         _simulators = simulators;
         _contact = contact;
         _friction = friction;
@@ -85,6 +88,8 @@ internal sealed partial class BallPile
         _solver.ContactCount = 0;
         _bounces.Clear();
         _plans = 0;
+        _wholes = 0;
+        IsWhole = false;
         _length = 0;
         _longest = Math.Max(Part, step / MostParts);
         Time = time;
@@ -117,7 +122,20 @@ internal sealed partial class BallPile
         };
         _solver.ContactCount = 0;
         _length = 0;
+        IsWhole = false;
         Until = Time;
+    }
+
+    /// <summary>Takes over what another has had of the step, and looks anew at the forces on all balls: which of the two takes the other in decides nothing.</summary>
+    public void CountWith(BallPile other)
+    {
+        _plans = Math.Max(_plans, other._plans);
+        _wholes = Math.Max(_wholes, other._wholes);
+        _bounces.CountWith(other._bounces);
+        for (int i = 0; i < Count; i++)
+        {
+            _solver.Members[i].FreeUntil = double.NegativeInfinity;
+        }
     }
 
     /// <summary>Puts its balls into an order that their places decide, the lowest first: so their numbers decide nothing.</summary>
@@ -151,9 +169,14 @@ internal sealed partial class BallPile
     /// <returns>Whether something bounced.</returns>
     public bool Plan(BallState[] states, double end, StepLog[] logs)
     {
+        _plans++;
+        if (TryWhole(states, end, logs))
+        {
+            return false;
+        }
+
         // What is left in equal parts.
         double left = end - Time;
-        _plans++;
         double parts = Math.Max(1.0, Math.Ceiling((left / _longest) - 1e-9));
         double h = left / parts;
         double top = 0;
@@ -228,6 +251,14 @@ internal sealed partial class BallPile
         double duration = time - Time;
         if (!(duration > 0))
         {
+            return;
+        }
+
+        if (IsWhole)
+        {
+            MoveWhole(states, time, logs);
+            Time = time;
+            _overlaps.PutApart(states, duration);
             return;
         }
 

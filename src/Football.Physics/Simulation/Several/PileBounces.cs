@@ -24,6 +24,9 @@ internal sealed class PileBounces
     /// <summary>Begins a step.</summary>
     public void Clear() => _bounces = 0;
 
+    /// <summary>Takes over what another has had of the step.</summary>
+    public void CountWith(PileBounces other) => _bounces = Math.Max(_bounces, other._bounces);
+
     /// <summary>What closes within the part so fast that it bounces does so now: the first first, one after the other, so that no energy comes from it.</summary>
     /// <param name="states">The balls.</param>
     /// <param name="h">Length of the part, s.</param>
