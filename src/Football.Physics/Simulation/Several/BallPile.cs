@@ -13,6 +13,9 @@ internal sealed partial class BallPile
     /// <summary>So many parts it has at most that others cut short which hit it.</summary>
     private const int MostPlans = 24;
 
+    /// <summary>So many whole steps are tried in a step; what has had a part goes on in parts.</summary>
+    private const int MostWholes = 16;
+
     /// <summary>Contacts are looked for this much farther, m, than the balls get.</summary>
     private const double Near = 1e-5;
 
@@ -45,11 +48,13 @@ internal sealed partial class BallPile
     private readonly PileSolver _solver = new();
     private readonly PileBounces _bounces;
     private readonly PileOverlaps _overlaps;
+    private readonly PileWholes _whole;
     private PileContact[] _last = new PileContact[32];
     private int _lastCount;
     private double _length;
     private double _longest;
     private int _plans;
+    private int _wholes;
 
     /// <param name="simulators">The scenes of all balls of the group.</param>
     /// <param name="contact">What two balls are to each other where they bounce.</param>
@@ -57,13 +62,12 @@ internal sealed partial class BallPile
     /// <param name="room">Room that all piles of a group share.</param>
     public BallPile(Simulator[] simulators, in ContactMaterial contact, double friction, ClusterRoom room)
     {
-        _room = room;
-        _cluster = new ClusterSystem(room);
         _simulators = simulators;
         _contact = contact;
         _friction = friction;
         _bounces = new PileBounces(simulators, _solver, in contact);
         _overlaps = new PileOverlaps(simulators, _solver);
+        _whole = new PileWholes(simulators, _solver, friction, friction * Math.Max(LeastDrilling, contact.DrillingLength), room);
     }
 
     /// <summary>How many balls are in it.</summary>
@@ -80,6 +84,12 @@ internal sealed partial class BallPile
 
     /// <summary>Until when it is known where they go, s.</summary>
     public double Until { get; private set; }
+
+    /// <summary>True when its balls go on by a whole step of the method; else straight on.</summary>
+    public bool IsWhole { get; private set; }
+
+    /// <summary>The way of a ball in a whole step.</summary>
+    public PathCubic PathOf(int index) => _whole.PathOf(index);
 
     /// <summary>Empties it, for a step of a length, s.</summary>
     public void Clear(double time, double step)
@@ -170,13 +180,17 @@ internal sealed partial class BallPile
     public bool Plan(BallState[] states, double end, StepLog[] logs)
     {
         _plans++;
-        if (TryWhole(states, end, logs))
+        double left = end - Time;
+        bool mayBeWhole = (IsWhole || !(_length > 0)) && _wholes++ < MostWholes;
+        IsWhole = mayBeWhole && _whole.Try(states, Time, left, Part, logs);
+        if (IsWhole)
         {
+            _length = _whole.Length;
+            Until = _length < left ? Time + _length : end;
             return false;
         }
 
         // What is left in equal parts.
-        double left = end - Time;
         double parts = Math.Max(1.0, Math.Ceiling((left / _longest) - 1e-9));
         double h = left / parts;
         double top = 0;
@@ -256,8 +270,12 @@ internal sealed partial class BallPile
 
         if (IsWhole)
         {
-            MoveWhole(states, time, logs);
+            _whole.Move(states, duration, time < Until, time, logs);
             Time = time;
+
+            // What bears them, for those who ask.
+            Find(states, Leaning, 0);
+            _whole.Load(duration);
             _overlaps.PutApart(states, duration);
             return;
         }

@@ -1,11 +1,13 @@
 namespace Football.Physics;
 
-/// <content>Whole steps of the method: a few balls whose contacts keep their modes all along (contacts.md, Balls on balls).</content>
-internal sealed partial class BallPile
+/// <summary>Whole steps of a pile by the method: of a few balls whose contacts keep their modes all along (contacts.md, Balls on balls).</summary>
+/// <param name="simulators">The scenes of all balls of the group.</param>
+/// <param name="solver">The pile's balls and contacts.</param>
+/// <param name="friction">The friction of two balls that press each other.</param>
+/// <param name="lever">b μ of them, m.</param>
+/// <param name="room">Room that all piles of a group share.</param>
+internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, double friction, double lever, ClusterRoom room)
 {
-    /// <summary>So many whole steps are tried in a step.</summary>
-    private const int MostWholes = 16;
-
     /// <summary>Faster than this, m/s, balls come together or apart, and do not press each other.</summary>
     private const double Pressing = 1e-5;
 
@@ -16,66 +18,115 @@ internal sealed partial class BallPile
     private const double LargestTurn = 0.05;
     private const double LargestTurnOfBalls = 0.1;
 
-    private readonly ClusterRoom _room;
-    private readonly ClusterSystem _cluster;
-    private readonly Contact[] _near = new Contact[ClusterSystem.MostBalls * ContactSet.Most];
-    private readonly int[] _nearCount = new int[ClusterSystem.MostBalls];
-    private int _wholes;
+    private readonly ClusterSystem _cluster = new(room);
+    private readonly Contact[] _touching = new Contact[ClusterSystem.MostBalls * ContactSet.Most];
+    private readonly int[] _touchingCount = new int[ClusterSystem.MostBalls];
+    private double _time;
 
-    /// <summary>True when the balls go on by a whole step of the method; else straight on.</summary>
-    public bool IsWhole { get; private set; }
+    /// <summary>Length of the whole step that was found, s.</summary>
+    public double Length { get; private set; }
 
-    /// <summary>The way of a ball in a whole step.</summary>
-    public PathCubic PathOf(int index) => PathOf(in _cluster.Balls[index], Until - Time);
+    /// <summary>The way of a ball in it.</summary>
+    public PathCubic PathOf(int index) => PathOf(in _cluster.Balls[index], Length);
 
-    private static PathCubic PathOf(in ClusterBall ball, double h) =>
-        PathCubic.Between(ball.Start.Position, ball.Start.Velocity, ball.End.Position, ball.End.Velocity, h);
-
-    /// <summary>Tries what is left of the step, or the first of few equal parts of it, with the contacts and their modes as they are now.</summary>
+    /// <summary>Tries a step, or the first of few equal parts of it, with the contacts and their modes as they are at its start.</summary>
+    /// <param name="states">The balls.</param>
+    /// <param name="time">When it starts, s.</param>
+    /// <param name="left">Its length, s.</param>
+    /// <param name="least">Parts are no shorter than this, s.</param>
+    /// <param name="logs">Where counts of each go.</param>
     /// <returns>False where no modes are found, or they do not hold up to its end, or something is met in it.</returns>
-    private bool TryWhole(BallState[] states, double end, StepLog[] logs)
+    public bool Try(BallState[] states, double time, double left, double least, StepLog[] logs)
     {
-        bool mayBe = Count >= 2 && Count <= ClusterSystem.MostBalls && (IsWhole || !(_length > 0)) && _wholes < MostWholes;
-        IsWhole = false;
-        if (!mayBe || !(end > Time) || AreSlow(states))
+        if (solver.Count < 2 || solver.Count > ClusterSystem.MostBalls || !(left > 0) || AreSlow(states))
         {
             return false;
         }
 
-        _wholes++;
         ClusterSystem system = _cluster;
         system.Evaluations = 0;
-        double h = end - Time;
-        bool holds = Prepare(system, states, h) && FindModes(system);
+        _time = time;
+        Length = left;
+        bool holds = Prepare(system, states, left) && FindModes(system);
         if (holds)
         {
-            double longest = LongestWhole(system, states, h);
-            double parts = Math.Max(1.0, Math.Ceiling((h / longest) - 1e-9));
-            h /= parts;
-            holds = (parts <= 1 || h >= Part) && Advance(system, h) && ClusterModes.Hold(system) && MeetsNothing(system, h);
-            Until = parts > 1 ? Time + h : end;
+            double parts = Math.Max(1.0, Math.Ceiling((left / LongestWhole(system, states, left)) - 1e-9));
+            Length = left / parts;
+            holds = (parts <= 1 || Length >= least) && Advance(system, Length) && ClusterModes.Hold(system) && MeetsNothing(system, Length);
         }
 
-        for (int i = 0; i < Count; i++)
+        for (int i = 0; i < solver.Count; i++)
         {
-            logs[_solver.Members[i].Ball].Evaluations += system.Evaluations;
+            logs[solver.Members[i].Ball].Evaluations += system.Evaluations;
         }
 
-        IsWhole = holds;
-        _length = holds ? h : _length;
-        Until = holds ? Until : Time;
         return holds;
+    }
+
+    /// <summary>Moves the balls on within the step that was found: where it is cut short the method takes it anew, up to there.</summary>
+    /// <param name="states">The balls.</param>
+    /// <param name="duration">How long, s.</param>
+    /// <param name="isCut">Whether that is not all of it.</param>
+    /// <param name="time">When it ends, s.</param>
+    /// <param name="logs">Where pieces and counts of each go.</param>
+    public void Move(BallState[] states, double duration, bool isCut, double time, StepLog[] logs)
+    {
+        ClusterSystem system = _cluster;
+        system.Evaluations = 0;
+        if (isCut)
+        {
+            Advance(system, duration);
+        }
+
+        int order = MethodOf().Order;
+        for (int i = 0; i < solver.Count; i++)
+        {
+            ref ClusterBall ball = ref system.Balls[i];
+            StepLog log = logs[solver.Members[i].Ball];
+            ref BallState s = ref states[solver.Members[i].Ball];
+            s = ball.End;
+            s.Time = time;
+            log.Steps++;
+            log.Evaluations += system.Evaluations;
+            if (log.Observer is not null)
+            {
+                // A path whose memory is full ends a step early, not the pile.
+                log.Show(in ball.Start, in s, ball.First.Acceleration, ball.Last.Acceleration, order);
+                log.Halted = false;
+            }
+        }
+    }
+
+    /// <summary>Tells the pile's contacts, found anew, what each has given in a time, s.</summary>
+    public void Load(double duration)
+    {
+        for (int i = 0; i < solver.ContactCount; i++)
+        {
+            ref PileContact contact = ref solver.Contacts[i];
+            for (int k = 0; k < _cluster.ContactCount; k++)
+            {
+                ref readonly ClusterContact solved = ref _cluster.Contacts[k];
+                ref readonly SetContact on = ref solved.On;
+                if (solved.First == contact.First && solved.Second == contact.Second && (solved.Second >= 0 || on.Collider == contact.Collider))
+                {
+                    contact.Load = duration * on.Load;
+                    contact.Rub = duration * (on.Sticks ? on.Friction : -on.Sliding * on.Load * on.Direction);
+                    contact.Twist = duration * (solved.HoldsTwist ? solved.Twist : -solved.TwistSign * solved.Lever * on.Load);
+                    contact.Sticks = on.Sticks;
+                }
+            }
+        }
     }
 
     /// <summary>True when all balls are so slow that they rest, or are about to.</summary>
     private bool AreSlow(BallState[] states)
     {
-        for (int i = 0; i < Count; i++)
+        for (int i = 0; i < solver.Count; i++)
         {
-            ref readonly PileMember member = ref _solver.Members[i];
+            ref readonly PileMember member = ref solver.Members[i];
             ref readonly BallState s = ref states[member.Ball];
             double energy = 0.5 * ((s.Velocity.LengthSquared / member.PerMass) + (s.Spin.LengthSquared / member.PerInertia));
-            if (energy > _simulators[member.Ball].World.RestEnergy)
+            if (energy > simulators[member.Ball].World.RestEnergy)
             {
                 return false;
             }
@@ -84,20 +135,25 @@ internal sealed partial class BallPile
         return true;
     }
 
+    private IIntegrator MethodOf() => simulators[solver.Members[0].Ball].Pile.Method;
+
+    private static PathCubic PathOf(in ClusterBall ball, double h) =>
+        PathCubic.Between(ball.Start.Position, ball.Start.Velocity, ball.End.Position, ball.End.Velocity, h);
+
     /// <summary>The balls and what they touch, neither closing nor leaving.</summary>
     /// <returns>False where an impulse is called for, something moves, or there are too many contacts.</returns>
     private bool Prepare(ClusterSystem system, BallState[] states, double h)
     {
         system.Length = h;
-        system.Count = Count;
+        system.Count = solver.Count;
         system.ContactCount = 0;
-        for (int i = 0; i < Count; i++)
+        for (int i = 0; i < solver.Count; i++)
         {
-            ref readonly PileMember member = ref _solver.Members[i];
+            ref readonly PileMember member = ref solver.Members[i];
             ref readonly BallState s = ref states[member.Ball];
             ref ClusterBall ball = ref system.Balls[i];
-            ball.Pile = _simulators[member.Ball].Pile;
-            ball.World = _simulators[member.Ball].World;
+            ball.Pile = simulators[member.Ball].Pile;
+            ball.World = simulators[member.Ball].World;
             ball.PerMass = member.PerMass;
             ball.PerInertia = member.PerInertia;
             ball.Radius = member.Radius;
@@ -109,7 +165,7 @@ internal sealed partial class BallPile
             }
         }
 
-        for (int i = 0; i < Count; i++)
+        for (int i = 0; i < solver.Count; i++)
         {
             if (!AddThings(system, i) || !AddBalls(system, i))
             {
@@ -123,8 +179,8 @@ internal sealed partial class BallPile
     private bool AddThings(ClusterSystem system, int i)
     {
         ref readonly ClusterBall ball = ref system.Balls[i];
-        Span<Contact> near = _near.AsSpan(i * ContactSet.Most, ContactSet.Most);
-        int count = ContactSet.Near(ball.World, in ball.Start, Leaning, near);
+        Span<Contact> near = _touching.AsSpan(i * ContactSet.Most, ContactSet.Most);
+        int count = ContactSet.Near(ball.World, in ball.Start, BallPile.Leaning, near);
         int kept = 0;
         for (int k = 0; k < count; k++)
         {
@@ -143,14 +199,14 @@ internal sealed partial class BallPile
             }
         }
 
-        _nearCount[i] = kept;
+        _touchingCount[i] = kept;
         return true;
     }
 
     private bool AddBalls(ClusterSystem system, int i)
     {
         ref readonly ClusterBall ball = ref system.Balls[i];
-        for (int j = i + 1; j < Count; j++)
+        for (int j = i + 1; j < solver.Count; j++)
         {
             ref readonly ClusterBall other = ref system.Balls[j];
             if (!BallRests.Touches(in ball.Start, ball.Radius, in other.Start, other.Radius))
@@ -167,9 +223,9 @@ internal sealed partial class BallPile
             if (rate <= Pressing)
             {
                 ref ClusterContact contact = ref system.Contacts[system.ContactCount++];
-                contact = new ClusterContact { First = i, Second = j, Lever = _friction * Math.Max(LeastDrilling, _contact.DrillingLength) };
+                contact = new ClusterContact { First = i, Second = j, Lever = lever };
                 contact.On.Collider = -1;
-                contact.On.Sliding = _friction;
+                contact.On.Sliding = friction;
             }
         }
 
@@ -179,7 +235,7 @@ internal sealed partial class BallPile
     /// <summary>The modes at the start, and the rates there; leftover speeds of what bears and sticks are ended.</summary>
     private bool FindModes(ClusterSystem system)
     {
-        system.Look(Time);
+        system.Look(_time);
         if (!ClusterModes.Find(system))
         {
             return false;
@@ -193,7 +249,7 @@ internal sealed partial class BallPile
                 system.Balls[i].At = ClusterSystem.MotionOf(in system.Balls[i].Start);
             }
 
-            system.Look(Time);
+            system.Look(_time);
             holds = system.Solve();
         }
 
@@ -230,7 +286,7 @@ internal sealed partial class BallPile
             }
         }
 
-        for (int i = 0; i < Count; i++)
+        for (int i = 0; i < solver.Count; i++)
         {
             ref readonly ClusterBall ball = ref system.Balls[i];
             double damping = ball.Bearer < 0 ? 0 : system.Contacts[ball.Bearer].On.Damping;
@@ -242,7 +298,7 @@ internal sealed partial class BallPile
                 gain += slips ? h * contact.On.Sliding * contact.On.Load * ball.PerMass : 0;
             }
 
-            longest = Math.Min(longest, ball.Pile.LongestWhole(in states[_solver.Members[i].Ball], h, damping, gain));
+            longest = Math.Min(longest, ball.Pile.LongestWhole(in states[solver.Members[i].Ball], h, damping, gain));
         }
 
         return longest;
@@ -251,15 +307,14 @@ internal sealed partial class BallPile
     /// <summary>Takes a whole step of the method, and puts the balls onto what bears them.</summary>
     private bool Advance(ClusterSystem system, double h)
     {
-        IIntegrator method = _simulators[_solver.Members[0].Ball].Pile.Method;
-        bool holds = system.Advance(method, Time, h);
+        bool holds = system.Advance(MethodOf(), _time, h);
         for (int i = 0; i < system.Count; i++)
         {
-            system.Balls[i].End.Time = Time + h;
+            system.Balls[i].End.Time = _time + h;
         }
 
         ClusterProjection.Places(system);
-        holds &= system.LookAtEnd(Time + h);
+        holds &= system.LookAtEnd(_time + h);
         ClusterProjection.Velocities(system, atEnd: true);
         return holds;
     }
@@ -270,11 +325,11 @@ internal sealed partial class BallPile
         for (int i = 0; i < system.Count; i++)
         {
             ref readonly ClusterBall ball = ref system.Balls[i];
-            Span<Contact> held = _near.AsSpan(i * ContactSet.Most, _nearCount[i]);
+            Span<Contact> held = _touching.AsSpan(i * ContactSet.Most, _touchingCount[i]);
             foreach (ref readonly Contact near in held)
             {
                 Collider collider = ball.World.Colliders[near.Collider];
-                if (collider.FaceMargin(ball.End.Position, Time + h) < 0
+                if (collider.FaceMargin(ball.End.Position, _time + h) < 0
                     || (collider.LeastWidth < double.PositiveInfinity && collider.PatchAt(ball.Start.Position) != collider.PatchAt(ball.End.Position)))
                 {
                     return false;
@@ -283,7 +338,7 @@ internal sealed partial class BallPile
 
             int carrier = ball.Start.Motion == MotionState.Airborne ? -1 : (int)ball.Start.Carrier - ball.World.FirstCollider;
             PathCubic path = PathOf(in ball, h);
-            if (new ContactSearch(ball.World, in path, Time).First(in ball.Start, ContactSet.Has(held, carrier) ? carrier : -1, held, out _) <= h)
+            if (new ContactSearch(ball.World, in path, _time).First(in ball.Start, ContactSet.Has(held, carrier) ? carrier : -1, held, out _) <= h)
             {
                 return false;
             }
@@ -322,56 +377,8 @@ internal sealed partial class BallPile
             return false;
         }
 
-        _room.Way.Go(in ball.Start, in path);
-        _room.OtherWay.Go(in other.Start, in its);
-        return _room.Way.Meets(_room.OtherWay, ball.Radius + other.Radius, Time, Time + h, atEnd: true) <= Time + h;
-    }
-
-    /// <summary>Moves the balls on to a time within the whole step: where that is cut short the method takes it anew, up to there.</summary>
-    private void MoveWhole(BallState[] states, double time, StepLog[] logs)
-    {
-        ClusterSystem system = _cluster;
-        double duration = time - Time;
-        system.Evaluations = 0;
-        if (time < Until)
-        {
-            Advance(system, duration);
-        }
-
-        int order = _simulators[_solver.Members[0].Ball].Pile.Method.Order;
-        for (int i = 0; i < Count; i++)
-        {
-            ref ClusterBall ball = ref system.Balls[i];
-            StepLog log = logs[_solver.Members[i].Ball];
-            ref BallState s = ref states[_solver.Members[i].Ball];
-            s = ball.End;
-            s.Time = time;
-            log.Steps++;
-            log.Evaluations += system.Evaluations;
-            if (log.Observer is not null)
-            {
-                // A path whose memory is full ends a step early, not the pile.
-                log.Show(in ball.Start, in s, ball.First.Acceleration, ball.Last.Acceleration, order);
-                log.Halted = false;
-            }
-        }
-
-        // What bears them, for those who ask.
-        Find(states, Leaning, 0);
-        for (int i = 0; i < _solver.ContactCount; i++)
-        {
-            ref PileContact contact = ref _solver.Contacts[i];
-            for (int k = 0; k < system.ContactCount; k++)
-            {
-                ref readonly ClusterContact solved = ref system.Contacts[k];
-                if (solved.First == contact.First && solved.Second == contact.Second && (solved.Second >= 0 || solved.On.Collider == contact.Collider))
-                {
-                    contact.Load = duration * solved.On.Load;
-                    contact.Rub = duration * (solved.On.Sticks ? solved.On.Friction : -solved.On.Sliding * solved.On.Load * solved.On.Direction);
-                    contact.Twist = duration * (solved.HoldsTwist ? solved.Twist : -solved.TwistSign * solved.Lever * solved.On.Load);
-                    contact.Sticks = solved.On.Sticks;
-                }
-            }
-        }
+        room.Way.Go(in ball.Start, in path);
+        room.OtherWay.Go(in other.Start, in its);
+        return room.Way.Meets(room.OtherWay, ball.Radius + other.Radius, _time, _time + h, atEnd: true) <= _time + h;
     }
 }
