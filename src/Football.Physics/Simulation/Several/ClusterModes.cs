@@ -6,8 +6,11 @@ namespace Football.Physics;
 /// </summary>
 internal static class ClusterModes
 {
-    /// <summary>A slip, m/s, a spin about a normal, rad/s, below which there is none.</summary>
-    public const double Sticking = 1e-6;
+    /// <summary>A slip below this, m/s, is none: what impulses leave of it that are known well enough.</summary>
+    private const double Sticking = 3e-5;
+
+    /// <summary>... and a spin about a normal below this, rad/s.</summary>
+    private const double Turning = 3e-4;
 
     /// <summary>A ball that rolls slower than this, m/s, has no direction of its roll.</summary>
     private const double Standing = 1e-6;
@@ -53,7 +56,7 @@ internal static class ClusterModes
             if (contact.Second >= 0)
             {
                 double about = About(system, in contact);
-                contact.TwistSign = about > Sticking ? 1.0 : about < -Sticking ? -1.0 : 0;
+                contact.TwistSign = about > Turning ? 1.0 : about < -Turning ? -1.0 : 0;
                 contact.HoldsTwist = contact.TwistSign == 0 && contact.Lever > 0;
             }
         }
@@ -170,7 +173,7 @@ internal static class ClusterModes
     private static bool Roll(ref ClusterBall ball, in SetContact on)
     {
         double about = Vector3d.Dot(ball.At.Spin, in on.Normal) - on.CarrierSpin;
-        ball.SpinSign = about > Sticking ? 1.0 : about < -Sticking ? -1.0 : 0.0;
+        ball.SpinSign = about > Turning ? 1.0 : about < -Turning ? -1.0 : 0.0;
         ball.HoldsSpin = ball.SpinSign == 0 && on.Drilling > 0;
         Vector3d rolling = SurfaceSystem.Tangential(in on.RollingVelocity, in on.Normal);
         double speed = rolling.Length;

@@ -9,7 +9,7 @@ namespace Football.Physics;
 internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, double friction, double lever, ClusterRoom room)
 {
     /// <summary>Faster than this, m/s, balls come together or apart, and do not press each other.</summary>
-    private const double Pressing = 1e-5;
+    private const double Pressing = 3e-5;
 
     /// <summary>A correction of less than this, m/s, leaves the forces as they are.</summary>
     private const double Corrected = 1e-11;
