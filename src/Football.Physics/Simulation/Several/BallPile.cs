@@ -1,7 +1,8 @@
 namespace Football.Physics;
 
 /// <summary>
-/// Balls that lie on each other, in one step: from the time at which they begin to press each other to its end, in few equal parts, with impulses for all of them at once.
+/// Balls that lie on each other, in one step: from the time at which they begin to press each other to its end. A few whose contacts keep their modes go by whole steps of the
+/// method (<see cref="PileWholes"/>); else in few equal parts, with impulses for all of them at once.
 /// What is closer than a ball may come in a part is a contact by its gap; what closes so fast that it bounces does so at the part's start. Nothing that stands still is entered.
 /// </summary>
 internal sealed partial class BallPile
@@ -188,6 +189,12 @@ internal sealed partial class BallPile
             _length = _whole.Length;
             Until = _length < left ? Time + _length : end;
             return false;
+        }
+
+        // The forces at the start are known then.
+        for (int i = 0; i < Count && mayBeWhole && _whole.HasLooked; i++)
+        {
+            _solver.Members[i].FreeUntil = Time + (_longest * (1.0 - 1e-6));
         }
 
         // What is left in equal parts.

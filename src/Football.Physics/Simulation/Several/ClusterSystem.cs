@@ -40,8 +40,8 @@ internal sealed partial class ClusterSystem
     /// <summary>How many there are.</summary>
     public int ContactCount { get; set; }
 
-    /// <summary>Length of the step that the forces are asked for, s.</summary>
-    public double Length { get; set; }
+    /// <summary>Forces give no more than anything that flies has in this time, s.</summary>
+    public double Part { get; set; }
 
     /// <summary>Right-hand sides evaluated for each ball.</summary>
     public int Evaluations { get; set; }
@@ -156,7 +156,7 @@ internal sealed partial class ClusterSystem
             s.Velocity = ball.At.Velocity;
             s.SpinAxis = ball.At.Spin;
             s.AirDistance = ball.At.AirDistance;
-            ball.Free = ball.Pile.Free(in s, Length, atRest: false);
+            ball.Free = ball.Pile.Free(in s, Part, atRest: false);
         }
 
         Evaluations++;

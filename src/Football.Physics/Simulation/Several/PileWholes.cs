@@ -26,6 +26,9 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
     /// <summary>Length of the whole step that was found, s.</summary>
     public double Length { get; private set; }
 
+    /// <summary>True when the last try has looked at the forces at its start, which the balls of the pile then have.</summary>
+    public bool HasLooked { get; private set; }
+
     /// <summary>The way of a ball in it.</summary>
     public PathCubic PathOf(int index) => PathOf(in _cluster.Balls[index], Length);
 
@@ -38,6 +41,7 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
     /// <returns>False where no modes are found, or they do not hold up to its end, or something is met in it.</returns>
     public bool Try(BallState[] states, double time, double left, double least, StepLog[] logs)
     {
+        HasLooked = false;
         if (solver.Count < 2 || solver.Count > ClusterSystem.MostBalls || !(left > 0) || AreSlow(states))
         {
             return false;
@@ -47,7 +51,7 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
         system.Evaluations = 0;
         _time = time;
         Length = left;
-        bool holds = Prepare(system, states, left) && FindModes(system);
+        bool holds = Prepare(system, states, least) && FindModes(system);
         if (holds)
         {
             double parts = Math.Max(1.0, Math.Ceiling((left / LongestWhole(system, states, left)) - 1e-9));
@@ -142,9 +146,9 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
 
     /// <summary>The balls and what they touch, neither closing nor leaving.</summary>
     /// <returns>False where an impulse is called for, something moves, or there are too many contacts.</returns>
-    private bool Prepare(ClusterSystem system, BallState[] states, double h)
+    private bool Prepare(ClusterSystem system, BallState[] states, double least)
     {
-        system.Length = h;
+        system.Part = least;
         system.Count = solver.Count;
         system.ContactCount = 0;
         for (int i = 0; i < solver.Count; i++)
@@ -236,6 +240,12 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
     private bool FindModes(ClusterSystem system)
     {
         system.Look(_time);
+        HasLooked = true;
+        for (int i = 0; i < solver.Count; i++)
+        {
+            solver.Members[i].Free = system.Balls[i].Free;
+        }
+
         if (!ClusterModes.Find(system))
         {
             return false;
