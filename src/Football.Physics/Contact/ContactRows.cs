@@ -8,7 +8,7 @@ namespace Football.Physics;
 /// </summary>
 internal static unsafe class ContactRows
 {
-    /// <summary>Unknowns at most: loads, and two friction components for each contact that sticks.</summary>
+    /// <summary>Unknowns of one ball at most: loads, and two friction components for each contact that sticks.</summary>
     public const int Most = 3 * ContactSystem.Most;
 
     /// <summary>A pivot of less than this share of the largest entry makes the solution not unique.</summary>
@@ -27,8 +27,8 @@ internal static unsafe class ContactRows
     [SkipLocalsInit]
     public static bool Solve(double* g, double* b, int size)
     {
-        double* work = stackalloc double[Most * Most];
-        double* x = stackalloc double[Most];
+        double* work = stackalloc double[size * size];
+        double* x = stackalloc double[size];
         double largest = 0;
         for (int i = 0; i < size * size; i++)
         {
@@ -67,12 +67,12 @@ internal static unsafe class ContactRows
     [SkipLocalsInit]
     public static bool SolveBraced(double* g, double* b, double* y, int size)
     {
-        double* x = stackalloc double[2 * Most];
+        double* x = stackalloc double[2 * size];
         double largest = 0;
         for (int i = 0; i < size; i++)
         {
             x[i] = b[i];
-            x[Most + i] = y[i];
+            x[size + i] = y[i];
             for (int j = 0; j < size; j++)
             {
                 g[(i * size) + j] += y[i] * y[j];
@@ -89,14 +89,14 @@ internal static unsafe class ContactRows
         double square = 0;
         for (int i = 0; i < size; i++)
         {
-            along += x[i] * x[Most + i];
-            square += x[Most + i] * x[Most + i];
+            along += x[i] * x[size + i];
+            square += x[size + i] * x[size + i];
         }
 
         for (int i = 0; i < size; i++)
         {
-            b[i] = x[i] - (along / square * x[Most + i]);
-            y[i] = x[Most + i];
+            b[i] = x[i] - (along / square * x[size + i]);
+            y[i] = x[size + i];
         }
 
         return true;
@@ -104,7 +104,7 @@ internal static unsafe class ContactRows
 
     /// <summary>Gaussian elimination with pivots from the column.</summary>
     /// <param name="a">The matrix; overwritten.</param>
-    /// <param name="x">The right-hand sides, <see cref="Most"/> apart; replaced by the solutions.</param>
+    /// <param name="x">The right-hand sides, one after the other; replaced by the solutions.</param>
     /// <param name="size">Number of unknowns.</param>
     /// <param name="least">A smaller pivot is none.</param>
     /// <param name="sides">Number of right-hand sides.</param>
@@ -133,7 +133,7 @@ internal static unsafe class ContactRows
                     (own[j], best[j]) = (best[j], own[j]);
                 }
 
-                for (int side = 0; side < sides * Most; side += Most)
+                for (int side = 0; side < sides * size; side += size)
                 {
                     (x[side + column], x[side + pivot]) = (x[side + pivot], x[side + column]);
                 }
@@ -151,7 +151,7 @@ internal static unsafe class ContactRows
                         row[j] -= factor * own[j];
                     }
 
-                    for (int side = 0; side < sides * Most; side += Most)
+                    for (int side = 0; side < sides * size; side += size)
                     {
                         x[side + i] -= factor * x[side + column];
                     }
@@ -159,7 +159,7 @@ internal static unsafe class ContactRows
             }
         }
 
-        for (int side = 0; side < sides * Most; side += Most)
+        for (int side = 0; side < sides * size; side += size)
         {
             for (int i = size - 1; i >= 0; i--)
             {
@@ -180,9 +180,9 @@ internal static unsafe class ContactRows
     [SkipLocalsInit]
     private static void LeastSquares(double* g, double* b, double* x, int size)
     {
-        double* square = stackalloc double[Most * Most];
-        double* factor = stackalloc double[Most * Most];
-        double* left = stackalloc double[Most];
+        double* square = stackalloc double[size * size];
+        double* factor = stackalloc double[size * size];
+        double* left = stackalloc double[size];
         double trace = 0;
         for (int i = 0; i < size; i++)
         {

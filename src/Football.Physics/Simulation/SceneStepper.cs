@@ -65,7 +65,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         var set = new ContactSetPhase<TIntegrator>(around, in _pulled, jump, guard, _contact, _parts);
         _surface = new SurfacePhase<TIntegrator>(scene, settings, around, _pulled, jump, guard, _contact, set);
         _rest = new RestPhase(around, guard, _contact, jump);
-        Pile = new PilePhase(around, guard, _contact);
+        Pile = new PilePhase(around, in _pulled, _integrator, guard, _contact);
         _flight = new FlightPhase<TIntegrator>(around, this, Limit, jump, guard, _contact);
     }
 

@@ -80,22 +80,49 @@ public sealed class ContactConvergenceTests
     [InlineData(Integrator.Rk2, 1.9, 2.2)]
     [InlineData(Integrator.Rk4, 3.8, 4.6)]
     public void Two_balls_on_a_slope_against_a_board(Integrator integrator, double low, double high) =>
-        Hold("two balls on a slope against a board", integrator, low, high, random =>
-        {
-            // The slope falls towards −z, where the board is; the balls, the lower of which leans on it, roll along it side by side.
-            double tilt = random.Uniform(12, 22) * Math.PI / 180;
-            var normal = new Vector3d(0, Math.Cos(tilt), -Math.Sin(tilt));
-            var down = new Vector3d(0, -Math.Sin(tilt), -Math.Cos(tilt));
-            Scene scene = InWind(new Vector3d(random.Uniform(-4, 4), 0, 0)) with
+        Hold(
+            "two balls on a slope against a board",
+            integrator,
+            low,
+            high,
+            random =>
             {
-                Ground = Ground.DryTurf with { Normal = normal },
-                Obstacles = [new Obstacle { Name = "board", Shape = new PlaneShape(Radius * down, -down), Surface = s_board with { SlidingFriction = 0.05 } }],
-            };
-            var velocity = new Vector3d(random.Uniform(5, 9), 0, 0);
-            Vector3d spin = Vector3d.Cross(normal, velocity) / Radius;
+                // They roll along the board side by side. Their sidespin, which nothing on the ground takes, keeps them slipping on each other: balls that stick to
+                // the ground and to each other cannot roll on as soon as one of them lags.
+                double tilt = random.Uniform(4, 9) * Math.PI / 180;
+                (Vector3d normal, Vector3d down, Scene scene) = Slope(tilt, 0.05, Ground.DryTurf with { DrillingLength = 0 }, random.Uniform(-3, 3));
+                var velocity = new Vector3d(random.Uniform(5, 9), 0, 0);
+                Vector3d rolling = Vector3d.Cross(normal, velocity) / Radius;
+                Vector3d lower = Radius * normal;
+                return (scene, [(lower, velocity, rolling + (30 * normal)), (lower - (2 * Radius * down), velocity, rolling + (40 * normal))]);
+            },
+            Surface.Ball with { ImpactFriction = 0.05 });
+
+    [Theory]
+    [InlineData(Integrator.Rk2, 1.9, 2.2)]
+    [InlineData(Integrator.Rk4, 3.8, 4.6)]
+    public void Two_balls_that_stick_to_each_other_and_slide_along_a_board(Integrator integrator, double low, double high) =>
+        Hold("two balls that stick to each other", integrator, low, high, random =>
+        {
+            // Slick turf: neither begins to roll. One turns against the other about the line of centres, on which they do not slip.
+            double tilt = random.Uniform(10, 14) * Math.PI / 180;
+            (Vector3d normal, Vector3d down, Scene scene) = Slope(tilt, 0.01, Ground.DryTurf with { SlidingFriction = 0.15 }, random.Uniform(-1, 1));
+            var velocity = new Vector3d(random.Uniform(12, 14), 0, 0);
             Vector3d lower = Radius * normal;
-            return (scene, [(lower, velocity, spin), (lower - (2 * Radius * down), velocity, spin)]);
+            return (scene, [(lower, velocity, random.Uniform(5, 6) * down), (lower - (2 * Radius * down), velocity, random.Uniform(8, 9) * down)]);
         });
+
+    /// <summary>A slope that falls towards −z, with a board across it at the foot of a ball at the origin, and wind along that.</summary>
+    private static (Vector3d Normal, Vector3d Down, Scene Scene) Slope(double tilt, double friction, Ground ground, double wind)
+    {
+        var normal = new Vector3d(0, Math.Cos(tilt), -Math.Sin(tilt));
+        var down = new Vector3d(0, -Math.Sin(tilt), -Math.Cos(tilt));
+        return (normal, down, InWind(new Vector3d(wind, 0, 0)) with
+        {
+            Ground = ground with { Normal = normal },
+            Obstacles = [new Obstacle { Name = "board", Shape = new PlaneShape(Radius * down, -down), Surface = s_board with { SlidingFriction = friction } }],
+        });
+    }
 
     private static Obstacle Board(string name, in Vector3d normal) => new() { Name = name, Shape = new PlaneShape(-Radius * normal, normal), Surface = s_board };
 
@@ -132,7 +159,12 @@ public sealed class ContactConvergenceTests
     }
 
     private static void Hold(
-        string what, Integrator integrator, double low, double high, Func<Shots, (Scene Scene, (Vector3d Position, Vector3d Velocity, Vector3d Spin)[] Balls)> draw)
+        string what,
+        Integrator integrator,
+        double low,
+        double high,
+        Func<Shots, (Scene Scene, (Vector3d Position, Vector3d Velocity, Vector3d Spin)[] Balls)> draw,
+        Surface? contact = null)
     {
         var random = new Shots(2606);
         var orders = new List<double>();
@@ -141,9 +173,9 @@ public sealed class ContactConvergenceTests
         for (int i = 0; i < 6; i++)
         {
             (Scene scene, (Vector3d Position, Vector3d Velocity, Vector3d Spin)[] balls) = draw(random);
-            BallState[] truth = End(scene, balls, Integrator.Rk4, Finest);
+            BallState[] truth = End(scene, balls, Integrator.Rk4, Finest, contact);
             Assert.All(truth, state => Assert.True(state.Motion is MotionState.Rolling or MotionState.Sliding, $"{what}: {state.Motion}"));
-            double Error(double step) => End(scene, balls, integrator, step).Zip(truth).Sum(pair => Vector3d.Distance(pair.First.Position, pair.Second.Position)
+            double Error(double step) => End(scene, balls, integrator, step, contact).Zip(truth).Sum(pair => Vector3d.Distance(pair.First.Position, pair.Second.Position)
                 + (0.1 * Vector3d.Distance(pair.First.Velocity, pair.Second.Velocity))
                 + (0.01 * Vector3d.Distance(pair.First.Spin, pair.Second.Spin)));
 
@@ -157,9 +189,10 @@ public sealed class ContactConvergenceTests
         largest.Hold(worst: 1e-3);
     }
 
-    private static BallState[] End(Scene scene, (Vector3d Position, Vector3d Velocity, Vector3d Spin)[] balls, Integrator integrator, double step)
+    private static BallState[] End(
+        Scene scene, (Vector3d Position, Vector3d Velocity, Vector3d Spin)[] balls, Integrator integrator, double step, Surface? contact)
     {
-        var group = new BallGroup(new Simulator(scene, Flight.With(integrator)), balls.Length);
+        var group = new BallGroup(new Simulator(scene, Flight.With(integrator)), balls.Length, contact);
         BallState[] states = [.. balls.Select((ball, i) => group.SimulatorOf(i).Launch(ball.Position, ball.Velocity, ball.Spin))];
         var log = new StepLog();
         group.Run(states, step, Duration, StopAt.Time, log);

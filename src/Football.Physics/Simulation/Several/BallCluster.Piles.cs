@@ -24,7 +24,15 @@ internal sealed partial class BallCluster
             for (int m = 0; m < pile.Count; m++)
             {
                 int i = pile[m];
-                _trials[i].Go(in states[i], pile.WayOf(m), pile.Until - time);
+                if (pile.IsWhole)
+                {
+                    _trials[i].Go(in states[i], pile.PathOf(m));
+                }
+                else
+                {
+                    _trials[i].Go(in states[i], pile.WayOf(m), pile.Until - time);
+                }
+
                 Reach(states, i);
             }
         }

@@ -5,8 +5,8 @@ namespace Football.Physics;
 /// Balls far from one another cost a step each, and a comparison. A group keeps what it has found of them between steps, so it is for one thread; groups that share a
 /// <see cref="Simulator"/> may step at the same time where that may be shared. What a ball does depends on the others only where they meet: the bits are the same in any group, and in
 /// any order, but for impacts at exactly one time: of those the ball of the lower number has its first. A group of one costs what its ball does.
-/// Two balls that come together slower than 1 cm/s press each other without a bounce: they are a pile, whose balls are solved as one in parts of 2 ms, at most 16 a step, and come to
-/// rest together. A ball of a resting pile keeps in its state what it touches, and moves when that is taken away. Against a pile what has a mass stands firm.
+/// Two balls that come together slower than 1 cm/s press each other without a bounce: they are a pile, whose balls are solved as one and come to rest together. Up to eight of them, among
+/// what stands still, go by whole steps of the method as long as their contacts stick, slip and bear as they do; else, and where they are more, in parts of 2 ms, at most 16 a step. A ball of a resting pile keeps in its state what it touches, and moves when that is taken away. Against a pile what has a mass stands firm.
 /// </remarks>
 public sealed partial class BallGroup
 {

@@ -1,7 +1,8 @@
 namespace Football.Physics;
 
 /// <summary>
-/// Balls that lie on each other, in one step: from the time at which they begin to press each other to its end, in few equal parts, with impulses for all of them at once.
+/// Balls that lie on each other, in one step: from the time at which they begin to press each other to its end. A few whose contacts keep their modes go by whole steps of the
+/// method (<see cref="PileWholes"/>); else in few equal parts, with impulses for all of them at once.
 /// What is closer than a ball may come in a part is a contact by its gap; what closes so fast that it bounces does so at the part's start. Nothing that stands still is entered.
 /// </summary>
 internal sealed partial class BallPile
@@ -12,6 +13,9 @@ internal sealed partial class BallPile
 
     /// <summary>So many parts it has at most that others cut short which hit it.</summary>
     private const int MostPlans = 24;
+
+    /// <summary>So many whole steps are tried in a step; what has had a part goes on in parts.</summary>
+    private const int MostWholes = 16;
 
     /// <summary>Contacts are looked for this much farther, m, than the balls get.</summary>
     private const double Near = 1e-5;
@@ -45,22 +49,26 @@ internal sealed partial class BallPile
     private readonly PileSolver _solver = new();
     private readonly PileBounces _bounces;
     private readonly PileOverlaps _overlaps;
+    private readonly PileWholes _whole;
     private PileContact[] _last = new PileContact[32];
     private int _lastCount;
     private double _length;
     private double _longest;
     private int _plans;
+    private int _wholes;
 
     /// <param name="simulators">The scenes of all balls of the group.</param>
     /// <param name="contact">What two balls are to each other where they bounce.</param>
     /// <param name="friction">The friction of that, where they press each other.</param>
-    public BallPile(Simulator[] simulators, in ContactMaterial contact, double friction)
+    /// <param name="room">Room that all piles of a group share.</param>
+    public BallPile(Simulator[] simulators, in ContactMaterial contact, double friction, ClusterRoom room)
     {
         _simulators = simulators;
         _contact = contact;
         _friction = friction;
         _bounces = new PileBounces(simulators, _solver, in contact);
         _overlaps = new PileOverlaps(simulators, _solver);
+        _whole = new PileWholes(simulators, _solver, friction, friction * Math.Max(LeastDrilling, contact.DrillingLength), room);
     }
 
     /// <summary>How many balls are in it.</summary>
@@ -78,6 +86,12 @@ internal sealed partial class BallPile
     /// <summary>Until when it is known where they go, s.</summary>
     public double Until { get; private set; }
 
+    /// <summary>True when its balls go on by a whole step of the method; else straight on.</summary>
+    public bool IsWhole { get; private set; }
+
+    /// <summary>The way of a ball in a whole step.</summary>
+    public PathCubic PathOf(int index) => _whole.PathOf(index);
+
     /// <summary>Empties it, for a step of a length, s.</summary>
     public void Clear(double time, double step)
     {
@@ -85,6 +99,8 @@ internal sealed partial class BallPile
         _solver.ContactCount = 0;
         _bounces.Clear();
         _plans = 0;
+        _wholes = 0;
+        IsWhole = false;
         _length = 0;
         _longest = Math.Max(Part, step / MostParts);
         Time = time;
@@ -122,6 +138,7 @@ internal sealed partial class BallPile
         }
 
         _plans = Math.Max(_plans, other._plans);
+        _wholes = Math.Max(_wholes, other._wholes);
         _bounces.Absorb(other._bounces);
     }
 
@@ -135,6 +152,7 @@ internal sealed partial class BallPile
         _solver.Members[_solver.Count++] = member;
         _solver.ContactCount = 0;
         _length = 0;
+        IsWhole = false;
         Until = Time;
     }
 
@@ -169,9 +187,24 @@ internal sealed partial class BallPile
     /// <returns>Whether something bounced.</returns>
     public bool Plan(BallState[] states, double end, StepLog[] logs)
     {
-        // What is left in equal parts.
-        double left = end - Time;
         _plans++;
+        double left = end - Time;
+        bool mayBeWhole = (IsWhole || !(_length > 0)) && _wholes++ < MostWholes;
+        IsWhole = mayBeWhole && _whole.Try(states, Time, left, Part, logs);
+        if (IsWhole)
+        {
+            _length = _whole.Length;
+            Until = _length < left ? Time + _length : end;
+            return false;
+        }
+
+        // The forces at the start are known then.
+        for (int i = 0; i < Count && mayBeWhole && _whole.HasLooked; i++)
+        {
+            _solver.Members[i].FreeUntil = Time + (_longest * (1.0 - 1e-6));
+        }
+
+        // What is left in equal parts.
         double parts = Math.Max(1.0, Math.Ceiling((left / _longest) - 1e-9));
         double h = left / parts;
         double top = 0;
@@ -246,6 +279,18 @@ internal sealed partial class BallPile
         double duration = time - Time;
         if (!(duration > 0))
         {
+            return;
+        }
+
+        if (IsWhole)
+        {
+            _whole.Move(states, duration, time < Until, time, logs);
+            Time = time;
+
+            // What bears them, for those who ask.
+            Find(states, Leaning, 0);
+            _whole.Load(duration);
+            _overlaps.PutApart(states, duration);
             return;
         }
 

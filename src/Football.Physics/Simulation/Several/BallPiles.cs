@@ -11,6 +11,7 @@ internal sealed class BallPiles
     private readonly double _friction;
     private readonly int[] _pileOf;
     private BallPile[] _piles = [];
+    private ClusterRoom? _room;
 
     /// <param name="simulators">The scenes of all balls of the group.</param>
     /// <param name="contact">What two balls are to each other where they bounce.</param>
@@ -52,7 +53,7 @@ internal sealed class BallPiles
         if (Count == _piles.Length)
         {
             Array.Resize(ref _piles, Count + 1);
-            _piles[Count] = new BallPile(_simulators, in _contact, _friction);
+            _piles[Count] = new BallPile(_simulators, in _contact, _friction, _room ??= new ClusterRoom());
         }
 
         BallPile pile = _piles[Count++];

@@ -56,21 +56,30 @@ internal sealed class BallTrial : PieceObserver
     /// <param name="duration">How long it goes on, s.</param>
     public void Go(in BallState start, in Vector3d velocity, double duration)
     {
-        _start = start;
-        _paths[0] = PathCubic.Line(start.Position, in velocity, duration);
-        _times[0] = start.Time;
-        _count = 1;
-        End = start;
-        End.Position = _paths[0].At(duration);
-        End.Time = start.Time + duration;
-        HaltsAt = double.PositiveInfinity;
+        Go(in start, PathCubic.Line(start.Position, in velocity, duration));
         Reach = duration * velocity.Length;
     }
 
-    /// <summary>Place at a time, m, and velocity, m/s, of a ball that goes straight on.</summary>
+    /// <summary>Takes a way as a pile finds it.</summary>
+    /// <param name="start">Where it begins.</param>
+    /// <param name="path">Where it leads.</param>
+    public void Go(in BallState start, in PathCubic path)
+    {
+        _start = start;
+        _paths[0] = path;
+        _times[0] = start.Time;
+        _count = 1;
+        End = start;
+        End.Position = path.At(path.Length);
+        End.Time = start.Time + path.Length;
+        HaltsAt = double.PositiveInfinity;
+        Reach = path.Length * path.FastestSpeed;
+    }
+
+    /// <summary>Place at a time, m, and velocity, m/s, of a ball that goes as its pile found.</summary>
     public Vector3d At(double time, out Vector3d velocity)
     {
-        velocity = _paths[0].VelocityAt(0);
+        velocity = _paths[0].VelocityAt(time - _times[0]);
         return _paths[0].At(time - _times[0]);
     }
 

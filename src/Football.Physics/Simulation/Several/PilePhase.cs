@@ -21,14 +21,32 @@ internal sealed class PilePhase
     private readonly WorldGuard _guard;
     private readonly WorldContact _contact;
     private readonly NetGuard _nets;
+    private readonly StabilityLimit _limit;
 
-    public PilePhase(Surroundings around, WorldGuard guard, WorldContact contact)
+    public PilePhase(Surroundings around, in StabilityLimit limit, IIntegrator method, WorldGuard guard, WorldContact contact)
     {
+        Method = method;
+        _limit = limit;
         _around = around;
         _world = around.World;
         _guard = guard;
         _contact = contact;
         _nets = new NetGuard(_world);
+    }
+
+    /// <summary>The method that takes whole steps of it.</summary>
+    public IIntegrator Method { get; }
+
+    /// <summary>How long a whole step of the method may be, s; 0 where the method would make the ball faster.</summary>
+    /// <param name="s">The ball.</param>
+    /// <param name="h">How long it should be, s.</param>
+    /// <param name="damping">Rate at which a surface damps the spin, 1/s.</param>
+    /// <param name="gain">By how much friction may make the ball faster in it, m/s.</param>
+    public double LongestWhole(in BallState s, double h, double damping, double gain)
+    {
+        bool spirals = false;
+        double part = _limit.PartOf(ref _around.Air, h, (s.Velocity - _around.Wind).Length, s.Spin.Length, s.Branch, ref spirals, damping, gain);
+        return spirals ? 0 : part;
     }
 
     /// <summary>What acts on the ball but for its contacts, for a part of a step.</summary>

@@ -1,0 +1,368 @@
+namespace Football.Physics;
+
+/// <summary>
+/// The modes of all contacts of a cluster at one instant, as <see cref="ContactModes"/> finds them for one ball: which of them bear a load, which stick, which balls
+/// turn against each other; and whether they still hold at the end of a step.
+/// </summary>
+internal static class ClusterModes
+{
+    /// <summary>A slip below this, m/s, is none: what impulses leave of it that are known well enough.</summary>
+    private const double Sticking = 3e-5;
+
+    /// <summary>... and a spin about a normal below this, rad/s.</summary>
+    private const double Turning = 3e-4;
+
+    /// <summary>A ball that rolls slower than this, m/s, has no direction of its roll.</summary>
+    private const double Standing = 1e-6;
+
+    /// <summary>Changes of mode, for each contact and beside them, after which the conditions have no solution that this finds.</summary>
+    private const int ChangesOfContact = 3;
+    private const int MostBearers = 4;
+
+    /// <summary>How often the direction of a slip that begins is looked for, and how closely.</summary>
+    private const int MostStarts = 12;
+    private const double SameDirection = 1e-12;
+
+    /// <summary>A friction cone is left where the friction that is needed exceeds it by this share.</summary>
+    private const double BeyondCone = 1e-12;
+
+    /// <summary>Of two loads that differ by less than this share the first counts.</summary>
+    private const double SameLoad = 1e-9;
+
+    /// <summary>Two that touch and do not press each other are no nearer than this at the end, m.</summary>
+    private const double Entered = 1e-9;
+
+    /// <summary>Finds the modes, beginning with all contacts that bear.</summary>
+    /// <param name="system">The balls and contacts, looked at.</param>
+    /// <returns>False where none were found, or one of the balls stands.</returns>
+    public static bool Find(ClusterSystem system)
+    {
+        for (int i = 0; i < system.Count; i++)
+        {
+            ref ClusterBall ball = ref system.Balls[i];
+            ball.Bearer = -1;
+            ball.HoldsSpin = false;
+            ball.SpinSign = 0;
+        }
+
+        for (int i = 0; i < system.ContactCount; i++)
+        {
+            ref ClusterContact contact = ref system.Contacts[i];
+            ref SetContact on = ref contact.On;
+            double slip = on.Slip.Length;
+            on.Bears = true;
+            on.Sticks = slip < Sticking && on.Sliding > 0;
+            on.Direction = slip > 0 && !on.Sticks ? on.Slip / slip : Vector3d.Zero;
+            if (contact.Second >= 0)
+            {
+                double about = About(system, in contact);
+                contact.TwistSign = about > Turning ? 1.0 : about < -Turning ? -1.0 : 0;
+                contact.HoldsTwist = contact.TwistSign == 0 && contact.Lever > 0;
+            }
+        }
+
+        int most = 8 + (ChangesOfContact * system.ContactCount);
+        for (int change = 0; change < most; change++)
+        {
+            if (!Force(system))
+            {
+                return false;
+            }
+
+            if (!Change(system) && !Start(system))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>True when the modes hold at the end of a step, looked at: no load and no grip has ended, no slip, spin or roll has passed zero, nothing is entered.</summary>
+    public static bool Hold(ClusterSystem system)
+    {
+        for (int i = 0; i < system.ContactCount; i++)
+        {
+            ref readonly ClusterContact contact = ref system.Contacts[i];
+            ref readonly SetContact on = ref contact.On;
+            double least = LeastLoad(system, in contact);
+            bool holds = !on.Bears ? contact.Gap > Entered || (contact.Gap >= -Entered && on.Opening >= -SurfaceForces.Least)
+                : on.Load > least
+                && (on.Sticks ? on.Grip >= 0 : !(on.Sliding > 0) || Vector3d.Dot(in on.Slip, in on.Direction) > 0)
+                && (contact.HoldsTwist ? contact.TwistGrip >= 0 : !(contact.TwistSign * About(system, in contact) < 0));
+            if (!holds)
+            {
+                return false;
+            }
+        }
+
+        for (int i = 0; i < system.Count; i++)
+        {
+            ref readonly ClusterBall ball = ref system.Balls[i];
+            if (BearerOf(system, i) != ball.Bearer)
+            {
+                return false;
+            }
+
+            if (ball.Bearer < 0)
+            {
+                continue;
+            }
+
+            ref readonly SetContact on = ref system.Contacts[ball.Bearer].On;
+            double about = Vector3d.Dot(ball.At.Spin, in on.Normal) - on.CarrierSpin;
+            bool holds = (ball.HoldsSpin ? IsHeld(in ball, in on) : !(on.Drilling > 0) || ball.SpinSign * about > 0)
+                && (!on.Sticks || Vector3d.Dot(in on.RollingVelocity, in ball.Along) > 0);
+            if (!holds)
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>How fast one ball of a contact turns against the other about the normal, rad/s.</summary>
+    private static double About(ClusterSystem system, in ClusterContact contact) =>
+        contact.Second < 0 ? 0 : Vector3d.Dot(system.Balls[contact.First].At.Spin - system.Balls[contact.Second].At.Spin, in contact.On.Normal);
+
+    /// <summary>The load below which there is none, N.</summary>
+    private static double LeastLoad(ClusterSystem system, in ClusterContact contact) => SurfaceForces.Least / system.Balls[contact.First].PerMass;
+
+    private static bool IsHeld(in ClusterBall ball, in SetContact on) => Math.Abs(ball.HeldSpin) <= on.Drilling * ball.PerMass * on.Load * (1.0 + BeyondCone);
+
+    /// <summary>Solves for the forces with the modes as they are; the bearers follow from the loads.</summary>
+    private static bool Force(ClusterSystem system)
+    {
+        for (int round = 0; round < MostBearers; round++)
+        {
+            if (!system.Solve())
+            {
+                return false;
+            }
+
+            bool same = true;
+            for (int i = 0; i < system.Count; i++)
+            {
+                ref ClusterBall ball = ref system.Balls[i];
+                int bearer = BearerOf(system, i);
+                if (bearer != ball.Bearer)
+                {
+                    same = false;
+                    ball.Bearer = bearer;
+                    ball.HoldsSpin = false;
+                    ball.SpinSign = 0;
+                    if (bearer >= 0 && !Roll(ref ball, in system.Contacts[bearer].On))
+                    {
+                        return false;
+                    }
+                }
+            }
+
+            if (same)
+            {
+                break;
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>Where a ball rolls to on its bearer, and how it spins there.</summary>
+    /// <returns>False where it stands.</returns>
+    private static bool Roll(ref ClusterBall ball, in SetContact on)
+    {
+        double about = Vector3d.Dot(ball.At.Spin, in on.Normal) - on.CarrierSpin;
+        ball.SpinSign = about > Turning ? 1.0 : about < -Turning ? -1.0 : 0.0;
+        ball.HoldsSpin = ball.SpinSign == 0 && on.Drilling > 0;
+        Vector3d rolling = SurfaceSystem.Tangential(in on.RollingVelocity, in on.Normal);
+        double speed = rolling.Length;
+        ball.Along = speed > 0 ? rolling / speed : Vector3d.Zero;
+        return !on.Sticks || speed > Standing;
+    }
+
+    /// <summary>Of the contacts with what stands still the sticking one with the greatest load, or of all where none sticks.</summary>
+    private static int BearerOf(ClusterSystem system, int ball)
+    {
+        int bearer = -1;
+        for (int i = 0; i < system.ContactCount; i++)
+        {
+            ref readonly ClusterContact contact = ref system.Contacts[i];
+            ref readonly SetContact on = ref contact.On;
+            if (contact.First != ball || contact.Second >= 0 || !on.Bears || !(on.Load > 0))
+            {
+                continue;
+            }
+
+            bool heavier = bearer < 0 || (on.Sticks && !system.Contacts[bearer].On.Sticks)
+                || (on.Sticks == system.Contacts[bearer].On.Sticks && on.Load > system.Contacts[bearer].On.Load * (1.0 + SameLoad));
+            bearer = heavier ? i : bearer;
+        }
+
+        return bearer;
+    }
+
+    /// <summary>Changes one mode that cannot be: what pulls most is let go, what would be entered bears, what needs more friction than there is slips.</summary>
+    /// <returns>False where all can.</returns>
+    private static bool Change(ClusterSystem system)
+    {
+        int worst = -1;
+        double least = 0;
+        for (int i = 0; i < system.ContactCount; i++)
+        {
+            ref readonly ClusterContact contact = ref system.Contacts[i];
+            double over = contact.On.Load - LeastLoad(system, in contact);
+            if (contact.On.Bears && over <= least)
+            {
+                least = over;
+                worst = i;
+            }
+        }
+
+        if (worst >= 0)
+        {
+            system.Contacts[worst].On.Bears = false;
+            ForgetBearers(system);
+            return true;
+        }
+
+        least = -SurfaceForces.Least;
+        for (int i = 0; i < system.ContactCount; i++)
+        {
+            ref readonly SetContact on = ref system.Contacts[i].On;
+            if (!on.Bears && on.Opening < least)
+            {
+                least = on.Opening;
+                worst = i;
+            }
+        }
+
+        if (worst >= 0)
+        {
+            ref SetContact on = ref system.Contacts[worst].On;
+            on.Bears = true;
+            on.Sticks = on.Slip.Length < Sticking && on.Sliding > 0;
+            ForgetBearers(system);
+            return true;
+        }
+
+        return Slips(system) || Turns(system);
+    }
+
+    /// <summary>What needs most more friction than there is slips: against the friction that it needed.</summary>
+    private static bool Slips(ClusterSystem system)
+    {
+        int worst = -1;
+        double most = 0;
+        for (int i = 0; i < system.ContactCount; i++)
+        {
+            ref readonly SetContact on = ref system.Contacts[i].On;
+            if (on.Bears && on.Sticks)
+            {
+                double over = on.Friction.Length - (on.Sliding * on.Load * (1.0 + BeyondCone));
+                worst = over > most ? i : worst;
+                most = Math.Max(most, over);
+            }
+        }
+
+        if (worst < 0)
+        {
+            return false;
+        }
+
+        ref SetContact contact = ref system.Contacts[worst].On;
+        contact.Sticks = false;
+        contact.Slip = default;
+        contact.Direction = -1.0 / contact.Friction.Length * contact.Friction;
+        ForgetBearers(system);
+        return true;
+    }
+
+    /// <summary>What drilling friction cannot hold begins to turn against what held it.</summary>
+    private static bool Turns(ClusterSystem system)
+    {
+        for (int i = 0; i < system.ContactCount; i++)
+        {
+            ref ClusterContact contact = ref system.Contacts[i];
+            if (contact.On.Bears && contact.HoldsTwist && Math.Abs(contact.Twist) > contact.Lever * contact.On.Load * (1.0 + BeyondCone))
+            {
+                contact.HoldsTwist = false;
+                contact.TwistSign = contact.Twist > 0 ? -1.0 : 1.0;
+                return true;
+            }
+        }
+
+        for (int i = 0; i < system.Count; i++)
+        {
+            ref ClusterBall ball = ref system.Balls[i];
+            if (ball.HoldsSpin && ball.Bearer >= 0 && !IsHeld(in ball, in system.Contacts[ball.Bearer].On))
+            {
+                ball.HoldsSpin = false;
+                ball.SpinSign = ball.HeldSpin > 0 ? -1.0 : 1.0;
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private static void ForgetBearers(ClusterSystem system)
+    {
+        for (int i = 0; i < system.Count; i++)
+        {
+            system.Balls[i].Bearer = -1;
+            system.Balls[i].HoldsSpin = false;
+            system.Balls[i].SpinSign = 0;
+        }
+    }
+
+    /// <summary>A slip that begins goes where its own rate leads: the direction of the friction is looked for until both agree.</summary>
+    /// <returns>Whether the forces have changed so much that the modes must be looked at again.</returns>
+    private static bool Start(ClusterSystem system)
+    {
+        bool changed = false;
+        for (int round = 0; round < MostStarts; round++)
+        {
+            bool again = false;
+            for (int i = 0; i < system.ContactCount; i++)
+            {
+                ref ClusterContact contact = ref system.Contacts[i];
+                if (contact.On.Bears && !contact.On.Sticks && contact.On.Direction != Vector3d.Zero && contact.On.Slip == Vector3d.Zero)
+                {
+                    Vector3d rate = SlipRate(system, in contact);
+                    double size = rate.Length;
+                    Vector3d direction = size > 0 ? rate / size : contact.On.Direction;
+                    again |= (direction - contact.On.Direction).Length > SameDirection;
+                    contact.On.Direction = direction;
+                }
+            }
+
+            if (!again || !system.Solve())
+            {
+                break;
+            }
+
+            changed = true;
+        }
+
+        return changed;
+    }
+
+    /// <summary>ṡ = (v̇₁ − v̇₂ − A + ṅ × (r₁ ω₁ + r₂ ω₂) + n × (r₁ ω̇₁ + r₂ ω̇₂))_t, m/s².</summary>
+    public static Vector3d SlipRate(ClusterSystem system, in ClusterContact contact)
+    {
+        ref readonly ClusterBall ball = ref system.Balls[contact.First];
+        Vector3d rate = ball.Rates.Acceleration - contact.On.SurfaceRate;
+        Vector3d turning = ball.Radius * ball.At.Spin;
+        Vector3d turned = ball.Radius * ball.Rates.SpinAcceleration;
+        if (contact.Second >= 0)
+        {
+            ref readonly ClusterBall other = ref system.Balls[contact.Second];
+            rate -= other.Rates.Acceleration;
+            turning += other.Radius * other.At.Spin;
+            turned += other.Radius * other.Rates.SpinAcceleration;
+        }
+
+        return SurfaceSystem.Tangential(rate + Vector3d.Cross(contact.On.Turning, in turning) + Vector3d.Cross(contact.On.Normal, in turned), in contact.On.Normal);
+    }
+}

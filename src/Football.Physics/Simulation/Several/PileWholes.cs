@@ -1,0 +1,394 @@
+namespace Football.Physics;
+
+/// <summary>Whole steps of a pile by the method: of a few balls whose contacts keep their modes all along (contacts.md, Balls on balls).</summary>
+/// <param name="simulators">The scenes of all balls of the group.</param>
+/// <param name="solver">The pile's balls and contacts.</param>
+/// <param name="friction">The friction of two balls that press each other.</param>
+/// <param name="lever">b μ of them, m.</param>
+/// <param name="room">Room that all piles of a group share.</param>
+internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, double friction, double lever, ClusterRoom room)
+{
+    /// <summary>Faster than this, m/s, balls come together or apart, and do not press each other.</summary>
+    private const double Pressing = 3e-5;
+
+    /// <summary>A correction of less than this, m/s, leaves the forces as they are.</summary>
+    private const double Corrected = 1e-11;
+
+    /// <summary>A normal turns by no more than this in a whole step, rad: that of a curved thing, and the line of centres of two balls.</summary>
+    private const double LargestTurn = 0.05;
+    private const double LargestTurnOfBalls = 0.1;
+
+    private readonly ClusterSystem _cluster = new(room);
+    private readonly Contact[] _touching = new Contact[ClusterSystem.MostBalls * ContactSet.Most];
+    private readonly int[] _touchingCount = new int[ClusterSystem.MostBalls];
+    private double _time;
+
+    /// <summary>Length of the whole step that was found, s.</summary>
+    public double Length { get; private set; }
+
+    /// <summary>True when the last try has looked at the forces at its start, which the balls of the pile then have.</summary>
+    public bool HasLooked { get; private set; }
+
+    /// <summary>The way of a ball in it.</summary>
+    public PathCubic PathOf(int index) => PathOf(in _cluster.Balls[index], Length);
+
+    /// <summary>Tries a step, or the first of few equal parts of it, with the contacts and their modes as they are at its start.</summary>
+    /// <param name="states">The balls.</param>
+    /// <param name="time">When it starts, s.</param>
+    /// <param name="left">Its length, s.</param>
+    /// <param name="least">Parts are no shorter than this, s.</param>
+    /// <param name="logs">Where counts of each go.</param>
+    /// <returns>False where no modes are found, or they do not hold up to its end, or something is met in it.</returns>
+    public bool Try(BallState[] states, double time, double left, double least, StepLog[] logs)
+    {
+        HasLooked = false;
+        if (solver.Count < 2 || solver.Count > ClusterSystem.MostBalls || !(left > 0) || AreSlow(states))
+        {
+            return false;
+        }
+
+        ClusterSystem system = _cluster;
+        system.Evaluations = 0;
+        _time = time;
+        Length = left;
+        bool holds = Prepare(system, states, least) && FindModes(system);
+        if (holds)
+        {
+            double parts = Math.Max(1.0, Math.Ceiling((left / LongestWhole(system, states, left)) - 1e-9));
+            Length = left / parts;
+            holds = (parts <= 1 || Length >= least) && Advance(system, Length) && ClusterModes.Hold(system) && MeetsNothing(system, Length);
+        }
+
+        for (int i = 0; i < solver.Count; i++)
+        {
+            logs[solver.Members[i].Ball].Evaluations += system.Evaluations;
+        }
+
+        return holds;
+    }
+
+    /// <summary>Moves the balls on within the step that was found: where it is cut short the method takes it anew, up to there.</summary>
+    /// <param name="states">The balls.</param>
+    /// <param name="duration">How long, s.</param>
+    /// <param name="isCut">Whether that is not all of it.</param>
+    /// <param name="time">When it ends, s.</param>
+    /// <param name="logs">Where pieces and counts of each go.</param>
+    public void Move(BallState[] states, double duration, bool isCut, double time, StepLog[] logs)
+    {
+        ClusterSystem system = _cluster;
+        system.Evaluations = 0;
+        if (isCut)
+        {
+            Advance(system, duration);
+        }
+
+        int order = MethodOf().Order;
+        for (int i = 0; i < solver.Count; i++)
+        {
+            ref ClusterBall ball = ref system.Balls[i];
+            StepLog log = logs[solver.Members[i].Ball];
+            ref BallState s = ref states[solver.Members[i].Ball];
+            s = ball.End;
+            s.Time = time;
+            log.Steps++;
+            log.Evaluations += system.Evaluations;
+            if (log.Observer is not null)
+            {
+                // A path whose memory is full ends a step early, not the pile.
+                log.Show(in ball.Start, in s, ball.First.Acceleration, ball.Last.Acceleration, order);
+                log.Halted = false;
+            }
+        }
+    }
+
+    /// <summary>Tells the pile's contacts, found anew, what each has given in a time, s.</summary>
+    public void Load(double duration)
+    {
+        for (int i = 0; i < solver.ContactCount; i++)
+        {
+            ref PileContact contact = ref solver.Contacts[i];
+            for (int k = 0; k < _cluster.ContactCount; k++)
+            {
+                ref readonly ClusterContact solved = ref _cluster.Contacts[k];
+                ref readonly SetContact on = ref solved.On;
+                if (solved.First == contact.First && solved.Second == contact.Second && (solved.Second >= 0 || on.Collider == contact.Collider))
+                {
+                    contact.Load = duration * on.Load;
+                    contact.Rub = duration * (on.Sticks ? on.Friction : -on.Sliding * on.Load * on.Direction);
+                    contact.Twist = duration * (solved.HoldsTwist ? solved.Twist : -solved.TwistSign * solved.Lever * on.Load);
+                    contact.Sticks = on.Sticks;
+                }
+            }
+        }
+    }
+
+    /// <summary>True when all balls are so slow that they rest, or are about to.</summary>
+    private bool AreSlow(BallState[] states)
+    {
+        for (int i = 0; i < solver.Count; i++)
+        {
+            ref readonly PileMember member = ref solver.Members[i];
+            ref readonly BallState s = ref states[member.Ball];
+            double energy = 0.5 * ((s.Velocity.LengthSquared / member.PerMass) + (s.Spin.LengthSquared / member.PerInertia));
+            if (energy > simulators[member.Ball].World.RestEnergy)
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    private IIntegrator MethodOf() => simulators[solver.Members[0].Ball].Pile.Method;
+
+    private static PathCubic PathOf(in ClusterBall ball, double h) =>
+        PathCubic.Between(ball.Start.Position, ball.Start.Velocity, ball.End.Position, ball.End.Velocity, h);
+
+    /// <summary>The balls and what they touch, neither closing nor leaving.</summary>
+    /// <returns>False where an impulse is called for, something moves, or there are too many contacts.</returns>
+    private bool Prepare(ClusterSystem system, BallState[] states, double least)
+    {
+        system.Part = least;
+        system.Count = solver.Count;
+        system.ContactCount = 0;
+        for (int i = 0; i < solver.Count; i++)
+        {
+            ref readonly PileMember member = ref solver.Members[i];
+            ref readonly BallState s = ref states[member.Ball];
+            ref ClusterBall ball = ref system.Balls[i];
+            ball.Pile = simulators[member.Ball].Pile;
+            ball.World = simulators[member.Ball].World;
+            ball.PerMass = member.PerMass;
+            ball.PerInertia = member.PerInertia;
+            ball.Radius = member.Radius;
+            ball.Start = s;
+            ball.At = ClusterSystem.MotionOf(in s);
+            if (s.Nets != 0 || s.Motion == MotionState.Squeezed || s.Time < s.SqueezeUntil)
+            {
+                return false;
+            }
+        }
+
+        for (int i = 0; i < solver.Count; i++)
+        {
+            if (!AddThings(system, i) || !AddBalls(system, i))
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    private bool AddThings(ClusterSystem system, int i)
+    {
+        ref readonly ClusterBall ball = ref system.Balls[i];
+        Span<Contact> near = _touching.AsSpan(i * ContactSet.Most, ContactSet.Most);
+        int count = ContactSet.Near(ball.World, in ball.Start, BallPile.Leaning, near);
+        int kept = 0;
+        for (int k = 0; k < count; k++)
+        {
+            double rate = Vector3d.Dot(ball.Start.Velocity, in near[k].Normal);
+            if (near[k].Moves || rate < -Pressing || system.ContactCount == ClusterSystem.MostContacts)
+            {
+                return false;
+            }
+
+            if (rate <= Pressing)
+            {
+                ref ClusterContact contact = ref system.Contacts[system.ContactCount++];
+                contact = new ClusterContact { First = i, Second = -1 };
+                contact.On.Prepare(in near[k], ball.World.Colliders[near[k].Collider], ball.World.Ball);
+                near[kept++] = near[k];
+            }
+        }
+
+        _touchingCount[i] = kept;
+        return true;
+    }
+
+    private bool AddBalls(ClusterSystem system, int i)
+    {
+        ref readonly ClusterBall ball = ref system.Balls[i];
+        for (int j = i + 1; j < solver.Count; j++)
+        {
+            ref readonly ClusterBall other = ref system.Balls[j];
+            if (!BallRests.Touches(in ball.Start, ball.Radius, in other.Start, other.Radius))
+            {
+                continue;
+            }
+
+            BallContact.Gap(in ball.Start, ball.Radius, in other.Start, other.Radius, out _, out double rate);
+            if (rate < -Pressing || system.ContactCount == ClusterSystem.MostContacts)
+            {
+                return false;
+            }
+
+            if (rate <= Pressing)
+            {
+                ref ClusterContact contact = ref system.Contacts[system.ContactCount++];
+                contact = new ClusterContact { First = i, Second = j, Lever = lever };
+                contact.On.Collider = -1;
+                contact.On.Sliding = friction;
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>The modes at the start, and the rates there; leftover speeds of what bears and sticks are ended.</summary>
+    private bool FindModes(ClusterSystem system)
+    {
+        system.Look(_time);
+        HasLooked = true;
+        for (int i = 0; i < solver.Count; i++)
+        {
+            solver.Members[i].Free = system.Balls[i].Free;
+        }
+
+        if (!ClusterModes.Find(system))
+        {
+            return false;
+        }
+
+        bool holds = true;
+        if (ClusterProjection.Velocities(system, atEnd: false) > Corrected)
+        {
+            for (int i = 0; i < system.Count; i++)
+            {
+                system.Balls[i].At = ClusterSystem.MotionOf(in system.Balls[i].Start);
+            }
+
+            system.Look(_time);
+            holds = system.Solve();
+        }
+
+        for (int i = 0; i < system.Count; i++)
+        {
+            system.Balls[i].First = system.Balls[i].Rates;
+        }
+
+        return holds;
+    }
+
+    /// <summary>How long a whole step may be by stability, slips that turn and normals that turn, s.</summary>
+    private double LongestWhole(ClusterSystem system, BallState[] states, double h)
+    {
+        double longest = h;
+        for (int i = 0; i < system.ContactCount; i++)
+        {
+            ref readonly ClusterContact contact = ref system.Contacts[i];
+            ref readonly SetContact on = ref contact.On;
+            bool isThing = contact.Second < 0;
+            double turn = on.Turning.Length * h;
+            double most = isThing ? LargestTurn : LargestTurnOfBalls;
+            longest = turn > most ? Math.Min(longest, h * most / turn) : longest;
+            double slip = on.Slip.Length;
+            if (on.Bears && !on.Sticks && on.Sliding > 0 && slip > 0)
+            {
+                longest = TurnLimit.Shorten(longest, h, in on.Direction, slip, ClusterModes.SlipRate(system, in contact), isThing && on.IsFixed);
+            }
+
+            ref readonly ClusterBall ball = ref system.Balls[contact.First];
+            if (isThing)
+            {
+                longest = SurfaceBorder.LongestPiece(ball.World.Colliders[on.Collider], ball.Start.Velocity.Length, longest);
+            }
+        }
+
+        for (int i = 0; i < solver.Count; i++)
+        {
+            ref readonly ClusterBall ball = ref system.Balls[i];
+            double damping = ball.Bearer < 0 ? 0 : system.Contacts[ball.Bearer].On.Damping;
+            double gain = 0;
+            for (int k = 0; k < system.ContactCount; k++)
+            {
+                ref readonly ClusterContact contact = ref system.Contacts[k];
+                bool slips = contact.On.Bears && !contact.On.Sticks && (contact.First == i || contact.Second == i);
+                gain += slips ? h * contact.On.Sliding * contact.On.Load * ball.PerMass : 0;
+            }
+
+            longest = Math.Min(longest, ball.Pile.LongestWhole(in states[solver.Members[i].Ball], h, damping, gain));
+        }
+
+        return longest;
+    }
+
+    /// <summary>Takes a whole step of the method, and puts the balls onto what bears them.</summary>
+    private bool Advance(ClusterSystem system, double h)
+    {
+        bool holds = system.Advance(MethodOf(), _time, h);
+        for (int i = 0; i < system.Count; i++)
+        {
+            system.Balls[i].End.Time = _time + h;
+        }
+
+        ClusterProjection.Places(system);
+        holds &= system.LookAtEnd(_time + h);
+        ClusterProjection.Velocities(system, atEnd: true);
+        return holds;
+    }
+
+    /// <summary>True when the balls stay on the same surfaces, and meet nothing else on their ways.</summary>
+    private bool MeetsNothing(ClusterSystem system, double h)
+    {
+        for (int i = 0; i < system.Count; i++)
+        {
+            ref readonly ClusterBall ball = ref system.Balls[i];
+            Span<Contact> held = _touching.AsSpan(i * ContactSet.Most, _touchingCount[i]);
+            foreach (ref readonly Contact near in held)
+            {
+                Collider collider = ball.World.Colliders[near.Collider];
+                if (collider.FaceMargin(ball.End.Position, _time + h) < 0
+                    || (collider.LeastWidth < double.PositiveInfinity && collider.PatchAt(ball.Start.Position) != collider.PatchAt(ball.End.Position)))
+                {
+                    return false;
+                }
+            }
+
+            int carrier = ball.Start.Motion == MotionState.Airborne ? -1 : (int)ball.Start.Carrier - ball.World.FirstCollider;
+            PathCubic path = PathOf(in ball, h);
+            if (new ContactSearch(ball.World, in path, _time).First(in ball.Start, ContactSet.Has(held, carrier) ? carrier : -1, held, out _) <= h)
+            {
+                return false;
+            }
+
+            for (int j = i + 1; j < system.Count; j++)
+            {
+                if (!AreOne(system, i, j) && Meet(in ball, in path, in system.Balls[j], h))
+                {
+                    return false;
+                }
+            }
+        }
+
+        return true;
+    }
+
+    private static bool AreOne(ClusterSystem system, int i, int j)
+    {
+        for (int k = 0; k < system.ContactCount; k++)
+        {
+            if (system.Contacts[k].First == i && system.Contacts[k].Second == j)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private bool Meet(in ClusterBall ball, in PathCubic path, in ClusterBall other, double h)
+    {
+        PathCubic its = PathOf(in other, h);
+        double most = ball.Radius + other.Radius + ContactSearch.Touching + (h * (path.FastestSpeed + its.FastestSpeed));
+        if ((ball.Start.Position - other.Start.Position).LengthSquared > most * most)
+        {
+            return false;
+        }
+
+        room.Way.Go(in ball.Start, in path);
+        room.OtherWay.Go(in other.Start, in its);
+        return room.Way.Meets(room.OtherWay, ball.Radius + other.Radius, _time, _time + h, atEnd: true) <= _time + h;
+    }
+}
