@@ -62,7 +62,7 @@ internal sealed class PilePhase
         // The drag law is locked to the branch at the start of the part: its jump is not located here.
         var at = new Motion(s.Position, in v, in w, s.AirDistance);
         DragBranch branch = _around.Air.Jumps ? DragJump.At(in at, in _around.Wind, _around.Radius).Branch : DragBranch.Unknown;
-        bool carried = s.Motion != MotionState.Airborne && s.Carrier < _world.ThingOfNet(0) && _world.Colliders.Length > 0;
+        bool carried = s.Motion != MotionState.Airborne && _world.ColliderOf(s.Carrier, s.Position, s.Time) < _world.Colliders.Length && _world.Colliders.Length > 0;
         var ball = new ForceInput(s.Time, s.Position, in v, in u, in w, carried ? MotionState.Sliding : MotionState.Airborne, s.AirDistance);
         _around.Air.Evaluate(in ball, branch, out AirFactors air);
         u = air.AirVelocity;
@@ -153,8 +153,9 @@ internal sealed class PilePhase
         // Onto it, to the last bit; without slip the spin is that of pure rolling.
         Collider on = _world.Colliders[carrier];
         MotionState before = s.Motion;
-        bool same = s.Carrier == carrier + _world.FirstCollider;
+        bool same = _world.ColliderOf(s.Carrier, s.Position, s.Time) == carrier;
         s.Carrier = carrier + _world.FirstCollider;
+        _world.Exit(ref s);
         Vector3d n = _world.Hold(ref s, on);
         Vector3d relative = s.Velocity - on.Velocity;
         bool rolls = Slip.Of(in relative, in w, in n, _around.Radius).Length < RollingSlip;
@@ -177,6 +178,7 @@ internal sealed class PilePhase
         }
 
         s.Carrier = Math.Max(0, carrier + _world.FirstCollider);
+        _world.Exit(ref s);
         s.ClearUntil = 0;
         s.Branch = DragBranch.Unknown;
         _contact.Rest(ref s, ref run);
