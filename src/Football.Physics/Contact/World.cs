@@ -385,20 +385,6 @@ internal sealed class World
         }
     }
 
-    /// <summary>... and in the events that were added.</summary>
-    public void Exit(ref BallState s, EventBuffer events, int firstEvent)
-    {
-        Exit(ref s);
-        for (int i = firstEvent; Engine is not null && i < events.Count; i++)
-        {
-            int number = Engine.NumberOf((long)events[i].Thing - FirstCollider);
-            if (number >= 0)
-            {
-                events.Call(i, number);
-            }
-        }
-    }
-
     /// <summary>Index among the colliders of what a state or an event calls a thing, beyond them where it is no collider: an engine's has a place in a step alone.</summary>
     public long ColliderOf(long thing, in Vector3d position, double time) =>
         Engine is not null && thing >= EngineCollider.FirstNumber ? Engine.IndexOf((int)thing, in position, time) : thing - FirstCollider;

@@ -29,6 +29,9 @@ internal static class WireForm
     /// <summary>To stay the same a state is rounded so often at most; nearly all do after one, some whose rotation has two parts of a size after a second.</summary>
     private const int MostRounds = 4;
 
+    /// <summary>A clock that is farther from a tick, as a share of 1 s and of the time, does not go by the ticks: it is left.</summary>
+    private const double ClockRounding = 1e-9;
+
     /// <summary>Rounds all balls of a runner, or none.</summary>
     public static void Round(FixedStepRunner runner)
     {
@@ -37,7 +40,8 @@ internal static class WireForm
         // The clock of every ball, of one that the form does not hold too: the game tells its bodies by it, and whoever guesses a kick wrong has the same.
         for (int i = 0; i < states.Length; i++)
         {
-            states[i].Time = Math.Round(states[i].Time / runner.TimeStep) * runner.TimeStep;
+            double tick = Math.Round(states[i].Time / runner.TimeStep) * runner.TimeStep;
+            states[i].Time = Math.Abs(tick - states[i].Time) <= ClockRounding * (1.0 + tick) ? tick : states[i].Time;
         }
 
         if (states.Length == 1)

@@ -74,7 +74,13 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
         var system = new ContactSystem
         {
-            Around = _around, World = _world, Contacts = contacts, Count = set.Length, Nets = s.Nets, NetSides = s.NetSides, Branch = _jump.OnSurface(s.Branch, in from),
+            Around = _around,
+            World = _world,
+            Contacts = contacts,
+            Count = set.Length,
+            Nets = s.Nets,
+            NetSides = s.NetSides,
+            Branch = _jump.OnSurface(s.Branch, in from),
         };
         int evaluations = 0;
         bool found = ContactModes.Find(ref system, s.Time, in from, Sticking, (int)s.Carrier - _world.FirstCollider, ref evaluations);

@@ -155,8 +155,14 @@ internal sealed unsafe class RestPhase
         var still = new Motion(s.Position, in velocity, carrier.Spin);
         var system = new SurfaceSystem
         {
-            Around = _around, World = _world, Carrier = carrier, Material = carrier.MaterialAt(s.Position), Branch = _jump.OnSurface(DragBranch.Unknown, in still),
-            Nets = s.Nets, NetSides = s.NetSides, Rolls = true,
+            Around = _around,
+            World = _world,
+            Carrier = carrier,
+            Material = carrier.MaterialAt(s.Position),
+            Branch = _jump.OnSurface(DragBranch.Unknown, in still),
+            Nets = s.Nets,
+            NetSides = s.NetSides,
+            Rolls = true,
         };
         SurfaceForces on = system.ForcesOn(s.Time, in still);
         evaluations++;
@@ -197,7 +203,13 @@ internal sealed unsafe class RestPhase
 
         var system = new ContactSystem
         {
-            Around = _around, World = _world, Contacts = contacts, Count = set.Length, Bearer = -1, Nets = s.Nets, NetSides = s.NetSides,
+            Around = _around,
+            World = _world,
+            Contacts = contacts,
+            Count = set.Length,
+            Bearer = -1,
+            Nets = s.Nets,
+            NetSides = s.NetSides,
             Branch = _jump.OnSurface(DragBranch.Unknown, in still),
         };
         evaluations++;

@@ -122,7 +122,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         World.Enter(ref s);
         var run = new StepRun(0, s.Time, log);
         _contact.Struck(ref s, in velocity, in spin, in n, ref run);
-        World.Exit(ref s, log.Events, first);
+        Exit(ref s, log.Events, first);
     }
 
     public override void Displaced(ref BallState s, in Vector3d from, StepLog log)
@@ -277,7 +277,21 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         }
 
         // Where events were dropped meanwhile those of the step have moved up.
-        World.Exit(ref s, log.Events, log.Events.Dropped > 0 ? 0 : run.FirstEvent);
+        Exit(ref s, log.Events, log.Events.Dropped > 0 ? 0 : run.FirstEvent);
+    }
+
+    /// <summary>Ends a step: in the state and in its events an engine's collider is called by its number.</summary>
+    private void Exit(ref BallState s, EventBuffer events, int firstEvent)
+    {
+        World.Exit(ref s);
+        for (int i = firstEvent; World.Engine is not null && i < events.Count; i++)
+        {
+            int number = World.Engine.NumberOf((long)events[i].Thing - World.FirstCollider);
+            if (number >= 0)
+            {
+                events.Call(i, number);
+            }
+        }
     }
 
     /// <summary>The next piece of a flight: what is left of the step is a whole step again, if nothing happens in it.</summary>

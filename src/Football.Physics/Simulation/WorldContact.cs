@@ -9,9 +9,6 @@ internal sealed class WorldContact
     /// <summary>More than this in a step that were taken together, and the ball has no room.</summary>
     private const int MostUntold = 3;
 
-    /// <summary>Time, s, for which a moving thing that touched the ball bounds the speed that the next may give it.</summary>
-    private const double Lately = 0.1;
-
     private readonly Surroundings _around;
     private readonly World _world;
     private readonly ContactLoad _load;
@@ -216,7 +213,7 @@ internal sealed class WorldContact
     {
         bool again = s.Time < s.SqueezeUntil;
         s.SqueezeSpeed = Math.Max(again ? s.SqueezeSpeed : s.Velocity.Length, fastest);
-        s.SqueezeUntil = SqueezedUntil(s.Time);
+        s.SqueezeUntil = StateCheck.SqueezedUntil(s.Time);
         return again;
     }
 
@@ -412,9 +409,6 @@ internal sealed class WorldContact
 
         Stay(ref s, (int)s.Carrier, in kept, in spin, ref run);
     }
-
-    /// <summary>How long what touches a ball at a time, and moves, counts for what touches it next, s.</summary>
-    public static double SqueezedUntil(double time) => time + Lately;
 
     /// <summary>Another ball has hit this one: it keeps its carrier unless the impulse lifts it. One that is squeezed goes on as it went, but for its speed.</summary>
     public void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, ref StepRun run)

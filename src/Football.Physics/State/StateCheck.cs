@@ -19,6 +19,9 @@ internal static class StateCheck
     /// <summary>The largest angle since the spin last changed, rad.</summary>
     private const double LargestAngle = FastestSpin * LatestTime;
 
+    /// <summary>Time, s, for which a moving thing that touched the ball bounds the speed that the next may give it.</summary>
+    private const double Lately = 0.1;
+
     /// <summary>How far a square of the length of a unit vector or quaternion may be off 1.</summary>
     private const double Rounding = 1e-6;
 
@@ -34,7 +37,7 @@ internal static class StateCheck
             && state.ClearUntil >= 0 && state.ClearUntil <= LatestClear && (state.ClearIn != 0 || state.ClearUntil == 0)
             && state.AirDistance >= 0 && state.AirDistance <= Farthest
             && state.SqueezeSpeed >= 0 && state.SqueezeSpeed <= FastestSpeed
-            && state.SqueezeUntil >= 0 && state.SqueezeUntil <= WorldContact.SqueezedUntil(state.Time)))
+            && state.SqueezeUntil >= 0 && state.SqueezeUntil <= SqueezedUntil(state.Time)))
         {
             return false;
         }
@@ -52,6 +55,9 @@ internal static class StateCheck
             ? carried && (state.Carrier > 0 ? axis <= Limits.Spin * Limits.Spin : axis == 0 && v.LengthSquared == 0)
             : carried && (state.Motion is MotionState.Sliding or MotionState.Rolling or MotionState.Squeezed) && axis <= FastestSpin * FastestSpin;
     }
+
+    /// <summary>Until then, s, what touches a ball at a time, and moves, counts for what touches it next.</summary>
+    public static double SqueezedUntil(double time) => time + Lately;
 
     /// <summary>Refuses what is none.</summary>
     /// <exception cref="ArgumentOutOfRangeException">It is none; the message names field, value and range.</exception>
@@ -89,6 +95,6 @@ internal static class StateCheck
         Check.Within("state.clearUntil", state.ClearUntil, 0, state.ClearIn != 0 ? LatestClear : 0);
         Check.Within("state.airDistance", state.AirDistance, 0, Farthest);
         Check.Within("state.squeezeSpeed", state.SqueezeSpeed, 0, FastestSpeed);
-        Check.Within("state.squeezeUntil", state.SqueezeUntil, 0, WorldContact.SqueezedUntil(state.Time));
+        Check.Within("state.squeezeUntil", state.SqueezeUntil, 0, SqueezedUntil(state.Time));
     }
 }

@@ -14,7 +14,9 @@ public sealed class SnapshotTests
         Collect(typeof(BallState), [], scalars);
         Assert.Equal(StateFields.Count, scalars.Count);
 
+        // A time until which the way is free needs the key of the scene.
         BallState state = Flying();
+        state.ClearIn = 1;
         foreach (FieldInfo[] path in scalars)
         {
             BallState changed = Changed(state, path);

@@ -104,9 +104,15 @@ public sealed class ReserveTests
         {
             switch (runner.Tick)
             {
-                case 20: body.MoveTo(new Vector3d(0.1, 0, -6), new Vector3d(0, 0, 1), runner.Time); break;
-                case 45: body.Withdraw(); break;
-                case 70: body.MoveTo(new Vector3d(0, 0, 4), new Vector3d(0, 0, -2), runner.Time); break;
+                case 20:
+                    body.MoveTo(new Vector3d(0.1, 0, -6), new Vector3d(0, 0, 1), runner.Time);
+                    break;
+                case 45:
+                    body.Withdraw();
+                    break;
+                case 70:
+                    body.MoveTo(new Vector3d(0, 0, 4), new Vector3d(0, 0, -2), runner.Time);
+                    break;
             }
         }
 
