@@ -21,9 +21,11 @@ internal sealed class SnapshotFuzz : FuzzTarget
     public override string Name => "snapshots";
 
     /// <summary>A state from somewhere in a match.</summary>
-    public static BallState State(SeededRandom random)
+    public static BallState State(SeededRandom random) => State(random, Simulators[random.Below(Simulators.Count)]);
+
+    /// <summary>One of a ball of a scene.</summary>
+    public static BallState State(SeededRandom random, Simulator simulator)
     {
-        Simulator simulator = Simulators[random.Below(Simulators.Count)];
         BallState state = simulator.Launch(new Vector3d(0, 0.11, 0), random.Velocity(0, 30, 0, 60), 60 * random.Next() * random.Direction());
         var log = new StepLog(1);
         for (int i = random.Below(120); i > 0; i--)

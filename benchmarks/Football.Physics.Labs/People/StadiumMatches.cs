@@ -11,8 +11,8 @@ internal sealed class StadiumMatches
     /// <summary>Energy that grows by more than this share is made.</summary>
     private const double EnergyRounding = 1e-8;
 
-    /// <summary>Rounding of a place, m.</summary>
-    private const double Rounding = 1e-12;
+    /// <summary>So far, m, contact may put a ball at the end of a piece of its path.</summary>
+    private const double PutOn = 2e-6;
 
     /// <summary>What moves and is farther than this, m, has no part in a step.</summary>
     private const double Apart = 2e-3;
@@ -146,8 +146,8 @@ internal sealed class StadiumMatches
     /// <summary>Each millisecond of a step, against what stands still; and whether the look-ahead ends where the step did.</summary>
     private void LookAt(Stadium stadium, in BallState before, in BallState after, double frame, FormattableString at)
     {
-        // To rounding: a piece of the path ends before the ball is put onto what it meets there.
-        if ((_ahead.PositionAt(after.Time) - after.Position).Length > Rounding)
+        // A piece of the path ends before the ball is put onto what it meets there, or out of what presses it.
+        if ((_ahead.PositionAt(after.Time) - after.Position).Length > PutOn)
         {
             Elsewhere++;
             ElsewhereAt = FormattableString.Invariant(at);
