@@ -1,4 +1,3 @@
-using Football.Physics.Shapes;
 using Football.Physics.Tests.Support;
 
 namespace Football.Physics.Tests.Motion;

@@ -1,4 +1,3 @@
-using Football.Physics.Engines;
 using Football.Physics.Tests.Support;
 
 namespace Football.Physics.Tests.Scenes;

@@ -1,6 +1,3 @@
-using Football.Physics.Shapes;
-using Football.Physics.Tests.Support;
-
 namespace Football.Physics.Tests.Several;
 
 /// <summary>A few balls that press each other go by whole steps of the method: closed forms, balances, counts.</summary>

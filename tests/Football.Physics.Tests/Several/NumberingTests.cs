@@ -1,5 +1,3 @@
-using Football.Physics.Tests.Support;
-
 namespace Football.Physics.Tests.Several;
 
 /// <summary>How balls are numbered decides nothing, to the last bit, but of impacts at exactly one time.</summary>

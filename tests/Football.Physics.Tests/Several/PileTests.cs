@@ -1,5 +1,3 @@
-using Football.Physics.Tests.Support;
-
 namespace Football.Physics.Tests.Several;
 
 /// <summary>Balls that lie on each other and against walls: nothing is entered, nothing gains, all come to rest, at a bounded cost.</summary>

@@ -1,5 +1,3 @@
-using Football.Physics.Shapes;
-
 namespace Football.Physics.Tests.Things;
 
 /// <summary>A ball in the ground is raised straight up, to the least height at which it is not in the ground, by every member that takes a position.</summary>
