@@ -107,6 +107,9 @@ internal sealed class Turns : SceneKind
         var pieces = new ScenePieces(kind);
         pieces.Add(shape, s_rubber);
         var simulator = new Simulator(pieces.In(new Scene { Ball = BallProperties.Football, Gravity = gravity, Ground = Ground.None, Forces = ForceSet.None }));
+
+        // The shape is put where it is before the ball is launched: a launch puts the ball out of every shape that it overlaps.
+        pieces.MoveTo(model.PivotAt(0), Quaterniond.FromAxisAngle(model.Axis, model.Angle), model.Velocity, model.Rate * model.Axis, 0);
         BallState state = simulator.Launch(from, velocity, default);
         var log = new StepLog();
         BallEvent? impact = null;
