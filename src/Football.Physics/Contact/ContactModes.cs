@@ -9,15 +9,8 @@ internal static unsafe class ContactModes
     /// <summary>Changes of mode after which the conditions have no solution that this finds.</summary>
     private const int MostChanges = 24;
 
-    /// <summary>How often the direction of a slip that begins is looked for, and how closely.</summary>
-    private const int MostStarts = 12;
-    private const double SameDirection = 1e-12;
-
-    /// <summary>A friction cone is left where the friction that is needed exceeds it by this share.</summary>
-    private const double BeyondCone = 1e-12;
-
-    /// <summary>Of two loads that differ by less than this share the contact with the lower number counts.</summary>
-    private const double SameLoad = 1e-9;
+    /// <summary>The most rounds in which the direction of a slip that begins is found.</summary>
+    public const int MostStarts = 12;
 
     /// <summary>Two normals leave the velocity a direction where |n₁ × n₂| is more than this.</summary>
     private const double Independent = 1e-6;
@@ -38,8 +31,7 @@ internal static unsafe class ContactModes
             ref SetContact contact = ref system.Contacts[i];
             contact.Look(system.World, time, in at);
             double slip = contact.Slip.Length;
-            contact.Bears = true;
-            contact.Sticks = slip < sticking && contact.Sliding > 0;
+            contact.Press(sticking);
             contact.Direction = slip > 0 ? contact.Slip / slip : Vector3d.Zero;
             likely = contact.Collider == carrier ? i : likely;
         }
@@ -55,6 +47,7 @@ internal static unsafe class ContactModes
             system.Bearer = system.Contacts[likely].Sticks && system.Contacts[likely].RollingVelocity.Length < Slip.Rolling ? -1 : likely;
             system.Pinned = false;
         }
+
         for (int change = 0; change < MostChanges; change++)
         {
             Force(ref system, time, in at, ref evaluations);
@@ -78,8 +71,7 @@ internal static unsafe class ContactModes
             bool starts = false;
             for (int i = 0; i < system.Count; i++)
             {
-                ref readonly SetContact contact = ref system.Contacts[i];
-                starts |= contact.Bears && !contact.Sticks && contact.Direction != Vector3d.Zero && contact.Slip == Vector3d.Zero;
+                starts |= system.Contacts[i].StartsToSlip;
             }
 
             if (!starts)
@@ -93,16 +85,11 @@ internal static unsafe class ContactModes
             for (int i = 0; i < system.Count; i++)
             {
                 ref SetContact contact = ref system.Contacts[i];
-                if (!contact.Bears || contact.Sticks || contact.Direction == Vector3d.Zero || contact.Slip != Vector3d.Zero)
+                if (contact.StartsToSlip)
                 {
-                    continue;
+                    Vector3d rate = contact.SlipRate(in acceleration, in spinAcceleration, in at.Spin, system.World.Ball.Radius);
+                    again |= contact.TurnSlip(in rate);
                 }
-
-                Vector3d rate = contact.SlipRate(in acceleration, in spinAcceleration, in at.Spin, system.World.Ball.Radius);
-                double size = rate.Length;
-                Vector3d direction = size > 0 ? rate / size : contact.Direction;
-                again |= (direction - contact.Direction).Length > SameDirection;
-                contact.Direction = direction;
             }
 
             if (!again)
@@ -221,9 +208,7 @@ internal static unsafe class ContactModes
                 continue;
             }
 
-            bool heavier = bearer < 0 || (contact.Sticks && !system.Contacts[bearer].Sticks)
-                || (contact.Sticks == system.Contacts[bearer].Sticks && contact.Load > system.Contacts[bearer].Load * (1.0 + SameLoad));
-            bearer = heavier ? i : bearer;
+            bearer = bearer < 0 || contact.Outweighs(in system.Contacts[bearer]) ? i : bearer;
         }
 
         return bearer;
@@ -267,9 +252,7 @@ internal static unsafe class ContactModes
 
         if (worst >= 0)
         {
-            ref SetContact contact = ref system.Contacts[worst];
-            contact.Bears = true;
-            contact.Sticks = contact.Slip.Length < sticking && contact.Sliding > 0;
+            system.Contacts[worst].Press(sticking);
             system.Bearer = -1;
             return true;
         }
@@ -281,13 +264,12 @@ internal static unsafe class ContactModes
             ref readonly SetContact contact = ref system.Contacts[i];
             if (contact.Bears && contact.Sticks)
             {
-                double over = contact.Friction.Length - (contact.Sliding * contact.Load * (1.0 + BeyondCone));
-                worst = over > most ? i : worst;
-                most = Math.Max(most, over);
+                worst = contact.Excess > most ? i : worst;
+                most = Math.Max(most, contact.Excess);
             }
         }
 
-        if (worst < 0 && system.HoldsSpin && Math.Abs(system.HeldSpin) > system.Contacts[system.Bearer].Drilling * system.Contacts[system.Bearer].Load * (1.0 + BeyondCone))
+        if (worst < 0 && system.HoldsSpin && Math.Abs(system.HeldSpin) > system.Contacts[system.Bearer].Drilling * system.Contacts[system.Bearer].Load * (1.0 + SetContact.BeyondCone))
         {
             // Drilling friction cannot hold the spin: it begins against what held it.
             system.HoldsSpin = false;
@@ -295,7 +277,7 @@ internal static unsafe class ContactModes
             return true;
         }
 
-        if (worst < 0 && system.Pinned && Math.Abs(system.Held) > system.Contacts[system.Bearer].Rolling * system.Contacts[system.Bearer].Load * (1.0 + BeyondCone))
+        if (worst < 0 && system.Pinned && Math.Abs(system.Held) > system.Contacts[system.Bearer].Rolling * system.Contacts[system.Bearer].Load * (1.0 + SetContact.BeyondCone))
         {
             // Nor can rolling resistance hold the ball: it rolls against what held it.
             system.Pinned = false;
@@ -305,10 +287,7 @@ internal static unsafe class ContactModes
 
         if (worst >= 0)
         {
-            ref SetContact contact = ref system.Contacts[worst];
-            contact.Sticks = false;
-            contact.Slip = default;
-            contact.Direction = -1.0 / contact.Friction.Length * contact.Friction;
+            system.Contacts[worst].StartSlip();
             system.Bearer = -1;
             return true;
         }

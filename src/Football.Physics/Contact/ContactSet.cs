@@ -18,6 +18,9 @@ internal static class ContactSet
     /// <summary>Reach, m, within which things are looked for that a ball may be pushed into when it is put out of another.</summary>
     private const double Beside = 0.01;
 
+    /// <summary>A contact that bears this share of the greatest load bears about as much.</summary>
+    private const double AboutAsMuch = 0.5;
+
     /// <summary>Below this, m, there is no gap.</summary>
     private const double Closed = 1e-12;
 
@@ -150,10 +153,26 @@ internal static class ContactSet
         for (int i = 0; i < set.Length; i++)
         {
             // Of two that bear the same, to rounding, it is the first.
-            heaviest = set[i].Load > (heaviest < 0 ? 0 : set[heaviest].Load * (1.0 + 1e-9)) ? i : heaviest;
+            heaviest = set[i].Load > (heaviest < 0 ? 0 : set[heaviest].Load * (1.0 + SetContact.SameLoad)) ? i : heaviest;
         }
 
         return heaviest;
+    }
+
+    /// <summary>The contact that names the carrier: the one that bears most, or the carrier so far as long as it bears at least half as much. So two equal contacts do not alternate.</summary>
+    /// <param name="set">The contacts, with their loads.</param>
+    /// <param name="carrier">The collider that carries the ball so far.</param>
+    /// <returns>The index of the contact; −1 if no contact bears anything.</returns>
+    public static int Named(Span<Contact> set, int carrier)
+    {
+        int named = Heaviest(set);
+        double most = named < 0 ? 0 : set[named].Load;
+        for (int i = 0; i < set.Length && named >= 0; i++)
+        {
+            named = set[i].Collider == carrier && set[i].Load > AboutAsMuch * most ? i : named;
+        }
+
+        return named;
     }
 
     /// <summary>

@@ -159,7 +159,7 @@ internal unsafe struct ContactSystem : IMotionSystem
             load.PushW = default;
             if (!contact.Sticks)
             {
-                Vector3d direction = DirectionOf(in contact);
+                Vector3d direction = contact.SlipDirection;
                 load.PushV -= contact.Sliding * direction;
                 load.PushW += contact.Sliding * perTurn * Vector3d.Cross(in contact.Normal, in direction);
             }
@@ -299,7 +299,7 @@ internal unsafe struct ContactSystem : IMotionSystem
         second = -1;
         for (int i = 0; i < Count; i++)
         {
-            if (WidthOf(in Contacts[i]) == 3)
+            if (Contacts[i].Width == 3)
             {
                 if (second >= 0)
                 {
@@ -334,14 +334,11 @@ internal unsafe struct ContactSystem : IMotionSystem
         int row = 0;
         for (int i = 0; i < contact; i++)
         {
-            row += WidthOf(in Contacts[i]);
+            row += Contacts[i].Width;
         }
 
         return row;
     }
-
-    /// <summary>How many unknowns a contact has.</summary>
-    private static int WidthOf(in SetContact contact) => !contact.Bears ? 0 : contact.Sticks ? 3 : 1;
 
     private static bool IsBeyondCone(double* x, in SetContact contact) =>
         (x[1] * x[1]) + (x[2] * x[2]) > contact.Sliding * contact.Sliding * x[0] * x[0] || x[0] < 0;
@@ -378,13 +375,6 @@ internal unsafe struct ContactSystem : IMotionSystem
         {
             high = double.NegativeInfinity;
         }
-    }
-
-    /// <summary>The direction of a slip, or that at the start of the piece where a stage has passed zero: friction must not push the slip on beyond it.</summary>
-    private static Vector3d DirectionOf(in SetContact contact)
-    {
-        double size = contact.Slip.Length;
-        return size > 0 && Vector3d.Dot(in contact.Slip, in contact.Direction) > 0 ? contact.Slip / size : contact.Direction;
     }
 
     /// <summary>Rolling resistance takes (c₀ + c₁|v|) N/m from the motion, spin and all; drilling friction takes b μ_s N/I from the spin about the normal.</summary>

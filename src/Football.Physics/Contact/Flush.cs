@@ -64,28 +64,33 @@ internal static class Flush
         return 0;
     }
 
-    /// <summary>True when of two contacts with the same normal the first stands for both: by the same order as <see cref="CarrierOf"/>.</summary>
-    public static bool ComesBefore(World world, in Contact first, in Contact second, int carrier)
+    /// <summary>True if the first of two contacts with the same normal stands for both.</summary>
+    /// <param name="world">The world.</param>
+    /// <param name="first">One contact.</param>
+    /// <param name="second">The other contact.</param>
+    /// <param name="carrier">The collider that carries the ball; −1 for none.</param>
+    public static bool ComesBefore(World world, in Contact first, in Contact second, int carrier) =>
+        ComesBefore(world, first.Collider, first.IsFlat, second.Collider, second.IsFlat, second.Gap - first.Gap, carrier);
+
+    private static bool ComesBefore(World world, int first, bool firstIsFlat, int second, bool secondIsFlat, double deeper, int carrier)
     {
-        if (first.IsFlat != second.IsFlat)
+        if (firstIsFlat != secondIsFlat)
         {
-            return first.IsFlat;
+            return firstIsFlat;
         }
 
-        double deeper = second.Gap - first.Gap;
         if (Math.Abs(deeper) > SameDepth)
         {
             return deeper > 0;
         }
 
-        bool isGround = world.Colliders[first.Collider] == world.Ground;
-        return isGround || world.Colliders[second.Collider] == world.Ground ? !isGround
-            : first.Collider == carrier || (second.Collider != carrier && first.Collider < second.Collider);
+        bool isGround = world.Colliders[first] == world.Ground;
+        return isGround || world.Colliders[second] == world.Ground ? !isGround : first == carrier || (second != carrier && first < second);
     }
 
     /// <summary>
-    /// The surface that carries a ball where several with the same normal touch it: one whose face is under the ball, then the one that it is deepest in, then any object
-    /// before the ground, which lies under all of them, then the one that it comes from, then the first of the scene.
+    /// The surface that carries a ball if several with the same normal touch it. The order: a face under the ball, the deepest, any object before the ground, the carrier so
+    /// far, the first of the scene.
     /// </summary>
     /// <param name="world">The world.</param>
     /// <param name="s">The ball, on a surface.</param>
@@ -121,12 +126,8 @@ internal static class Flush
                 continue;
             }
 
-            // The walk has no order: between equals the carrier stays, else the lowest number counts.
-            double deeper = -at.Distance - depth;
-            bool isEqual = Math.Abs(deeper) <= SameDepth;
-            bool wins = at.IsFlat != isFlat ? at.IsFlat
-                : isEqual ? world.Colliders[best] == world.Ground || (best != carrier && i < best && world.Colliders[i] != world.Ground)
-                : deeper > 0;
+            // The walk has no order: the rule decides, whichever is found first.
+            bool wins = ComesBefore(world, i, at.IsFlat, best, isFlat, -at.Distance - depth, carrier);
             if (wins)
             {
                 best = i;

@@ -5,6 +5,15 @@ namespace Football.Physics;
 /// <summary>One contact of a contact set at the level of forces: its mode, what it is made of, and the load and the friction that it was last found to give.</summary>
 internal struct SetContact
 {
+    /// <summary>Of two loads that differ by less than this share the first counts.</summary>
+    public const double SameLoad = 1e-9;
+
+    /// <summary>Friction leaves its cone when it exceeds it by this share.</summary>
+    public const double BeyondCone = 1e-12;
+
+    /// <summary>The direction of a slip that begins is found when it changes by no more than this.</summary>
+    private const double SameDirection = 1e-12;
+
     /// <summary>Index of the collider.</summary>
     public int Collider;
 
@@ -59,6 +68,55 @@ internal struct SetContact
 
     /// <summary>μ_s N − |F|, m/s²: at zero a contact that sticks begins to slip.</summary>
     public readonly double Grip => (Sliding * Load) - Friction.Length;
+
+    /// <summary>The friction that sticking requires beyond the cone, |F| − μ_s N, m/s²; above 0 the contact must slip.</summary>
+    public readonly double Excess => Friction.Length - (Sliding * Load * (1.0 + BeyondCone));
+
+    /// <summary>The number of unknown forces: a load, and two friction components if the contact sticks.</summary>
+    public readonly int Width => !Bears ? 0 : Sticks ? 3 : 1;
+
+    /// <summary>True if a slip begins here: it has a direction, but no size yet.</summary>
+    public readonly bool StartsToSlip => Bears && !Sticks && Direction != Vector3d.Zero && Slip == Vector3d.Zero;
+
+    /// <summary>The direction of the slip, or the one at the start of the piece if a stage has passed zero: friction must not push the slip beyond zero.</summary>
+    public readonly Vector3d SlipDirection
+    {
+        get
+        {
+            double size = Slip.Length;
+            return size > 0 && Vector3d.Dot(in Slip, in Direction) > 0 ? Slip / size : Direction;
+        }
+    }
+
+    /// <summary>True if rolling resistance belongs to this contact rather than to another: a sticking one comes before a slipping one, then the greater load.</summary>
+    public readonly bool Outweighs(in SetContact other) =>
+        (Sticks && !other.Sticks) || (Sticks == other.Sticks && Load > other.Load * (1.0 + SameLoad));
+
+    /// <summary>The contact bears from now on. It sticks if its slip is below a limit, m/s.</summary>
+    public void Press(double sticking)
+    {
+        Bears = true;
+        Sticks = Slip.Length < sticking && Sliding > 0;
+    }
+
+    /// <summary>The contact slips from now on, against the friction that sticking required.</summary>
+    public void StartSlip()
+    {
+        Sticks = false;
+        Slip = default;
+        Direction = -1.0 / Friction.Length * Friction;
+    }
+
+    /// <summary>Turns the direction of a slip that begins to the direction of its rate, m/s².</summary>
+    /// <returns>True if the direction has changed.</returns>
+    public bool TurnSlip(in Vector3d rate)
+    {
+        double size = rate.Length;
+        Vector3d direction = size > 0 ? rate / size : Direction;
+        bool changes = (direction - Direction).Length > SameDirection;
+        Direction = direction;
+        return changes;
+    }
 
     /// <summary>ṡ = (v̇ − A + r ṅ × ω + r n × ω̇)_t, m/s².</summary>
     public readonly Vector3d SlipRate(in Vector3d acceleration, in Vector3d spinAcceleration, in Vector3d spin, double radius) => SurfaceSystem.Tangential(

@@ -19,15 +19,8 @@ internal sealed class ContactSetParts
     /// <summary>A ball that rolls is told to slide from this slip on, m/s: less may be over in the next part.</summary>
     private const double Slips = 1e-3;
 
-    /// <summary>Forces give no more than this in a part, m/s and rad/s beside the spin that there is: far beyond anything that flies.</summary>
-    private const double MostSpeed = 100.0;
-    private const double MostSpin = 1000.0;
-
     /// <summary>How often a step tells so: a ball that what pushes it makes slip and grip in turn does it at every part.</summary>
     private const int MostNames = 2;
-
-    /// <summary>A contact that bears this share of what another does bears about as much.</summary>
-    private const double AboutAsMuch = 0.5;
 
     /// <summary>Out of what squeezes it a ball is put by no more than this, m/s.</summary>
     private const double OutOfTheWay = 5.0;
@@ -247,7 +240,7 @@ internal sealed class ContactSetParts
     }
 
     /// <summary>
-    /// What acts on the ball but for its contacts, for a part of a step. What nets do is shared out so that a part which is long for them overshoots nothing.
+    /// What acts on the ball without its contacts, for a part of a step.
     /// </summary>
     private MotionRates Free(in BallState s, double time, in Motion at, double h)
     {
@@ -266,20 +259,7 @@ internal sealed class ContactSetParts
             spinAcceleration = on.Torque;
         }
 
-        // A part is too long for absurd spins alone: what they do is bounded.
-        acceleration = NoMore(in acceleration, MostSpeed / h);
-        spinAcceleration = NoMore(in spinAcceleration, (at.Spin.Length + MostSpin) / h);
-
-        // 1/(1 + h λ) of a net's push, with λ how fast it settles: what an implicit step would take.
-        if (s.Nets != 0)
-        {
-            MotionRates nets = _world.PushOfNets(s.Nets, s.NetSides, in at);
-            double share = 1.0 / (1.0 + (h * _nets.FastestRate(in s, in at.Position)));
-            acceleration += share * nets.Acceleration;
-            spinAcceleration += share * nets.SpinAcceleration;
-        }
-
-        return new MotionRates(in acceleration, in spinAcceleration, rates.AirSpeed);
+        return PartForces.Bounded(_world, _nets, in s, in at, new MotionRates(in acceleration, in spinAcceleration, rates.AirSpeed), h);
     }
 
     /// <summary>The acceleration without what is along ω × u, the Magnus force: it turns with the velocity and does no work, where that turns at once as where it turns slowly.</summary>
@@ -291,12 +271,6 @@ internal sealed class ContactSetParts
         Vector3d magnus = Vector3d.Cross(in at.Spin, at.Velocity - _around.Wind);
         double square = magnus.LengthSquared;
         return square > 0 && square < double.MaxValue ? weight + other - (Vector3d.Dot(in other, in magnus) / square * magnus) : free.Acceleration;
-    }
-
-    private static Vector3d NoMore(in Vector3d vector, double most)
-    {
-        double size = vector.Length;
-        return size > most ? most / size * vector : vector;
     }
 
     /// <summary>How many contacts bear the ball, and which of them most, or alone.</summary>
@@ -428,24 +402,16 @@ internal sealed class ContactSetParts
     /// <summary>The contact that bears most names the carrier; the one before does as long as it bears about as much. Whether that slips says whether the ball slides or rolls.</summary>
     private void Name(ref BallState s, scoped Span<Contact> set, ref int told, ref StepRun run)
     {
-        int carrier = (int)s.Carrier - _world.FirstCollider;
-        int named = ContactSet.Heaviest(set);
+        int named = ContactSet.Named(set, (int)s.Carrier - _world.FirstCollider);
         if (named < 0)
         {
             return;
         }
 
-        // Hysteresis: of two that bear about as much the one that was named stays, or they would take turns.
-        double most = set[named].Load;
-        for (int i = 0; i < set.Length; i++)
-        {
-            named = set[i].Collider == carrier && set[i].Load > AboutAsMuch * most ? i : named;
-        }
-
         ref readonly Contact contact = ref set[named];
         s.Carrier = contact.Collider + _world.FirstCollider;
         Collider collider = _world.Colliders[contact.Collider];
-        double slip = Slip.Of(s.Velocity - collider.Velocity, s.Spin, in contact.Normal, _around.Radius).Length;
+        double slip = Slip.Of(s.Velocity - _world.SurfaceVelocity(collider, s.Position, in contact.Normal, s.Time), s.Spin, in contact.Normal, _around.Radius).Length;
         if (told >= MostNames)
         {
             return;

@@ -22,9 +22,6 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     /// <summary>How often a step reports that the ball slides or rolls.</summary>
     private const int MostNames = 2;
 
-    /// <summary>A contact that bears this share of what another does bears about as much.</summary>
-    private const double AboutAsMuch = 0.5;
-
     private readonly Surroundings _around;
     private readonly World _world;
     private readonly WorldGuard _guard;
@@ -123,7 +120,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     }
 
     /// <summary>True when a ball of no more energy than one at rest is held by contacts that stand still, or move along together.</summary>
-    public bool Rests(ref BallState s, in ContactSystem system, in Motion from)
+    private bool Rests(ref BallState s, in ContactSystem system, in Motion from)
     {
         ref readonly SetContact bearer = ref system.Contacts[Math.Max(0, system.Bearer)];
         Collider carrier = _world.Colliders[bearer.Collider];
@@ -141,8 +138,9 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             }
         }
 
-        s.Carrier = bearer.Collider + _world.FirstCollider;
-        return ContactModes.Hold(in system, system.PushAtRest(s.Time, new Motion(s.Position, carrier.Velocity, Vector3d.Zero)));
+        bool holds = ContactModes.Hold(in system, system.PushAtRest(s.Time, new Motion(s.Position, carrier.Velocity, Vector3d.Zero)));
+        s.Carrier = holds ? bearer.Collider + _world.FirstCollider : s.Carrier;
+        return holds;
     }
 
     /// <summary>Ends what is left of a slip at contacts that stick, and of a speed off contacts that bear: below what the modes are told by.</summary>
@@ -270,7 +268,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         s.ClearIn = BallState.TouchesSeveral;
         ContactSet.Hold(_world, ref s, set);
         run.Show(in before, in s, ref sweep, order);
-        Name(ref s, in system, ref run);
+        Name(ref s, set, in system, ref run);
         if (meets && !run.Log.Halted)
         {
             _guard.Meet(ref s, in met, ref run);
@@ -318,25 +316,12 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     }
 
     /// <summary>The contact that bears most names the carrier; the one before does as long as it bears about as much. Whether that slips says whether the ball slides or rolls.</summary>
-    private void Name(ref BallState s, in ContactSystem system, ref StepRun run)
+    private void Name(ref BallState s, Span<Contact> set, in ContactSystem system, ref StepRun run)
     {
-        int carrier = (int)s.Carrier - _world.FirstCollider;
-        int named = -1;
-        for (int i = 0; i < system.Count; i++)
-        {
-            named = system.Contacts[i].Bears && (named < 0 || system.Contacts[i].Load > system.Contacts[named].Load * (1.0 + 1e-9)) ? i : named;
-        }
-
+        int named = ContactSet.Named(set, (int)s.Carrier - _world.FirstCollider);
         if (named < 0)
         {
             return;
-        }
-
-        // Hysteresis: of two that bear about as much the one that was named stays, or they would take turns.
-        double most = system.Contacts[named].Load;
-        for (int i = 0; i < system.Count; i++)
-        {
-            named = system.Contacts[i].Bears && system.Contacts[i].Collider == carrier && system.Contacts[i].Load > AboutAsMuch * most ? i : named;
         }
 
         ref readonly SetContact contact = ref system.Contacts[named];

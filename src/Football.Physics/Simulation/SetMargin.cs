@@ -12,9 +12,6 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
 
     private const int MostSteps = 40;
 
-    /// <summary>Another contact becomes the bearer where it bears more by this share.</summary>
-    private const double SameLoad = 1e-9;
-
     /// <summary>A piece that ends at a slip or a load goes so far beyond, as a share of its length: the next one finds the change done.</summary>
     private const double Beyond = 1e-9;
 
@@ -123,7 +120,7 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
             case Limit.Opening when !contact.Bears:
                 return contact.Opening + SurfaceForces.Least;
             case Limit.Bearer when contact.Bears && system.Bearer >= 0 && index != system.Bearer && contact.Sticks == system.Contacts[system.Bearer].Sticks:
-                return (system.Contacts[system.Bearer].Load * (1.0 + SameLoad)) - contact.Load;
+                return (system.Contacts[system.Bearer].Load * (1.0 + SetContact.SameLoad)) - contact.Load;
             case Limit.Rest when index == system.Bearer:
                 Collider carrier = system.World.Colliders[contact.Collider];
                 return Math.Sqrt(system.World.Energy(in at, carrier, time + after)) - Math.Sqrt(system.World.RestEnergy);

@@ -68,7 +68,7 @@ internal struct ClusterContact
     public readonly double TwistGrip => (Lever * On.Load) - Math.Abs(Twist);
 
     /// <summary>How many unknowns it has.</summary>
-    public readonly int Width => !On.Bears ? 0 : 1 + (On.Sticks ? 2 : 0) + (HoldsTwist ? 1 : 0);
+    public readonly int Width => On.Width + (On.Bears && HoldsTwist ? 1 : 0);
 }
 
 /// <summary>An unknown force of a cluster: what a unit of it does to the balls of its contact, and the condition that it is there for.</summary>

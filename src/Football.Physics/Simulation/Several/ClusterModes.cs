@@ -19,16 +19,6 @@ internal static class ClusterModes
     private const int ChangesOfContact = 3;
     private const int MostBearers = 4;
 
-    /// <summary>How often the direction of a slip that begins is looked for, and how closely.</summary>
-    private const int MostStarts = 12;
-    private const double SameDirection = 1e-12;
-
-    /// <summary>A friction cone is left where the friction that is needed exceeds it by this share.</summary>
-    private const double BeyondCone = 1e-12;
-
-    /// <summary>Of two loads that differ by less than this share the first counts.</summary>
-    private const double SameLoad = 1e-9;
-
     /// <summary>Two that touch and do not press each other are no nearer than this at the end, m.</summary>
     private const double Entered = 1e-9;
 
@@ -50,8 +40,7 @@ internal static class ClusterModes
             ref ClusterContact contact = ref system.Contacts[i];
             ref SetContact on = ref contact.On;
             double slip = on.Slip.Length;
-            on.Bears = true;
-            on.Sticks = slip < Sticking && on.Sliding > 0;
+            on.Press(Sticking);
             on.Direction = slip > 0 && !on.Sticks ? on.Slip / slip : Vector3d.Zero;
             if (contact.Second >= 0)
             {
@@ -129,7 +118,7 @@ internal static class ClusterModes
     /// <summary>The load below which there is none, N.</summary>
     private static double LeastLoad(ClusterSystem system, in ClusterContact contact) => SurfaceForces.Least / system.Balls[contact.First].PerMass;
 
-    private static bool IsHeld(in ClusterBall ball, in SetContact on) => Math.Abs(ball.HeldSpin) <= on.Drilling * ball.PerMass * on.Load * (1.0 + BeyondCone);
+    private static bool IsHeld(in ClusterBall ball, in SetContact on) => Math.Abs(ball.HeldSpin) <= on.Drilling * ball.PerMass * on.Load * (1.0 + SetContact.BeyondCone);
 
     /// <summary>Solves for the forces with the modes as they are; the bearers follow from the loads.</summary>
     private static bool Force(ClusterSystem system)
@@ -194,9 +183,7 @@ internal static class ClusterModes
                 continue;
             }
 
-            bool heavier = bearer < 0 || (on.Sticks && !system.Contacts[bearer].On.Sticks)
-                || (on.Sticks == system.Contacts[bearer].On.Sticks && on.Load > system.Contacts[bearer].On.Load * (1.0 + SameLoad));
-            bearer = heavier ? i : bearer;
+            bearer = bearer < 0 || on.Outweighs(in system.Contacts[bearer].On) ? i : bearer;
         }
 
         return bearer;
@@ -239,9 +226,7 @@ internal static class ClusterModes
 
         if (worst >= 0)
         {
-            ref SetContact on = ref system.Contacts[worst].On;
-            on.Bears = true;
-            on.Sticks = on.Slip.Length < Sticking && on.Sliding > 0;
+            system.Contacts[worst].On.Press(Sticking);
             ForgetBearers(system);
             return true;
         }
@@ -259,9 +244,8 @@ internal static class ClusterModes
             ref readonly SetContact on = ref system.Contacts[i].On;
             if (on.Bears && on.Sticks)
             {
-                double over = on.Friction.Length - (on.Sliding * on.Load * (1.0 + BeyondCone));
-                worst = over > most ? i : worst;
-                most = Math.Max(most, over);
+                worst = on.Excess > most ? i : worst;
+                most = Math.Max(most, on.Excess);
             }
         }
 
@@ -270,10 +254,7 @@ internal static class ClusterModes
             return false;
         }
 
-        ref SetContact contact = ref system.Contacts[worst].On;
-        contact.Sticks = false;
-        contact.Slip = default;
-        contact.Direction = -1.0 / contact.Friction.Length * contact.Friction;
+        system.Contacts[worst].On.StartSlip();
         ForgetBearers(system);
         return true;
     }
@@ -284,7 +265,7 @@ internal static class ClusterModes
         for (int i = 0; i < system.ContactCount; i++)
         {
             ref ClusterContact contact = ref system.Contacts[i];
-            if (contact.On.Bears && contact.HoldsTwist && Math.Abs(contact.Twist) > contact.Lever * contact.On.Load * (1.0 + BeyondCone))
+            if (contact.On.Bears && contact.HoldsTwist && Math.Abs(contact.Twist) > contact.Lever * contact.On.Load * (1.0 + SetContact.BeyondCone))
             {
                 contact.HoldsTwist = false;
                 contact.TwistSign = contact.Twist > 0 ? -1.0 : 1.0;
@@ -321,19 +302,16 @@ internal static class ClusterModes
     private static bool Start(ClusterSystem system)
     {
         bool changed = false;
-        for (int round = 0; round < MostStarts; round++)
+        for (int round = 0; round < ContactModes.MostStarts; round++)
         {
             bool again = false;
             for (int i = 0; i < system.ContactCount; i++)
             {
                 ref ClusterContact contact = ref system.Contacts[i];
-                if (contact.On.Bears && !contact.On.Sticks && contact.On.Direction != Vector3d.Zero && contact.On.Slip == Vector3d.Zero)
+                if (contact.On.StartsToSlip)
                 {
                     Vector3d rate = SlipRate(system, in contact);
-                    double size = rate.Length;
-                    Vector3d direction = size > 0 ? rate / size : contact.On.Direction;
-                    again |= (direction - contact.On.Direction).Length > SameDirection;
-                    contact.On.Direction = direction;
+                    again |= contact.On.TurnSlip(in rate);
                 }
             }
 

@@ -88,7 +88,7 @@ internal sealed partial class ClusterSystem
         load.AlongV = n;
         load.OtherAlongV = -n;
         load.Asked = -on.Centripetal;
-        Push(ref load, in n, on.Sticks ? default : -on.Sliding * DirectionOf(in on), in n);
+        Push(ref load, in n, on.Sticks ? default : -on.Sliding * on.SlipDirection, in n);
         ref readonly ClusterBall ball = ref Balls[contact.First];
         if (contact.Second >= 0)
         {
@@ -177,13 +177,6 @@ internal sealed partial class ClusterSystem
         double share = (on.Rolling + (on.RollingBySpeed * speed)) * ball.PerMass;
         load.PushV -= share * direction;
         load.PushW -= share / ball.Radius * Vector3d.Cross(in on.Normal, in direction);
-    }
-
-    /// <summary>The direction of a slip, or that at the start where a stage has passed zero.</summary>
-    private static Vector3d DirectionOf(in SetContact on)
-    {
-        double size = on.Slip.Length;
-        return size > 0 && Vector3d.Dot(in on.Slip, in on.Direction) > 0 ? on.Slip / size : on.Direction;
     }
 
     /// <summary>Where drilling friction holds the spin of a ball, it takes what a force adds to that.</summary>

@@ -3,10 +3,6 @@ namespace Football.Physics;
 /// <summary>What a ball of a pile does by itself: the forces on it beside its contacts, its way through nets and goals, and what becomes of it after the pile.</summary>
 internal sealed class PilePhase
 {
-    /// <summary>Forces give no more than this in a part, m/s and rad/s beside the spin that there is: far beyond anything that flies.</summary>
-    private const double MostSpeed = 100.0;
-    private const double MostSpin = 1000.0;
-
     /// <summary>So many nets and goals a ball comes to on its way in a part.</summary>
     private const int MostPassages = 8;
 
@@ -78,19 +74,8 @@ internal sealed class PilePhase
         }
 
         Vector3d spinAcceleration = (-air.Decay * w) + air.SpinAcceleration;
-        acceleration = NoMore(acceleration + new Vector3d(0, _around.Upward, 0), MostSpeed / h);
-        spinAcceleration = NoMore(in spinAcceleration, (w.Length + MostSpin) / h);
-
-        // 1/(1 + h λ) of a net's push, with λ how fast it settles: what an implicit step would take.
-        if (s.Nets != 0)
-        {
-            MotionRates nets = _world.PushOfNets(s.Nets, s.NetSides, in at);
-            double share = 1.0 / (1.0 + (h * _nets.FastestRate(in s, in at.Position)));
-            acceleration += share * nets.Acceleration;
-            spinAcceleration += share * nets.SpinAcceleration;
-        }
-
-        return new MotionRates(in acceleration, in spinAcceleration, air.AirSpeed);
+        acceleration += new Vector3d(0, _around.Upward, 0);
+        return PartForces.Bounded(_world, _nets, in s, in at, new MotionRates(in acceleration, in spinAcceleration, air.AirSpeed), h);
     }
 
     /// <summary>Moves the ball straight on, through the nets and goals on its way.</summary>
@@ -157,7 +142,7 @@ internal sealed class PilePhase
         s.Carrier = carrier + _world.FirstCollider;
         _world.Exit(ref s);
         Vector3d n = _world.Hold(ref s, on);
-        Vector3d relative = s.Velocity - on.Velocity;
+        Vector3d relative = s.Velocity - _world.SurfaceVelocity(on, s.Position, in n, s.Time);
         bool rolls = Slip.Of(in relative, in w, in n, _around.Radius).Length < RollingSlip;
         s.Motion = rolls ? MotionState.Rolling : MotionState.Sliding;
         s.SetGroundSpin(rolls ? Slip.RollingSpin(in relative, Vector3d.Dot(in w, in n), in n, _around.Radius) : w);
@@ -191,11 +176,5 @@ internal sealed class PilePhase
         {
             log.Events.Add(new BallEvent(kind, thing, in n, s.Time, s.Position, s.Velocity, in w, s.Velocity, s.Spin));
         }
-    }
-
-    private static Vector3d NoMore(in Vector3d vector, double most)
-    {
-        double size = vector.Length;
-        return size > most ? most / size * vector : vector;
     }
 }
