@@ -56,6 +56,54 @@ public sealed class ClusterTests
         Assert.Equal(2 * 5 * steps, log.Evaluations);
     }
 
+    /// <summary>The same on a sloping table that turns: the balls grip the surface as it moves under them, and whole steps agree with far shorter ones.</summary>
+    [Theory]
+    [InlineData(1.0)]
+    [InlineData(-3.0)]
+    public void A_table_that_turns_carries_a_pair_in_whole_steps(double rate)
+    {
+        (BallState[] states, StepLog log) = Turned(rate, 0.01);
+        (BallState[] exact, _) = Turned(rate, 0.00125);
+        Assert.Equal(2 * 20, log.Steps);
+        Assert.All(Enumerable.Range(0, 2), i =>
+        {
+            Assert.Equal(MotionState.Rolling, states[i].Motion);
+            Assert.InRange((states[i].Position - exact[i].Position).Length, 0, 1e-9);
+            Assert.InRange((states[i].Velocity - exact[i].Velocity).Length, 0, 1e-8);
+        });
+    }
+
+    private static (BallState[] States, StepLog Log) Turned(double rate, double step)
+    {
+        BallProperties hollow = BallProperties.Football with { InertiaFactor = 2 / 3.0 };
+        BallProperties solid = BallProperties.Football with { InertiaFactor = 0.4, Mass = 0.6 };
+        double r = hollow.Radius;
+        Vector3d turning = rate * s_normal;
+        Surface felt = Surface.Of(Ground.DryTurf) with { RollingFriction = 0, RollingFrictionBySpeed = 0 };
+        var scene = new Scene
+        {
+            Air = s_vacuum,
+            Gravity = Gravity,
+            Ground = Ground.None,
+            Obstacles = [new Obstacle { Name = "table", Shape = new PlaneShape(Vector3d.Zero, s_normal), Surface = felt, Spin = turning }],
+        };
+        var group = new BallGroup(scene, [hollow, solid], null, Surface.Ball with { ImpactFriction = 0 });
+        Vector3d velocity = 1.0 * s_down;
+        BallState[] states = [.. Enumerable.Range(0, 2).Select(i =>
+        {
+            Vector3d contact = -2 * i * r * s_down;
+            Vector3d spin = turning + (Vector3d.Cross(s_normal, velocity - Vector3d.Cross(turning, contact)) / r);
+            return group.SimulatorOf(i).Launch(contact + (r * s_normal), velocity, spin);
+        })];
+        var log = new StepLog();
+        for (int i = 0; i < (int)Math.Round(0.2 / step); i++)
+        {
+            group.Step(states, step, log);
+        }
+
+        return (states, log);
+    }
+
     /// <summary>Two balls lie on a slope without friction, against a board without friction, and turn against each other: what one gets of the friction along the board the other loses.</summary>
     [Fact]
     public void What_balls_do_to_each_other_is_balanced()

@@ -24,7 +24,7 @@ internal sealed partial class BallPile
             member.OwnContacts = near;
             for (int k = 0; k < near; k++)
             {
-                _solver.Add(With(in room[k], i, in member, in s));
+                _solver.Add(With(in room[k], i, in member, in s, h));
             }
 
             for (int j = i + 1; j < Count; j++)
@@ -40,7 +40,7 @@ internal sealed partial class BallPile
         }
     }
 
-    private PileContact With(in Contact near, int index, in PileMember member, in BallState s)
+    private PileContact With(in Contact near, int index, in PileMember member, in BallState s, double h)
     {
         Collider collider = _simulators[member.Ball].World.Colliders[near.Collider];
         ref readonly ContactMaterial material = ref near.Material;
@@ -51,7 +51,9 @@ internal sealed partial class BallPile
             Collider = near.Collider,
             Moves = near.Moves,
             Normal = near.Normal,
-            Velocity = collider.SurfaceVelocity(s.Position - (member.Radius * near.Normal), s.Time),
+
+            // On a surface that turns: the velocity where the part ends. With the one at its start, a ball that grips would slip by |Ω × v| h.
+            Velocity = collider.SurfaceVelocity(s.Position + (h * s.Velocity) - (member.Radius * near.Normal), s.Time + h),
             Gap = Math.Max(0, near.Gap),
             NormalMass = 1.0 / member.PerMass,
             SlipMass = 1.0 / (member.PerMass + (member.Radius * member.Radius * member.PerInertia)),

@@ -78,8 +78,8 @@ internal static class ClusterProjection
             if (ball.HoldsSpin)
             {
                 ref BallState s = ref StateOf(ref ball, atEnd);
-                Vector3d n = system.Contacts[ball.Bearer].On.Normal;
-                s.SpinAxis -= Vector3d.Dot(s.SpinAxis, in n) * n;
+                ref readonly SetContact on = ref system.Contacts[ball.Bearer].On;
+                s.SpinAxis -= (Vector3d.Dot(s.SpinAxis, in on.Normal) - on.CarrierSpin) * on.Normal;
             }
         }
 
@@ -119,7 +119,7 @@ internal static class ClusterProjection
             return Math.Abs(off);
         }
 
-        Vector3d slip = Slip.Of(s.Velocity, s.SpinAxis, in on.Normal, ball.Radius);
+        Vector3d slip = Slip.Of(s.Velocity - on.Surface, s.SpinAxis, in on.Normal, ball.Radius);
         double turns = ball.Radius * ball.Radius * ball.PerInertia;
         Vector3d impulse = -1.0 / (ball.PerMass + turns) * slip;
         s.Velocity += ball.PerMass * impulse;
