@@ -307,8 +307,7 @@ internal static class ContactSet
         for (int i = 0; i < count; i++)
         {
             ref readonly Contact other = ref set[i];
-            if (Vector3d.Dot(in contact.Normal, in other.Normal) > 1.0 - Flush.SameNormal
-                && Math.Abs(Vector3d.Dot(contact.Velocity - other.Velocity, in contact.Normal)) <= ContactSearch.Approaching)
+            if (Flush.IsFlush(in contact, in other))
             {
                 return Flush.ComesBefore(world, in contact, in other, carrier) ? i : -1;
             }

@@ -13,7 +13,7 @@ internal static class Flush
     public const double SameNormal = 4e-9;
 
     /// <summary>Over the edge of its carrier a ball is handed on to a surface that is no lower than this, m.</summary>
-    private const double LowerBy = 3.0 * ContactSearch.Touching;
+    public const double LowerBy = 3.0 * ContactSearch.Touching;
 
     /// <summary>Two depths are equal within this, m.</summary>
     private const double SameDepth = 1e-12;
@@ -62,6 +62,22 @@ internal static class Flush
         }
 
         return 0;
+    }
+
+    /// <summary>True if two contacts have the same normal, and neither surface moves against the other along it.</summary>
+    /// <param name="first">One contact.</param>
+    /// <param name="second">The other contact.</param>
+    public static bool IsFlush(in Contact first, in Contact second)
+    {
+        if (!(Vector3d.Dot(in first.Normal, in second.Normal) > 1.0 - SameNormal))
+        {
+            return false;
+        }
+
+        // At the edge of a tile that moves along its plane the normals differ a little: then ΔV·n is at most |ΔV| |n₁ × n₂|.
+        Vector3d difference = first.Velocity - second.Velocity;
+        double sine = Vector3d.Cross(in first.Normal, in second.Normal).Length;
+        return Math.Abs(Vector3d.Dot(in difference, in first.Normal)) <= ContactSearch.Approaching + (difference.Length * sine);
     }
 
     /// <summary>True if the first of two contacts with the same normal stands for both.</summary>

@@ -34,6 +34,7 @@ internal sealed class BodyPush
 
         // First what carried it: the game may have taken it away from under the ball.
         LetGo(ref s, ref run);
+        CrossSeam(ref s, ref run);
         int deepest = NearThings.Deepest(_world, in s, out bool overlapsBody);
 
         // What overlaps a thing that stands still alone is not the game's doing: that is an impact.
@@ -54,6 +55,21 @@ internal sealed class BodyPush
 
         // It meets nets, and comes through goals, on the way out too.
         _displacement.Follow(ref s, in from, ref run);
+    }
+
+    /// <summary>A step may begin just beyond the edge of a flush body that is higher by next to nothing: that body carries the ball, and pushes it nowhere.</summary>
+    private void CrossSeam(ref BallState s, ref StepRun run)
+    {
+        if (s.Motion is not (MotionState.Rolling or MotionState.Sliding))
+        {
+            return;
+        }
+
+        int next = Flush.CarrierOf(_world, in s);
+        if (_world.Ball.Radius - _world.Colliders[next].At(s.Position, s.Time).Distance <= Flush.LowerBy)
+        {
+            _contact.HandOver(ref s, next, ref run);
+        }
     }
 
     /// <summary>Out of one thing: Newton on the gap, along the way that is open to the ball.</summary>

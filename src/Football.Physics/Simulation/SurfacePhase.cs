@@ -86,7 +86,7 @@ internal sealed class SurfacePhase<TIntegrator>
             }
 
             // Of flush surfaces another may carry the ball from here on: only the material and the velocity of the surface change.
-            s.Carrier = Flush.CarrierOf(_world, in s) + _world.FirstCollider;
+            _contact.HandOver(ref s, Flush.CarrierOf(_world, in s), ref run);
             if (_set.Take(ref s, ref run))
             {
                 return;

@@ -267,6 +267,28 @@ internal sealed class WorldContact
         }
     }
 
+    /// <summary>A flush surface takes over the ball. One that moves otherwise than the last makes a rolling ball slip: v and ω stay (world.md, Flush).</summary>
+    public void HandOver(ref BallState s, int collider, ref StepRun run)
+    {
+        if (collider == s.Carrier - _world.FirstCollider)
+        {
+            return;
+        }
+
+        Collider before = _world.CarrierOf(in s);
+        Collider next = _world.Colliders[collider];
+        s.Carrier = collider + _world.FirstCollider;
+        if (s.Motion == MotionState.Rolling)
+        {
+            Vector3d n = next.At(s.Position, s.Time).Normal;
+            Vector3d change = _world.SurfaceVelocity(next, s.Position, in n, s.Time) - _world.SurfaceVelocity(before, s.Position, in n, s.Time);
+            if (change.Length >= Slip.Rolling)
+            {
+                StartSliding(ref s, ref run);
+            }
+        }
+    }
+
     /// <summary>A rolling ball begins to slip.</summary>
     public void StartSliding(ref BallState s, ref StepRun run)
     {

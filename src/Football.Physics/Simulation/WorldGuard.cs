@@ -173,7 +173,7 @@ internal sealed class WorldGuard
                 _contact.Impact(ref s, met.Index, ref run);
                 break;
             case SeparationKind.Seam:
-                s.Carrier = met.Index + _world.FirstCollider;
+                _contact.HandOver(ref s, met.Index, ref run);
                 break;
             case SeparationKind.NetMet:
                 s.Nets |= 1UL << met.Index;

@@ -1,0 +1,102 @@
+namespace Football.Physics.Tests.Things;
+
+/// <summary>Surfaces that are flush, where a step begins within micrometres of the seam.</summary>
+public sealed class FlushTests
+{
+    private const double Step = 0.01;
+
+    /// <summary>
+    /// A tile is 1e-10 m higher than the turf and moves in its own plane, along its edge. The first step ends up to 10 µm before the edge or beyond it.
+    /// The ball slides sideways on the tile, and keeps its speed across the edge.
+    /// </summary>
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void A_step_that_begins_at_the_edge_of_a_moving_tile_keeps_the_speed(bool engine)
+    {
+        for (int i = -40; i <= 40; i++)
+        {
+            BallState over = Rolled(0.25e-6 * i, engine, out int told);
+            BallState alone = Rolled(null, engine, out _);
+            Assert.Equal(0, told);
+            Assert.Equal(MotionState.Sliding, over.Motion);
+
+            // Coulomb friction drags it along, and spins it up: its slip is 1.5 m/s at the edge.
+            double timeOver = over.Time - Step + (0.25e-6 * i / 2.0);
+            Assert.InRange(over.Velocity.Z / (0.5 * 9.81 * timeOver), 0.99, 1.01);
+            Assert.InRange(Math.Abs(over.Position.X - alone.Position.X), 0, 1e-9);
+            Assert.InRange(Math.Abs(over.Velocity.X - alone.Velocity.X), 0, 1e-9);
+        }
+    }
+
+    /// <summary>A ball rolls onto a conveyor, or a disc that spins, set into the turf: it slips there, with the spin that it had.</summary>
+    [Theory]
+    [InlineData(1.5, 0)]
+    [InlineData(0, 0.3)]
+    public void A_surface_that_moves_makes_a_rolling_ball_slip(double speed, double spin)
+    {
+        var belt = new Obstacle
+        {
+            Shape = new BoxShape(new Vector3d(6, -0.25, 0), new Vector3d(5, 0.25, 50)),
+            Surface = Surface.Of(Ground.DryTurf),
+            Velocity = new Vector3d(0, 0, speed),
+            Spin = new Vector3d(0, spin, 0),
+            Pivot = new Vector3d(6, 0, 0),
+        };
+        var simulator = new Simulator(new Scene { Ball = BallProperties.Football, Ground = Ground.DryTurf, Forces = ForceSet.None, Obstacles = [belt] });
+        BallState s = simulator.Launch(new Vector3d(0.985, 0.11, 0), new Vector3d(2, 0, 0), new Vector3d(0, 0, -2 / 0.11));
+        var log = new StepLog();
+        simulator.Step(ref s, Step, log);
+        Assert.Equal(MotionState.Sliding, s.Motion);
+        BallEvent slide = Assert.Single(log.Events.Span.ToArray());
+        Assert.Equal(BallEventKind.Slide, slide.Kind);
+        double timeOver = s.Time - slide.Time;
+        Assert.InRange(timeOver, 0.0020, 0.0030);
+        Assert.InRange(s.Velocity.Z / (0.5 * 9.81 * timeOver), 0.999, 1.001);
+        Assert.InRange(s.Spin.X / (-1.5 / 0.11 * 0.5 * 9.81 * timeOver), 0.999, 1.001);
+    }
+
+    /// <summary>Rolls for five steps; the edge is so far from where the first one ends, m.</summary>
+    private static BallState Rolled(double? beyond, bool engine, out int told)
+    {
+        const double Radius = 0.11;
+        Ground turf = Ground.DryTurf with { RollingFriction = 0, RollingFrictionBySpeed = 0 };
+        Scene scene = new() { Ball = BallProperties.Football, Ground = turf, Forces = ForceSet.None };
+        const double Speed = 2;
+        double edge = (Speed * Step) - (beyond ?? 0);
+        var along = new Vector3d(0, 0, 1.5);
+        var box = new BoxShape(new Vector3d(edge + 5, 1e-10 - 0.25, 0), new Vector3d(5, 0.25, 50));
+        var bodies = new Bodies();
+        Body? body = beyond is null || engine ? null : bodies.Add("tile", box, Surface.Of(turf));
+        var crate = beyond is null || !engine ? null : new Tile(new EngineCollider("tile", box, Surface.Of(turf)));
+        var simulator = new Simulator(scene with { Bodies = body is null ? null : bodies, EngineColliders = crate });
+        BallState s = simulator.Launch(new Vector3d(0, Radius, 0), new Vector3d(Speed, 0, 0), new Vector3d(0, 0, -Speed / Radius));
+        var log = new StepLog();
+        for (int i = 0; i < 5; i++)
+        {
+            body?.MoveTo(s.Time * along, along, s.Time);
+            crate?.MoveTo(s.Time * along, along, s.Time);
+            simulator.Step(ref s, Step, log);
+        }
+
+        told = log.Events.Span.ToArray().Count(item => item.Kind is BallEventKind.Squeezed or BallEventKind.Impact or BallEventKind.Leave);
+        return s;
+    }
+
+    /// <summary>An engine with one tile.</summary>
+    private sealed class Tile(EngineCollider collider) : IEngineColliders
+    {
+        public double Time { get; private set; }
+
+        public double GreatestSpeed { get; private set; }
+
+        public void Cast(in SphereCast cast, EngineHits hits) => hits.Add(collider);
+
+        public void MoveTo(in Vector3d position, in Vector3d velocity, double time)
+        {
+            Time = time;
+            GreatestSpeed = velocity.Length;
+            collider.MoveTo(position, Quaterniond.Identity, velocity, Vector3d.Zero);
+        }
+    }
+}
