@@ -12,6 +12,9 @@ internal static unsafe class ContactModes
     /// <summary>The most rounds in which the direction of a slip that begins is found.</summary>
     public const int MostStarts = 12;
 
+    /// <summary>The most rounds in which the bearer is looked for.</summary>
+    private const int MostBearers = 5;
+
     /// <summary>Two normals leave the velocity a direction where |n₁ × n₂| is more than this.</summary>
     private const double Independent = 1e-6;
 
@@ -103,10 +106,15 @@ internal static unsafe class ContactModes
         return changed;
     }
 
-    /// <summary>Solves for the forces with the modes as they are; the bearer and the direction of the roll follow from the loads.</summary>
+    /// <summary>
+    /// Solves for the forces with the modes as they are; the bearer and the direction of the roll follow from the loads. Rolling resistance may take so much load off its
+    /// contact that another contact has the greater load, whichever of the two is the bearer. Then both count as equal, and the first one is the bearer.
+    /// </summary>
     private static void Force(ref ContactSystem system, double time, in Motion at, ref int evaluations)
     {
-        for (int round = 0; round < 4; round++)
+        int before = -1;
+        system.IsTied = false;
+        for (int round = 0; round < MostBearers; round++)
         {
             system.Free(time, in at, out Vector3d acceleration, out Vector3d spinAcceleration, out _);
             evaluations++;
@@ -115,11 +123,18 @@ internal static unsafe class ContactModes
             system.Acceleration = acceleration;
             system.SpinAcceleration = spinAcceleration;
             int bearer = BearerOf(in system);
-            if (bearer == system.Bearer)
+            if (bearer == system.Bearer || system.IsTied)
             {
                 return;
             }
 
+            system.IsTied = bearer >= 0 && bearer == before;
+            if (system.IsTied && system.Bearer < bearer)
+            {
+                return;
+            }
+
+            before = system.Bearer;
             system.Bearer = bearer;
             if (bearer < 0)
             {

@@ -22,6 +22,9 @@ internal unsafe struct ContactSystem : IMotionSystem
 
     /// <summary>The contact that rolling resistance and drilling friction belong to; −1 for none.</summary>
     public int Bearer;
+
+    /// <summary>True if another contact has as much load as the bearer, whichever of the two is the bearer.</summary>
+    public bool IsTied;
     public DragBranch Branch;
     public ulong Nets;
     public ulong NetSides;

@@ -119,7 +119,7 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
                 return Vector3d.Dot(in contact.Slip, in contact.Direction);
             case Limit.Opening when !contact.Bears:
                 return contact.Opening + SurfaceForces.Least;
-            case Limit.Bearer when contact.Bears && system.Bearer >= 0 && index != system.Bearer && contact.Sticks == system.Contacts[system.Bearer].Sticks:
+            case Limit.Bearer when contact.Bears && system.Bearer >= 0 && !system.IsTied && index != system.Bearer && contact.Sticks == system.Contacts[system.Bearer].Sticks:
                 return (system.Contacts[system.Bearer].Load * (1.0 + SetContact.SameLoad)) - contact.Load;
             case Limit.Rest when index == system.Bearer:
                 Collider carrier = system.World.Colliders[contact.Collider];
